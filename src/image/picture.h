@@ -1,0 +1,36 @@
+// Pictures: files in and out. No caller needs to know which library does it.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "scene/error.h"
+
+namespace strahl {
+
+/// Values row by row from the top, `channels` per pixel. Read from 8- and 16-bit files they are code / 255 or / 65535.
+struct Picture {
+    int width = 0, height = 0, channels = 3;
+    std::vector<double> values;
+    int bits = 32;  // of the file it came from: 8, 16, or 32 for float
+};
+
+struct FileFormat {
+    int bits = 8;         // 8 for .bmp, 8 or 16 for .png, 32 (float) for .exr
+    bool linear = false;  // the scene's `assumed_gamma 1`: 8- and 16-bit files are sRGB-encoded
+};
+
+/// Is this an ending that write_picture knows (.bmp .png .exr), with these bits? Else a message that says what to do.
+/// `bits` 0 means the ending's default.
+std::string format_fault(const std::string& path, int bits);
+
+/// Writes atomically: a temporary file beside `path`, then rename. "-" is standard output, for which `ending`
+/// (".png", say) chooses the format. Throws FileError.
+void write_picture(const Picture& picture, const std::string& path, FileFormat format, const std::string& ending = "");
+
+/// Throws FileError.
+Picture read_picture(const std::string& path);
+
+/// Starts loading the picture library in the background, so that write_picture need not wait (it costs 0.2 s).
+void preload_picture_library();
+
+}  // namespace strahl

@@ -1,0 +1,18 @@
+// From computed values to what a screen or an 8- or 16-bit file holds: the only place for the transfer curve.
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace strahl {
+
+/// The sRGB encoding of linear light (IEC 61966-2-1), 0 <= v <= 1.
+inline double srgb(double v) { return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055; }
+
+/// round(steps * clamp(v, 0, 1)), halves up; sRGB-encoded first where the scene declares linear light. NaN becomes 0.
+inline std::uint16_t quantise(double v, bool linear, int steps) {
+    const double clamped = v > 0 ? std::min(v, 1.0) : 0.0;
+    return static_cast<std::uint16_t>(std::floor((linear ? srgb(clamped) : clamped) * steps + 0.5));
+}
+
+}  // namespace strahl

@@ -1,0 +1,92 @@
+// The words every kernel is written in: the same text runs on one number or on a pack of SIMD lanes.
+//
+// A scalar type S (float, double, long double, or Pack<T>) knows: + - * /, comparisons giving Mask<S>, and the free
+// functions below. Fused multiply-adds are written by hand as fma(a, b, c) and contraction is off, so that scalar,
+// AVX2 and AVX-512 instances give the same bits; x86-64-v2 has no fma and may differ in the last ones.
+#pragma once
+#include <cmath>
+#include <type_traits>
+
+#include "num/vec.h"
+
+namespace strahl {
+
+template <class S>
+struct LaneTraits {
+    using Element = S;
+    using Mask = bool;
+    static constexpr int width = 1;
+};
+template <class S>
+using Element = typename LaneTraits<S>::Element;
+template <class S>
+using Mask = typename LaneTraits<S>::Mask;
+template <class S>
+inline constexpr int width = LaneTraits<S>::width;
+
+template <class S>
+concept Scalar = std::is_floating_point_v<S>;
+
+#define STRAHL_INLINE [[gnu::always_inline]] inline
+
+template <Scalar S>
+STRAHL_INLINE S fma(S a, S b, S c) {
+    return std::fma(a, b, c);
+}
+template <Scalar S>
+STRAHL_INLINE S sqrt(S a) {
+    return std::sqrt(a);
+}
+template <Scalar S>
+STRAHL_INLINE S abs(S a) {
+    return std::fabs(a);
+}
+template <Scalar S>
+STRAHL_INLINE S min(S a, S b) {
+    return b < a ? b : a;
+}
+template <Scalar S>
+STRAHL_INLINE S max(S a, S b) {
+    return a < b ? b : a;
+}
+template <Scalar S>
+STRAHL_INLINE S select(bool mask, S yes, S no) {
+    return mask ? yes : no;
+}
+STRAHL_INLINE bool any(bool mask) { return mask; }
+STRAHL_INLINE bool all(bool mask) { return mask; }
+STRAHL_INLINE bool none(bool mask) { return !mask; }
+template <Scalar S>
+STRAHL_INLINE S load(const S* from) {
+    return *from;
+}
+template <Scalar S>
+STRAHL_INLINE void store(S* to, S value) {
+    *to = value;
+}
+
+/// Masks combine with & | !, on one number and on a pack.
+template <class S>
+STRAHL_INLINE S dot(const Vec3<S>& a, const Vec3<S>& b) {
+    return fma(a.x, b.x, fma(a.y, b.y, a.z * b.z));
+}
+/// a + s * b
+template <class S>
+STRAHL_INLINE Vec3<S> fma(S s, const Vec3<S>& b, const Vec3<S>& a) {
+    return {fma(s, b.x, a.x), fma(s, b.y, a.y), fma(s, b.z, a.z)};
+}
+template <class S>
+STRAHL_INLINE Vec3<S> scale(S s, const Vec3<S>& v) {
+    return {s * v.x, s * v.y, s * v.z};
+}
+template <class S>
+STRAHL_INLINE Vec3<S> select(Mask<S> mask, const Vec3<S>& yes, const Vec3<S>& no) {
+    return {select(mask, yes.x, no.x), select(mask, yes.y, no.y), select(mask, yes.z, no.z)};
+}
+/// The same vector in every lane.
+template <class S, class T>
+STRAHL_INLINE Vec3<S> splat(const Vec3<T>& v) {
+    return {S(v.x), S(v.y), S(v.z)};
+}
+
+}  // namespace strahl

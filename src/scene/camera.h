@@ -1,0 +1,56 @@
+// The eye: where it stands, what it looks at, how wide it sees, and how it moves along a path.
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "num/vec.h"
+
+namespace strahl {
+
+/// The world is right-handed; +x of camera space is to the right of the picture, +y down it (row 0 is the top row).
+struct Camera {
+    DVec3 position{0};
+    DVec3 look_at{0};
+    DVec3 up{0, 0, -1};                 // the direction that points *down* the picture; `sky` is its negative
+    double fov = 25;                    // degrees between the viewing axis and the left or right edge, 0 < fov < 90
+    std::optional<double> aspectratio;  // picture width / height; without it the picture's own
+    bool operator==(const Camera&) const = default;
+};
+
+/// The orthonormal axes of a camera: `right` and `down` the picture, `forward` into it; and the picture plane's
+/// half sizes at distance 1. The ray through the picture point (sx, sy) in [-1,1]^2 (left to right, top to bottom) has
+/// the direction forward + sx * tan_x * right + sy * tan_y * down.
+struct CameraFrame {
+    DVec3 right, down, forward;
+    double tan_x, tan_y;
+};
+/// `aspect` is used where the camera has no aspectratio of its own. Requires position != look_at and up not parallel
+/// to the viewing direction (see `degenerate`).
+CameraFrame frame_of(const Camera& camera, double aspect);
+
+/// Why the camera spans no picture ("position equals look_at", "up is parallel to ..."), or nullptr if it does.
+const char* degenerate(const Camera& camera);
+
+/// A moment of a flythrough: seconds, and what differs from the scene's camera.
+struct Key {
+    double time = 0;
+    DVec3 position{0};
+    DVec3 look_at{0};
+    std::optional<double> fov;
+    std::optional<DVec3> up;
+    bool operator==(const Key&) const = default;
+};
+
+/// A path through the keys on a centripetal Catmull-Rom curve; times rise strictly.
+struct Flythrough {
+    double duration = 0;  // seconds, at least the last key's time
+    bool loop = false;    // after `duration` the path goes on at its first key, on a closed curve
+    std::vector<Key> keys;
+    bool operator==(const Flythrough&) const = default;
+};
+
+/// The camera at `time` seconds (before the first key the first key's; past the end the last's, or modulo `duration`
+/// if it loops). `scene_camera` gives what the keys leave open.
+Camera camera_at(const Flythrough& path, const Camera& scene_camera, double time);
+
+}  // namespace strahl

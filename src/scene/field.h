@@ -1,0 +1,23 @@
+// The field table of a kind: what its parameters are called, what they mean, which values they may take.
+// Parser, writer, manual and tests walk these tables, so a kind is described in one place.
+#pragma once
+#include "num/vec.h"
+
+namespace strahl {
+
+enum class Range { any, positive, zero_or_more, zero_to_one };
+
+/// One parameter of type V (double, DVec3, ...) in a struct C. `name` is how error messages and the manual call it.
+template <class C, class V>
+struct Field {
+    const char* name;
+    V C::*member;
+    const char* help;
+    Range range = Range::any;
+};
+template <class C, class V>
+Field(const char*, V C::*, const char*, Range) -> Field<C, V>;
+template <class C, class V>
+Field(const char*, V C::*, const char*) -> Field<C, V>;
+
+}  // namespace strahl

@@ -1,0 +1,33 @@
+// What a surface does with light: the coefficients of the article's illumination equation.
+#pragma once
+#include <tuple>
+
+#include "scene/field.h"
+
+namespace strahl {
+
+/// The defaults are those of the article's own `defaultmaterial` listing.
+struct Material {
+    Color rgb{.5, .5, .5};   // Of
+    double reflection = .5;  // Kr
+    double refraction = 0;   // Kt; above 0 the body is transparent
+    double diffuse = .5;     // Kd
+    double ambient = 0;      // Ka
+    double specular = 1;     // Ks, the highlight
+    double pow = 50;         // p, the highlight's exponent
+    double ior = 1;          // index of refraction of the body
+
+    bool operator==(const Material&) const = default;
+
+    static constexpr auto fields =
+        std::make_tuple(Field{"rgb", &Material::rgb, "colour of the body, per channel", Range::zero_or_more},
+                        Field{"reflection", &Material::reflection, "share of mirrored light, Kr", Range::zero_to_one},
+                        Field{"refraction", &Material::refraction, "share of transmitted light, Kt", Range::zero_to_one},
+                        Field{"diffuse", &Material::diffuse, "share of diffusely scattered light, Kd", Range::zero_or_more},
+                        Field{"ambient", &Material::ambient, "share of ambient light, Ka", Range::zero_or_more},
+                        Field{"specular", &Material::specular, "strength of the highlight, Ks", Range::zero_or_more},
+                        Field{"pow", &Material::pow, "exponent of the highlight", Range::zero_or_more},
+                        Field{"ior", &Material::ior, "index of refraction", Range::positive});
+};
+
+}  // namespace strahl

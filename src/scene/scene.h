@@ -1,0 +1,45 @@
+// A scene as a plain value: what a .rt file says, in double, comparable with ==.
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "scene/camera.h"
+#include "scene/kinds.h"
+#include "scene/material.h"
+#include "scene/transformation.h"
+
+namespace strahl {
+
+/// A point light without falloff.
+struct Light {
+    DVec3 position{0};
+    Color color{1};
+    bool operator==(const Light&) const = default;
+};
+
+struct Primitive {
+    Shape shape;
+    int material = 0;  // index into Scene::materials
+    std::vector<Transformation> transformations;
+    bool operator==(const Primitive&) const = default;
+};
+
+struct Settings {
+    Color ambient_light{1};    // Ia
+    int max_trace_level = 20;  // generations of rays, the primary ray being the first; 1 to 256
+    bool linear = false;       // `assumed_gamma 1`: values are linear light, shown sRGB-encoded; else straight as in 1999
+    bool operator==(const Settings&) const = default;
+};
+
+struct Scene {
+    Camera camera;
+    Settings settings;
+    Color background{0};
+    std::vector<Light> lights;
+    std::vector<Material> materials;    // each once, in the order of first use by a primitive
+    std::vector<Primitive> primitives;  // in the order declared: where two coincide the first wins
+    std::optional<Flythrough> flythrough;
+    bool operator==(const Scene&) const = default;
+};
+
+}  // namespace strahl

@@ -1,0 +1,18 @@
+// Scene text in, Scene out.
+#pragma once
+#include <string>
+#include <string_view>
+
+#include "scene/error.h"
+#include "scene/scene.h"
+
+namespace strahl {
+
+/// Parses scene text (UTF-8). `file` is only the name used in messages. Throws FileError whose what() lists up to 10
+/// faults, each as "file:line:column: message", the line itself, and a caret under the fault.
+Scene parse_scene(std::string_view text, std::string_view file);
+
+/// Reads a whole file, or standard input for "-". Throws FileError if it can't be read or is larger than `limit` bytes.
+std::string read_text(const std::string& path, std::size_t limit = std::size_t(1) << 30);
+
+}  // namespace strahl

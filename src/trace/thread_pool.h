@@ -1,0 +1,32 @@
+// A pool of threads that share out numbered pieces of work.
+#pragma once
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace strahl {
+
+class ThreadPool {
+  public:
+    /// `threads` workers, the calling thread being one of them; 0 takes as many as the machine has processors.
+    explicit ThreadPool(int threads = 0);
+    ~ThreadPool();
+    int size() const { return static_cast<int>(workers.size()) + 1; }
+
+    /// Calls work(thread) once on every thread (0 <= thread < size()), and returns when all are done. The pieces are
+    /// taken from a counter of the caller's own. `work` must not throw.
+    void run(const std::function<void(int thread)>& work);
+
+  private:
+    void loop(int thread, std::stop_token stop);
+    std::mutex mutex;
+    std::condition_variable_any wake, done;
+    const std::function<void(int)>* job = nullptr;
+    std::uint64_t generation = 0;
+    int busy = 0;
+    std::vector<std::jthread> workers;
+};
+
+}  // namespace strahl

@@ -1,0 +1,94 @@
+// The tracer: a scene made ready for one precision, and pictures of it, traced by all threads.
+#pragma once
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace strahl {
+
+class ThreadPool;
+
+enum class Precision { single, twice, extended };        // float, double, long double
+enum class Simd { automatic, scalar, v2, v3, v4 };       // x86-64 level of the lanes; scalar is one lane without SIMD
+
+const char* name(Precision precision);                   // "float", "double", "extended"
+const char* name(Simd simd);                             // "scalar", "x86-64-v2", ...
+/// The best level this processor and this build have.
+Simd best_simd();
+/// Can this processor run it?
+bool supported(Simd simd);
+/// Lanes of a pack (1 for scalar and for extended precision).
+int lanes(Precision precision, Simd simd);
+
+/// Pixels x + i * step_x, y + j * step_y for 0 <= i < columns, 0 <= j < rows of a picture. A crop has steps of 1; the
+/// passes of a progressive picture are coarse lattices that together meet every pixel once.
+struct Lattice {
+    int x = 0, y = 0, columns = 0, rows = 0, step_x = 1, step_y = 1;
+};
+
+/// Rays traced, by type.
+struct Counts {
+    std::uint64_t camera = 0, reflected = 0, refracted = 0, shadow = 0;
+    Counts& operator+=(const Counts& other);
+    std::uint64_t total() const { return camera + reflected + refracted + shadow; }
+};
+
+/// Values of one tile: red, green, blue of each pixel of `lattice`, row by row, linear and unclamped. Float for
+/// single precision, double for the two others.
+struct Tile {
+    Lattice lattice;
+    std::variant<std::span<const float>, std::span<const double>> rgb;
+};
+/// Called from any thread, once per tile; tiles do not overlap.
+using Sink = std::function<void(const Tile&)>;
+
+/// What to trace. Everything is in pixels of the whole picture, so that a crop or a pass is the same pixels.
+struct View {
+    Camera camera;
+    int width = 640, height = 480;
+    int depth = 20;           // generations of rays, the primary ray being the first; 1 to 256
+    double cutoff = 0;        // rays whose path keeps no more than this share of light are not traced; 0 traces all
+};
+
+/// A scene made ready. Pictures depend on the scene, view, precision and (x86-64-v2 and extended apart) nothing else:
+/// not on lanes, threads, tiles, crops, or the views traced before.
+class Tracer {
+  public:
+    Tracer(const Scene& scene, Precision precision, Simd simd = Simd::automatic);
+    ~Tracer();
+    Tracer(Tracer&&) noexcept;
+    Tracer& operator=(Tracer&&) noexcept;
+
+    /// Traces the lattice on all threads of the pool and returns when it is done or `stop` became true; tiles that
+    /// were handed to the sink are whole in both cases. Not to be called from two threads at once.
+    Counts trace(const View& view, const Lattice& lattice, ThreadPool& pool, const Sink& sink,
+                 const std::atomic<bool>* stop = nullptr);
+
+    Precision precision() const;
+    Simd simd() const;
+
+  private:
+    struct Implementation;
+    std::unique_ptr<Implementation> implementation;
+};
+
+/// A whole picture in double.
+struct Frame {
+    int width = 0, height = 0;
+    std::vector<double> rgb;  // 3 * width * height, row by row from the top
+    bool operator==(const Frame&) const = default;
+};
+
+/// The plain way: the whole view as a frame.
+Frame render(const Scene& scene, const View& view, Precision precision = Precision::twice, int threads = 0,
+             Simd simd = Simd::automatic);
+
+}  // namespace strahl
