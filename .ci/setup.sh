@@ -1,0 +1,74 @@
+# shellcheck shell=bash
+# What the two scripts `strahl` and `tests/run` share: Debian packages, and building a preset.
+# shellcheck disable=SC2034  # the lists are for those two
+
+build_packages=(g++ cmake ninja-build pkg-config libglfw3-dev libgl-dev libglm-dev libopenimageio-dev libimgui-dev
+    libcli11-dev)
+test_packages=(doctest-dev povray xvfb xauth libgl1-mesa-dri xdotool imagemagick openimageio-tools)
+
+say() { printf 'strahl: %s\n' "$*" >&2; }
+die() {
+    say "$@"
+    exit 1
+}
+
+# Runs a command with its output in a log; shows the log's end if it fails. Standard input stays the caller's scene.
+logged() {
+    local log=$1
+    shift
+    "$@" >"$log" 2>&1 </dev/null && return
+    tail -n 40 "$log" >&2
+    say "this failed: $*"
+    say "the whole log is $log"
+    return 1
+}
+
+# Installs those of the given Debian packages that are not there yet, and says so first.
+install_packages() {
+    local root=$1 missing=() package
+    shift
+    if ! command -v dpkg-query >/dev/null; then
+        say "not a Debian system: nothing is installed; the build needs what Debian calls: $*"
+        return
+    fi
+    local there
+    there=$(dpkg-query -W -f='${db:Status-Status} ${Package}\n' "$@" 2>/dev/null | sed -n 's/^installed //p' || true)
+    for package in "$@"; do
+        grep -qxF -e "$package" <<<"$there" || missing+=("$package")
+    done
+    ((${#missing[@]})) || return 0
+
+    local apt=(env DEBIAN_FRONTEND=noninteractive apt-get -q -y -o DPkg::Lock::Timeout=300) su=()
+    if ((EUID != 0)); then
+        command -v sudo >/dev/null ||
+            die "these Debian packages are missing, and only root (or sudo) can install them:" \
+                "apt-get install --no-install-recommends ${missing[*]}"
+        su=(sudo)
+    fi
+    say "installing the Debian packages that are missing here${su[*]:+ (with sudo)}: ${missing[*]}"
+    say "with what they need this is up to 250 MB and takes half a minute to a few minutes"
+    mkdir -p "$root/build"
+    # A stale package list is no reason to stop: what is missing may still be had.
+    logged "$root/build/apt-update.log" "${su[@]}" "${apt[@]}" update || true
+    logged "$root/build/apt-install.log" "${su[@]}" "${apt[@]}" install --no-install-recommends "${missing[@]}" ||
+        die "could not install them; try it by hand: ${su[*]} apt-get install --no-install-recommends ${missing[*]}"
+}
+
+# build_preset ROOT PRESET TARGET [CMAKE-OPTION...]: configures if needed (always with options) and builds.
+build_preset() {
+    local root=$1 preset=$2 target=$3 folder="$1/build/$2" quiet=(-- --quiet)
+    shift 3
+    # A tree that was copied or moved with its build folder can't go on with it.
+    if [[ -f $folder/CMakeCache.txt ]] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$folder/CMakeCache.txt"; then
+        rm -rf "$folder"
+    fi
+    mkdir -p "$folder"
+    if (($#)) || [[ ! -f $folder/build.ninja ]]; then
+        logged "$folder/configure.log" cmake -S "$root" --preset "$preset" "$@"
+    fi
+    if [[ -t 2 ]]; then # a terminal sees the compiler get on
+        cmake --build "$folder" --target "$target" >&2 </dev/null
+    else
+        logged "$folder/build.log" cmake --build "$folder" --target "$target" "${quiet[@]}"
+    fi
+}
