@@ -15,12 +15,12 @@ struct Picture {
 };
 
 struct FileFormat {
-    int bits = 8;         // 8 for .bmp, 8 or 16 for .png, 32 (float) for .exr
+    int bits = 0;         // 8 for .bmp, 8 or 16 for .png, 32 (float) for .exr; 0 takes the first of these
     bool linear = false;  // the scene's `assumed_gamma 1`: 8- and 16-bit files are sRGB-encoded
 };
 
 /// Is this an ending that write_picture knows (.bmp .png .exr), with these bits? Else a message that says what to do.
-/// `bits` 0 means the ending's default.
+/// `bits` 0 means the ending's default. `path` may be the ending alone.
 std::string format_fault(const std::string& path, int bits);
 
 /// Writes atomically: a temporary file beside `path`, then rename. "-" is standard output, for which `ending`

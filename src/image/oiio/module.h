@@ -1,0 +1,24 @@
+// What the plain part and the module that holds OpenImageIO say to each other.
+#pragma once
+#include <string>
+
+#include "image/picture.h"
+
+namespace strahl {
+
+/// A picture as a file holds it: uint8, uint16 or float by `bits`, row by row from the top.
+struct Codes {
+    int width, height, channels, bits;
+    const void* data;
+};
+
+}  // namespace strahl
+
+extern "C" {
+/// The bytes of a file with this ending (".png", say), or false and the reason in `result`. Never throws.
+[[gnu::visibility("default")]] bool strahl_encode_picture(const strahl::Codes& codes, const char* ending,
+                                                          std::string& result);
+/// The picture in a file, or false and the reason. Never throws.
+[[gnu::visibility("default")]] bool strahl_decode_picture(const std::string& path, strahl::Picture& picture,
+                                                          std::string& reason);
+}

@@ -1,0 +1,118 @@
+// Pictures: endings, quantising, and the way to the module that encodes and decodes files.
+#include "image/picture.h"
+
+#include <dlfcn.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <future>
+#include <limits>
+#include <system_error>
+
+#include "image/oiio/module.h"
+#include "image/transfer.h"
+#include "text/file.h"
+
+namespace strahl {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Library {
+    decltype(&strahl_encode_picture) encode;
+    decltype(&strahl_decode_picture) decode;
+};
+
+/// The module lies in lib/strahl: of the build folder, whose programs stand at its top or one folder down, or of the
+/// prefix it was installed to, whose programs stand in bin.
+Library load_library() {
+    std::error_code error;
+    const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
+    fs::path path = folder / "lib/strahl/libstrahl_image.so";
+    if (!fs::exists(path, error)) path = folder.parent_path() / "lib/strahl/libstrahl_image.so";
+    if (!fs::exists(path, error))
+        throw FileError("the part of strahl that reads and writes pictures is missing: there is no '" + path.string() +
+                        "'; build or install strahl again");
+    // Never closed: the libraries behind it do not all survive being unloaded.
+    void* const handle = ::dlopen(path.c_str(), RTLD_LAZY | RTLD_LOCAL);
+    if (!handle)
+        throw FileError(std::string("the part of strahl that reads and writes pictures does not load: ") + ::dlerror());
+    return {reinterpret_cast<decltype(&strahl_encode_picture)>(::dlsym(handle, "strahl_encode_picture")),
+            reinterpret_cast<decltype(&strahl_decode_picture)>(::dlsym(handle, "strahl_decode_picture"))};
+}
+
+/// Loaded once per process, by whoever asks first; the thread that loads is waited for when the program ends.
+std::shared_future<Library> library() {
+    static const std::shared_future<Library> loading = std::async(std::launch::async, load_library).share();
+    return loading;
+}
+
+std::string ending_of(const std::string& path) {
+    const auto dot = path.find_last_of("./");
+    std::string ending = dot == std::string::npos || path[dot] == '/' ? "" : path.substr(dot);
+    for (char& c : ending)
+        if (c >= 'A' && c <= 'Z') c += 'a' - 'A';
+    return ending;
+}
+
+int bits_of(const std::string& ending, int bits) { return bits ? bits : ending == ".exr" ? 32 : 8; }
+
+template <class T>
+std::vector<T> quantised(const Picture& picture, bool linear) {
+    std::vector<T> codes(picture.values.size());
+    std::transform(picture.values.begin(), picture.values.end(), codes.begin(),
+                   [=](double v) { return static_cast<T>(quantise(v, linear, std::numeric_limits<T>::max())); });
+    return codes;
+}
+
+}  // namespace
+
+std::string format_fault(const std::string& path, int bits) {
+    const std::string ending = ending_of(path);
+    if (ending != ".bmp" && ending != ".png" && ending != ".exr")
+        return "pictures are written as .bmp, .png or .exr; give '" + path + "' one of these endings";
+    bits = bits_of(ending, bits);
+    if (ending == ".bmp" && bits != 8)
+        return "a .bmp file has 8 bits per channel; choose .png for 16 or .exr for float";
+    if (ending == ".png" && bits != 8 && bits != 16)
+        return "a .png file has 8 or 16 bits per channel; choose .exr for float";
+    if (ending == ".exr" && bits != 32) return "an .exr file has 32 bits per channel (float); choose .png for 8 or 16";
+    return "";
+}
+
+void write_picture(const Picture& picture, const std::string& path, FileFormat format, const std::string& ending) {
+    const std::string& named = path == "-" ? ending : path;
+    if (const std::string fault = format_fault(named, format.bits); !fault.empty()) throw FileError(fault);
+    const std::string kind = ending_of(named);
+    if (kind == ".bmp" && picture.channels != 3)
+        throw FileError("cannot write '" + path + "': a .bmp file holds red, green and blue; choose .png or .exr");
+    const int bits = bits_of(kind, format.bits);
+    const Library module = library().get();
+    std::string result;
+    const auto encode = [&](const auto& codes) {
+        return module.encode({picture.width, picture.height, picture.channels, bits, codes.data()}, kind.c_str(),
+                             result);
+    };
+    const bool done = bits == 8    ? encode(quantised<std::uint8_t>(picture, format.linear))
+                      : bits == 16 ? encode(quantised<std::uint16_t>(picture, format.linear))
+                                   : encode(std::vector<float>(picture.values.begin(), picture.values.end()));
+    if (!done) throw FileError("cannot write '" + path + "': " + result);
+    write_file(path, result);
+}
+
+Picture read_picture(const std::string& path) {
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    if (!fs::exists(status)) throw FileError("cannot read '" + path + "': there is no such file");
+    if (fs::is_directory(status)) throw FileError("cannot read '" + path + "': it is a folder");
+    Picture picture;
+    std::string reason;
+    if (!library().get().decode(path, picture, reason))
+        throw FileError("cannot read '" + path + "' as a picture: " + reason);
+    return picture;
+}
+
+void preload_picture_library() { library(); }
+
+}  // namespace strahl
