@@ -8,9 +8,17 @@
 
 namespace strahl {
 
+/// How much one text may ask for; more is a fault. The text's own size bounds the rest.
+struct TextLimits {
+    std::size_t primitives = std::size_t(1) << 24;
+    std::size_t transformations = 1000;  // of one primitive
+    std::size_t lights = 1 << 16;
+    std::size_t keys = 1 << 20;
+};
+
 /// Parses scene text (UTF-8). `file` is only the name used in messages. Throws FileError whose what() lists up to 10
-/// faults, each as "file:line:column: message", the line itself, and a caret under the fault.
-Scene parse_scene(std::string_view text, std::string_view file);
+/// faults, each as "file:line:column: message", the line itself, and a caret under the fault. Columns count characters.
+Scene parse_scene(std::string_view text, std::string_view file, const TextLimits& limits = {});
 
 /// Reads a whole file, or standard input for "-". Throws FileError if it can't be read or is larger than `limit` bytes.
 std::string read_text(const std::string& path, std::size_t limit = std::size_t(1) << 30);

@@ -1,0 +1,188 @@
+// The axes of a camera, and its way along a flythrough.
+#include "scene/camera.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace strahl {
+namespace {
+
+DVec3 cross(const DVec3& a, const DVec3& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+double length(const DVec3& v) { return std::hypot(v.x, v.y, v.z); }
+
+/// Length 1; not finite if `v` is zero. The largest component is taken out first, or denormal vectors lose their
+/// direction.
+DVec3 unit(const DVec3& v) {
+    const double largest = std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
+    const DVec3 w = v / largest;
+    return w / length(w);
+}
+bool finite(const DVec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+// Between the keys
+//
+// A key has one neighbour on each side or, at the ends of an open path, none. `Window` holds the four keys around a
+// moment: between [1] and [2] lies the moment, `h` is its share of the way.
+struct Window {
+    std::array<const Key*, 4> key;  // [0] and [3] may be nullptr
+    std::array<double, 3> seconds;  // from each key to the next
+    double h;
+};
+
+/// The slope of a curve at a key, from the secants on both sides: their weighted harmonic mean, which never overshoots
+/// (F. N. Fritsch, J. Butland, "A Method for Constructing Local Monotone Piecewise Cubic Interpolants", 1984).
+double slope_between(double left, double right, double seconds_left, double seconds_right) {
+    if (!(left * right > 0)) return 0;
+    const double a = 2 * seconds_right + seconds_left, b = seconds_right + 2 * seconds_left;
+    return (a + b) / (a / left + b / right);
+}
+
+/// The cubic from p to q with the slopes m and n over a stretch of the given length; exact at both ends.
+template <class V>
+V hermite(const V& p, const V& q, const V& m, const V& n, double stretch, double h) {
+    const double g = 1 - h;
+    return p * (g * g * (1 + 2 * h)) + q * (h * h * (3 - 2 * h)) + (m * g - n * h) * (g * h * stretch);
+}
+
+/// A number along the path, smooth and never outside of what neighbouring keys say.
+template <class Value>
+double number_at(const Window& w, Value value) {
+    const double p = value(*w.key[1]), q = value(*w.key[2]);
+    const double secant = (q - p) / w.seconds[1];
+    const double m =
+        w.key[0] ? slope_between((p - value(*w.key[0])) / w.seconds[0], secant, w.seconds[0], w.seconds[1]) : secant;
+    const double n =
+        w.key[3] ? slope_between(secant, (value(*w.key[3]) - q) / w.seconds[2], w.seconds[1], w.seconds[2]) : secant;
+    return std::clamp(hermite(p, q, m, n, w.seconds[1], w.h), std::min(p, q), std::max(p, q));
+}
+
+/// A point along the path. The curve is the centripetal Catmull-Rom spline, whose knots lie the square root of a chord
+/// apart and which therefore has no loops or cusps between keys (C. Yuksel, S. Schaefer, J. Keyser, "Parameterization
+/// and Applications of Catmull-Rom Curves", 2011). Time runs over the knots along a monotone cubic, so that speed too
+/// is continuous at the keys, whatever their times.
+DVec3 point_at(const Window& w, DVec3 Key::*member) {
+    const auto chord = [&](int i) { return w.key[i + 1]->*member - w.key[i]->*member; };
+    const DVec3 here = chord(1);
+    const double knots = std::sqrt(length(here));
+    const DVec3 p = w.key[1]->*member, q = w.key[2]->*member;
+    if (knots == 0) return p;
+
+    // Without a neighbour the curve goes straight on; beside a chord of length 0 its velocity is 0.
+    const double speed = knots / w.seconds[1];
+    DVec3 m = here / knots, n = m;
+    double slope_p = speed, slope_q = speed;
+    const auto velocity = [](const DVec3& a, double ka, const DVec3& b, double kb) {
+        return ka > 0 ? a / ka - (a + b) / (ka + kb) + b / kb : DVec3(0);
+    };
+    if (w.key[0]) {
+        const double before = std::sqrt(length(chord(0)));
+        m = velocity(chord(0), before, here, knots);
+        slope_p = slope_between(before / w.seconds[0], speed, w.seconds[0], w.seconds[1]);
+    }
+    if (w.key[3]) {
+        const double after = std::sqrt(length(chord(2)));
+        n = velocity(chord(2), after, here, knots);
+        slope_q = slope_between(speed, after / w.seconds[2], w.seconds[1], w.seconds[2]);
+    }
+    const double u = std::clamp(hermite(0.0, knots, slope_p, slope_q, w.seconds[1], w.h) / knots, 0.0, 1.0);
+    return hermite(p, q, m, n, knots, u);
+}
+
+/// Directions blend as vectors of length 1; one that stays the same stays so exactly.
+template <class Value>
+DVec3 direction_at(const Window& w, Value value) {
+    const DVec3 p = value(*w.key[1]);
+    if (value(*w.key[2]) == p) return p;
+    DVec3 result;
+    for (int i = 0; i < 3; ++i) result[i] = number_at(w, [&](const Key& key) { return unit(value(key))[i]; });
+    return result;
+}
+
+Camera at_key(const Key& key, const Camera& scene_camera) {
+    return {key.position, key.look_at, key.up.value_or(scene_camera.up), key.fov.value_or(scene_camera.fov),
+            scene_camera.aspectratio};
+}
+
+/// The camera of the moment, degenerate where the keys' curves happen to meet.
+Camera raw_camera_at(const Flythrough& path, const Camera& scene_camera, double time) {
+    const std::vector<Key>& keys = path.keys;
+    int count = static_cast<int>(keys.size());
+    if (count == 0) return scene_camera;
+    const bool closed = path.loop && path.duration > 0;
+    if (closed) {
+        time -= path.duration * std::floor(time / path.duration);
+        if (time < keys.front().time) time += path.duration;
+        // A last key at the very moment at which the first comes round again is that first key.
+        if (count > 1 && keys.back().time >= keys.front().time + path.duration) --count;
+    }
+    if (count == 1 || !(time > keys.front().time)) return at_key(keys.front(), scene_camera);
+    const auto after = std::upper_bound(keys.begin(), keys.begin() + count, time,
+                                        [](double t, const Key& key) { return t < key.time; });
+    const int i = static_cast<int>(after - keys.begin()) - 1;
+    if (time == keys[i].time || (!closed && i == count - 1)) return at_key(keys[i], scene_camera);
+
+    // Key numbers run on past both ends: of a closed path they come round a duration later, of an open one there is
+    // none.
+    const auto key = [&](int k) -> const Key* {
+        return closed ? &keys[(k + count) % count] : k >= 0 && k < count ? &keys[k] : nullptr;
+    };
+    const auto moment = [&](int k) {
+        return key(k)->time + (k < 0 ? -path.duration : k >= count ? path.duration : 0.0);
+    };
+    Window w{{key(i - 1), key(i), key(i + 1), key(i + 2)}, {0, moment(i + 1) - moment(i), 0}, 0};
+    if (w.key[0]) w.seconds[0] = moment(i) - moment(i - 1);
+    if (w.key[3]) w.seconds[2] = moment(i + 2) - moment(i + 1);
+    w.h = (time - moment(i)) / w.seconds[1];
+
+    Camera camera = scene_camera;
+    camera.position = point_at(w, &Key::position);
+    camera.look_at = point_at(w, &Key::look_at);
+    camera.fov = number_at(w, [&](const Key& k) { return k.fov.value_or(scene_camera.fov); });
+    camera.up = direction_at(w, [&](const Key& k) { return k.up.value_or(scene_camera.up); });
+    return camera;
+}
+
+}  // namespace
+
+const char* degenerate(const Camera& camera) {
+    const DVec3 view = camera.look_at - camera.position;
+    if (view == DVec3(0)) return "position and look_at are the same point";
+    if (camera.up == DVec3(0)) return "up is the zero vector";
+    if (!finite(view) || !finite(camera.up)) return "a coordinate is not finite";
+    // Rounding turns the axes by 1e-16 / sine: at 1e-12 the picture's roll would still be right to 0.01 degrees.
+    if (length(cross(unit(camera.up), unit(view))) < 1e-12)
+        return "up is parallel to the direction from position to look_at";
+    return nullptr;
+}
+
+CameraFrame frame_of(const Camera& camera, double aspect) {
+    const DVec3 forward = unit(camera.look_at - camera.position);
+    const DVec3 right = unit(cross(unit(camera.up), forward));
+    const DVec3 down = cross(forward, right);
+    // In long double, so that 45 degrees give exactly 1.
+    const double tan_x = static_cast<double>(std::tan(camera.fov * (std::numbers::pi_v<long double> / 180)));
+    return {right, down, forward, tan_x, tan_x / camera.aspectratio.value_or(aspect)};
+}
+
+Camera camera_at(const Flythrough& path, const Camera& scene_camera, double time) {
+    Camera camera = raw_camera_at(path, scene_camera, time);
+    if (!degenerate(camera)) return camera;
+    // The path crosses its own look_at, or looks along `up`, just now: keep the axes of a moment close by.
+    for (double step = path.duration * 1e-6; step < path.duration; step *= 4)
+        for (const double near : {time - step, time + step}) {
+            const Camera other = raw_camera_at(path, scene_camera, near);
+            if (degenerate(other)) continue;
+            const CameraFrame frame = frame_of(other, 1);
+            if (camera.position == camera.look_at)
+                camera.look_at = camera.position + length(other.look_at - other.position) * frame.forward;
+            camera.up = frame.down;
+            if (!degenerate(camera)) return camera;
+        }
+    return camera;
+}
+
+}  // namespace strahl

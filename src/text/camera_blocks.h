@@ -1,0 +1,36 @@
+// The blocks `camera` and `flythrough`.
+#pragma once
+#include <array>
+#include <optional>
+
+#include "scene/camera.h"
+#include "text/parse.h"
+#include "text/reader.h"
+
+namespace strahl {
+
+class CameraBlocks {
+  public:
+    CameraBlocks(Reader& reader, const TextLimits& limits) : reader(reader), limits(limits) {}
+
+    void camera(std::string_view word);
+    void flythrough(std::string_view word);
+    /// At the end of the text: is there a camera, and do the keys of the flythrough go with it?
+    void check(std::string_view end_of_text);
+
+    Camera the_camera;
+    std::optional<Flythrough> path;
+
+  private:
+    struct Eye;
+    void key(std::string_view word);
+    void check_times(const Block& block, const Parameter& duration);
+
+    Reader& reader;
+    const TextLimits& limits;
+    std::string_view camera_at, path_at;  // where these blocks stand
+    bool camera_good = false;
+    std::vector<Block> key_blocks;
+};
+
+}  // namespace strahl

@@ -1,0 +1,109 @@
+// Words, numbers, comments.
+#include "text/lexer.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cstring>
+
+namespace strahl {
+namespace {
+
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+}  // namespace
+
+bool contains(std::span<const char* const> words, std::string_view word) {
+    return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+bool Lexer::skip_comment() {
+    if (end - next < 2) return false;
+    if (next[1] == '/') {
+        const void* const newline = std::memchr(next, '\n', end - next);
+        next = newline ? static_cast<const char*>(newline) : end;
+        return true;
+    }
+    if (next[1] != '*') return false;
+    const std::string_view rest(next + 2, end - next - 2);
+    const std::size_t close = rest.find("*/");
+    if (close == rest.npos) {
+        const std::string_view opening(next, 2);
+        next = end;
+        faults.add(opening, "this comment is never closed: '*/' missing");
+        faults.check();  // all that follows is comment: nothing more can be said about this text
+    }
+    next += 2 + close + 2;
+    return true;
+}
+
+std::string_view Lexer::word() {
+    skip_space();
+    const char* p = next;
+    if (p < end && is_letter(*p)) do
+            ++p;
+        while (p < end && (is_letter(*p) || is_digit(*p)));
+    const std::string_view result(next, p - next);
+    next = p;
+    return result;
+}
+
+bool Lexer::read_number(Number& number) {
+    skip_space();
+    const char* p = next;
+    if (p < end && *p == '+') ++p;
+    // from_chars also reads "inf" and "nan", and would take a second sign.
+    const char* const digits = p < end && *p == '-' && p == next ? p + 1 : p;
+    if (digits == end || !(is_digit(*digits) || (*digits == '.' && digits + 1 < end && is_digit(digits[1]))))
+        return false;
+    auto [stop, range] = std::from_chars(p, end, number.value);
+    number.at = {next, static_cast<std::size_t>(stop - next)};
+    if (stop < end && (is_letter(*stop) || is_digit(*stop) || *stop == '.')) {
+        while (stop < end && (is_letter(*stop) || is_digit(*stop) || *stop == '.')) ++stop;
+        const std::string_view whole(next, stop - next);
+        next = stop;
+        faults.add(whole, quoted(whole) + " is not a number");
+        throw Lost{};
+    }
+    if (range == std::errc::result_out_of_range) {
+        faults.add(number.at, quoted(number.at) + " is outside of what a number can hold (4.9e-324 to 1.8e308)");
+        number.value = 1;
+    }
+    next = stop;
+    return true;
+}
+
+std::string_view Lexer::token() {
+    skip_space();
+    const char* p = next;
+    if (p < end && (is_letter(*p) || is_digit(*p)))
+        while (p < end && (is_letter(*p) || is_digit(*p))) ++p;
+    else if (p < end)
+        do ++p;
+        while (p < end && (static_cast<unsigned char>(*p) & 0xC0) == 0x80);
+    return {next, static_cast<std::size_t>(p - next)};
+}
+
+void Lexer::fail(const std::string& message) {
+    const std::string_view here = token();
+    faults.add(here, message + (here.empty() ? ", but the text ends" : ", but here comes " + quoted(here)));
+    throw Lost{};
+}
+
+void Lexer::skip_to(std::span<const char* const> words, std::span<const char* const> blocks) {
+    for (std::size_t depth = 0;;) {
+        const char c = peek();
+        if (next == end || (c == '}' && depth == 0)) return;
+        if (const std::string_view w = word(); !w.empty()) {
+            if ((depth == 0 && (words.empty() || contains(words, w))) ||
+                (contains(blocks, w) && !contains(words, w) && peek() == '{'))
+                return rewind(w);
+            continue;
+        }
+        if (c == '{') ++depth;
+        if (c == '}') --depth;
+        ++next;
+    }
+}
+
+}  // namespace strahl

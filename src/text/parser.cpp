@@ -1,0 +1,301 @@
+// The blocks of the scene language.
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <unordered_map>
+#include <utility>
+
+#include "text/camera_blocks.h"
+#include "text/parse.h"
+#include "text/reader.h"
+
+namespace strahl {
+namespace {
+
+constexpr std::array shape_words{"material", "rotate", "translate", "scale"};
+
+/// The words that open a block of the top level.
+template <class... Kinds>
+constexpr auto top_words(std::type_identity<std::variant<Kinds...>>) {
+    return std::array{"camera",     "light",           Kinds::name..., "defaultmaterial",
+                      "background", "global_settings", "flythrough"};
+}
+constexpr auto block_words = top_words(std::type_identity<Shape>{});
+
+/// Mixes the fields of a material.
+struct MaterialHash {
+    std::size_t operator()(const Material& material) const {
+        std::size_t hash = 0;
+        const auto mix = [&](const auto& value) {
+            if constexpr (std::is_same_v<decltype(value), const DVec3&>)
+                add(hash, value.x), add(hash, value.y), add(hash, value.z);
+            else
+                add(hash, value);
+        };
+        std::apply([&](const auto&... field) { (mix(material.*field.member), ...); }, Material::fields);
+        return hash;
+    }
+    static void add(std::size_t& hash, double v) {
+        hash = (hash ^ std::bit_cast<std::uint64_t>(v + 0.0)) * 0x9E3779B97F4A7C15u;  // -0, which equals 0, becomes 0
+        hash ^= hash >> 29;
+    }
+};
+
+/// Numbers materials in the order of first use.
+class Materials {
+  public:
+    int number(const Material& material) {
+        if (!list.empty() && list[last] == material) return last;
+        const auto [entry, is_new] = numbers.try_emplace(material, static_cast<int>(list.size()));
+        if (is_new) list.push_back(material);
+        return last = entry->second;
+    }
+    std::vector<Material> list;
+
+  private:
+    std::unordered_map<Material, int, MaterialHash> numbers;
+    int last = 0;
+};
+
+class Parser {
+  public:
+    Parser(std::string_view text, Faults& faults, const TextLimits& limits)
+        : limits(limits), text(text), faults(faults), reader(text, faults, block_words), cameras(reader, limits) {}
+    Scene parse();
+
+  private:
+    void top_block(std::string_view word);
+    void light(std::string_view word);
+    void background(std::string_view word);
+    void global_settings(std::string_view word);
+    bool material(std::string_view word, Material& target);
+    template <class Kind>
+    bool shape(std::string_view word);
+    Transformation transformation(std::string_view word, Block& block);
+    template <class Kind>
+    void check(const Kind& shape, const Block& block, std::span<const Transformation> steps, std::string_view last);
+    void limit(std::size_t count, std::size_t most, std::string_view at, const char* what);
+
+    const TextLimits& limits;
+    std::string_view text;
+    Faults& faults;
+    Reader reader;
+    CameraBlocks cameras;
+    Scene scene;
+    Materials materials;
+    Material default_material;
+    std::string_view background_at, settings_at;  // where these once-only blocks stand
+};
+
+Scene Parser::parse() {
+    Lexer& lexer = reader.lexer;
+    while (!lexer.at_end()) {
+        const std::string_view word = lexer.word();
+        try {
+            if (!word.empty())
+                top_block(word);
+            else if (!(faults.any() && lexer.accept('}')))  // one too many may be our own misunderstanding
+                lexer.fail("a block expected, such as 'sphere { ... }'");
+        } catch (const Lost&) {
+            const bool inside = lexer.accept('{');
+            lexer.skip_to(block_words, block_words);
+            if (inside) lexer.accept('}');
+        }
+    }
+    cameras.check(text.substr(text.size()));
+    faults.check();
+    scene.camera = cameras.the_camera;
+    scene.flythrough = std::move(cameras.path);
+    scene.materials = std::move(materials.list);
+    return std::move(scene);
+}
+
+void Parser::top_block(std::string_view word) {
+    const auto is_shape = [&]<class... Kinds>(std::type_identity<std::variant<Kinds...>>) {
+        return ((word == Kinds::name && shape<Kinds>(word)) || ...);
+    };
+    if (is_shape(std::type_identity<Shape>{})) return;
+    if (word == "light") return light(word);
+    if (word == "defaultmaterial") return void(material(word, default_material));
+    if (word == "camera") return cameras.camera(word);
+    if (word == "background") return background(word);
+    if (word == "global_settings") return global_settings(word);
+    if (word == "flythrough") return cameras.flythrough(word);
+    faults.add(word, unknown_word(word, block_words, ""));
+    throw Lost{};
+}
+
+void Parser::limit(std::size_t count, std::size_t most, std::string_view at, const char* what) {
+    if (count < most) return;
+    faults.add(at, "more than " + std::to_string(most) + " " + what);
+    faults.check();
+}
+
+void Parser::light(std::string_view word) {
+    limit(scene.lights.size(), limits.lights, word, "lights");
+    Light light;
+    Block block{word};
+    std::array parameters{Parameter{"position", &light.position, coordinates},
+                          Parameter{"color", &light.color, not_negative}};
+    reader.block(block, parameters);
+    for (const Parameter& parameter : parameters) reader.require(block, parameter);
+    scene.lights.push_back(light);
+}
+
+void Parser::background(std::string_view word) {
+    reader.once(background_at, word);
+    Block block{word};
+    std::array parameters{Parameter{"color", &scene.background, not_negative}};
+    reader.block(block, parameters);
+    reader.require(block, parameters[0]);
+}
+
+void Parser::global_settings(std::string_view word) {
+    reader.once(settings_at, word);
+    Block block{word};
+    double level = scene.settings.max_trace_level, gamma = 1;
+    std::array parameters{
+        Parameter{"ambient_light", &scene.settings.ambient_light, not_negative},
+        Parameter{"max_trace_level", &level, {1, 256, "a whole number from 1 to 256"}},
+        Parameter{
+            "assumed_gamma", &gamma, {1, 1, "1, the only one known (leave it out for values shown as they are)"}}};
+    reader.block(block, parameters);
+    if (level != std::floor(level))
+        faults.add(parameters[1].at, "'max_trace_level' must be a whole number from 1 to 256");
+    if (!block.spoiled) scene.settings.max_trace_level = static_cast<int>(level);
+    scene.settings.linear = parameters[2].given();
+}
+
+/// Overrides what the block names; false if something in it was wrong.
+bool Parser::material(std::string_view word, Material& target) {
+    Block block{word};
+    auto parameters = std::apply(
+        [&](const auto&... field) {
+            return std::array{Parameter{field.name, &(target.*field.member), bounds_of(field.range)}...};
+        },
+        Material::fields);
+    reader.block(block, parameters);
+    return !block.spoiled;
+}
+
+Transformation Parser::transformation(std::string_view word, Block& block) {
+    DVec3 v{0};
+    if (word == "rotate") return reader.read(v, anything, word, block), Rotate{v};
+    if (word == "translate") return reader.read(v, coordinates, word, block), Translate{v};
+    const std::string_view at = (reader.lexer.peek(), reader.lexer.token());
+    if (reader.lexer.peek() == '<')
+        reader.read(v, anything, word, block);
+    else
+        reader.read(v.x, anything, word, block), v.y = v.z = v.x;
+    if (v.x == 0 || v.y == 0 || v.z == 0) {
+        faults.add(at,
+                   "'scale' of " + quoted(block.name) + " is 0, which would leave nothing of it; 1 changes nothing");
+        block.spoiled = true;
+    }
+    return Scale{v};
+}
+
+/// A shape's block: the arguments that its field table lists, then materials and transformations in any order.
+template <class Kind>
+bool Parser::shape(std::string_view word) {
+    limit(scene.primitives.size(), limits.primitives, word, "primitives");
+    Kind kind;
+    Primitive primitive;
+    Material own = default_material;
+    Block block{word};
+    std::string_view material_at, last;
+    reader.block(
+        block, shape_words,
+        [&] {
+            bool first = true;
+            const auto argument = [&](const auto& field) {
+                if (!std::exchange(first, false)) reader.lexer.accept(',');
+                reader.read(kind.*field.member, argument_bounds(field.range), field.name, block);
+            };
+            std::apply([&](const auto&... field) { (argument(field), ...); }, Kind::fields);
+        },
+        [&](std::string_view inner) {
+            if (inner == "material") {
+                reader.once(material_at, inner);
+                if (!material(inner, own)) block.spoiled = true;
+                return true;
+            }
+            if (!contains(shape_words, inner)) return false;
+            limit(primitive.transformations.size(), limits.transformations, inner, "transformations of one primitive");
+            primitive.transformations.push_back(transformation(inner, block));
+            last = inner;
+            return true;
+        });
+    if (!block.spoiled) check(kind, block, primitive.transformations, last);
+    primitive.shape = kind;
+    primitive.material = materials.number(own);
+    scene.primitives.push_back(std::move(primitive));
+    return true;
+}
+
+/// Where the linear part of a transformation flattens a body, and by how much at most.
+double condition(const glm::dmat4& m) {
+    const DVec3 a(m[0]), b(m[1]), c(m[2]);
+    const auto cross = [](const DVec3& u, const DVec3& v) {
+        return DVec3(u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x);
+    };
+    const auto norm = [](const DVec3& u, const DVec3& v, const DVec3& w) {
+        return std::hypot(std::hypot(u.x, u.y, u.z), std::hypot(v.x, v.y, v.z), std::hypot(w.x, w.y, w.z));
+    };
+    const DVec3 bc = cross(b, c), ca = cross(c, a), ab = cross(a, b);
+    const double determinant = a.x * bc.x + a.y * bc.y + a.z * bc.z;
+    return norm(a, b, c) * norm(bc, ca, ab) / std::fabs(determinant);
+}
+
+/// Notes bodies that are none: by their own arguments, or by where their transformations lead.
+template <class Kind>
+void Parser::check(const Kind& shape, const Block& block, std::span<const Transformation> steps,
+                   std::string_view last) {
+    if (const char* const fault = shape.fault())
+        faults.add(block.name, "this " + std::string(block.name) + " is none: " + fault);
+    if (steps.empty() || shape.fault()) return;
+    const auto bad = [&](const std::string& why) {
+        faults.add(last, "up to here the transformations of this " + std::string(block.name) + " " + why);
+    };
+    const glm::dmat4 m = matrix(steps);
+    double largest = 0;
+    for (int i = 0; i < 3; ++i)
+        for (int k = 0; k < 3; ++k) largest = std::max(largest, std::fabs(m[i][k]));
+    if (!(largest >= smallest_positive && largest <= largest_number))
+        return bad("scale it out of the range of numbers");
+    glm::dmat4 normalised = m;
+    for (int i = 0; i < 3; ++i) normalised[i] /= largest;
+    if (!(condition(normalised) < 1e12))
+        return bad("flatten it: one side shrinks more than 1e12 times as much as another");
+
+    Kind moved = shape;
+    bool inside = true;
+    const auto move = [&](auto& value) {
+        if constexpr (std::is_same_v<decltype(value), DVec3&>) {
+            value = DVec3(m * glm::dvec4(value, 1));
+            for (int i = 0; i < 3; ++i) inside &= coordinates.contains(value[i]);
+        } else {
+            value *= largest;
+            inside &= lengths.contains(value);
+        }
+    };
+    std::apply([&](const auto&... field) { (move(moved.*field.member), ...); }, Kind::fields);
+    if (!inside) return bad("make it too large, too small or too far away (coordinates go up to 1e15)");
+    if (const char* const fault = moved.fault()) bad(std::string("leave nothing of it: ") + fault);
+}
+
+}  // namespace
+
+Scene parse_scene(std::string_view text, std::string_view file, const TextLimits& limits) {
+    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+    Faults faults(text, file);
+    if (const std::size_t i = find_invalid(text); i != text.npos) {
+        faults.add(text.substr(i, 1), text[i] == '\0' ? "a byte 0 in the text; is this a scene file?"
+                                                      : "not UTF-8; save the file in that encoding");
+        faults.check();
+    }
+    return Parser(text, faults, limits).parse();
+}
+
+}  // namespace strahl

@@ -1,0 +1,138 @@
+// Reads the values and blocks that all parts of the language are made of.
+#pragma once
+#include <limits>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "scene/field.h"
+#include "text/lexer.h"
+
+namespace strahl {
+
+/// The values a number may have, with the words that say so.
+struct Bounds {
+    double low, high;
+    const char* words;
+    bool contains(double v) const { return v >= low && v <= high; }
+};
+
+inline constexpr double largest_number = std::numeric_limits<double>::max();
+inline constexpr double smallest_positive = std::numeric_limits<double>::min();  // denormals lose digits
+inline constexpr double largest_coordinate = 1e15;
+inline constexpr Bounds coordinates{-largest_coordinate, largest_coordinate, "from -1e15 to 1e15"};
+inline constexpr Bounds lengths{smallest_positive, largest_coordinate,
+                                "greater than 0 (at least 2.3e-308) and at most 1e15"};
+inline constexpr Bounds shares{0, 1, "from 0 to 1"};
+inline constexpr Bounds not_negative{0, largest_number, "0 or more"};
+inline constexpr Bounds positive{smallest_positive, largest_number, "greater than 0 (at least 2.3e-308)"};
+inline constexpr Bounds anything{-largest_number, largest_number, "a number"};
+
+/// The bounds of a coefficient.
+constexpr Bounds bounds_of(Range range) {
+    switch (range) {
+        case Range::positive:
+            return positive;
+        case Range::zero_or_more:
+            return not_negative;
+        case Range::zero_to_one:
+            return shares;
+        default:
+            return anything;
+    }
+}
+/// Those of a shape's own arguments, which are points and lengths.
+constexpr Bounds argument_bounds(Range range) {
+    return range == Range::positive ? lengths : range == Range::any ? coordinates : bounds_of(range);
+}
+
+/// One `name value` of a block; of a bool the name alone. `at` becomes the place of the name.
+struct Parameter {
+    const char* name;
+    std::variant<double*, DVec3*, bool*> value;
+    Bounds bounds = anything;
+    std::string_view at{};
+    bool given() const { return at.data() != nullptr; }
+};
+
+/// A block being read: its name where it stands, and whether something in it was wrong, so that what follows from that
+/// is no news.
+struct Block {
+    std::string_view name;
+    bool spoiled = false;
+};
+
+class Reader {
+  public:
+    Reader(std::string_view text, Faults& faults, std::span<const char* const> blocks)
+        : lexer(text, faults), faults(faults), blocks(blocks) {}
+
+    /// Values out of bounds are noted, and reading goes on.
+    void read(double& value, const Bounds& bounds, std::string_view name, Block& block);
+    void read(DVec3& value, const Bounds& bounds, std::string_view name, Block& block);
+
+    /// Reads `{ ... }`: first what `arguments()` reads, then words, of which `item(word)` reads the values; it says
+    /// whether it knew the word. `words` are all that it knows.
+    template <class Arguments, class Item>
+    void block(Block& block, std::span<const char* const> words, Arguments arguments, Item item) {
+        open(block);
+        guard(block, words, arguments);
+        for (std::string_view word; !closed(block, words, word);)
+            if (!word.empty())
+                guard(block, words, [&] {
+                    if (!item(word)) unknown(block, words, word);
+                });
+    }
+    /// A block of parameters, and words for `item`.
+    template <class Item>
+    void block(Block& block, std::span<Parameter> parameters, std::span<const char* const> other_words, Item item) {
+        std::vector<const char*> words(other_words.begin(), other_words.end());
+        for (const Parameter& parameter : parameters) words.push_back(parameter.name);
+        this->block(
+            block, words, [] {},
+            [&](std::string_view word) {
+                for (Parameter& parameter : parameters)
+                    if (word == parameter.name) return read(parameter, word, block), true;
+                return item(word);
+            });
+    }
+    void block(Block& block, std::span<Parameter> parameters) {
+        this->block(block, parameters, {}, [](std::string_view) { return false; });
+    }
+    /// Notes that a block lacks a parameter.
+    void require(const Block& block, const Parameter& parameter) {
+        if (!parameter.given()) missing(block, quoted(parameter.name));
+    }
+    void missing(const Block& block, const std::string& what) {
+        if (!block.spoiled) faults.add(block.name, quoted(block.name) + " lacks " + what);
+    }
+    /// Notes that a word stands a second time; `first` is where it stood first, or becomes it.
+    bool once(std::string_view& first, std::string_view word) {
+        if (!first.data()) return first = word, true;
+        faults.add(word, "a second " + quoted(word) + "; the first is in " + faults.line(first));
+        return false;
+    }
+
+    Lexer lexer;
+    Faults& faults;
+    const std::span<const char* const> blocks;  // words of the top level
+
+  private:
+    void open(const Block& block);
+    bool closed(Block& block, std::span<const char* const> words, std::string_view& word);
+    void unknown(Block& block, std::span<const char* const> words, std::string_view word);
+    void read(Parameter& parameter, std::string_view word, Block& block);
+
+    template <class Action>
+    void guard(Block& block, std::span<const char* const> words, Action action) {
+        try {
+            action();
+        } catch (const Lost&) {
+            block.spoiled = true;
+            lexer.skip_to(words, blocks);
+        }
+    }
+};
+
+}  // namespace strahl

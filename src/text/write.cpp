@@ -1,0 +1,120 @@
+// Scenes as text, such as a person would write it.
+#include "text/write.h"
+
+#include <charconv>
+#include <tuple>
+
+namespace strahl {
+namespace {
+
+/// Shortest digits that read back as the same number.
+std::string text_of(double v) {
+    char digits[32];
+    return {digits, std::to_chars(digits, digits + sizeof digits, v).ptr};
+}
+std::string text_of(const DVec3& v) { return "<" + text_of(v.x) + ", " + text_of(v.y) + ", " + text_of(v.z) + ">"; }
+
+/// The parameters of `material`; only those that differ from `base`, if there is one.
+std::string parameters(const Material& material, const Material* base, const char* separator) {
+    std::string text;
+    const auto add = [&](const auto& field) {
+        if (base && material.*field.member == base->*field.member) return;
+        text += (text.empty() ? "" : separator) + std::string(field.name) + " " + text_of(material.*field.member);
+    };
+    std::apply([&](const auto&... field) { (add(field), ...); }, Material::fields);
+    return text;
+}
+
+std::string text_of(const Transformation& step) {
+    struct {
+        std::string operator()(const Rotate& r) const { return "rotate " + text_of(r.degrees); }
+        std::string operator()(const Translate& t) const { return "translate " + text_of(t.by); }
+        std::string operator()(const Scale& s) const {
+            return "scale " + (s.by.x == s.by.y && s.by.y == s.by.z ? text_of(s.by.x) : text_of(s.by));
+        }
+    } words;
+    return std::visit(words, step);
+}
+
+/// `base` is the default material in force, or nullptr if the primitive has just that one.
+std::string text_of(const Primitive& primitive, const Material& own, const Material* base) {
+    std::string text = std::visit(
+        [](const auto& shape) {
+            using Kind = std::decay_t<decltype(shape)>;
+            std::string arguments;
+            const auto add = [&](const auto& field) {
+                arguments += (arguments.empty() ? "" : ", ") + text_of(shape.*field.member);
+            };
+            std::apply([&](const auto&... field) { (add(field), ...); }, Kind::fields);
+            return std::string(Kind::name) + " { " + arguments;
+        },
+        primitive.shape);
+    const bool lines = base || primitive.transformations.size() > 1;
+    const char* const separator = lines ? "\n  " : " ";
+    for (const Transformation& step : primitive.transformations) text += separator + text_of(step);
+    if (base) text += std::string(separator) + "material { " + parameters(own, base, " ") + " }";
+    return text + (lines ? "\n}\n" : " }\n");
+}
+
+std::string text_of(const Settings& settings) {
+    const Settings usual;
+    std::string text;
+    if (settings.ambient_light != usual.ambient_light)
+        text += "  ambient_light " + text_of(settings.ambient_light) + "\n";
+    if (settings.max_trace_level != usual.max_trace_level)
+        text += "  max_trace_level " + std::to_string(settings.max_trace_level) + "\n";
+    if (settings.linear) text += "  assumed_gamma 1\n";
+    return text.empty() ? text : "global_settings {\n" + text + "}\n";
+}
+
+std::string text_of(const std::vector<Primitive>& primitives, const std::vector<Material>& materials) {
+    std::string text;
+    Material in_force;
+    for (std::size_t i = 0; i < primitives.size(); ++i) {
+        const Material& own = materials[primitives[i].material];
+        // One that differs among its neighbours has a material of its own; where several follow, the default changes.
+        const bool same = own == in_force;
+        const bool alone = i + 1 == primitives.size() || materials[primitives[i + 1].material] != own;
+        if (!same && !alone) {
+            text += "\ndefaultmaterial {\n  " + parameters(own, nullptr, "\n  ") + "\n}\n";
+            in_force = own;
+        }
+        text += text_of(primitives[i], own, own == in_force ? nullptr : &in_force);
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string write_camera(const Camera& camera) {
+    std::string text = "camera {\n  position " + text_of(camera.position) + "\n  look_at " + text_of(camera.look_at) +
+                       "\n  up " + text_of(camera.up) + "\n  fov " + text_of(camera.fov) + "\n";
+    if (camera.aspectratio) text += "  aspectratio " + text_of(*camera.aspectratio) + "\n";
+    return text + "}\n";
+}
+
+std::string write_flythrough(const Flythrough& path) {
+    std::string text = "flythrough {\n  duration " + text_of(path.duration) + "\n";
+    if (path.loop) text += "  loop\n";
+    for (const Key& key : path.keys) {
+        text += "  key { time " + text_of(key.time) + "  position " + text_of(key.position) + "  look_at " +
+                text_of(key.look_at);
+        if (key.up) text += "  up " + text_of(*key.up);
+        if (key.fov) text += "  fov " + text_of(*key.fov);
+        text += " }\n";
+    }
+    return text + "}\n";
+}
+
+std::string write_scene(const Scene& scene) {
+    std::string text = write_camera(scene.camera) + text_of(scene.settings);
+    if (scene.background != Color(0)) text += "background { color " + text_of(scene.background) + " }\n";
+    if (!scene.lights.empty()) text += "\n";
+    for (const Light& light : scene.lights)
+        text += "light { position " + text_of(light.position) + "  color " + text_of(light.color) + " }\n";
+    if (!scene.primitives.empty()) text += "\n" + text_of(scene.primitives, scene.materials);
+    if (scene.flythrough) text += "\n" + write_flythrough(*scene.flythrough);
+    return text;
+}
+
+}  // namespace strahl
