@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
-#include <future>
 #include <limits>
 #include <system_error>
 
@@ -42,10 +41,10 @@ Library load_library() {
             reinterpret_cast<decltype(&strahl_decode_picture)>(::dlsym(handle, "strahl_decode_picture"))};
 }
 
-/// Loaded once per process, by whoever asks first; the thread that loads is waited for when the program ends.
-std::shared_future<Library> library() {
-    static const std::shared_future<Library> loading = std::async(std::launch::async, load_library).share();
-    return loading;
+/// Loaded once per process, by whoever asks first.
+const Library& library() {
+    static const Library loaded = load_library();
+    return loaded;
 }
 
 std::string ending_of(const std::string& path) {
@@ -88,7 +87,7 @@ void write_picture(const Picture& picture, const std::string& path, FileFormat f
     if (kind == ".bmp" && picture.channels != 3)
         throw FileError("cannot write '" + path + "': a .bmp file holds red, green and blue; choose .png or .exr");
     const int bits = bits_of(kind, format.bits);
-    const Library module = library().get();
+    const Library& module = library();
     std::string result;
     const auto encode = [&](const auto& codes) {
         return module.encode({picture.width, picture.height, picture.channels, bits, codes.data()}, kind.c_str(),
@@ -108,11 +107,18 @@ Picture read_picture(const std::string& path) {
     if (fs::is_directory(status)) throw FileError("cannot read '" + path + "': it is a folder");
     Picture picture;
     std::string reason;
-    if (!library().get().decode(path, picture, reason))
-        throw FileError("cannot read '" + path + "' as a picture: " + reason);
+    if (!library().decode(path, picture, reason)) throw FileError("cannot read '" + path + "' as a picture: " + reason);
     return picture;
 }
 
-void preload_picture_library() { library(); }
+std::future<void> preload_picture_library() {
+    return std::async(std::launch::async, [] {
+        try {
+            library();
+        } catch (const FileError&) {
+            // Told by whoever needs the library: it tries again.
+        }
+    });
+}
 
 }  // namespace strahl

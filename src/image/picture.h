@@ -1,5 +1,6 @@
 // Pictures: files in and out. No caller needs to know which library does it.
 #pragma once
+#include <future>
 #include <string>
 #include <vector>
 
@@ -27,10 +28,13 @@ std::string format_fault(const std::string& path, int bits);
 /// (".png", say) chooses the format. Throws FileError.
 void write_picture(const Picture& picture, const std::string& path, FileFormat format, const std::string& ending = "");
 
-/// Throws FileError.
+/// Any format that OpenImageIO reads, but 16-bit PNM, which it reads wrong by one. No colours are converted. Throws
+/// FileError.
 Picture read_picture(const std::string& path);
 
-/// Starts loading the picture library in the background, so that write_picture need not wait (it costs 0.2 s).
-void preload_picture_library();
+/// Starts loading the picture library in the background, so that write_picture need not wait (it costs 0.2 s). Keep
+/// the future until the end of main: its destructor waits for the loading, and a program that ends meanwhile can crash
+/// in the library's own start-up. A failure is told by the read or write that follows.
+[[nodiscard]] std::future<void> preload_picture_library();
 
 }  // namespace strahl

@@ -24,6 +24,7 @@ bool encode(const strahl::Codes& codes, const char* ending, std::string& result)
     spec.attribute("oiio:ColorSpace", codes.bits == 32 ? "Linear" : "sRGB");
     spec.attribute("oiio:UnassociatedAlpha", 1);  // else it would divide colours by alpha
     if (codes.bits == 32) spec.attribute("compression", "zip");
+    spec.attribute("DateTime", "");  // the same picture makes the same file
     std::vector<unsigned char> bytes;
     Filesystem::IOVecOutput memory(bytes);
     if (!output->set_ioproxy(&memory) || !output->open(name, spec) ||
@@ -52,6 +53,8 @@ bool decode(const std::string& path, strahl::Picture& picture, std::string& reas
     constexpr std::uint64_t most_values = std::uint64_t(1) << 28;  // 2 GiB of doubles: what a forged header can cost
     if (spec.depth > 1 || spec.image_pixels() > most_values / static_cast<unsigned>(spec.nchannels))
         return reason = "it holds more than 2^28 values, or is no flat picture", false;
+    if (spec.format == TypeDesc::UINT16 && input->format_name() == std::string("pnm"))
+        return reason = "OpenImageIO reads 16-bit PNM wrong by one; convert it to .png", false;
     picture = {spec.width, spec.height, spec.nchannels, {}, 32};
     picture.values.resize(spec.image_pixels() * static_cast<unsigned>(spec.nchannels));
     bool whole = false;
