@@ -102,11 +102,6 @@ DVec3 direction_at(const Window& w, Value value) {
     return result;
 }
 
-Camera at_key(const Key& key, const Camera& scene_camera) {
-    return {key.position, key.look_at, key.up.value_or(scene_camera.up), key.fov.value_or(scene_camera.fov),
-            scene_camera.aspectratio};
-}
-
 /// The camera of the moment, degenerate where the keys' curves happen to meet.
 Camera raw_camera_at(const Flythrough& path, const Camera& scene_camera, double time) {
     const std::vector<Key>& keys = path.keys;
@@ -119,11 +114,11 @@ Camera raw_camera_at(const Flythrough& path, const Camera& scene_camera, double 
         // A last key at the very moment at which the first comes round again is that first key.
         if (count > 1 && keys.back().time >= keys.front().time + path.duration) --count;
     }
-    if (count == 1 || !(time > keys.front().time)) return at_key(keys.front(), scene_camera);
+    if (count == 1 || !(time > keys.front().time)) return camera_of(keys.front(), scene_camera);
     const auto after = std::upper_bound(keys.begin(), keys.begin() + count, time,
                                         [](double t, const Key& key) { return t < key.time; });
     const int i = static_cast<int>(after - keys.begin()) - 1;
-    if (time == keys[i].time || (!closed && i == count - 1)) return at_key(keys[i], scene_camera);
+    if (time == keys[i].time || (!closed && i == count - 1)) return camera_of(keys[i], scene_camera);
 
     // Key numbers run on past both ends: of a closed path they come round a duration later, of an open one there is
     // none.
@@ -147,6 +142,11 @@ Camera raw_camera_at(const Flythrough& path, const Camera& scene_camera, double 
 }
 
 }  // namespace
+
+Camera camera_of(const Key& key, const Camera& scene_camera) {
+    return {key.position, key.look_at, key.up.value_or(scene_camera.up), key.fov.value_or(scene_camera.fov),
+            scene_camera.aspectratio};
+}
 
 const char* degenerate(const Camera& camera) {
     const DVec3 view = camera.look_at - camera.position;

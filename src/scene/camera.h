@@ -41,6 +41,9 @@ struct Key {
     bool operator==(const Key&) const = default;
 };
 
+/// What the camera is at a key; `scene_camera` gives what the key leaves open.
+Camera camera_of(const Key& key, const Camera& scene_camera);
+
 /// A path through the keys on a centripetal Catmull-Rom curve; times rise strictly.
 struct Flythrough {
     double duration = 0;  // seconds, at least the last key's time
@@ -49,8 +52,10 @@ struct Flythrough {
     bool operator==(const Flythrough&) const = default;
 };
 
-/// The camera at `time` seconds (before the first key the first key's; past the end the last's, or modulo `duration`
-/// if it loops). `scene_camera` gives what the keys leave open.
+/// The camera at `time` seconds: before the first key the first key's, past the last one the last's. A path that loops
+/// repeats itself every `duration`, also before its first key. At the keys' times it is exactly the keys' camera.
+/// Between them position and look_at are smooth curves, fov and up never leave what neighbouring keys say, and where
+/// that would span no picture (see `degenerate`) it looks as it does a moment before or after.
 Camera camera_at(const Flythrough& path, const Camera& scene_camera, double time);
 
 }  // namespace strahl

@@ -1,52 +1,53 @@
 // Where the eye stands, and its path.
 #include "text/camera_blocks.h"
 
+#include <utility>
+
 namespace strahl {
 namespace {
 
+// The largest doubles below 90 and 180.
 constexpr Bounds fovs{smallest_positive, 90 - 1e-14, "greater than 0 and less than 90 degrees"};
 constexpr Bounds angles{2 * smallest_positive, 180 - 2e-14, "greater than 0 and less than 180 degrees"};
 
 }  // namespace
 
-/// What camera and key have in common, with both ways to say which way is up and how wide the view.
+/// What camera and key have in common, with both ways to say which way is up and how wide the view; and one more
+/// parameter, which is each one's own.
 struct CameraBlocks::Eye {
-    DVec3 position{0}, look_at{0}, up_value{0}, sky{0};
-    double fov_value = 0, angle = 0, extra = 0;
-    std::array<Parameter, 7> parameters{{{"position", &position, coordinates},
-                                         {"look_at", &look_at, coordinates},
-                                         {"up", &up_value, coordinates},
-                                         {"sky", &sky, coordinates},
-                                         {"fov", &fov_value, fovs},
-                                         {"angle", &angle, angles},
-                                         {}}};
+    DVec3 position{0}, look_at{0}, down{0}, sky{0};
+    double half = 0, angle = 0, own_value = 0;
+    std::array<Parameter, 7> parameters;
+    const Parameter &position_given = parameters[0], &look_at_given = parameters[1], &own = parameters[6];
 
-    Eye(const char* extra_name, Bounds extra_bounds) { parameters[6] = {extra_name, &extra, extra_bounds}; }
-    Eye(const Eye&) = delete;
+    Eye(const char* own_name, Bounds own_bounds)
+        : parameters{{{"position", &position, coordinates},
+                      {"look_at", &look_at, coordinates},
+                      {"up", &down, coordinates},
+                      {"sky", &sky, coordinates},
+                      {"fov", &half, fovs},
+                      {"angle", &angle, angles},
+                      {own_name, &own_value, own_bounds}}} {}
+    Eye(const Eye&) = delete;  // parameters point into it
 
-    const Parameter& parameter(int i) const { return parameters[i]; }
     std::optional<DVec3> up() const {
-        if (parameters[2].given()) return up_value;
-        if (parameters[3].given()) return DVec3(0) - sky;
-        return std::nullopt;
+        if (parameters[2].given()) return down;
+        return parameters[3].given() ? std::optional(DVec3(0) - sky) : std::nullopt;
     }
     std::optional<double> fov() const {
-        if (parameters[4].given()) return fov_value;
-        if (parameters[5].given()) return angle / 2;
-        return std::nullopt;
+        if (parameters[4].given()) return half;
+        return parameters[5].given() ? std::optional(angle / 2) : std::nullopt;
     }
-    void check(Reader& reader, Block& block) const {
-        reader.require(block, parameters[0]);
-        reader.require(block, parameters[1]);
-        for (const int i : {2, 4})
-            if (parameters[i].given() && parameters[i + 1].given()) {
-                const auto& [first, second] =
-                    std::minmax(parameters[i], parameters[i + 1],
-                                [](const auto& a, const auto& b) { return a.at.data() < b.at.data(); });
-                reader.faults.add(second.at, quoted(second.name) + " says again what " + quoted(first.name) + " of " +
-                                                 reader.faults.line(first.at) + " says; one of them must go");
-                block.spoiled = true;
-            }
+    void read(Reader& reader, Block& block) {
+        reader.block(block, parameters);
+        for (const int i : {2, 4}) {
+            const Parameter *first = &parameters[i], *second = &parameters[i + 1];
+            if (!first->given() || !second->given()) continue;
+            if (second->at.data() < first->at.data()) std::swap(first, second);
+            reader.faults.add(second->at, quoted(second->name) + " says again what " + quoted(first->name) + " in " +
+                                              reader.faults.line(first->at) + " says; only one of them may stand");
+            block.bad = true;
+        }
     }
 };
 
@@ -54,78 +55,81 @@ void CameraBlocks::camera(std::string_view word) {
     const bool first = reader.once(camera_at, word);
     Block block{word};
     Eye eye("aspectratio", positive);
-    reader.block(block, eye.parameters);
-    eye.check(reader, block);
-    if (!eye.up()) reader.missing(block, "'up' (or 'sky')");
-    if (!eye.fov()) reader.missing(block, "'fov' (or 'angle')");
-    if (!first || block.spoiled || !eye.up() || !eye.fov()) return;
+    eye.read(reader, block);
+    reader.require(block, {{eye.position_given.given(), "'position'"},
+                           {eye.look_at_given.given(), "'look_at'"},
+                           {eye.up().has_value(), "'up' (or 'sky')"},
+                           {eye.fov().has_value(), "'fov' (or 'angle')"}});
+    if (!first || !block.good()) return;
     the_camera = {eye.position, eye.look_at, *eye.up(), *eye.fov(), std::nullopt};
-    if (eye.parameters[6].given()) the_camera.aspectratio = eye.extra;
+    if (eye.own.given()) the_camera.aspectratio = eye.own_value;
     const char* const fault = degenerate(the_camera);
     if (fault) reader.faults.add(word, std::string("this camera sees nothing: ") + fault);
     camera_good = !fault;
 }
 
-void CameraBlocks::key(std::string_view word) {
-    Block block{word};
-    Eye eye("time", not_negative);
-    reader.block(block, eye.parameters);
-    eye.check(reader, block);
-    reader.require(block, eye.parameters[6]);
-    if (!eye.parameters[6].given() || !eye.parameters[0].given() || !eye.parameters[1].given()) block.spoiled = true;
-    if (path->keys.size() >= limits.keys) {
+void CameraBlocks::key(std::string_view word, Flythrough& read_path, std::vector<KeyPlace>& places, Block& outer) {
+    if (read_path.keys.size() >= limits.keys) {
         reader.faults.add(word, "more than " + std::to_string(limits.keys) + " keys");
         reader.faults.check();
     }
-    path->keys.push_back({eye.extra, eye.position, eye.look_at, eye.fov(), eye.up()});
-    key_blocks.push_back(block);
+    Block block{word};
+    Eye eye("time", not_negative);
+    eye.read(reader, block);
+    reader.require(block, {{eye.own.given(), "'time'"},
+                           {eye.position_given.given(), "'position'"},
+                           {eye.look_at_given.given(), "'look_at'"}});
+    if (!block.good()) outer.bad = true;
+    read_path.keys.push_back({eye.own_value, eye.position, eye.look_at, eye.fov(), eye.up()});
+    places.push_back({word, eye.own.at});
 }
 
 void CameraBlocks::flythrough(std::string_view word) {
     const bool first = reader.once(path_at, word);
-    const auto earlier = path;
-    const auto earlier_blocks = key_blocks;
-    path.emplace();
-    key_blocks.clear();
+    Flythrough read_path;
+    std::vector<KeyPlace> places;
     Block block{word};
-    std::array parameters{Parameter{"duration", &path->duration, positive}, Parameter{"loop", &path->loop}};
+    std::array parameters{Parameter{"duration", &read_path.duration, positive}, Parameter{"loop", &read_path.loop}};
     constexpr std::array other{"key"};
     reader.block(block, parameters, other, [&](std::string_view inner) {
-        if (inner == "key") key(inner);
-        return inner == "key";
+        if (inner != "key") return false;
+        key(inner, read_path, places, block);
+        return true;
     });
-    for (const Block& key_block : key_blocks) block.spoiled |= key_block.spoiled;
-    reader.require(block, parameters[0]);
-    if (!block.spoiled && path->keys.size() < 2) reader.faults.add(word, "a flythrough needs at least 2 keys");
-    if (!block.spoiled && parameters[0].given()) check_times(block, parameters[0]);
-    if (!first) path = earlier, key_blocks = earlier_blocks;
+    const bool enough = read_path.keys.size() >= 2;
+    reader.require(block, {{parameters[0].given(), "'duration'"}, {enough, "keys: it takes 2 to make a path"}});
+    if (!first || !block.good()) return;
+    check_times(read_path, places, parameters[0].at);
+    path = std::move(read_path);
+    key_places = std::move(places);
 }
 
-void CameraBlocks::check_times(const Block& block, const Parameter& duration) {
-    const std::vector<Key>& keys = path->keys;
-    for (std::size_t i = 0; i < keys.size(); ++i) {
+void CameraBlocks::check_times(const Flythrough& read_path, std::span<const KeyPlace> places,
+                               std::string_view duration) {
+    const std::vector<Key>& keys = read_path.keys;
+    for (std::size_t i = 0; i < keys.size(); ++i)
         if (i > 0 && !(keys[i].time > keys[i - 1].time))
-            reader.faults.add(key_blocks[i].name, "the times of keys must rise; the key before, in " +
-                                                      reader.faults.line(key_blocks[i - 1].name) +
-                                                      ", has no earlier one");
-        else if (keys[i].time > path->duration)
-            reader.faults.add(key_blocks[i].name, "the time of this key is after the end, by 'duration' of " +
-                                                      reader.faults.line(duration.at));
-    }
-    (void)block;
+            reader.faults.add(places[i].time, "times must rise: the key before, in " +
+                                                  reader.faults.line(places[i - 1].time) +
+                                                  ", is not earlier than this one");
+        else if (keys[i].time > read_path.duration)
+            reader.faults.add(places[i].time,
+                              "this is after the end, which 'duration' in " + reader.faults.line(duration) + " sets");
+    // The path that loops is at its first key again when the duration is over.
+    Key again = keys.front();
+    again.time += read_path.duration;
+    if (read_path.loop && keys.back().time == again.time && keys.back() != again)
+        reader.faults.add(places.back().time,
+                          "at this time the loop is at its first key again: make this key the same as that in " +
+                              reader.faults.line(places[0].key) + ", or 'duration' longer");
 }
 
 void CameraBlocks::check(std::string_view end_of_text) {
     if (!camera_at.data()) reader.faults.add(end_of_text, "no camera: a scene needs one 'camera { ... }'");
-    if (!camera_good || !path || reader.faults.any()) return;
-    Camera before;
-    for (std::size_t i = 0; i < path->keys.size(); ++i) {
-        const Key& key = path->keys[i];
-        const Camera camera{
-            key.position, key.look_at, key.up.value_or(the_camera.up), key.fov.value_or(the_camera.fov), {}};
-        if (const char* const fault = degenerate(camera))
-            reader.faults.add(key_blocks[i].name, std::string("the camera sees nothing at this key: ") + fault);
-    }
+    if (!camera_good || !path) return;
+    for (std::size_t i = 0; i < path->keys.size(); ++i)
+        if (const char* const fault = degenerate(camera_of(path->keys[i], the_camera)))
+            reader.faults.add(key_places[i].key, std::string("the camera sees nothing at this key: ") + fault);
 }
 
 }  // namespace strahl

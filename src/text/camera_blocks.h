@@ -23,14 +23,17 @@ class CameraBlocks {
 
   private:
     struct Eye;
-    void key(std::string_view word);
-    void check_times(const Block& block, const Parameter& duration);
+    struct KeyPlace {
+        std::string_view key, time;  // these words of a key
+    };
+    void key(std::string_view word, Flythrough& read_path, std::vector<KeyPlace>& places, Block& outer);
+    void check_times(const Flythrough& read_path, std::span<const KeyPlace> places, std::string_view duration);
 
     Reader& reader;
     const TextLimits& limits;
     std::string_view camera_at, path_at;  // where these blocks stand
     bool camera_good = false;
-    std::vector<Block> key_blocks;
+    std::vector<KeyPlace> key_places;
 };
 
 }  // namespace strahl

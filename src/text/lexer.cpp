@@ -76,10 +76,10 @@ bool Lexer::read_number(Number& number) {
 std::string_view Lexer::token() {
     skip_space();
     const char* p = next;
-    if (p < end && (is_letter(*p) || is_digit(*p)))
-        while (p < end && (is_letter(*p) || is_digit(*p))) ++p;
-    else if (p < end)
-        do ++p;
+    if (p < end && (*p == '-' || *p == '+')) ++p;
+    while (p < end && (is_letter(*p) || is_digit(*p) || *p == '.')) ++p;
+    if (p == next && p < end) do
+            ++p;
         while (p < end && (static_cast<unsigned char>(*p) & 0xC0) == 0x80);
     return {next, static_cast<std::size_t>(p - next)};
 }

@@ -140,7 +140,8 @@ std::string Faults::line(std::string_view at) const {
 }
 
 std::string Faults::tell(const Fault& fault) const {
-    const std::size_t at = fault.at.data() - text.data();
+    std::size_t at = fault.at.data() - text.data();
+    if (at == text.size()) at = text.find_last_not_of(" \t\r\n") + 1;  // where the text ends for a reader
     const std::size_t newline = at == 0 ? text.npos : text.rfind('\n', at - 1);
     const std::size_t start = newline == text.npos ? 0 : newline + 1;
     const std::size_t end = std::min({text.find('\n', at), text.find('\r', at), text.size()});
@@ -148,8 +149,11 @@ std::string Faults::tell(const Fault& fault) const {
     const auto line_number = 1 + std::count(text.begin(), text.begin() + start, '\n');
     const auto column =
         1 + std::count_if(text.begin() + start, text.begin() + at, [](char c) { return !continues(c); });
-    const std::size_t from = back(text, at, start, before_fault);
-    const std::size_t to = forth(text, at, end, line_width - before_fault);
+    // Of a long line, what is around the fault; where one side is short the other gets its room.
+    const std::size_t reach = forth(text, at, end, line_width - before_fault);
+    const auto right_of_fault = static_cast<int>(reach < end ? line_width - before_fault : reach - at);
+    const std::size_t from = back(text, at, start, line_width - right_of_fault);
+    const std::size_t to = forth(text, from, end, line_width);
     const std::size_t fault_end = std::clamp(at + fault.at.size(), at, to);
 
     const Shown before = show(text.substr(from, at - from)), marked = show(text.substr(at, fault_end - at));

@@ -139,7 +139,7 @@ void Parser::light(std::string_view word) {
     std::array parameters{Parameter{"position", &light.position, coordinates},
                           Parameter{"color", &light.color, not_negative}};
     reader.block(block, parameters);
-    for (const Parameter& parameter : parameters) reader.require(block, parameter);
+    reader.require(block, {{parameters[0].given(), "'position'"}, {parameters[1].given(), "'color'"}});
     scene.lights.push_back(light);
 }
 
@@ -148,7 +148,7 @@ void Parser::background(std::string_view word) {
     Block block{word};
     std::array parameters{Parameter{"color", &scene.background, not_negative}};
     reader.block(block, parameters);
-    reader.require(block, parameters[0]);
+    reader.require(block, {{parameters[0].given(), "'color'"}});
 }
 
 void Parser::global_settings(std::string_view word) {
@@ -161,9 +161,9 @@ void Parser::global_settings(std::string_view word) {
         Parameter{
             "assumed_gamma", &gamma, {1, 1, "1, the only one known (leave it out for values shown as they are)"}}};
     reader.block(block, parameters);
-    if (level != std::floor(level))
+    if (block.good() && level != std::floor(level))
         faults.add(parameters[1].at, "'max_trace_level' must be a whole number from 1 to 256");
-    if (!block.spoiled) scene.settings.max_trace_level = static_cast<int>(level);
+    if (block.good()) scene.settings.max_trace_level = static_cast<int>(level);
     scene.settings.linear = parameters[2].given();
 }
 
@@ -176,7 +176,7 @@ bool Parser::material(std::string_view word, Material& target) {
         },
         Material::fields);
     reader.block(block, parameters);
-    return !block.spoiled;
+    return block.good();
 }
 
 Transformation Parser::transformation(std::string_view word, Block& block) {
@@ -191,7 +191,7 @@ Transformation Parser::transformation(std::string_view word, Block& block) {
     if (v.x == 0 || v.y == 0 || v.z == 0) {
         faults.add(at,
                    "'scale' of " + quoted(block.name) + " is 0, which would leave nothing of it; 1 changes nothing");
-        block.spoiled = true;
+        block.bad = true;
     }
     return Scale{v};
 }
@@ -218,7 +218,7 @@ bool Parser::shape(std::string_view word) {
         [&](std::string_view inner) {
             if (inner == "material") {
                 reader.once(material_at, inner);
-                if (!material(inner, own)) block.spoiled = true;
+                if (!material(inner, own)) block.bad = true;
                 return true;
             }
             if (!contains(shape_words, inner)) return false;
@@ -227,7 +227,7 @@ bool Parser::shape(std::string_view word) {
             last = inner;
             return true;
         });
-    if (!block.spoiled) check(kind, block, primitive.transformations, last);
+    if (block.good()) check(kind, block, primitive.transformations, last);
     primitive.shape = kind;
     primitive.material = materials.number(own);
     scene.primitives.push_back(std::move(primitive));

@@ -7,9 +7,9 @@ void Reader::read(double& value, const Bounds& bounds, std::string_view name, Bl
     const Number number = lexer.number(name, block.name);
     value = number.value;
     if (bounds.contains(value)) return;
-    block.spoiled = true;
-    faults.add(number.at, quoted(name) + " of " + quoted(block.name) + " must be " + bounds.words + ", not " +
-                              std::string(quoted(number.at), 1, quoted(number.at).size() - 2));
+    block.bad = true;
+    faults.add(number.at,
+               quoted(name) + " of " + quoted(block.name) + " must be " + bounds.words + ", not " + quoted(number.at));
 }
 
 void Reader::read(DVec3& value, const Bounds& bounds, std::string_view name, Block& block) {
@@ -23,7 +23,7 @@ void Reader::read(DVec3& value, const Bounds& bounds, std::string_view name, Blo
 
 void Reader::read(Parameter& parameter, std::string_view word, Block& block) {
     const bool first = once(parameter.at, word);
-    if (!first) block.spoiled = true;
+    if (!first) block.bad = true;
     std::visit(
         [&](auto* target) {
             if constexpr (std::is_same_v<decltype(target), bool*>) {
@@ -37,6 +37,15 @@ void Reader::read(Parameter& parameter, std::string_view word, Block& block) {
         parameter.value);
 }
 
+void Reader::require(Block& block, std::initializer_list<Need> needs) {
+    std::string lacking;
+    for (const Need& need : needs)
+        if (!need.given) lacking += (lacking.empty() ? "" : ", ") + std::string(need.name);
+    if (lacking.empty()) return;
+    block.bad = true;
+    if (!block.lost) faults.add(block.name, quoted(block.name) + " lacks " + lacking);
+}
+
 void Reader::open(const Block& block) {
     if (!lexer.accept('{')) lexer.fail("'{' expected after " + quoted(block.name));
 }
@@ -45,8 +54,8 @@ void Reader::open(const Block& block) {
 bool Reader::closed(Block& block, std::span<const char* const> words, std::string_view& word) {
     if (lexer.accept('}')) return true;
     if (lexer.at_end()) {
-        if (!block.spoiled) faults.add(block.name, "'}' missing: this " + quoted(block.name) + " is never closed");
-        return block.spoiled = true;
+        if (!block.lost) faults.add(block.name, "'}' missing: this " + quoted(block.name) + " is never closed");
+        return block.lost = true;
     }
     word = lexer.word();
     if (word.empty()) {
@@ -55,16 +64,16 @@ bool Reader::closed(Block& block, std::span<const char* const> words, std::strin
     }
     // A block of the top level inside of another: its closing brace is missing.
     if (contains(words, word) || !contains(blocks, word) || lexer.peek() != '{') return false;
-    if (!block.spoiled)
+    if (!block.lost)
         faults.add(word,
                    "'}' missing: the " + quoted(block.name) + " of " + faults.line(block.name) + " is still open");
     lexer.rewind(word);
-    return block.spoiled = true;
+    return block.lost = true;
 }
 
 void Reader::unknown(Block& block, std::span<const char* const> words, std::string_view word) {
     faults.add(word, unknown_word(word, words, " in " + quoted(block.name)));
-    block.spoiled = true;
+    block.lost = true;
     lexer.skip_to({}, blocks);
 }
 

@@ -1,5 +1,8 @@
 // Reads the values and blocks that all parts of the language are made of.
 #pragma once
+#include <algorithm>
+#include <array>
+#include <initializer_list>
 #include <limits>
 #include <span>
 #include <string>
@@ -56,11 +59,12 @@ struct Parameter {
     bool given() const { return at.data() != nullptr; }
 };
 
-/// A block being read: its name where it stands, and whether something in it was wrong, so that what follows from that
-/// is no news.
+/// A block being read: its name where it stands. `lost`: some of it could not be understood, so that what seems to be
+/// missing is no news. `bad`: some value is wrong, so that what follows from it means nothing.
 struct Block {
     std::string_view name;
-    bool spoiled = false;
+    bool lost = false, bad = false;
+    bool good() const { return !lost && !bad; }
 };
 
 class Reader {
@@ -84,29 +88,33 @@ class Reader {
                     if (!item(word)) unknown(block, words, word);
                 });
     }
-    /// A block of parameters, and words for `item`.
-    template <class Item>
-    void block(Block& block, std::span<Parameter> parameters, std::span<const char* const> other_words, Item item) {
-        std::vector<const char*> words(other_words.begin(), other_words.end());
-        for (const Parameter& parameter : parameters) words.push_back(parameter.name);
+    /// A block of parameters, and other words for `item`.
+    template <std::size_t count, std::size_t others, class Item>
+    void block(Block& block, std::array<Parameter, count>& parameters,
+               const std::array<const char*, others>& other_words, Item item) {
+        std::array<const char*, count + others> words;
+        const auto rest = std::transform(parameters.begin(), parameters.end(), words.begin(),
+                                         [](const Parameter& parameter) { return parameter.name; });
+        std::copy(other_words.begin(), other_words.end(), rest);
+        const auto named = [&](std::string_view word) {
+            for (Parameter& parameter : parameters)
+                if (word == parameter.name) return read(parameter, word, block), true;
+            return item(word);
+        };
         this->block(
-            block, words, [] {},
-            [&](std::string_view word) {
-                for (Parameter& parameter : parameters)
-                    if (word == parameter.name) return read(parameter, word, block), true;
-                return item(word);
-            });
+            block, words, [] {}, named);
     }
-    void block(Block& block, std::span<Parameter> parameters) {
-        this->block(block, parameters, {}, [](std::string_view) { return false; });
+    template <std::size_t count>
+    void block(Block& block, std::array<Parameter, count>& parameters) {
+        this->block(block, parameters, std::array<const char*, 0>{}, [](std::string_view) { return false; });
     }
-    /// Notes that a block lacks a parameter.
-    void require(const Block& block, const Parameter& parameter) {
-        if (!parameter.given()) missing(block, quoted(parameter.name));
-    }
-    void missing(const Block& block, const std::string& what) {
-        if (!block.spoiled) faults.add(block.name, quoted(block.name) + " lacks " + what);
-    }
+
+    struct Need {
+        bool given;
+        const char* name;
+    };
+    /// Notes what a block lacks.
+    void require(Block& block, std::initializer_list<Need> needs);
     /// Notes that a word stands a second time; `first` is where it stood first, or becomes it.
     bool once(std::string_view& first, std::string_view word) {
         if (!first.data()) return first = word, true;
@@ -129,7 +137,7 @@ class Reader {
         try {
             action();
         } catch (const Lost&) {
-            block.spoiled = true;
+            block.lost = true;
             lexer.skip_to(words, blocks);
         }
     }

@@ -3,6 +3,7 @@
 
 #include <charconv>
 #include <tuple>
+#include <vector>
 
 namespace strahl {
 namespace {
@@ -49,10 +50,13 @@ std::string text_of(const Primitive& primitive, const Material& own, const Mater
             return std::string(Kind::name) + " { " + arguments;
         },
         primitive.shape);
-    const bool lines = base || primitive.transformations.size() > 1;
-    const char* const separator = lines ? "\n  " : " ";
-    for (const Transformation& step : primitive.transformations) text += separator + text_of(step);
-    if (base) text += std::string(separator) + "material { " + parameters(own, base, " ") + " }";
+    std::vector<std::string> items;
+    for (const Transformation& step : primitive.transformations) items.push_back(text_of(step));
+    if (base) items.push_back("material { " + parameters(own, base, "  ") + " }");
+    std::size_t length = text.size();
+    for (const std::string& item : items) length += 2 + item.size();
+    const bool lines = length > 100;
+    for (const std::string& item : items) text += (lines ? "\n  " : "  ") + item;
     return text + (lines ? "\n}\n" : " }\n");
 }
 
