@@ -1,0 +1,133 @@
+// Random scenes. Only the generator's raw bits are used, since the standard's distributions differ between libraries.
+#include "tests/referee/random_scene.h"
+
+#include <cmath>
+#include <random>
+
+namespace strahl {
+namespace {
+
+class Dice {
+  public:
+    explicit Dice(std::uint64_t seed) : bits(seed) {}
+    double in(double low, double high) { return low + (high - low) * (bits() >> 11) * 0x1p-53; }
+    int upto(int last) { return static_cast<int>(bits() % (last + 1)); }
+    bool chance(double p) { return in(0, 1) < p; }
+    DVec3 vector(double low, double high) {
+        const double x = in(low, high), y = in(low, high), z = in(low, high);
+        return {x, y, z};
+    }
+    DVec3 direction() {
+        while (true) {
+            const DVec3 v = vector(-1, 1);
+            const double square = v.x * v.x + v.y * v.y + v.z * v.z;
+            if (square > .01 && square < 1) return v / std::sqrt(square);
+        }
+    }
+    DVec3 arrow(double shortest, double longest) {
+        const double length = in(shortest, longest);
+        return length * direction();
+    }
+
+  private:
+    std::mt19937_64 bits;
+};
+
+Material matt(Dice& dice) {
+    return {.rgb = dice.vector(0, 1),
+            .reflection = 0,
+            .refraction = 0,
+            .diffuse = dice.in(.2, 1),
+            .ambient = dice.chance(.5) ? dice.in(0, .5) : 0,
+            .specular = dice.chance(.5) ? dice.in(0, 1) : 0,
+            .pow = dice.chance(.3) ? dice.in(1, 80) : dice.upto(60),
+            .ior = 1};
+}
+Material mirror(Dice& dice) {
+    Material m = matt(dice);
+    m.reflection = dice.chance(.3) ? 1 : dice.in(.1, 1);
+    return m;
+}
+Material glass(Dice& dice) {
+    Material m = dice.chance(.3) ? mirror(dice) : matt(dice);
+    m.refraction = dice.chance(.3) ? 1 : dice.in(.2, 1);
+    m.diffuse *= .3;
+    m.ior = dice.chance(.15) ? 1 : dice.chance(.2) ? dice.in(.6, 1) : dice.in(1, 2.2);
+    return m;
+}
+
+Shape sphere(Dice& dice) { return Sphere{dice.vector(-2, 2), dice.in(.2, 1.4)}; }
+Shape cylinder(Dice& dice) {
+    const DVec3 base = dice.vector(-2, 2);
+    return Cylinder{base, base + dice.arrow(.3, 3), dice.in(.1, .9)};
+}
+Shape plane(Dice& dice) {
+    const DVec3 n = dice.direction(), a = -dice.in(1.5, 4) * n;
+    const DVec3 across = dice.direction();
+    const DVec3 u{n.y * across.z - n.z * across.y, n.z * across.x - n.x * across.z, n.x * across.y - n.y * across.x};
+    const DVec3 v{n.y * u.z - n.z * u.y, n.z * u.x - n.x * u.z, n.x * u.y - n.y * u.x};
+    return dice.chance(.7) ? Plane{a, a + u, a + v} : Plane{a, a + v, a + u};
+}
+
+std::vector<Transformation> steps(Dice& dice) {
+    std::vector<Transformation> list;
+    const auto factor = [&] { return dice.in(.6, 1.7) * (dice.chance(.2) ? -1 : 1); };
+    for (int i = dice.upto(3); i > 0; --i) switch (dice.upto(3)) {
+            case 0:
+                list.push_back(Rotate{dice.vector(-180, 180)});
+                break;
+            case 1:
+                list.push_back(Rotate{{90. * dice.upto(3), 0, 90. * dice.upto(3)}});
+                break;
+            case 2:
+                list.push_back(Translate{dice.vector(-.7, .7)});
+                break;
+            default: {
+                const double x = factor(), y = factor(), z = factor();
+                list.push_back(dice.chance(.3) ? Scale{DVec3(x)} : Scale{{x, y, z}});
+            }
+        }
+    return list;
+}
+
+}  // namespace
+
+Scene random_scene(std::uint64_t seed, const RandomScene& what) {
+    Dice dice(seed);
+    Scene scene;
+    scene.background = dice.vector(0, .6);
+    scene.settings.ambient_light = dice.vector(0, 1);
+    for (int i = dice.upto(3); i >= 0; --i) {
+        const DVec3 position = dice.arrow(2.5, 6);
+        scene.lights.push_back({position, dice.vector(0, 1)});
+    }
+    const auto put = [&](const Shape& shape, const Material& material, std::vector<Transformation> transformations) {
+        scene.materials.push_back(material);
+        scene.primitives.push_back({shape, static_cast<int>(scene.materials.size()) - 1, std::move(transformations)});
+    };
+    for (int i = dice.upto(2); i > 0; --i) {
+        const Shape floor = plane(dice);
+        put(floor, dice.chance(.5) ? mirror(dice) : matt(dice), {});
+    }
+    for (int i = dice.upto(6); i >= 0; --i) {
+        const Shape shape = dice.chance(.55) ? sphere(dice) : dice.chance(.95) ? cylinder(dice) : plane(dice);
+        const int kind = dice.upto(what.transparent ? 3 : 1);
+        const Material material = kind == 0 ? matt(dice) : kind == 1 ? mirror(dice) : glass(dice);
+        put(shape, material, what.transformed && dice.chance(.5) ? steps(dice) : std::vector<Transformation>{});
+    }
+    Camera& camera = scene.camera;
+    camera.position = dice.arrow(4, 9);
+    camera.look_at = dice.vector(-.7, .7);
+    camera.up = dice.direction();
+    camera.fov = dice.in(10, 35);
+    if (dice.chance(.3)) camera.aspectratio = dice.in(.7, 2);
+    if (what.camera_inside) {
+        camera.fov = dice.in(25, 55);
+        const DVec3 beside = dice.arrow(0, .5);
+        const Sphere around{camera.position + beside, dice.in(.6, 2)};
+        put(around, glass(dice), {});
+    }
+    return scene;
+}
+
+}  // namespace strahl

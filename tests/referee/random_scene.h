@@ -1,0 +1,19 @@
+// Small random scenes, each wholly determined by its seed.
+#pragma once
+#include <cstdint>
+
+#include "scene/scene.h"
+
+namespace strahl {
+
+struct RandomScene {
+    bool transparent = true;     // bodies of glass, which may overlap and lie in each other
+    bool transformed = true;     // primitives turned, moved, scaled unevenly and mirrored
+    bool camera_inside = false;  // the eye is in at least one transparent body
+};
+
+/// 1 to 8 spheres, planes and cylinders of every kind of material, 1 to 4 lights, within about 4 of the origin, seen
+/// by a camera anywhere around. Two bodies never share a surface (with probability 1).
+Scene random_scene(std::uint64_t seed, const RandomScene& what = {});
+
+}  // namespace strahl

@@ -1,0 +1,303 @@
+// The referee's recursion. Every formula is written as the article and scene language state it, none as the engine
+// does.
+#include "tests/referee/referee.h"
+
+#include <quadmath.h>
+
+#include <cmath>
+#include <vector>
+
+namespace strahl {
+namespace {
+
+long double root(long double a) { return std::sqrt(a); }
+__float128 root(__float128 a) { return sqrtq(a); }
+long double power(long double a, long double b) { return std::pow(a, b); }
+__float128 power(__float128 a, __float128 b) { return powq(a, b); }
+
+template <class R>
+struct Vector {
+    R x = 0, y = 0, z = 0;
+    Vector() = default;
+    Vector(R x, R y, R z) : x(x), y(y), z(z) {}
+    Vector(const DVec3& v) : x(v.x), y(v.y), z(v.z) {}
+    friend Vector operator+(const Vector& a, const Vector& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+    friend Vector operator-(const Vector& a, const Vector& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+    friend Vector operator*(const Vector& a, const Vector& b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
+    friend Vector operator*(R s, const Vector& v) { return {s * v.x, s * v.y, s * v.z}; }
+};
+template <class R>
+R dot(const Vector<R>& a, const Vector<R>& b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+template <class R>
+Vector<R> cross(const Vector<R>& a, const Vector<R>& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+template <class R>
+Vector<R> unit(const Vector<R>& v) {
+    return R(1) / root(dot(v, v)) * v;
+}
+
+template <class R>
+struct Line {
+    Vector<R> origin, direction;
+    int body = -1, face = -1;  // the surface that the line starts on
+};
+
+/// A point where a line passes through a face, with the face's normal out of the body (of any length).
+template <class R>
+struct Crossing {
+    R t;
+    int face;
+    Vector<R> normal;
+};
+template <class R>
+struct Crossings {
+    std::array<Crossing<R>, 4> list;
+    int count = 0;
+    void add(R t, int face, const Vector<R>& normal) { list[count++] = {t, face, normal}; }
+    auto begin() const { return list.begin(); }
+    auto end() const { return list.begin() + count; }
+};
+
+/// The roots of a t^2 + 2 b t + c; of a line that starts on the surface one is 0, and only the other is given.
+template <class R, class Use>
+void roots(R a, R b, R c, bool starts_here, const Use& use) {
+    if (!(a > 0)) return;
+    if (starts_here) return use(-2 * b / a);
+    const R d = b * b - a * c;
+    if (!(d > 0)) return;
+    const R q = b > 0 ? -(b + root(d)) : root(d) - b;
+    use(q / a), use(c / q);
+}
+
+template <class R>
+Crossings<R> crossings(const Sphere& sphere, const Line<R>& line, int source) {
+    Crossings<R> found;
+    const R r = sphere.radius;
+    const Vector<R> o = line.origin - Vector<R>(sphere.centre), d = line.direction;
+    roots(dot(d, d), dot(o, d), dot(o, o) - r * r, source == 0, [&](R t) { found.add(t, 0, o + t * d); });
+    return found;
+}
+template <class R>
+bool contains(const Sphere& sphere, const Vector<R>& p) {
+    const Vector<R> o = p - Vector<R>(sphere.centre);
+    return dot(o, o) < R(sphere.radius) * R(sphere.radius);
+}
+
+template <class R>
+Vector<R> normal(const Plane& plane) {
+    const Vector<R> a = plane.a;
+    return cross(Vector<R>(plane.b) - a, Vector<R>(plane.c) - a);
+}
+template <class R>
+Crossings<R> crossings(const Plane& plane, const Line<R>& line, int source) {
+    Crossings<R> found;
+    const Vector<R> n = normal<R>(plane);
+    const R towards = dot(n, line.direction);
+    if (source != 0 && towards != 0) found.add(dot(n, Vector<R>(plane.a) - line.origin) / towards, 0, n);
+    return found;
+}
+template <class R>
+bool contains(const Plane& plane, const Vector<R>& p) {
+    return dot(normal<R>(plane), p - Vector<R>(plane.a)) < 0;
+}
+
+/// Faces: 0 the side, 1 the base, 2 the cap.
+template <class R>
+Crossings<R> crossings(const Cylinder& cylinder, const Line<R>& line, int source) {
+    Crossings<R> found;
+    const Vector<R> base = cylinder.base, whole = Vector<R>(cylinder.cap) - base, axis = unit(whole);
+    const R r = cylinder.radius, height = dot(axis, whole);
+    const Vector<R> o = line.origin - base, d = line.direction;
+    const R o_along = dot(o, axis), d_along = dot(d, axis);
+    const Vector<R> o_across = o - o_along * axis, d_across = d - d_along * axis;
+    roots(dot(d_across, d_across), dot(o_across, d_across), dot(o_across, o_across) - r * r, source == 0, [&](R t) {
+        const R along = o_along + t * d_along;
+        if (along >= 0 && along <= height) found.add(t, 0, o_across + t * d_across);
+    });
+    for (const int face : {1, 2}) {
+        if (source == face || d_along == 0) continue;
+        const R t = ((face == 1 ? R(0) : height) - o_along) / d_along;
+        const Vector<R> across = o_across + t * d_across;
+        if (dot(across, across) <= r * r) found.add(t, face, R(face == 1 ? -1 : 1) * axis);
+    }
+    return found;
+}
+template <class R>
+bool contains(const Cylinder& cylinder, const Vector<R>& p) {
+    const Vector<R> base = cylinder.base, whole = Vector<R>(cylinder.cap) - base, axis = unit(whole), o = p - base;
+    const R along = dot(o, axis);
+    const Vector<R> across = o - along * axis;
+    return along > 0 && along < dot(axis, whole) && dot(across, across) < R(cylinder.radius) * R(cylinder.radius);
+}
+
+/// A primitive with the way into its own space: local = rows * (world - offset), normal' = transposed rows * normal.
+template <class R>
+struct Body {
+    Shape shape;
+    Material material;
+    std::array<Vector<R>, 3> rows;
+    Vector<R> offset;
+
+    Body(const Primitive& primitive, const Material& material) : shape(primitive.shape), material(material) {
+        const glm::dmat4 m = matrix(primitive.transformations);
+        const Vector<R> a{m[0].x, m[0].y, m[0].z}, b{m[1].x, m[1].y, m[1].z}, c{m[2].x, m[2].y, m[2].z};
+        const R scale = R(1) / dot(a, cross(b, c));
+        rows = {scale * cross(b, c), scale * cross(c, a), scale * cross(a, b)};
+        offset = {m[3].x, m[3].y, m[3].z};
+    }
+    Vector<R> turn(const Vector<R>& v) const { return {dot(rows[0], v), dot(rows[1], v), dot(rows[2], v)}; }
+    bool transparent() const { return material.refraction > 0; }
+    bool surrounds(const Vector<R>& p) const {
+        return std::visit([&](const auto& s) { return contains<R>(s, turn(p - offset)); }, shape);
+    }
+    Crossings<R> meet(const Line<R>& line, int self) const {
+        const Line<R> local{turn(line.origin - offset), turn(line.direction)};
+        const int source = line.body == self ? line.face : -1;
+        Crossings<R> found = std::visit([&](const auto& s) { return crossings(s, local, source); }, shape);
+        for (auto& [t, face, n] : found.list) n = n.x * rows[0] + n.y * rows[1] + n.z * rows[2];
+        return found;
+    }
+};
+
+struct Signature {
+    std::uint64_t value = 0xcbf29ce484222325;
+    void add(std::uint64_t event) { value = (value ^ event) * 0x100000001b3, value ^= value >> 29; }
+};
+
+}  // namespace
+
+template <class R>
+struct Referee<R>::World {
+    Scene scene;
+    Vector<R> eye, right, down, forward;
+    int width, height, depth;
+    std::vector<Body<R>> bodies;
+
+    Vector<R> see(const Line<R>& line, int generation, const std::vector<int>& inside, Signature& signature) const {
+        enum : std::uint64_t { missed = 1, lit, total, through };
+        int body = -1;
+        Crossing<R> hit{};
+        for (int i = 0; i < static_cast<int>(bodies.size()); ++i)
+            for (const auto& crossing : bodies[i].meet(line, i))
+                if (crossing.t > 0 && (body < 0 || crossing.t < hit.t)) body = i, hit = crossing;
+        if (body < 0) return signature.add(missed), scene.background;
+        signature.add(100 + 10 * body + hit.face);
+
+        const Material& material = bodies[body].material;
+        const Vector<R> of = material.rgb, e = line.direction, p = line.origin + hit.t * e;
+        Vector<R> n = unit(hit.normal);
+        if (dot(e, n) > 0) n = R(-1) * n;
+        const Vector<R> mirrored = unit(e - 2 * dot(e, n) * n);
+        Vector<R> sum = R(material.ambient) * of * Vector<R>(scene.settings.ambient_light);
+        for (const Light& light : scene.lights) {
+            const Vector<R> way = Vector<R>(light.position) - p, l = unit(way);
+            const R facing = dot(n, l), glance = dot(mirrored, l);
+            if (!(facing > 0)) continue;
+            signature.add(glance > 0 ? lit : lit + 10);
+            Vector<R> answer = R(material.diffuse) * facing * of;
+            const R highlight = glance > 0 ? R(material.specular) * power(glance, R(material.pow)) : R(0);
+            answer = answer + Vector<R>(highlight, highlight, highlight);
+            sum = sum + arriving({p, l, body, hit.face}, root(dot(way, way)), signature) * light.color * answer;
+        }
+        if (generation >= depth) return sum;
+
+        R share = material.reflection;
+        if (bodies[body].transparent()) {
+            auto [ratio, after] = pass(body, inside);
+            const R s = -dot(e, n), k = 1 - ratio * ratio * (1 - s * s);
+            signature.add(k < 0 ? total : through);
+            if (k < 0) {
+                share += R(material.refraction);
+            } else {
+                const Line<R> bent{p, unit(ratio * e + (ratio * s - root(k)) * n), body, hit.face};
+                sum = sum + R(material.refraction) * see(bent, generation + 1, after, signature);
+            }
+        }
+        if (share > 0) sum = sum + share * see({p, mirrored, body, hit.face}, generation + 1, inside, signature);
+        return sum;
+    }
+
+    /// The share of a light that reaches the start of `line`, `distance` away from it.
+    Vector<R> arriving(const Line<R>& line, R distance, Signature& signature) const {
+        Vector<R> share{1, 1, 1};
+        Signature crossed;
+        for (int i = 0; i < static_cast<int>(bodies.size()); ++i)
+            for (const auto& crossing : bodies[i].meet(line, i)) {
+                if (!(crossing.t > 0 && crossing.t < distance)) continue;
+                if (!bodies[i].transparent()) return signature.add(0), Vector<R>();
+                share = R(bodies[i].material.refraction) * share * Vector<R>(bodies[i].material.rgb);
+                crossed.add(i);
+            }
+        signature.add(crossed.value);
+        return share;
+    }
+
+    /// The ratio n1/n2 at a surface of `body`, and the bodies that the ray is in behind it, by POV-Ray's rule.
+    std::pair<R, std::vector<int>> pass(int body, std::vector<int> inside) const {
+        const auto ior = [&](int i) { return R(bodies[i].material.ior); };
+        const R here = inside.empty() ? R(1) : ior(inside.back());
+        for (std::size_t i = 0; i < inside.size(); ++i) {
+            if (inside[i] != body) continue;
+            const bool last = i + 1 == inside.size();
+            inside.erase(inside.begin() + i);
+            if (!last) return {R(1), inside};
+            return {here / (inside.empty() ? R(1) : ior(inside.back())), inside};
+        }
+        inside.push_back(body);
+        return {here / ior(body), inside};
+    }
+};
+
+template <class R>
+Referee<R>::Referee(const Scene& scene, const Camera& camera, int width, int height, int depth) {
+    const CameraFrame frame = frame_of(camera, double(width) / height);
+    World w{scene,
+            camera.position,
+            R(frame.tan_x) * Vector<R>(frame.right),
+            R(frame.tan_y) * Vector<R>(frame.down),
+            frame.forward,
+            width,
+            height,
+            depth,
+            {}};
+    for (const Primitive& p : scene.primitives) w.bodies.emplace_back(p, scene.materials[p.material]);
+    world = std::make_unique<const World>(std::move(w));
+}
+template <class R>
+Referee<R>::~Referee() = default;
+
+template <class R>
+Sample Referee<R>::at(double x, double y) const {
+    const World& w = *world;
+    const R sx = 2 * R(x) / w.width - 1, sy = 2 * R(y) / w.height - 1;
+    std::vector<int> inside;
+    for (int i = 0; i < static_cast<int>(w.bodies.size()); ++i)
+        if (w.bodies[i].transparent() && w.bodies[i].surrounds(w.eye)) inside.push_back(i);
+    Signature signature;
+    const Vector<R> seen = w.see({w.eye, unit(w.forward + sx * w.right + sy * w.down)}, 1, inside, signature);
+    return {{static_cast<long double>(seen.x), static_cast<long double>(seen.y), static_cast<long double>(seen.z)},
+            signature.value};
+}
+
+template <class R>
+bool Referee<R>::explains(int i, int j, const double* rgb, double tolerance, double reach) const {
+    const Sample centre = at(i + .5, j + .5);
+    std::array<long double, 3> spread{};
+    for (int dy = -1; dy <= 1; ++dy)
+        for (int dx = -1; dx <= 1; ++dx) {
+            const Sample near = at(i + .5 + dx * reach, j + .5 + dy * reach);
+            if (near.signature != centre.signature) return true;
+            for (int c = 0; c < 3; ++c) spread[c] = std::max(spread[c], std::abs(near.rgb[c] - centre.rgb[c]));
+        }
+    for (int c = 0; c < 3; ++c)
+        if (!(std::abs(centre.rgb[c] - rgb[c]) <= tolerance + spread[c])) return false;
+    return true;
+}
+
+template class Referee<long double>;
+template class Referee<__float128>;
+
+}  // namespace strahl

@@ -1,0 +1,45 @@
+// The referee: the plainest Whitted tracer there is, against which every picture of the engine is held.
+//
+// It shares no code with the engine: it takes the plain values of a Scene and answers for one point of the picture at a
+// time, by recursion, with intersection formulas of its own. R is long double, or __float128 for tiny pictures.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <memory>
+
+#include "scene/scene.h"
+
+namespace strahl {
+
+/// What the tracer saw: linear values, and a hash of every decision on the way (which faces were hit, which lights
+/// reached the point through which bodies, where a ray was reflected totally or missed). Two samples with different
+/// signatures have an edge between them.
+struct Sample {
+    std::array<long double, 3> rgb{};
+    std::uint64_t signature = 0;
+};
+
+template <class R>
+class Referee {
+  public:
+    /// The scene is copied; `camera`, `width`, `height` and `depth` (generations, the primary ray being 1) as in a
+    /// View.
+    Referee(const Scene& scene, const Camera& camera, int width, int height, int depth);
+    ~Referee();
+
+    /// The sample at the picture point (x, y) in pixels; the centre of pixel (i, j) is (i + 1/2, j + 1/2).
+    Sample at(double x, double y) const;
+
+    /// Could a shift by `reach` pixels explain `rgb` at the centre of pixel (i, j)? True if one of 8 neighbours
+    /// that far away has another signature, or if their spread plus `tolerance` covers the difference.
+    bool explains(int i, int j, const double* rgb, double tolerance, double reach) const;
+
+  private:
+    struct World;
+    std::unique_ptr<const World> world;
+};
+
+extern template class Referee<long double>;
+extern template class Referee<__float128>;
+
+}  // namespace strahl

@@ -1,0 +1,7 @@
+# Tests of the tracer: the referee with its scenes, and the programs that hold the engine against it.
+set(referee ${CMAKE_SOURCE_DIR}/tests/referee)
+add_library(strahl_referee STATIC ${referee}/referee.cpp ${referee}/random_scene.cpp ${referee}/examples.cpp)
+target_link_libraries(strahl_referee PUBLIC strahl_scene quadmath)
+
+strahl_test(referee strahl_referee)
+strahl_test(structure)

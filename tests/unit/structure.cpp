@@ -1,0 +1,134 @@
+// The shape of the source tree: which room may include which, where each library stays, and that the kernels of
+// different instruction sets can't be mixed up by the linker.
+#include <doctest/doctest.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Includes point one way: num <- scene <- {text, trace, image, povref} <- show <- main. Of the four in the middle,
+/// text (whole files out, scene text) serves image, and both serve povref.
+const std::map<std::string, std::set<std::string>> rooms{
+    {"num", {}},
+    {"scene", {"num"}},
+    {"text", {"num", "scene"}},
+    {"trace", {"num", "scene"}},
+    {"image", {"num", "scene", "text"}},
+    {"povref", {"num", "scene", "text", "image"}},
+    {"show", {"num", "scene", "text", "trace", "image"}},
+    {"main", {"num", "scene", "text", "trace", "image", "povref", "show"}},
+};
+/// Headers of libraries, and the one room that may include them.
+const std::vector<std::pair<std::regex, std::string>> libraries{
+    {std::regex("OpenImageIO/.*"), "image"},
+    {std::regex("(GLFW|GL|GLES[0-9]*|EGL)/.*|imgui.*"), "show"},
+    {std::regex("CLI(11)?/.*"), "main"},
+    {std::regex("[a-z0-9]*intrin\\.h|experimental/simd"), "num"},
+};
+
+/// What is wrong with this line in a file of `room`, or "".
+std::string fault(const std::string& room, const std::string& line) {
+    static const std::regex include(R"re(\s*#\s*include\s*([<"])([^>"]+)[>"].*)re");
+    std::smatch match;
+    if (!std::regex_match(line, match, include)) return "";
+    const std::string path = match[2], first = path.substr(0, path.find('/'));
+    for (const auto& [pattern, home] : libraries)
+        if (std::regex_match(path, pattern) && room != home)
+            return room + " includes " + path + ", which is for " + home;
+    if (match[1] == "<" || first == room) return "";
+    if (!rooms.contains(first)) return room + " includes \"" + path + "\": name the room, as in \"scene/scene.h\"";
+    return rooms.at(room).contains(first) ? "" : room + " includes " + path + ": this arrow points the wrong way";
+}
+
+std::vector<fs::path> files_under(const fs::path& folder, const std::regex& name) {
+    std::vector<fs::path> files;
+    if (!fs::exists(folder)) return files;
+    for (const auto& entry : fs::recursive_directory_iterator(folder, fs::directory_options::skip_permission_denied))
+        if (entry.is_regular_file() && std::regex_match(entry.path().string(), name)) files.push_back(entry.path());
+    return files;
+}
+
+/// The names of the functions that an object file offers to the linker.
+std::vector<std::string> functions_of(const fs::path& object) {
+    std::vector<std::string> names;
+    std::FILE* pipe = popen(("nm --defined-only --extern-only '" + object.string() + "'").c_str(), "r");
+    REQUIRE(pipe);
+    std::string text;
+    char buffer[4096];
+    while (const std::size_t got = std::fread(buffer, 1, sizeof buffer, pipe)) text.append(buffer, got);
+    REQUIRE(pclose(pipe) == 0);
+    std::istringstream lines(text);
+    std::string address, type, symbol;
+    while (lines >> address >> type >> symbol)
+        if (type == "T" || type == "W" || type == "i") names.push_back(symbol);
+    return names;
+}
+/// Is this mangled name inside the namespace of this level?
+bool own(const std::string& symbol, const std::string& level) {
+    return symbol.find(std::to_string(level.size()) + level) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("the rules for includes find wrong ones") {
+    CHECK(fault("scene", "#include \"trace/tracer.h\"") != "");
+    CHECK(fault("trace", "#include \"text/parse.h\"") != "");
+    CHECK(fault("text", "#include \"image/picture.h\"") != "");
+    CHECK(fault("show", " # include \"main/values.h\"  // why") != "");
+    CHECK(fault("main", "#include <OpenImageIO/imageio.h>") != "");
+    CHECK(fault("main", "#include <GLFW/glfw3.h>") != "");
+    CHECK(fault("trace", "#include <immintrin.h>") != "");
+    CHECK(fault("trace", "#include \"world.h\"") != "");
+    CHECK(fault("trace", "#include \"scene/scene.h\"") == "");
+    CHECK(fault("trace", "#include \"trace/world.h\"") == "");
+    CHECK(fault("num", "#include <immintrin.h>") == "");
+    CHECK(fault("num", "a line that speaks of #include \"trace/world.h\"") == "");
+}
+
+TEST_CASE("includes point one way, and libraries stay in their rooms") {
+    const std::regex source(R"(.*\.(h|cpp))");
+    int seen = 0;
+    for (const auto& [room, allowed] : rooms) {
+        const fs::path folder = fs::path(STRAHL_SOURCE) / (room == "povref" ? room : "src/" + room);
+        for (const fs::path& file : files_under(folder, source)) {
+            std::ifstream in(file);
+            std::string line;
+            for (int number = 1; std::getline(in, line); ++number) {
+                const std::string wrong = fault(room, line);
+                if (!wrong.empty()) FAIL_CHECK(file.string() << ":" << number << ": " << wrong);
+            }
+            ++seen;
+        }
+    }
+    CHECK(seen > 20);
+}
+
+// A function that two levels both offer under one name would be kept once, and an older processor could be sent into
+// instructions it does not have.
+TEST_CASE("a kernel's functions carry the name of its instruction set") {
+    CHECK(own("_ZN6strahl2v34spanEv", "v3"));
+    CHECK(!own("_ZN6strahl2v34spanEv", "v4"));
+    CHECK(!own("_ZSt4sqrtf", "v3"));
+    int objects = 0;
+    for (const std::string level : {"scalar", "v2", "v3", "v4"}) {
+        const std::regex name(".*/kernel[a-z_]*_" + level + R"([./].*\.o)");
+        for (const fs::path& object : files_under(STRAHL_BINARY, name)) {
+            ++objects;
+            const std::vector<std::string> functions = functions_of(object);
+            CHECK(!functions.empty());
+            for (const std::string& symbol : functions)
+                if (!own(symbol, level)) FAIL_CHECK(object.string() << " offers " << symbol);
+        }
+    }
+    CHECK(objects >= 4);
+}
