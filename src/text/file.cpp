@@ -56,6 +56,7 @@ void write_file(const std::string& path, std::string_view bytes) {
     const fs::path target = follow_links(path);
     struct stat old {};
     const bool exists = ::stat(target.c_str(), &old) == 0;
+    if (!exists && errno == ELOOP) fail(path, ELOOP);
     if (exists && S_ISDIR(old.st_mode)) fail(path, EISDIR);
     // A rename would replace a read-only file, which its owner did not mean, or a device by a plain file.
     if (exists && ::access(target.c_str(), W_OK) != 0) fail(path, errno);

@@ -1,0 +1,16 @@
+// `strahl compare`: how much two pictures differ, and where.
+#pragma once
+#include <string>
+
+namespace strahl {
+
+struct CompareOptions {
+    std::string a, b;      // picture files of any format that the library knows
+    std::string heatmap;   // where to write the map of differences (.bmp .png .exr), or empty
+    double tolerance = 0;  // 0 or more; the greatest difference that still counts as equal
+};
+
+/// Prints the figures to standard output; 0 if all differences are within the tolerance, else 1. Throws FileError.
+int compare_command(const CompareOptions& options);
+
+}  // namespace strahl
