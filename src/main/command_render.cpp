@@ -1,0 +1,219 @@
+// strahl render: parse, trace, write; frame by frame, and tidily when interrupted.
+#include "main/command_render.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <iostream>
+#include <utility>
+
+#include "image/picture.h"
+#include "main/errors.h"
+#include "main/interrupt.h"
+#include "main/memory.h"
+#include "main/progress.h"
+#include "main/stats.h"
+#include "text/file.h"
+#include "text/parse.h"
+#include "trace/thread_pool.h"
+
+namespace strahl {
+namespace {
+
+class Stopwatch {
+  public:
+    /// Seconds since the last call.
+    double lap() {
+        const auto now = std::chrono::steady_clock::now();
+        return std::chrono::duration<double>(now - std::exchange(last, now)).count();
+    }
+
+  private:
+    std::chrono::steady_clock::time_point last = std::chrono::steady_clock::now();
+};
+
+/// Fails now rather than after hours of tracing.
+void require_writable(const std::string& path) {
+    namespace fs = std::filesystem;
+    if (path == "-") return;
+    std::error_code error;
+    const fs::path folder = fs::path(path).has_parent_path() ? fs::path(path).parent_path() : fs::path(".");
+    const auto fail = [&](const std::string& why) { throw OutputError("cannot write '" + path + "': " + why); };
+    if (fs::is_directory(path, error)) fail("it is a folder; name a file in it");
+    if (!fs::exists(folder, error)) fail("its folder does not exist; make that first");
+    if (!fs::is_directory(folder, error)) fail("'" + folder.string() + "' is not a folder");
+    if (access(folder.c_str(), W_OK) != 0) fail("you may not write in its folder");
+}
+
+/// What can be said against the options before the scene is known. Returns the ending that chooses the format.
+std::string check(const RenderOptions& options) {
+    if (options.output.empty())
+        throw UsageError("where should the picture go? Add -o FILE, with an ending .bmp, .png or .exr");
+    const bool to_stdout = options.output == "-";
+    if (to_stdout && options.format.empty())
+        throw UsageError("-o - writes the picture to standard output; say in which format: --format bmp, png or exr");
+    if (!to_stdout && !options.format.empty())
+        throw UsageError("--format is for standard output (-o -); a file's ending chooses its format");
+    if (to_stdout && options.frames)
+        throw UsageError("--frames writes numbered files; give -o a file name, such as film-%04d.png");
+    if (to_stdout && options.stats == "-")
+        throw UsageError("picture and statistics can't both go to standard output; give one of them a file");
+    if (options.frames && options.time) throw UsageError("--frames and --time exclude each other");
+    if (options.resume && !options.frames) throw UsageError("--resume goes with --frames");
+    const std::string ending =
+        to_stdout ? "." + options.format : std::filesystem::path(options.output).extension().string();
+    if (const std::string fault = format_fault(to_stdout ? ending : options.output, options.bits); !fault.empty())
+        throw UsageError(fault);
+    if (!supported(options.simd))
+        throw UsageError("this processor has no " + std::string(name(options.simd)) + "; --simd auto takes " +
+                         name(best_simd()));
+    if (options.crop) require_within(*options.crop, options.size);
+    return ending;
+}
+
+/// Refuses what the format or the memory of this machine can't hold.
+void check_size(const Lattice& part, const std::string& ending) {
+    const std::string size = std::to_string(part.columns) + "x" + std::to_string(part.rows);
+    const double pixels = double(part.columns) * part.rows;
+    if (ending == ".bmp" && 3 * pixels + 4. * part.rows > 2e9)
+        throw UsageError(size + " pixels are too many for a .bmp file (2 GB); choose .png or .exr");
+    // Values in double, the same as float, and the encoded file.
+    const double needed = 48 * pixels, available = available_memory();
+    if (needed > available)
+        throw UsageError("a picture of " + size + " pixels needs " + bytes_in_words(needed) + " of memory, and " +
+                         bytes_in_words(available) +
+                         " are free; choose a smaller --size, or make it in parts with --crop");
+}
+
+Camera camera_of(const Scene& scene, std::optional<double> time) {
+    return time ? camera_at(*scene.flythrough, scene.camera, *time) : scene.camera;
+}
+
+class Renderer {
+  public:
+    Renderer(const RenderOptions& o, const Scene& scene, const Lattice& lattice, Stats& sums)
+        : options(o),
+          linear(scene.settings.linear),
+          part(lattice),
+          depth(o.depth.value_or(scene.settings.max_trace_level)),
+          stats(sums),
+          tracer(scene, o.precision, o.simd),
+          pool(o.threads) {
+        stats.depth = depth;
+        stats.threads = pool.size();
+        stats.precision = tracer.precision();
+        stats.simd = tracer.simd();
+        stats.lanes = lanes(tracer.precision(), tracer.simd());
+        stats.build_seconds = watch.lap();
+    }
+
+    /// Traces and writes one picture. False if it was interrupted: then the finished part of it is in a file of its
+    /// own.
+    bool render(const Camera& camera, const std::string& path, const std::string& ending, const std::string& label) {
+        Picture picture{part.columns, part.rows, 3, std::vector<double>(3 * pixels())};
+        watch.lap();
+        const std::uint64_t done = trace(camera, picture, label);
+        stats.trace_seconds += watch.lap();
+        const bool whole = done == pixels();
+        if (done == 0) {
+            std::cerr << "strahl: interrupted before anything of '" << path << "' was finished\n";
+            return false;
+        }
+        const std::string file = whole || path == "-" ? path : before_ending(path, ".part");
+        try {
+            write_picture(picture, file, {options.bits, linear}, ending);
+        } catch (const FileError& error) {
+            throw OutputError(error.what());
+        }
+        stats.write_seconds += watch.lap();
+        stats.frames += whole;
+        if (!whole)
+            std::cerr << "strahl: interrupted; the finished part (" << 100 * done / pixels() << " %) is in "
+                      << (file == "-" ? "standard output" : "'" + file + "'") << '\n';
+        return whole;
+    }
+
+  private:
+    std::uint64_t pixels() const { return std::uint64_t(part.columns) * part.rows; }
+
+    /// Returns the number of pixels that are finished; the others stay black.
+    std::uint64_t trace(const Camera& camera, Picture& picture, const std::string& label) {
+        const View view{.camera = camera, .width = options.size.width, .height = options.size.height, .depth = depth};
+        Progress progress(options.quiet, label);
+        std::atomic<std::uint64_t> done = 0;
+        const auto keep = [&](const Tile& tile) {
+            std::visit([&](const auto& rgb) { copy(tile.lattice, rgb, picture); }, tile.rgb);
+            const std::uint64_t size = std::uint64_t(tile.lattice.columns) * tile.lattice.rows;
+            progress.advance(done.fetch_add(size) + size, pixels());
+        };
+        stats.rays += tracer.trace(view, part, pool, keep, interrupt.flag());
+        return done;
+    }
+
+    void copy(const Lattice& tile, const auto& rgb, Picture& picture) const {
+        for (int row = 0; row < tile.rows; ++row) {
+            const std::size_t to = 3 * (std::size_t(tile.y - part.y + row) * part.columns + (tile.x - part.x));
+            std::copy_n(rgb.begin() + std::ptrdiff_t(3) * row * tile.columns, 3 * tile.columns,
+                        picture.values.begin() + std::ptrdiff_t(to));
+        }
+    }
+
+    const RenderOptions& options;
+    const bool linear;
+    const Lattice part;
+    const int depth;
+    Stats& stats;
+    Stopwatch watch;
+    Tracer tracer;
+    ThreadPool pool;
+    Interrupt interrupt;
+};
+
+bool render_frames(const RenderOptions& options, const Scene& scene, Renderer& renderer, const std::string& ending) {
+    const auto [first, last] = *options.frames;
+    for (int frame = first; frame <= last; ++frame) {
+        const std::string path = numbered(options.output, frame);
+        if (options.resume && std::filesystem::exists(path)) continue;
+        const std::string label = "frame " + std::to_string(frame) + " of " + std::to_string(last) + " ";
+        if (!renderer.render(camera_of(scene, frame / options.fps), path, ending, label)) {
+            std::cerr << "strahl: the same command with --resume goes on from there\n";
+            return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace
+
+int render_command(const RenderOptions& options) {
+    const std::string ending = check(options);
+    const Lattice part = options.crop.value_or(Lattice{0, 0, options.size.width, options.size.height});
+    check_size(part, ending);
+    require_writable(options.frames ? numbered(options.output, options.frames->first) : options.output);
+    if (!options.stats.empty()) require_writable(options.stats);
+
+    Stats stats;
+    stats.size = options.size;
+    stats.crop = options.crop;
+    Stopwatch watch;
+    const Scene scene = parse_scene(read_text(options.scene), options.scene == "-" ? "standard input" : options.scene);
+    stats.parse_seconds = watch.lap();
+    if ((options.time || options.frames) && !scene.flythrough)
+        throw UsageError(std::string(options.time ? "--time" : "--frames") +
+                         " needs a scene with a flythrough { }, and " + options.scene + " has none");
+    const auto loading = preload_picture_library();
+
+    Renderer renderer(options, scene, part, stats);
+    stats.finished = options.frames ? render_frames(options, scene, renderer, ending)
+                                    : renderer.render(camera_of(scene, options.time), options.output, ending, "");
+    if (!options.stats.empty()) try {
+            write_file(options.stats, to_json(stats));
+        } catch (const FileError& error) {
+            throw OutputError(error.what());
+        }
+    return stats.finished ? exit_status::done : exit_status::interrupted;
+}
+
+}  // namespace strahl

@@ -1,0 +1,39 @@
+// Signal handling: a handler can only reach what is static, so the flag is, in this file alone.
+#include "main/interrupt.h"
+
+namespace strahl {
+namespace {
+
+std::atomic<bool> was_asked = false;
+static_assert(std::atomic<bool>::is_always_lock_free);
+
+extern "C" void strahl_interrupted(int) {
+    was_asked = true;
+    std::signal(SIGINT, SIG_DFL);
+    std::signal(SIGTERM, SIG_DFL);
+}
+
+void handle(int signal, struct sigaction& old) {
+    struct sigaction action {};
+    action.sa_handler = strahl_interrupted;
+    action.sa_flags = SA_RESTART;
+    sigaction(signal, nullptr, &old);
+    if (old.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr);
+}
+
+}  // namespace
+
+Interrupt::Interrupt() {
+    was_asked = false;
+    handle(SIGINT, old_interrupt);
+    handle(SIGTERM, old_terminate);
+}
+
+Interrupt::~Interrupt() {
+    sigaction(SIGINT, &old_interrupt, nullptr);
+    sigaction(SIGTERM, &old_terminate, nullptr);
+}
+
+const std::atomic<bool>* Interrupt::flag() const { return &was_asked; }
+
+}  // namespace strahl

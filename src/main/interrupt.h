@@ -1,0 +1,23 @@
+// Ctrl-C while a picture is being traced: the program stops tidily, and at once the second time.
+#pragma once
+#include <atomic>
+#include <csignal>
+
+namespace strahl {
+
+/// While one of these lives, SIGINT and SIGTERM set a flag instead of ending the program; after the first of them the
+/// next one ends it as usual. A signal that was ignored when the program started (as under nohup) stays ignored.
+class Interrupt {
+  public:
+    Interrupt();
+    ~Interrupt();
+    Interrupt(const Interrupt&) = delete;
+    Interrupt& operator=(const Interrupt&) = delete;
+
+    const std::atomic<bool>* flag() const;
+
+  private:
+    struct sigaction old_interrupt, old_terminate;
+};
+
+}  // namespace strahl

@@ -1,0 +1,206 @@
+// The program: its commands and their options. A command is one block here and one thin file beside this one.
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <functional>
+#include <iostream>
+#include <memory>
+#include <sstream>
+
+#include "main/command_check.h"
+#include "main/command_compare.h"
+#include "main/command_render.h"
+#include "main/errors.h"
+#include "scene/error.h"
+#include "text/messages.h"
+
+namespace strahl {
+namespace {
+
+/// What the command line asks for; empty until a command was found in it.
+using Action = std::function<int()>;
+
+/// A command whose options are a struct, and whose work is a function of it.
+template <class Options>
+std::pair<CLI::App*, std::shared_ptr<Options>> add_command(CLI::App& app, Action& action, const char* name,
+                                                           const char* help, int (*work)(const Options&)) {
+    auto options = std::make_shared<Options>();
+    CLI::App* const command = app.add_subcommand(name, help);
+    command->callback([&action, options, work] { action = [options, work] { return work(*options); }; });
+    return {command, options};
+}
+
+/// An option whose text is read by `parse`, which throws UsageError.
+template <class Value, class Parsed>
+CLI::Option* add_parsed(CLI::App* command, const char* name, Value& value, Parsed (*parse)(std::string_view),
+                        const char* help, const char* form) {
+    return command
+        ->add_option_function<std::string>(
+            name, [&value, parse](const std::string& text) { value = parse(text); }, help)
+        ->type_name(form);
+}
+
+/// Real numbers of at least (or, if `open`, above) `low`; also keeps out nan and inf.
+CLI::Validator at_least(double low, bool open) {
+    return CLI::Validator(
+        [=](std::string& text) {
+            double value = 0;
+            const bool good =
+                CLI::detail::lexical_cast(text, value) && std::isfinite(value) && (open ? value > low : value >= low);
+            return good ? std::string()
+                        : "'" + text + "' is no number " + (open ? "above " : "of at least ") +
+                              CLI::detail::to_string(low);
+        },
+        "");
+}
+
+template <class Value>
+CLI::Option* add_choice(CLI::App* command, const char* name, Value& value,
+                        std::vector<std::pair<std::string, Value>> words, const char* help, const char* form) {
+    std::vector<std::string> known;
+    for (const auto& [word, _] : words) known.push_back(word);
+    return command
+        ->add_option_function<std::string>(
+            name,
+            [&value, words](const std::string& text) {
+                for (const auto& [word, choice] : words)
+                    if (word == text) value = choice;
+            },
+            help)
+        ->check(CLI::IsMember(known).description(""))
+        ->type_name(form);
+}
+
+void add_render(CLI::App& app, Action& action) {
+    auto [command, o] = add_command(app, action, "render", "Trace a scene into a picture file", render_command);
+    command->add_option("SCENE", o->scene, "The scene, a .rt file; - is standard input")->required();
+    command->add_option("-o,--output", o->output, "The picture: .bmp, .png or .exr; - is standard output")
+        ->type_name("FILE");
+    add_parsed(command, "--size", o->size, parse_size, "Size of the picture in pixels, 640x480 by default", "WxH");
+    add_parsed(command, "--crop", o->crop, parse_crop, "Only this part of it, counted from its top left corner",
+               "X,Y,W,H");
+    command->add_option("--depth", o->depth, "Generations of rays, 1 to 256; by default the scene's max_trace_level")
+        ->check(CLI::Range(1, 256).description(""))
+        ->type_name("N");
+    add_choice<Precision>(
+        command, "--precision", o->precision,
+        {{"float", Precision::single}, {"double", Precision::twice}, {"extended", Precision::extended}},
+        "float, double (default) or extended", "KIND");
+    add_choice<Simd>(
+        command, "--simd", o->simd,
+        {{"auto", Simd::automatic}, {"scalar", Simd::scalar}, {"v2", Simd::v2}, {"v3", Simd::v3}, {"v4", Simd::v4}},
+        "Vector instructions: auto (default), scalar, or x86-64-v2, v3, v4", "LEVEL");
+    command->add_option("--threads", o->threads, "Threads that trace; all processors by default")
+        ->check(CLI::Range(1, 1024).description(""))
+        ->type_name("N");
+    command->add_option("--bits", o->bits, "Bits per channel: 8, or 16 for .png (.exr always holds 32-bit floats)")
+        ->check(CLI::IsMember({8, 16, 32}).description(""))
+        ->type_name("N");
+    command->add_option("--format", o->format, "Format for standard output: bmp, png or exr")
+        ->check(CLI::IsMember({"bmp", "png", "exr"}).description(""))
+        ->type_name("KIND");
+    command->add_option("--time", o->time, "The moment of the scene's flythrough, in seconds")
+        ->check(at_least(0, false))
+        ->type_name("T");
+    add_parsed(command, "--frames", o->frames, parse_frames,
+               "Frames of the flythrough, as numbered files: FILE holds %04d, or the number goes before its ending",
+               "A-B");
+    command
+        ->add_option("--fps", o->fps, "Frames per second of the flythrough, 25 by default; frame N is at N/F seconds")
+        ->check(at_least(0, true))
+        ->type_name("F");
+    command->add_flag("--resume", o->resume, "Leave out the frames whose files are already there");
+    command->add_option("--stats", o->stats, "Write seconds and rays to this JSON file")->type_name("FILE");
+    command->add_flag("--quiet", o->quiet, "No progress on the terminal");
+}
+
+void add_check(CLI::App& app, Action& action) {
+    auto [command, o] =
+        add_command(app, action, "check", "Look for faults in a scene and say what is in it", check_command);
+    command->add_option("SCENE", o->scene, "The scene, a .rt file; - is standard input")->required();
+    command->add_flag("--print", o->print, "Print the scene as strahl reads it");
+}
+
+void add_compare(CLI::App& app, Action& action) {
+    auto [command, o] =
+        add_command(app, action, "compare", "Say how far two pictures are apart; exit status 0 or 1", compare_command);
+    command->add_option("A", o->a, "A picture file")->required();
+    command->add_option("B", o->b, "Another one of the same size")->required();
+    command->add_option("--tolerance", o->tolerance, "Difference per channel that is still equal, 0 by default")
+        ->check(at_least(0, false))
+        ->type_name("T");
+    command->add_option("--heatmap", o->heatmap, "Write where they differ as a picture")->type_name("FILE");
+}
+
+/// "strahl 0.1.0 (x86-64-v4, 16 float lanes, 8 double)"
+std::string version() {
+    const Simd simd = best_simd();
+    std::ostringstream text;
+    text << "strahl " STRAHL_VERSION " (" << name(simd) << ", " << lanes(Precision::single, simd) << " float lanes, "
+         << lanes(Precision::twice, simd) << " double)";
+    return text.str();
+}
+
+/// CLI11 would speak of unexpected arguments.
+void require_known_command(const CLI::App& app, int argc, const char* const* argv) {
+    if (argc < 2 || argv[1][0] == '-') return;
+    std::vector<const char*> known;
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+        if (command->get_name() == argv[1]) return;
+        known.push_back(command->get_name().c_str());
+    }
+    std::string advice;
+    if (const char* meant = nearest(argv[1], known))
+        advice = std::string("; did you mean '") + meant + "'?";
+    else
+        for (const char* name : known) advice += std::string(advice.empty() ? "; the commands are " : ", ") + name;
+    throw UsageError("there is no command " + quoted(argv[1]) + advice +
+                     "\nTo make a picture of a scene: strahl render SCENE -o FILE");
+}
+
+int run(int argc, char** argv) {
+    CLI::App app{"Strahl traces rays: scenes become pictures, fast and exactly.", "strahl"};
+    app.set_version_flag("--version", version, "Print the version and the vector instructions in use");
+    app.set_help_flag("-h,--help", "Print this help; `strahl COMMAND --help` tells of a command");
+    app.require_subcommand(1);
+    app.get_formatter()->column_width(26);
+    Action action;
+    add_render(app, action);
+    add_check(app, action);
+    add_compare(app, action);
+    for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+        command->set_help_flag("-h,--help", "Print this help");
+    try {
+        require_known_command(app, argc, argv);
+        app.parse(argc, argv);
+        return action();
+    } catch (const CLI::Success& wanted) {  // --help and --version
+        return app.exit(wanted);
+    } catch (const CLI::ParseError& error) {
+        const auto chosen = app.get_subcommands();
+        throw UsageError(std::string(error.what()) + "\nSee: strahl " +
+                         (chosen.empty() ? "" : chosen[0]->get_name() + " ") + "--help");
+    }
+}
+
+int fail(const std::exception& error, int status, const char* prefix = "strahl: ") {
+    std::cerr << prefix << error.what() << '\n';
+    return status;
+}
+
+}  // namespace
+}  // namespace strahl
+
+int main(int argc, char** argv) {
+    using namespace strahl;
+    try {
+        return run(argc, argv);
+    } catch (const UsageError& error) {
+        return fail(error, exit_status::usage);
+    } catch (const FileError& error) {
+        return fail(error, exit_status::bad_file, "");
+    } catch (const std::bad_alloc&) {
+        return fail(std::runtime_error("out of memory"), exit_status::failed);
+    } catch (const std::exception& error) {
+        return fail(error, exit_status::failed);
+    }
+}

@@ -1,0 +1,28 @@
+// What a rendering cost, as a JSON file.
+#pragma once
+#include <optional>
+#include <string>
+
+#include "main/values.h"
+#include "trace/tracer.h"
+
+namespace strahl {
+
+/// Seconds are wall time. Of several frames they and the rays are sums; skipped frames don't count.
+struct Stats {
+    double parse_seconds = 0;  // reading and parsing the scene
+    double build_seconds = 0;  // making it ready for tracing
+    double trace_seconds = 0;  // tracing alone
+    double write_seconds = 0;  // encoding and writing, and waiting for the picture library if it was not loaded yet
+    Counts rays;
+    Size size;
+    std::optional<Lattice> crop;
+    int frames = 0, depth = 0, threads = 0, lanes = 0;
+    Precision precision = Precision::twice;
+    Simd simd = Simd::automatic;
+    bool finished = false;
+};
+
+std::string to_json(const Stats& stats);
+
+}  // namespace strahl

@@ -1,0 +1,110 @@
+// Option values: text to numbers, with messages that show what was meant.
+#include "main/values.h"
+
+#include <array>
+#include <charconv>
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+
+#include "main/errors.h"
+
+namespace strahl {
+namespace {
+
+constexpr int longest_side = 1'000'000;
+constexpr int last_frame = 999'999'999;
+
+/// Whole numbers with one separator between them and nothing else.
+template <std::size_t count>
+std::optional<std::array<int, count>> numbers(std::string_view text, char separator) {
+    std::array<int, count> values{};
+    const char* at = text.data();
+    const char* const end = at + text.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        if (i > 0 && (at == end || *at++ != separator)) return {};
+        if (at != end && *at == '-') return {};
+        const auto [next, error] = std::from_chars(at, end, values[i]);
+        if (error != std::errc{}) return {};
+        at = next;
+    }
+    if (at != end) return {};
+    return values;
+}
+
+std::string quoted(std::string_view text) { return "'" + std::string(text) + "'"; }
+
+std::string padded(int number, std::size_t digits) {
+    const std::string text = std::to_string(number);
+    return text.size() < digits ? std::string(digits - text.size(), '0') + text : text;
+}
+
+}  // namespace
+
+Size parse_size(std::string_view text) {
+    const auto n = numbers<2>(text, 'x');
+    if (!n) throw UsageError("--size is width x height in pixels, such as 1920x1080, not " + quoted(text));
+    const auto [width, height] = *n;
+    if (width < 1 || height < 1 || width > longest_side || height > longest_side)
+        throw UsageError("--size " + std::string(text) + ": each side is 1 to " + std::to_string(longest_side));
+    return {width, height};
+}
+
+Lattice parse_crop(std::string_view text) {
+    const auto n = numbers<4>(text, ',');
+    if (!n)
+        throw UsageError(
+            "--crop is X,Y,W,H in pixels of the whole picture, counted from its top left corner, such as "
+            "100,50,320,200, not " +
+            quoted(text));
+    const auto [x, y, width, height] = *n;
+    if (width < 1 || height < 1) throw UsageError("--crop " + std::string(text) + " is empty");
+    return {x, y, width, height};
+}
+
+FrameRange parse_frames(std::string_view text) {
+    if (const auto one = numbers<1>(text, '-'); one && (*one)[0] <= last_frame) return {(*one)[0], (*one)[0]};
+    const auto n = numbers<2>(text, '-');
+    if (!n || (*n)[1] > last_frame)
+        throw UsageError("--frames is the first and the last frame, such as 0-99, not " + quoted(text));
+    const auto [first, last] = *n;
+    if (first > last)
+        throw UsageError("--frames " + std::string(text) + " is empty: the first frame comes after the last");
+    return {first, last};
+}
+
+void require_within(const Lattice& crop, Size picture) {
+    if (crop.x <= picture.width - crop.columns && crop.y <= picture.height - crop.rows) return;
+    const auto size = [](int width, int height) { return std::to_string(width) + "x" + std::to_string(height); };
+    throw UsageError("--crop asks for " + size(crop.columns, crop.rows) + " pixels from column " +
+                     std::to_string(crop.x) + " and row " + std::to_string(crop.y) + " of a picture that is only " +
+                     size(picture.width, picture.height) + "; its size is set with --size");
+}
+
+std::string before_ending(const std::string& path, std::string_view insertion) {
+    const std::string ending = std::filesystem::path(path).extension().string();
+    return path.substr(0, path.size() - ending.size()) + std::string(insertion) + ending;
+}
+
+std::string numbered(const std::string& path, int frame) {
+    for (std::size_t i = path.find('%'); i != path.npos; i = path.find('%', i + 1)) {
+        std::size_t end = i + 1;
+        int digits = 0;
+        while (end < path.size() && end < i + 3 && path[end] >= '0' && path[end] <= '9')
+            digits = 10 * digits + (path[end++] - '0');
+        if (end < path.size() && path[end] == 'd')
+            return path.substr(0, i) + padded(frame, static_cast<std::size_t>(digits)) + path.substr(end + 1);
+    }
+    return before_ending(path, std::string("-").append(padded(frame, 4)));
+}
+
+std::string bytes_in_words(double bytes) {
+    constexpr std::array units{"bytes", "kB", "MB", "GB", "TB", "PB", "EB"};
+    std::size_t unit = 0;
+    while (bytes >= 1000 && unit + 1 < units.size()) bytes /= 1000, ++unit;
+    char text[32];
+    std::snprintf(text, sizeof text, bytes < 10 && unit > 0 ? "%.1f %s" : "%.0f %s", bytes, units[unit]);
+    return text;
+}
+
+}  // namespace strahl

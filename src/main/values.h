@@ -1,0 +1,37 @@
+// Option values that people write: sizes, crops, frame ranges, numbered files.
+#pragma once
+#include <string>
+#include <string_view>
+
+#include "trace/tracer.h"
+
+namespace strahl {
+
+struct Size {
+    int width = 640, height = 480;
+};
+struct FrameRange {
+    int first = 0, last = 0;
+};
+
+/// "640x480". Sides are 1 to 1000000. These throw UsageError with an example of what is meant.
+Size parse_size(std::string_view text);
+/// "X,Y,W,H": a part of the whole picture. Whether it lies within the picture is for `within` to say.
+Lattice parse_crop(std::string_view text);
+/// "A-B", or "A" for one frame: 0 <= A <= B < 10^9.
+FrameRange parse_frames(std::string_view text);
+
+/// Throws UsageError unless all of `crop` lies in the picture.
+void require_within(const Lattice& crop, Size picture);
+
+/// The file of a frame: `path` with its one "%d", "%4d" or "%04d" replaced (always filled up with zeros), or with
+/// "-0042" put before the ending if it has none.
+std::string numbered(const std::string& path, int frame);
+
+/// `path` with `insertion` put before its ending.
+std::string before_ending(const std::string& path, std::string_view insertion);
+
+/// A number of bytes for people: "1.5 GB".
+std::string bytes_in_words(double bytes);
+
+}  // namespace strahl
