@@ -56,19 +56,14 @@ STRAHL_INLINE S select(bool mask, S yes, S no) {
 STRAHL_INLINE bool any(bool mask) { return mask; }
 STRAHL_INLINE bool all(bool mask) { return mask; }
 STRAHL_INLINE bool none(bool mask) { return !mask; }
-template <Scalar S>
-STRAHL_INLINE S load(const S* from) {
-    return *from;
-}
-template <Scalar S>
-STRAHL_INLINE void store(S* to, S value) {
-    *to = value;
-}
-
 /// Masks combine with & | !, on one number and on a pack.
 template <class S>
 STRAHL_INLINE S dot(const Vec3<S>& a, const Vec3<S>& b) {
     return fma(a.x, b.x, fma(a.y, b.y, a.z * b.z));
+}
+template <class S>
+STRAHL_INLINE Vec3<S> cross(const Vec3<S>& a, const Vec3<S>& b) {
+    return {fma(a.y, b.z, -(a.z * b.y)), fma(a.z, b.x, -(a.x * b.z)), fma(a.x, b.y, -(a.y * b.x))};
 }
 /// a + s * b
 template <class S>

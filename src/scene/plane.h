@@ -17,6 +17,7 @@ struct Plane {
     bool operator==(const Plane&) const = default;
 
     static constexpr const char* name = "plane";
+    static constexpr int faces = 1;
     static constexpr auto fields = std::make_tuple(Field{"first point", &Plane::a, "a point of the plane"},
                                                    Field{"second point", &Plane::b, "another point"},
                                                    Field{"third point", &Plane::c, "a third, not on their line"});
@@ -44,21 +45,21 @@ struct Plane {
 /// normal . x = distance. A ray crosses once; the other end of its span is at infinity.
 template <class T>
 struct PlaneKernel {
-    static constexpr int faces = 1;
+    static constexpr int faces = Plane::faces;
     Vec3<T> normal;
     T distance;
 
     template <class S>
-    STRAHL_INLINE Span<S> span(const Ray<S>& ray, Mask<S> starts_here) const {
+    STRAHL_INLINE Span<S> span(const Ray<S>& ray, S start) const {
         const Vec3<S> n = splat<S>(normal);
         const S t = (S(distance) - dot(n, ray.origin)) / dot(n, ray.direction);
         constexpr auto inf = std::numeric_limits<Element<S>>::infinity();
-        const Mask<S> hit = (abs(t) < S(inf)) & !starts_here;  // false for a parallel ray too: +-inf or NaN
+        const Mask<S> hit = (abs(t) < S(inf)) & !(start == S(0));  // false for a parallel ray too: +-inf or NaN
         return {t, S(inf), hit};
     }
     /// The point at `t`, put back onto the plane.
     template <class S>
-    STRAHL_INLINE SurfacePoint<S> at(const Ray<S>& ray, S t, Mask<S>) const {
+    STRAHL_INLINE SurfacePoint<S> at(const Ray<S>& ray, S t, S) const {
         const Vec3<S> n = splat<S>(normal);
         const Vec3<S> p = fma(t, ray.direction, ray.origin);
         return {fma(S(distance) - dot(n, p), n, p), n, S(0)};

@@ -15,9 +15,9 @@ struct Sphere {
     bool operator==(const Sphere&) const = default;
 
     static constexpr const char* name = "sphere";
-    static constexpr auto fields =
-        std::make_tuple(Field{"centre", &Sphere::centre, "the centre"},
-                        Field{"radius", &Sphere::radius, "the radius", Range::positive});
+    static constexpr int faces = 1;
+    static constexpr auto fields = std::make_tuple(Field{"centre", &Sphere::centre, "the centre"},
+                                                   Field{"radius", &Sphere::radius, "the radius", Range::positive});
     /// Why these values make no body, or nullptr.
     const char* fault() const { return nullptr; }
     Box bounds() const { return {centre - radius, centre + radius}; }
@@ -31,7 +31,7 @@ struct Sphere {
 /// The sphere as the kernel sees it, for one number or lane by lane.
 template <class T>
 struct SphereKernel {
-    static constexpr int faces = 1;
+    static constexpr int faces = Sphere::faces;
     Vec3<T> centre;
     T radius;
 
@@ -39,7 +39,8 @@ struct SphereKernel {
     /// J. Guenther, T. Akenine-Moeller, "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems, 2019).
     /// A ray that starts on this sphere has the roots 0 and 2b.
     template <class S>
-    STRAHL_INLINE Span<S> span(const Ray<S>& ray, Mask<S> starts_here) const {
+    STRAHL_INLINE Span<S> span(const Ray<S>& ray, S start) const {
+        const Mask<S> starts_here = start == S(0);
         const Vec3<S> to_centre = splat<S>(centre) - ray.origin;
         const S b = dot(to_centre, ray.direction);
         const Vec3<S> l = fma(-b, ray.direction, to_centre);
@@ -48,7 +49,7 @@ struct SphereKernel {
         Mask<S> hit = d > S(0);
         if (none(hit | starts_here)) return {S(0), S(0), hit};
         const S s = sqrt(max(d, S(0)));
-        Span<S> span{b - s, b + s, hit | starts_here};
+        Span<S> span{b - s, b + s, Mask<S>(hit | starts_here)};
         if (any(starts_here)) {
             span.near = select(starts_here, min(b + b, S(0)), span.near);
             span.far = select(starts_here, max(b + b, S(0)), span.far);
@@ -57,7 +58,7 @@ struct SphereKernel {
     }
     /// The point at `t`, put back onto the sphere.
     template <class S>
-    STRAHL_INLINE SurfacePoint<S> at(const Ray<S>& ray, S t, Mask<S>) const {
+    STRAHL_INLINE SurfacePoint<S> at(const Ray<S>& ray, S t, S) const {
         const Vec3<S> c = splat<S>(centre);
         const Vec3<S> out = fma(t, ray.direction, ray.origin - c);
         const Vec3<S> normal = scale(S(1) / sqrt(dot(out, out)), out);

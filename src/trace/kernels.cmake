@@ -1,2 +1,22 @@
-# The tracer: its plain part, and the kernel compiled once per instruction set.
+# The tracer: its plain part, and the kernel compiled once per instruction set. Kernels are optimised in every preset:
+# an inline function that is not inlined would merge with another level's when linked.
 strahl_room(trace src/trace strahl_scene)
+get_target_property(strahl_trace_sources strahl_trace SOURCES)
+list(FILTER strahl_trace_sources EXCLUDE REGEX "/kernel\\.cpp$")
+set_property(TARGET strahl_trace PROPERTY SOURCES ${strahl_trace_sources})
+
+function(strahl_kernel level)
+  add_library(kernel_${level} OBJECT src/trace/kernel.cpp)
+  target_link_libraries(kernel_${level} PRIVATE strahl_flags)
+  target_compile_definitions(kernel_${level} PRIVATE STRAHL_LEVEL=${level})
+  target_compile_options(kernel_${level} PRIVATE -O3 ${ARGN})
+  target_sources(strahl_trace PRIVATE $<TARGET_OBJECTS:kernel_${level}>)
+endfunction()
+
+strahl_kernel(scalar -DSTRAHL_SCALAR)
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+  strahl_kernel(v2 -march=x86-64-v2)
+  strahl_kernel(v3 -march=x86-64-v3)
+  # g++ 12 warns of an "uninitialized" operand inside its own AVX-512 header.
+  strahl_kernel(v4 -march=x86-64-v4 -mprefer-vector-width=512 -Wno-uninitialized -Wno-maybe-uninitialized)
+endif()

@@ -6,8 +6,7 @@ namespace strahl {
 
 ThreadPool::ThreadPool(int threads) {
     if (threads <= 0) threads = std::max(1u, std::thread::hardware_concurrency());
-    for (int i = 1; i < threads; ++i)
-        workers.emplace_back([this, i](std::stop_token stop) { loop(i, stop); });
+    for (int i = 1; i < threads; ++i) workers.emplace_back([this, i](std::stop_token stop) { loop(i, stop); });
 }
 
 ThreadPool::~ThreadPool() {

@@ -16,11 +16,11 @@ namespace strahl {
 
 class ThreadPool;
 
-enum class Precision { single, twice, extended };        // float, double, long double
-enum class Simd { automatic, scalar, v2, v3, v4 };       // x86-64 level of the lanes; scalar is one lane without SIMD
+enum class Precision { single, twice, extended };   // float, double, long double
+enum class Simd { automatic, scalar, v2, v3, v4 };  // x86-64 level of the lanes; scalar is one lane without SIMD
 
-const char* name(Precision precision);                   // "float", "double", "extended"
-const char* name(Simd simd);                             // "scalar", "x86-64-v2", ...
+const char* name(Precision precision);  // "float", "double", "extended"
+const char* name(Simd simd);            // "scalar", "x86-64-v2", ...
 /// The best level this processor and this build have.
 Simd best_simd();
 /// Can this processor run it?
@@ -54,8 +54,9 @@ using Sink = std::function<void(const Tile&)>;
 struct View {
     Camera camera;
     int width = 640, height = 480;
-    int depth = 20;           // generations of rays, the primary ray being the first; 1 to 256
-    double cutoff = 0;        // rays whose path keeps no more than this share of light are not traced; 0 traces all
+    int depth = 20;                   // generations of rays, the primary ray being the first; 1 to 256
+    double shift_x = 0, shift_y = 0;  // of the sampling point from the pixel's centre, in pixels
+    double cutoff = 0;  // rays whose path keeps no more than this share of light are not traced; 0 traces all
 };
 
 /// A scene made ready. Pictures depend on the scene, view, precision and (x86-64-v2 and extended apart) nothing else:

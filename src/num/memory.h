@@ -1,0 +1,90 @@
+// Lanes from and to memory: consecutive, scattered by index, packed together by mask. The same words for one number.
+#pragma once
+#include <array>
+#include <bit>
+#include <cstddef>
+
+#include "num/pack.h"
+
+namespace strahl {
+
+template <class S>
+STRAHL_INLINE S load_lanes(const Element<S>* from) {
+    if constexpr (width<S> == 1)
+        return *from;
+    else
+        return S(typename S::Register(from, std::experimental::element_aligned));
+}
+template <class S>
+STRAHL_INLINE void store_lanes(Element<S>* to, S value) {
+    if constexpr (width<S> == 1)
+        *to = value;
+    else
+        value.v.copy_to(to, std::experimental::element_aligned);
+}
+/// 0, 1, 2, ... in the lanes.
+template <class S>
+STRAHL_INLINE S iota() {
+    if constexpr (width<S> == 1)
+        return S(0);
+    else
+        return S(typename S::Register([](auto i) { return static_cast<Element<S>>(i); }));
+}
+/// The first n lanes.
+template <class S>
+STRAHL_INLINE Mask<S> first_lanes(int n) {
+    return iota<S>() < S(static_cast<Element<S>>(n));
+}
+/// base[index[lane]] for every lane.
+template <class S>
+STRAHL_INLINE S gather(const Element<S>* base, const int* index) {
+    if constexpr (width<S> == 1)
+        return base[*index];
+    else {
+        alignas(64) Element<S> lanes[width<S>];
+        for (int i = 0; i < width<S>; ++i) lanes[i] = base[index[i]];
+        return load_lanes<S>(lanes);
+    }
+}
+/// items[index[lane]] for a struct I that is made of elements only: R is the same struct of packs.
+template <class R, class S, class I>
+STRAHL_INLINE R gather_items(const I* items, const int* index) {
+    using T = Element<S>;
+    constexpr int fields = sizeof(I) / sizeof(T);
+    static_assert(sizeof(R) == fields * sizeof(S));
+    alignas(64) T lanes[fields][width<S>];
+    for (int i = 0; i < width<S>; ++i) {
+        const auto values = std::bit_cast<std::array<T, fields>>(items[index[i]]);
+        for (int f = 0; f < fields; ++f) lanes[f][i] = values[f];
+    }
+    std::array<S, fields> packs;
+    for (int f = 0; f < fields; ++f) packs[f] = load_lanes<S>(lanes[f]);
+    return std::bit_cast<R>(packs);
+}
+/// The same item in every lane.
+template <class R, class S, class I>
+STRAHL_INLINE R splat_item(const I& item) {
+    using T = Element<S>;
+    constexpr int fields = sizeof(I) / sizeof(T);
+    const auto values = std::bit_cast<std::array<T, fields>>(item);
+    std::array<S, fields> packs;
+    for (int f = 0; f < fields; ++f) packs[f] = S(values[f]);
+    return std::bit_cast<R>(packs);
+}
+/// Stores the lanes set in the mask one after the other. Up to a whole pack is written, so leave room behind.
+template <Scalar S>
+STRAHL_INLINE void compress(S* to, S value, bool mask) {
+    if (mask) *to = value;
+}
+template <Scalar S>
+STRAHL_INLINE S floor(S a) {
+    return std::floor(a);
+}
+template <Scalar S>
+STRAHL_INLINE S lane(S a, int) {
+    return a;
+}
+STRAHL_INLINE int count(bool mask) { return mask; }
+STRAHL_INLINE int first(bool) { return 0; }
+
+}  // namespace strahl

@@ -1,0 +1,43 @@
+// From Scene to World.
+#pragma once
+#include <memory>
+
+#include "scene/scene.h"
+#include "trace/world.h"
+
+namespace strahl {
+
+/// Where a world's coordinates start and how long its unit is: world = (scene - origin) * scale. The scale is a power
+/// of two and the origin on a coarse grid, so that both are exact wherever numbers are of a sane size.
+struct Placement {
+    DVec3 origin{0};
+    double scale = 1;
+    bool operator==(const Placement&) const = default;
+};
+
+/// Where a scene's shapes mostly are. Outliers, huge ground spheres say, do not count.
+struct Extent {
+    DVec3 centre{0};
+    double size = 1;
+};
+Extent extent_of(const Scene& scene);
+
+/// The same for all cameras near the scene; for one far off it follows from the camera's position alone.
+Placement placement(const Extent& extent, const DVec3& camera);
+
+/// A world and the arrays that it points into.
+template <class T>
+class BuiltWorld {
+  public:
+    BuiltWorld(const Scene& scene, const Placement& placement);
+    ~BuiltWorld();
+    const World<T>& world() const;
+    /// Transparent bodies, by surface number, that hold a point of the scene, in the order declared.
+    std::vector<int> bodies_around(const DVec3& point) const;
+
+  private:
+    struct Arrays;
+    std::unique_ptr<Arrays> arrays;
+};
+
+}  // namespace strahl

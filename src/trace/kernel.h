@@ -1,0 +1,105 @@
+// What the plain part of the tracer and the kernels, compiled once per instruction set, know of each other.
+#pragma once
+#include <cstdint>
+
+#include "trace/world.h"
+
+namespace strahl {
+
+/// A queue of rays, one array per value. Arrays have room for `capacity` rays and a pack more.
+template <class T>
+struct RayQueue {
+    Vec3<T*> origin, direction;
+    T* source;    // surface on which the ray starts, -1 for none
+    T* pixel;     // of the tile
+    T* weight;    // share of this ray's light that reaches the pixel
+    T* path;      // product of Kr + Kt along the path; no less than all weights that go on from here
+    T* interior;  // list of bodies entered; only in nested worlds
+    int count = 0, capacity = 0;
+};
+inline constexpr int ray_arrays = 11;
+
+/// What a generation met.
+template <class T>
+struct HitList {
+    T *t, *surface;         // by ray; surface -1 for none
+    std::int32_t* order;    // rays that hit, sorted by key
+    std::int32_t* key_end;  // by key: end of its stretch of `order`
+};
+
+/// Lists of transparent bodies entered, as POV-Ray keeps them: numbered, each a shorter list and one body more.
+/// List 0 is empty. Not for two threads at once.
+class Interiors;
+int entered(Interiors& lists, int list, int body);  // the list with the body appended
+int left(Interiors& lists, int list, int body);     // ... with it removed, wherever it is
+bool contains(const Interiors& lists, int list, int body);
+int innermost(const Interiors& lists, int list);  // the body entered last, -1 for none
+
+/// Memory of one thread, reused from tile to tile.
+template <class T>
+class Workspace;
+/// Queue number `slot`, made when first asked for; it keeps its address.
+template <class T>
+RayQueue<T>& queue(Workspace<T>& workspace, int slot);
+template <class T>
+HitList<T>& hits(Workspace<T>& workspace);
+template <class T>
+Interiors& interiors(Workspace<T>& workspace);
+
+/// Where camera rays come from: pixel (x, y) looks along forward + u * right + v * down, with u, v in [-1, 1].
+template <class T>
+struct Eye {
+    Vec3<T> position, forward, right, down;  // right and down scaled by the picture's half sizes at distance 1
+    T scale_x, scale_y, bias_x, bias_y;      // u = x * scale_x + bias_x
+    T interior = 0;                          // list of bodies that the eye is in
+    int depth = 20;
+    T cutoff = 0;
+};
+
+/// Pixels to trace, and where their light is summed: rgb[c][i] for pixel i.
+template <class T>
+struct PixelBatch {
+    const T *x, *y;
+    T* rgb[3];
+    int count;
+};
+
+struct KernelCounts {
+    std::uint64_t camera = 0, reflected = 0, refracted = 0, shadow = 0;
+};
+
+/// Most pixels in a batch, and most rays in a generation of it.
+inline constexpr int batch_pixels = 1024, batch_rays = 8192;
+
+/// Traces a batch. False if some generation has more than batch_rays rays: the batch must be split, its sums thrown
+/// away. A batch of one pixel always succeeds.
+template <class T>
+using TraceBatch = bool (*)(const World<T>&, const Eye<T>&, const PixelBatch<T>&, Workspace<T>&, KernelCounts&);
+
+template <class T>
+struct Kernel {
+    TraceBatch<T> trace = nullptr;
+    int lanes = 1;
+};
+
+// One inline namespace for each instruction set; the kernel's own code lives in them, so that nothing merges when
+// linked.
+inline namespace scalar {
+Kernel<float> kernel_float();
+Kernel<double> kernel_double();
+Kernel<long double> kernel_extended();
+}  // namespace scalar
+inline namespace v2 {
+Kernel<float> kernel_float();
+Kernel<double> kernel_double();
+}  // namespace v2
+inline namespace v3 {
+Kernel<float> kernel_float();
+Kernel<double> kernel_double();
+}  // namespace v3
+inline namespace v4 {
+Kernel<float> kernel_float();
+Kernel<double> kernel_double();
+}  // namespace v4
+
+}  // namespace strahl

@@ -1,0 +1,14 @@
+// Where bodies are, and whether transparent ones share space.
+#pragma once
+#include "scene/scene.h"
+
+namespace strahl {
+
+/// A box around the transformed primitive, infinite for a plane.
+Box world_bounds(const Primitive& primitive);
+
+/// May two transparent bodies of the scene have points in common? False only if certainly not: then a ray is inside
+/// one at most, and the side from which it meets a surface tells whether it enters.
+bool transparent_bodies_overlap(const Scene& scene);
+
+}  // namespace strahl

@@ -1,0 +1,64 @@
+// Which instruction sets there are, and their names.
+#include "trace/kernel.h"
+#include "trace/tracer.h"
+
+namespace strahl {
+
+const char* name(Precision precision) {
+    switch (precision) {
+        case Precision::single:
+            return "float";
+        case Precision::twice:
+            return "double";
+        default:
+            return "extended";
+    }
+}
+
+const char* name(Simd simd) {
+    switch (simd) {
+        case Simd::automatic:
+            return "auto";
+        case Simd::scalar:
+            return "scalar";
+        case Simd::v2:
+            return "x86-64-v2";
+        case Simd::v3:
+            return "x86-64-v3";
+        default:
+            return "x86-64-v4";
+    }
+}
+
+bool supported(Simd simd) {
+    switch (simd) {
+        case Simd::automatic:
+        case Simd::scalar:
+            return true;
+#if defined(__x86_64__)
+        case Simd::v2:
+            return __builtin_cpu_supports("x86-64-v2");
+        case Simd::v3:
+            return __builtin_cpu_supports("x86-64-v3");
+        case Simd::v4:
+            return __builtin_cpu_supports("x86-64-v4");
+#endif
+        default:
+            return false;
+    }
+}
+
+Simd best_simd() {
+    for (const Simd simd : {Simd::v4, Simd::v3, Simd::v2})
+        if (supported(simd)) return simd;
+    return Simd::scalar;
+}
+
+int lanes(Precision precision, Simd simd) {
+    if (simd == Simd::automatic) simd = best_simd();
+    if (precision == Precision::extended || simd == Simd::scalar) return 1;
+    const int bytes = simd == Simd::v2 ? 16 : simd == Simd::v3 ? 32 : 64;
+    return bytes / (precision == Precision::single ? 4 : 8);
+}
+
+}  // namespace strahl

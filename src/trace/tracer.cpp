@@ -1,0 +1,219 @@
+#include "trace/tracer.h"
+
+#include <cassert>
+#include <cmath>
+
+#include "trace/build.h"
+#include "trace/kernel.h"
+#include "trace/thread_pool.h"
+#include "trace/workspace.h"
+
+namespace strahl {
+namespace {
+
+constexpr int tile_size = 32;
+
+template <class T>
+Vec3<T> to(const DVec3& v) {
+    return {static_cast<T>(v.x), static_cast<T>(v.y), static_cast<T>(v.z)};
+}
+
+template <class T>
+Kernel<T> kernel_for(Simd simd) {
+    if constexpr (std::is_same_v<T, long double>) {
+        return scalar::kernel_extended();
+    } else {
+        const auto pick = [](Kernel<float> (*single)(), Kernel<double> (*twice)()) -> Kernel<T> {
+            if constexpr (std::is_same_v<T, float>)
+                return single();
+            else
+                return twice();
+        };
+        switch (simd) {
+#if defined(__x86_64__)
+            case Simd::v2:
+                return pick(v2::kernel_float, v2::kernel_double);
+            case Simd::v3:
+                return pick(v3::kernel_float, v3::kernel_double);
+            case Simd::v4:
+                return pick(v4::kernel_float, v4::kernel_double);
+#endif
+            default:
+                return pick(scalar::kernel_float, scalar::kernel_double);
+        }
+    }
+}
+
+template <class T>
+Eye<T> eye_of(const View& view, const Placement& placement) {
+    const CameraFrame frame = frame_of(view.camera, static_cast<double>(view.width) / view.height);
+    return {.position = to<T>((view.camera.position - placement.origin) * placement.scale),
+            .forward = to<T>(frame.forward),
+            .right = to<T>(frame.right * frame.tan_x),
+            .down = to<T>(frame.down * frame.tan_y),
+            .scale_x = static_cast<T>(2. / view.width),
+            .scale_y = static_cast<T>(2. / view.height),
+            .bias_x = static_cast<T>((1 + 2 * view.shift_x) / view.width - 1),
+            .bias_y = static_cast<T>((1 + 2 * view.shift_y) / view.height - 1),
+            .depth = view.depth,
+            .cutoff = static_cast<T>(view.cutoff)};
+}
+
+/// One thread's way through a tile: as many pixels at once as fit.
+template <class T>
+void trace_tile(const World<T>& world, const Kernel<T>& kernel, const Eye<T>& eye, const Lattice& tile,
+                Workspace<T>& workspace, KernelCounts& counts) {
+    const int pixels = tile.columns * tile.rows;
+    for (auto& channel : workspace.rgb) std::fill(channel.begin(), channel.end(), T(0));
+    for (int i = 0; i < pixels; ++i) {
+        workspace.pixels_x[i] = static_cast<T>(tile.x + i % tile.columns * tile.step_x);
+        workspace.pixels_y[i] = static_cast<T>(tile.y + i / tile.columns * tile.step_y);
+    }
+    for (int done = 0; done < pixels;) {
+        const int count = std::min(workspace.batch, pixels - done);
+        const PixelBatch<T> batch{
+            workspace.pixels_x.data() + done,
+            workspace.pixels_y.data() + done,
+            {workspace.rgb[0].data() + done, workspace.rgb[1].data() + done, workspace.rgb[2].data() + done},
+            count};
+        if (kernel.trace(world, eye, batch, workspace, counts)) {
+            done += count;
+            workspace.batch = std::min(batch_pixels, 2 * workspace.batch);
+        } else {
+            for (T* channel : batch.rgb) std::fill(channel, channel + count, T(0));
+            workspace.batch = std::max(1, count / 2);
+        }
+    }
+}
+
+template <class T>
+void deliver(const Workspace<T>& workspace, const Lattice& tile, const Sink& sink) {
+    using Out = std::conditional_t<std::is_same_v<T, float>, float, double>;
+    static_assert(tile_size * tile_size <= batch_pixels);
+    Out values[3 * tile_size * tile_size];
+    const int pixels = tile.columns * tile.rows;
+    for (int i = 0; i < pixels; ++i)
+        for (int c = 0; c < 3; ++c) values[3 * i + c] = static_cast<Out>(workspace.rgb[c][i]);
+    sink({tile, std::span<const Out>(values, 3 * pixels)});
+}
+
+/// A tracer of one precision.
+struct AnyTracer {
+    virtual ~AnyTracer() = default;
+    virtual Counts trace(const View&, const Lattice&, ThreadPool&, const Sink&, const std::atomic<bool>*) = 0;
+};
+
+template <class T>
+class TracerOf : public AnyTracer {
+  public:
+    TracerOf(const Scene& scene, Simd simd) : scene(scene), extent(extent_of(scene)), kernel(kernel_for<T>(simd)) {}
+
+    Counts trace(const View& view, const Lattice& lattice, ThreadPool& pool, const Sink& sink,
+                 const std::atomic<bool>* stop) override {
+        if (const Placement wanted = placement(extent, view.camera.position); !built || !(wanted == placed)) {
+            built.reset();
+            built = std::make_unique<BuiltWorld<T>>(scene, wanted);
+            placed = wanted;
+        }
+        while (static_cast<int>(workspaces.size()) < pool.size())
+            workspaces.push_back(std::make_unique<Workspace<T>>());
+
+        const Eye<T> eye = eye_of<T>(view, placed);
+        const std::vector<int> around = built->bodies_around(view.camera.position);
+        const int columns = (lattice.columns + tile_size - 1) / tile_size;
+        const int tiles = columns * ((lattice.rows + tile_size - 1) / tile_size);
+        std::atomic<int> next{0};
+        std::vector<KernelCounts> counts(pool.size());
+        pool.run([&](int thread) {
+            Workspace<T>& workspace = *workspaces[thread];
+            Eye<T> own = eye;
+            int list = 0;
+            for (const int body : around) list = entered(workspace.interiors, list, body);
+            own.interior = static_cast<T>(list);
+            for (int i; !(stop && *stop) && (i = next++) < tiles;) {
+                const int x = i % columns * tile_size, y = i / columns * tile_size;
+                const Lattice tile{lattice.x + x * lattice.step_x,
+                                   lattice.y + y * lattice.step_y,
+                                   std::min(tile_size, lattice.columns - x),
+                                   std::min(tile_size, lattice.rows - y),
+                                   lattice.step_x,
+                                   lattice.step_y};
+                trace_tile(built->world(), kernel, own, tile, workspace, counts[thread]);
+                deliver(workspace, tile, sink);
+            }
+        });
+        Counts sum;
+        for (const KernelCounts& c : counts) sum += {c.camera, c.reflected, c.refracted, c.shadow};
+        return sum;
+    }
+
+  private:
+    Scene scene;
+    Extent extent;
+    Kernel<T> kernel;
+    Placement placed;
+    std::unique_ptr<BuiltWorld<T>> built;
+    std::vector<std::unique_ptr<Workspace<T>>> workspaces;
+};
+
+}  // namespace
+
+struct Tracer::Implementation {
+    Precision precision;
+    Simd simd;
+    std::unique_ptr<AnyTracer> tracer;
+};
+
+Tracer::Tracer(const Scene& scene, Precision precision, Simd simd) {
+    if (simd == Simd::automatic) simd = best_simd();
+    if (precision == Precision::extended) simd = Simd::scalar;
+    assert(supported(simd));
+    std::unique_ptr<AnyTracer> tracer;
+    switch (precision) {
+        case Precision::single:
+            tracer = std::make_unique<TracerOf<float>>(scene, simd);
+            break;
+        case Precision::twice:
+            tracer = std::make_unique<TracerOf<double>>(scene, simd);
+            break;
+        case Precision::extended:
+            tracer = std::make_unique<TracerOf<long double>>(scene, simd);
+            break;
+    }
+    implementation = std::make_unique<Implementation>(Implementation{precision, simd, std::move(tracer)});
+}
+Tracer::~Tracer() = default;
+Tracer::Tracer(Tracer&&) noexcept = default;
+Tracer& Tracer::operator=(Tracer&&) noexcept = default;
+Precision Tracer::precision() const { return implementation->precision; }
+Simd Tracer::simd() const { return implementation->simd; }
+
+Counts Tracer::trace(const View& view, const Lattice& lattice, ThreadPool& pool, const Sink& sink,
+                     const std::atomic<bool>* stop) {
+    assert(view.depth >= 1 && view.width > 0 && view.height > 0);
+    return implementation->tracer->trace(view, lattice, pool, sink, stop);
+}
+
+Counts& Counts::operator+=(const Counts& other) {
+    camera += other.camera, reflected += other.reflected, refracted += other.refracted, shadow += other.shadow;
+    return *this;
+}
+
+Frame render(const Scene& scene, const View& view, Precision precision, int threads, Simd simd) {
+    Frame frame{view.width, view.height, std::vector<double>(3 * std::size_t(view.width) * view.height)};
+    ThreadPool pool(threads);
+    Tracer tracer(scene, precision, simd);
+    tracer.trace(view, {.columns = view.width, .rows = view.height}, pool, [&](const Tile& tile) {
+        std::visit(
+            [&](const auto& values) {
+                for (int row = 0; row < tile.lattice.rows; ++row)
+                    std::copy_n(
+                        values.begin() + 3 * row * tile.lattice.columns, 3 * tile.lattice.columns,
+                        frame.rgb.begin() + 3 * (std::size_t(tile.lattice.y + row) * view.width + tile.lattice.x));
+            },
+            tile.rgb);
+    });
+    return frame;
+}
+
+}  // namespace strahl

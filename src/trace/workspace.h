@@ -1,0 +1,37 @@
+// What one thread keeps from tile to tile: queues of rays, hits, and lists of bodies entered.
+#pragma once
+#include <memory>
+#include <unordered_map>
+#include <vector>
+
+#include "trace/kernel.h"
+
+namespace strahl {
+
+class Interiors {
+  public:
+    struct List {
+        int shorter, body;
+    };
+    std::vector<List> lists{{0, -1}};  // list 0 is empty
+    std::unordered_map<std::uint64_t, int> known;
+};
+
+template <class T>
+class Workspace {
+  public:
+    Workspace();
+    RayQueue<T>& queue(int slot);
+    HitList<T> hits;
+    Interiors interiors;
+    std::vector<T> pixels_x, pixels_y, rgb[3];
+    int batch = batch_pixels;  // pixels that last fitted
+
+  private:
+    std::vector<T> values;
+    std::vector<std::int32_t> order, key_end;
+    std::vector<std::unique_ptr<std::vector<T>>> arrays;
+    std::vector<std::unique_ptr<RayQueue<T>>> queues;
+};
+
+}  // namespace strahl

@@ -1,0 +1,79 @@
+// World: a scene made ready for one kind of number, as the kernels read it. Plain arrays, const ever after.
+#pragma once
+#include <cstdint>
+
+#include "scene/kinds.h"
+
+namespace strahl {
+
+/// A node of a bounding volume hierarchy. A leaf holds items [first, first + count), an inner node (count 0) has the
+/// children first and first + 1, in the order of the axis' coordinate.
+template <class T>
+struct Node {
+    T low[3], high[3];
+    std::int32_t first;
+    std::int16_t count, axis;
+};
+
+/// A shape with its numbers. Made of elements only, so that it can be gathered lane by lane; whole numbers are exact in
+/// every element type (in float up to 2^24, see `World::capacity`).
+template <template <class> class K>
+struct Item {
+    template <class T>
+    struct Of {
+        K<T> shape;
+        T surface;  // number of its first face; faces are numbered through the scene in the order declared
+        T material;
+    };
+};
+
+/// Material coefficients, multiplied out as far as they can be before a ray is known.
+template <class T>
+struct MaterialKernel {
+    Vec3<T> ambient;  // Ia Ka Of
+    Vec3<T> diffuse;  // Kd Of
+    Vec3<T> filter;   // Kt Of, what a shadow ray keeps at each surface crossed
+    T specular, pow, reflection, refraction, ior;
+};
+
+template <class T>
+struct LightKernel {
+    Vec3<T> position, color;
+};
+
+/// Where a surface's item is: its index among the items of its kernel, and the key by which hits are sorted.
+struct Place {
+    std::int32_t item, key;
+};
+
+template <class T>
+struct World {
+    /// Surfaces that can be numbered exactly in T.
+    static constexpr double capacity = 2 / std::numeric_limits<T>::epsilon();
+
+    template <template <class> class K>
+    struct Group {
+        template <class S>
+        using ItemOf = typename Item<K>::template Of<S>;
+        const ItemOf<T>* items = nullptr;
+        int count = 0;
+        const Node<T>* nodes = nullptr;   // null: few items, looked at one after the other
+        int first_key = 0, last_key = 0;  // keys [first, last) are this group's
+    };
+    PerKernel<Group> groups;
+    const Place* places = nullptr;  // by surface
+    int keys = 0;
+    bool key_per_item = false;  // few items: all hits of a key are on the same item
+
+    const MaterialKernel<T>* materials = nullptr;
+    const LightKernel<T>* lights = nullptr;
+    int light_count = 0;
+    Vec3<T> background{0};
+    const T* iors = nullptr;  // by surface; only in nested worlds
+
+    // What the scene contains; what it does not is not looked for.
+    bool transparent = false;  // some body lets light through
+    bool nested = false;       // transparent bodies may overlap: rays carry the list of those entered
+};
+
+}  // namespace strahl
