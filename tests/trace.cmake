@@ -5,3 +5,5 @@ target_link_libraries(strahl_referee PUBLIC strahl_scene quadmath)
 
 strahl_test(referee strahl_referee)
 strahl_test(structure)
+strahl_test(kernel strahl_trace strahl_referee)
+strahl_test(tracing strahl_trace strahl_referee)

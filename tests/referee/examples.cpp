@@ -192,9 +192,9 @@ void media(std::vector<Example>& list) {
     add("total reflection in a can", room().put(can, clear(2)));
     add("an eye in glass", room().look({.3, .1, .2}, {-1, 2, 0}, 40).put(ball, clear(1.5)));
     add("an eye in glass in glass",
-        room().look({.3, .1, .2}, {-1, 2, 0}, 40).put(Sphere{{.3, 0, .1}, 1.3}, glass(1.2)).put(ball, glass(1.6)));
+        room().look({.3, .1, .2}, {-1, 2, 0}, 40).put(Sphere{{.3, 0, .1}, 1.3}, glass(1.2)).put(ball, glass(1.6)), 5);
     add("an eye in glass in glass, declared the other way round",
-        room().look({.3, .1, .2}, {-1, 2, 0}, 40).put(ball, glass(1.6)).put(Sphere{{.3, 0, .1}, 1.3}, glass(1.2)));
+        room().look({.3, .1, .2}, {-1, 2, 0}, 40).put(ball, glass(1.6)).put(Sphere{{.3, 0, .1}, 1.3}, glass(1.2)), 5);
     add("an eye in a glass can", room().look({0, 0, .2}, {-1, 2, 0}, 40).put(can, clear(1.5), {Scale{{1.2, 1.1, 1}}}));
     const auto row = [](int bodies) {
         Stage stage;

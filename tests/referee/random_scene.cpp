@@ -56,13 +56,16 @@ Material glass(Dice& dice) {
     return m;
 }
 
-Shape sphere(Dice& dice) { return Sphere{dice.vector(-2, 2), dice.in(.2, 1.4)}; }
+Shape sphere(Dice& dice) { return Sphere{dice.vector(-1.6, 1.6), dice.in(.2, 1.4)}; }
 Shape cylinder(Dice& dice) {
-    const DVec3 base = dice.vector(-2, 2);
+    const DVec3 base = dice.vector(-1.6, 1.6);
     return Cylinder{base, base + dice.arrow(.3, 3), dice.in(.1, .9)};
 }
-Shape plane(Dice& dice) {
-    const DVec3 n = dice.direction(), a = -dice.in(1.5, 4) * n;
+/// Behind the bodies as `eye` sees them; it faces the eye or, more rarely, away from it.
+Shape plane(Dice& dice, const DVec3& eye) {
+    DVec3 n = dice.direction();
+    if (n.x * eye.x + n.y * eye.y + n.z * eye.z < 0) n = -n;
+    const DVec3 a = -dice.in(1, 3.5) * n;
     const DVec3 across = dice.direction();
     const DVec3 u{n.y * across.z - n.z * across.y, n.z * across.x - n.x * across.z, n.x * across.y - n.y * across.x};
     const DVec3 v{n.y * u.z - n.z * u.y, n.z * u.x - n.x * u.z, n.x * u.y - n.y * u.x};
@@ -95,6 +98,12 @@ std::vector<Transformation> steps(Dice& dice) {
 Scene random_scene(std::uint64_t seed, const RandomScene& what) {
     Dice dice(seed);
     Scene scene;
+    Camera& camera = scene.camera;
+    camera.position = dice.arrow(4, 9);
+    camera.look_at = dice.vector(-.7, .7);
+    camera.up = dice.direction();
+    camera.fov = dice.in(10, 35);
+    if (dice.chance(.3)) camera.aspectratio = dice.in(.7, 2);
     scene.background = dice.vector(0, .6);
     scene.settings.ambient_light = dice.vector(0, 1);
     for (int i = dice.upto(3); i >= 0; --i) {
@@ -106,21 +115,17 @@ Scene random_scene(std::uint64_t seed, const RandomScene& what) {
         scene.primitives.push_back({shape, static_cast<int>(scene.materials.size()) - 1, std::move(transformations)});
     };
     for (int i = dice.upto(2); i > 0; --i) {
-        const Shape floor = plane(dice);
+        const Shape floor = plane(dice, scene.camera.position);
         put(floor, dice.chance(.5) ? mirror(dice) : matt(dice), {});
     }
-    for (int i = dice.upto(6); i >= 0; --i) {
-        const Shape shape = dice.chance(.55) ? sphere(dice) : dice.chance(.95) ? cylinder(dice) : plane(dice);
+    for (int i = dice.upto(5); i >= -1; --i) {
+        const Shape shape = dice.chance(.55)   ? sphere(dice)
+                            : dice.chance(.95) ? cylinder(dice)
+                                               : plane(dice, scene.camera.position);
         const int kind = dice.upto(what.transparent ? 3 : 1);
         const Material material = kind == 0 ? matt(dice) : kind == 1 ? mirror(dice) : glass(dice);
         put(shape, material, what.transformed && dice.chance(.5) ? steps(dice) : std::vector<Transformation>{});
     }
-    Camera& camera = scene.camera;
-    camera.position = dice.arrow(4, 9);
-    camera.look_at = dice.vector(-.7, .7);
-    camera.up = dice.direction();
-    camera.fov = dice.in(10, 35);
-    if (dice.chance(.3)) camera.aspectratio = dice.in(.7, 2);
     if (what.camera_inside) {
         camera.fov = dice.in(25, 55);
         const DVec3 beside = dice.arrow(0, .5);

@@ -1,0 +1,154 @@
+// The engine against the referee: every precision on every instruction set, on scenes made by hand and by chance.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <sstream>
+#include <string>
+
+#include "tests/referee/examples.h"
+#include "tests/referee/random_scene.h"
+#include "tests/referee/referee.h"
+#include "trace/tracer.h"
+
+using namespace strahl;
+
+namespace {
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr int columns = 16, rows = 12, random_scenes = 8;
+#else
+constexpr int columns = 48, rows = 36, random_scenes = 120;
+#endif
+
+/// A value may be off by `tolerance`. A pixel that is off by more must be one that a shift by `reach` pixels explains:
+/// an edge, or a place where the picture varies so fast; and only `share` of the pixels may need that excuse.
+struct Bounds {
+    double tolerance, reach, share;
+};
+Bounds bounds(Precision precision) {
+    switch (precision) {
+        case Precision::single:
+            return {1e-4, 3e-3, .05};
+        case Precision::twice:
+            return {1e-12, 1e-9, .02};
+        default:
+            return {1e-14, 1e-12, .005};
+    }
+}
+
+using Pixels = std::vector<std::array<long double, 3>>;
+Pixels pixels(const Referee<long double>& referee) {
+    Pixels list;
+    for (int y = 0; y < rows; ++y)
+        for (int x = 0; x < columns; ++x) list.push_back(referee.at(x + .5, y + .5).rgb);
+    return list;
+}
+
+/// How a frame fares before the referee.
+struct Verdict {
+    int excused = 0, wrong = 0;
+    std::string first;  // of the wrong ones
+};
+Verdict judge(const Frame& frame, const Referee<long double>& referee, const Pixels& truth, const Bounds& allowed) {
+    Verdict verdict;
+    for (int i = 0; i < columns * rows; ++i) {
+        const double* rgb = &frame.rgb[3 * i];
+        long double off = 0;
+        for (int c = 0; c < 3; ++c)
+            off = std::isfinite(rgb[c]) ? std::max(off, std::abs(rgb[c] - truth[i][c])) : INFINITY;
+        if (off <= allowed.tolerance) continue;
+        if (std::isfinite(off) && referee.explains(i % columns, i / columns, rgb, allowed.tolerance, allowed.reach)) {
+            ++verdict.excused;
+        } else if (verdict.wrong++ == 0) {
+            std::ostringstream text;
+            text.precision(17);
+            text << "pixel (" << i % columns << ", " << i / columns << ")";
+            for (int c = 0; c < 3; ++c) text << "\n  " << rgb[c] << " instead of " << truth[i][c];
+            verdict.first = text.str();
+        }
+    }
+    return verdict;
+}
+
+std::vector<Simd> levels() {
+    std::vector<Simd> list{Simd::scalar};
+    for (const Simd simd : {Simd::v2, Simd::v3, Simd::v4})
+        if (supported(simd)) list.push_back(simd);
+    return list;
+}
+
+struct Tally {
+    long pixels = 0, excused = 0;
+};
+/// All paths through the engine on one scene; scalar, v3 and v4 must give the same bits.
+void hold(const Scene& scene, int depth, std::array<Tally, 3>& tally) {
+    const Referee<long double> referee(scene, scene.camera, columns, rows, depth);
+    const Pixels truth = pixels(referee);
+    const View view{.camera = scene.camera, .width = columns, .height = rows, .depth = depth};
+    for (const Precision precision : {Precision::single, Precision::twice, Precision::extended}) {
+        const Bounds allowed = bounds(precision);
+        Frame scalar;
+        for (const Simd simd : levels()) {
+            if (precision == Precision::extended && simd != Simd::scalar) continue;
+            CAPTURE(name(precision));
+            CAPTURE(name(simd));
+            const Frame frame = render(scene, view, precision, 2, simd);
+            REQUIRE(frame.rgb.size() == 3u * columns * rows);
+            if (simd == Simd::scalar) scalar = frame;
+            if (simd == Simd::v3 || simd == Simd::v4) {
+                CHECK(std::memcmp(frame.rgb.data(), scalar.rgb.data(), 8 * frame.rgb.size()) == 0);
+                continue;
+            }
+            const Verdict verdict = judge(frame, referee, truth, allowed);
+            CHECK_MESSAGE(verdict.wrong == 0, verdict.wrong << " pixels, the first: " << verdict.first);
+            CHECK(verdict.excused <= std::max(8., .2 * columns * rows));
+            tally[int(precision)].pixels += columns * rows, tally[int(precision)].excused += verdict.excused;
+        }
+    }
+}
+void conclude(const std::array<Tally, 3>& tally) {
+    for (const Precision precision : {Precision::single, Precision::twice, Precision::extended}) {
+        const auto [pixels, excused] = tally[int(precision)];
+        MESSAGE(name(precision) << ": " << excused << " of " << pixels << " pixels are on an edge or vary too fast");
+        CHECK(excused <= bounds(precision).share * pixels);
+    }
+}
+
+}  // namespace
+
+TEST_CASE("scenes made by hand") {
+    std::array<Tally, 3> tally;
+    for (const auto& [title, scene, depth] : examples()) {
+        CAPTURE(title);
+        hold(scene, depth, tally);
+    }
+    conclude(tally);
+}
+
+TEST_CASE("scenes made by chance") {
+    std::array<Tally, 3> tally;
+    for (int seed = 0; seed < random_scenes; ++seed) {
+        CAPTURE(seed);
+        const RandomScene what{
+            .transparent = seed % 4 != 0, .transformed = seed % 3 != 0, .camera_inside = seed % 5 == 4};
+        hold(random_scene(seed, what), 2 + seed % 5, tally);
+    }
+    conclude(tally);
+}
+
+TEST_CASE("every depth from 1 to 20, between two mirrors") {
+    const Scene scene = facing_mirrors();
+    Frame last;
+    for (int depth = 1; depth <= 20; ++depth) {
+        CAPTURE(depth);
+        const Referee<long double> referee(scene, scene.camera, columns, rows, depth);
+        const View view{.camera = scene.camera, .width = columns, .height = rows, .depth = depth};
+        const Frame frame = render(scene, view, Precision::twice, 2);
+        const Verdict verdict = judge(frame, referee, pixels(referee), bounds(Precision::twice));
+        CHECK_MESSAGE(verdict.wrong == 0, verdict.wrong << " pixels, the first: " << verdict.first);
+        CHECK(frame != last);
+        last = frame;
+    }
+}
