@@ -79,7 +79,7 @@ void CameraBlocks::key(std::string_view word, Flythrough& read_path, std::vector
     reader.require(block, {{eye.own.given(), "'time'"},
                            {eye.position_given.given(), "'position'"},
                            {eye.look_at_given.given(), "'look_at'"}});
-    if (!block.good()) outer.bad = true;
+    outer.absorb(block);
     read_path.keys.push_back({eye.own_value, eye.position, eye.look_at, eye.fov(), eye.up()});
     places.push_back({word, eye.own.at});
 }

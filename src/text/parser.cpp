@@ -69,7 +69,7 @@ class Parser {
     void light(std::string_view word);
     void background(std::string_view word);
     void global_settings(std::string_view word);
-    bool material(std::string_view word, Material& target);
+    Block material(std::string_view word, Material& target);
     template <class Kind>
     bool shape(std::string_view word);
     Transformation transformation(std::string_view word, Block& block);
@@ -167,8 +167,8 @@ void Parser::global_settings(std::string_view word) {
     scene.settings.linear = parameters[2].given();
 }
 
-/// Overrides what the block names; false if something in it was wrong.
-bool Parser::material(std::string_view word, Material& target) {
+/// Overrides what the block names.
+Block Parser::material(std::string_view word, Material& target) {
     Block block{word};
     auto parameters = std::apply(
         [&](const auto&... field) {
@@ -176,7 +176,7 @@ bool Parser::material(std::string_view word, Material& target) {
         },
         Material::fields);
     reader.block(block, parameters);
-    return block.good();
+    return block;
 }
 
 Transformation Parser::transformation(std::string_view word, Block& block) {
@@ -218,7 +218,7 @@ bool Parser::shape(std::string_view word) {
         [&](std::string_view inner) {
             if (inner == "material") {
                 reader.once(material_at, inner);
-                if (!material(inner, own)) block.bad = true;
+                block.absorb(material(inner, own));
                 return true;
             }
             if (!contains(shape_words, inner)) return false;

@@ -65,6 +65,8 @@ struct Block {
     std::string_view name;
     bool lost = false, bad = false;
     bool good() const { return !lost && !bad; }
+    /// What was wrong in a block inside of this one.
+    void absorb(const Block& inner) { lost |= inner.lost, bad |= inner.bad; }
 };
 
 class Reader {

@@ -1,0 +1,49 @@
+// Any bytes either give a FileError or a scene that survives being written and parsed again.
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+
+#include "text/parse.h"
+#include "text/write.h"
+
+namespace {
+
+[[noreturn]] void fail(const char* what, const std::string& detail) {
+    std::fprintf(stderr, "%s\n%s\n", what, detail.c_str());
+    std::abort();
+}
+
+void check(const strahl::Scene& scene) {
+    const std::string text = strahl::write_scene(scene);
+    try {
+        if (strahl::parse_scene(text, "written") != scene) fail("written and parsed again it is another scene:", text);
+    } catch (const strahl::FileError& error) {
+        fail("what was written does not parse:", std::string(error.what()) + "\n" + text);
+    }
+    if (!scene.flythrough) return;
+    for (const double share : {-.1, 0., .3, .5, .99, 1., 1.7}) {
+        const strahl::Camera camera = camera_at(*scene.flythrough, scene.camera, share * scene.flythrough->duration);
+        if (!(camera.fov > 0 && camera.fov < 90)) fail("the flythrough leaves the range of fov:", text);
+    }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    const std::string_view text(reinterpret_cast<const char*>(data), size);
+    strahl::TextLimits limits;
+    limits.primitives = 1000;
+    strahl::Scene scene;
+    try {
+        scene = strahl::parse_scene(text, "fuzz", limits);
+    } catch (const strahl::FileError& error) {
+        const std::string_view message = error.what();
+        if (!message.starts_with("fuzz:") || message.size() > 20000) fail("a strange message:", error.what());
+        return 0;
+    }
+    check(scene);
+    return 0;
+}

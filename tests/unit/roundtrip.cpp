@@ -1,0 +1,251 @@
+// Scenes written as text and parsed again are the same scenes.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <random>
+#include <string>
+
+#include "text/parse.h"
+#include "text/write.h"
+
+using namespace strahl;
+
+namespace {
+
+/// Scenes of everything the language has, with plain, odd and extreme values.
+class RandomScenes {
+  public:
+    explicit RandomScenes(unsigned seed) : random(seed) {}
+
+    Scene scene() {
+        Scene result;
+        result.camera = camera();
+        if (chance(3)) result.settings = {color(), std::uniform_int_distribution(1, 256)(random), chance(2)};
+        if (chance(2)) result.background = color();
+        for (int i = below(4); i > 0; --i) result.lights.push_back({position(), color()});
+        std::vector<Material> palette(1 + below(4));
+        for (Material& material : palette) material = chance(4) ? Material{} : random_material();
+        for (int i = below(12); i > 0; --i) {
+            const Material& material = palette[below(static_cast<int>(palette.size()))];
+            const auto known = std::find(result.materials.begin(), result.materials.end(), material);
+            const auto number = static_cast<int>(known - result.materials.begin());
+            if (known == result.materials.end()) result.materials.push_back(material);
+            result.primitives.push_back({shape(), number, transformations()});
+        }
+        if (chance(3)) result.flythrough = flythrough(result.camera);
+        return result;
+    }
+
+  private:
+    int below(int n) { return std::uniform_int_distribution(0, n - 1)(random); }
+    bool chance(int one_in) { return below(one_in) == 0; }
+    double uniform(double low, double high) { return std::uniform_real_distribution(low, high)(random); }
+    /// Now short, now with all digits.
+    double number(double reach) { return chance(2) ? std::round(uniform(-reach, reach)) / 4 : uniform(-reach, reach); }
+
+    DVec3 position() {
+        DVec3 p;
+        for (int i = 0; i < 3; ++i) {
+            constexpr double odd[] = {0, -0.0, 1e15, -1e15, 5e-324, 1e-300, .1, 1. / 3, 123456789.123456789};
+            p[i] = chance(6) ? odd[below(std::size(odd))] : number(100);
+        }
+        return p;
+    }
+    double positive() { return chance(6) ? std::exp(uniform(-300, 30)) : .25 + std::fabs(number(10)); }
+    double not_negative() { return chance(6) ? 0 : chance(8) ? 1.7976931348623157e308 : std::fabs(number(4)); }
+    Color color() { return {not_negative(), not_negative(), not_negative()}; }
+
+    Material random_material() {
+        Material material;
+        const auto fill = [&](const auto& field) {
+            auto& value = material.*field.member;
+            if (chance(2)) return;
+            if constexpr (std::is_same_v<decltype(value), DVec3&>)
+                value = color();
+            else
+                value = field.range == Range::zero_to_one ? uniform(0, 1)
+                        : field.range == Range::positive  ? positive()
+                                                          : not_negative();
+        };
+        std::apply([&](const auto&... field) { (fill(field), ...); }, Material::fields);
+        return material;
+    }
+    template <class Kind>
+    Kind any_of_kind() {
+        Kind kind;
+        const auto fill = [&](const auto& field) {
+            auto& value = kind.*field.member;
+            if constexpr (std::is_same_v<decltype(value), DVec3&>)
+                value = position();
+            else
+                value = positive();
+        };
+        do std::apply([&](const auto&... field) { (fill(field), ...); }, Kind::fields);
+        while (kind.fault());
+        return kind;
+    }
+    template <class... Kinds>
+    Shape shape_of(std::type_identity<std::variant<Kinds...>>) {
+        Shape result;
+        int left = below(sizeof...(Kinds));
+        ((left-- == 0 ? void(result = any_of_kind<Kinds>()) : void()), ...);
+        return result;
+    }
+    Shape shape() { return shape_of(std::type_identity<Shape>{}); }
+
+    std::vector<Transformation> transformations() {
+        std::vector<Transformation> steps;
+        for (int i = chance(2) ? 0 : below(5); i > 0; --i) switch (below(4)) {
+                case 0:
+                    steps.push_back(Rotate{{number(400), number(400), number(400)}});
+                    break;
+                case 1:
+                    steps.push_back(Translate{{number(9), number(9), number(9)}});
+                    break;
+                case 2:
+                    steps.push_back(Scale{DVec3(uniform(.5, 2))});
+                    break;
+                default:
+                    steps.push_back(Scale{{uniform(.5, 2), -uniform(.5, 2), uniform(.5, 2)}});
+            }
+        return steps;
+    }
+    Camera camera() {
+        Camera result{position(), position(), position(), uniform(1e-9, 90), {}};
+        if (chance(2)) result.aspectratio = positive();
+        return degenerate(result) ? camera() : result;
+    }
+    Flythrough flythrough(const Camera& scene_camera) {
+        Flythrough path;
+        path.loop = chance(2);
+        double time = 0;
+        for (int i = 2 + below(4); i > 0;) {
+            Key key{time, position(), position(), {}, {}};
+            if (chance(2)) key.fov = uniform(1e-9, 90);
+            if (chance(2)) key.up = position();
+            if (degenerate(camera_of(key, scene_camera))) continue;
+            path.keys.push_back(key);
+            time += uniform(1e-9, 5);
+            --i;
+        }
+        path.duration = time;
+        return path;
+    }
+
+    std::mt19937 random;
+};
+
+Scene reparsed(const Scene& scene) { return parse_scene(write_scene(scene), "written"); }
+
+}  // namespace
+
+TEST_CASE("random scenes") {
+    int whole = 0;
+    for (unsigned seed = 0; seed < 1000; ++seed) {
+        const Scene scene = RandomScenes(seed).scene();
+        const std::string text = write_scene(scene);
+        CAPTURE(text);
+        try {
+            const Scene again = parse_scene(text, "written");
+            CHECK(again == scene);
+            CHECK(write_scene(again) == text);
+            ++whole;
+        } catch (const FileError& error) {
+            // Transformed to where no shape may be: nothing else may be wrong with what was written.
+            const std::string message = error.what();
+            CHECK_MESSAGE(message.find("up to here the transformations") != message.npos, message);
+        }
+    }
+    CHECK(whole > 700);
+}
+
+TEST_CASE("scenes of this project") {
+    const std::filesystem::path folder = std::filesystem::path(STRAHL_SOURCE) / "scenes";
+    if (!std::filesystem::exists(folder)) return;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+        if (entry.path().extension() != ".rt") continue;
+        const std::string path = entry.path().string();
+        CAPTURE(path);
+        const Scene scene = parse_scene(read_text(path), path);
+        CHECK(reparsed(scene) == scene);
+    }
+}
+
+TEST_CASE("what is written is what a person would write") {
+    Scene scene;
+    scene.camera = {{0, -9, .1}, {0, 0, 0}, {0, 0, -1}, 25, {}};
+    scene.settings.linear = true;
+    scene.lights = {{{1, 2, 3}, {1, 1, 1}}};
+    Material red, glass;
+    red.rgb = {1, 0, 0};
+    glass.refraction = .9, glass.ior = 1.5;
+    scene.materials = {Material{}, red, glass};
+    scene.primitives = {{Plane{}, 0, {}},
+                        {Sphere{{0, 0, 1}, .5}, 1, {Rotate{{0, 0, 90}}}},
+                        {Sphere{{2, 0, 1}, .5}, 2, {}},
+                        {Sphere{{4, 0, 1}, 1e-7}, 2, {Scale{{2, 2, 2}}, Scale{{1, 2, 3}}}}};
+    CHECK(write_scene(scene) == R"(camera {
+  position <0, -9, 0.1>
+  look_at <0, 0, 0>
+  up <0, 0, -1>
+  fov 25
+}
+global_settings {
+  assumed_gamma 1
+}
+
+light { position <1, 2, 3>  color <1, 1, 1> }
+
+plane { <0, 0, 0>, <1, 0, 0>, <0, 1, 0> }
+sphere { <0, 0, 1>, 0.5  rotate <0, 0, 90>  material { rgb <1, 0, 0> } }
+
+defaultmaterial {
+  rgb <0.5, 0.5, 0.5>
+  reflection 0.5
+  refraction 0.9
+  diffuse 0.5
+  ambient 0
+  specular 1
+  pow 50
+  ior 1.5
+}
+sphere { <2, 0, 1>, 0.5 }
+sphere { <4, 0, 1>, 1e-07  scale 2  scale <1, 2, 3> }
+)");
+    CHECK(write_flythrough(
+              {3, true, {{0, {1, 2, 3}, {0, 0, 0}, 45., {}}, {2, {1, 2, 4}, {0, 0, 0}, {}, DVec3(0, 1, 0)}}}) ==
+          R"(flythrough {
+  duration 3
+  loop
+  key { time 0  position <1, 2, 3>  look_at <0, 0, 0>  fov 45 }
+  key { time 2  position <1, 2, 4>  look_at <0, 0, 0>  up <0, 1, 0> }
+}
+)");
+}
+
+TEST_CASE("many materials do not take forever, and are numbered in the order of use") {
+    std::string text = "camera { position <0,-9,0> look_at <0,0,0> up <0,0,-1> fov 25 }\n";
+    constexpr int count = 20000;
+    for (int i = 0; i < 2 * count; ++i)
+        text += "sphere { <0,0,0>, 1 material { pow " + std::to_string(i % count) + " } }\n";
+    const Scene scene = parse_scene(text, "many");
+    REQUIRE(scene.materials.size() == count);
+    for (int i = 0; i < 2 * count; ++i) REQUIRE(scene.primitives[i].material == i % count);
+    CHECK(scene.materials[count - 1].pow == count - 1);
+    CHECK(reparsed(scene) == scene);
+}
+
+TEST_CASE("the manual names every parameter of every kind") {
+    const std::string manual = read_text(STRAHL_SOURCE "/src/text/README.md");
+    const auto named = [&](const char* word) {
+        CHECK_MESSAGE(manual.find("`" + std::string(word) + "`") != manual.npos, word);
+    };
+    const auto fields = [&](const auto&... field) { (named(field.name), ...); };
+    std::apply(fields, Material::fields);
+    const auto kinds = [&]<class... Kinds>(std::type_identity<std::variant<Kinds...>>) {
+        ((named(Kinds::name), std::apply(fields, Kinds::fields)), ...);
+    };
+    kinds(std::type_identity<Shape>{});
+}

@@ -1,0 +1,248 @@
+// Transformations, cameras and flythroughs as values.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "scene/camera.h"
+#include "scene/transformation.h"
+
+using namespace strahl;
+
+namespace {
+
+using Steps = std::vector<Transformation>;
+
+DVec3 apply(const Steps& steps, const DVec3& p) { return DVec3(matrix(steps) * glm::dvec4(p, 1)); }
+double dot(const DVec3& a, const DVec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+double length(const DVec3& v) { return std::sqrt(dot(v, v)); }
+
+void check_near(const DVec3& a, const DVec3& b, double tolerance = 1e-14) {
+    INFO(a.x, " ", a.y, " ", a.z, " is not near ", b.x, " ", b.y, " ", b.z);
+    CHECK(length(a - b) <= tolerance);
+}
+
+const Camera scene_camera{{0, 0, 0}, {0, 1, 0}, {0, 0, -1}, 30, 1.5};
+
+}  // namespace
+
+TEST_CASE("rotations turn counter-clockwise seen from the tip of the axis, exactly at right angles") {
+    CHECK(apply({Rotate{{90, 0, 0}}}, {0, 1, 0}) == DVec3(0, 0, 1));
+    CHECK(apply({Rotate{{0, 90, 0}}}, {0, 0, 1}) == DVec3(1, 0, 0));
+    CHECK(apply({Rotate{{0, 0, 90}}}, {1, 0, 0}) == DVec3(0, 1, 0));
+    CHECK(apply({Rotate{{0, 0, 180}}}, {1, 2, 3}) == DVec3(-1, -2, 3));
+    CHECK(apply({Rotate{{0, 0, -90}}}, {1, 0, 0}) == DVec3(0, -1, 0));
+    CHECK(apply({Rotate{{0, 0, 270}}}, {1, 0, 0}) == DVec3(0, -1, 0));
+    CHECK(apply({Rotate{{0, 0, 3600000090}}}, {1, 0, 0}) == DVec3(0, 1, 0));
+    check_near(apply({Rotate{{0, 0, 30}}}, {1, 0, 0}), {std::sqrt(3) / 2, .5, 0});
+    check_near(apply({Rotate{{0, 0, 135}}}, {1, 0, 0}), {-std::sqrt(.5), std::sqrt(.5), 0});
+    check_near(apply({Rotate{{200, 0, 0}}}, {0, 1, 0}),
+               {0, std::cos(200 * std::numbers::pi / 180), std::sin(200 * std::numbers::pi / 180)}, 1e-15);
+}
+
+TEST_CASE("one rotation turns about x, then y, then z") {
+    const DVec3 p{1, 2, 3};
+    CHECK(apply({Rotate{{90, 90, 90}}}, p) == apply({Rotate{{90, 0, 0}}, Rotate{{0, 90, 0}}, Rotate{{0, 0, 90}}}, p));
+    CHECK(apply({Rotate{{90, 90, 0}}}, {0, 1, 0}) == DVec3(1, 0, 0));  // to z by x, then to x by y
+}
+
+TEST_CASE("transformations apply in the order written") {
+    CHECK(apply({}, {1, 2, 3}) == DVec3(1, 2, 3));
+    CHECK(apply({Translate{{1, 0, 0}}, Scale{{2, 3, 4}}}, {1, 1, 1}) == DVec3(4, 3, 4));
+    CHECK(apply({Scale{{2, 3, 4}}, Translate{{1, 0, 0}}}, {1, 1, 1}) == DVec3(3, 3, 4));
+    CHECK(apply({Rotate{{0, 0, 90}}, Translate{{1, 0, 0}}}, {1, 0, 0}) == DVec3(1, 1, 0));
+}
+
+TEST_CASE("similarity is the factor of lengths, or 0 where shapes are bent out of shape") {
+    CHECK(similarity(Steps{}) == 1);
+    CHECK(similarity(Steps{Rotate{{10, 20, 30}}, Translate{{1, 2, 3}}}) == 1);
+    CHECK(similarity(Steps{Scale{{2, 2, 2}}, Rotate{{10, 20, 30}}, Scale{{-3, 3, 3}}}) == 6);
+    CHECK(similarity(Steps{Scale{{1, 1, 2}}}) == 0);
+    CHECK(similarity(Steps{Scale{{1, 1, 2}}, Scale{{2, 2, 1}}}) == 0);  // no proof is sought that steps cancel
+}
+
+TEST_CASE("the article's camera looks at +y with +x to the right of the picture") {
+    const CameraFrame frame = frame_of({{0, -20, 0}, {0, 0, 0}, {0, 0, -1}, 45, {}}, 4. / 3);
+    CHECK(frame.forward == DVec3(0, 1, 0));
+    CHECK(frame.right == DVec3(1, 0, 0));
+    CHECK(frame.down == DVec3(0, 0, -1));
+    CHECK(frame.tan_x == 1);  // fov is half of the opening angle
+    CHECK(frame.tan_y == .75);
+    CHECK(frame_of({{0, -20, 0}, {0, 0, 0}, {0, 0, -1}, 45, 2}, 4. / 3).tan_y == .5);  // its own aspectratio goes first
+}
+
+TEST_CASE("camera axes are orthonormal and right-handed wherever the camera stands") {
+    for (const Camera& camera :
+         {Camera{{5, -20, 18}, {0, 0, 0}, {0, 0, -1}, 25, {}}, Camera{{1, 2, 3}, {-7, 1e6, .5}, {1, 2, 3}, 80, {}},
+          Camera{{1e-200, 0, 0}, {0, 1e-200, 3e-200}, {1e-310, 1e-310, 5e-310}, 25, {}},
+          Camera{{1e15, 1e15, -1e15}, {-1e15, 1e15, 1e15}, {0, 1e15, 0}, 1e-3, {}},
+          Camera{{0, 0, 0}, {0, 0, 1}, {1e-6, 0, -1}, 25, {}}}) {
+        REQUIRE(degenerate(camera) == nullptr);
+        const CameraFrame f = frame_of(camera, 1);
+        for (const DVec3& axis : {f.right, f.down, f.forward}) CHECK(length(axis) == doctest::Approx(1).epsilon(1e-14));
+        CHECK(std::fabs(dot(f.right, f.down)) < 1e-9);
+        CHECK(std::fabs(dot(f.down, f.forward)) < 1e-9);
+        CHECK(std::fabs(dot(f.forward, f.right)) < 1e-9);
+        const DVec3 z{f.right.y * f.down.z - f.right.z * f.down.y, f.right.z * f.down.x - f.right.x * f.down.z,
+                      f.right.x * f.down.y - f.right.y * f.down.x};
+        check_near(z, f.forward, 1e-9);
+        CHECK(dot(f.down, camera.up) > 0);
+    }
+}
+
+TEST_CASE("a camera that spans no picture says why") {
+    CHECK(std::string(degenerate({{1, 2, 3}, {1, 2, 3}, {0, 0, -1}, 25, {}})) ==
+          "position and look_at are the same point");
+    CHECK(std::string(degenerate({{1, 2, 3}, {1, 2, 9}, {0, 0, 5}, 25, {}})).starts_with("up is parallel"));
+    CHECK(std::string(degenerate({{1, 2, 3}, {1, 2, 9}, {0, 0, -5}, 25, {}})).starts_with("up is parallel"));
+    CHECK(std::string(degenerate({{0, 0, 0}, {1, 2, 3}, {.1, .2, .3}, 25, {}})).starts_with("up is parallel"));
+    CHECK(std::string(degenerate({{1, 2, 3}, {1, 2, 9}, {0, 0, 0}, 25, {}})) == "up is the zero vector");
+    CHECK(std::string(degenerate({{NAN, 2, 3}, {1, 2, 9}, {0, 0, 1}, 25, {}})) == "a coordinate is not finite");
+    CHECK(degenerate({{1, 2, 3}, {1, 2, 9}, {0, 1e-9, 1}, 25, {}}) == nullptr);
+}
+
+TEST_CASE("at its keys a flythrough is exactly at them, before and after it stays") {
+    const Flythrough path{10,
+                          false,
+                          {{1, {0, 0, 0}, {0, 5, 0}, {}, {}},
+                           {2, {.1, .7, .3}, {0, 9, 0}, 40., {}},
+                           {5, {7, 2, 3}, {0, 9, 1}, {}, DVec3(.3, 0, -1)},
+                           {8, {1, 1, 1}, {3, 3, 3}, 10., {}}}};
+    for (const Key& key : path.keys) CHECK(camera_at(path, scene_camera, key.time) == camera_of(key, scene_camera));
+    CHECK(camera_at(path, scene_camera, 0) == camera_of(path.keys.front(), scene_camera));
+    CHECK(camera_at(path, scene_camera, -1e300) == camera_of(path.keys.front(), scene_camera));
+    CHECK(camera_at(path, scene_camera, 9) == camera_of(path.keys.back(), scene_camera));
+    CHECK(camera_at(path, scene_camera, 1e300) == camera_of(path.keys.back(), scene_camera));
+    CHECK(camera_at(path, scene_camera, NAN) == camera_of(path.keys.front(), scene_camera));
+    CHECK(camera_of(path.keys[0], scene_camera).fov == 30);
+    CHECK(camera_of(path.keys[0], scene_camera).aspectratio == 1.5);
+    CHECK(camera_of(path.keys[2], scene_camera).up == DVec3(.3, 0, -1));
+    CHECK(camera_at({1, false, {}}, scene_camera, .5) == scene_camera);
+}
+
+TEST_CASE("evenly spaced keys on a line give even motion; two keys give a straight line") {
+    const Flythrough line{3,
+                          false,
+                          {{0, {0, 0, 0}, {0, 9, 0}, 10., {}},
+                           {1, {1, 0, 0}, {1, 9, 0}, 20., {}},
+                           {2, {2, 0, 0}, {2, 9, 0}, 30., {}},
+                           {3, {3, 0, 0}, {3, 9, 0}, 40., {}}}};
+    for (double t = 0; t <= 3; t += 1. / 16) {
+        const Camera camera = camera_at(line, scene_camera, t);
+        check_near(camera.position, {t, 0, 0});
+        check_near(camera.look_at, {t, 9, 0});
+        CHECK(camera.fov == doctest::Approx(10 + 10 * t));
+    }
+    const Flythrough two{4, false, {{0, {0, 0, 0}, {0, 9, 0}, {}, {}}, {4, {4, 8, 0}, {0, 9, 0}, {}, {}}}};
+    check_near(camera_at(two, scene_camera, 1).position, {1, 2, 0});
+    CHECK(camera_at(two, scene_camera, 1).look_at == DVec3(0, 9, 0));
+}
+
+TEST_CASE("the curve is the centripetal one: knots lie the square root of a chord apart") {
+    // Chords of 1, 4 and 1 have knots 1, 2 and 1 apart; with keys at those times, time is the knot. The values are
+    // those of Barry and Goldman's pyramid at the middle of the second stretch.
+    const DVec3 p[] = {{0, 1, 0}, {0, 0, 0}, {4, 0, 0}, {4, 1, 0}};
+    const double knot[] = {0, 1, 3, 4};
+    Flythrough path{4, false, {}};
+    for (int i = 0; i < 4; ++i) path.keys.push_back({knot[i], p[i], {0, 99, 0}, {}, {}});
+    for (const double t : {1.25, 2., 2.75}) {
+        const auto blend = [&](const DVec3& a, const DVec3& b, int i, int k) {
+            return a * ((knot[k] - t) / (knot[k] - knot[i])) + b * ((t - knot[i]) / (knot[k] - knot[i]));
+        };
+        const DVec3 a1 = blend(p[0], p[1], 0, 1), a2 = blend(p[1], p[2], 1, 2), a3 = blend(p[2], p[3], 2, 3);
+        check_near(camera_at(path, scene_camera, t).position, blend(blend(a1, a2, 0, 2), blend(a2, a3, 1, 3), 1, 2));
+    }
+}
+
+namespace {
+
+/// The greatest change of velocity over one step of time, along `count` steps from `start`.
+double greatest_jolt(const Flythrough& path, double start, double step, int count) {
+    double greatest = 0;
+    for (int i = 0; i < count; ++i) {
+        const auto at = [&](int k) { return camera_at(path, scene_camera, start + (i + k) * step).position; };
+        greatest = std::max(greatest, length(at(2) - 2. * at(1) + at(0)) / step);
+    }
+    return greatest;
+}
+
+}  // namespace
+
+TEST_CASE("velocity has no jumps, neither at keys with uneven times nor at the seam of a loop") {
+    Flythrough path{10,
+                    true,
+                    {{0, {0, 0, 0}, {0, 50, 0}, {}, {}},
+                     {1, {5, 1, 0}, {1, 50, 0}, {}, {}},
+                     {4, {6, 7, 2}, {2, 50, 1}, {}, {}},
+                     {8, {0, 8, 1}, {3, 50, 2}, {}, {}}}};
+    // A jump of the velocity would not get smaller with the step.
+    CHECK(greatest_jolt(path, -1, .001, 12000) < .05);
+    CHECK(greatest_jolt(path, 9.99, .0001, 200) < .005);
+    path.loop = false;
+    CHECK(greatest_jolt(path, .5, .001, 7000) < .05);
+    CHECK(greatest_jolt(path, -.01, .001, 20) > 1);  // an open path starts at full speed: the measure sees a jump
+}
+
+TEST_CASE("a loop repeats every duration; a last key at its end is the first again") {
+    const Key a{0, {0, 0, 0}, {0, 50, 0}, {}, {}}, b{2, {5, 1, 0}, {1, 50, 0}, {}, {}},
+        c{5, {6, 7, 2}, {2, 50, 1}, {}, {}};
+    const Flythrough path{8, true, {a, b, c}};
+    for (const double t : {.25, 1., 3.5, 6., 7.75}) {
+        CHECK(camera_at(path, scene_camera, t + 8) == camera_at(path, scene_camera, t));
+        CHECK(camera_at(path, scene_camera, t - 16) == camera_at(path, scene_camera, t));
+    }
+    check_near(camera_at(path, scene_camera, 8 - 1e-9).position, a.position, 1e-7);
+    Key again = a;
+    again.time = 8;
+    const Flythrough said_twice{8, true, {a, b, c, again}};
+    for (double t = 0; t < 8; t += .25)
+        CHECK(camera_at(said_twice, scene_camera, t) == camera_at(path, scene_camera, t));
+    // A path whose first key comes late is on its way to it before.
+    const Flythrough late{8, true, {{3, b.position, b.look_at, {}, {}}, {5, c.position, c.look_at, {}, {}}}};
+    CHECK(camera_at(late, scene_camera, 3) == camera_of(late.keys[0], scene_camera));
+    check_near(camera_at(late, scene_camera, 2.999).position, b.position, .01);
+    check_near(camera_at(late, scene_camera, 8 - 1e-9).position, camera_at(late, scene_camera, 0).position, 1e-7);
+}
+
+TEST_CASE("a pause between equal keys stands still, and fov and up never overshoot") {
+    const Flythrough path{6,
+                          false,
+                          {{0, {0, 0, 0}, {0, 9, 0}, 80., {}},
+                           {1, {1, 0, 0}, {0, 9, 0}, 10., {}},
+                           {2, {1, 0, 0}, {0, 9, 0}, 10., DVec3(0, 0, -2)},
+                           {3, {2, 1, 0}, {0, 9, 0}, 89., DVec3(1, 0, 0)}}};
+    for (double t = 1; t <= 2; t += .125) {
+        CHECK(camera_at(path, scene_camera, t).position == DVec3(1, 0, 0));
+        CHECK(camera_at(path, scene_camera, t).fov == 10);
+    }
+    for (double t = 0; t <= 6; t += 1. / 64) {
+        const Camera camera = camera_at(path, scene_camera, t);
+        CHECK((camera.fov >= 10 && camera.fov <= 89));
+        CHECK((camera.position.x >= 0 && camera.position.x <= 2));
+        CHECK(degenerate(camera) == nullptr);
+    }
+    const DVec3 halfway = camera_at(path, scene_camera, 2.5).up;
+    CHECK((halfway.x > .1 && halfway.z < -.1));
+}
+
+TEST_CASE("where the curves would leave no picture the camera looks as it does a moment before or after") {
+    // Over the top, looking straight down along `up`, at t = 1.
+    const Flythrough over{2, false, {{0, {-4, 0, 6}, {0, 0, 0}, {}, {}}, {2, {4, 0, 6}, {0, 0, 0}, {}, {}}}};
+    const Camera top = camera_at(over, scene_camera, 1);
+    CHECK(top.position == DVec3(0, 0, 6));
+    REQUIRE(degenerate(top) == nullptr);
+    const CameraFrame here = frame_of(top, 1), before = frame_of(camera_at(over, scene_camera, 1 - 1e-5), 1);
+    check_near(here.down, before.down, 1e-4);
+    check_near(here.forward, before.forward, 1e-4);
+    // Through the very point looked at.
+    const Flythrough through{2, false, {{0, {0, -3, 0}, {0, 0, 0}, {}, {}}, {2, {0, 3, 0}, {0, 0, 0}, {}, {}}}};
+    const Camera middle = camera_at(through, scene_camera, 1);
+    CHECK(middle.position == DVec3(0, 0, 0));
+    REQUIRE(degenerate(middle) == nullptr);
+    check_near(frame_of(middle, 1).forward, {0, 1, 0});
+    // From one `up` to its opposite.
+    const Flythrough flip{
+        2, false, {{0, {0, -3, 0}, {0, 0, 0}, {}, DVec3(0, 0, -1)}, {2, {0, -3, 1}, {0, 0, 0}, {}, DVec3(0, 0, 1)}}};
+    for (double t = 0; t <= 2; t += .125) CHECK(degenerate(camera_at(flip, scene_camera, t)) == nullptr);
+}
