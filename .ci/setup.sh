@@ -54,14 +54,16 @@ install_packages() {
         die "could not install them; try it by hand: ${su[*]} apt-get install --no-install-recommends ${missing[*]}"
 }
 
-# build_preset ROOT PRESET TARGET [CMAKE-OPTION...]: configures if needed (always with options) and builds.
+# A tree that was copied or moved with its build folder can't go on with it.
+drop_moved_build() {
+    local root=$1 cache="$1/build/$2/CMakeCache.txt"
+    [[ ! -f $cache ]] || grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$cache" || rm -rf "$root/build/$2"
+}
+
+# build_preset ROOT PRESET TARGET [CMAKE-OPTION...]: configures, if needed or if there are options, and builds.
 build_preset() {
-    local root=$1 preset=$2 target=$3 folder="$1/build/$2" quiet=(-- --quiet)
+    local root=$1 preset=$2 target=$3 folder="$1/build/$2"
     shift 3
-    # A tree that was copied or moved with its build folder can't go on with it.
-    if [[ -f $folder/CMakeCache.txt ]] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$folder/CMakeCache.txt"; then
-        rm -rf "$folder"
-    fi
     mkdir -p "$folder"
     if (($#)) || [[ ! -f $folder/build.ninja ]]; then
         logged "$folder/configure.log" cmake -S "$root" --preset "$preset" "$@"
@@ -69,6 +71,6 @@ build_preset() {
     if [[ -t 2 ]]; then # a terminal sees the compiler get on
         cmake --build "$folder" --target "$target" >&2 </dev/null
     else
-        logged "$folder/build.log" cmake --build "$folder" --target "$target" "${quiet[@]}"
+        logged "$folder/build.log" cmake --build "$folder" --target "$target" -- --quiet
     fi
 }

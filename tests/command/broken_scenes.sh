@@ -1,0 +1,56 @@
+#!/usr/bin/env bash
+# A dozen and more broken scenes: exit status 3, the place, the line, a caret, and never a crash.
+set -uo pipefail
+source "$(dirname "$0")/expect.sh"
+
+camera='camera { position <0,-9,0> look_at <0,0,0> }'
+# broken PLACE TEXT SCENE: the message begins with the place, quotes the line, points at it, and says the text.
+broken() {
+    printf '%b' "$3" >broken.rt
+    local said
+    said=$("$strahl" check broken.rt 2>&1)
+    local status=$?
+    ((status == 3)) || fault "exit status $status instead of 3 for: $3"
+    [[ $said == *"broken.rt:$1: "* && $said == *"$2"* && $said == *"^"* ]] ||
+        fault "for: $3, without '$1' or '$2', it said: $said"
+}
+
+broken 1:1 "camera" ""
+broken 2:1 "camera" "$camera\n$camera"
+broken 2:1 "did you mean 'sphere'" "$camera\nsphre { <0,0,0>, 1 }"
+broken 2:22 "did you mean 'material'" "$camera\nsphere { <0,0,0>, 1  matreial { } }"
+broken 2:19 "radius" "$camera\nsphere { <0,0,0>, -1 }"
+broken 2:19 "" "$camera\nsphere { <0,0,0>, nan }"
+broken 2:19 "" "$camera\nsphere { <0,0,0>, 1e999 }"
+broken 2:10 "" "$camera\nsphere { <0,0>, 1 }"
+broken 2:1 "" "$camera\nsphere { <0,0,0>, 1"
+broken 2:1 "" "$camera\n/* never ends"
+broken 2:1 "one line" "$camera\nplane { <0,0,0>, <1,0,0>, <2,0,0> }"
+broken 2:1 "same point" "$camera\ncylinder { <0,0,0>, <0,0,0>, 1 }"
+broken 2:32 "reflection" "$camera\nsphere { <0,0,0>, 1  material { reflection 1.5 } }"
+broken 2:45 "reflection" "$camera\nsphere { <0,0,0>, 1  material { reflection 1 reflection 0 } }"
+broken 1:1 "look_at" "camera { position <1,2,3> look_at <1,2,3> }"
+broken 1:1 "fov" "camera { position <1,2,3> look_at <0,0,0> fov 90 }"
+broken 2:25 "scale" "$camera\nsphere { <0,0,0>, 1 scale 0 }"
+broken 2:1 "key" "$camera\nflythrough { duration 1 }"
+broken 2:1 "" "$camera\n\xff\xfe"
+broken 2:1 "" "$camera\n\x00"
+
+# Up to ten faults at once.
+for ((i = 0; i < 30; ++i)); do echo "sphere { <0,0,0>, -1 }"; done >many.rt
+count=$("$strahl" check many.rt 2>&1 | grep -c 'many.rt:[0-9]*:[0-9]*: ')
+((count == 10)) || fault "$count faults told at once instead of 10"
+
+# Hostile ones: neither a crash nor a hang nor unbounded memory (exit status 124 is the time limit).
+hostile() {
+    timeout 60 "$strahl" check hostile.rt >/dev/null 2>said
+    (($? == 3)) || fault "$1: $(head -c 300 said)"
+    (($(wc -c <said) < 10000)) || fault "$1: a message of $(wc -c <said) bytes"
+}
+yes '{' | head -c 1000000 >hostile.rt && hostile "a million braces"
+head -c 1000000 /dev/zero | tr '\0' '9' >hostile.rt && hostile "a number of a million digits"
+head -c 1000000 /dev/zero | tr '\0' 'a' >hostile.rt && hostile "a word of a million letters"
+head -c 1000000 /dev/urandom >hostile.rt && hostile "noise"
+expect 3 "" render hostile.rt -o x.bmp
+expect 3 "" check /dev/null
+finish

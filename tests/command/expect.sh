@@ -1,0 +1,63 @@
+# shellcheck shell=bash
+# What the tests of the command share: a folder to work in, and expectations that tell what was run.
+# A test is started as: bash TEST.sh STRAHL SOURCE-FOLDER BUILD-FOLDER
+
+strahl=$1
+# shellcheck disable=SC2034  # for the tests
+source_folder=$2 build_folder=$3
+faults=0
+
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work" || exit 1
+
+fault() {
+    printf 'FAULT: %s\n' "$*"
+    ((++faults))
+}
+
+# expect STATUS TEXT ARGUMENT...: strahl with these arguments ends with the status, and says the text somewhere.
+expect() {
+    local status=$1 text=$2 said
+    shift 2
+    said=$("$strahl" "$@" 2>&1 </dev/null)
+    local got=$?
+    ((got == status)) || fault "strahl $*: exit status $got instead of $status; it said: $said"
+    [[ $said == *"$text"* ]] || fault "strahl $*: does not say '$text' but: $said"
+}
+
+# expect_same A B: two files with the same bytes.
+expect_same() { cmp "$1" "$2" || fault "$1 and $2 differ"; }
+# expect_other A B: two files with other bytes.
+expect_other() { ! cmp -s "$1" "$2" || fault "$1 and $2 are the same"; }
+expect_file() { [[ -s $1 ]] || fault "there is no file $1"; }
+expect_no_file() { [[ ! -e $1 ]] || fault "there is a file $1"; }
+
+# Nothing but the named files is left in the folder: no temporary ones.
+expect_only() {
+    local found
+    found=$(find . -mindepth 1 -printf '%P\n' | sort | tr '\n' ' ')
+    [[ $found == "$(printf '%s\n' "$@" | sort | tr '\n' ' ')" ]] || fault "files here: $found, instead of: $*"
+}
+
+finish() {
+    ((faults == 0)) || exit 1
+    echo "as expected"
+}
+
+# A small world with all that costs: mirrors, glass, shadows, a flight.
+cat >scene.rt <<'SCENE'
+camera { position <5, -20, 18>  look_at <0, 0, 0>  up <0, 0, -1>  fov 10 }
+light { position <-5, 0, 10>  color <.9, .9, .9> }
+light { position <8, -9, 12>  color <.2, .3, .4> }
+background { color <.1, .1, .3> }
+sphere { <0, 0, 2>, 2  material { rgb <1, .2, .2> } }
+sphere { <2.5, -2, 1>, 1  material { rgb <.2, 1, .2>  refraction .6  ior 1.3 } }
+cylinder { <-3, -1, 0>, <-3, -1, 2>, .7  material { ambient .2  reflection 0 } }
+plane { <0, 0, 0>, <1, 0, 0>, <0, 1, 0> }
+flythrough {
+  duration 4
+  key { time 0  position <5, -20, 18>  look_at <0, 0, 0> }
+  key { time 4  position <15, -20, 10>  look_at <0, 0, 0> }
+}
+SCENE

@@ -1,0 +1,50 @@
+#!/usr/bin/env bash
+# Ctrl-C: the finished part is kept in a file of its own, exit status 130, and nothing finished is lost.
+set -uo pipefail
+source "$(dirname "$0")/expect.sh"
+set -m # a shell without job control starts what it puts into the background with SIGINT ignored
+
+cat >long.rt <<'SCENE'
+camera { position <0, 0, 0>  look_at <0, 1, 0>  fov 40 }
+light { position <0, 0, .5>  color <1, 1, 1> }
+defaultmaterial { reflection .999  diffuse .1 }
+plane { <0, 3, 0>, <1, 3, 0>, <0, 3, 1> }
+plane { <0, -3, 0>, <1, -3, 0>, <0, -3, 1> }
+flythrough { duration 9  key { time 0  position <0, 0, 0>  look_at <0, 1, 0> }
+                         key { time 9  position <0, 1, 0>  look_at <0, 2, 0> } }
+SCENE
+
+# stop SIGNAL ARGUMENT...: starts a rendering that would take minutes, and stops it once some of it is done.
+stop() {
+    local signal=$1 delay pid status
+    shift
+    for delay in .5 1 2 4 8 16; do
+        "$strahl" render long.rt --depth 256 --precision extended --threads 2 "$@" 2>said &
+        pid=$!
+        sleep "$delay"
+        kill -s "$signal" "$pid"
+        wait "$pid"
+        status=$?
+        ((status == 130)) || fault "exit status $status after SIG$signal; it said: $(<said)"
+        grep -q "before anything" said || return
+    done
+    fault "nothing was finished after $delay seconds"
+}
+
+for signal in INT TERM; do
+    echo "an older picture" >picture.bmp
+    stop "$signal" -o picture.bmp --size 2000x1500 --stats stats.json
+    grep -q "the finished part ([0-9]* %) is in 'picture.part.bmp'" said || fault "it said: $(<said)"
+    [[ $(<picture.bmp) == "an older picture" ]] || fault "the older picture is gone"
+    expect 0 "2000x1500" compare picture.part.bmp picture.part.bmp
+    grep -q '"finished": false' stats.json || fault "the statistics say: $(<stats.json)"
+    expect_only long.rt scene.rt said picture.bmp picture.part.bmp stats.json
+    rm picture.* stats.json
+done
+
+# Of several frames, the finished ones stay, and --resume goes on.
+expect 0 "" render long.rt -o film.bmp --frames 0-1 --size 4x3
+stop INT -o film.bmp --frames 0-9 --size 2000x1500 --resume
+grep -q "with --resume goes on" said || fault "it said: $(<said)"
+expect_only long.rt scene.rt said film-0000.bmp film-0001.bmp film-0002.part.bmp
+finish

@@ -1,0 +1,150 @@
+#!/usr/bin/env bash
+# The launcher, with stand-ins for the package manager and the compiler: what it installs, when it builds, how it starts
+# the program.
+set -uo pipefail
+source "$(dirname "$0")/expect.sh"
+
+# A tree with the launcher in it, in a folder with a space, and stand-ins that write down how they were called.
+root="$work/a tree"
+tools="$work/tools"
+export LOG="$work/log" MISSING=''
+mkdir -p "$root/src" "$root/povref" "$root/.ci" "$root/tests" "$tools" "$work/elsewhere"
+cp "$source_folder/strahl" "$root/strahl"
+cp "$source_folder/.ci/setup.sh" "$root/.ci/setup.sh"
+touch "$root/CMakeLists.txt" "$root/CMakePresets.json" "$root/src/a.cpp"
+tool() { cat >"$tools/$1" && chmod +x "$tools/$1"; }
+tool dpkg-query <<'TOOL'
+#!/bin/bash
+for package in "${@:3}"; do
+    [[ " $MISSING " == *" $package "* ]] && missing=1 || echo "installed $package"
+done
+[[ -z ${missing-} ]]
+TOOL
+tool apt-get <<'TOOL'
+#!/bin/bash
+echo "apt-get $*" >>"$LOG"
+[[ " $* " != *" ${FAILING-nothing} "* ]]
+TOOL
+tool sudo <<'TOOL'
+#!/bin/bash
+echo "sudo" >>"$LOG"
+exec "$@"
+TOOL
+tool cmake <<'TOOL'
+#!/bin/bash
+cat >/dev/null # what reads standard input would eat the scene
+if [[ $1 == --build ]]; then
+    echo "build ${*:2}" >>"$LOG"
+    [[ -z ${BROKEN-} ]] || { echo "a.cpp:1: error: it is broken"; exit 1; }
+    sleep "${SLOW-0}"
+    printf '#!/bin/bash\necho "in $PWD:" "$@"\n[[ ${1-} != - ]] || cat\nexit 7\n' >"$2/strahl"
+    chmod +x "$2/strahl"
+else
+    echo "configure ${*:3}" >>"$LOG"
+    echo "CMAKE_HOME_DIRECTORY:INTERNAL=$2" >"$2/build/release/CMakeCache.txt"
+    touch "$2/build/release/build.ninja"
+fi
+TOOL
+export PATH="$tools:$PATH"
+
+# launch STATUS LOG ARGUMENT...: in another folder; the stand-ins were called so (none if empty).
+launch() {
+    local status=$1 log=$2
+    shift 2
+    rm -f "$LOG"
+    said=$(cd "$work/elsewhere" && "${by-$root/strahl}" "$@" 2>"$work/stderr" <<<"a scene")
+    local got=$? called
+    called=$(cat "$LOG" 2>/dev/null)
+    ((got == status)) || fault "exit status $got instead of $status: $(<"$work/stderr")"
+    # shellcheck disable=SC2053  # the log is a pattern
+    [[ $called == $log ]] || fault "called: $called; instead of: $log"
+}
+says() { [[ $said == "$1" ]] || fault "standard output is '$said' instead of '$1'"; }
+warns() { grep -qF -e "$1" "$work/stderr" || fault "standard error does not say '$1' but: $(<"$work/stderr")"; }
+
+first="configure --preset release -DSTRAHL_TESTS=OFF
+build $root/build/release --target strahl*"
+launch 7 "$first" render "a b" '*'
+says "in $work/elsewhere: render a b *"
+warns "building"
+
+# The second time nothing is done and nothing is said; standard input is the program's.
+launch 7 "" -
+says "in $work/elsewhere: -
+a scene"
+[[ ! -s $work/stderr ]] || fault "said: $(<"$work/stderr")"
+ln -s "../a tree/strahl" "$work/elsewhere/link"
+by=./link launch 7 "" hello
+says "in $work/elsewhere: hello"
+
+# Changed, new and removed sources are built; a failed build is told, and tried again.
+again="build $root/build/release --target strahl*"
+sleep 0.02
+touch "$root/src/a.cpp"
+launch 7 "$again"
+launch 7 ""
+sleep 0.02
+touch "$root/src/b.cpp"
+launch 7 "$again"
+sleep 0.02
+rm "$root/src/b.cpp"
+BROKEN=1 launch 1 "$again"
+warns "it is broken"
+says ""
+launch 7 "$again"
+launch 7 ""
+
+# Two at once: one builds, the other waits.
+sleep 0.02
+touch "$root/src/a.cpp"
+rm -f "$LOG"
+for i in 1 2; do (SLOW=1 "$root/strahl" $i >"$work/out$i" 2>/dev/null </dev/null) & done
+wait
+[[ $(grep -c build "$LOG") == 1 ]] || fault "two at once: $(<"$LOG")"
+[[ $(<"$work/out1") == *": 1" && $(<"$work/out2") == *": 2" ]] || fault "two at once: $(cat "$work"/out?)"
+
+# A copy of the tree does not go on with the other one's build.
+cp -a "$root" "$work/copy"
+root="$work/copy" launch 7 "configure --preset release -DSTRAHL_TESTS=OFF
+build $work/copy/build/release --target strahl*"
+rm -r "$work/copy"
+
+# Missing packages are named, then installed; a package list that can't be renewed is no reason to stop.
+rm -r "$root/build"
+packages="apt-get -q -y * update
+apt-get -q -y * install --no-install-recommends cmake libimgui-dev"
+sudo=''
+((EUID == 0)) || sudo='sudo
+'
+export MISSING="libimgui-dev cmake"
+launch 7 "$sudo${packages/$'\n'/$'\n'$sudo}
+$first"
+warns "missing here"
+warns "cmake libimgui-dev"
+rm -r "$root/build"
+FAILING=update launch 7 "*install*$first"
+rm -r "$root/build"
+FAILING=install launch 1 "*install --no-install-recommends cmake libimgui-dev"
+warns "could not install them; try it by hand"
+
+# Without root and without sudo it says what to do.
+rm -rf "$tools/sudo" "$root/build" "$LOG"
+mkdir "$work/bin"
+for program in bash cat chmod dirname env find flock grep mkdir mv readlink rm sed setpriv sleep tail touch; do
+    ln -s "$(command -v "$program")" "$work/bin/$program"
+done
+as_user=()
+if ((EUID == 0)); then
+    chmod -R a+rwX "$work"
+    as_user=(setpriv --reuid=65534 --regid=65534 --clear-groups)
+fi
+PATH="$tools:$work/bin"
+"${as_user[@]}" "$root/strahl" 2>"$work/stderr" && fault "went on without the packages"
+warns "only root (or sudo) can install them: apt-get install --no-install-recommends cmake libimgui-dev"
+
+# A system without Debian's packages is told what is needed, and the build is tried.
+rm "$tools/dpkg-query"
+launch 7 "$first"
+warns "not a Debian system"
+PATH="$tools:/usr/bin:/bin"
+finish

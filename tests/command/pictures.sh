@@ -1,0 +1,91 @@
+#!/usr/bin/env bash
+# strahl render: every option that has a say in the picture, crops, pipes, formats.
+set -uo pipefail
+source "$(dirname "$0")/expect.sh"
+
+size=(--size 64x48)
+make() { expect 0 "" render scene.rt -o "$1" "${size[@]}" "${@:2}"; }
+# equal A B [TOLERANCE], unequal A B [TOLERANCE]
+equal() { expect 0 "maximum difference" compare "$1" "$2" --tolerance "${3-0}"; }
+unequal() { expect 1 "maximum difference" compare "$1" "$2" --tolerance "${3-0}"; }
+
+make whole.exr
+make whole.bmp
+make whole.png
+make whole16.png --bits 16
+equal whole.bmp whole.png
+equal whole.png whole16.png 0.00197 # half an 8-bit step
+expect 0 "whole.exr: 64x48, 3 channels, 32 bits" compare whole.exr whole.exr
+expect 0 "whole16.png: 64x48, 3 channels, 16 bits" compare whole16.png whole16.png
+
+# The default size is 640x480, and the crop of it is a crop of that.
+expect 0 "" render scene.rt -o default.png --crop 300,200,9,7
+expect 0 "" render scene.rt -o same.png --size 640x480 --crop 300,200,9,7
+expect_same default.png same.png
+expect 0 "default.png: 9x7" compare default.png same.png
+
+# A crop is the same pixels as the whole picture's region, at corners and edges too.
+for crop in 0,0,64,48 0,0,1,1 63,47,1,1 5,7,20,10 40,0,24,48 0,33,64,1; do
+    IFS=, read -r x y w h <<<"$crop"
+    make crop.png --bits 16 --crop "$crop"
+    convert whole16.png -crop "${w}x$h+$x+$y" +repage region.png
+    equal crop.png region.png
+done
+
+make one.exr --threads 1
+make three.exr --threads 3
+expect_same one.exr whole.exr
+expect_same three.exr whole.exr
+
+make depth1.exr --depth 1
+unequal depth1.exr whole.exr 0.01
+make depth20.exr --depth 20
+equal depth20.exr whole.exr
+sed 's/^light/global_settings { max_trace_level 1 } light/;t end;b;:end;n;b end' scene.rt >shallow.rt
+expect 0 "" render shallow.rt -o shallow.exr "${size[@]}"
+equal shallow.exr depth1.exr
+
+make scalar.exr --simd scalar
+for simd in auto v2 v3 v4; do
+    said=$("$strahl" render scene.rt -o "$simd.exr" "${size[@]}" --simd "$simd" 2>&1)
+    case $?/$said in
+    0/) if [[ $simd == v2 ]]; then equal v2.exr scalar.exr 1e-6; else equal "$simd.exr" scalar.exr; fi ;;
+    2/*"this processor has no"*) ;; # an older machine
+    *) fault "--simd $simd: $said" ;;
+    esac
+done
+make double.exr --precision double
+make float.exr --precision float
+make extended.exr --precision extended
+expect_same double.exr whole.exr
+equal extended.exr whole.exr 1e-6
+unequal float.exr whole.exr
+# Pixels on an edge may fall on the other side of it; there are few.
+"$strahl" compare float.exr whole.exr --tolerance 1e-4 |
+    awk '/beyond the tolerance/ { few = $(NF - 4) < 20 } END { exit !few }' ||
+    fault "float is far from double: $("$strahl" compare float.exr whole.exr --tolerance 1e-4)"
+
+make start.exr --time 0
+equal start.exr whole.exr
+make later.exr --time 2.5
+unequal later.exr whole.exr 0.01
+make end.exr --time 4
+make after.exr --time 1e9
+equal end.exr after.exr
+
+# From and to pipes; whatever else is said does not get between.
+for format in bmp png; do
+    "$strahl" render - -o - --format "$format" "${size[@]}" <scene.rt >"piped.$format" 2>said || fault "a pipe: $(<said)"
+    expect_same "piped.$format" "whole.$format"
+    [[ ! -s said ]] || fault "said without a terminal: $(<said)"
+done
+"$strahl" render scene.rt -o - --format exr "${size[@]}" >piped.exr || fault "an exr to a pipe"
+equal piped.exr whole.exr
+
+# Linear light is encoded for 8 and 16 bits, and left alone in float.
+sed '1i global_settings { assumed_gamma 1 }' scene.rt >linear.rt
+expect 0 "" render linear.rt -o linear.exr "${size[@]}"
+expect 0 "" render linear.rt -o linear.png "${size[@]}"
+equal linear.exr whole.exr
+unequal linear.png whole.png 0.1
+finish

@@ -1,0 +1,40 @@
+#!/usr/bin/env bash
+# The statistics are JSON that says what was done.
+set -uo pipefail
+source "$(dirname "$0")/expect.sh"
+
+cat >read.cmake <<'CMAKE'
+file(READ stats.json json)
+string(JSON value GET "${json}" ${KEY})
+execute_process(COMMAND ${CMAKE_COMMAND} -E echo "${value}")
+CMAKE
+# value KEY...
+value() { cmake "-DKEY=$(printf '%s;' "$@" | sed 's/;$//')" -P read.cmake; }
+is() { [[ $(value "${@:2}") == "$1" ]] || fault "${*:2} is '$(value "${@:2}")' instead of '$1' in $(<stats.json)"; }
+
+expect 0 "" render scene.rt -o x.bmp --size 64x48 --crop 1,2,30,20 --depth 7 --precision float --simd scalar --threads 2 \
+    --stats stats.json
+is ON finished
+is 64 width
+is 48 height
+is 30 crop 2
+is 1 frames
+is 7 depth
+is float precision
+is scalar simd
+is 1 lanes
+is 2 threads
+is 600 rays camera
+(($(value rays total) == $(value rays camera) + $(value rays reflected) + $(value rays refracted) + $(value rays shadow))) ||
+    fault "the rays do not add up in $(<stats.json)"
+for stage in parse build trace write; do
+    [[ $(value "${stage}_seconds") =~ ^[0-9.e-]+$ ]] || fault "${stage}_seconds in $(<stats.json)"
+done
+for type in reflected refracted shadow; do (($(value rays $type) > 0)) || fault "no $type rays in $(<stats.json)"; done
+
+expect 0 "" render scene.rt -o x.bmp --size 64x48 --depth 1 --stats stats.json
+is 0 rays reflected
+is 0 rays refracted
+is double precision
+expect 0 '"rays"' render scene.rt -o x.bmp --size 8x6 --quiet --stats -
+finish
