@@ -1,0 +1,63 @@
+#include "povref/command_pov.h"
+
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+#include <stdexcept>
+
+#include "povref/pov_scene.h"
+#include "text/file.h"
+#include "text/parse.h"
+
+namespace strahl {
+namespace {
+
+/// Frame n is the view at n / fps seconds; a path that loops ends one frame before it would repeat its first.
+std::vector<Camera> frames(const Scene& scene, double fps) {
+    const Flythrough& path = *scene.flythrough;
+    const double last = path.duration * fps;
+    if (!(last < 1e5)) throw std::invalid_argument("that would be more than 100000 frames; choose a smaller --fps");
+    std::vector<Camera> cameras;
+    for (int n = 0; path.loop ? n < last - 1e-9 : n <= last + 1e-9; ++n)
+        cameras.push_back(camera_at(path, scene.camera, n / fps));
+    return cameras;
+}
+
+void check(const PovOptions& options) {
+    if (options.output.empty()) throw std::invalid_argument("where should the scene go? Add -o FILE.pov");
+    if (std::filesystem::path(options.output).extension() != ".pov")
+        throw std::invalid_argument("'" + options.output + "' should end in .pov; the .ini is written beside it");
+    if (options.animation && options.time) throw std::invalid_argument("--animation and --time exclude each other");
+}
+
+}  // namespace
+
+int pov_command(const PovOptions& options) {
+    namespace fs = std::filesystem;
+    check(options);
+    const bool piped = options.scene == "-";
+    const Scene scene = parse_scene(read_text(options.scene), piped ? "standard input" : options.scene);
+    if ((options.animation || options.time) && !scene.flythrough)
+        throw std::invalid_argument("'" + options.scene +
+                                    "' has no flythrough, so there is no --time and no --animation");
+    PovRequest request{.title = piped ? "A scene" : fs::path(options.scene).filename().string(),
+                       .pov_path = options.output,
+                       .picture_path = fs::path(options.output).replace_extension(".png").string(),
+                       .width = options.width,
+                       .height = options.height,
+                       .depth = options.depth.value_or(scene.settings.max_trace_level),
+                       .bits = options.bits};
+    if (options.animation) {
+        request.cameras = frames(scene, options.fps);
+        request.fps = options.fps;
+    } else {
+        request.cameras = {options.time ? camera_at(*scene.flythrough, scene.camera, *options.time) : scene.camera};
+    }
+    const PovFiles files = write_pov(scene, request);
+    write_file(options.output, files.pov);
+    write_file(fs::path(options.output).replace_extension(".ini").string(), files.ini);
+    for (const std::string& warning : files.warnings) std::cerr << "strahl: warning: " << warning << '\n';
+    return 0;
+}
+
+}  // namespace strahl

@@ -1,0 +1,32 @@
+#include "povref/layout.h"
+
+#include <algorithm>
+
+namespace strahl {
+namespace {
+constexpr std::size_t columns = 100;
+}
+
+std::string block(const std::string& head, const std::vector<std::string>& items, const std::string& indent) {
+    std::size_t length = indent.size() + head.size() + 2;
+    for (const std::string& item : items) length += 1 + item.size();
+    const bool broken = length > columns;
+    std::string text = head;
+    for (const std::string& item : items) text += (broken ? "\n" + indent + "  " : " ") + item;
+    return text + (broken ? "\n" + indent + "}\n" : " }\n");
+}
+
+std::string comment(const std::string& text, const std::string& mark) {
+    std::string lines, line = mark;
+    for (std::size_t start = 0; start < text.size();) {
+        const std::size_t end = std::min(text.find(' ', start), text.size());
+        if (line.size() + 1 + end - start > columns) lines += line + "\n", line = mark;
+        line += " " + text.substr(start, end - start);
+        start = end + 1;
+    }
+    return lines + line + "\n";
+}
+
+std::string heading(const std::string& text) { return "\n// ---- " + text + " ----\n"; }
+
+}  // namespace strahl

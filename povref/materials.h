@@ -1,0 +1,25 @@
+// The illumination equation's coefficients as POV-Ray textures.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace strahl {
+
+/// A material as POV-Ray statements. An opaque one is a `texture` of that name. A transparent one is a `material`, and
+/// if its shadows are coloured while the view through it is not, there is also a texture NAME_Shadow for a copy of the
+/// body that does nothing but cast them: POV-Ray knows one colour for both.
+struct PovMaterial {
+    std::string name;
+    std::string declaration;
+    bool transparent = false;
+    bool own_shadow = false;  // needs the copy
+    bool keyword = false;     // uses the finish keyword `refraction`, about which POV-Ray warns
+    bool near_one = false;    // ior 1 is written as the next greater number
+};
+
+/// In the order of scene.materials. `depth` is the number of generations of rays.
+std::vector<PovMaterial> pov_materials(const Scene& scene, int depth);
+
+}  // namespace strahl

@@ -1,0 +1,19 @@
+// Numbers and vectors as POV-Ray reads them.
+#pragma once
+#include <charconv>
+#include <string>
+
+#include "num/vec.h"
+
+namespace strahl {
+
+/// The shortest digits that read back as the same number; never "-0".
+inline std::string text_of(double v) {
+    char digits[32];
+    return {digits, std::to_chars(digits, digits + sizeof digits, v == 0 ? 0 : v).ptr};
+}
+inline std::string text_of(const DVec3& v) {
+    return "<" + text_of(v.x) + ", " + text_of(v.y) + ", " + text_of(v.z) + ">";
+}
+
+}  // namespace strahl

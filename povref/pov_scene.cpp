@@ -1,0 +1,256 @@
+#include "povref/pov_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/mat4x4.hpp>
+#include <map>
+
+#include "povref/layout.h"
+#include "povref/materials.h"
+#include "povref/numbers.h"
+#include "povref/sentences.h"
+#include "povref/unit.h"
+#include "trace/overlap.h"
+
+namespace strahl {
+namespace {
+
+/// What is said to those who read the file or run the program, and what decides how things are written.
+struct Plan {
+    Unit unit;
+    std::vector<PovMaterial> materials;
+    bool scaled = false;          // Unit is declared
+    bool inside = false;          // a camera is in a transparent body
+    bool keyword = false;         // some material uses `refraction`
+    bool shadow_copies = false;   // some body has a copy that casts its shadow
+    bool bodies_overlap = false;  // transparent ones share space
+    bool near_one = false;        // some ior of 1 is not written so
+};
+
+bool contains(const Primitive& primitive, const DVec3& p) {
+    const DVec3 local(glm::inverse(matrix(primitive.transformations)) * glm::dvec4(p, 1));
+    return std::visit([&](const auto& shape) { return shape.contains(local); }, primitive.shape);
+}
+
+Plan plan_for(const Scene& scene, const PovRequest& request) {
+    Plan plan{.unit = unit_for(scene, request.cameras), .materials = pov_materials(scene, request.depth)};
+    plan.scaled = plan.unit.unit != 1;
+    for (const PovMaterial& material : plan.materials) {
+        plan.keyword |= material.keyword;
+        plan.shadow_copies |= material.own_shadow;
+        plan.near_one |= material.near_one;
+    }
+    plan.bodies_overlap = transparent_bodies_overlap(scene);
+    for (const Primitive& primitive : scene.primitives)
+        if (plan.materials[primitive.material].transparent)
+            for (const Camera& camera : request.cameras) plan.inside |= contains(primitive, camera.position);
+    return plan;
+}
+
+std::vector<std::string> warnings_of(const Plan& plan) {
+    std::vector<std::string> warnings;
+    if (!plan.unit.fault.empty()) warnings.push_back(plan.unit.fault);
+    if (plan.near_one)
+        warnings.push_back(
+            "POV-Ray does not count a ray that goes on unbent as a generation; transparent bodies of ior 1 have an ior "
+            "of 1.00000012 instead, which bends by less than can be seen");
+    if (plan.bodies_overlap)
+        warnings.push_back(
+            "transparent bodies may share space; where a ray leaves one that it did not enter last, it goes on unbent, "
+            "which POV-Ray does not count as a generation: only the depth limit can show that");
+    return warnings;
+}
+
+std::string scaled(const std::string& text, const Plan& plan) { return plan.scaled ? text + " * Unit" : text; }
+
+std::string top(const Scene& scene, const PovRequest& request, const Plan& plan) {
+    std::string text = comment(request.title + " for POV-Ray 3.7, as strahl sees it.");
+    for (const std::string& warning : warnings_of(plan)) text += comment("Not exact: " + warning + ".");
+    // A working gamma equal to that of the file leaves computed values as they are.
+    text += std::string("\n#version 3.7;\n\nglobal_settings {\n") + "  assumed_gamma " +
+            (scene.settings.linear ? "1.0      // the values are linear light\n"
+                                   : "srgb     // values go straight to the pixel, see File_Gamma in the .ini\n") +
+            "  ambient_light rgb " + text_of(scene.settings.ambient_light) + "\n  max_trace_level " +
+            std::to_string(request.depth) + "   // generations of rays, the camera's being the first\n" +
+            "  adc_bailout 0        // follow even the weakest ray\n}\n\nbackground { rgb " +
+            text_of(scene.background) + " }\n";
+    if (plan.scaled)
+        text += "\n" +
+                comment(
+                    "POV-Ray's tolerances are lengths (no shadow over less than 0.001, no hit beyond 10000000), so "
+                    "the scene is built with this many of its units to one of strahl's.") +
+                "#declare Unit = " + text_of(plan.unit.unit) + ";\n";
+    return text;
+}
+
+/// The camera's vectors for POV-Ray: the ray through (x, y) in [-1/2, 1/2]^2, y up, is direction + x right + y up.
+struct PovCamera {
+    DVec3 location, right, up, direction;
+};
+PovCamera pov_camera(const Camera& camera, double aspect) {
+    const CameraFrame frame = frame_of(camera, aspect);
+    return {camera.position, 2 * frame.tan_x * frame.right, -2 * frame.tan_y * frame.down, frame.forward};
+}
+
+std::string array(const std::string& name, const std::vector<PovCamera>& cameras, DVec3 PovCamera::*member) {
+    std::string text = "#declare " + name + " = array[" + std::to_string(cameras.size()) + "] {\n";
+    for (std::size_t i = 0; i < cameras.size(); ++i)
+        text += "  " + text_of(cameras[i].*member) + (i + 1 < cameras.size() ? ",\n" : "\n");
+    return text + "}\n";
+}
+
+std::string camera_section(const PovRequest& request, const Plan& plan) {
+    std::vector<PovCamera> cameras;
+    for (const Camera& camera : request.cameras)
+        cameras.push_back(pov_camera(camera, double(request.width) / request.height));
+    const bool animated = request.fps > 0;
+    std::string text =
+        heading("Camera") + comment(
+                                "The picture's axes in full: `right` and `up` are its width and height at distance 1. "
+                                "Nothing else decides whether the world is right- or left-handed; this one is "
+                                "right-handed.");
+    if (animated)
+        text += comment("One entry per frame, " + text_of(request.fps) + " frames a second; frame_number chooses.") +
+                array("Eye", cameras, &PovCamera::location) + array("Right", cameras, &PovCamera::right) +
+                array("Up", cameras, &PovCamera::up) + array("Direction", cameras, &PovCamera::direction);
+    const auto value = [&](const char* name, DVec3 PovCamera::*member) {
+        return animated ? name + std::string("[frame_number]") : text_of(cameras[0].*member);
+    };
+    return text + "camera {\n  perspective\n  location  " + scaled(value("Eye", &PovCamera::location), plan) +
+           "\n  right     " + value("Right", &PovCamera::right) + "\n  up        " + value("Up", &PovCamera::up) +
+           "\n  direction " + value("Direction", &PovCamera::direction) + "\n}\n";
+}
+
+std::string light_section(const Scene& scene, const Plan& plan) {
+    if (scene.lights.empty()) return "";
+    std::string text = heading("Lights");
+    for (const Light& light : scene.lights)
+        text += "light_source { " + scaled(text_of(light.position), plan) + ", rgb " + text_of(light.color) + " }\n";
+    return text;
+}
+
+std::string material_section(const Plan& plan) {
+    if (plan.materials.empty()) return "";
+    std::string text = heading("Materials");
+    if (std::any_of(plan.materials.begin(), plan.materials.end(), [](const auto& m) { return m.transparent; }))
+        text += comment(
+            "POV-Ray dims ambient and diffuse light by the pigment's opacity, which is divided out where a "
+            "material is transparent.");
+    if (plan.keyword)
+        text += comment(
+            "`refraction` is an old keyword without a successor: the weight of all light that was "
+            "transmitted or totally reflected.");
+    for (const PovMaterial& material : plan.materials) text += "\n" + material.declaration;
+    return text;
+}
+
+std::string step_text(const Transformation& step) {
+    // POV-Ray takes factors this small for 0, and 0 for 1.
+    constexpr double least = 1e-9;
+    struct {
+        std::string operator()(const Rotate& r) const { return "rotate " + text_of(r.degrees); }
+        std::string operator()(const Translate& t) const { return "translate " + text_of(t.by); }
+        std::string operator()(const Scale& s) const {
+            const DVec3& f = s.by;
+            if (std::min({std::fabs(f.x), std::fabs(f.y), std::fabs(f.z)}) < least)
+                return "matrix <" + text_of(f.x) + ", 0, 0, 0, " + text_of(f.y) + ", 0, 0, 0, " + text_of(f.z) +
+                       ", 0, 0, 0>";
+            return "scale " + (f.x == f.y && f.y == f.z ? text_of(f.x) : text_of(f));
+        }
+    } words;
+    return std::visit(words, step);
+}
+
+std::vector<std::string> placement(const Primitive& primitive, const Plan& plan) {
+    std::vector<std::string> items;
+    for (const Transformation& step : primitive.transformations) items.push_back(step_text(step));
+    if (plan.scaled) items.push_back("scale Unit");
+    return items;
+}
+
+/// Everything but the transparent bodies that need a copy. Opaque ones come first: POV-Ray lists the bodies around the
+/// camera in this order, and the last listed is the medium that rays start in.
+std::string body_sections(const Scene& scene, const Plan& plan) {
+    std::string solid, clear, declared, shadows, seen;
+    std::map<std::string, int> count;
+    for (const Primitive& primitive : scene.primitives) {
+        const PovMaterial& material = plan.materials[primitive.material];
+        std::vector<std::string> items = placement(primitive, plan);
+        const std::string head = sentence(primitive.shape);
+        if (!material.transparent) {
+            items.insert(items.begin(), "texture { " + material.name + " }");
+            solid += block(head, items);
+        } else if (!plan.shadow_copies) {
+            items.insert(items.begin(), "material { " + material.name + " }");
+            clear += block(head, items);
+        } else {
+            std::string kind = head.substr(0, head.find(' '));
+            kind[0] = static_cast<char>(kind[0] - 'a' + 'A');
+            const std::string name = kind + "_" + std::to_string(++count[kind]);
+            declared += "#declare " + name + " = " + block(head, items);
+            if (material.own_shadow)
+                shadows += block("object { " + name,
+                                 {"texture { " + material.name + "_Shadow }", "no_image", "no_reflection"});
+            seen += block("object { " + name, {"material { " + material.name + " }"});
+            if (material.own_shadow) seen.insert(seen.size() - 3, " no_shadow");
+        }
+    }
+    std::string text;
+    if (!solid.empty()) text += heading("Opaque bodies") + solid;
+    if (!clear.empty()) text += heading("Transparent bodies") + clear;
+    if (!declared.empty())
+        text += heading("Transparent bodies") + declared + "\n" +
+                comment(
+                    "What is seen through a body keeps its colour, its shadow takes the body's. POV-Ray has one "
+                    "pigment for both, so invisible copies cast the shadows.") +
+                shadows + "\n" + seen;
+    return text;
+}
+
+std::string quoted_path(const std::string& path) {
+    return path.find_first_of(" ;#'") == std::string::npos ? path : "\"" + path + "\"";
+}
+
+std::string ini_of(const Scene& scene, const PovRequest& request, const Plan& plan, const std::string& path) {
+    std::string text = comment(request.title + " for POV-Ray 3.7: povray " + quoted_path(path), ";") +
+                       "Input_File_Name=" + quoted_path(request.pov_path) +
+                       "\nOutput_File_Name=" + quoted_path(request.picture_path) + "\n\n" +
+                       "Width=" + std::to_string(request.width) + "\nHeight=" + std::to_string(request.height) + "\n" +
+                       comment("PNG.", ";") + "Output_File_Type=N\nBits_Per_Color=" + std::to_string(request.bits) +
+                       "\nOutput_Alpha=Off\nDither=Off\n";
+    text +=
+        comment(scene.settings.linear ? "The values are linear light and the file is sRGB-encoded."
+                                      : "The same as assumed_gamma in the scene: the file holds the computed values.",
+                ";") +
+        "File_Gamma=srgb\n";
+    text += "\n" + comment("One ray through the middle of each pixel, all light followed.", ";") +
+            "Antialias=Off\nQuality=9\n";
+    if (request.fps > 0)
+        text += "\n" + comment("Frame N is the view at N/" + text_of(request.fps) + " seconds.", ";") +
+                "Initial_Frame=0\nFinal_Frame=" + std::to_string(request.cameras.size() - 1) + "\n";
+    if (plan.inside)
+        text += "\n" +
+                comment(
+                    "The camera is in a transparent body. With bounding boxes POV-Ray would list the bodies "
+                    "around it in another order than the file.",
+                    ";") +
+                "Bounding=Off\n";
+    text += "\nDisplay=Off\nPause_When_Done=Off\n";
+    if (plan.keyword)
+        text +=
+            comment("POV-Ray warns that the keyword `refraction` is old; nothing else is worth a warning here.", ";") +
+            "Warning_Console=Off\n";
+    return text;
+}
+
+}  // namespace
+
+PovFiles write_pov(const Scene& scene, const PovRequest& request) {
+    const Plan plan = plan_for(scene, request);
+    const std::string ini_path = request.pov_path.substr(0, request.pov_path.rfind('.')) + ".ini";
+    return {top(scene, request, plan) + camera_section(request, plan) + light_section(scene, plan) +
+                material_section(plan) + body_sections(scene, plan),
+            ini_of(scene, request, plan, ini_path), warnings_of(plan)};
+}
+
+}  // namespace strahl
