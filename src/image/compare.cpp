@@ -39,7 +39,7 @@ bool beyond(double difference, double tolerance) { return difference > tolerance
 std::array<double, 3> heat(double difference) {
     if (!(difference > 0)) return {0, 0, 0};
     static constexpr std::array<std::array<double, 3>, 6> ramp{
-        {{.05, .1, .45}, {.1, .45, .9}, {.75, .2, .65}, {.95, .25, .1}, {1, .8, .1}, {1, 1, 1}}};
+        {{.05, .1, .45}, {.1, .35, .8}, {.75, .2, .65}, {.95, .25, .1}, {1, .8, .1}, {1, 1, 1}}};
     const double place = std::clamp(1 + std::log(difference) / std::log(65535.), 0., 1.) * (ramp.size() - 1);
     const std::size_t below = std::min<std::size_t>(static_cast<std::size_t>(place), ramp.size() - 2);
     const double part = place - static_cast<double>(below);

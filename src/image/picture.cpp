@@ -107,7 +107,8 @@ Picture read_picture(const std::string& path) {
     if (fs::is_directory(status)) throw FileError("cannot read '" + path + "': it is a folder");
     Picture picture;
     std::string reason;
-    if (!library().decode(path, picture, reason)) throw FileError("cannot read '" + path + "' as a picture: " + reason);
+    if (!library().decode(path, picture, reason))
+        throw FileError("cannot read '" + path + "' as a picture: " + reason.substr(0, reason.find('\n')));
     return picture;
 }
 

@@ -15,6 +15,11 @@
 #include "scratch.h"
 #include "text/file.h"
 
+// OpenImageIO loses one string when libpng jumps out of it at a truncated file; a leak checker knows whose it is only
+// if it follows the whole stack.
+extern "C" const char* __asan_default_options() { return "fast_unwind_on_malloc=0"; }
+extern "C" const char* __lsan_default_suppressions() { return "leak:PngReadCallback"; }
+
 namespace strahl {
 namespace {
 
@@ -184,6 +189,7 @@ TEST_CASE("broken files are told with name and reason") {
         write_picture(noise(40, 40), folder / name, {});
         write_file(folder / name, bytes_of(folder / name).substr(0, 1000));
         CHECK(says(reading(name), folder / name));
+        CHECK_FALSE(says(reading(name), "\n"));
     }
     write_file(folder / "text.png", "sphere { <0,0,0>, 1 }");
     CHECK(says(reading("text.png"), "text.png"));
