@@ -33,31 +33,37 @@ struct Window {
     double h;
 };
 
-/// The slope of a curve at a key, from the secants on both sides: their weighted harmonic mean, which never overshoots
-/// (F. N. Fritsch, J. Butland, "A Method for Constructing Local Monotone Piecewise Cubic Interpolants", 1984).
-double slope_between(double left, double right, double seconds_left, double seconds_right) {
-    if (!(left * right > 0)) return 0;
-    const double a = 2 * seconds_right + seconds_left, b = seconds_right + 2 * seconds_left;
-    return (a + b) / (a / left + b / right);
+/// The slope of a curve at a key, times `stretch`: from the differences to both neighbours and the seconds these take,
+/// the weighted harmonic mean of the secants, which never overshoots (F. N. Fritsch, J. Butland, "A Method for
+/// Constructing Local Monotone Piecewise Cubic Interpolants", 1984). Written so that no times over- or underflow.
+double slope_between(double left, double right, double seconds_left, double seconds_right, double stretch) {
+    if (!(left > 0 && right > 0) && !(left < 0 && right < 0)) return 0;
+    const double unit = std::max(seconds_left, seconds_right), l = seconds_left / unit, r = seconds_right / unit;
+    const double a = 2 * r + l, b = r + 2 * l;
+    return (a + b) * (stretch / unit) / (a * l / left + b * r / right);
 }
 
-/// The cubic from p to q with the slopes m and n over a stretch of the given length; exact at both ends.
+/// The cubic from p to q with slopes m and n, both times the length of the stretch; exact at both ends.
 template <class V>
-V hermite(const V& p, const V& q, const V& m, const V& n, double stretch, double h) {
+V hermite(const V& p, const V& q, const V& m, const V& n, double h) {
     const double g = 1 - h;
-    return p * (g * g * (1 + 2 * h)) + q * (h * h * (3 - 2 * h)) + (m * g - n * h) * (g * h * stretch);
+    return p * (g * g * (1 + 2 * h)) + q * (h * h * (3 - 2 * h)) + (m * g - n * h) * (g * h);
 }
 
-/// A number along the path, smooth and never outside of what neighbouring keys say.
+/// A quantity that goes by `here` between the two keys, by `before` and `after` in the stretches beside (if there are
+/// keys): how far it is, smoothly and never turning back between the keys.
+double monotone(const Window& w, double before, double here, double after) {
+    const double m = w.key[0] ? slope_between(before, here, w.seconds[0], w.seconds[1], w.seconds[1]) : here;
+    const double n = w.key[3] ? slope_between(here, after, w.seconds[1], w.seconds[2], w.seconds[1]) : here;
+    return std::clamp(hermite(0.0, here, m, n, w.h), std::min(0.0, here), std::max(0.0, here));
+}
+
+/// A number along the path, smooth and never outside of what the two keys say.
 template <class Value>
 double number_at(const Window& w, Value value) {
     const double p = value(*w.key[1]), q = value(*w.key[2]);
-    const double secant = (q - p) / w.seconds[1];
-    const double m =
-        w.key[0] ? slope_between((p - value(*w.key[0])) / w.seconds[0], secant, w.seconds[0], w.seconds[1]) : secant;
-    const double n =
-        w.key[3] ? slope_between(secant, (value(*w.key[3]) - q) / w.seconds[2], w.seconds[1], w.seconds[2]) : secant;
-    return std::clamp(hermite(p, q, m, n, w.seconds[1], w.h), std::min(p, q), std::max(p, q));
+    const double way = monotone(w, w.key[0] ? p - value(*w.key[0]) : 0, q - p, w.key[3] ? value(*w.key[3]) - q : 0);
+    return std::clamp(p + way, std::min(p, q), std::max(p, q));
 }
 
 /// A point along the path. The curve is the centripetal Catmull-Rom spline, whose knots lie the square root of a chord
@@ -72,24 +78,20 @@ DVec3 point_at(const Window& w, DVec3 Key::*member) {
     if (knots == 0) return p;
 
     // Without a neighbour the curve goes straight on; beside a chord of length 0 its velocity is 0.
-    const double speed = knots / w.seconds[1];
-    DVec3 m = here / knots, n = m;
-    double slope_p = speed, slope_q = speed;
+    DVec3 m = here, n = here;
+    double before = 0, after = 0;
     const auto velocity = [](const DVec3& a, double ka, const DVec3& b, double kb) {
         return ka > 0 ? a / ka - (a + b) / (ka + kb) + b / kb : DVec3(0);
     };
     if (w.key[0]) {
-        const double before = std::sqrt(length(chord(0)));
-        m = velocity(chord(0), before, here, knots);
-        slope_p = slope_between(before / w.seconds[0], speed, w.seconds[0], w.seconds[1]);
+        before = std::sqrt(length(chord(0)));
+        m = velocity(chord(0), before, here, knots) * knots;
     }
     if (w.key[3]) {
-        const double after = std::sqrt(length(chord(2)));
-        n = velocity(chord(2), after, here, knots);
-        slope_q = slope_between(speed, after / w.seconds[2], w.seconds[1], w.seconds[2]);
+        after = std::sqrt(length(chord(2)));
+        n = velocity(chord(2), after, here, knots) * knots;
     }
-    const double u = std::clamp(hermite(0.0, knots, slope_p, slope_q, w.seconds[1], w.h) / knots, 0.0, 1.0);
-    return hermite(p, q, m, n, knots, u);
+    return hermite(p, q, m, n, monotone(w, before, knots, after) / knots);
 }
 
 /// Directions blend as vectors of length 1; one that stays the same stays so exactly.

@@ -6,6 +6,7 @@
 namespace strahl {
 namespace {
 
+constexpr Bounds seconds{0, 1e15, "from 0 to 1e15"};
 // The largest doubles below 90 and 180.
 constexpr Bounds fovs{smallest_positive, 90 - 1e-14, "greater than 0 and less than 90 degrees"};
 constexpr Bounds angles{2 * smallest_positive, 180 - 2e-14, "greater than 0 and less than 180 degrees"};
@@ -74,7 +75,7 @@ void CameraBlocks::key(std::string_view word, Flythrough& read_path, std::vector
         reader.faults.check();
     }
     Block block{word};
-    Eye eye("time", not_negative);
+    Eye eye("time", seconds);
     eye.read(reader, block);
     reader.require(block, {{eye.own.given(), "'time'"},
                            {eye.position_given.given(), "'position'"},
@@ -89,7 +90,7 @@ void CameraBlocks::flythrough(std::string_view word) {
     Flythrough read_path;
     std::vector<KeyPlace> places;
     Block block{word};
-    std::array parameters{Parameter{"duration", &read_path.duration, positive}, Parameter{"loop", &read_path.loop}};
+    std::array parameters{Parameter{"duration", &read_path.duration, lengths}, Parameter{"loop", &read_path.loop}};
     constexpr std::array other{"key"};
     reader.block(block, parameters, other, [&](std::string_view inner) {
         if (inner != "key") return false;

@@ -170,7 +170,11 @@ const char* nearest(std::string_view word, std::span<const char* const> known) {
     if (word.size() > 40) return nullptr;
     for (const char* const candidate : known)
         if (const std::size_t d = distance(word, candidate); d < best_distance) best_distance = d, best = candidate;
-    return best;
+    if (best || word.size() < 3) return best;
+    for (const std::string_view candidate : known)  // cut short, or with an ending: "trans", "light_source"
+        if (candidate.starts_with(word) || (candidate.size() >= 3 && word.starts_with(candidate)))
+            return candidate.data();
+    return nullptr;
 }
 
 std::string unknown_word(std::string_view word, std::span<const char* const> known, const std::string& where) {

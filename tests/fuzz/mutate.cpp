@@ -3,6 +3,7 @@
 // fuzz_parser [--seconds S] [--seed N] [FILE or FOLDER of seeds ...]
 // While it runs, and after a crash, the file fuzz-seed in the working directory holds the number of the input: give it
 // as --seed to get the crash again at once.
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
@@ -33,6 +34,59 @@ const Seeds whole_scenes{
     "key { time 4 position <0,9,1> look_at <0,0,0> sky <0,0,1> } key { time 12 position <9,0,1> look_at <0,0,0> fov 3 "
     "} }\n",
     "camera { sky <0,1,0> angle 50 look_at <0,0,0> position <0,0,-9> } sphere { <0,0,0> 1 }"};
+const Seeds numbers{"0",
+                    "-0",
+                    "1",
+                    "-1",
+                    "2",
+                    ".5",
+                    "-3.25e1",
+                    "0.1",
+                    "1e-310",
+                    "5e-324",
+                    "1e-300",
+                    "1e-12",
+                    "1e15",
+                    "-1e15",
+                    "9e14",
+                    "1e16",
+                    "1e308",
+                    "1e999",
+                    "2.2250738585072014e-308",
+                    "45",
+                    "89.99999999999999",
+                    "90",
+                    "180",
+                    "360",
+                    "0.30000000000000004",
+                    "123456789.123456789"};
+const Seeds statements{"rotate <90,0,0>",
+                       "rotate <1,2,3>",
+                       "translate <1,0,0>",
+                       "scale 1e-200",
+                       "scale 1e200",
+                       "scale -1",
+                       "scale <1,1,1e-12>",
+                       "scale 3",
+                       "material { pow 3 }",
+                       "sphere { <1,2,3>, 4 }",
+                       "sphere { <1,2,3>, 4 scale .5 material { ior 3 refraction 1 } }",
+                       "plane { <0,0,0> <1,0,0> <0,0,1> }",
+                       "cylinder { <0,0,0> <1,0,0> 1 }",
+                       "defaultmaterial { rgb <1,0,0> }",
+                       "light { position <0,0,0> color <1,1,1> }",
+                       "background { color <1,1,1> }",
+                       "key { time 6 position <3,3,3> look_at <1,0,0> }",
+                       "loop",
+                       "fov 30",
+                       "angle 30",
+                       "up <0,0,-1>",
+                       "sky <1,1,1>",
+                       "aspectratio 2",
+                       "pow 1",
+                       "ior 1.3",
+                       "// x",
+                       "/* } */"};
 const Seeds pieces{"{",
                    "}",
                    "<",
@@ -40,21 +94,6 @@ const Seeds pieces{"{",
                    ",",
                    "<1,2,3>",
                    "<0,0,0>",
-                   "<1e15,-1e15,0>",
-                   "0",
-                   "-0",
-                   "1",
-                   "-1",
-                   "1e-310",
-                   "1e15",
-                   "1e308",
-                   "1e999",
-                   ".5",
-                   "5e-324",
-                   "2.2250738585072014e-308",
-                   "90",
-                   "89.99999999999999",
-                   "180",
                    "/*",
                    "*/",
                    "//",
@@ -74,8 +113,8 @@ const Seeds pieces{"{",
                    "flythrough",
                    "key",
                    "loop",
-                   "time 4",
-                   "duration 12",
+                   "time",
+                   "duration",
                    "position",
                    "look_at",
                    "up",
@@ -84,17 +123,18 @@ const Seeds pieces{"{",
                    "angle",
                    "aspectratio",
                    "color",
-                   "rotate <90,0,0>",
-                   "translate <1,0,0>",
-                   "scale 1e-200",
-                   "scale 1e200",
-                   "scale -1",
-                   "scale <1,1,1e-12>",
+                   "rotate",
+                   "translate",
+                   "scale",
                    "rgb",
                    "pow",
                    "ior",
-                   "max_trace_level 256",
+                   "max_trace_level",
                    "assumed_gamma",
+                   "inf",
+                   "nan",
+                   "0x1",
+                   "1e",
                    "\xC3\xA4",
                    "\xF0\x9F\x98\x80",
                    "\xEF\xBB\xBF",
@@ -120,19 +160,46 @@ Seeds read_seeds(const std::vector<fs::path>& paths) {
     return seeds;
 }
 
-std::string mutated(const Seeds& seeds, std::uint64_t number) {
-    std::mt19937_64 random(number);
-    const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random() % n); };
-    std::string text = seeds[below(seeds.size())];
-    for (std::size_t i = 1 + below(6); i > 0; --i) {
+class Mutator {
+  public:
+    Mutator(const Seeds& seeds, std::uint64_t number) : seeds(seeds), random(number) {}
+
+    /// Half of the inputs keep the form of a scene and mostly parse; the others need not.
+    std::string input() {
+        text = any(seeds);
+        const bool keep_form = below(2) == 0;
+        for (std::size_t i = 1 + below(6); i > 0; --i)
+            if (keep_form)
+                change_value();
+            else
+                change_letters();
+        return text;
+    }
+
+  private:
+    std::size_t below(std::size_t n) { return static_cast<std::size_t>(random() % n); }
+    const std::string& any(const Seeds& list) { return list[below(list.size())]; }
+
+    void change_value() {
+        const std::size_t at = below(text.size() + 1);
+        if (below(4) == 0) {
+            const std::size_t brace = text.find('}', at);
+            if (brace != text.npos) text.insert(brace + below(2), " " + any(statements) + " ");
+            return;
+        }
+        const std::size_t number = text.find_first_of("-.0123456789", at);
+        if (number == text.npos) return;
+        const std::size_t end = std::min(text.size(), text.find_first_not_of("0123456789.e-+", number));
+        text.replace(number, end - number, any(numbers));
+    }
+    void change_letters() {
         const std::size_t at = below(text.size() + 1), length = below(std::min<std::size_t>(text.size() - at, 20) + 1);
-        const std::string& piece = pieces[below(pieces.size())];
         switch (below(7)) {
             case 0:
-                text.insert(at, " " + piece + " ");
+                text.insert(at, " " + any(pieces) + " ");
                 break;
             case 1:
-                text.replace(at, length, piece);
+                text.replace(at, length, any(pieces));
                 break;
             case 2:
                 text.erase(at, length);
@@ -146,16 +213,15 @@ std::string mutated(const Seeds& seeds, std::uint64_t number) {
             case 5:
                 text.resize(at);
                 break;
-            default: {  // a number becomes another
-                const std::size_t digit = text.find_first_of("0123456789", at);
-                if (digit == text.npos) break;
-                const std::size_t end = text.find_first_not_of("0123456789.e-+", digit);
-                text.replace(digit, (end == text.npos ? text.size() : end) - digit, pieces[8 + below(14)]);
-            }
+            default:
+                change_value();
         }
     }
-    return text;
-}
+
+    const Seeds& seeds;
+    std::mt19937_64 random;
+    std::string text;
+};
 
 }  // namespace
 
@@ -177,7 +243,7 @@ int main(int count, char** arguments) {
     const std::uint64_t first = number;
     const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
     for (; std::chrono::steady_clock::now() < end; ++number) {
-        const std::string input = mutated(seeds, number);
+        const std::string input = Mutator(seeds, number).input();
         std::rewind(progress);
         std::fprintf(progress, "%llu\n", static_cast<unsigned long long>(number));
         std::fflush(progress);

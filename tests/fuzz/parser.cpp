@@ -27,6 +27,7 @@ void check(const strahl::Scene& scene) {
     for (const double share : {-.1, 0., .3, .5, .99, 1., 1.7}) {
         const strahl::Camera camera = camera_at(*scene.flythrough, scene.camera, share * scene.flythrough->duration);
         if (!(camera.fov > 0 && camera.fov < 90)) fail("the flythrough leaves the range of fov:", text);
+        if (degenerate(camera)) fail("the flythrough has a moment without a picture:", text);
     }
 }
 

@@ -223,6 +223,9 @@ TEST_CASE("the nearest known word is offered") {
     check_fault("psehre { <0,0,0>, 1 }", "2:1: unknown word 'psehre'; did you mean 'sphere'?");
     check_fault("sphere { <0,0,0>, 1 traslate <1,1,1> }",
                 "2:21: unknown word 'traslate' in 'sphere'; did you mean 'translate'?");
+    check_fault("light_source { }", "2:1: unknown word 'light_source'; did you mean 'light'?");
+    check_fault("sphere { <0,0,0>, 1 trans <1,1,1> }",
+                "2:21: unknown word 'trans' in 'sphere'; did you mean 'translate'?");
     check_fault("sphere { <0,0,0>, 1 pigment { color <1,1,1> } }",
                 "2:21: unknown word 'pigment' in 'sphere'; known here: material, rotate, translate, scale");
 }
@@ -392,9 +395,10 @@ TEST_CASE("flythroughs that can't be flown") {
     check_fault(path("duration 2", "1", "1"),
                 "4:40: times must rise: the key before, in line 3, is not earlier than this one");
     check_fault(path("duration 2", "0", "2.5"), "4:40: this is after the end, which 'duration' in line 2 sets");
-    check_fault(path("duration 0", "0", "1"),
-                "2:23: 'duration' of 'flythrough' must be greater than 0 (at least 2.3e-308), not '0'");
-    check_fault(path("duration 2", "-1", "1"), "3:45: 'time' of 'key' must be 0 or more, not '-1'");
+    check_fault(
+        path("duration 0", "0", "1"),
+        "2:23: 'duration' of 'flythrough' must be greater than 0 (at least 2.3e-308) and at most 1e15, not '0'");
+    check_fault(path("duration 2", "-1", "1"), "3:45: 'time' of 'key' must be from 0 to 1e15, not '-1'");
     check_fault(path("loop duration 2", "0", "2"),
                 "4:40: at this time the loop is at its first key again: make this key the same as that in line 3, or "
                 "'duration' longer");

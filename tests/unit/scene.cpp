@@ -246,3 +246,22 @@ TEST_CASE("where the curves would leave no picture the camera looks as it does a
         2, false, {{0, {0, -3, 0}, {0, 0, 0}, {}, DVec3(0, 0, -1)}, {2, {0, -3, 1}, {0, 0, 0}, {}, DVec3(0, 0, 1)}}};
     for (double t = 0; t <= 2; t += .125) CHECK(degenerate(camera_at(flip, scene_camera, t)) == nullptr);
 }
+
+TEST_CASE("extreme times and distances give no nonsense") {
+    for (const double tiny : {5e-324, 1e-300, 1e-12})
+        for (const double huge : {1., 1e15}) {
+            const Flythrough path{huge,
+                                  true,
+                                  {{0, {huge, 0, 0}, {0, huge, 0}, 1e-300, {}},
+                                   {tiny, {-huge, 0, 0}, {0, huge, 0}, 89., {}},
+                                   {huge / 2, {tiny, tiny, 0}, {0, huge, 0}, 2., {}},
+                                   {huge * .75, {0, tiny, 0}, {0, huge, tiny}, 2., {}}}};
+            for (double share = 0; share <= 1; share += 1. / 64) {
+                const Camera camera = camera_at(path, scene_camera, share * huge);
+                CAPTURE(share);
+                CHECK(degenerate(camera) == nullptr);
+                CHECK((camera.fov >= 1e-300 && camera.fov <= 89));
+                CHECK(std::fabs(camera.position.x) <= 2 * huge);
+            }
+        }
+}
