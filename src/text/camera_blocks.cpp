@@ -21,7 +21,7 @@ struct CameraBlocks::Eye {
     std::array<Parameter, 7> parameters;
     const Parameter &position_given = parameters[0], &look_at_given = parameters[1], &own = parameters[6];
 
-    Eye(const char* own_name, Bounds own_bounds)
+    Eye(std::string_view own_name, Bounds own_bounds)
         : parameters{{{"position", &position, coordinates},
                       {"look_at", &look_at, coordinates},
                       {"up", &down, coordinates},
@@ -91,7 +91,7 @@ void CameraBlocks::flythrough(std::string_view word) {
     std::vector<KeyPlace> places;
     Block block{word};
     std::array parameters{Parameter{"duration", &read_path.duration, lengths}, Parameter{"loop", &read_path.loop}};
-    constexpr std::array other{"key"};
+    constexpr std::array<std::string_view, 1> other{"key"};
     reader.block(block, parameters, other, [&](std::string_view inner) {
         if (inner != "key") return false;
         key(inner, read_path, places, block);

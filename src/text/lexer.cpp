@@ -13,7 +13,7 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 }  // namespace
 
-bool contains(std::span<const char* const> words, std::string_view word) {
+bool contains(std::span<const std::string_view> words, std::string_view word) {
     return std::find(words.begin(), words.end(), word) != words.end();
 }
 
@@ -90,7 +90,7 @@ void Lexer::fail(const std::string& message) {
     throw Lost{};
 }
 
-void Lexer::skip_to(std::span<const char* const> words, std::span<const char* const> blocks) {
+void Lexer::skip_to(std::span<const std::string_view> words, std::span<const std::string_view> blocks) {
     for (std::size_t depth = 0;;) {
         const char c = peek();
         if (next == end || (c == '}' && depth == 0)) return;

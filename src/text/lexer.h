@@ -54,7 +54,7 @@ class Lexer {
 
     /// Goes on to the next of `words` (to any word, if there are none) or to the closing brace of the block we are in,
     /// over whole blocks that stand in between, but not over the start of a block of the top level.
-    void skip_to(std::span<const char* const> words, std::span<const char* const> blocks);
+    void skip_to(std::span<const std::string_view> words, std::span<const std::string_view> blocks);
 
   private:
     void skip_space() {
@@ -74,6 +74,6 @@ class Lexer {
     Faults& faults;
 };
 
-bool contains(std::span<const char* const> words, std::string_view word);
+bool contains(std::span<const std::string_view> words, std::string_view word);
 
 }  // namespace strahl

@@ -164,26 +164,25 @@ std::string Faults::tell(const Fault& fault) const {
            std::string(left.size() + before.width, ' ') + "^" + std::string(std::max(0, marked.width - 1), '~');
 }
 
-const char* nearest(std::string_view word, std::span<const char* const> known) {
-    const char* best = nullptr;
+std::string_view nearest(std::string_view word, std::span<const std::string_view> known) {
+    if (word.size() > 40) return {};
+    std::string_view best;
     std::size_t best_distance = 1 + std::max<std::size_t>(1, word.size() / 3);
-    if (word.size() > 40) return nullptr;
-    for (const char* const candidate : known)
+    for (const std::string_view candidate : known)
         if (const std::size_t d = distance(word, candidate); d < best_distance) best_distance = d, best = candidate;
-    if (best || word.size() < 3) return best;
+    if (!best.empty() || word.size() < 3) return best;
     for (const std::string_view candidate : known)  // cut short, or with an ending: "trans", "light_source"
-        if (candidate.starts_with(word) || (candidate.size() >= 3 && word.starts_with(candidate)))
-            return candidate.data();
-    return nullptr;
+        if (candidate.starts_with(word) || (candidate.size() >= 3 && word.starts_with(candidate))) return candidate;
+    return {};
 }
 
-std::string unknown_word(std::string_view word, std::span<const char* const> known, const std::string& where) {
-    std::string message = "unknown word " + quoted(word) + where;
-    if (const char* const near = nearest(word, known)) return message + "; did you mean '" + near + "'?";
-    message += "; known here: ";
-    for (const char* const candidate : known)
-        message += (candidate == known.front() ? "" : ", ") + std::string(candidate);
-    return message;
+std::string unknown_word(std::string_view word, std::span<const std::string_view> known, const std::string& where) {
+    const std::string message = "unknown word " + quoted(word) + where;
+    if (const std::string_view near = nearest(word, known); !near.empty())
+        return message + "; did you mean " + quoted(near) + "?";
+    std::string list;
+    for (const std::string_view candidate : known) list += (list.empty() ? "" : ", ") + std::string(candidate);
+    return message + "; known here: " + list;
 }
 
 std::string quoted(std::string_view slice) {

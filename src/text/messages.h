@@ -35,11 +35,11 @@ class Faults {
     std::vector<Fault> faults;
 };
 
-/// The word most like `word`, or nullptr if none is much like it.
-const char* nearest(std::string_view word, std::span<const char* const> known);
+/// The word most like `word`, or an empty one if none is much like it.
+std::string_view nearest(std::string_view word, std::span<const std::string_view> known);
 
 /// "unknown word 'x'; did you mean 'y'?", or, if no known word is near, a list of them.
-std::string unknown_word(std::string_view word, std::span<const char* const> known, const std::string& where);
+std::string unknown_word(std::string_view word, std::span<const std::string_view> known, const std::string& where);
 
 /// A slice in quotes, shortened if it is long, safe to print.
 std::string quoted(std::string_view slice);

@@ -51,7 +51,7 @@ void Reader::open(const Block& block) {
 }
 
 /// Is the block at its end? Else `word` is the next word in it, or empty if something else came and was noted.
-bool Reader::closed(Block& block, std::span<const char* const> words, std::string_view& word) {
+bool Reader::closed(Block& block, std::span<const std::string_view> words, std::string_view& word) {
     if (lexer.accept('}')) return true;
     if (lexer.at_end()) {
         if (!block.lost) faults.add(block.name, "'}' missing: this " + quoted(block.name) + " is never closed");
@@ -71,7 +71,7 @@ bool Reader::closed(Block& block, std::span<const char* const> words, std::strin
     return block.lost = true;
 }
 
-void Reader::unknown(Block& block, std::span<const char* const> words, std::string_view word) {
+void Reader::unknown(Block& block, std::span<const std::string_view> words, std::string_view word) {
     faults.add(word, unknown_word(word, words, " in " + quoted(block.name)));
     block.lost = true;
     lexer.skip_to({}, blocks);

@@ -52,7 +52,7 @@ constexpr Bounds argument_bounds(Range range) {
 
 /// One `name value` of a block; of a bool the name alone. `at` becomes the place of the name.
 struct Parameter {
-    const char* name;
+    std::string_view name;
     std::variant<double*, DVec3*, bool*> value;
     Bounds bounds = anything;
     std::string_view at{};
@@ -71,7 +71,7 @@ struct Block {
 
 class Reader {
   public:
-    Reader(std::string_view text, Faults& faults, std::span<const char* const> blocks)
+    Reader(std::string_view text, Faults& faults, std::span<const std::string_view> blocks)
         : lexer(text, faults), faults(faults), blocks(blocks) {}
 
     /// Values out of bounds are noted, and reading goes on.
@@ -81,7 +81,7 @@ class Reader {
     /// Reads `{ ... }`: first what `arguments()` reads, then words, of which `item(word)` reads the values; it says
     /// whether it knew the word. `words` are all that it knows.
     template <class Arguments, class Item>
-    void block(Block& block, std::span<const char* const> words, Arguments arguments, Item item) {
+    void block(Block& block, std::span<const std::string_view> words, Arguments arguments, Item item) {
         open(block);
         guard(block, words, arguments);
         for (std::string_view word; !closed(block, words, word);)
@@ -93,8 +93,8 @@ class Reader {
     /// A block of parameters, and other words for `item`.
     template <std::size_t count, std::size_t others, class Item>
     void block(Block& block, std::array<Parameter, count>& parameters,
-               const std::array<const char*, others>& other_words, Item item) {
-        std::array<const char*, count + others> words;
+               const std::array<std::string_view, others>& other_words, Item item) {
+        std::array<std::string_view, count + others> words;
         const auto rest = std::transform(parameters.begin(), parameters.end(), words.begin(),
                                          [](const Parameter& parameter) { return parameter.name; });
         std::copy(other_words.begin(), other_words.end(), rest);
@@ -108,7 +108,7 @@ class Reader {
     }
     template <std::size_t count>
     void block(Block& block, std::array<Parameter, count>& parameters) {
-        this->block(block, parameters, std::array<const char*, 0>{}, [](std::string_view) { return false; });
+        this->block(block, parameters, std::array<std::string_view, 0>{}, [](std::string_view) { return false; });
     }
 
     struct Need {
@@ -126,16 +126,16 @@ class Reader {
 
     Lexer lexer;
     Faults& faults;
-    const std::span<const char* const> blocks;  // words of the top level
+    const std::span<const std::string_view> blocks;  // words of the top level
 
   private:
     void open(const Block& block);
-    bool closed(Block& block, std::span<const char* const> words, std::string_view& word);
-    void unknown(Block& block, std::span<const char* const> words, std::string_view word);
+    bool closed(Block& block, std::span<const std::string_view> words, std::string_view& word);
+    void unknown(Block& block, std::span<const std::string_view> words, std::string_view word);
     void read(Parameter& parameter, std::string_view word, Block& block);
 
     template <class Action>
-    void guard(Block& block, std::span<const char* const> words, Action action) {
+    void guard(Block& block, std::span<const std::string_view> words, Action action) {
         try {
             action();
         } catch (const Lost&) {
