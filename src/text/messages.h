@@ -44,7 +44,4 @@ std::string unknown_word(std::string_view word, std::span<const std::string_view
 /// A slice in quotes, shortened if it is long, safe to print.
 std::string quoted(std::string_view slice);
 
-/// The first byte of the first sequence that is not UTF-8 (or is a zero byte), or npos.
-std::size_t find_invalid(std::string_view text);
-
 }  // namespace strahl

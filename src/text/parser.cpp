@@ -1,14 +1,14 @@
 // The blocks of the scene language.
 #include <array>
-#include <bit>
 #include <cmath>
-#include <cstdint>
-#include <unordered_map>
 #include <utility>
 
+#include "text/bodies.h"
 #include "text/camera_blocks.h"
+#include "text/materials.h"
 #include "text/parse.h"
 #include "text/reader.h"
+#include "text/utf8.h"
 
 namespace strahl {
 namespace {
@@ -22,41 +22,6 @@ constexpr auto top_words(std::type_identity<std::variant<Kinds...>>) {
         "camera", "light", Kinds::name..., "defaultmaterial", "background", "global_settings", "flythrough"};
 }
 constexpr auto block_words = top_words(std::type_identity<Shape>{});
-
-/// Mixes the fields of a material.
-struct MaterialHash {
-    std::size_t operator()(const Material& material) const {
-        std::size_t hash = 0;
-        const auto mix = [&](const auto& value) {
-            if constexpr (std::is_same_v<decltype(value), const DVec3&>)
-                add(hash, value.x), add(hash, value.y), add(hash, value.z);
-            else
-                add(hash, value);
-        };
-        std::apply([&](const auto&... field) { (mix(material.*field.member), ...); }, Material::fields);
-        return hash;
-    }
-    static void add(std::size_t& hash, double v) {
-        hash = (hash ^ std::bit_cast<std::uint64_t>(v + 0.0)) * 0x9E3779B97F4A7C15u;  // -0, which equals 0, becomes 0
-        hash ^= hash >> 29;
-    }
-};
-
-/// Numbers materials in the order of first use.
-class Materials {
-  public:
-    int number(const Material& material) {
-        if (!list.empty() && list[last] == material) return last;
-        const auto [entry, is_new] = numbers.try_emplace(material, static_cast<int>(list.size()));
-        if (is_new) list.push_back(material);
-        return last = entry->second;
-    }
-    std::vector<Material> list;
-
-  private:
-    std::unordered_map<Material, int, MaterialHash> numbers;
-    int last = 0;
-};
 
 class Parser {
   public:
@@ -74,7 +39,7 @@ class Parser {
     bool shape(std::string_view word);
     Transformation transformation(std::string_view word, Block& block);
     template <class Kind>
-    void check(const Kind& shape, const Block& block, std::span<const Transformation> steps, std::string_view last);
+    void check(const Kind& shape, const Primitive& primitive, std::string_view word, std::string_view last);
     void limit(std::size_t count, std::size_t most, std::string_view at, const char* what);
 
     const TextLimits& limits;
@@ -227,62 +192,21 @@ bool Parser::shape(std::string_view word) {
             last = inner;
             return true;
         });
-    if (block.good()) check(kind, block, primitive.transformations, last);
+    if (block.good()) check(kind, primitive, word, last);
     primitive.shape = kind;
     primitive.material = materials.number(own);
     scene.primitives.push_back(std::move(primitive));
     return true;
 }
 
-/// Where the linear part of a transformation flattens a body, and by how much at most.
-double condition(const glm::dmat4& m) {
-    const DVec3 a(m[0]), b(m[1]), c(m[2]);
-    const auto cross = [](const DVec3& u, const DVec3& v) {
-        return DVec3(u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x);
-    };
-    const auto norm = [](const DVec3& u, const DVec3& v, const DVec3& w) {
-        return std::hypot(std::hypot(u.x, u.y, u.z), std::hypot(v.x, v.y, v.z), std::hypot(w.x, w.y, w.z));
-    };
-    const DVec3 bc = cross(b, c), ca = cross(c, a), ab = cross(a, b);
-    const double determinant = a.x * bc.x + a.y * bc.y + a.z * bc.z;
-    return norm(a, b, c) * norm(bc, ca, ab) / std::fabs(determinant);
-}
-
-/// Notes bodies that are none: by their own arguments, or by where their transformations lead.
+/// Notes a body that is none: by its own arguments, or by its transformations, of which `last` is the last one's place.
 template <class Kind>
-void Parser::check(const Kind& shape, const Block& block, std::span<const Transformation> steps,
-                   std::string_view last) {
-    if (const char* const fault = shape.fault())
-        faults.add(block.name, "this " + std::string(block.name) + " is none: " + fault);
-    if (steps.empty() || shape.fault()) return;
-    const auto bad = [&](const std::string& why) {
-        faults.add(last, "up to here the transformations of this " + std::string(block.name) + " " + why);
-    };
-    const glm::dmat4 m = matrix(steps);
-    double largest = 0;
-    for (int i = 0; i < 3; ++i)
-        for (int k = 0; k < 3; ++k) largest = std::max(largest, std::fabs(m[i][k]));
-    if (!(largest >= smallest_positive && largest <= largest_number))
-        return bad("scale it out of the range of numbers");
-    glm::dmat4 normalised = m;
-    for (int i = 0; i < 3; ++i) normalised[i] /= largest;
-    if (!(condition(normalised) < 1e12))
-        return bad("flatten it: one side shrinks more than 1e12 times as much as another");
-
-    Kind moved = shape;
-    bool inside = true;
-    const auto move = [&](auto& value) {
-        if constexpr (std::is_same_v<decltype(value), DVec3&>) {
-            value = DVec3(m * glm::dvec4(value, 1));
-            for (int i = 0; i < 3; ++i) inside &= coordinates.contains(value[i]);
-        } else {
-            value *= largest;
-            inside &= lengths.contains(value);
-        }
-    };
-    std::apply([&](const auto&... field) { (move(moved.*field.member), ...); }, Kind::fields);
-    if (!inside) return bad("make it too large, too small or too far away (coordinates go up to 1e15)");
-    if (const char* const fault = moved.fault()) bad(std::string("leave nothing of it: ") + fault);
+void Parser::check(const Kind& shape, const Primitive& primitive, std::string_view word, std::string_view last) {
+    const std::string name(word);
+    if (const char* const fault = shape.fault()) return faults.add(word, "this " + name + " is none: " + fault);
+    if (primitive.transformations.empty()) return;
+    const std::string fault = transformed_fault(shape, primitive.transformations);
+    if (!fault.empty()) faults.add(last, "up to here the transformations of this " + name + " " + fault);
 }
 
 }  // namespace

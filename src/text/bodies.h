@@ -1,0 +1,59 @@
+// Is a shape, where its transformations take it, still a body that numbers can tell?
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <string>
+#include <tuple>
+#include <type_traits>
+
+#include "scene/transformation.h"
+#include "text/reader.h"
+
+namespace strahl {
+
+/// How much more the linear part of a transformation shrinks one direction than another, at most (in Frobenius norms:
+/// up to three times too much). Its largest entry should be about 1.
+inline double condition(const glm::dmat4& m) {
+    const DVec3 a(m[0]), b(m[1]), c(m[2]);
+    const auto cross = [](const DVec3& u, const DVec3& v) {
+        return DVec3(u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x);
+    };
+    const auto norm = [](const DVec3& u, const DVec3& v, const DVec3& w) {
+        return std::hypot(std::hypot(u.x, u.y, u.z), std::hypot(v.x, v.y, v.z), std::hypot(w.x, w.y, w.z));
+    };
+    const DVec3 bc = cross(b, c), ca = cross(c, a), ab = cross(a, b);
+    const double determinant = a.x * bc.x + a.y * bc.y + a.z * bc.z;
+    return norm(a, b, c) * norm(bc, ca, ab) / std::fabs(determinant);
+}
+
+/// What the transformations do to a good shape that may not be done, or "". Vectors among a shape's arguments are
+/// taken for points, numbers for lengths.
+template <class Kind>
+std::string transformed_fault(const Kind& shape, std::span<const Transformation> steps) {
+    glm::dmat4 m = matrix(steps);
+    double largest = 0;
+    for (int i = 0; i < 3; ++i)
+        for (int k = 0; k < 3; ++k) largest = std::max(largest, std::fabs(m[i][k]));
+    if (!(largest >= smallest_positive && largest <= largest_number)) return "scale it out of the range of numbers";
+
+    Kind moved = shape;
+    bool inside = true;
+    const auto move = [&](auto& value) {
+        if constexpr (std::is_same_v<decltype(value), DVec3&>) {
+            value = DVec3(m * glm::dvec4(value, 1));
+            for (int i = 0; i < 3; ++i) inside &= coordinates.contains(value[i]);
+        } else {
+            value *= largest;
+            inside &= lengths.contains(value);
+        }
+    };
+    std::apply([&](const auto&... field) { (move(moved.*field.member), ...); }, Kind::fields);
+    if (!inside) return "make it too large, too small or too far away (coordinates go up to 1e15)";
+    for (int i = 0; i < 3; ++i) m[i] /= largest;
+    if (!(condition(m) < 1e12)) return "flatten it: one side shrinks more than 1e12 times as much as another";
+    const char* const fault = moved.fault();
+    return fault ? std::string("leave nothing of it: ") + fault : "";
+}
+
+}  // namespace strahl

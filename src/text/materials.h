@@ -1,0 +1,50 @@
+// Materials, each listed once.
+#pragma once
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <tuple>
+#include <type_traits>
+#include <unordered_map>
+#include <vector>
+
+#include "scene/material.h"
+
+namespace strahl {
+
+/// Mixes the fields of a material.
+struct MaterialHash {
+    std::size_t operator()(const Material& material) const {
+        std::size_t hash = 0;
+        const auto mix = [&](const auto& value) {
+            if constexpr (std::is_same_v<decltype(value), const DVec3&>)
+                add(hash, value.x), add(hash, value.y), add(hash, value.z);
+            else
+                add(hash, value);
+        };
+        std::apply([&](const auto&... field) { (mix(material.*field.member), ...); }, Material::fields);
+        return hash;
+    }
+    static void add(std::size_t& hash, double v) {
+        hash = (hash ^ std::bit_cast<std::uint64_t>(v + 0.0)) * 0x9E3779B97F4A7C15u;  // -0, which equals 0, becomes 0
+        hash ^= hash >> 29;
+    }
+};
+
+/// Numbers materials in the order of first use.
+class Materials {
+  public:
+    int number(const Material& material) {
+        if (!list.empty() && list[last] == material) return last;
+        const auto [entry, is_new] = numbers.try_emplace(material, static_cast<int>(list.size()));
+        if (is_new) list.push_back(material);
+        return last = entry->second;
+    }
+    std::vector<Material> list;
+
+  private:
+    std::unordered_map<Material, int, MaterialHash> numbers;
+    int last = 0;
+};
+
+}  // namespace strahl
