@@ -4,3 +4,4 @@ foreach(topic usage pictures frames interrupt files stats check broken_scenes in
            COMMAND bash ${CMAKE_SOURCE_DIR}/tests/command/${topic}.sh $<TARGET_FILE:strahl> ${CMAKE_SOURCE_DIR}
                    ${CMAKE_BINARY_DIR})
 endforeach()
+set_tests_properties(command_pictures PROPERTIES LABELS slow)

@@ -1,5 +1,6 @@
 // The program: its commands and their options. A command is one block here and one thin file beside this one.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <iostream>
@@ -25,6 +26,7 @@ std::pair<CLI::App*, std::shared_ptr<Options>> add_command(CLI::App& app, Action
                                                            const char* help, int (*work)(const Options&)) {
     auto options = std::make_shared<Options>();
     CLI::App* const command = app.add_subcommand(name, help);
+    command->option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
     command->callback([&action, options, work] { action = [options, work] { return work(*options); }; });
     return {command, options};
 }
@@ -39,16 +41,14 @@ CLI::Option* add_parsed(CLI::App* command, const char* name, Value& value, Parse
         ->type_name(form);
 }
 
-/// Real numbers of at least (or, if `open`, above) `low`; also keeps out nan and inf.
-CLI::Validator at_least(double low, bool open) {
+/// Real numbers; also keeps out nan and inf.
+CLI::Validator at_least(double low) {
     return CLI::Validator(
         [=](std::string& text) {
             double value = 0;
-            const bool good =
-                CLI::detail::lexical_cast(text, value) && std::isfinite(value) && (open ? value > low : value >= low);
+            const bool good = CLI::detail::lexical_cast(text, value) && std::isfinite(value) && value >= low;
             return good ? std::string()
-                        : "'" + text + "' is no number " + (open ? "above " : "of at least ") +
-                              CLI::detail::to_string(low);
+                        : strahl::quoted(text) + " is no number of at least " + CLI::detail::to_string(low);
         },
         "");
 }
@@ -72,7 +72,7 @@ CLI::Option* add_choice(CLI::App* command, const char* name, Value& value,
 
 void add_render(CLI::App& app, Action& action) {
     auto [command, o] = add_command(app, action, "render", "Trace a scene into a picture file", render_command);
-    command->add_option("SCENE", o->scene, "The scene, a .rt file; - is standard input")->required();
+    command->add_option("SCENE", o->scene, "The scene, a .rt file; - is standard input")->required()->type_name(" ");
     command->add_option("-o,--output", o->output, "The picture: .bmp, .png or .exr; - is standard output")
         ->type_name("FILE");
     add_parsed(command, "--size", o->size, parse_size, "Size of the picture in pixels, 640x480 by default", "WxH");
@@ -99,34 +99,39 @@ void add_render(CLI::App& app, Action& action) {
         ->check(CLI::IsMember({"bmp", "png", "exr"}).description(""))
         ->type_name("KIND");
     command->add_option("--time", o->time, "The moment of the scene's flythrough, in seconds")
-        ->check(at_least(0, false))
+        ->check(at_least(0))
         ->type_name("T");
     add_parsed(command, "--frames", o->frames, parse_frames,
                "Frames of the flythrough, as numbered files: FILE holds %04d, or the number goes before its ending",
                "A-B");
     command
         ->add_option("--fps", o->fps, "Frames per second of the flythrough, 25 by default; frame N is at N/F seconds")
-        ->check(at_least(0, true))
+        ->check(at_least(0.001))
         ->type_name("F");
     command->add_flag("--resume", o->resume, "Leave out the frames whose files are already there");
     command->add_option("--stats", o->stats, "Write seconds and rays to this JSON file")->type_name("FILE");
     command->add_flag("--quiet", o->quiet, "No progress on the terminal");
+    command->footer(
+        "A still:       strahl render scenes/article.rt -o article.png --size 1920x1080\n"
+        "A flight:      strahl render SCENE -o film-%04d.png --frames 0-99 --fps 25\n"
+        "From and to pipes: strahl render - -o - --format png < SCENE | ...\n"
+        "Ctrl-C saves what is finished as NAME.part.ENDING; a second one stops at once.");
 }
 
 void add_check(CLI::App& app, Action& action) {
     auto [command, o] =
         add_command(app, action, "check", "Look for faults in a scene and say what is in it", check_command);
-    command->add_option("SCENE", o->scene, "The scene, a .rt file; - is standard input")->required();
+    command->add_option("SCENE", o->scene, "The scene, a .rt file; - is standard input")->required()->type_name(" ");
     command->add_flag("--print", o->print, "Print the scene as strahl reads it");
 }
 
 void add_compare(CLI::App& app, Action& action) {
     auto [command, o] =
         add_command(app, action, "compare", "Say how far two pictures are apart; exit status 0 or 1", compare_command);
-    command->add_option("A", o->a, "A picture file")->required();
-    command->add_option("B", o->b, "Another one of the same size")->required();
+    command->add_option("A", o->a, "A picture file")->required()->type_name(" ");
+    command->add_option("B", o->b, "Another one of the same size")->required()->type_name(" ");
     command->add_option("--tolerance", o->tolerance, "Difference per channel that is still equal, 0 by default")
-        ->check(at_least(0, false))
+        ->check(at_least(0))
         ->type_name("T");
     command->add_option("--heatmap", o->heatmap, "Write where they differ as a picture")->type_name("FILE");
 }
@@ -141,20 +146,39 @@ std::string version() {
 }
 
 /// CLI11 would speak of unexpected arguments.
-void require_known_command(const CLI::App& app, int argc, const char* const* argv) {
-    if (argc < 2 || argv[1][0] == '-') return;
-    std::vector<const char*> known;
-    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
-        if (command->get_name() == argv[1]) return;
-        known.push_back(command->get_name().c_str());
-    }
+void require_known_command(const CLI::App& app, std::string_view word) {
+    if (word.starts_with('-')) return;
+    std::vector<std::string_view> known;
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+        known.push_back(command->get_name());
+    if (std::ranges::find(known, word) != known.end()) return;
     std::string advice;
-    if (const char* meant = nearest(argv[1], known))
-        advice = std::string("; did you mean '") + meant + "'?";
+    if (const std::string_view meant = nearest(word, known); !meant.empty())
+        advice = "; did you mean '" + std::string(meant) + "'?";
     else
-        for (const char* name : known) advice += std::string(advice.empty() ? "; the commands are " : ", ") + name;
-    throw UsageError("there is no command " + quoted(argv[1]) + advice +
+        for (const auto name : known) (advice += advice.empty() ? "; the commands are " : ", ") += name;
+    throw UsageError("there is no command " + strahl::quoted(word) + advice +
                      "\nTo make a picture of a scene: strahl render SCENE -o FILE");
+}
+
+/// "; did you mean '--size'?" for an argument that looks like an option of the command, or nothing.
+std::string nearest_option(const CLI::App& command, const std::string& argument) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : command.get_options()) names.push_back(option->get_name());
+    const std::vector<std::string_view> known(names.begin(), names.end());
+    const std::string meant(argument.starts_with('-') ? nearest(argument, known) : "");
+    return meant.empty() ? "" : "; did you mean '" + meant + "'?";
+}
+
+[[noreturn]] void tell_usage(const CLI::App& app, const CLI::ParseError& error) {
+    const auto chosen = app.get_subcommands();
+    const CLI::App& command = chosen.empty() ? app : *chosen[0];
+    std::string message = error.what();
+    // Left over is `--sizes 640x480` in any order: the option is what is wrong.
+    auto left = command.remaining();
+    std::ranges::stable_partition(left, [](const std::string& argument) { return argument.starts_with('-'); });
+    if (!left.empty()) message = strahl::quoted(left[0]) + " is not expected here" + nearest_option(command, left[0]);
+    throw UsageError(message + "\nSee: strahl " + (chosen.empty() ? "" : command.get_name() + " ") + "--help");
 }
 
 int run(int argc, char** argv) {
@@ -163,23 +187,25 @@ int run(int argc, char** argv) {
     app.set_help_flag("-h,--help", "Print this help; `strahl COMMAND --help` tells of a command");
     app.require_subcommand(1);
     app.get_formatter()->column_width(26);
+    app.footer(
+        "Exit status: 0 done, 1 failed, 2 wrong usage, 3 faults in a file, 130 interrupted.\n"
+        "A first picture: strahl render scenes/article.rt -o article.bmp");
     Action action;
     add_render(app, action);
     add_check(app, action);
     add_compare(app, action);
     for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
         command->set_help_flag("-h,--help", "Print this help");
+    if (argc < 2) throw UsageError("what is to be done?\n" + app.help());
+    require_known_command(app, argv[1]);
     try {
-        require_known_command(app, argc, argv);
         app.parse(argc, argv);
-        return action();
     } catch (const CLI::Success& wanted) {  // --help and --version
         return app.exit(wanted);
     } catch (const CLI::ParseError& error) {
-        const auto chosen = app.get_subcommands();
-        throw UsageError(std::string(error.what()) + "\nSee: strahl " +
-                         (chosen.empty() ? "" : chosen[0]->get_name() + " ") + "--help");
+        tell_usage(app, error);
     }
+    return action();
 }
 
 int fail(const std::exception& error, int status, const char* prefix = "strahl: ") {

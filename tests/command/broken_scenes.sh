@@ -3,7 +3,7 @@
 set -uo pipefail
 source "$(dirname "$0")/expect.sh"
 
-camera='camera { position <0,-9,0> look_at <0,0,0> }'
+camera='camera { position <0,-9,0> look_at <0,0,0> up <0,0,-1> fov 25 }'
 # broken PLACE TEXT SCENE: the message begins with the place, quotes the line, points at it, and says the text.
 broken() {
     printf '%b' "$3" >broken.rt
@@ -22,16 +22,16 @@ broken 2:22 "did you mean 'material'" "$camera\nsphere { <0,0,0>, 1  matreial { 
 broken 2:19 "radius" "$camera\nsphere { <0,0,0>, -1 }"
 broken 2:19 "" "$camera\nsphere { <0,0,0>, nan }"
 broken 2:19 "" "$camera\nsphere { <0,0,0>, 1e999 }"
-broken 2:10 "" "$camera\nsphere { <0,0>, 1 }"
+broken 2:14 "" "$camera\nsphere { <0,0>, 1 }"
 broken 2:1 "" "$camera\nsphere { <0,0,0>, 1"
 broken 2:1 "" "$camera\n/* never ends"
 broken 2:1 "one line" "$camera\nplane { <0,0,0>, <1,0,0>, <2,0,0> }"
 broken 2:1 "same point" "$camera\ncylinder { <0,0,0>, <0,0,0>, 1 }"
-broken 2:32 "reflection" "$camera\nsphere { <0,0,0>, 1  material { reflection 1.5 } }"
-broken 2:45 "reflection" "$camera\nsphere { <0,0,0>, 1  material { reflection 1 reflection 0 } }"
-broken 1:1 "look_at" "camera { position <1,2,3> look_at <1,2,3> }"
-broken 1:1 "fov" "camera { position <1,2,3> look_at <0,0,0> fov 90 }"
-broken 2:25 "scale" "$camera\nsphere { <0,0,0>, 1 scale 0 }"
+broken 2:44 "reflection" "$camera\nsphere { <0,0,0>, 1  material { reflection 1.5 } }"
+broken 2:46 "reflection" "$camera\nsphere { <0,0,0>, 1  material { reflection 1 reflection 0 } }"
+broken 1:1 "look_at" "camera { position <1,2,3> look_at <1,2,3> up <0,0,-1> fov 25 }"
+broken 1:59 "fov" "camera { position <1,2,3> look_at <0,0,0> up <0,0,-1> fov 90 }"
+broken 2:27 "scale" "$camera\nsphere { <0,0,0>, 1 scale 0 }"
 broken 2:1 "key" "$camera\nflythrough { duration 1 }"
 broken 2:1 "" "$camera\n\xff\xfe"
 broken 2:1 "" "$camera\n\x00"

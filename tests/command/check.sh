@@ -18,9 +18,9 @@ expect 0 "" render printed.rt -o printed.exr --size 32x24
 expect_same scene.exr printed.exr
 
 # Bodies that are moved are where they are moved to.
-echo 'camera { position <0,-9,0> look_at <0,0,0> } sphere { <0,0,0>, 1 scale 2 rotate <0,0,90> translate <10,0,0> }' >moved.rt
+echo 'camera { position <0,-9,0> look_at <0,0,0> up <0,0,-1> fov 25 } sphere { <0,0,0>, 1 scale 2 rotate <0,0,90> translate <10,0,0> }' >moved.rt
 expect 0 "bounds       <8, -2, -2> to <12, 2, 2>" check moved.rt
-echo 'camera { position <0,-9,0> look_at <0,0,0> }' >empty.rt
+echo 'camera { position <0,-9,0> look_at <0,0,0> up <0,0,-1> fov 25 }' >empty.rt
 expect 0 "nothing to see" check empty.rt
 
 # Checking must start at once: the picture library is not linked.

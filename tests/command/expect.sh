@@ -6,6 +6,7 @@ strahl=$1
 # shellcheck disable=SC2034  # for the tests
 source_folder=$2 build_folder=$3
 faults=0
+[[ -x $strahl ]] || exit 1
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

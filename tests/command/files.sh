@@ -5,9 +5,9 @@ source "$(dirname "$0")/expect.sh"
 
 make() { expect "$1" "$2" render "$3" -o "$4" --size 8x6 "${@:5}"; }
 
-make 3 "no such file" missing.rt x.bmp
+make 3 "can't be read" missing.rt x.bmp
 mkdir folder
-make 3 "folder" folder x.bmp
+make 3 "directory" folder x.bmp
 expect 3 "missing.rt" check missing.rt
 make 1 "its folder does not exist" scene.rt no/such/x.bmp
 make 1 "not a folder" scene.rt scene.rt/x.bmp
@@ -46,7 +46,7 @@ echo "an older picture" >x.bmp
 cp x.bmp older
 echo "sphere { oops" >broken.rt
 make 3 "broken.rt:1:" broken.rt x.bmp
-make 2 "memory" scene.rt x.png --size 1000000x1000000
+make 2 "exclude" scene.rt x.bmp --frames 0-1 --time 1
 make 1 "no/such" scene.rt x.bmp --stats no/such/stats.json
 expect_same x.bmp older
 make 0 "" scene.rt x.bmp

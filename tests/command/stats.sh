@@ -12,7 +12,7 @@ CMAKE
 value() { cmake "-DKEY=$(printf '%s;' "$@" | sed 's/;$//')" -P read.cmake; }
 is() { [[ $(value "${@:2}") == "$1" ]] || fault "${*:2} is '$(value "${@:2}")' instead of '$1' in $(<stats.json)"; }
 
-expect 0 "" render scene.rt -o x.bmp --size 64x48 --crop 1,2,30,20 --depth 7 --precision float --simd scalar --threads 2 \
+expect 0 "" render scene.rt -o x.bmp --size 64x48 --crop 20,14,30,20 --depth 7 --precision float --simd scalar --threads 2 \
     --stats stats.json
 is ON finished
 is 64 width
