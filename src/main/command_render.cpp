@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <future>
 #include <iostream>
 #include <utility>
 
@@ -99,8 +100,9 @@ class Renderer {
           part(lattice),
           depth(o.depth.value_or(scene.settings.max_trace_level)),
           stats(sums),
-          tracer(scene, o.precision, o.simd),
-          pool(o.threads) {
+          pool(o.threads),
+          loading(preload_picture_library()),
+          tracer(scene, o.precision, o.simd) {
         stats.depth = depth;
         stats.threads = pool.size();
         stats.precision = tracer.precision();
@@ -166,8 +168,10 @@ class Renderer {
     const int depth;
     Stats& stats;
     Stopwatch watch;
-    Tracer tracer;
     ThreadPool pool;
+    // After the pool: threads can't be started while the library loads, they would wait for it.
+    std::future<void> loading;
+    Tracer tracer;
     Interrupt interrupt;
 };
 
@@ -203,7 +207,6 @@ int render_command(const RenderOptions& options) {
     if ((options.time || options.frames) && !scene.flythrough)
         throw UsageError(std::string(options.time ? "--time" : "--frames") +
                          " needs a scene with a flythrough { }, and " + options.scene + " has none");
-    const auto loading = preload_picture_library();
 
     Renderer renderer(options, scene, part, stats);
     stats.finished = options.frames ? render_frames(options, scene, renderer, ending)

@@ -25,9 +25,10 @@ stop() {
         kill -s "$signal" "$pid"
         wait "$pid"
         status=$?
+        # It may be too early for anything to be finished, or even for the signal to be handled.
+        [[ -s said ]] || continue
         ((status == 130)) || fault "exit status $status after SIG$signal; it said: $(<said)"
-        # Too early for anything to be finished, or even for the signal to be handled.
-        if [[ -s said ]] && ! grep -q "before anything" said; then return; fi
+        grep -q "before anything" said || return
     done
     fault "nothing was finished after $delay seconds"
 }
