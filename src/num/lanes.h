@@ -29,8 +29,10 @@ concept Scalar = std::is_floating_point_v<S>;
 
 #define STRAHL_INLINE [[gnu::always_inline]] inline
 
+/// Long double has no such instruction, only a library call a hundred times as slow, and bits enough without.
 template <Scalar S>
 STRAHL_INLINE S fma(S a, S b, S c) {
+    if constexpr (std::is_same_v<S, long double>) return a * b + c;
     return std::fma(a, b, c);
 }
 template <Scalar S>

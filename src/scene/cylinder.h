@@ -85,7 +85,7 @@ struct CylinderKernel {
         }
         side_near = select(parallel, S(-inf), side_near);
         side_far = select(parallel, S(inf), side_far);
-        const Mask<S> upwards = along_d > zero;
+        const Mask<S> upwards = to_base < to_cap;  // also across the axis, where these are -+infinity
         const S ends_near = select(upwards, to_base, to_cap), ends_far = select(upwards, to_cap, to_base);
         const S near = max(side_near, ends_near), far = min(side_far, ends_far);
         // A convex body is never entered again from its own surface.

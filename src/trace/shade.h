@@ -120,12 +120,13 @@ struct Shading {
             const Vec3<S> to_lamp = splat<S>(lamp.position) - hit.position;
             const S distance = sqrt(dot(to_lamp, to_lamp));
             const Vec3<S> l = scale(S(1) / distance, to_lamp);
-            const S cosine = dot(hit.normal, l);
+            S cosine = dot(hit.normal, l);
             const Mask<S> faces = hit.active & scatters & (cosine > zero);
             if (none(faces)) continue;
             counts.shadow += count(faces);
             const Vec3<S> share = visibility(world, Ray<S>{hit.position, l, hit.surface}, distance, faces);
-            const S shine = max(dot(mirrored, l), zero);
+            cosine = select(faces, cosine, zero);  // at the lamp itself it is NaN
+            const S shine = min(max(dot(mirrored, l), zero), S(1));  // or sharp highlights blow rounding up
             const Mask<S> glossy = faces & (shine > zero) & (material.specular > zero);
             const S highlight =
                 any(glossy) ? select(glossy, material.specular * power(shine, material.pow), zero) : zero;

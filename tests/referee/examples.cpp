@@ -123,6 +123,21 @@ void shapes(std::vector<Example>& list) {
         Stage().look({0, -5, -3}, {0, 0, -1}, 30).light({2, -2, -4}, {1, 1, 1}).put(ground, red));
     add("a cylinder along its axis, eye outside",
         Stage().look({0, 0, 5}, {0, 0, 0}, 20, {0, 1, 0}).put(Cylinder{{0, 0, -1}, {0, 0, 1}, .8}, mirror(.4)));
+    for (const Material& m : {mirror(.4), glass(1.5)}) {
+        const Stage across = Stage().look({0, -4, 0}, {0, 0, 0}, 25).put(ground, white);
+        add("cylinders across their axis", Stage(across).put(Cylinder{{0, 0, -.7}, {0, 0, .5}, .6}, m));
+        add("cylinders across their axis, the other way", Stage(across).put(Cylinder{{0, 0, .5}, {0, 0, -.7}, .6}, m));
+        add("a lying cylinder", Stage(across).put(Cylinder{{-.7, 0, 0}, {.8, 0, 0}, .6}, m));
+        add("a cylinder inside",
+            Stage(across).look({0, 0, 0}, {0, 1, 0}, 40).put(Cylinder{{0, 0, -.7}, {0, 0, .5}, .6}, m));
+    }
+    add("a plane through the eye, and parallel ones",
+        Stage()
+            .look({0, -5, 0}, {0, 0, 0}, 30)
+            .put(Plane{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, red)
+            .put(Plane{{0, 0, 1}, {1, 0, 1}, {0, 1, 1}}, mirror(.6))
+            .put(ground, mirror(.6)),
+        6);
     add("glass cylinder along its axis",
         Stage()
             .look({0, 0, 5}, {0, 0, 0}, 20, {0, 1, 0})

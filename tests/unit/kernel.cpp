@@ -16,10 +16,11 @@ using namespace strahl;
 
 namespace {
 
+// Odd, so that a middle row and column look exactly along axes where the camera does.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr int columns = 16, rows = 12, random_scenes = 8;
+constexpr int columns = 17, rows = 11, random_scenes = 8;
 #else
-constexpr int columns = 48, rows = 36, random_scenes = 120;
+constexpr int columns = 49, rows = 37, random_scenes = 120;
 #endif
 
 /// A value may be off by `tolerance`. A pixel that is off by more must be one that a shift by `reach` pixels explains:
@@ -92,8 +93,8 @@ void hold(const Scene& scene, int depth, std::array<Tally, 3>& tally) {
         Frame scalar;
         for (const Simd simd : levels()) {
             if (precision == Precision::extended && simd != Simd::scalar) continue;
-            CAPTURE(name(precision));
-            CAPTURE(name(simd));
+            CAPTURE(std::string(name(precision)));
+            CAPTURE(std::string(name(simd)));
             const Frame frame = render(scene, view, precision, 2, simd);
             REQUIRE(frame.rgb.size() == 3u * columns * rows);
             if (simd == Simd::scalar) scalar = frame;
@@ -121,7 +122,7 @@ void conclude(const std::array<Tally, 3>& tally) {
 TEST_CASE("scenes made by hand") {
     std::array<Tally, 3> tally;
     for (const auto& [title, scene, depth] : examples()) {
-        CAPTURE(title);
+        CAPTURE(std::string(title));
         hold(scene, depth, tally);
     }
     conclude(tally);
