@@ -53,7 +53,7 @@ struct CameraBlocks::Eye {
 };
 
 void CameraBlocks::camera(std::string_view word) {
-    const bool first = reader.once(camera_at, word);
+    reader.once(camera_at, word);
     Block block{word};
     Eye eye("aspectratio", positive);
     eye.read(reader, block);
@@ -61,7 +61,7 @@ void CameraBlocks::camera(std::string_view word) {
                            {eye.look_at_given.given(), "'look_at'"},
                            {eye.up().has_value(), "'up' (or 'sky')"},
                            {eye.fov().has_value(), "'fov' (or 'angle')"}});
-    if (!first || !block.good()) return;
+    if (!block.good()) return;
     the_camera = {eye.position, eye.look_at, *eye.up(), *eye.fov(), std::nullopt};
     if (eye.own.given()) the_camera.aspectratio = eye.own_value;
     const char* const fault = degenerate(the_camera);
@@ -86,7 +86,7 @@ void CameraBlocks::key(std::string_view word, Flythrough& read_path, std::vector
 }
 
 void CameraBlocks::flythrough(std::string_view word) {
-    const bool first = reader.once(path_at, word);
+    reader.once(path_at, word);
     Flythrough read_path;
     std::vector<KeyPlace> places;
     Block block{word};
@@ -99,7 +99,7 @@ void CameraBlocks::flythrough(std::string_view word) {
     });
     const bool enough = read_path.keys.size() >= 2;
     reader.require(block, {{parameters[0].given(), "'duration'"}, {enough, "keys: it takes 2 to make a path"}});
-    if (!first || !block.good()) return;
+    if (!block.good()) return;
     check_times(read_path, places, parameters[0].at);
     path = std::move(read_path);
     key_places = std::move(places);

@@ -402,6 +402,7 @@ TEST_CASE("flythroughs that can't be flown") {
     check_fault(path("loop duration 2", "0", "2"),
                 "4:40: at this time the loop is at its first key again: make this key the same as that in line 3, or "
                 "'duration' longer");
+    check_fault(path("duration 2", "0 tmie 3", "0"), "3:47: unknown word 'tmie' in 'key'; did you mean 'time'?");
     check_fault("key { time 1 }",
                 "2:1: unknown word 'key'; known here: camera, light, sphere, plane, cylinder, defaultmaterial, "
                 "background, global_settings, flythrough");

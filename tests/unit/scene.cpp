@@ -35,6 +35,10 @@ TEST_CASE("rotations turn counter-clockwise seen from the tip of the axis, exact
     CHECK(apply({Rotate{{0, 0, -90}}}, {1, 0, 0}) == DVec3(0, -1, 0));
     CHECK(apply({Rotate{{0, 0, 270}}}, {1, 0, 0}) == DVec3(0, -1, 0));
     CHECK(apply({Rotate{{0, 0, 3600000090}}}, {1, 0, 0}) == DVec3(0, 1, 0));
+    for (int degrees = -720; degrees <= 720; degrees += 10) {
+        const double angle = degrees * std::numbers::pi / 180;
+        check_near(apply({Rotate{{0, 0, double(degrees)}}}, {1, 0, 0}), {std::cos(angle), std::sin(angle), 0});
+    }
     check_near(apply({Rotate{{0, 0, 30}}}, {1, 0, 0}), {std::sqrt(3) / 2, .5, 0});
     check_near(apply({Rotate{{0, 0, 135}}}, {1, 0, 0}), {-std::sqrt(.5), std::sqrt(.5), 0});
     check_near(apply({Rotate{{200, 0, 0}}}, {0, 1, 0}),
