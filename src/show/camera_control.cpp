@@ -1,0 +1,70 @@
+// Flying and orbiting.
+#include "show/camera_control.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "num/lanes.h"
+
+namespace strahl {
+namespace {
+
+double length(const DVec3& v) { return std::hypot(v.x, v.y, v.z); }
+DVec3 unit(const DVec3& v) { return v / length(v); }
+
+struct Axes {
+    DVec3 forward, level, right, up;  // `level` is forward without its rise
+    double elevation;                 // radians
+};
+Axes axes_of(const Camera& camera) {
+    const DVec3 up = DVec3(0) - unit(camera.up);
+    const DVec3 forward = frame_of(camera, 1).forward;
+    const DVec3 right = frame_of(camera, 1).right;
+    return {forward, cross(up, right), right, up, std::asin(std::clamp(dot(forward, up), -1., 1.))};
+}
+
+/// The viewing direction after a turn.
+DVec3 turned(const Axes& axes, double right, double upwards) {
+    const double steepest = std::max(std::numbers::pi * 89 / 180, std::abs(axes.elevation));
+    const double rise = std::clamp(axes.elevation + upwards, -steepest, steepest);
+    const DVec3 level = axes.level * std::cos(right) + axes.right * std::sin(right);
+    return level * std::cos(rise) + axes.up * std::sin(rise);
+}
+
+/// `moved`, unless it is too far from the origin, or too near to look_at, to span a picture.
+Camera checked(const Camera& moved, const Camera& camera) {
+    const double reach = std::max(length(moved.position), length(moved.look_at));
+    const bool sound = reach < 1e12 && length(moved.look_at - moved.position) > 1e-9 * reach && !degenerate(moved);
+    return sound ? moved : camera;
+}
+
+}  // namespace
+
+Camera fly(const Camera& camera, const Hands& hands) {
+    if (hands == Hands{}) return camera;
+    const Axes axes = axes_of(camera);
+    const DVec3 way = axes.right * hands.push.x + axes.up * hands.push.y + axes.forward * hands.push.z;
+    Camera moved = camera;
+    moved.position += way;
+    // Without a turn nothing of the direction is lost to rounding.
+    moved.look_at =
+        hands.right == 0 && hands.upwards == 0
+            ? camera.look_at + way
+            : moved.position + turned(axes, hands.right, hands.upwards) * length(camera.look_at - camera.position);
+    return checked(moved, camera);
+}
+
+Camera orbit(const Camera& camera, const Hands& hands) {
+    if (hands == Hands{}) return camera;
+    const Axes axes = axes_of(camera);
+    const double distance = length(camera.look_at - camera.position) * std::exp(-hands.push.z);
+    Camera moved = camera;
+    // To go to the right around a point is to turn to the left.
+    moved.position = camera.look_at - turned(axes, hands.right - hands.push.x, hands.upwards - hands.push.y) * distance;
+    return checked(moved, camera);
+}
+
+double natural_speed(const Camera& camera) { return length(camera.look_at - camera.position) / 3; }
+
+}  // namespace strahl

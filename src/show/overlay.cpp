@@ -1,0 +1,92 @@
+// The overlay's panels, in ImGui's words.
+#include "show/overlay.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "show/keys.h"
+
+namespace strahl {
+namespace {
+
+const ImVec4 accent{0.55f, 0.80f, 1, 1}, quiet{1, 1, 1, 0.60f}, alarm{1, 0.45f, 0.38f, 1};
+constexpr ImGuiWindowFlags plain = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
+                                   ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoNav |
+                                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing;
+
+/// A panel at a share of the screen: 0 is left or top, 1 right or bottom.
+template <class Content>
+void panel(const char* name, float x, float y, Content content) {
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    const float edge = ImGui::GetFontSize() * 0.8f;
+    ImGui::SetNextWindowPos({edge + (size.x - 2 * edge) * x, edge + (size.y - 2 * edge) * y}, ImGuiCond_Always, {x, y});
+    ImGui::SetNextWindowSizeConstraints({0, 0}, {size.x - 2 * edge, size.y - 2 * edge});
+    ImGui::Begin(name, nullptr, plain);
+    content();
+    ImGui::End();
+}
+
+void cell(const ImVec4& color, const char* text) {
+    ImGui::TableNextColumn();
+    ImGui::PushStyleColor(ImGuiCol_Text, color);
+    ImGui::TextUnformatted(text);
+    ImGui::PopStyleColor();
+}
+
+void draw_help() {
+    panel("help", 0.5f, 0.5f, [] {
+        if (!ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) return;
+        for (const KeyHelp& line : key_help) {
+            ImGui::TableNextRow();
+            const bool heading = line.meaning[0] == 0;
+            cell(heading ? quiet : accent, line.keys);
+            cell(ImGui::GetStyleColorVec4(ImGuiCol_Text), line.meaning);
+        }
+        ImGui::EndTable();
+    });
+}
+
+void draw_info(const Overlay& overlay) {
+    panel("info", 0, 0, [&] {
+        if (!ImGui::BeginTable("values", 2, ImGuiTableFlags_SizingFixedFit)) return;
+        for (const auto& [name, value] : overlay.info) {
+            ImGui::TableNextRow();
+            cell(quiet, name.c_str());
+            cell(ImGui::GetStyleColorVec4(ImGuiCol_Text), value.c_str());
+        }
+        ImGui::EndTable();
+        ImGui::ProgressBar(static_cast<float>(overlay.share), {-1, ImGui::GetFontSize() * 0.3f}, "");
+    });
+}
+
+void draw_fault(const std::string& fault) {
+    panel("fault", 0.5f, 0, [&] {
+        ImGui::PushStyleColor(ImGuiCol_Text, alarm);
+        ImGui::TextUnformatted("The scene file has a fault; this is the picture from before");
+        ImGui::PopStyleColor();
+        ImGui::Spacing();
+        ImGui::TextUnformatted(fault.c_str());
+    });
+}
+
+void draw_notes(const Overlay& overlay) {
+    panel("notes", 0.5f, 1, [&] {
+        for (const std::string& note : overlay.notes) ImGui::TextUnformatted(note.c_str());
+        if (overlay.still_share < 0) return;
+        ImGui::TextUnformatted(overlay.still_text.c_str());
+        ImGui::ProgressBar(static_cast<float>(overlay.still_share),
+                           {ImGui::GetFontSize() * 18, ImGui::GetFontSize() * 0.4f}, "");
+    });
+}
+
+}  // namespace
+
+void draw_overlay(const Overlay& overlay) {
+    if (!overlay.info.empty()) draw_info(overlay);
+    if (!overlay.fault.empty()) draw_fault(overlay.fault);
+    if (!overlay.notes.empty() || overlay.still_share >= 0) draw_notes(overlay);
+    if (overlay.help) draw_help();
+}
+
+}  // namespace strahl

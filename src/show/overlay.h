@@ -1,0 +1,24 @@
+// What is written over the picture.
+#pragma once
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace strahl {
+
+struct Overlay {
+    bool help = false;
+    std::vector<std::pair<std::string, std::string>> info;  // names and values; none, no panel
+    double share = 1;                                       // of the pixels that are traced, for the panel
+    std::string fault;                                      // of the scene file, as FileError tells it
+    std::vector<std::string> notes;                         // at the bottom
+    double still_share = -1;                                // of the still in work, or negative
+    std::string still_text;
+
+    bool empty() const { return !help && info.empty() && fault.empty() && notes.empty() && still_share < 0; }
+};
+
+/// To be called while ImGui makes a frame.
+void draw_overlay(const Overlay& overlay);
+
+}  // namespace strahl

@@ -1,0 +1,101 @@
+// Watching the scene file.
+#include "show/reload.h"
+
+#include <sys/stat.h>
+
+#include <chrono>
+#include <tuple>
+#include <utility>
+
+#include "text/parse.h"
+
+namespace strahl {
+namespace {
+
+/// What tells a file from itself after a change.
+using Stamp = std::tuple<dev_t, ino_t, off_t, std::int64_t>;
+std::optional<Stamp> stamp_of(const std::string& path) {
+    struct stat s {};
+    if (::stat(path.c_str(), &s) != 0) return std::nullopt;
+    return Stamp{s.st_dev, s.st_ino, s.st_size, std::int64_t(s.st_mtim.tv_sec) * 1'000'000'000 + s.st_mtim.tv_nsec};
+}
+
+Loaded load(const std::string& path, const std::string& text) try {
+    return {path, std::make_shared<const Scene>(parse_scene(text, path)), "", false};
+} catch (const FileError& error) {
+    return {path, nullptr, error.what(), false};
+}
+
+/// Empty if it can't be read now: editors take files away for a moment.
+std::optional<std::string> text_of(const std::string& path) try { return read_text(path); } catch (const FileError&) {
+    return std::nullopt;
+}
+
+}  // namespace
+
+Reload::Reload(std::string path_now, std::string text_now, std::function<void()> news_function)
+    : path(std::move(path_now)),
+      text(std::move(text_now)),
+      news(std::move(news_function)),
+      thread([this](std::stop_token quit) { loop(quit); }) {}
+
+Reload::~Reload() = default;
+
+void Reload::open(std::string other) {
+    {
+        std::lock_guard lock(mutex);
+        to_open = std::move(other);
+    }
+    wake.notify_one();
+}
+
+std::optional<Loaded> Reload::take() {
+    std::lock_guard lock(mutex);
+    return std::exchange(result, std::nullopt);
+}
+
+void Reload::tell(Loaded loaded) {
+    {
+        std::lock_guard lock(mutex);
+        result = std::move(loaded);
+    }
+    news();
+}
+
+void Reload::loop(std::stop_token quit) {
+    // What was read may be older than what is there by now: the first look compares the text.
+    std::optional<Stamp> known, before;
+    while (!quit.stop_requested()) {
+        std::optional<std::string> other;
+        {
+            std::unique_lock lock(mutex);
+            wake.wait_for(lock, quit, std::chrono::milliseconds(200), [this] { return to_open.has_value(); });
+            other = std::exchange(to_open, std::nullopt);
+        }
+        if (quit.stop_requested()) return;
+        if (other) {
+            std::string content;
+            Loaded loaded{*other, nullptr, "", true};
+            try {
+                content = read_text(*other);
+                loaded = load(*other, content);
+                loaded.opened = true;
+            } catch (const FileError& error) {
+                loaded.fault = error.what();
+            }
+            if (loaded.scene) path = *other, text = std::move(content), known = before = std::nullopt;
+            tell(std::move(loaded));
+            continue;
+        }
+        const std::optional<Stamp> now = path == "-" ? std::nullopt : stamp_of(path);
+        const bool settled = now == std::exchange(before, now);
+        if (!now || now == known || !settled) continue;
+        known = now;
+        std::optional<std::string> content = text_of(path);
+        if (!content || *content == text) continue;
+        text = std::move(*content);
+        tell(load(path, text));
+    }
+}
+
+}  // namespace strahl

@@ -1,0 +1,216 @@
+// GLFW, OpenGL and ImGui.
+#include "show/screen.h"
+
+#include <GLFW/glfw3.h>
+#include <backends/imgui_impl_opengl3.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <stdexcept>
+
+namespace strahl {
+namespace {
+
+[[noreturn]] void fail(const std::string& why) {
+    const char* reason = nullptr;
+    glfwGetError(&reason);
+    throw std::runtime_error("no window can be opened: " + why + (reason ? std::string(" (") + reason + ")" : "") +
+                             "\nPictures need no window: strahl render SCENE -o picture.png");
+}
+
+/// One clear font for all, where the system has it; else the one that comes with ImGui.
+void load_font(float scale) {
+    ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
+    fonts.Clear();
+    // Latin, Greek, Cyrillic, punctuation and arrows: what messages quote from scene files.
+    static constexpr ImWchar ranges[] = {0x20, 0x24f, 0x370, 0x3ff, 0x400, 0x52f, 0x2000, 0x22ff, 0};
+    for (const char* path : {"/usr/share/fonts/truetype/dejavu/DejaVuSansMono.ttf",
+                             "/usr/share/fonts/truetype/liberation/LiberationMono-Regular.ttf",
+                             "/usr/share/fonts/TTF/DejaVuSansMono.ttf"}) {
+        std::error_code error;
+        if (std::filesystem::exists(path, error) &&
+            fonts.AddFontFromFileTTF(path, std::max(8.f, 15 * scale), nullptr, ranges))
+            return;
+    }
+    ImFontConfig config;
+    config.SizePixels = std::max(8.f, 13 * scale);
+    fonts.AddFontDefault(&config);
+}
+
+void set_style(float scale) {
+    ImGuiStyle style;
+    ImGui::StyleColorsDark(&style);
+    style.WindowRounding = 6;
+    style.WindowBorderSize = 0;
+    style.WindowPadding = {12, 10};
+    style.ItemSpacing = {10, 5};
+    style.FrameRounding = 3;
+    style.Colors[ImGuiCol_WindowBg] = {0.05f, 0.06f, 0.08f, 0.80f};
+    style.Colors[ImGuiCol_PlotHistogram] = {0.36f, 0.68f, 0.93f, 1};
+    style.Colors[ImGuiCol_FrameBg] = {1, 1, 1, 0.12f};
+    style.ScaleAllSizes(scale);
+    ImGui::GetStyle() = style;
+}
+
+}  // namespace
+
+/// Asked of GLFW, so that the program itself need not be linked with OpenGL.
+struct Screen::Functions {
+    template <class F>
+    static F find(const char* name) {
+        const auto function = reinterpret_cast<F>(glfwGetProcAddress(name));
+        if (!function) fail(std::string("its OpenGL has no ") + name);
+        return function;
+    }
+#define STRAHL_GL(name) decltype(&::gl##name) name = find<decltype(&::gl##name)>("gl" #name)
+    STRAHL_GL(GetString);
+    STRAHL_GL(GetIntegerv);
+    STRAHL_GL(GenTextures);
+    STRAHL_GL(DeleteTextures);
+    STRAHL_GL(BindTexture);
+    STRAHL_GL(TexParameteri);
+    STRAHL_GL(TexImage2D);
+    STRAHL_GL(TexSubImage2D);
+    STRAHL_GL(Viewport);
+#undef STRAHL_GL
+};
+
+Screen::Screen(const std::string& title, int width, int height, bool default_size, bool full) {
+    if (!glfwInit()) fail("there is no display here");
+    try {
+        make_window(title, width, height, default_size, full);
+        start_drawing();
+    } catch (...) {
+        gl.reset();
+        glfwTerminate();
+        throw;
+    }
+}
+
+void Screen::make_window(const std::string& title, int width, int height, bool default_size, bool full) {
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, default_size);
+    glfwWindowHint(GLFW_RED_BITS, 8);
+    glfwWindowHint(GLFW_GREEN_BITS, 8);
+    glfwWindowHint(GLFW_BLUE_BITS, 8);
+    glfwWindowHint(GLFW_DEPTH_BITS, 0);
+    glfwWindowHint(GLFW_STENCIL_BITS, 0);
+    glfw = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
+    if (!glfw) fail("there is no OpenGL here");
+    glfwMakeContextCurrent(glfw);
+    gl = std::make_unique<Functions>();
+    const auto* version = reinterpret_cast<const char*>(gl->GetString(GL_VERSION));
+    int major = 0;
+    if (!version || std::sscanf(version, "%d", &major) != 1 || major < 3)
+        fail("OpenGL 3.0 is needed, and this is " + std::string(version ? version : "none"));
+    glfwSwapInterval(1);
+    if (full) toggle_full_screen();
+}
+
+void Screen::start_drawing() {
+    IMGUI_CHECKVERSION();
+    ImGui::CreateContext();
+    ImGui::GetIO().IniFilename = nullptr;
+    if (!ImGui_ImplOpenGL3_Init("#version 130")) {
+        ImGui::DestroyContext();
+        fail("its OpenGL can't be used");
+    }
+    gl->GenTextures(1, &texture);
+}
+
+Screen::~Screen() {
+    gl->DeleteTextures(1, &texture);
+    ImGui_ImplOpenGL3_Shutdown();
+    ImGui::DestroyContext();
+    glfwTerminate();
+}
+
+int Screen::width() const {
+    int pixels = 0;
+    glfwGetFramebufferSize(glfw, &pixels, nullptr);
+    return glfwGetWindowAttrib(glfw, GLFW_ICONIFIED) ? 0 : pixels;
+}
+
+int Screen::height() const {
+    int pixels = 0;
+    glfwGetFramebufferSize(glfw, nullptr, &pixels);
+    return glfwGetWindowAttrib(glfw, GLFW_ICONIFIED) ? 0 : pixels;
+}
+
+void Screen::upload(const Fresh& fresh) {
+    const Image& image = fresh.image;
+    gl->BindTexture(GL_TEXTURE_2D, texture);
+    const std::uint32_t* data = &image.rgba[std::size_t(fresh.first_row) * image.width];
+    if (image.width != texture_width || image.height != texture_height)
+        gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, image.width, image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                       image.rgba.data());
+    else
+        gl->TexSubImage2D(GL_TEXTURE_2D, 0, 0, fresh.first_row, image.width, fresh.rows, GL_RGBA, GL_UNSIGNED_BYTE,
+                          data);
+    texture_width = image.width, texture_height = image.height;
+    const int filter = fresh.steps == Steps{} ? GL_NEAREST : GL_LINEAR;
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    // The centre of texel i lies on the centre of pixel i * step: where that pixel was traced.
+    const auto along = [](double at, int step, int texels) {
+        return static_cast<float>(((at - 0.5) / step + 0.5) / texels);
+    };
+    left = along(0, fresh.steps.x, image.width), right = along(fresh.width, fresh.steps.x, image.width);
+    top = along(0, fresh.steps.y, image.height), bottom = along(fresh.height, fresh.steps.y, image.height);
+}
+
+void Screen::draw(const std::function<void()>& overlay) {
+    float wanted = 1;
+    glfwGetWindowContentScale(glfw, &wanted, nullptr);
+    wanted = std::clamp(wanted, 0.5f, 4.f);
+    if (wanted != scale) {
+        scale = wanted;
+        ImGui_ImplOpenGL3_DestroyFontsTexture();
+        load_font(scale);
+        set_style(scale);
+    }
+    const int columns = width(), rows = height();
+    if (columns == 0 || rows == 0) return;
+    ImGuiIO& io = ImGui::GetIO();
+    io.DisplaySize = {static_cast<float>(columns), static_cast<float>(rows)};
+    ImGui_ImplOpenGL3_NewFrame();
+    if (!io.Fonts->TexID) ImGui_ImplOpenGL3_CreateFontsTexture();
+    ImGui::NewFrame();
+    if (texture_width > 0)
+        ImGui::GetBackgroundDrawList()->AddImage(reinterpret_cast<void*>(static_cast<std::uintptr_t>(texture)), {0, 0},
+                                                 io.DisplaySize, {left, top}, {right, bottom});
+    overlay();
+    ImGui::Render();
+    gl->Viewport(0, 0, columns, rows);
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    glfwSwapBuffers(glfw);
+}
+
+void Screen::toggle_full_screen() {
+    if (glfwGetWindowMonitor(glfw)) {
+        glfwSetWindowMonitor(glfw, nullptr, old_x, old_y, old_width, old_height, GLFW_DONT_CARE);
+        return;
+    }
+    glfwGetWindowPos(glfw, &old_x, &old_y);
+    glfwGetWindowSize(glfw, &old_width, &old_height);
+    // The monitor with the window's middle on it, or the first one.
+    int count = 0;
+    GLFWmonitor* const* const monitors = glfwGetMonitors(&count);
+    if (count == 0) return;
+    GLFWmonitor* chosen = monitors[0];
+    for (int i = 0; i < count; ++i) {
+        int x = 0, y = 0;
+        glfwGetMonitorPos(monitors[i], &x, &y);
+        const GLFWvidmode* mode = glfwGetVideoMode(monitors[i]);
+        const int middle_x = old_x + old_width / 2 - x, middle_y = old_y + old_height / 2 - y;
+        if (mode && middle_x >= 0 && middle_x < mode->width && middle_y >= 0 && middle_y < mode->height)
+            chosen = monitors[i];
+    }
+    const GLFWvidmode* mode = glfwGetVideoMode(chosen);
+    if (mode) glfwSetWindowMonitor(glfw, chosen, 0, 0, mode->width, mode->height, mode->refreshRate);
+}
+
+}  // namespace strahl

@@ -1,0 +1,155 @@
+// Tracing for the window.
+#include "show/trace_thread.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace strahl {
+namespace {
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+}  // namespace
+
+TraceThread::TraceThread(int threads, std::function<void()> news_function)
+    : news(std::move(news_function)), pool(threads), thread([this](std::stop_token quit) { loop(quit); }) {}
+
+TraceThread::~TraceThread() {
+    {
+        std::lock_guard lock(mutex);
+        thread.request_stop();
+        stop = true;
+    }
+    thread.join();
+}
+
+/// Should what is in work make room for `newer`? A coarse picture is finished first, or fast moves would show nothing
+/// at all; unless nobody can use it any more, or it takes far longer than it should and a coarser one would not.
+bool TraceThread::outdated(const Order& newer) const {
+    if (work == Work::none) return false;
+    if (work == Work::refining) return newer.number != state.number;
+    const bool useless = newer.scene != scene_in_work || newer.view.width != view_in_work.width ||
+                         newer.view.height != view_in_work.height || newer.view.depth != view_in_work.depth;
+    return useless || (level_in_work > 0 && seconds_since(work_began) > 4 * budget_in_work);
+}
+
+void TraceThread::want(Order newer) {
+    {
+        std::lock_guard lock(mutex);
+        if (outdated(newer)) stop = true;
+        if (newer.number != state.number) complete = false;
+        next = std::move(newer);
+    }
+    wake.notify_one();
+}
+
+std::optional<Refinement> TraceThread::take(const Upload& upload) {
+    std::lock_guard lock(mutex);
+    if (!fresh.exchange(false)) return std::nullopt;
+    if (new_from < new_to) upload({shown, shown_steps, state.width, state.height, new_from, new_to - new_from});
+    new_from = shown.height, new_to = 0;
+    return state;
+}
+
+void TraceThread::loop(std::stop_token quit) {
+    while (accept(quit)) done < 0 ? first_picture() : refine();
+}
+
+/// Waits for work; false at the end.
+bool TraceThread::accept(std::stop_token quit) {
+    std::unique_lock lock(mutex);
+    work = Work::none;
+    const auto unfinished = [&] { return done < 0 || (done < finest_level && !order.moving); };
+    do {
+        if (!wake.wait(lock, quit, [&] { return next || (order.number > 0 && unfinished()); })) return false;
+        if (!next) break;
+        if (next->scene != order.scene) tracer.reset(), codes.emplace(next->scene->settings.linear);
+        if (next->number != order.number) done = -1;
+        order = *std::exchange(next, std::nullopt);
+    } while (!unfinished());
+    work = done < 0 ? Work::first : Work::refining;
+    scene_in_work = order.scene, view_in_work = order.view, budget_in_work = order.budget;
+    const int finest = order.moving ? order.finest : finest_level;
+    if (done < 0) level_in_work = resolution.choose(order.view.width, order.view.height, order.budget, finest);
+    work_began = Clock::now();
+    stop = quit.stop_requested();
+    return true;
+}
+
+void TraceThread::announce(std::unique_lock<std::mutex>& lock) {
+    const bool told = fresh.exchange(true);
+    lock.unlock();
+    if (!told) news();
+}
+
+void TraceThread::first_picture() {
+    // Here, not when the scene arrives: the window must not wait for it.
+    const bool built = tracer.has_value();
+    if (!built) tracer.emplace(*order.scene, Precision::single);
+    const View& view = order.view;
+    const int level = level_in_work;
+    const Steps steps = steps_of(level);
+    const Lattice pixels = pixels_of(level, view.width, view.height);
+    spare.resize(pixels.columns, pixels.rows);
+    const auto start = Clock::now();
+    const Counts rays = tracer->trace(
+        view, pixels, pool, [&](const Tile& tile) { store(tile, *codes, steps, spare); }, &stop);
+    const double seconds = seconds_since(start);
+    if (built) resolution.observe(count(pixels), seconds);  // if it was stopped, it would have taken even longer
+    if (stop) return;
+    done = level, coarse = level < finest_level, traced = count(pixels);
+    std::unique_lock lock(mutex);
+    std::swap(shown, spare);
+    shown_steps = steps;
+    new_from = 0, new_to = shown.height;
+    state = {order.number, view.width, view.height, level, traced / (double(view.width) * view.height), seconds, rays};
+    complete = state.finished() && !next;
+    announce(lock);
+}
+
+/// From the image of a level to the whole picture, into which further passes go tile by tile.
+void TraceThread::begin_refining() {
+    spare.resize(order.view.width, order.view.height);
+    expand(shown, shown_steps, spare);  // only this thread writes to `shown`
+    std::lock_guard lock(mutex);
+    std::swap(shown, spare);
+    shown_steps = {};
+    new_from = 0, new_to = shown.height;
+    coarse = false;
+}
+
+void TraceThread::refine() {
+    if (coarse) begin_refining();
+    const View& view = order.view;
+    const int level = done + 1;
+    const Steps steps = steps_of(level);
+    const double all = double(view.width) * view.height;
+    const auto keep = [&](const Tile& tile) {
+        std::array<std::uint32_t, 1024> rgba;
+        encode(tile, *codes, rgba.data());
+        std::unique_lock lock(mutex);
+        const Lattice& part = tile.lattice;
+        store_blocks(part, rgba.data(), steps, shown);
+        new_from = std::min(new_from, part.y);
+        new_to = std::max(new_to, std::min(part.y + (part.rows - 1) * part.step_y + steps.y, view.height));
+        state.share += count(part) / all;
+        announce(lock);
+    };
+    const Lattice pixels = new_pixels_of(level, view.width, view.height);
+    const auto start = Clock::now();
+    const Counts rays = tracer->trace(view, pixels, pool, keep, &stop);
+    const double seconds = seconds_since(start);
+    if (stop) return;
+    resolution.observe(count(pixels), seconds);
+    done = level;
+    std::unique_lock lock(mutex);
+    state.level = level;
+    state.rays += rays;
+    state.seconds += seconds;
+    complete = state.finished() && !next;
+    announce(lock);
+}
+
+}  // namespace strahl

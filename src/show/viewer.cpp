@@ -1,0 +1,303 @@
+// The window's loop.
+#include "show/viewer.h"
+
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+namespace strahl {
+namespace {
+
+constexpr double forever = std::numeric_limits<double>::infinity();
+constexpr double note_seconds = 3;
+constexpr double rest_interval = 0.05;  // between drawings while a resting picture becomes sharper
+
+std::string title_of(const std::string& path) {
+    const std::string name = path == "-" ? "standard input" : std::filesystem::path(path).filename().string();
+    return name + " - strahl (H: help)";
+}
+
+PixelSize window_size(const ViewOptions& options, const Scene& scene) {
+    if (options.size.width > 0) return options.size;
+    constexpr int width = 960;
+    const double height = width / scene.camera.aspectratio.value_or(4. / 3);
+    return {width, static_cast<int>(std::lround(std::clamp(height, 240., 960.)))};
+}
+
+Viewer& viewer_of(GLFWwindow* window) { return *static_cast<Viewer*>(glfwGetWindowUserPointer(window)); }
+
+}  // namespace
+
+Viewer::Viewer(const ViewOptions& o, std::shared_ptr<const Scene> scene, std::string text, Clock::time_point began)
+    : options(o),
+      start(began),
+      path(o.scene),
+      session(scene, o.depth),
+      screen(title_of(path), window_size(o, *scene).width, window_size(o, *scene).height, o.size.width == 0,
+             o.full_screen),
+      tracing(o.threads, glfwPostEmptyEvent),
+      stills(o.threads, glfwPostEmptyEvent),
+      reload(path, std::move(text), glfwPostEmptyEvent) {
+    connect();
+    if (options.time) session.go_to(*options.time, now());
+    if (options.fly) perform({session.flying() ? Action::pause : Action::play});
+}
+
+Viewer::~Viewer() = default;
+
+double Viewer::now() const { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+void Viewer::connect() {
+    GLFWwindow* const window = screen.window();
+    glfwSetWindowUserPointer(window, this);
+    glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int modifiers) {
+        viewer_of(w).on_key(key, scancode, action, modifiers);
+    });
+    glfwSetCharCallback(window, [](GLFWwindow* w, unsigned character) {
+        if (const auto command = command_of_character(character)) viewer_of(w).perform(*command);
+    });
+    glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) { viewer_of(w).on_cursor(x, y); });
+    glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int) {
+        if (button == GLFW_MOUSE_BUTTON_LEFT) viewer_of(w).dragging = action == GLFW_PRESS;
+    });
+    glfwSetScrollCallback(window, [](GLFWwindow* w, double, double y) {
+        Viewer& viewer = viewer_of(w);
+        viewer.session.change_speed(std::pow(1.25, y));
+        char text[60];
+        std::snprintf(text, sizeof text, "speed %.3g per second", viewer.session.speed);
+        viewer.note(text);
+    });
+    glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
+        if (count > 0) viewer_of(w).reload.open(paths[0]);
+    });
+    glfwSetWindowCloseCallback(window, [](GLFWwindow* w) {
+        glfwSetWindowShouldClose(w, GLFW_FALSE);
+        viewer_of(w).quit();
+    });
+    const auto redraw = [](GLFWwindow* w) { viewer_of(w).draws_due = 2; };
+    glfwSetWindowRefreshCallback(window, redraw);
+    glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { viewer_of(w).draws_due = 2; });
+}
+
+void Viewer::on_key(int key, int scancode, int action, int modifiers) {
+    if (action == GLFW_REPEAT) return;
+    GLFWwindow* const window = screen.window();
+    const auto down = [&](int a, int b) { return glfwGetKey(window, a) || glfwGetKey(window, b); };
+    controls.faster = down(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
+    const auto push = push_of_key(key);
+    if (action == GLFW_RELEASE) {
+        if (push && controls.release(*push, now())) add_still();
+        return;
+    }
+    const bool combined = modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER);
+    if (push && !combined)
+        controls.press(*push, now());
+    else if (const auto command = command_of_key(key, scancode, modifiers, glfwGetKey(window, GLFW_KEY_RIGHT_ALT)))
+        perform(*command);
+}
+
+void Viewer::on_cursor(double x, double y) {
+    const double right = x - std::exchange(cursor_x, x), down = y - std::exchange(cursor_y, y);
+    if (!dragging) return;
+    // As many degrees as the mouse passes over in the picture.
+    int width = 1;
+    glfwGetWindowSize(screen.window(), &width, nullptr);
+    const double angle = 2 * session.camera.fov * std::numbers::pi / 180 / std::max(width, 1);
+    controls.drag(right * angle, -down * angle, now());
+}
+
+void Viewer::perform(Command command) {
+    switch (command.action) {
+        case Action::quit:
+            return quit();
+        case Action::still:
+            return add_still();
+        case Action::help:
+            help = !help, draws_due = 2;
+            return;
+        case Action::info:
+            with_info = !with_info, draws_due = 2;
+            return;
+        case Action::full_screen:
+            return screen.toggle_full_screen();
+        default:
+            tell(session.perform(command, now()));
+    }
+}
+
+void Viewer::quit() {
+    if (!quitting && stills.pending() > 0) {
+        quitting = true;
+        log_line("waiting for " + std::to_string(stills.pending()) + " still(s); Esc again drops them");
+        draws_due = 2;
+        return;
+    }
+    for (const std::string& name : stills.drop()) log_line("still dropped: " + name);
+    closed = true;
+}
+
+void Viewer::add_still() {
+    View view = wanted.view;
+    view.camera = session.camera, view.depth = session.depth();
+    if (options.still_size.width > 0) view.width = options.still_size.width, view.height = options.still_size.height;
+    const std::string name = still_name(path);
+    stills.add({session.scene, view, name});
+    log_line("still queued: " + name + ", " + std::to_string(view.width) + "x" + std::to_string(view.height));
+    still_told = now(), draws_due = 2;
+}
+
+void Viewer::hear_of_scene() {
+    const auto loaded = reload.take();
+    if (!loaded) return;
+    draws_due = 2;
+    fault = loaded->fault;
+    if (!loaded->scene) {
+        fault_until = loaded->opened ? now() + 10 : forever;
+        log_line("the scene has a fault; the picture stays\n" + fault);
+        return;
+    }
+    session.replace(loaded->scene, loaded->opened);
+    if (loaded->opened) glfwSetWindowTitle(screen.window(), title_of(path = loaded->path).c_str());
+    log_line((loaded->opened ? "opened " : "read again: ") + path);
+}
+
+void Viewer::hear_of_stills() {
+    for (const Stills::Outcome& outcome : stills.outcomes()) {
+        const std::string text = outcome.fault.empty() ? "still saved: " + outcome.path : outcome.fault;
+        log_line(text);
+        notes.push_back({text, now() + 2 * note_seconds});
+        draws_due = 2;
+    }
+    const int pending = stills.pending();
+    if (pending > 0 && now() - still_told > 2) {
+        still_told = now();
+        log_line("still: " + std::to_string(int(100 * stills.progress())) + " %, " + std::to_string(pending) +
+                 " to do");
+    }
+    if (quitting && pending == 0) closed = true;
+}
+
+void Viewer::note(const std::string& text) {
+    if (text.empty()) return;
+    if (options.verbose) log_line(text);
+    if (notes.size() >= 3) notes.pop_front();
+    notes.push_back({text, now() + note_seconds});
+    draws_due = 2;
+}
+
+void Viewer::tell(const Answer& answer) {
+    note(answer.note);
+    if (!answer.print.empty()) std::fputs(answer.print.c_str(), stdout), std::fflush(stdout);
+}
+
+bool Viewer::in_motion() const { return session.under_way() || controls.active(now()); }
+
+/// When to draw next; infinite if nothing is to be drawn.
+double Viewer::next_draw() const {
+    const double frame = 1 / options.fps;
+    double at = forever;
+    if (draws_due > 0 || tracing.has_news())
+        at = last_draw + (moving || draws_due > 0 || tracing.finished() ? 0.9 * frame : rest_interval);
+    for (const Note& n : notes) at = std::min(at, n.until);
+    if (!fault.empty()) at = std::min(at, fault_until);
+    if (stills.pending() > 0) at = std::min(at, last_draw + 0.25);
+    return at;
+}
+
+void Viewer::wait() {
+    double until = next_draw();
+    if (moving || in_motion()) until = std::min(until, last_tick + 1 / options.fps);
+    const double left = until - now();
+    if (left == forever)
+        glfwWaitEvents();
+    else if (left > 0)
+        glfwWaitEventsTimeout(left);
+    else
+        glfwPollEvents();
+}
+
+/// The camera at this moment.
+void Viewer::move() {
+    const double frame = 1 / options.fps, moment = now();
+    const bool begins = in_motion() && !moving;
+    if (begins) {
+        moving = true;
+        motion.begin(moment);
+        last_tick = moment - frame;
+    }
+    if (!moving || moment < last_tick + frame) return;
+    // A machine that could not keep up does not jump; a flight follows the clock in any case.
+    const double passed = std::min(moment - last_tick, 0.1);
+    last_tick = moment - last_tick < 2 * frame ? last_tick + frame : moment;
+    const Hands hands = controls.take(passed, moment);
+    if (!(hands == Hands{})) session.steer(hands, moment);
+    if (const auto ended = session.follow(moment)) tell(*ended);
+    if (in_motion()) return;
+    moving = false;
+    if (options.verbose) log_line("rest after " + motion.report(moment));
+}
+
+/// Asks for the picture that should be seen.
+void Viewer::order() {
+    const int width = screen.width(), height = screen.height();
+    if (width == 0 || height == 0) return;
+    const View view{.camera = session.camera, .width = width, .height = height, .depth = session.depth()};
+    const bool same = wanted.scene == session.scene && wanted.view.camera == view.camera &&
+                      wanted.view.width == width && wanted.view.height == height && wanted.view.depth == view.depth;
+    if (same && wanted.moving == moving) return;
+    wanted = {wanted.number + (same ? 0 : 1), session.scene, view, moving, 0.8 / options.fps, session.finest};
+    tracing.want(wanted);
+}
+
+void Viewer::draw() {
+    if (now() < next_draw()) return;
+    const double moment = now();
+    std::erase_if(notes, [&](const Note& n) { return n.until <= moment; });
+    if (fault_until <= moment) fault.clear();
+    const std::uint64_t before = state.number;
+    const auto news = tracing.take([this](const Fresh& fresh) { screen.upload(fresh); });
+    if (news) state = *news;
+    const Overlay over = overlay();
+    screen.draw([&] { draw_overlay(over); });
+    last_draw = now();
+    if (draws_due > 0) --draws_due;
+    motion.drawn(last_draw - moment);
+    if (!news) return;
+    if (moving && state.number != before) motion.picture(last_draw, state.level);
+    if (options.verbose) log_picture(before);
+}
+
+void Viewer::log_picture(std::uint64_t before) const {
+    char text[120];
+    if (before == 0) {
+        std::snprintf(text, sizeof text, "first picture after %.3f s, %s", last_draw,
+                      resolution_text(state.level).c_str());
+        log_line(text);
+    }
+    if (!state.finished() || moving) return;
+    std::snprintf(text, sizeof text, "finished %dx%d: traced in %.4f s, %.3f million rays", state.width, state.height,
+                  state.seconds, static_cast<double>(state.rays.total()) / 1e6);
+    log_line(text);
+}
+
+void Viewer::run() {
+    last_tick = now();
+    while (!closed) {
+        move();
+        order();
+        draw();
+        wait();
+        hear_of_scene();
+        hear_of_stills();
+    }
+    if (options.verbose) log_line("quit");
+}
+
+}  // namespace strahl

@@ -1,0 +1,88 @@
+// The window at work: events to the session, its views to the tracing thread, pictures to the screen.
+#pragma once
+#include <chrono>
+#include <deque>
+#include <memory>
+#include <string>
+
+#include "show/command_view.h"
+#include "show/controls.h"
+#include "show/overlay.h"
+#include "show/reload.h"
+#include "show/screen.h"
+#include "show/session.h"
+#include "show/stills.h"
+#include "show/trace_thread.h"
+#include "show/viewer_log.h"
+
+namespace strahl {
+
+class Viewer {
+  public:
+    using Clock = std::chrono::steady_clock;
+    /// `text` is what the scene was read from; `began` is when the person asked for the window.
+    Viewer(const ViewOptions& options, std::shared_ptr<const Scene> scene, std::string text, Clock::time_point began);
+    ~Viewer();
+    /// Until the person quits.
+    void run();
+
+  private:
+    // What comes in
+    void connect();
+    void on_key(int key, int scancode, int action, int modifiers);
+    void on_cursor(double x, double y);
+    void perform(Command command);
+    void quit();
+    void add_still();
+    void hear_of_scene();
+    void hear_of_stills();
+
+    // What goes on (all times are seconds since `start`)
+    double now() const;
+    bool in_motion() const;
+    double next_draw() const;
+    void wait();
+    void move();
+    void order();
+    void draw();
+    void log_picture(std::uint64_t before) const;
+
+    // What is told
+    Overlay overlay();
+    std::vector<std::pair<std::string, std::string>> info() const;
+    void note(const std::string& text);
+    void tell(const Answer& answer);
+
+    const ViewOptions options;
+    const Clock::time_point start;
+    std::string path;  // of the scene
+    Session session;
+    Controls controls;
+    Screen screen;
+    TraceThread tracing;
+    Stills stills;
+    Reload reload;
+
+    bool quitting = false, closed = false;
+    bool help = false, with_info = false;
+    std::string fault;
+    double fault_until = 0;  // infinite for the scene that is watched
+    struct Note {
+        std::string text;
+        double until;
+    };
+    std::deque<Note> notes;
+
+    bool dragging = false;
+    double cursor_x = 0, cursor_y = 0;
+    double still_told = 0;
+
+    Order wanted;
+    Refinement state;
+    int draws_due = 0;
+    double last_tick = 0, last_draw = -1;
+    bool moving = false;
+    Motion motion;
+};
+
+}  // namespace strahl

@@ -1,0 +1,60 @@
+// What the window's overlay says.
+#include <cmath>
+#include <cstdio>
+
+#include "show/viewer.h"
+
+namespace strahl {
+namespace {
+
+template <class... Values>
+std::string format(const char* form, Values... values) {
+    char text[160];
+    std::snprintf(text, sizeof text, form, values...);
+    return text;
+}
+
+std::string text_of(const DVec3& v) { return format("<%.5g, %.5g, %.5g>", v.x, v.y, v.z); }
+
+}  // namespace
+
+std::vector<std::pair<std::string, std::string>> Viewer::info() const {
+    std::vector<std::pair<std::string, std::string>> lines;
+    const auto add = [&](const char* name, std::string value) { lines.emplace_back(name, std::move(value)); };
+    add("rate", moving ? format("%.0f pictures/s, aiming at %.0f", motion.rate(now()), options.fps) : "at rest");
+    add("picture", format("%dx%d, ", state.width, state.height) + resolution_text(state.level));
+    add("traced in", format("%.1f ms, %.0f %% refined", 1000 * state.seconds, std::floor(100 * state.share)));
+    const auto rays = [&](std::uint64_t n) {
+        return format("%.1f", state.seconds > 0 ? static_cast<double>(n) / state.seconds / 1e6 : 0);
+    };
+    add("Mrays/s",
+        rays(state.rays.total()) + "  camera " + rays(state.rays.camera) + ", shadow " + rays(state.rays.shadow));
+    add("", "mirrored " + rays(state.rays.reflected) + ", refracted " + rays(state.rays.refracted));
+    add("depth", std::to_string(session.depth()));
+    add("precision",
+        format("%s, %d lanes (%s)", name(Precision::single), lanes(Precision::single, best_simd()), name(best_simd())));
+    add("threads", std::to_string(tracing.threads()));
+    add("position", text_of(session.camera.position));
+    add("look_at", text_of(session.camera.look_at));
+    add("moving", (session.orbiting ? "orbit, " : "free flight, ") + format("speed %.3g", session.speed) +
+                      (session.finest < finest_level ? ", at most " + resolution_text(session.finest) : ""));
+    if (session.flying())
+        add("flight", format("%.2f s of %g", session.flight_time(now()), session.flight_path()->duration) +
+                          (session.paused() ? ", paused" : ""));
+    return lines;
+}
+
+Overlay Viewer::overlay() {
+    Overlay overlay{.help = help, .info = {}, .share = state.share, .fault = fault, .notes = {}, .still_text = {}};
+    if (with_info) overlay.info = info();
+    for (const Note& n : notes) overlay.notes.push_back(n.text);
+    if (const int pending = stills.pending(); pending > 0) {
+        overlay.still_share = stills.progress();
+        overlay.still_text = format("%s still: %.0f %%", quitting ? "Finishing the" : "A", 100 * stills.progress()) +
+                             (pending > 1 ? format(", %d more waiting", pending - 1) : "") +
+                             (quitting ? "; Esc drops it" : "");
+    }
+    return overlay;
+}
+
+}  // namespace strahl
