@@ -2,6 +2,11 @@
 file(GLOB sources CONFIGURE_DEPENDS src/main/*.cpp)
 add_executable(strahl ${sources})
 target_link_libraries(strahl PRIVATE strahl_text strahl_image strahl_trace)
+if(TARGET strahl_show)
+  target_link_libraries(strahl PRIVATE strahl_show)
+else()
+  target_sources(strahl PRIVATE src/show/without/command_view.cpp)
+endif()
 set_source_files_properties(src/main/main.cpp PROPERTIES COMPILE_DEFINITIONS STRAHL_VERSION="${PROJECT_VERSION}")
 set_target_properties(strahl PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR})
 

@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <functional>
 #include <iostream>
 #include <memory>
@@ -12,6 +13,7 @@
 #include "main/command_render.h"
 #include "main/errors.h"
 #include "scene/error.h"
+#include "show/command_view.h"
 #include "text/messages.h"
 
 namespace strahl {
@@ -118,6 +120,38 @@ void add_render(CLI::App& app, Action& action) {
         "Ctrl-C saves what is finished as NAME.part.ENDING; a second one stops at once.");
 }
 
+PixelSize parse_window_size(std::string_view text) {
+    const Size size = parse_size(text);
+    if (size.width > 16384 || size.height > 16384) throw UsageError("the window's pictures have sides of 1 to 16384");
+    return {size.width, size.height};
+}
+
+void add_view(CLI::App& app, Action& action) {
+    auto [command, o] = add_command(app, action, "view", "Fly through a scene in a window", view_command);
+    command->add_option("SCENE", o->scene, "The scene, a .rt file; - is standard input")->required()->type_name(" ");
+    add_parsed(command, "--size", o->size, parse_window_size, "Size of the window in pixels", "WxH");
+    command->add_flag("--fullscreen", o->full_screen, "Fill the screen (as F11 does)");
+    command->add_flag("--fly", o->fly, "Fly along the scene's flythrough, or around what it shows, from the start");
+    command->add_option("--time", o->time, "Start at this moment of the flythrough, in seconds")
+        ->check(at_least(0))
+        ->type_name("T");
+    command->add_option("--fps", o->fps, "Pictures per second while moving, 60 by default; resolution follows from it")
+        ->check(CLI::Range(1., 1000.).description(""))
+        ->type_name("F");
+    command->add_option("--depth", o->depth, "Generations of rays, 1 to 256; by default the scene's max_trace_level")
+        ->check(CLI::Range(1, 256).description(""))
+        ->type_name("N");
+    command->add_option("--threads", o->threads, "Threads that trace; all processors by default")
+        ->check(CLI::Range(1, 1024).description(""))
+        ->type_name("N");
+    add_parsed(command, "--still-size", o->still_size, parse_window_size,
+               "Size of the stills that the key S writes, the window's by default", "WxH");
+    command->add_flag("--verbose", o->verbose, "Say on standard output what happens");
+    command->footer(
+        "H shows the keys. The scene is read again whenever its file changes; another one can be\n"
+        "dropped on the window. The same without the word view: strahl scenes/article.rt --fly");
+}
+
 void add_check(CLI::App& app, Action& action) {
     auto [command, o] =
         add_command(app, action, "check", "Look for faults in a scene and say what is in it", check_command);
@@ -143,6 +177,19 @@ std::string version() {
     text << "strahl " STRAHL_VERSION " (" << name(simd) << ", " << lanes(Precision::single, simd) << " float lanes, "
          << lanes(Precision::twice, simd) << " double)";
     return text.str();
+}
+
+/// `strahl SCENE` means `strahl view SCENE`.
+std::vector<char*> with_command(const CLI::App& app, int argc, char** argv) {
+    static char view[] = "view";
+    std::vector<char*> arguments(argv, argv + argc);
+    const std::string_view first = argc < 2 ? "" : argv[1];
+    const auto commands = app.get_subcommands([](const CLI::App*) { return true; });
+    const bool known =
+        std::ranges::any_of(commands, [&](const CLI::App* command) { return command->get_name() == first; });
+    const bool scene = first.ends_with(".rt") || (!first.starts_with('-') && std::filesystem::is_regular_file(first));
+    if (!known && scene) arguments.insert(arguments.begin() + 1, view);
+    return arguments;
 }
 
 /// CLI11 would speak of unexpected arguments.
@@ -191,15 +238,17 @@ int run(int argc, char** argv) {
         "Exit status: 0 done, 1 failed, 2 wrong usage, 3 faults in a file, 130 interrupted.\n"
         "A first picture: strahl render scenes/article.rt -o article.bmp");
     Action action;
+    add_view(app, action);
     add_render(app, action);
     add_check(app, action);
     add_compare(app, action);
     for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
         command->set_help_flag("-h,--help", "Print this help");
     if (argc < 2) throw UsageError("what is to be done?\n" + app.help());
-    require_known_command(app, argv[1]);
+    std::vector<char*> arguments = with_command(app, argc, argv);
+    require_known_command(app, arguments[1]);
     try {
-        app.parse(argc, argv);
+        app.parse(static_cast<int>(arguments.size()), arguments.data());
     } catch (const CLI::Success& wanted) {  // --help and --version
         return app.exit(wanted);
     } catch (const CLI::ParseError& error) {
