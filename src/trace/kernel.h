@@ -69,7 +69,7 @@ struct KernelCounts {
 };
 
 /// Most pixels in a batch, and most rays in a generation of it.
-inline constexpr int batch_pixels = 1024, batch_rays = 8192;
+inline constexpr int batch_pixels = 256, batch_rays = 4096;
 
 /// Traces a batch. False if some generation has more than batch_rays rays: the batch must be split, its sums thrown
 /// away. A batch of one pixel always succeeds.

@@ -11,7 +11,7 @@
 namespace strahl {
 namespace {
 
-constexpr int tile_size = 32;
+constexpr int tile_size = 16;
 
 template <class T>
 Vec3<T> to(const DVec3& v) {
