@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace strahl {
 namespace {
@@ -24,19 +25,22 @@ Bound bound_for(const Scene& scene, int depth, double error) {
     const double background = largest(scene.background);
     double brightest = 0, keeps = 0;
     for (const Material& m : scene.materials) keeps = std::max(keeps, m.reflection + m.refraction);
-    const auto one_more = [&](double next) {
+    std::vector<double> own;
+    for (const Material& m : scene.materials) own.push_back(own_light(scene, m));
+    for (int generation = 0; generation < depth; ++generation) {
         double most = background;
-        for (const Material& m : scene.materials)
-            most = std::max(most, own_light(scene, m) + (m.reflection + m.refraction) * next);
-        return most;
-    };
-    for (int generation = 0; generation < depth; ++generation) brightest = one_more(brightest);
+        for (std::size_t i = 0; i < own.size(); ++i) {
+            const Material& m = scene.materials[i];
+            most = std::max(most, own[i] + (m.reflection + m.refraction) * brightest);
+        }
+        brightest = most;
+    }
     // Without end the same sum is a geometric series.
     double endless = std::numeric_limits<double>::infinity();
     if (keeps < 1) {
         endless = background;
-        for (const Material& m : scene.materials)
-            endless = std::max(endless, own_light(scene, m) / (1 - m.reflection - m.refraction));
+        for (std::size_t i = 0; i < own.size(); ++i)
+            endless = std::max(endless, own[i] / (1 - scene.materials[i].reflection - scene.materials[i].refraction));
     }
     Bound bound{.brightest = brightest};
     bound.cutoff = brightest > 0 ? error / brightest : 0;
