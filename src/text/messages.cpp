@@ -46,9 +46,10 @@ void Faults::check() const {
     std::stable_sort(sorted.begin(), sorted.end(),
                      [](const Fault& a, const Fault& b) { return a.at.data() < b.at.data(); });
     std::string all;
-    for (const Fault& fault : sorted) all += (all.empty() ? "" : "\n") + tell(fault);
+    for (const Fault& fault : sorted) all.append(all.empty() ? "" : "\n").append(tell(fault));
     if (sorted.size() == most)
-        all += "\n" + std::string(file) + ": there may be more; these are the first " + std::to_string(most);
+        all +=
+            std::string("\n") + std::string(file) + ": there may be more; these are the first " + std::to_string(most);
     throw FileError(all);
 }
 
@@ -104,7 +105,7 @@ std::string unknown_word(std::string_view word, std::span<const std::string_view
 
 std::string quoted(std::string_view slice) {
     const std::size_t end = forth(slice, 0, slice.size(), 40);
-    return "'" + show(slice.substr(0, end)).text + (end < slice.size() ? "..." : "") + "'";
+    return std::string("'") + show(slice.substr(0, end)).text + (end < slice.size() ? "..." : "") + "'";
 }
 
 }  // namespace strahl

@@ -13,7 +13,9 @@ std::string text_of(double v) {
     char digits[32];
     return {digits, std::to_chars(digits, digits + sizeof digits, v).ptr};
 }
-std::string text_of(const DVec3& v) { return "<" + text_of(v.x) + ", " + text_of(v.y) + ", " + text_of(v.z) + ">"; }
+std::string text_of(const DVec3& v) {
+    return std::string("<") + text_of(v.x) + ", " + text_of(v.y) + ", " + text_of(v.z) + ">";
+}
 
 /// The parameters of `material`; only those that differ from `base`, if there is one.
 std::string parameters(const Material& material, const Material* base, const char* separator) {
@@ -116,8 +118,8 @@ std::string write_scene(const Scene& scene) {
     if (!scene.lights.empty()) text += "\n";
     for (const Light& light : scene.lights)
         text += "light { position " + text_of(light.position) + "  color " + text_of(light.color) + " }\n";
-    if (!scene.primitives.empty()) text += "\n" + text_of(scene.primitives, scene.materials);
-    if (scene.flythrough) text += "\n" + write_flythrough(*scene.flythrough);
+    if (!scene.primitives.empty()) text.append("\n").append(text_of(scene.primitives, scene.materials));
+    if (scene.flythrough) text.append("\n").append(write_flythrough(*scene.flythrough));
     return text;
 }
 
