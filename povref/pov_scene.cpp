@@ -10,7 +10,7 @@
 #include "povref/numbers.h"
 #include "povref/sentences.h"
 #include "povref/unit.h"
-#include "trace/overlap.h"
+#include "scene/overlap.h"
 
 namespace strahl {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "trace/overlap.h"
+#include "scene/overlap.h"
 
 namespace strahl {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "trace/hierarchy.h"
-#include "trace/overlap.h"
+#include "scene/overlap.h"
 
 namespace strahl {
 namespace {

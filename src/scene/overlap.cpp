@@ -1,4 +1,4 @@
-#include "trace/overlap.h"
+#include "scene/overlap.h"
 
 #include <cmath>
 #include <glm/matrix.hpp>
