@@ -10,11 +10,22 @@ namespace {
 
 double largest(const Color& c) { return std::max({std::abs(c.x), std::abs(c.y), std::abs(c.z)}); }
 
+/// Most by which the bodies on its way can multiply a light: glass of a colour above 1 brightens it.
+double gain(const Scene& scene) {
+    double product = 1;
+    for (const Primitive& primitive : scene.primitives) {
+        const Material& m = scene.materials[primitive.material];
+        const double filter = m.refraction * largest(m.rgb);
+        if (filter > 1) product *= filter * filter;  // entered and left
+    }
+    return product;
+}
+
 /// Most light that a surface of this material sends back by itself.
-double own_light(const Scene& scene, const Material& m) {
+double own_light(const Scene& scene, const Material& m, double gain) {
     Color sum = scene.settings.ambient_light * m.rgb * m.ambient;
     for (const Light& light : scene.lights)
-        for (int c = 0; c < 3; ++c) sum[c] += std::abs(light.color[c]) * (m.diffuse * m.rgb[c] + m.specular);
+        for (int c = 0; c < 3; ++c) sum[c] += gain * std::abs(light.color[c]) * (m.diffuse * m.rgb[c] + m.specular);
     return largest(sum);
 }
 
@@ -26,7 +37,8 @@ Bound bound_for(const Scene& scene, int depth, double error) {
     double brightest = 0, keeps = 0;
     for (const Material& m : scene.materials) keeps = std::max(keeps, m.reflection + m.refraction);
     std::vector<double> own;
-    for (const Material& m : scene.materials) own.push_back(own_light(scene, m));
+    const double most_gain = gain(scene);
+    for (const Material& m : scene.materials) own.push_back(own_light(scene, m, most_gain));
     for (int generation = 0; generation < depth; ++generation) {
         double most = background;
         for (std::size_t i = 0; i < own.size(); ++i) {
@@ -44,7 +56,7 @@ Bound bound_for(const Scene& scene, int depth, double error) {
     }
     Bound bound{.brightest = brightest};
     bound.cutoff = brightest > 0 ? error / brightest : 0;
-    bound.dropped = bound.cutoff * brightest;
+    bound.dropped = bound.cutoff > 0 ? bound.cutoff * brightest : 0;
     bound.truncated = keeps == 0 ? 0 : std::pow(keeps, depth) * endless;
     return bound;
 }
