@@ -4,7 +4,6 @@
 #include <sys/stat.h>
 
 #include <chrono>
-#include <tuple>
 #include <utility>
 
 #include "text/parse.h"
@@ -12,12 +11,19 @@
 namespace strahl {
 namespace {
 
-/// What tells a file from itself after a change.
-using Stamp = std::tuple<dev_t, ino_t, off_t, std::int64_t>;
-std::optional<Stamp> stamp_of(const std::string& path) {
+/// What tells a file from itself after a change; all zero if there is none.
+struct Stamp {
+    dev_t device = 0;
+    ino_t number = 0;
+    off_t size = 0;
+    time_t seconds = 0;
+    long nanoseconds = 0;
+    bool operator==(const Stamp&) const = default;
+};
+Stamp stamp_of(const std::string& path) {
     struct stat s {};
-    if (::stat(path.c_str(), &s) != 0) return std::nullopt;
-    return Stamp{s.st_dev, s.st_ino, s.st_size, std::int64_t(s.st_mtim.tv_sec) * 1'000'000'000 + s.st_mtim.tv_nsec};
+    if (path == "-" || ::stat(path.c_str(), &s) != 0) return {};
+    return {s.st_dev, s.st_ino, s.st_size, s.st_mtim.tv_sec, s.st_mtim.tv_nsec};
 }
 
 Loaded load(const std::string& path, const std::string& text) try {
@@ -64,7 +70,7 @@ void Reload::tell(Loaded loaded) {
 
 void Reload::loop(std::stop_token quit) {
     // What was read may be older than what is there by now: the first look compares the text.
-    std::optional<Stamp> known, before;
+    Stamp known, before;
     while (!quit.stop_requested()) {
         std::optional<std::string> other;
         {
@@ -83,13 +89,13 @@ void Reload::loop(std::stop_token quit) {
             } catch (const FileError& error) {
                 loaded.fault = error.what();
             }
-            if (loaded.scene) path = *other, text = std::move(content), known = before = std::nullopt;
+            if (loaded.scene) path = *other, text = std::move(content), known = before = {};
             tell(std::move(loaded));
             continue;
         }
-        const std::optional<Stamp> now = path == "-" ? std::nullopt : stamp_of(path);
+        const Stamp now = stamp_of(path);
         const bool settled = now == std::exchange(before, now);
-        if (!now || now == known || !settled) continue;
+        if (now == Stamp{} || now == known || !settled) continue;
         known = now;
         std::optional<std::string> content = text_of(path);
         if (!content || *content == text) continue;

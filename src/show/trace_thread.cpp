@@ -63,7 +63,8 @@ bool TraceThread::accept(std::stop_token quit) {
     work = Work::none;
     const auto unfinished = [&] { return done < 0 || (done < finest_level && !order.moving); };
     do {
-        if (!wake.wait(lock, quit, [&] { return next || (order.number > 0 && unfinished()); })) return false;
+        wake.wait(lock, quit, [&] { return next || (order.number > 0 && unfinished()); });
+        if (quit.stop_requested()) return false;
         if (!next) break;
         if (next->scene != order.scene) tracer.reset(), codes.emplace(next->scene->settings.linear);
         if (next->number != order.number) done = -1;

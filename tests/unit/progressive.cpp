@@ -1,0 +1,178 @@
+// How pictures become sharp: passes, resolution while moving, and what the screen gets.
+#include "show/progressive.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "image/transfer.h"
+#include "show/image.h"
+#include "show/resolution.h"
+
+using namespace strahl;
+
+namespace {
+
+const int sizes[][2] = {{64, 48}, {1, 1}, {7, 3}, {16, 16}, {17, 33}, {1, 40}, {40, 1}, {37, 29}};
+
+void visit(const Lattice& lattice, const auto& pixel) {
+    for (int j = 0; j < lattice.rows; ++j)
+        for (int i = 0; i < lattice.columns; ++i) pixel(lattice.x + i * lattice.step_x, lattice.y + j * lattice.step_y);
+}
+
+}  // namespace
+
+TEST_CASE("a level and the passes after it meet every pixel exactly once") {
+    for (const auto& [width, height] : sizes)
+        for (int first = 0; first <= finest_level; ++first) {
+            std::vector<int> met(width * height);
+            const auto count = [&](int x, int y) {
+                REQUIRE((x < width && y < height));
+                ++met[y * width + x];
+            };
+            visit(pixels_of(first, width, height), count);
+            for (int level = first + 1; level <= finest_level; ++level) {
+                visit(new_pixels_of(level, width, height), count);
+                // What is known by now is just this level.
+                visit(pixels_of(level, width, height), [&](int x, int y) { CHECK(met[y * width + x] == 1); });
+            }
+            for (const int times : met) CHECK(times == 1);
+        }
+}
+
+TEST_CASE("every level has twice the pixels of the one before, from every 16th to all") {
+    CHECK(steps_of(0) == Steps{16, 16});
+    CHECK(steps_of(2) == Steps{8, 8});
+    CHECK(steps_of(finest_level) == Steps{1, 1});
+    for (int level = 1; level <= finest_level; ++level)
+        CHECK(count(pixels_of(level, 64, 48)) == 2 * count(pixels_of(level - 1, 64, 48)));
+}
+
+TEST_CASE("blocks never cover a pixel that is traced already, and leave nothing uncovered") {
+    const int width = 37, height = 29;
+    Image whole;
+    whole.resize(width, height);
+    std::vector<bool> traced(width * height);
+    for (int level = 0; level <= finest_level; ++level) {
+        const Lattice lattice = level == 0 ? pixels_of(0, width, height) : new_pixels_of(level, width, height);
+        std::vector<std::uint32_t> colors;
+        visit(lattice, [&](int x, int y) { colors.push_back(y * width + x); });  // each pixel its own colour
+        store_blocks(lattice, colors.data(), steps_of(level), whole);
+        visit(lattice, [&](int x, int y) { traced[y * width + x] = true; });
+        const Steps steps = steps_of(level);
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x) {
+                const int corner = y / steps.y * steps.y * width + x / steps.x * steps.x;
+                CHECK(whole.rgba[y * width + x] == static_cast<std::uint32_t>(corner));
+                if (traced[y * width + x]) CHECK(corner == y * width + x);
+            }
+    }
+}
+
+TEST_CASE("an expanded level is exact at its pixels and between its neighbours elsewhere") {
+    for (const auto& [width, height] : sizes)
+        for (int level = 0; level < finest_level; ++level) {
+            const Steps steps = steps_of(level);
+            const Lattice lattice = pixels_of(level, width, height);
+            Image coarse, whole;
+            coarse.resize(lattice.columns, lattice.rows), whole.resize(width, height);
+            for (int i = 0; i < lattice.columns * lattice.rows; ++i) {
+                const unsigned red = i * 37 % 256, green = i * 101 % 256, blue = i * 53 % 256;
+                coarse.rgba[i] = red | green << 8 | blue << 16 | 0xff000000u;
+            }
+            expand(coarse, steps, whole);
+            for (int y = 0; y < height; ++y)
+                for (int x = 0; x < width; ++x) {
+                    const int i = x / steps.x, j = y / steps.y;
+                    const int i1 = std::min(i + 1, coarse.width - 1), j1 = std::min(j + 1, coarse.height - 1);
+                    const std::uint32_t color = whole.rgba[y * width + x];
+                    CHECK((color >> 24) == 0xff);
+                    if (x % steps.x == 0 && y % steps.y == 0) CHECK(color == coarse.rgba[j * coarse.width + i]);
+                    for (const int shift : {0, 8, 16}) {
+                        const auto channel = [&](std::uint32_t rgba) {
+                            return static_cast<double>(rgba >> shift & 255);
+                        };
+                        const auto at = [&](int c, int r) { return channel(coarse.rgba[r * coarse.width + c]); };
+                        const double u = x % steps.x / double(steps.x), v = y % steps.y / double(steps.y);
+                        const double exact =
+                            (1 - v) * ((1 - u) * at(i, j) + u * at(i1, j)) + v * ((1 - u) * at(i, j1) + u * at(i1, j1));
+                        CHECK(std::abs(channel(color) - exact) < 2.01);  // rounded down twice
+                    }
+                }
+        }
+}
+
+TEST_CASE("tiles are stored where their pixels belong") {
+    const Codes codes(false);
+    const std::vector<float> rgb{0, .5f, 1, 2, -1, .25f};
+    Image level;
+    level.resize(4, 3);
+    store({{8, 4, 2, 1, 4, 2}, std::span<const float>(rgb)}, codes, {4, 2}, level);
+    CHECK(level.rgba[2 * 4 + 2] == (128u << 8 | 255u << 16 | 0xff000000u));
+    CHECK(level.rgba[2 * 4 + 3] == (255u | 64u << 16 | 0xff000000u));
+    CHECK(level.rgba[2 * 4 + 1] == 0);
+}
+
+TEST_CASE("the tabulated transfer curve is the curve") {
+    for (const bool linear : {false, true}) {
+        const Codes codes(linear);
+        const auto check = [&](float v) { CHECK(codes(v) == quantise(v, linear, 255)); };
+        for (const float v : {0.f, -0.f, -1.f, 1.f, 2.f, NAN, INFINITY, -INFINITY, 1e-40f, 0.99999994f}) check(v);
+        for (int i = 0; i <= 100000; ++i) check(static_cast<float>(i) / 99991);
+        // Around each step of the curve, float by float.
+        for (int code = 1; code < 256; ++code) {
+            double low = 0, high = 1;
+            for (int i = 0; i < 60; ++i) {
+                const double middle = (low + high) / 2;
+                (quantise(middle, linear, 255) < code ? low : high) = middle;
+            }
+            float v = static_cast<float>(low);
+            for (int i = 0; i < 4; ++i) v = std::nextafter(v, 0.f);
+            for (int i = 0; i < 8; ++i, v = std::nextafter(v, 1.f)) check(v);
+        }
+    }
+}
+
+namespace {
+
+/// Pictures of a scene where a pixel costs so much, one after the other.
+std::vector<int> run(Resolution& resolution, int pictures, double seconds_per_pixel, double budget,
+                     int finest = finest_level) {
+    std::vector<int> levels;
+    for (int i = 0; i < pictures; ++i) {
+        const int level = resolution.choose(640, 480, budget, finest);
+        const double pixels = count(pixels_of(level, 640, 480));
+        resolution.observe(pixels, pixels * seconds_per_pixel);
+        levels.push_back(level);
+    }
+    return levels;
+}
+
+}  // namespace
+
+TEST_CASE("resolution while moving settles where the budget lies, and stays there") {
+    Resolution resolution;
+    const double all = 640 * 480, budget = 0.010;
+    CHECK(run(resolution, 100, 0.5 * budget / all, budget).back() == finest_level);
+    // Now four times dearer: within a few pictures coarser, and from then on the same.
+    const std::vector<int> levels = run(resolution, 100, 2 * budget / all, budget);
+    CHECK(levels[4] < finest_level);
+    for (int i = 5; i < 100; ++i) CHECK(levels[i] == levels[4]);
+    CHECK(2 * budget / all * count(pixels_of(levels[4], 640, 480)) <= budget);
+    // Finer only with room to spare: a level that would take 0.9 of the budget is not tried ...
+    CHECK(run(resolution, 100, 0.9 * budget / all, budget).back() == finest_level - 1);
+    // ... and is kept where it is already.
+    run(resolution, 100, 0.5 * budget / all, budget);
+    CHECK(run(resolution, 100, 0.9 * budget / all, budget).back() == finest_level);
+    CHECK(run(resolution, 100, 1e-3, budget).back() == 0);
+    CHECK(run(resolution, 100, 1e-12, budget, 3).back() == 3);
+}
+
+TEST_CASE("one slow picture changes nothing") {
+    Resolution resolution;
+    const double cost = 0.5 * 0.010 / (640 * 480);
+    run(resolution, 100, cost, 0.010);
+    resolution.observe(640 * 480, 0.5);
+    CHECK(run(resolution, 1, cost, 0.010).back() == finest_level);
+}

@@ -1,0 +1,305 @@
+// The window's threads: tracing with the newest view first, stills in the background, the scene file read again.
+#include <doctest/doctest.h>
+
+#include <chrono>
+#include <condition_variable>
+#include <filesystem>
+#include <fstream>
+#include <mutex>
+#include <set>
+
+#include "image/picture.h"
+#include "image/transfer.h"
+#include "show/reload.h"
+#include "show/stills.h"
+#include "show/trace_thread.h"
+#include "tests/unit/scratch.h"
+#include "text/parse.h"
+
+using namespace strahl;
+
+namespace {
+
+const std::string text = R"(
+camera { position <5,-20,18> look_at <0,0,0> up <0,0,-1> fov 12 }
+light { position <-5,0,10> color <.9,.9,.9> }
+sphere { <0,0,2>, 2 material { rgb <1,.2,.2> } }
+sphere { <2.5,-2,1>, 1 material { rgb <.2,1,.2> refraction .6 ior 1.3 } }
+plane { <0,0,0>, <1,0,0>, <0,1,0> }
+)";
+std::shared_ptr<const Scene> scene_of(const std::string& more = "") {
+    return std::make_shared<const Scene>(parse_scene(text + more, "test"));
+}
+Order order_of(std::uint64_t number, std::shared_ptr<const Scene> scene, int width, int height, double fov = 12) {
+    Order order{.number = number, .scene = scene, .view = {.camera = scene->camera, .width = width, .height = height}};
+    order.view.camera.fov = fov;
+    return order;
+}
+
+/// What the window sees of a tracing thread.
+class Watcher {
+  public:
+    explicit Watcher(int threads = 2) : tracing(threads, [this] { hear(); }) {}
+
+    /// Takes what comes until `enough`; false after ten seconds without anything new.
+    bool watch(const std::function<bool(const Refinement&)>& enough) {
+        while (true) {
+            {
+                std::unique_lock lock(mutex);
+                if (!wake.wait_for(lock, std::chrono::seconds(10), [this] { return heard; })) return false;
+                heard = false;
+            }
+            const auto news = tracing.take([this](const Fresh& fresh) { copy(fresh); });
+            if (news) state = *news;
+            if (news && enough(state)) return true;
+        }
+    }
+    bool finish(std::uint64_t number) {
+        return watch([=](const Refinement& r) { return r.number == number && r.finished(); });
+    }
+
+    Refinement state;
+    Image screen;  // with only those rows copied that were said to be new
+    Steps steps;
+    int whole_images = 0;
+
+  private:
+    void hear() {
+        {
+            std::lock_guard lock(mutex);
+            heard = true;
+        }
+        wake.notify_one();
+    }
+    void copy(const Fresh& fresh) {
+        if (fresh.image.width != screen.width || fresh.image.height != screen.height)
+            CHECK((fresh.first_row == 0 && fresh.rows == fresh.image.height));
+        whole_images += fresh.rows == fresh.image.height;
+        screen.resize(fresh.image.width, fresh.image.height);
+        const auto from = std::ptrdiff_t(fresh.first_row) * screen.width,
+                   size = std::ptrdiff_t(fresh.rows) * screen.width;
+        std::copy_n(fresh.image.rgba.begin() + from, size, screen.rgba.begin() + from);
+        steps = fresh.steps;
+    }
+
+    std::mutex mutex;
+    std::condition_variable wake;
+    bool heard = false;
+
+  public:
+    TraceThread tracing;  // ends first
+};
+
+Image exact(const Order& order) {
+    const Frame frame = render(*order.scene, order.view, Precision::single, 1);
+    Image image;
+    image.resize(frame.width, frame.height);
+    for (std::size_t i = 0; i < image.rgba.size(); ++i) {
+        image.rgba[i] = 0xff000000u;
+        for (int c = 0; c < 3; ++c)
+            image.rgba[i] |= quantise(frame.rgb[3 * i + c], order.scene->settings.linear, 255) << 8 * c;
+    }
+    return image;
+}
+
+}  // namespace
+
+TEST_CASE("the finished window holds what a still in single precision holds, and traces each pixel once") {
+    for (const char* more : {"", "global_settings { assumed_gamma 1 }"})
+        for (const auto& [width, height] : {std::pair{64, 48}, {77, 35}, {5, 3}}) {
+            Watcher watcher;
+            const Order order = order_of(1, scene_of(more), width, height);
+            watcher.tracing.want(order);
+            REQUIRE(watcher.finish(1));
+            CHECK(watcher.screen.rgba == exact(order).rgba);
+            CHECK(watcher.steps == Steps{});
+            CHECK(watcher.state.rays.camera == std::uint64_t(width * height));
+            CHECK(watcher.state.share == doctest::Approx(1));
+        }
+}
+
+TEST_CASE("the newest view wins") {
+    Watcher watcher;
+    const auto scene = scene_of();
+    Order order;
+    for (int i = 1; i <= 200; ++i) {
+        order = order_of(i, scene, 64 + i % 3, 48, 10 + 0.01 * i);
+        watcher.tracing.want(order);
+    }
+    REQUIRE(watcher.finish(200));
+    CHECK(watcher.screen.rgba == exact(order).rgba);
+    CHECK(watcher.tracing.finished());
+}
+
+TEST_CASE("while moving, a picture is not refined; at rest it goes on where it was") {
+    Watcher watcher;
+    Order order = order_of(1, scene_of(), 64, 48);
+    order.moving = true, order.finest = 3;
+    watcher.tracing.want(order);
+    REQUIRE(watcher.watch([](const Refinement& r) { return r.number == 1; }));
+    CHECK(watcher.state.level == 2);  // to begin with
+    CHECK(watcher.screen.width == 8);
+    CHECK(watcher.state.rays.camera == 8 * 6);
+    CHECK(!watcher.tracing.finished());
+    order.moving = false;
+    watcher.tracing.want(order);
+    REQUIRE(watcher.finish(1));
+    CHECK(watcher.state.rays.camera == 64 * 48);
+    CHECK(watcher.screen.rgba == exact(order).rgba);
+}
+
+TEST_CASE("resolution follows the budget, below the cap") {
+    Watcher watcher;
+    const auto scene = scene_of();
+    for (const auto& [budget, finest, level] : {std::tuple{1e9, 5, 5}, {1e9, finest_level, finest_level}, {1e-9, 8, 0}})
+        for (int i = 1; i <= 20; ++i) {
+            Order order = order_of(watcher.state.number + 1, scene, 32, 24, 10 + 0.01 * i);
+            order.moving = true, order.budget = budget, order.finest = finest;
+            watcher.tracing.want(order);
+            REQUIRE(watcher.watch([&](const Refinement& r) { return r.number == order.number; }));
+            if (i == 20) CHECK(watcher.state.level == level);
+        }
+}
+
+TEST_CASE("another scene, another depth, another size") {
+    Watcher watcher;
+    Order order = order_of(1, scene_of(), 64, 48);
+    watcher.tracing.want(order);
+    REQUIRE(watcher.finish(1));
+    order.number = 2, order.view.depth = 1;
+    watcher.tracing.want(order);
+    REQUIRE(watcher.finish(2));
+    CHECK(watcher.screen.rgba == exact(order).rgba);
+    order = order_of(3, scene_of("background { color <1,0,0> } global_settings { assumed_gamma 1 }"), 40, 30);
+    watcher.tracing.want(order);
+    REQUIRE(watcher.finish(3));
+    CHECK(watcher.screen.rgba == exact(order).rgba);
+}
+
+TEST_CASE("it can be ended at any time") {
+    const auto scene = scene_of();
+    for (int i = 0; i < 30; ++i) {
+        TraceThread tracing(2, [] {});
+        if (i % 3 > 0) tracing.want(order_of(1, scene, 400, 300));
+        if (i % 3 > 1) std::this_thread::sleep_for(std::chrono::microseconds(100 * i));
+    }
+    CHECK(true);
+}
+
+namespace {
+
+/// Waits for something that another thread does.
+bool soon(const std::function<bool()>& done) {
+    for (int i = 0; i < 1000; ++i) {
+        if (done()) return true;
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    return false;
+}
+
+}  // namespace
+
+TEST_CASE("stills are the pictures that render makes, and replace no file") {
+    const Scratch folder;
+    const auto scene = scene_of();
+    const View view{.camera = scene->camera, .width = 20, .height = 15, .depth = 5};
+    {
+        std::ofstream(folder / "still.bmp") << "mine";
+        Stills stills(2, [] {});
+        for (int i = 0; i < 3; ++i) stills.add({scene, view, folder / "still"});
+        CHECK(stills.pending() > 0);
+        REQUIRE(soon([&] { return stills.pending() == 0; }));
+        std::set<std::string> paths;
+        for (const auto& outcome : stills.outcomes()) {
+            CHECK(outcome.fault == "");
+            paths.insert(outcome.path);
+        }
+        CHECK(paths == std::set<std::string>{folder / "still-2.bmp", folder / "still-3.bmp", folder / "still-4.bmp"});
+        CHECK(stills.outcomes().empty());
+    }
+    CHECK(bytes_of(folder / "still.bmp") == "mine");
+    CHECK(folder.files() == 4);
+    const Frame frame = render(*scene, view);
+    write_picture({20, 15, 3, frame.rgb}, folder / "reference.bmp", {});
+    CHECK(bytes_of(folder / "still-2.bmp") == bytes_of(folder / "reference.bmp"));
+}
+
+TEST_CASE("stills that are not finished are dropped by name, and leave no file") {
+    const Scratch folder;
+    const auto scene = scene_of();
+    Stills stills(2, [] {});
+    for (const char* name : {"a", "b"})
+        stills.add({scene, {.camera = scene->camera, .width = 8000, .height = 6000}, folder / name});
+    CHECK(stills.drop() == std::vector<std::string>{folder / "a", folder / "b"});
+    CHECK(folder.files() == 0);
+}
+
+TEST_CASE("a still that can't be written says why") {
+    const Scratch folder;
+    const auto scene = scene_of();
+    Stills stills(1, [] {});
+    stills.add({scene, {.camera = scene->camera, .width = 4, .height = 3}, folder / "missing/still"});
+    REQUIRE(soon([&] { return stills.pending() == 0; }));
+    const auto outcomes = stills.outcomes();
+    REQUIRE(outcomes.size() == 1);
+    CHECK(outcomes[0].fault.find("missing/still.bmp") != std::string::npos);
+}
+
+TEST_CASE("a still is named after its scene and this moment") {
+    const std::string name = still_name("some/where/article.rt");
+    CHECK(name.starts_with("article-20"));
+    CHECK(name.size() == std::string("article-20260131-235959").size());
+    CHECK(still_name("-").starts_with("scene-"));
+}
+
+TEST_CASE("a changed scene file is read again; a broken one says why; a touched one is left alone") {
+    const Scratch folder;
+    const std::string path = folder / "scene.rt";
+    const auto put = [&](const std::string& content) {
+        std::ofstream(folder / "new") << content;
+        std::filesystem::rename(folder / "new", path);
+    };
+    put(text);
+    Reload reload(path, text, [] {});
+    std::optional<Loaded> loaded;
+    const auto next = [&] { return soon([&] { return (loaded = reload.take()).has_value(); }); };
+
+    put(text + "light { position <0,0,9> color <1,1,1> }");
+    REQUIRE(next());
+    REQUIRE(loaded->scene);
+    CHECK(loaded->scene->lights.size() == 2);
+    CHECK(!loaded->opened);
+
+    put(text + "lihgt { }");
+    REQUIRE(next());
+    CHECK(!loaded->scene);
+    CHECK(loaded->fault.find("scene.rt:7:1") != std::string::npos);
+
+    std::filesystem::remove(path);  // as some editors do for a moment
+    put(text + "lihgt { }");        // the same again: nothing new
+    put(text);
+    REQUIRE(next());
+    CHECK(loaded->scene);
+
+    const std::string other = folder / "other.rt";
+    std::ofstream(other) << "camera {";
+    reload.open(other);
+    REQUIRE(next());
+    CHECK(loaded->opened);
+    CHECK(!loaded->scene);
+    reload.open(folder / "nothing.rt");
+    REQUIRE(next());
+    CHECK(loaded->fault.find("nothing.rt") != std::string::npos);
+    put(text + " ");  // still the one that is watched
+    REQUIRE(next());
+    CHECK(loaded->path == path);
+
+    std::ofstream(other) << text;
+    reload.open(other);
+    REQUIRE(next());
+    CHECK(loaded->path == other);
+    CHECK(loaded->scene);
+    std::ofstream(other) << text << "light { position <0,0,9> color <1,1,1> }";
+    REQUIRE(next());
+    CHECK(loaded->scene->lights.size() == 2);
+}
