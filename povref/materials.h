@@ -12,7 +12,7 @@ namespace strahl {
 /// body that does nothing but cast them: POV-Ray knows one colour for both.
 struct PovMaterial {
     std::string name;
-    std::string declaration;
+    std::string declaration{};
     bool transparent = false;
     bool own_shadow = false;  // needs the copy
     bool keyword = false;     // uses the finish keyword `refraction`, about which POV-Ray warns

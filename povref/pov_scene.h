@@ -8,11 +8,11 @@
 namespace strahl {
 
 struct PovRequest {
-    std::string title;            // what the scene is called, for the comment at the top
-    std::string pov_path;         // of the scene file, as the .ini shall name it
-    std::string picture_path;     // a .png
-    std::vector<Camera> cameras;  // one for a still; one per frame for an animation
-    double fps = 0;               // of the animation
+    std::string title{};            // what the scene is called, for the comment at the top
+    std::string pov_path{};         // of the scene file, as the .ini shall name it
+    std::string picture_path{};     // a .png
+    std::vector<Camera> cameras{};  // one for a still; one per frame for an animation
+    double fps = 0;                 // of the animation
     int width = 640, height = 480;
     int depth = 20;  // generations of rays
     int bits = 16;   // per channel, 8 or 16

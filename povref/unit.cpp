@@ -21,6 +21,19 @@ double reach(const Primitive& primitive, const DVec3& eye) {
                    std::max(eye.z - box.low.z, box.high.z - eye.z)});
 }
 
+/// The next of ... 1, 2, 5, 10, 20, 50 ... that is not smaller.
+double round_up(double v) {
+    const double power = std::pow(10., std::floor(std::log10(v)));
+    for (const double digit : {1., 2., 5.})
+        if (digit * power >= v) return digit * power;
+    return 10 * power;
+}
+
+bool has_plane(const Scene& scene) {
+    return std::any_of(scene.primitives.begin(), scene.primitives.end(),
+                       [](const Primitive& primitive) { return std::holds_alternative<Plane>(primitive.shape); });
+}
+
 }  // namespace
 
 Unit unit_for(const Scene& scene, const std::vector<Camera>& cameras) {
@@ -35,12 +48,12 @@ Unit unit_for(const Scene& scene, const std::vector<Camera>& cameras) {
         smallest = std::min({smallest, size.x, size.y, size.z});
     }
     if (farthest == 0) return {};
-    const double least = std::ceil(std::log10(std::max(1e3 / farthest, 10 / smallest)));
-    const double most = std::floor(std::log10(1e6 / farthest));
-    const double power = least > most ? most : std::clamp(0., least, most);
-    const double unit = std::pow(10., power);
+    const bool horizon = has_plane(scene);
+    const double least = std::max((horizon ? 150 : 3e4) / farthest, 1 / smallest), most = 1e6 / farthest;
+    const bool good = least <= 1 && farthest <= (horizon ? 1e4 : 1e6);
+    const double unit = good ? 1 : std::min(round_up(least), round_up(most));
     Unit result{unit, ""};
-    if (smallest * unit < 1)
+    if (smallest * unit < 0.1)
         result.fault =
             "bodies differ so much in size that POV-Ray, which counts nothing nearer than 1e-3 as a shadow caster, may "
             "lose shadows and inner faces of the smallest";

@@ -1,0 +1,106 @@
+#include "povref/command_crosscheck.h"
+
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+
+#include "image/compare.h"
+#include "image/transfer.h"
+#include "povref/run_povray.h"
+#include "povref/verdict.h"
+#include "text/parse.h"
+#include "trace/thread_pool.h"
+
+namespace strahl {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The tracer's picture, and how long it took.
+struct OurRun {
+    Frame frame;
+    double seconds;
+};
+OurRun trace(Tracer& tracer, const View& view, int threads) {
+    ThreadPool pool(threads);
+    OurRun run{{view.width, view.height, std::vector<double>(std::size_t(3) * view.width * view.height)}, 0};
+    const auto start = std::chrono::steady_clock::now();
+    tracer.trace(view, {.columns = view.width, .rows = view.height}, pool, [&](const Tile& tile) {
+        const Lattice& part = tile.lattice;
+        const auto& rgb = std::get<std::span<const double>>(tile.rgb);
+        for (int row = 0; row < part.rows; ++row)
+            std::copy_n(rgb.begin() + std::ptrdiff_t(3) * row * part.columns, 3 * part.columns,
+                        run.frame.rgb.begin() + std::ptrdiff_t(3) * ((part.y + row) * view.width + part.x));
+    });
+    run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return run;
+}
+
+/// What a screen shows of linear light, or of values that go straight to it.
+Picture for_screen(Picture picture, bool linear) {
+    for (double& v : picture.values) v = quantise(v, linear, 65535) / 65535.;
+    return picture;
+}
+
+void write_sheet(const std::string& path, const Frame& ours, const Picture& theirs, bool linear) {
+    const Picture mine{ours.width, ours.height, 3, ours.rgb};
+    const Picture difference = heatmap(for_screen(mine, false), for_screen(theirs, false));
+    write_picture(beside({for_screen(mine, linear), for_screen(theirs, linear), difference}, 4), path, {});
+}
+
+/// "sheet.png" for one scene, "sheet-NAME.png" for one of several.
+std::string sheet_path(const CrosscheckOptions& options, const std::string& scene) {
+    if (options.scenes.size() == 1) return options.sheet;
+    const fs::path path(options.sheet);
+    return (path.parent_path() /
+            (path.stem().string() + "-" + fs::path(scene).stem().string() + path.extension().string()))
+        .string();
+}
+
+void print_row(const std::string& scene, const Verdict& verdict, double ours, double theirs) {
+    std::printf("| %-32s | %7zu | %9d | %10zu | %8zu | %8.3f | %9.3f |\n", scene.c_str(), verdict.pixels,
+                verdict.worst_off_edges, verdict.beyond_off_edges, verdict.beyond_on_edges, ours, theirs);
+    std::fflush(stdout);
+}
+
+/// Returns whether the two pictures agree.
+bool check(const CrosscheckOptions& options, const std::string& path) {
+    const Scene scene = parse_scene(read_text(path), path);
+    const View view{.camera = scene.camera,
+                    .width = options.width,
+                    .height = options.height,
+                    .depth = options.depth.value_or(scene.settings.max_trace_level)};
+    const PovRun theirs = run_povray(scene,
+                                     {.title = fs::path(path).filename().string(),
+                                      .cameras = {view.camera},
+                                      .width = view.width,
+                                      .height = view.height,
+                                      .depth = view.depth},
+                                     options.threads);
+    Tracer tracer(scene, Precision::twice);
+    const OurRun ours = trace(tracer, view, options.threads);
+    const Verdict verdict = judge(tracer, view, ours.frame, theirs.picture);
+    print_row(fs::path(path).stem().string(), verdict, ours.seconds, theirs.seconds);
+    if (!theirs.warnings.empty()) std::cerr << path << ": povray warns:\n" << theirs.warnings;
+    if (verdict.beyond_off_edges > 0)
+        std::cerr << path << ": worst off the edges at x " << verdict.x << ", y " << verdict.y << '\n';
+    if (!options.sheet.empty())
+        write_sheet(sheet_path(options, path), ours.frame, theirs.picture, scene.settings.linear);
+    return verdict.beyond_off_edges == 0 && verdict.beyond_on_edges * 1000 <= verdict.pixels;
+}
+
+}  // namespace
+
+int crosscheck_command(const CrosscheckOptions& options) {
+    // Largest difference and pixels beyond one are in steps of 1/65535; times are for tracing alone.
+    std::printf(
+        "| %-32s | %7s | %9s | %10s | %8s | %8s | %9s |\n|%s|\n", "scene", "pixels", "worst off", "beyond off",
+        "on edges", "strahl s", "povray s",
+        "----------------------------------|--------:|----------:|-----------:|---------:|---------:|----------:");
+    bool agree = true;
+    for (const std::string& scene : options.scenes) agree &= check(options, scene);
+    return agree ? 0 : 1;
+}
+
+}  // namespace strahl

@@ -1,0 +1,117 @@
+#include "povref/run_povray.h"
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <sstream>
+#include <stdexcept>
+#include <vector>
+
+#include "text/file.h"
+
+extern char** environ;
+
+namespace strahl {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder that goes with all that is in it.
+class Scratch {
+  public:
+    Scratch() {
+        std::string name = (fs::temp_directory_path() / "strahl-povray-XXXXXX").string();
+        if (!mkdtemp(name.data())) throw std::runtime_error("cannot make a folder in " + name);
+        folder = name;
+    }
+    ~Scratch() {
+        std::error_code ignored;
+        fs::remove_all(folder, ignored);
+    }
+    Scratch(const Scratch&) = delete;
+    std::string path(const char* name) const { return (folder / name).string(); }
+
+  private:
+    fs::path folder;
+};
+
+/// Runs `words`, with all output in the file `log`. Returns the exit status, or -1 if there is no such program.
+int run(std::vector<std::string> words, const std::string& log) {
+    std::vector<char*> arguments;
+    for (std::string& word : words) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    posix_spawn_file_actions_t files;
+    posix_spawn_file_actions_init(&files);
+    posix_spawn_file_actions_addopen(&files, 0, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_addopen(&files, 1, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    posix_spawn_file_actions_adddup2(&files, 1, 2);
+    pid_t child = 0;
+    const int failed = posix_spawnp(&child, arguments[0], &files, nullptr, arguments.data(), environ);
+    posix_spawn_file_actions_destroy(&files);
+    if (failed) return -1;
+    int status = 0;
+    waitpid(child, &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128;
+}
+
+std::string content(const std::string& path) {
+    std::ostringstream text;
+    text << std::ifstream(path).rdbuf();
+    return text.str();
+}
+
+/// Each message that POV-Ray marks as a warning, with the lines that go on with it.
+std::string warnings_in(const std::string& log) {
+    std::string found, message;
+    const auto keep = [&] {
+        if (message.find("Refraction value unnecessary") == std::string::npos) found += message;
+        message.clear();
+    };
+    std::istringstream lines(log);
+    for (std::string line; std::getline(lines, line);) {
+        const bool goes_on = !message.empty() && line.starts_with(' ');
+        if (goes_on)
+            message.back() = line[0], message += line.substr(1) + "\n";
+        else
+            keep();
+        if (line.find("Warning: ") != std::string::npos) message = line + "\n";
+    }
+    keep();
+    return found;
+}
+
+}  // namespace
+
+PovRun run_povray(const Scene& scene, PovRequest request, int threads) {
+    const Scratch scratch;
+    request.pov_path = scratch.path("scene.pov");
+    request.picture_path = scratch.path("scene.png");
+    request.bits = 16;
+    const PovFiles files = write_pov(scene, request);
+    write_file(request.pov_path, files.pov);
+    write_file(scratch.path("scene.ini"), files.ini);
+    std::vector<std::string> words{"povray", scratch.path("scene.ini"), "Warning_Console=On", "Verbose=Off"};
+    // Linear values are compared as they are, so that no curve comes between.
+    if (scene.settings.linear) words.push_back("File_Gamma=1.0");
+    if (threads > 0) words.push_back("Work_Threads=" + std::to_string(threads));
+    const std::string log_path = scratch.path("log");
+    const int status = run(words, log_path);
+    if (status == -1 || status == 127)
+        throw std::runtime_error(
+            "povray, the other program to check against, is not installed; on Debian: apt install povray");
+    const std::string log = content(log_path);
+    if (status != 0)
+        throw std::runtime_error("povray failed:\n" + log.substr(log.size() < 1500 ? 0 : log.size() - 1500));
+    PovRun result{read_picture(request.picture_path), 0, warnings_in(log)};
+    std::smatch match;
+    if (std::regex_search(log, match, std::regex(R"(Trace Time:[^\n]*\(([0-9.]+) seconds\))")))
+        result.seconds = std::stod(match[1]);
+    return result;
+}
+
+}  // namespace strahl

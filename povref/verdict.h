@@ -1,0 +1,28 @@
+// Strahl's picture against POV-Ray's: which pixels differ, and whether rounding alone decides them.
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include "image/picture.h"
+#include "trace/tracer.h"
+
+namespace strahl {
+
+/// Differences are counted in steps of 1/65535 between 16-bit values.
+struct Verdict {
+    std::size_t pixels = 0;
+    int worst_off_edges = 0;           // the largest difference there
+    std::size_t beyond_off_edges = 0;  // pixels that differ by more than one step
+    std::size_t beyond_on_edges = 0;   // the same on edges
+    int x = -1, y = -1;                // of the worst pixel off the edges, if it is beyond one step
+};
+
+/// Does the picture jump within a hundredth of a pixel around this pixel's sampling point? Nine samples are taken: at
+/// the point and on a small ring. Where light varies smoothly, two opposite ones differ from the middle by opposite
+/// amounts up to their square; a jump - another body, another shadow, another history of bounces - does not cancel.
+bool on_edge(Tracer& tracer, const View& view, ThreadPool& pool, int x, int y);
+
+/// `theirs` is POV-Ray's picture of the view; `ours` the tracer's.
+Verdict judge(Tracer& tracer, const View& view, const Frame& ours, const Picture& theirs);
+
+}  // namespace strahl
