@@ -20,6 +20,10 @@ double own_light(const Scene& scene, const Material& m) {
 
 }  // namespace
 
+double path_factor(double coefficient, double other) {
+    return std::sqrt(coefficient) * (std::sqrt(coefficient) + std::sqrt(other));
+}
+
 Bound bound_for(const Scene& scene, int depth, double error) {
     // B(n) = max(background, own + (Kr + Kt) B(n - 1)) over all materials, from the last generation upwards.
     const double background = largest(scene.background);

@@ -12,11 +12,15 @@ struct Bound {
     double truncated = 0;    // most that generations past `depth` could have added; infinite if no bound exists
 };
 
-/// The largest cutoff for which rays not traced add no more than `error` to any channel of any pixel.
+/// By how much a ray's `path` changes when it splits and goes on as the branch with this coefficient (Kr, say).
 ///
-/// A ray of path product P (the product of Kr + Kt over its bounces) has P times its share of the pixel's rays as weight,
-/// and the shares of all rays at which paths end add up to 1 at most. So if every dropped ray has P * brightest <= error,
-/// then together they lack no more than `error`, however often paths split.
+/// Each ray has a share of the error allowed, the primary ray all of it, and hands it on to the branches it splits into,
+/// in parts that add up to 1. `path` is its weight over its share. If rays are dropped only where path * brightest <=
+/// error, then all of a pixel's dropped rays together lack no more than `error`, however often paths split. Parts in
+/// proportion to the roots of the coefficients let weak branches, the many reflections inside a glass, end early.
+double path_factor(double coefficient, double other);
+
+/// The largest cutoff for which rays not traced add no more than `error` to any channel of any pixel.
 Bound bound_for(const Scene& scene, int depth, double error);
 
 }  // namespace strahl

@@ -13,7 +13,7 @@ struct RayQueue {
     T* source;    // surface on which the ray starts, -1 for none
     T* pixel;     // of the tile
     T* weight;    // share of this ray's light that reaches the pixel
-    T* path;      // product of Kr + Kt along the path; no less than all weights that go on from here
+    T* path;      // weight over this ray's share of the error allowed (see bound.h)
     T* interior;  // list of bodies entered; only in nested worlds
     int count = 0, capacity = 0;
 };

@@ -159,29 +159,27 @@ struct Shading {
     STRAHL_INLINE void spawn(const Hit& hit) {
         const MaterialKernel<S>& material = hit.material;
         const S zero(0);
-        const S path = hit.path * (material.reflection + material.refraction);
-        const Mask<S> goes_on = hit.active & (path > S(eye.cutoff));
-        if (none(goes_on)) return;
-        S reflection = material.reflection;
-        const Mask<S> glass = goes_on & (material.refraction > zero);
+        S reflection = material.reflection, path = hit.path * material.path_reflected;
+        const Mask<S> glass = hit.active & (material.refraction > zero);
         if (world.transparent && any(glass)) {
             S b = select(hit.outside, S(1) / material.ior, material.ior), list = hit.interior;
             if (world.nested) change_medium(hit, glass, b, list);
             const S s = -dot(hit.direction, hit.normal);
             const S k = fma(b * b, fma(s, s, S(-1)), S(1));
             const Mask<S> total = glass & (k < zero);
-            reflection = select(total, reflection + material.refraction, reflection);
-            const Mask<S> passes = glass & !total;
+            const S all = reflection + material.refraction;
+            reflection = select(total, all, reflection);
+            path = select(total, hit.path * all, path);
             const Vec3<S> g = fma(fma(b, s, -sqrt(max(k, zero))), hit.normal, scale(b, hit.direction));
-            push(refracted, hit, passes, g, material.refraction, path, list);
+            push(refracted, hit, glass & !total, g, material.refraction, hit.path * material.path_refracted, list);
         }
-        push(reflected, hit, goes_on & (reflection > zero), reflect(hit), reflection, path, hit.interior);
+        push(reflected, hit, hit.active, reflect(hit), reflection, path, hit.interior);
     }
 
     STRAHL_INLINE void push(RayQueue<T>& to, const Hit& hit, Mask<S> mask, const Vec3<S>& direction, S share, S path,
                             S list) {
         const S weight = hit.weight * share;
-        mask = mask & (weight > S(0));
+        mask = mask & (weight > S(0)) & (path > S(eye.cutoff));
         if (none(mask)) return;
         const Vec3<S> d = unit(direction);
         const int n = to.count;
