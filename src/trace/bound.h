@@ -4,12 +4,12 @@
 
 namespace strahl {
 
-/// What a picture without some rays is still good for.
+/// What need not be traced if a picture may lack `error` light in any channel of any pixel.
 struct Bound {
-    double cutoff = 0;       // for View::cutoff
-    double brightest = 0;    // no ray's value, with `depth` generations to come, exceeds this in any channel
-    double dropped = 0;      // most that all rays below the cutoff could have added to a pixel's channel
-    double truncated = 0;    // most that generations past `depth` could have added; infinite if no bound exists
+    double cutoff = 0;     // rays of a path (see path_factor) up to this
+    double faint = 0;      // shadow rays for light times path up to this
+    double brightest = 0;  // no ray's value, with `depth` generations to come, exceeds this in any channel
+    double truncated = 0;  // most that generations past `depth` could have added; infinite if no bound exists
 };
 
 /// By how much a ray's `path` changes when it splits and goes on as the branch with this coefficient (Kr, say).
@@ -20,7 +20,8 @@ struct Bound {
 /// proportion to the roots of the coefficients let weak branches, the many reflections inside a glass, end early.
 double path_factor(double coefficient, double other);
 
-/// The largest cutoff for which rays not traced add no more than `error` to any channel of any pixel.
+/// Three quarters of the error are for rays, one for shadow rays: all shares of a generation add up to 1 at most, so it is
+/// divided by the number of generations and lights. Error 0 is kept exactly: only what adds nothing is left out.
 Bound bound_for(const Scene& scene, int depth, double error);
 
 }  // namespace strahl

@@ -35,6 +35,11 @@ STRAHL_INLINE Vec3<S> unit(const Vec3<S>& v) {
     return scale(fma(S(T(-.5)), dot(v, v), S(T(1.5))), v);
 }
 
+template <class T>
+STRAHL_INLINE T largest(const Vec3<T>& v) {
+    return max(v.x, max(v.y, v.z));
+}
+
 /// The shading of one generation.
 template <class S>
 struct Shading {
@@ -112,24 +117,24 @@ struct Shading {
         const S zero(0);
         Vec3<S> light = material.ambient;
         const Vec3<S> mirrored = reflect(hit);
-        const Mask<S> scatters =
-            (material.diffuse.x + material.diffuse.y + material.diffuse.z > zero) | (material.specular > zero);
-        if (none(scatters & hit.active)) return light;
+        const S strongest = largest(material.diffuse);
+        if (none(hit.active & ((strongest > zero) | (material.specular > zero)))) return light;
         for (int i = 0; i < world.light_count; ++i) {
             const LightKernel<T>& lamp = world.lights[i];
             const Vec3<S> to_lamp = splat<S>(lamp.position) - hit.position;
             const S distance = sqrt(dot(to_lamp, to_lamp));
             const Vec3<S> l = scale(S(1) / distance, to_lamp);
             S cosine = dot(hit.normal, l);
-            const Mask<S> faces = hit.active & scatters & (cosine > zero);
+            const S shine = max(dot(mirrored, l), zero);
+            const Mask<S> glossy = hit.active & (shine > zero) & (material.specular > zero);
+            const S highlight =
+                any(glossy) ? select(glossy, material.specular * power(shine, material.pow), zero) : zero;
+            // Whether anything is between only matters where there is light to lose.
+            const S most = S(largest(lamp.color)) * fma(strongest, cosine, highlight);
+            const Mask<S> faces = hit.active & (cosine > zero) & (most * hit.path > S(eye.faint));
             if (none(faces)) continue;
             counts.shadow += count(faces);
             const Vec3<S> share = visibility(world, Ray<S>{hit.position, l, hit.surface}, distance, faces);
-            cosine = select(faces, cosine, zero);  // at the lamp itself it is NaN
-            const S shine = min(max(dot(mirrored, l), zero), S(1));  // or sharp highlights blow rounding up
-            const Mask<S> glossy = faces & (shine > zero) & (material.specular > zero);
-            const S highlight =
-                any(glossy) ? select(glossy, material.specular * power(shine, material.pow), zero) : zero;
             for (int c = 0; c < 3; ++c)
                 light[c] = fma(share[c] * S(lamp.color[c]), fma(material.diffuse[c], cosine, highlight), light[c]);
         }
