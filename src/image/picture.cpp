@@ -82,10 +82,10 @@ std::string format_fault(const std::string& path, int bits) {
 
 void write_picture(const Picture& picture, const std::string& path, FileFormat format, const std::string& ending) {
     const std::string& named = path == "-" ? ending : path;
-    if (const std::string fault = format_fault(named, format.bits); !fault.empty()) throw FileError(fault);
+    if (const std::string fault = format_fault(named, format.bits); !fault.empty()) throw OutputError(fault);
     const std::string kind = ending_of(named);
     if (kind == ".bmp" && picture.channels != 3)
-        throw FileError("cannot write '" + path + "': a .bmp file holds red, green and blue; choose .png or .exr");
+        throw OutputError("cannot write '" + path + "': a .bmp file holds red, green and blue; choose .png or .exr");
     const int bits = bits_of(kind, format.bits);
     const Library& module = library();
     std::string result;
@@ -96,7 +96,7 @@ void write_picture(const Picture& picture, const std::string& path, FileFormat f
     const bool done = bits == 8    ? encode(quantised<std::uint8_t>(picture, format.linear))
                       : bits == 16 ? encode(quantised<std::uint16_t>(picture, format.linear))
                                    : encode(std::vector<float>(picture.values.begin(), picture.values.end()));
-    if (!done) throw FileError("cannot write '" + path + "': " + result);
+    if (!done) throw OutputError("cannot write '" + path + "': " + result);
     write_file(path, result);
 }
 

@@ -25,7 +25,7 @@ struct FileFormat {
 std::string format_fault(const std::string& path, int bits);
 
 /// Writes atomically: a temporary file beside `path`, then rename. "-" is standard output, for which `ending`
-/// (".png", say) chooses the format. Throws FileError.
+/// (".png", say) chooses the format. Throws OutputError.
 void write_picture(const Picture& picture, const std::string& path, FileFormat format, const std::string& ending = "");
 
 /// Any format that OpenImageIO reads, but 16-bit PNM, which it reads wrong by one. No colours are converted. Throws

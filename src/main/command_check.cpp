@@ -96,11 +96,7 @@ std::string summary(const Scene& scene) {
 int check_command(const CheckOptions& options) {
     const std::string file = options.scene == "-" ? "standard input" : options.scene;
     const Scene scene = parse_scene(read_text(options.scene), file);
-    try {
-        write_file("-", options.print ? write_scene(scene) : file + ": no faults\n" + summary(scene));
-    } catch (const FileError& error) {
-        throw OutputError(error.what());
-    }
+    write_file("-", options.print ? write_scene(scene) : file + ": no faults\n" + summary(scene));
     return exit_status::done;
 }
 

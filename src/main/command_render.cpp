@@ -124,11 +124,7 @@ class Renderer {
             return false;
         }
         const std::string file = whole || path == "-" ? path : before_ending(path, ".part");
-        try {
-            write_picture(picture, file, {options.bits, linear}, ending);
-        } catch (const FileError& error) {
-            throw OutputError(error.what());
-        }
+        write_picture(picture, file, {options.bits, linear}, ending);
         stats.write_seconds += watch.lap();
         stats.frames += whole;
         if (!whole)
@@ -211,11 +207,7 @@ int render_command(const RenderOptions& options) {
     Renderer renderer(options, scene, part, stats);
     stats.finished = options.frames ? render_frames(options, scene, renderer, ending)
                                     : renderer.render(camera_of(scene, options.time), options.output, ending, "");
-    if (!options.stats.empty()) try {
-            write_file(options.stats, to_json(stats));
-        } catch (const FileError& error) {
-            throw OutputError(error.what());
-        }
+    if (!options.stats.empty()) write_file(options.stats, to_json(stats));
     return stats.finished ? exit_status::done : exit_status::interrupted;
 }
 

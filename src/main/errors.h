@@ -1,4 +1,4 @@
-// Why a command stops, where that is not the fault of a file a person wrote (FileError, exit status 3).
+// Exit statuses, and what is wrong with a command line. (What is wrong with files: scene/error.h.)
 #pragma once
 #include <stdexcept>
 
@@ -9,13 +9,8 @@ inline constexpr int done = 0, failed = 1, usage = 2, bad_file = 3, interrupted 
 }
 
 /// What was asked for makes no sense, or not on this machine: exit status 2.
-struct UsageError : std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
-
-/// The result could not be written: exit status 1.
-struct OutputError : std::runtime_error {
-    using std::runtime_error::runtime_error;
+struct UsageError : std::invalid_argument {
+    using std::invalid_argument::invalid_argument;
 };
 
 }  // namespace strahl

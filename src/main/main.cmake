@@ -1,7 +1,7 @@
 # The program: one thin file per command, and main.cpp, which knows their options.
 file(GLOB sources CONFIGURE_DEPENDS src/main/*.cpp)
 add_executable(strahl ${sources})
-target_link_libraries(strahl PRIVATE strahl_text strahl_image strahl_trace)
+target_link_libraries(strahl PRIVATE strahl_text strahl_image strahl_trace strahl_povref)
 if(TARGET strahl_show)
   target_link_libraries(strahl PRIVATE strahl_show)
 else()

@@ -1,88 +1,29 @@
 // The program: its commands and their options. A command is one block here and one thin file beside this one.
-#include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
-#include <functional>
 #include <iostream>
-#include <memory>
 #include <sstream>
 
 #include "main/command_check.h"
 #include "main/command_compare.h"
 #include "main/command_render.h"
 #include "main/errors.h"
+#include "main/options.h"
+#include "povref/command_pov.h"
 #include "scene/error.h"
 #include "show/command_view.h"
-#include "text/messages.h"
 
 namespace strahl {
 namespace {
 
-/// What the command line asks for; empty until a command was found in it.
-using Action = std::function<int()>;
-
-/// A command whose options are a struct, and whose work is a function of it.
-template <class Options>
-std::pair<CLI::App*, std::shared_ptr<Options>> add_command(CLI::App& app, Action& action, const char* name,
-                                                           const char* help, int (*work)(const Options&)) {
-    auto options = std::make_shared<Options>();
-    CLI::App* const command = app.add_subcommand(name, help);
-    command->option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-    command->callback([&action, options, work] { action = [options, work] { return work(*options); }; });
-    return {command, options};
-}
-
-/// An option whose text is read by `parse`, which throws UsageError.
-template <class Value, class Parsed>
-CLI::Option* add_parsed(CLI::App* command, const char* name, Value& value, Parsed (*parse)(std::string_view),
-                        const char* help, const char* form) {
-    return command
-        ->add_option_function<std::string>(
-            name, [&value, parse](const std::string& text) { value = parse(text); }, help)
-        ->type_name(form);
-}
-
-/// Real numbers; also keeps out nan and inf.
-CLI::Validator at_least(double low) {
-    return CLI::Validator(
-        [=](std::string& text) {
-            double value = 0;
-            const bool good = CLI::detail::lexical_cast(text, value) && std::isfinite(value) && value >= low;
-            return good ? std::string()
-                        : strahl::quoted(text) + " is no number of at least " + CLI::detail::to_string(low);
-        },
-        "");
-}
-
-template <class Value>
-CLI::Option* add_choice(CLI::App* command, const char* name, Value& value,
-                        std::vector<std::pair<std::string, Value>> words, const char* help, const char* form) {
-    std::vector<std::string> known;
-    for (const auto& [word, _] : words) known.push_back(word);
-    return command
-        ->add_option_function<std::string>(
-            name,
-            [&value, words](const std::string& text) {
-                for (const auto& [word, choice] : words)
-                    if (word == text) value = choice;
-            },
-            help)
-        ->check(CLI::IsMember(known).description(""))
-        ->type_name(form);
-}
-
 void add_render(CLI::App& app, Action& action) {
     auto [command, o] = add_command(app, action, "render", "Trace a scene into a picture file", render_command);
-    command->add_option("SCENE", o->scene, "The scene, a .rt file; - is standard input")->required()->type_name(" ");
-    command->add_option("-o,--output", o->output, "The picture: .bmp, .png or .exr; - is standard output")
-        ->type_name("FILE");
+    add_scene(command, o->scene);
+    add_file(command, "-o,--output", o->output, "The picture: .bmp, .png or .exr; - is standard output");
     add_parsed(command, "--size", o->size, parse_size, "Size of the picture in pixels, 640x480 by default", "WxH");
     add_parsed(command, "--crop", o->crop, parse_crop, "Only this part of it, counted from its top left corner",
                "X,Y,W,H");
-    command->add_option("--depth", o->depth, "Generations of rays, 1 to 256; by default the scene's max_trace_level")
-        ->check(CLI::Range(1, 256).description(""))
-        ->type_name("N");
+    add_depth(command, o->depth);
     add_choice<Precision>(
         command, "--precision", o->precision,
         {{"float", Precision::single}, {"double", Precision::twice}, {"extended", Precision::extended}},
@@ -91,31 +32,21 @@ void add_render(CLI::App& app, Action& action) {
         command, "--simd", o->simd,
         {{"auto", Simd::automatic}, {"scalar", Simd::scalar}, {"v2", Simd::v2}, {"v3", Simd::v3}, {"v4", Simd::v4}},
         "Vector instructions: auto (default), scalar, or x86-64-v2, v3, v4", "LEVEL");
-    command->add_option("--threads", o->threads, "Threads that trace; all processors by default")
-        ->check(CLI::Range(1, 1024).description(""))
-        ->type_name("N");
-    command->add_option("--bits", o->bits, "Bits per channel: 8, or 16 for .png (.exr always holds 32-bit floats)")
-        ->check(CLI::IsMember({8, 16, 32}).description(""))
-        ->type_name("N");
-    command->add_option("--format", o->format, "Format for standard output: bmp, png or exr")
-        ->check(CLI::IsMember({"bmp", "png", "exr"}).description(""))
-        ->type_name("KIND");
-    command->add_option("--time", o->time, "The moment of the scene's flythrough, in seconds")
-        ->check(at_least(0))
-        ->type_name("T");
+    add_threads(command, o->threads);
+    add_bits(command, o->bits, {8, 16, 32}, "Bits per channel: 8, or 16 for .png (.exr always holds 32-bit floats)");
+    add_choice<std::string>(command, "--format", o->format, {{"bmp", "bmp"}, {"png", "png"}, {"exr", "exr"}},
+                            "Format for standard output: bmp, png or exr", "KIND");
+    add_time(command, o->time);
     add_parsed(command, "--frames", o->frames, parse_frames,
                "Frames of the flythrough, as numbered files: FILE holds %04d, or the number goes before its ending",
                "A-B");
-    command
-        ->add_option("--fps", o->fps, "Frames per second of the flythrough, 25 by default; frame N is at N/F seconds")
-        ->check(at_least(0.001))
-        ->type_name("F");
+    add_fps(command, o->fps, "Frames per second of the flythrough, 25 by default; frame N is at N/F seconds");
     command->add_flag("--resume", o->resume, "Leave out the frames whose files are already there");
-    command->add_option("--stats", o->stats, "Write seconds and rays to this JSON file")->type_name("FILE");
+    add_file(command, "--stats", o->stats, "Write seconds and rays to this JSON file");
     command->add_flag("--quiet", o->quiet, "No progress on the terminal");
     command->footer(
-        "A still:       strahl render scenes/article.rt -o article.png --size 1920x1080\n"
-        "A flight:      strahl render SCENE -o film-%04d.png --frames 0-99 --fps 25\n"
+        "A still:           strahl render scenes/article.rt -o article.png --size 1920x1080\n"
+        "A flight:          strahl render SCENE -o film-%04d.png --frames 0-99 --fps 25\n"
         "From and to pipes: strahl render - -o - --format png < SCENE | ...\n"
         "Ctrl-C saves what is finished as NAME.part.ENDING; a second one stops at once.");
 }
@@ -128,22 +59,15 @@ PixelSize parse_window_size(std::string_view text) {
 
 void add_view(CLI::App& app, Action& action) {
     auto [command, o] = add_command(app, action, "view", "Fly through a scene in a window", view_command);
-    command->add_option("SCENE", o->scene, "The scene, a .rt file; - is standard input")->required()->type_name(" ");
+    add_scene(command, o->scene);
     add_parsed(command, "--size", o->size, parse_window_size, "Size of the window in pixels", "WxH");
     command->add_flag("--fullscreen", o->full_screen, "Fill the screen (as F11 does)");
     command->add_flag("--fly", o->fly, "Fly along the scene's flythrough, or around what it shows, from the start");
-    command->add_option("--time", o->time, "Start at this moment of the flythrough, in seconds")
-        ->check(at_least(0))
-        ->type_name("T");
-    command->add_option("--fps", o->fps, "Pictures per second while moving, 60 by default; resolution follows from it")
-        ->check(CLI::Range(1., 1000.).description(""))
-        ->type_name("F");
-    command->add_option("--depth", o->depth, "Generations of rays, 1 to 256; by default the scene's max_trace_level")
-        ->check(CLI::Range(1, 256).description(""))
-        ->type_name("N");
-    command->add_option("--threads", o->threads, "Threads that trace; all processors by default")
-        ->check(CLI::Range(1, 1024).description(""))
-        ->type_name("N");
+    add_time(command, o->time);
+    add_fps(command, o->fps, "Pictures per second while moving, 60 by default; resolution follows from it")
+        ->check(numbers(1, 1000));
+    add_depth(command, o->depth);
+    add_threads(command, o->threads);
     add_parsed(command, "--still-size", o->still_size, parse_window_size,
                "Size of the stills that the key S writes, the window's by default", "WxH");
     command->add_flag("--verbose", o->verbose, "Say on standard output what happens");
@@ -155,19 +79,31 @@ void add_view(CLI::App& app, Action& action) {
 void add_check(CLI::App& app, Action& action) {
     auto [command, o] =
         add_command(app, action, "check", "Look for faults in a scene and say what is in it", check_command);
-    command->add_option("SCENE", o->scene, "The scene, a .rt file; - is standard input")->required()->type_name(" ");
+    add_scene(command, o->scene);
     command->add_flag("--print", o->print, "Print the scene as strahl reads it");
 }
 
 void add_compare(CLI::App& app, Action& action) {
     auto [command, o] =
         add_command(app, action, "compare", "Say how far two pictures are apart; exit status 0 or 1", compare_command);
-    command->add_option("A", o->a, "A picture file")->required()->type_name(" ");
-    command->add_option("B", o->b, "Another one of the same size")->required()->type_name(" ");
+    add_argument(command, "A", o->a, "A picture file");
+    add_argument(command, "B", o->b, "Another one of the same size");
     command->add_option("--tolerance", o->tolerance, "Difference per channel that is still equal, 0 by default")
-        ->check(at_least(0))
+        ->check(numbers(0, 1e9))
         ->type_name("T");
-    command->add_option("--heatmap", o->heatmap, "Write where they differ as a picture")->type_name("FILE");
+    add_file(command, "--heatmap", o->heatmap, "Write where they differ as a picture");
+}
+
+void add_pov(CLI::App& app, Action& action) {
+    auto [command, o] = add_command(app, action, "pov", "Write a scene as a POV-Ray scene", pov_command);
+    add_scene(command, o->scene);
+    add_file(command, "-o,--output", o->output, "The .pov file; an .ini that renders it is written beside it");
+    add_size(command, o->width, o->height);
+    add_depth(command, o->depth);
+    add_bits(command, o->bits, {8, 16}, "Bits per channel of POV-Ray's picture: 8, or 16 (default)");
+    add_time(command, o->time);
+    command->add_flag("--animation", o->animation, "All of the scene's flythrough, driven by POV-Ray's frame_number");
+    add_fps(command, o->fps, "Frames per second of the animation, 25 by default");
 }
 
 /// "strahl 0.1.0 (x86-64-v4, 16 float lanes, 8 double)"
@@ -234,16 +170,15 @@ int run(int argc, char** argv) {
     app.set_help_flag("-h,--help", "Print this help; `strahl COMMAND --help` tells of a command");
     app.require_subcommand(1);
     app.get_formatter()->column_width(26);
-    app.footer(
-        "Exit status: 0 done, 1 failed, 2 wrong usage, 3 faults in a file, 130 interrupted.\n"
-        "A first picture: strahl render scenes/article.rt -o article.bmp");
     Action action;
     add_view(app, action);
     add_render(app, action);
     add_check(app, action);
     add_compare(app, action);
-    for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
-        command->set_help_flag("-h,--help", "Print this help");
+    add_pov(app, action);
+    app.footer(
+        "Exit status: 0 done, 1 failed, 2 wrong usage, 3 faults in a file, 130 interrupted.\n"
+        "A first picture: strahl render scenes/article.rt -o article.bmp");
     if (argc < 2) throw UsageError("what is to be done?\n" + app.help());
     std::vector<char*> arguments = with_command(app, argc, argv);
     require_known_command(app, arguments[1]);
@@ -269,8 +204,10 @@ int main(int argc, char** argv) {
     using namespace strahl;
     try {
         return run(argc, argv);
-    } catch (const UsageError& error) {
+    } catch (const std::invalid_argument& error) {
         return fail(error, exit_status::usage);
+    } catch (const OutputError& error) {
+        return fail(error, exit_status::failed);
     } catch (const FileError& error) {
         return fail(error, exit_status::bad_file, "");
     } catch (const std::bad_alloc&) {

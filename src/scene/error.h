@@ -1,4 +1,4 @@
-// Errors in a file that a person wrote.
+// Errors in a file that a person wrote, or wants written.
 #pragma once
 #include <stdexcept>
 #include <string>
@@ -9,6 +9,11 @@ namespace strahl {
 /// in main, where it becomes exit status 3.
 struct FileError : std::runtime_error {
     using std::runtime_error::runtime_error;
+};
+
+/// A file that can't be written; in main exit status 1.
+struct OutputError : FileError {
+    using FileError::FileError;
 };
 
 }  // namespace strahl

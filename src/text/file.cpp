@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
     std::string why = std::generic_category().message(error);
     if (error == ENOENT) why = "its folder does not exist; make that first";
     if (error == EISDIR) why = "it is a folder; name a file in it";
-    throw FileError("cannot write '" + path + "': " + why);
+    throw OutputError("cannot write '" + path + "': " + why);
 }
 
 /// Writes everything, or says why not (an errno).

@@ -10,7 +10,7 @@ namespace strahl {
 /// Makes `bytes` the content of the file `path`; "-" is standard output. A temporary file in the same folder is
 /// renamed over `path` at the end, so that an older file stays as it was until then and if anything fails. Symbolic
 /// links stay links, an existing file keeps its permissions, and devices and pipes are written to directly.
-/// Throws FileError.
+/// Throws OutputError.
 void write_file(const std::string& path, std::string_view bytes);
 
 }  // namespace strahl

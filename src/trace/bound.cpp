@@ -10,11 +10,22 @@ namespace {
 
 double largest(const Color& c) { return std::max({std::abs(c.x), std::abs(c.y), std::abs(c.z)}); }
 
+/// Most by which the bodies on its way can multiply a light: glass of a colour above 1 brightens it.
+double gain(const Scene& scene) {
+    double product = 1;
+    for (const Primitive& primitive : scene.primitives) {
+        const Material& m = scene.materials[primitive.material];
+        const double filter = m.refraction * largest(m.rgb);
+        if (filter > 1) product *= filter * filter;  // entered and left
+    }
+    return product;
+}
+
 /// Most light that a surface of this material sends back by itself.
-double own_light(const Scene& scene, const Material& m) {
+double own_light(const Scene& scene, const Material& m, double gain) {
     Color sum = scene.settings.ambient_light * m.rgb * m.ambient;
     for (const Light& light : scene.lights)
-        for (int c = 0; c < 3; ++c) sum[c] += std::abs(light.color[c]) * (m.diffuse * m.rgb[c] + m.specular);
+        for (int c = 0; c < 3; ++c) sum[c] += gain * std::abs(light.color[c]) * (m.diffuse * m.rgb[c] + m.specular);
     return largest(sum);
 }
 
@@ -30,7 +41,8 @@ Bound bound_for(const Scene& scene, int depth, double error) {
     double brightest = 0, keeps = 0;
     for (const Material& m : scene.materials) keeps = std::max(keeps, m.reflection + m.refraction);
     std::vector<double> own;
-    for (const Material& m : scene.materials) own.push_back(own_light(scene, m));
+    const double most_gain = gain(scene);
+    for (const Material& m : scene.materials) own.push_back(own_light(scene, m, most_gain));
     for (int generation = 0; generation < depth; ++generation) {
         double most = background;
         for (std::size_t i = 0; i < own.size(); ++i) {
@@ -47,8 +59,9 @@ Bound bound_for(const Scene& scene, int depth, double error) {
             endless = std::max(endless, own[i] / (1 - scene.materials[i].reflection - scene.materials[i].refraction));
     }
     Bound bound{.brightest = brightest};
-    bound.cutoff = brightest > 0 ? .75 * error / brightest : 0;
-    if (!scene.lights.empty()) bound.faint = .25 * error / (depth * static_cast<double>(scene.lights.size()));
+bound.cutoff = brightest > 0 ? .75 * error / brightest : 0;
+    if (!scene.lights.empty())
+        bound.faint = .25 * error / (depth * most_gain * static_cast<double>(scene.lights.size()));
     bound.truncated = keeps == 0 ? 0 : std::pow(keeps, depth) * endless;
     return bound;
 }

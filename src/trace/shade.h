@@ -125,16 +125,17 @@ struct Shading {
             const S distance = sqrt(dot(to_lamp, to_lamp));
             const Vec3<S> l = scale(S(1) / distance, to_lamp);
             S cosine = dot(hit.normal, l);
-            const S shine = max(dot(mirrored, l), zero);
+            const S shine = min(max(dot(mirrored, l), zero), S(1));  // or sharp highlights blow rounding up
             const Mask<S> glossy = hit.active & (shine > zero) & (material.specular > zero);
-            const S highlight =
-                any(glossy) ? select(glossy, material.specular * power(shine, material.pow), zero) : zero;
+            S highlight = any(glossy) ? select(glossy, material.specular * power(shine, material.pow), zero) : zero;
             // Whether anything is between only matters where there is light to lose.
             const S most = S(largest(lamp.color)) * fma(strongest, cosine, highlight);
             const Mask<S> faces = hit.active & (cosine > zero) & (most * hit.path > S(eye.faint));
             if (none(faces)) continue;
             counts.shadow += count(faces);
             const Vec3<S> share = visibility(world, Ray<S>{hit.position, l, hit.surface}, distance, faces);
+            cosine = select(faces, cosine, zero);  // at the lamp itself it is NaN
+            highlight = select(faces, highlight, zero);
             for (int c = 0; c < 3; ++c)
                 light[c] = fma(share[c] * S(lamp.color[c]), fma(material.diffuse[c], cosine, highlight), light[c]);
         }

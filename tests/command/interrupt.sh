@@ -19,7 +19,7 @@ stop() {
     local signal=$1 delay pid status
     shift
     for delay in .5 1 2 4 8 16; do
-        "$strahl" render long.rt --depth 60 --precision extended --threads 2 "$@" 2>said &
+        "$strahl" render long.rt --depth 256 --precision extended --threads 2 "$@" 2>said &
         pid=$!
         sleep "$delay"
         kill -s "$signal" "$pid"

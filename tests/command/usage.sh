@@ -12,7 +12,7 @@ expect 0 "--tolerance" compare --help
 
 expect 2 "Usage: strahl"
 expect 2 "did you mean 'render'?" rendr scene.rt
-expect 2 "there is no command 'frobnicate'; the commands are render, check" frobnicate
+expect 2 "there is no command 'frobnicate'; the commands are view, render, check" frobnicate
 expect 2 "strahl --help" --frobnicate
 expect 2 "SCENE is required" render
 expect 2 "SCENE is required" check

@@ -31,11 +31,11 @@ struct Bounds {
 Bounds bounds(Precision precision) {
     switch (precision) {
         case Precision::single:
-            return {1e-4, 3e-3, .05};
+            return {1e-4, 3e-3, .004};
         case Precision::twice:
-            return {1e-12, 1e-9, .02};
+            return {1e-12, 1e-9, .0005};
         default:
-            return {1e-14, 1e-12, .005};
+            return {1e-13, 1e-11, .0005};
     }
 }
 
@@ -104,7 +104,7 @@ void hold(const Scene& scene, int depth, std::array<Tally, 3>& tally) {
             }
             const Verdict verdict = judge(frame, referee, truth, allowed);
             CHECK_MESSAGE(verdict.wrong == 0, verdict.wrong << " pixels, the first: " << verdict.first);
-            CHECK(verdict.excused <= std::max(8., .2 * columns * rows));
+            CHECK(verdict.excused <= std::max(8., .1 * columns * rows));
             tally[int(precision)].pixels += columns * rows, tally[int(precision)].excused += verdict.excused;
         }
     }
@@ -112,7 +112,8 @@ void hold(const Scene& scene, int depth, std::array<Tally, 3>& tally) {
 void conclude(const std::array<Tally, 3>& tally) {
     for (const Precision precision : {Precision::single, Precision::twice, Precision::extended}) {
         const auto [pixels, excused] = tally[int(precision)];
-        MESSAGE(name(precision) << ": " << excused << " of " << pixels << " pixels are on an edge or vary too fast");
+        MESSAGE(std::string(name(precision))
+                << ": " << excused << " of " << pixels << " pixels are on an edge or vary too fast");
         CHECK(excused <= bounds(precision).share * pixels);
     }
 }

@@ -1,0 +1,13 @@
+# The stability suite: where methods of ray tracing fail, and that the engine holds. See tests/stability/README.md.
+set(stability ${CMAKE_SOURCE_DIR}/tests/stability)
+add_library(strahl_stage STATIC ${stability}/stage.cpp)
+target_link_libraries(strahl_stage PUBLIC strahl_trace strahl_referee)
+
+function(strahl_stability_test name)
+  add_executable(stability_${name} ${stability}/${name}.cpp)
+  target_link_libraries(stability_${name} PRIVATE doctest::doctest strahl_stage ${ARGN})
+  target_compile_definitions(stability_${name} PRIVATE DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN)
+  add_test(NAME stability_${name} COMMAND stability_${name})
+endfunction()
+
+strahl_stability_test(spheres)

@@ -1,0 +1,58 @@
+// Scenes for the stability suite, and what is asked of their pictures.
+#pragma once
+#include <cstdint>
+#include <random>
+#include <utility>
+#include <vector>
+
+#include "scene/scene.h"
+#include "trace/tracer.h"
+
+namespace strahl::stability {
+
+Material paint(const Color& rgb);           // dull
+Material glow(const Color& rgb);            // shows `rgb` and nothing else, lit or not
+Material mirror(double share);              // black but for what it mirrors
+Material glass(double ior, double share = 1);  // black but for what passes, filtered by nothing
+
+/// A scene under construction: eye at (0, -6, 0) looking along +y, z up, no lights, black background.
+struct Stage {
+    Scene scene;
+    Stage();
+    Stage& put(const Shape& shape, const Material& material, std::vector<Transformation> steps = {});
+    Stage& light(const DVec3& position, const Color& color = Color(1));
+    Stage& look(const DVec3& from, const DVec3& at, double fov, const DVec3& up = {0, 0, -1});
+    Stage& background(const Color& color);
+};
+
+struct Shot {
+    int width = 64, height = 48, depth = 4, threads = 2;
+    Simd simd = Simd::automatic;
+};
+Frame shoot(const Scene& scene, Precision precision, const Shot& shot = {});
+
+inline constexpr Precision precisions[]{Precision::single, Precision::twice, Precision::extended};
+
+Color pixel(const Frame& frame, int x, int y);
+/// How many pixels are exactly of this colour.
+int count(const Frame& frame, const Color& color);
+/// How many channels are NaN or infinite. There may never be any.
+int not_finite(const Frame& frame);
+/// Share of pixels with a channel that differs by more than `tolerance`.
+double share_apart(const Frame& a, const Frame& b, double tolerance);
+double largest_difference(const Frame& a, const Frame& b);
+
+/// All lengths and places of a scene times `factor`, then moved.
+Scene placed(Scene scene, double factor, const DVec3& by = DVec3(0));
+
+/// Many kinds of bodies, materials and lights, at places that are exact in few bits.
+Scene still_life();
+
+/// The same numbers on every machine.
+struct Dice {
+    std::mt19937_64 engine{1999};
+    double operator()(double low, double high) { return low + (high - low) * double(engine() >> 11) * 0x1p-53; }
+    DVec3 direction();
+};
+
+}  // namespace strahl::stability

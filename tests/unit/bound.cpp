@@ -1,0 +1,91 @@
+// The bound on what rays can still add: what it promises is held against pictures with and without those rays.
+#include "trace/bound.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "tests/referee/examples.h"
+#include "tests/referee/random_scene.h"
+#include "trace/thread_pool.h"
+#include "trace/tracer.h"
+
+using namespace strahl;
+
+namespace {
+
+View view_of(const Scene& scene, int depth, double error = 0) {
+    return {.camera = scene.camera, .width = 24, .height = 18, .depth = depth, .error = error};
+}
+Frame picture(const Scene& scene, int depth, double error = 0) {
+    return render(scene, view_of(scene, depth, error), Precision::twice, 2);
+}
+double brightest(const Frame& frame) {
+    double most = 0;
+    for (const double v : frame.rgb) most = std::max(most, std::abs(v));
+    return most;
+}
+double difference(const Frame& a, const Frame& b) {
+    double most = 0;
+    for (std::size_t i = 0; i < a.rgb.size(); ++i) most = std::max(most, std::abs(a.rgb[i] - b.rgb[i]));
+    return most;
+}
+/// Rounding is not the bound's business.
+constexpr double rounding = 1e-9;
+
+void hold(const Scene& scene, int depth) {
+    const Frame all = picture(scene, depth);
+    for (const double error : {1e-1, 1e-2, 1e-3, 1e-4}) {
+        CAPTURE(error);
+        CHECK(difference(picture(scene, depth, error), all) <= error + rounding);
+    }
+    const Bound bound = bound_for(scene, depth, 1e-3);
+    CHECK(brightest(all) <= bound.brightest + rounding);
+    CHECK(difference(picture(scene, depth + 3), all) <= bound.truncated + rounding);
+}
+
+}  // namespace
+
+TEST_CASE("no more light is missing than the bound says") {
+    for (int seed = 0; seed < 40; ++seed) {
+        CAPTURE(seed);
+        hold(random_scene(seed, {.camera_inside = seed % 4 == 3}), 1 + seed % 5);
+    }
+    for (const auto& [title, scene, depth] : examples()) {
+        CAPTURE(std::string(title));
+        if (scene.primitives.size() < 20) hold(scene, std::min(depth, 5));
+    }
+}
+
+TEST_CASE("glass that brightens the light going through it") {
+    Scene scene;
+    scene.camera = {{0, -6, 2}, {0, 0, 0}, {0, 0, -1}, 20, {}};
+    scene.lights = {{{0, 0, 5}, {1, 1, 1}}};
+    scene.materials = {{.reflection = .5, .specular = 0},
+                       {.rgb = {3, 2, 1}, .reflection = 0, .refraction = .9, .diffuse = 0, .specular = 0}};
+    scene.primitives = {{Plane{}, 0, {}}, {Sphere{{0, 0, 2}, .8}, 1, {}}};
+    hold(scene, 4);
+    scene.primitives.insert(scene.primitives.end(), 500, scene.primitives[1]);  // the bound is infinite
+    CHECK(bound_for(scene, 4, .1).cutoff == 0);
+    CHECK(bound_for(scene, 4, .1).faint == 0);
+}
+
+TEST_CASE("a larger error allows fewer rays, and none allows all") {
+    const Scene scene = facing_mirrors();
+    const View view = view_of(scene, 20);
+    Tracer tracer(scene, Precision::twice);
+    ThreadPool pool(2);
+    std::uint64_t last = 0;
+    for (const double error : {1e9, 20., 10., 5., 2., 1., 0.}) {
+        CAPTURE(error);
+        View cut = view;
+        cut.error = error;
+        const Counts counts = tracer.trace(cut, {.columns = 24, .rows = 18}, pool, [](const Tile&) {});
+        CHECK(counts.total() >= last);
+        if (error == 1e9) CHECK(counts.reflected == 0);
+        if (error == 5) CHECK(counts.total() > last);
+        last = counts.total();
+    }
+}
