@@ -31,6 +31,10 @@ double own_light(const Scene& scene, const Material& m, double gain) {
 
 }  // namespace
 
+double path_factor(double coefficient, double other) {
+    return std::sqrt(coefficient) * (std::sqrt(coefficient) + std::sqrt(other));
+}
+
 Bound bound_for(const Scene& scene, int depth, double error) {
     // B(n) = max(background, own + (Kr + Kt) B(n - 1)) over all materials, from the last generation upwards.
     const double background = largest(scene.background);
@@ -55,8 +59,9 @@ Bound bound_for(const Scene& scene, int depth, double error) {
             endless = std::max(endless, own[i] / (1 - scene.materials[i].reflection - scene.materials[i].refraction));
     }
     Bound bound{.brightest = brightest};
-    bound.cutoff = brightest > 0 ? error / brightest : 0;
-    bound.dropped = bound.cutoff > 0 ? bound.cutoff * brightest : 0;
+bound.cutoff = brightest > 0 ? .75 * error / brightest : 0;
+    if (!scene.lights.empty())
+        bound.faint = .25 * error / (depth * most_gain * static_cast<double>(scene.lights.size()));
     bound.truncated = keeps == 0 ? 0 : std::pow(keeps, depth) * endless;
     return bound;
 }

@@ -5,6 +5,7 @@
 #include <tuple>
 #include <vector>
 
+#include "trace/bound.h"
 #include "trace/hierarchy.h"
 #include "scene/overlap.h"
 
@@ -143,7 +144,9 @@ BuiltWorld<T>::Arrays::Arrays(const Scene& scene, const Placement& placement) {
     for (const Material& m : scene.materials) {
         materials.push_back({to<T>(ambient * m.rgb * m.ambient), to<T>(m.rgb * m.diffuse), to<T>(m.rgb * m.refraction),
                              static_cast<T>(m.specular), static_cast<T>(m.pow), static_cast<T>(m.reflection),
-                             static_cast<T>(m.refraction), static_cast<T>(m.ior)});
+                             static_cast<T>(m.refraction), static_cast<T>(m.ior),
+                             static_cast<T>(path_factor(m.reflection, m.refraction)),
+                             static_cast<T>(path_factor(m.refraction, m.reflection))});
         world.transparent |= m.refraction > 0;
     }
     for (const Light& light : scene.lights)

@@ -13,7 +13,7 @@ struct RayQueue {
     T* source;    // surface on which the ray starts, -1 for none
     T* pixel;     // of the tile
     T* weight;    // share of this ray's light that reaches the pixel
-    T* path;      // product of Kr + Kt along the path; no less than all weights that go on from here
+    T* path;      // weight over this ray's share of the error allowed (see bound.h)
     T* interior;  // list of bodies entered; only in nested worlds
     int count = 0, capacity = 0;
 };
@@ -53,7 +53,8 @@ struct Eye {
     T scale_x, scale_y, bias_x, bias_y;      // u = x * scale_x + bias_x
     T interior = 0;                          // list of bodies that the eye is in
     int depth = 20;
-    T cutoff = 0;
+    T cutoff = 0;                            // rays of a path up to this are not traced
+    T faint = 0;                             // nor shadow rays for light times path up to this
 };
 
 /// Pixels to trace, and where their light is summed: rgb[c][i] for pixel i.

@@ -35,6 +35,11 @@ STRAHL_INLINE Vec3<S> unit(const Vec3<S>& v) {
     return scale(fma(S(T(-.5)), dot(v, v), S(T(1.5))), v);
 }
 
+template <class T>
+STRAHL_INLINE T largest(const Vec3<T>& v) {
+    return max(v.x, max(v.y, v.z));
+}
+
 /// The shading of one generation.
 template <class S>
 struct Shading {
@@ -112,24 +117,25 @@ struct Shading {
         const S zero(0);
         Vec3<S> light = material.ambient;
         const Vec3<S> mirrored = reflect(hit);
-        const Mask<S> scatters =
-            (material.diffuse.x + material.diffuse.y + material.diffuse.z > zero) | (material.specular > zero);
-        if (none(scatters & hit.active)) return light;
+        const S strongest = largest(material.diffuse);
+        if (none(hit.active & ((strongest > zero) | (material.specular > zero)))) return light;
         for (int i = 0; i < world.light_count; ++i) {
             const LightKernel<T>& lamp = world.lights[i];
             const Vec3<S> to_lamp = splat<S>(lamp.position) - hit.position;
             const S distance = sqrt(dot(to_lamp, to_lamp));
             const Vec3<S> l = scale(S(1) / distance, to_lamp);
             S cosine = dot(hit.normal, l);
-            const Mask<S> faces = hit.active & scatters & (cosine > zero);
+            const S shine = min(max(dot(mirrored, l), zero), S(1));  // or sharp highlights blow rounding up
+            const Mask<S> glossy = hit.active & (shine > zero) & (material.specular > zero);
+            S highlight = any(glossy) ? select(glossy, material.specular * power(shine, material.pow), zero) : zero;
+            // Whether anything is between only matters where there is light to lose.
+            const S most = S(largest(lamp.color)) * fma(strongest, cosine, highlight);
+            const Mask<S> faces = hit.active & (cosine > zero) & (most * hit.path > S(eye.faint));
             if (none(faces)) continue;
             counts.shadow += count(faces);
             const Vec3<S> share = visibility(world, Ray<S>{hit.position, l, hit.surface}, distance, faces);
             cosine = select(faces, cosine, zero);  // at the lamp itself it is NaN
-            const S shine = min(max(dot(mirrored, l), zero), S(1));  // or sharp highlights blow rounding up
-            const Mask<S> glossy = faces & (shine > zero) & (material.specular > zero);
-            const S highlight =
-                any(glossy) ? select(glossy, material.specular * power(shine, material.pow), zero) : zero;
+            highlight = select(faces, highlight, zero);
             for (int c = 0; c < 3; ++c)
                 light[c] = fma(share[c] * S(lamp.color[c]), fma(material.diffuse[c], cosine, highlight), light[c]);
         }
@@ -159,29 +165,27 @@ struct Shading {
     STRAHL_INLINE void spawn(const Hit& hit) {
         const MaterialKernel<S>& material = hit.material;
         const S zero(0);
-        const S path = hit.path * (material.reflection + material.refraction);
-        const Mask<S> goes_on = hit.active & (path > S(eye.cutoff));
-        if (none(goes_on)) return;
-        S reflection = material.reflection;
-        const Mask<S> glass = goes_on & (material.refraction > zero);
+        S reflection = material.reflection, path = hit.path * material.path_reflected;
+        const Mask<S> glass = hit.active & (material.refraction > zero);
         if (world.transparent && any(glass)) {
             S b = select(hit.outside, S(1) / material.ior, material.ior), list = hit.interior;
             if (world.nested) change_medium(hit, glass, b, list);
             const S s = -dot(hit.direction, hit.normal);
             const S k = fma(b * b, fma(s, s, S(-1)), S(1));
             const Mask<S> total = glass & (k < zero);
-            reflection = select(total, reflection + material.refraction, reflection);
-            const Mask<S> passes = glass & !total;
+            const S all = reflection + material.refraction;
+            reflection = select(total, all, reflection);
+            path = select(total, hit.path * all, path);
             const Vec3<S> g = fma(fma(b, s, -sqrt(max(k, zero))), hit.normal, scale(b, hit.direction));
-            push(refracted, hit, passes, g, material.refraction, path, list);
+            push(refracted, hit, glass & !total, g, material.refraction, hit.path * material.path_refracted, list);
         }
-        push(reflected, hit, goes_on & (reflection > zero), reflect(hit), reflection, path, hit.interior);
+        push(reflected, hit, hit.active, reflect(hit), reflection, path, hit.interior);
     }
 
     STRAHL_INLINE void push(RayQueue<T>& to, const Hit& hit, Mask<S> mask, const Vec3<S>& direction, S share, S path,
                             S list) {
         const S weight = hit.weight * share;
-        mask = mask & (weight > S(0));
+        mask = mask & (weight > S(0)) & (path > S(eye.cutoff));
         if (none(mask)) return;
         const Vec3<S> d = unit(direction);
         const int n = to.count;

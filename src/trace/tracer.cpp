@@ -3,6 +3,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "trace/bound.h"
 #include "trace/build.h"
 #include "trace/kernel.h"
 #include "trace/thread_pool.h"
@@ -45,7 +46,7 @@ Kernel<T> kernel_for(Simd simd) {
 }
 
 template <class T>
-Eye<T> eye_of(const View& view, const Placement& placement) {
+Eye<T> eye_of(const View& view, const Placement& placement, const Bound& bound) {
     const CameraFrame frame = frame_of(view.camera, static_cast<double>(view.width) / view.height);
     return {.position = to<T>((view.camera.position - placement.origin) * placement.scale),
             .forward = to<T>(frame.forward),
@@ -56,7 +57,8 @@ Eye<T> eye_of(const View& view, const Placement& placement) {
             .bias_x = static_cast<T>((1 + 2 * view.shift_x) / view.width - 1),
             .bias_y = static_cast<T>((1 + 2 * view.shift_y) / view.height - 1),
             .depth = view.depth,
-            .cutoff = static_cast<T>(view.cutoff)};
+            .cutoff = static_cast<T>(bound.cutoff),
+            .faint = static_cast<T>(bound.faint)};
 }
 
 /// One thread's way through a tile: as many pixels at once as fit.
@@ -118,7 +120,7 @@ class TracerOf : public AnyTracer {
         while (static_cast<int>(workspaces.size()) < pool.size())
             workspaces.push_back(std::make_unique<Workspace<T>>());
 
-        const Eye<T> eye = eye_of<T>(view, placed);
+        const Eye<T> eye = eye_of<T>(view, placed, bound_for(scene, view.depth, view.error));
         const std::vector<int> around = built->bodies_around(view.camera.position);
         const int columns = (lattice.columns + tile_size - 1) / tile_size;
         const int tiles = columns * ((lattice.rows + tile_size - 1) / tile_size);

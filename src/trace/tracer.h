@@ -56,7 +56,7 @@ struct View {
     int width = 640, height = 480;
     int depth = 20;                   // generations of rays, the primary ray being the first; 1 to 256
     double shift_x = 0, shift_y = 0;  // of the sampling point from the pixel's centre, in pixels
-    double cutoff = 0;  // rays whose path keeps no more than this share of light are not traced; 0 traces all
+    double error = 0;  // the picture may lack this much light in a channel: what weighs less is not traced
 };
 
 /// A scene made ready. Pictures depend on the scene, view, precision and (x86-64-v2 and extended apart) nothing else:

@@ -34,6 +34,7 @@ struct MaterialKernel {
     Vec3<T> diffuse;  // Kd Of
     Vec3<T> filter;   // Kt Of, what a shadow ray keeps at each surface crossed
     T specular, pow, reflection, refraction, ior;
+    T path_reflected, path_refracted;  // see RayQueue::path
 };
 
 template <class T>

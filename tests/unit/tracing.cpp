@@ -190,28 +190,6 @@ TEST_CASE("tracing stops when told to, and what it hands over is whole") {
     CHECK(same);
 }
 
-TEST_CASE("the cutoff leaves out rays that keep no more than that share, and no others") {
-    const Scene scene = facing_mirrors();  // they keep .95 and .9
-    View view = view_of(scene, 40, 30, 20);
-    const auto at = [&](int depth, double cutoff) {
-        view.depth = depth, view.cutoff = cutoff;
-        return render(scene, view, Precision::twice, 2);
-    };
-    const Frame all = at(20, 0);
-    CHECK(at(20, 1e-9) == all);
-    CHECK(at(20, .95) == at(1, 0));
-    CHECK(at(20, .9 * .95 * .95 * .9) != all);
-    const Frame near = at(20, .01);  // .9^9 .95^10 is more
-    CHECK(near == all);
-    // What is cut can be no more than the cutoff times what a ray brings back, here and below never more than 20.
-    for (const double cutoff : {.5, .3, .1}) {
-        const Frame cut = at(20, cutoff);
-        double most = 0;
-        for (std::size_t i = 0; i < cut.rgb.size(); ++i) most = std::max(most, std::abs(cut.rgb[i] - all.rgb[i]));
-        CHECK(most <= 20 * cutoff);
-    }
-}
-
 TEST_CASE("a shifted view samples beside the pixels' centres") {
     const Scene scene = busy();
     View view = view_of(scene, 24, 18);
