@@ -281,7 +281,7 @@ void Viewer::log_picture(std::uint64_t before) const {
                       resolution_text(state.level).c_str());
         log_line(text);
     }
-    if (!state.finished() || moving) return;
+    if (!state.finished() || state.number != wanted.number || moving) return;
     std::snprintf(text, sizeof text, "finished %dx%d: traced in %.4f s, %.3f million rays", state.width, state.height,
                   state.seconds, static_cast<double>(state.rays.total()) / 1e6);
     log_line(text);
