@@ -11,3 +11,8 @@ function(strahl_stability_test name)
 endfunction()
 
 strahl_stability_test(spheres)
+strahl_stability_test(planes)
+strahl_stability_test(starts)
+strahl_stability_test(cylinders)
+strahl_stability_test(coincident)
+strahl_stability_test(chains)

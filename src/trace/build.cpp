@@ -1,13 +1,18 @@
 #include "trace/build.h"
 
+#include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <glm/matrix.hpp>
 #include <tuple>
+#include <utility>
 #include <vector>
 
+#include "scene/overlap.h"
 #include "trace/bound.h"
 #include "trace/hierarchy.h"
-#include "scene/overlap.h"
 
 namespace strahl {
 namespace {
@@ -37,6 +42,39 @@ typename Affine<K>::template Kernel<T> affine(const DVec3& centre, double unit, 
     const glm::dmat3 inverse = glm::inverse(glm::dmat3(setting.matrix)) * (1 / (unit * setting.placement.scale));
     const auto row = [&](int i) { return to<T>(DVec3(inverse[0][i], inverse[1][i], inverse[2][i])); };
     return {to<T>(setting.to_world(centre)), row(0), row(1), row(2), shape};
+}
+
+/// Items with the numbers of an earlier one go, and their boxes: of bodies in the same place the first declared is
+/// seen, and rays that start on it would meet its double a rounding error before or behind.
+template <class T, class I>
+void drop_doubles(std::vector<I>& items, std::vector<Box>& boxes) {
+    using Shape = decltype(I::shape);
+    const auto numbers = [&](std::size_t i) {
+        return std::bit_cast<std::array<T, sizeof(Shape) / sizeof(T)>>(items[i].shape);
+    };
+    std::vector<std::pair<std::uint64_t, std::size_t>> order(items.size());
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        std::uint64_t hash = 0;
+        for (const T v : numbers(i))  // 0 is added because -0 equals it
+            hash = (hash ^ std::bit_cast<std::uint64_t>(static_cast<double>(v) + 0.)) * 0x9E3779B97F4A7C15u,
+            hash ^= hash >> 29;
+        order[i] = {hash, i};
+    }
+    std::sort(order.begin(), order.end());
+    std::vector<bool> doubled(items.size());
+    for (std::size_t begin = 0, end; begin < order.size(); begin = end) {
+        for (end = begin + 1; end < order.size() && order[end].first == order[begin].first; ++end)
+            for (std::size_t k = begin; k < end && !doubled[order[end].second]; ++k)
+                doubled[order[end].second] = numbers(order[k].second) == numbers(order[end].second);
+    }
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        if (doubled[i]) continue;
+        if (!boxes.empty()) boxes[kept] = boxes[i];
+        items[kept++] = items[i];
+    }
+    items.resize(kept);
+    if (!boxes.empty()) boxes.resize(kept);
 }
 
 }  // namespace
@@ -179,10 +217,11 @@ BuiltWorld<T>::Arrays::Arrays(const Scene& scene, const Placement& placement) {
         surface += faces;
     }
 
+    groups.each([](auto& group) { drop_doubles<T>(group.items, group.boxes); });
     std::size_t items = 0;
     groups.each([&](auto& group) { items += group.items.size(); });
     world.key_per_item = items <= most_item_keys;
-    places.resize(surface);
+    places.resize(surface, {-1, -1});
     const double margin = 32 * static_cast<double>(std::numeric_limits<T>::epsilon()) * reach;
     const auto finish = [&](auto& from, auto& view) {
         if (from.items.size() > few_items && from.boxes.size() == from.items.size()) {
@@ -229,7 +268,8 @@ template <class T>
 std::vector<int> BuiltWorld<T>::bodies_around(const DVec3& eye) const {
     std::vector<int> bodies;
     for (const auto& body : arrays->transparent)
-        if (std::visit([&](const auto& shape) { return shape.contains(point(body.inverse, eye)); }, body.shape))
+        if (arrays->places[body.surface].item >= 0 &&
+            std::visit([&](const auto& shape) { return shape.contains(point(body.inverse, eye)); }, body.shape))
             bodies.push_back(body.surface);
     return bodies;
 }
