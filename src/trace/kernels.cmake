@@ -10,6 +10,12 @@ function(strahl_kernel level)
   target_link_libraries(kernel_${level} PRIVATE strahl_flags)
   target_compile_definitions(kernel_${level} PRIVATE STRAHL_LEVEL=${level})
   target_compile_options(kernel_${level} PRIVATE -O3 ${ARGN})
+  if(STRAHL_SANITIZE AND NOT level STREQUAL scalar)
+    # Instrumented packs take g++ a quarter of an hour to compile. The scalar instance is the same text.
+    target_compile_options(kernel_${level} PRIVATE -fno-sanitize=all)
+  elseif(STRAHL_SANITIZE)
+    target_compile_options(kernel_${level} PRIVATE -O1)
+  endif()
   target_sources(strahl_trace PRIVATE $<TARGET_OBJECTS:kernel_${level}>)
 endfunction()
 
