@@ -70,11 +70,11 @@ void drop_doubles(std::vector<I>& items, std::vector<Box>& boxes) {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < items.size(); ++i) {
         if (doubled[i]) continue;
-        if (!boxes.empty()) boxes[kept] = boxes[i];
+        boxes[kept] = boxes[i];
         items[kept++] = items[i];
     }
     items.resize(kept);
-    if (!boxes.empty()) boxes.resize(kept);
+    boxes.resize(kept);
 }
 
 }  // namespace
@@ -205,13 +205,12 @@ BuiltWorld<T>::Arrays::Arrays(const Scene& scene, const Placement& placement) {
         if (world.nested && material.refraction > 0)
             transparent.push_back({surface, primitive.shape, glm::inverse(setting.matrix)});
         Box box = world_bounds(primitive);
-        if (box.finite()) {
-            box = {(box.low - placement.origin) * placement.scale, (box.high - placement.origin) * placement.scale};
+        box = {(box.low - placement.origin) * placement.scale, (box.high - placement.origin) * placement.scale};
+        if (box.finite())
             for (int c = 0; c < 3; ++c) reach = std::max({reach, std::abs(box.low[c]), std::abs(box.high[c])});
-            groups.each([&](auto& group) {
-                if (group.items.size() > group.boxes.size()) group.boxes.push_back(box);
-            });
-        }
+        groups.each([&](auto& group) {
+            if (group.items.size() > group.boxes.size()) group.boxes.push_back(box);
+        });
         const int faces = std::visit([](const auto& shape) { return shape.faces; }, primitive.shape);
         if (world.nested) iors.insert(iors.end(), faces, static_cast<T>(material.ior));
         surface += faces;
@@ -224,7 +223,8 @@ BuiltWorld<T>::Arrays::Arrays(const Scene& scene, const Placement& placement) {
     places.resize(surface, {-1, -1});
     const double margin = 32 * static_cast<double>(std::numeric_limits<T>::epsilon()) * reach;
     const auto finish = [&](auto& from, auto& view) {
-        if (from.items.size() > few_items && from.boxes.size() == from.items.size()) {
+        if (from.items.size() > few_items &&
+            std::all_of(from.boxes.begin(), from.boxes.end(), [](const Box& box) { return box.finite(); })) {
             from.hierarchy = build_hierarchy<T>(from.boxes, margin);
             auto sorted = from.items;
             for (std::size_t i = 0; i < sorted.size(); ++i) sorted[i] = from.items[from.hierarchy.order[i]];
