@@ -35,7 +35,7 @@ void cell(const ImVec4& color, const char* text) {
 }
 
 void draw_help() {
-    panel("help", 0.5f, 0.5f, [] {
+    panel("help", 1, 0.5f, [] {
         if (!ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) return;
         for (const KeyHelp& line : key_help) {
             ImGui::TableNextRow();
@@ -61,7 +61,7 @@ void draw_info(const Overlay& overlay) {
 }
 
 void draw_fault(const std::string& fault) {
-    panel("fault", 0.5f, 0, [&] {
+    panel("fault", 0.5f, 1, [&] {
         ImGui::PushStyleColor(ImGuiCol_Text, alarm);
         ImGui::TextUnformatted("The scene file has a fault; this is the picture from before");
         ImGui::PopStyleColor();
@@ -71,7 +71,7 @@ void draw_fault(const std::string& fault) {
 }
 
 void draw_notes(const Overlay& overlay) {
-    panel("notes", 0.5f, 1, [&] {
+    panel("notes", 1, 0, [&] {
         for (const std::string& note : overlay.notes) ImGui::TextUnformatted(note.c_str());
         if (overlay.still_share < 0) return;
         ImGui::TextUnformatted(overlay.still_text.c_str());

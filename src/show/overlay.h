@@ -11,7 +11,7 @@ struct Overlay {
     std::vector<std::pair<std::string, std::string>> info;  // names and values; none, no panel
     double share = 1;                                       // of the pixels that are traced, for the panel
     std::string fault;                                      // of the scene file, as FileError tells it
-    std::vector<std::string> notes;                         // at the bottom
+    std::vector<std::string> notes;                         // short ones, the oldest first
     double still_share = -1;                                // of the still in work, or negative
     std::string still_text;
 

@@ -58,23 +58,23 @@ void set_style(float scale) {
 
 /// Asked of GLFW, so that the program itself need not be linked with OpenGL.
 struct Screen::Functions {
-    template <class F>
-    static F find(const char* name) {
-        const auto function = reinterpret_cast<F>(glfwGetProcAddress(name));
-        if (!function) fail(std::string("its OpenGL has no ") + name);
-        return function;
-    }
-#define STRAHL_GL(name) decltype(&::gl##name) name = find<decltype(&::gl##name)>("gl" #name)
-    STRAHL_GL(GetString);
-    STRAHL_GL(GetIntegerv);
-    STRAHL_GL(GenTextures);
-    STRAHL_GL(DeleteTextures);
-    STRAHL_GL(BindTexture);
-    STRAHL_GL(TexParameteri);
-    STRAHL_GL(TexImage2D);
-    STRAHL_GL(TexSubImage2D);
-    STRAHL_GL(Viewport);
-#undef STRAHL_GL
+    struct Found {
+        const char* name;
+        template <class F>
+        operator F*() const {
+            const auto function = reinterpret_cast<F*>(glfwGetProcAddress(name));
+            if (!function) fail(std::string("its OpenGL has no ") + name);
+            return function;
+        }
+    };
+    decltype(&::glGetString) GetString = Found{"glGetString"};
+    decltype(&::glGenTextures) GenTextures = Found{"glGenTextures"};
+    decltype(&::glDeleteTextures) DeleteTextures = Found{"glDeleteTextures"};
+    decltype(&::glBindTexture) BindTexture = Found{"glBindTexture"};
+    decltype(&::glTexParameteri) TexParameteri = Found{"glTexParameteri"};
+    decltype(&::glTexImage2D) TexImage2D = Found{"glTexImage2D"};
+    decltype(&::glTexSubImage2D) TexSubImage2D = Found{"glTexSubImage2D"};
+    decltype(&::glViewport) Viewport = Found{"glViewport"};
 };
 
 Screen::Screen(const std::string& title, int width, int height, bool default_size, bool full) {

@@ -71,7 +71,7 @@ void Viewer::connect() {
         Viewer& viewer = viewer_of(w);
         viewer.session.change_speed(std::pow(1.25, y));
         char text[60];
-        std::snprintf(text, sizeof text, "speed %.3g per second", viewer.session.speed);
+        std::snprintf(text, sizeof text, "speed %.3g a second", viewer.session.speed);
         viewer.note(text);
     });
     glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
