@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
+#include <stdexcept>
 
 #include "image/compare.h"
 #include "image/transfer.h"
@@ -58,8 +59,9 @@ std::string sheet_path(const CrosscheckOptions& options, const std::string& scen
         .string();
 }
 
-void print_row(const std::string& scene, const Verdict& verdict, double ours, double theirs) {
-    std::printf("| %-32s | %7zu | %9d | %10zu | %8zu | %8.3f | %9.3f |\n", scene.c_str(), verdict.pixels,
+void print_row(const std::string& path, const Verdict& verdict, double ours, double theirs) {
+    const std::string scene = path.ends_with(".rt") ? path.substr(0, path.size() - 3) : path;
+    std::printf("| %-36s | %7zu | %9d | %10zu | %8zu | %8.3f | %9.3f |\n", scene.c_str(), verdict.pixels,
                 verdict.worst_off_edges, verdict.beyond_off_edges, verdict.beyond_on_edges, ours, theirs);
     std::fflush(stdout);
 }
@@ -81,7 +83,7 @@ bool check(const CrosscheckOptions& options, const std::string& path) {
     Tracer tracer(scene, Precision::twice);
     const OurRun ours = trace(tracer, view, options.threads);
     const Verdict verdict = judge(tracer, view, ours.frame, theirs.picture);
-    print_row(fs::path(path).stem().string(), verdict, ours.seconds, theirs.seconds);
+    print_row(path, verdict, ours.seconds, theirs.seconds);
     if (!theirs.warnings.empty()) std::cerr << path << ": povray warns:\n" << theirs.warnings;
     if (verdict.beyond_off_edges > 0)
         std::cerr << path << ": worst off the edges at x " << verdict.x << ", y " << verdict.y << '\n';
@@ -93,11 +95,13 @@ bool check(const CrosscheckOptions& options, const std::string& path) {
 }  // namespace
 
 int crosscheck_command(const CrosscheckOptions& options) {
+    if (const std::string fault = options.sheet.empty() ? "" : format_fault(options.sheet, 0); !fault.empty())
+        throw std::invalid_argument(fault);
     // Largest difference and pixels beyond one are in steps of 1/65535; times are for tracing alone.
     std::printf(
-        "| %-32s | %7s | %9s | %10s | %8s | %8s | %9s |\n|%s|\n", "scene", "pixels", "worst off", "beyond off",
+        "| %-36s | %7s | %9s | %10s | %8s | %8s | %9s |\n|%s|\n", "scene", "pixels", "worst off", "beyond off",
         "on edges", "strahl s", "povray s",
-        "----------------------------------|--------:|----------:|-----------:|---------:|---------:|----------:");
+        "--------------------------------------|--------:|----------:|-----------:|---------:|---------:|----------:");
     bool agree = true;
     for (const std::string& scene : options.scenes) agree &= check(options, scene);
     return agree ? 0 : 1;

@@ -51,19 +51,27 @@ std::string texture(const std::string& pigment, const std::vector<std::string>& 
            block("  finish {", finish, indent + "  ") + indent + "}";
 }
 
+/// The share of what goes on that is transmitted, as a pigment dims it; the keyword dims what is totally reflected too.
+double transmitted(const Material& m, bool keyword) {
+    return keyword ? m.refraction / (m.reflection + m.refraction) : m.refraction;
+}
+std::string transmitted_text(const Material& m, bool keyword) {
+    if (!keyword) return text_of(m.refraction);
+    return m.reflection == 0 ? "1" : text_of(m.refraction) + "/" + weight(m);
+}
+
+/// Nothing of a pigment that is (almost) wholly clear can be lit.
+bool needs_layers(const Material& m, bool keyword) {
+    return transmitted(m, keyword) > 0.95 && (m.ambient > 0 || m.diffuse > 0);
+}
+
 /// The texture of a transparent body as the eye sees it.
 std::string seen_through(const Material& m, bool keyword) {
-    // The keyword dims what is transmitted and what is totally reflected; the pigment what is transmitted only.
-    const double opacity = 1 - (keyword ? m.refraction / (m.reflection + m.refraction) : m.refraction);
-    const std::string transmit = !keyword            ? text_of(m.refraction)
-                                 : m.reflection == 0 ? "1"
-                                                     : text_of(m.refraction) + "/" + weight(m);
-    if (opacity >= 0.05 || (m.ambient == 0 && m.diffuse == 0))
-        return texture("rgb " + text_of(m.rgb) + " transmit " + transmit, finish(m, "(1 - " + transmit + ")", keyword),
-                       "  ");
-    // Nothing of an opacity of 0 can be lit: a clear layer below lets half through, one above is half opaque.
-    return texture("rgb 0 transmit 2*" + transmit, {"ambient 0", "diffuse 0"}, "  ") + "\n  " +
-           texture("rgb " + text_of(m.rgb) + " transmit 0.5", finish(m, "0.5", keyword), "  ");
+    const std::string colour = "rgb " + text_of(m.rgb), share = transmitted_text(m, keyword);
+    if (!needs_layers(m, keyword))
+        return texture(colour + " transmit " + share, finish(m, "(1 - " + share + ")", keyword), "  ");
+    return texture("rgb 0 transmit 2" + (share == "1" ? "" : "*" + share), {"ambient 0", "diffuse 0"}, "  ") + "\n  " +
+           texture(colour + " transmit 0.5", finish(m, "0.5", keyword), "  ");
 }
 
 PovMaterial describe(const Material& m, const std::string& name, const Circumstances& scene) {
@@ -76,6 +84,7 @@ PovMaterial describe(const Material& m, const std::string& name, const Circumsta
     }
     // Total reflection carries Kr + Kt here and 1 in POV-Ray, where the old keyword `refraction` can change it.
     pov.keyword = scene.bends && std::fabs(m.reflection + m.refraction - 1) > 1e-9;
+    pov.layered = needs_layers(m, pov.keyword);
     pov.own_shadow = scene.lights && (pov.keyword || m.rgb != Color(1));
     pov.near_one = m.ior == 1 && scene.depth_shows;
     // POV-Ray keeps an ior in single precision; this is the number after 1.

@@ -16,6 +16,7 @@ struct PovMaterial {
     bool transparent = false;
     bool own_shadow = false;  // needs the copy
     bool keyword = false;     // uses the finish keyword `refraction`, about which POV-Ray warns
+    bool layered = false;     // has two layers of texture
     bool near_one = false;    // ior 1 is written as the next greater number
 };
 

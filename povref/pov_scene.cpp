@@ -63,17 +63,22 @@ std::vector<std::string> warnings_of(const Plan& plan) {
 
 std::string scaled(const std::string& text, const Plan& plan) { return plan.scaled ? text + " * Unit" : text; }
 
+std::string padded(std::string text, std::size_t width) {
+    text.resize(std::max(width, text.size() + 1), ' ');
+    return text;
+}
+
 std::string top(const Scene& scene, const PovRequest& request, const Plan& plan) {
     std::string text = comment(request.title + " for POV-Ray 3.7, as strahl sees it.");
     for (const std::string& warning : warnings_of(plan)) text += comment("Not exact: " + warning + ".");
-    // A working gamma equal to that of the file leaves computed values as they are.
-    text += std::string("\n#version 3.7;\n\nglobal_settings {\n") + "  assumed_gamma " +
-            (scene.settings.linear ? "1.0      // the values are linear light\n"
-                                   : "srgb     // values go straight to the pixel, see File_Gamma in the .ini\n") +
-            "  ambient_light rgb " + text_of(scene.settings.ambient_light) + "\n  max_trace_level " +
-            std::to_string(request.depth) + "   // generations of rays, the camera's being the first\n" +
-            "  adc_bailout 0        // follow even the weakest ray\n}\n\nbackground { rgb " +
-            text_of(scene.background) + " }\n";
+    text +=
+        std::string("\n#version 3.7;\n\nglobal_settings {\n") +
+        (scene.settings.linear ? "  assumed_gamma 1.0     // the values are linear light\n"
+                               : "  assumed_gamma srgb    // values go straight to the file, which is sRGB as well\n") +
+        "  ambient_light rgb " + text_of(scene.settings.ambient_light) + "\n  max_trace_level " +
+        padded(std::to_string(request.depth), 6) + "// generations of rays, the camera's being the first\n" +
+        "  adc_bailout 0         // follow even the weakest ray\n}\n\nbackground { rgb " + text_of(scene.background) +
+        " }\n";
     if (plan.scaled)
         text += "\n" +
                 comment(
@@ -140,6 +145,10 @@ std::string material_section(const Plan& plan) {
         text += comment(
             "`refraction` is an old keyword without a successor: the weight of all light that was "
             "transmitted or totally reflected.");
+    if (std::any_of(plan.materials.begin(), plan.materials.end(), [](const auto& m) { return m.layered; }))
+        text += comment(
+            "A pigment that is wholly clear can't be lit; such a material has a clear layer that lets twice the light "
+            "through, and on it one that is half opaque.");
     for (const PovMaterial& material : plan.materials) text += "\n" + material.declaration;
     return text;
 }
@@ -187,7 +196,7 @@ std::string body_sections(const Scene& scene, const Plan& plan) {
             std::string kind = head.substr(0, head.find(' '));
             kind[0] = static_cast<char>(kind[0] - 'a' + 'A');
             const std::string name = kind + "_" + std::to_string(++count[kind]);
-            declared += "#declare " + name + " = " + block(head, items);
+            declared += block("#declare " + name + " = " + head, items);
             if (material.own_shadow)
                 shadows += block("object { " + name,
                                  {"texture { " + material.name + "_Shadow }", "no_image", "no_reflection"});

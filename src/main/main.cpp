@@ -9,6 +9,7 @@
 #include "main/command_render.h"
 #include "main/errors.h"
 #include "main/options.h"
+#include "povref/command_crosscheck.h"
 #include "povref/command_pov.h"
 #include "scene/error.h"
 #include "show/command_view.h"
@@ -106,6 +107,21 @@ void add_pov(CLI::App& app, Action& action) {
     add_fps(command, o->fps, "Frames per second of the animation, 25 by default");
 }
 
+void add_crosscheck(CLI::App& app, Action& action) {
+    auto [command, o] =
+        add_command(app, action, "crosscheck", "Render scenes with POV-Ray too and compare; exit status 0 or 1",
+                    crosscheck_command);
+    add_argument(command, "SCENE", o->scenes, "The scenes, .rt files")
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    add_size(command, o->width, o->height);
+    add_depth(command, o->depth);
+    add_threads(command, o->threads);
+    add_file(command, "--sheet", o->sheet, "Write the picture, POV-Ray's and the difference side by side");
+    command->footer(
+        "Worst off: the largest difference, in steps of 1/65535, of pixels that are not on an edge.\n"
+        "Beyond off, on edges: how many differ by more than one step. Needs povray. See povref/README.md.");
+}
+
 /// "strahl 0.1.0 (x86-64-v4, 16 float lanes, 8 double)"
 std::string version() {
     const Simd simd = best_simd();
@@ -176,6 +192,7 @@ int run(int argc, char** argv) {
     add_check(app, action);
     add_compare(app, action);
     add_pov(app, action);
+    add_crosscheck(app, action);
     app.footer(
         "Exit status: 0 done, 1 failed, 2 wrong usage, 3 faults in a file, 130 interrupted.\n"
         "A first picture: strahl render scenes/article.rt -o article.bmp");

@@ -17,14 +17,14 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Includes point one way: num <- scene <- {text, trace, image, povref} <- show <- main. Of the four in the middle,
-/// text (whole files out, scene text) serves image, and both serve povref.
+/// text (whole files out, scene text) serves image, and all three serve povref, which compares their pictures.
 const std::map<std::string, std::set<std::string>> rooms{
     {"num", {}},
     {"scene", {"num"}},
     {"text", {"num", "scene"}},
     {"trace", {"num", "scene"}},
     {"image", {"num", "scene", "text"}},
-    {"povref", {"num", "scene", "text", "image"}},
+    {"povref", {"num", "scene", "text", "trace", "image"}},
     {"show", {"num", "scene", "text", "trace", "image"}},
     {"main", {"num", "scene", "text", "trace", "image", "povref", "show"}},
 };

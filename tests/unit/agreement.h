@@ -1,0 +1,69 @@
+// Scenes, and how far strahl may be from POV-Ray in each.
+#pragma once
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "povref/verdict.h"
+#include "scene/scene.h"
+#include "text/parse.h"
+
+namespace strahl {
+
+/// Every scene under scenes/ as "crosscheck/ambient", sorted.
+inline std::vector<std::string> scene_names() {
+    namespace fs = std::filesystem;
+    const fs::path root = fs::path(STRAHL_SOURCE) / "scenes";
+    std::vector<std::string> names;
+    for (const auto& entry : fs::recursive_directory_iterator(root))
+        if (entry.path().extension() == ".rt")
+            names.push_back(fs::relative(entry.path(), root).replace_extension().generic_string());
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+inline Scene read_scene(const std::string& name) {
+    const std::string path = std::string(STRAHL_SOURCE) + "/scenes/" + name + ".rt";
+    return parse_scene(read_text(path), path);
+}
+
+struct Allowed {
+    int steps = 1;
+    double share = 0;
+};
+
+/// povref/allowed.txt.
+inline std::map<std::string, Allowed> allowed_table() {
+    std::map<std::string, Allowed> table;
+    std::ifstream file(std::string(STRAHL_SOURCE) + "/povref/allowed.txt");
+    for (std::string line; std::getline(file, line);) {
+        std::istringstream words(line);
+        std::string name, reason;
+        Allowed allowed;
+        if (line.empty() || line[0] == '#') continue;
+        if (!(words >> name >> allowed.steps >> allowed.share >> reason))
+            throw std::runtime_error("povref/allowed.txt: this line lacks a reason: " + line);
+        table[name] = allowed;
+    }
+    return table;
+}
+
+/// What is wrong with a verdict, or "".
+inline std::string fault(const Verdict& verdict, const Allowed& allowed) {
+    std::ostringstream text;
+    if (verdict.worst_off_edges > allowed.steps)
+        text << "off the edges a pixel differs by " << verdict.worst_off_edges << " steps of 1/65535 (x " << verdict.x
+             << ", y " << verdict.y << "), allowed are " << allowed.steps << "; ";
+    if (double(verdict.beyond_off_edges) > allowed.share * double(verdict.pixels))
+        text << verdict.beyond_off_edges << " pixels off the edges differ by more than a step; ";
+    // Of a small picture, one pixel may be more than a thousandth.
+    if (double(verdict.beyond_on_edges) > std::max(2., 0.001 * double(verdict.pixels)))
+        text << verdict.beyond_on_edges << " pixels on edges differ; ";
+    return text.str();
+}
+
+}  // namespace strahl

@@ -1,0 +1,123 @@
+// POV-Ray itself, run on every scene there is.
+#include <doctest/doctest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <mutex>
+#include <thread>
+
+#include "agreement.h"
+#include "image/picture.h"
+#include "povref/command_pov.h"
+#include "povref/run_povray.h"
+#include "scratch.h"
+
+using namespace strahl;
+
+namespace {
+
+/// What is wrong with the agreement in this scene, or "".
+std::string check(const std::string& name, const Allowed& allowed, int width, int height) {
+    const Scene scene = read_scene(name);
+    const View view{.camera = scene.camera, .width = width, .height = height, .depth = scene.settings.max_trace_level};
+    const PovRun theirs = run_povray(
+        scene, {.title = name, .cameras = {view.camera}, .width = width, .height = height, .depth = view.depth}, 1);
+    Tracer tracer(scene, Precision::twice);
+    const std::string disagreement = fault(judge(tracer, view, render(scene, view), theirs.picture), allowed);
+    return disagreement + (theirs.warnings.empty() ? "" : "povray warns: " + theirs.warnings);
+}
+
+/// Runs a command line, and returns all it prints.
+std::string output_of(const std::string& command) {
+    std::FILE* pipe = popen((command + " 2>&1").c_str(), "r");
+    REQUIRE(pipe);
+    std::string text;
+    char buffer[4096];
+    while (const std::size_t got = std::fread(buffer, 1, sizeof buffer, pipe)) text.append(buffer, got);
+    REQUIRE_MESSAGE(pclose(pipe) == 0, text);
+    return text;
+}
+
+}  // namespace
+
+TEST_CASE("every scene's picture is POV-Ray's") {
+    const std::vector<std::string> names = scene_names();
+    const auto table = allowed_table();
+    std::atomic<std::size_t> next = 0;
+    std::mutex mutex;
+    std::string faults;
+    const auto work = [&] {
+        for (std::size_t i = next++; i < names.size(); i = next++) {
+            const auto allowed = table.find(names[i]);
+            std::string found;
+            try {
+                found = check(names[i], allowed == table.end() ? Allowed{} : allowed->second, 160, 120);
+            } catch (const std::exception& error) {
+                found = error.what();
+            }
+            if (found.empty()) continue;
+            const std::lock_guard lock(mutex);
+            faults += names[i] + ": " + found + "\n";
+        }
+    };
+    {
+        // POV-Ray sleeps most of the half second that it takes for a small picture.
+        std::vector<std::jthread> threads;
+        for (int i = 0; i < 4; ++i) threads.emplace_back(work);
+    }
+    CHECK_MESSAGE(faults.empty(), faults);
+}
+
+TEST_CASE("povray runs an emitted .ini as it stands, without a warning, and makes the picture that strahl makes") {
+    const Scratch scratch;
+    for (const char* name : {"crosscheck/total_reflection", "crosscheck/linear_light", "crosscheck/camera_inside"}) {
+        CAPTURE(name);
+        const std::string pov = scratch / "some scene.pov";
+        REQUIRE(pov_command({.scene = std::string(STRAHL_SOURCE) + "/scenes/" + name + ".rt",
+                             .output = pov,
+                             .width = 64,
+                             .height = 48}) == 0);
+        const std::string log = output_of("povray '" + (scratch / "some scene.ini") + "'");
+        CHECK_MESSAGE(log.find("Warning: ") == std::string::npos, log);
+        const Scene scene = read_scene(name);
+        const Frame frame = render(scene, {.camera = scene.camera, .width = 64, .height = 48});
+        const std::string ours = scratch / "ours.png";
+        write_picture({64, 48, 3, frame.rgb}, ours, {16, scene.settings.linear});
+        const Picture a = read_picture(ours), b = read_picture(scratch / "some scene.png");
+        REQUIRE(a.values.size() == b.values.size());
+        double worst = 0;
+        for (std::size_t i = 0; i < a.values.size(); ++i) worst = std::max(worst, std::abs(a.values[i] - b.values[i]));
+        // The sRGB curve is up to 13 times steeper than the values it encodes.
+        CHECK(worst * 65535 < (scene.settings.linear ? 13.5 : 1.5));
+    }
+}
+
+TEST_CASE("an animation of ten frames agrees frame by frame") {
+    const Scratch scratch;
+    const Scene scene = read_scene("crosscheck/flight");
+    REQUIRE(pov_command({.scene = STRAHL_SOURCE "/scenes/crosscheck/flight.rt",
+                         .output = scratch / "flight.pov",
+                         .animation = true,
+                         .fps = 4.5,
+                         .width = 64,
+                         .height = 48}) == 0);
+    const std::string log = output_of("povray '" + (scratch / "flight.ini") + "'");
+    CHECK_MESSAGE(log.find("Rendering frame 10 of 10") != std::string::npos, log);
+    Tracer tracer(scene, Precision::twice);
+    for (int n = 0; n < 10; ++n) {
+        CAPTURE(n);
+        const View view{.camera = camera_at(*scene.flythrough, scene.camera, n / 4.5), .width = 64, .height = 48};
+        const Picture theirs = read_picture(scratch / ("flight" + std::to_string(n) + ".png"));
+        const Verdict verdict = judge(tracer, view, render(scene, view), theirs);
+        CHECK_MESSAGE(fault(verdict, {}).empty(), fault(verdict, {}));
+    }
+}
+
+TEST_CASE("without povray there is a message that helps") {
+    const Scene scene = read_scene("crosscheck/ambient");
+    const std::string path = std::getenv("PATH");
+    setenv("PATH", "/nowhere", 1);
+    CHECK_THROWS_WITH(run_povray(scene, {.cameras = {scene.camera}, .width = 8, .height = 6}, 1),
+                      doctest::Contains("apt install povray"));
+    setenv("PATH", path.c_str(), 1);
+}

@@ -1,0 +1,278 @@
+// The converter's text, and strahl's pictures against POV-Ray's stored ones.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <set>
+
+#include "agreement.h"
+#include "image/picture.h"
+#include "povref/material_names.h"
+#include "povref/pov_scene.h"
+#include "povref/unit.h"
+#include "scratch.h"
+#include "text/file.h"
+#include "trace/thread_pool.h"
+
+using namespace strahl;
+
+namespace {
+
+constexpr int picture_width = 80, picture_height = 60;  // as make_references has it
+
+PovRequest request_for(const std::string& name, const Scene& scene) {
+    return {.title = std::filesystem::path(name).filename().string() + ".rt",
+            .pov_path = "s.pov",
+            .picture_path = "s.png",
+            .cameras = {scene.camera},
+            .width = picture_width,
+            .height = picture_height,
+            .depth = scene.settings.max_trace_level};
+}
+PovFiles convert(const std::string& text) {
+    const Scene scene = parse_scene(text, "test");
+    return write_pov(scene, request_for("test", scene));
+}
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+std::size_t count(const std::string& text, const std::string& part) {
+    std::size_t n = 0;
+    for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; at += part.size()) ++n;
+    return n;
+}
+
+std::string sha256(const std::string& path) {
+    std::FILE* pipe = popen(("sha256sum '" + path + "'").c_str(), "r");
+    REQUIRE(pipe);
+    char sum[65] = {};
+    REQUIRE(std::fread(sum, 1, 64, pipe) == 64);
+    REQUIRE(pclose(pipe) == 0);
+    return sum;
+}
+
+const std::string camera = "camera { position <0, -9, 3> look_at <0, 0, 1> sky <0, 0, 1> fov 20 aspectratio 1.25 }\n";
+const std::string light = "light { position <-4, -6, 8> color <1, 1, 1> }\n";
+
+}  // namespace
+
+TEST_CASE("the camera's vectors span the picture that strahl sees") {
+    const PovFiles files = convert(
+        "camera { position <1, 2, 3> look_at <1, 5, 3> sky <0, 0, 1> angle 90 aspectratio 2 }\n"
+        "sphere { <1, 5, 3>, 1 }");
+    CHECK(has(files.pov, "location  <1, 2, 3>"));
+    CHECK(has(files.pov, "direction <0, 1, 0>"));
+    // The exact width is 2, and 1 the height; tan 45 degrees is not.
+    double right = 0, up = 0;
+    CHECK(std::sscanf(files.pov.c_str() + files.pov.find("right     "), "right <%lf, 0, 0>", &right) == 1);
+    CHECK(std::sscanf(files.pov.c_str() + files.pov.find("up        "), "up <0, 0, %lf>", &up) == 1);
+    CHECK(right == doctest::Approx(2).epsilon(1e-15));
+    CHECK(up == doctest::Approx(1).epsilon(1e-15));
+    CHECK_FALSE(has(files.pov, "look_at"));
+}
+
+TEST_CASE("values go straight to the file, or are linear light") {
+    const std::string body = "sphere { <0, 0, 1>, 1 }";
+    CHECK(has(convert(camera + body).pov, "assumed_gamma srgb"));
+    CHECK(has(convert(camera + "global_settings { assumed_gamma 1 }" + body).pov, "assumed_gamma 1.0"));
+    CHECK(has(convert(camera + body).ini, "File_Gamma=srgb\n"));
+}
+
+TEST_CASE("transformations stay as they are, or become a matrix where POV-Ray would change them") {
+    const std::string text =
+        convert(camera + "sphere { <0, 0, 1>, 1 rotate <10, 20, 30> translate <1, 2, 3> scale <1, 2, -3> }").pov;
+    CHECK(has(text, "rotate <10, 20, 30>"));
+    CHECK(text.find("rotate <10, 20, 30>") < text.find("translate <1, 2, 3>"));
+    CHECK(text.find("translate <1, 2, 3>") < text.find("scale <1, 2, -3>"));
+    const std::string tiny = convert(camera + "sphere { <0, 0, 1e12>, 1e12 scale 1e-12 }").pov;
+    CHECK(has(tiny, "matrix <1e-12, 0, 0, 0, 1e-12, 0, 0, 0, 1e-12, 0, 0, 0>"));
+}
+
+TEST_CASE("coloured shadows need a copy of the body, white ones and lightless scenes none") {
+    const auto glass = [](const char* rgb) {
+        return std::string("sphere { <0, 0, 1>, 1 material { refraction 0.8 reflection 0.2 ior 1.5 rgb ") + rgb +
+               " } }";
+    };
+    const std::string red = convert(camera + light + glass("<1, 0.5, 0.5>")).pov;
+    CHECK(count(red, "no_image no_reflection") == 1);
+    CHECK(count(red, "no_shadow") == 1);
+    CHECK(red.find("no_image") < red.find("no_shadow"));
+    CHECK(count(convert(camera + light + glass("<1, 1, 1>")).pov, "no_image") == 0);
+    CHECK(count(convert(camera + glass("<1, 0.5, 0.5>")).pov, "no_image") == 0);
+}
+
+TEST_CASE("the old keyword is used only where total reflection would weigh otherwise") {
+    const auto glass = [](const char* how) {
+        return camera + light + "sphere { <0, 0, 1>, 1 material { " + how + " } }";
+    };
+    CHECK_FALSE(has(convert(glass("reflection 0.2 refraction 0.8 ior 1.5")).pov, " refraction 1"));
+    CHECK_FALSE(has(convert(glass("reflection 0.2 refraction 0.5 ior 1")).pov, " refraction 0"));
+    const PovFiles files = convert(glass("reflection 0.1 refraction 0.2 ior 1.5"));
+    CHECK(has(files.pov, "refraction 0.3"));
+    CHECK(has(files.pov, "transmit 0.2/0.3"));
+    CHECK(has(files.ini, "Warning_Console=Off"));
+    CHECK_FALSE(has(convert(glass("refraction 0 reflection 0.5")).ini, "Warning_Console"));
+}
+
+TEST_CASE("an ior of 1 is written as another number only where the depth limit could show the difference") {
+    const auto panes = [](const char* weight) {
+        return convert(camera + light + "sphere { <0, 0, 1>, 1 material { reflection 0 ior 1 refraction " + weight +
+                       " } }");
+    };
+    CHECK(has(panes("0.3").pov, "ior 1 }"));
+    CHECK(panes("0.3").warnings.empty());
+    CHECK(has(panes("0.9").pov, "ior 1.00000012"));
+    REQUIRE(panes("0.9").warnings.size() == 1);
+    CHECK(has(panes("0.9").pov, "// Not exact: POV-Ray does not count"));
+}
+
+TEST_CASE("transparent bodies that may share space are told of") {
+    const std::string glass = "material { reflection 0 refraction 0.9 ior 1.5 } }\n";
+    const auto two = [&](const char* x) {
+        return convert(camera + light + "sphere { <0, 0, 1>, 1 " + glass + "sphere { <" + x + ", 0, 1>, 1 " + glass);
+    };
+    CHECK(two("3").warnings.empty());
+    CHECK(two("1").warnings.size() == 1);
+}
+
+TEST_CASE("with the camera in glass, bodies are listed in the file's order") {
+    const std::string ball = "sphere { <0, -9, 3>, 1 material { refraction 0.5 } }";
+    CHECK(has(convert(camera + light + ball).ini, "Bounding=Off"));
+    CHECK_FALSE(has(convert(camera + light + "sphere { <0, 0, 1>, 1 material { refraction 0.5 } }").ini, "Bounding"));
+}
+
+TEST_CASE("small and large scenes are built in other units") {
+    const auto unit = [](double size) {
+        Scene scene;
+        scene.camera.position = {0, -9 * size, 3 * size};
+        scene.materials.emplace_back();
+        scene.primitives.push_back({Sphere{{0, 0, size}, size}, 0, {}});
+        scene.primitives.push_back({Plane{}, 0, {}});
+        return unit_for(scene, {scene.camera});
+    };
+    // Farthest point and POV-Ray's tolerances and horizon: see povref/unit.h.
+    for (const double size : {1e-12, 1e-3, 1., 1e4, 1e9}) {
+        CAPTURE(size);
+        const Unit u = unit(size);
+        CHECK(u.fault.empty());
+        CHECK(u.unit * 11 * size > 100);
+        CHECK(u.unit * 11 * size < 1e4);
+    }
+    CHECK(unit(100).unit == 1);
+    CHECK_FALSE(has(convert("camera { position <0, -900, 300> look_at <0, 0, 1> sky <0, 0, 1> }\n"
+                            "plane { <0, 0, 0>, <1, 0, 0>, <0, 1, 0> } sphere { <0, 0, 100>, 100 }")
+                        .pov,
+                    "Unit"));
+    Scene wide;
+    wide.camera.position = {0, -1e6, 0};
+    wide.materials.emplace_back();
+    wide.primitives.push_back({Sphere{{0, 0, 0}, 1e-6}, 0, {}});
+    CHECK(unit_for(wide, {wide.camera}).fault != "");
+}
+
+TEST_CASE("materials get different names that say what they are") {
+    Material red{.rgb = {0.9, 0.1, 0.1}, .reflection = 0, .specular = 0};
+    Material glass{.rgb = {1, 1, 1}, .refraction = 0.8};
+    Material mirror{.rgb = {0.1, 0.2, 0.8}, .reflection = 0.8, .ambient = 0.1};
+    const auto names = material_names({red, glass, mirror, red});
+    CHECK(names == std::vector<std::string>{"Red_Matt", "Clear_Glass", "Blue_Mirror", "Red_Matt_2"});
+}
+
+TEST_CASE("an animation holds every frame's camera") {
+    const Scene scene = read_scene("crosscheck/flight");
+    PovRequest request = request_for("flight", scene);
+    request.fps = 5;
+    request.cameras.clear();
+    for (int n = 0; n < 10; ++n) request.cameras.push_back(camera_at(*scene.flythrough, scene.camera, n / 5.));
+    const PovFiles files = write_pov(scene, request);
+    CHECK(has(files.pov, "#declare Eye = array[10] {"));
+    CHECK(has(files.pov, "location  Eye[frame_number]"));
+    CHECK(has(files.ini, "Initial_Frame=0\nFinal_Frame=9\n"));
+}
+
+TEST_CASE("references are there for every scene, and made from what the converter writes") {
+    std::map<std::string, std::string> sums;
+    std::ifstream list(STRAHL_SOURCE "/povref/reference/emitted.sha256");
+    for (std::string sum, file; list >> sum >> file;) sums[file] = sum;
+    const Scratch scratch;
+    const std::string path = scratch / "scene.pov";
+    std::string stale;
+    for (const std::string& name : scene_names()) {
+        const Scene scene = read_scene(name);
+        write_file(path, write_pov(scene, request_for(name, scene)).pov);
+        if (sums[name + ".pov"] != sha256(path)) stale += " " + name;
+        sums.erase(name + ".pov");
+    }
+    CHECK_MESSAGE(stale.empty(), "stale, run povref/make_references:", stale);
+    CHECK_MESSAGE(sums.empty(), "references without a scene, run povref/make_references");
+}
+
+TEST_CASE("strahl's pictures are POV-Ray's stored ones") {
+    const auto table = allowed_table();
+    std::set<std::string> unknown;
+    for (const auto& [name, allowed] : table) unknown.insert(name);
+    for (const std::string& name : scene_names()) {
+        CAPTURE(name);
+        unknown.erase(name);
+        const Scene scene = read_scene(name);
+        const View view{.camera = scene.camera,
+                        .width = picture_width,
+                        .height = picture_height,
+                        .depth = scene.settings.max_trace_level};
+        Tracer tracer(scene, Precision::twice);
+        const Picture theirs = read_picture(STRAHL_SOURCE "/povref/reference/" + name + ".png");
+        const Verdict verdict = judge(tracer, view, render(scene, view), theirs);
+        const auto allowed = table.find(name);
+        CHECK_MESSAGE(fault(verdict, allowed == table.end() ? Allowed{} : allowed->second).empty(), name, ": ",
+                      fault(verdict, allowed == table.end() ? Allowed{} : allowed->second));
+    }
+    CHECK_MESSAGE(unknown.empty(), "povref/allowed.txt speaks of a scene that is not there: ", *unknown.begin());
+}
+
+TEST_CASE("a pixel is on an edge where the picture jumps, and not where it only changes fast") {
+    Scene scene;
+    scene.camera = {.position = {0, -9, 0}, .look_at = {0, 0, 0}, .up = {0, 0, -1}, .fov = 20, .aspectratio = 1};
+    scene.lights.push_back({{-3, -9, 4}, Color(1)});
+    scene.materials.push_back({.reflection = 0, .specular = 1, .pow = 500});
+    scene.primitives.push_back({Sphere{{0, 0, 0}, 2}, 0, {}});
+    const View view{.camera = scene.camera, .width = 101, .height = 101};
+    Tracer tracer(scene, Precision::twice);
+    ThreadPool pool(1);
+    const Frame frame = render(scene, view);
+    const auto lit = [&](int x) { return frame.rgb[3 * (50 * 101 + x)] > 0; };
+    int rim = 0;
+    while (!lit(rim)) ++rim;
+    // Within a pixel of the rim a shift brings the sampling point onto it.
+    int edges = 0;
+    for (int i = -50; i <= 50; ++i) {
+        View moved = view;
+        moved.shift_x = i / 50.;
+        edges += on_edge(tracer, moved, pool, rim, 50);
+    }
+    CHECK(edges >= 1);
+    CHECK(edges <= 3);
+    // The highlight is a few pixels wide and far from flat.
+    for (int y = 20; y < 80; ++y)
+        for (int x = 35; x < 65; ++x) CHECK_FALSE(on_edge(tracer, view, pool, x, y));
+}
+
+TEST_CASE("a verdict finds differences, and says on which side of the edges they are") {
+    const Scene scene = read_scene("crosscheck/ambient");
+    const View view{.camera = scene.camera, .width = 40, .height = 30};
+    Tracer tracer(scene, Precision::twice);
+    const Frame ours = render(scene, view);
+    Picture theirs{40, 30, 3, ours.rgb, 16};
+    for (double& v : theirs.values) v = std::round(v * 65535) / 65535;
+    CHECK(judge(tracer, view, ours, theirs).worst_off_edges == 0);
+    theirs.values[0] += 1 / 65535.;
+    CHECK(judge(tracer, view, ours, theirs).worst_off_edges == 1);
+    CHECK(judge(tracer, view, ours, theirs).beyond_off_edges == 0);
+    theirs.values[3 * 41 + 1] += 5 / 65535.;
+    const Verdict verdict = judge(tracer, view, ours, theirs);
+    CHECK(verdict.worst_off_edges == 5);
+    CHECK(verdict.beyond_off_edges == 1);
+    CHECK(verdict.x == 1);
+    CHECK(verdict.y == 1);
+    CHECK(fault(verdict, {}) != "");
+    CHECK(fault(verdict, {5, 0.01}).empty());
+    Picture other = theirs;
+    other.width = 30;
+    CHECK_THROWS_AS(judge(tracer, view, ours, other), FileError);
+}
