@@ -38,7 +38,8 @@ TEST_CASE("equal balls: of two, and of many in a hierarchy, with any threads and
             for (const Precision precision : precisions) {
                 CAPTURE(pairs);
                 CAPTURE(far_apart);
-                const Scene scene = doubled(pairs, red, blue, far_apart), swapped = doubled(pairs, blue, red, far_apart);
+                const Scene scene = doubled(pairs, red, blue, far_apart),
+                            swapped = doubled(pairs, blue, red, far_apart);
                 const Frame frame = shoot(scene, precision);
                 CHECK(count(frame, blue) == 0);
                 CHECK(count(frame, red) > 0);

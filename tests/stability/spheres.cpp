@@ -36,7 +36,7 @@ Ball far_ball(Dice& dice) {
 }
 
 struct Wrong {
-    int hits = 0;     // hit and miss confused
+    int hits = 0;      // hit and miss confused
     double error = 0;  // largest relative error of t
 };
 template <class T, class Method>
@@ -72,7 +72,7 @@ TEST_CASE("a small ball 10,000 km away") {
 TEST_CASE("the outline of a ball 4096 radii away, in float") {
     const Vec3<float> z{0, 0, 1}, inside{.999f, 0, -4096}, outside{1.0001f, 0, -4096}, centre(0.f);
     CHECK(naive::sphere(inside, z, centre, 1.f).near == doctest::Approx(4095).epsilon(1e-9));  // .955 off
-    CHECK(naive::sphere(outside, z, centre, 1.f).hit);                                        // though it misses
+    CHECK(naive::sphere(outside, z, centre, 1.f).hit);                                         // though it misses
     CHECK(ours(inside, z, centre, 1.f).near == doctest::Approx(4095.95528989).epsilon(1.2e-7));
     CHECK(!ours(outside, z, centre, 1.f).hit);
 }
@@ -114,8 +114,7 @@ TEST_CASE("a ball as large as the earth as the ground") {
     CHECK(std::abs(naive::stable_sphere<float>({0, 1, 0}, {0, -1, 0}, {0, -1e7f, 0}, 1e7f).near - 1) > .1);
     CHECK(ours<double>({0, 1, 0}, {0, -1, 0}, {0, -1e7, 0}, 1e7).near == doctest::Approx(1).epsilon(1e-9));
     const DVec3 o{0, 1.5, 0}, slope = unit<double>({1, -.01, 0});
-    const double naive_t =
-        naive::sphere<float>(naive::to<float>(o), naive::to<float>(slope), {0, -1e6f, 0}, 1e6f).near;
+    const double naive_t = naive::sphere<float>(naive::to<float>(o), naive::to<float>(slope), {0, -1e6f, 0}, 1e6f).near;
     CHECK(std::abs(naive_t - 151.149755) > .1);
     const Span<double> span = ours(o, slope, {0, -1e6, 0}, 1e6);
     using Q = __float128;

@@ -19,8 +19,8 @@ void scale_and_move(Cylinder& c, double factor, const DVec3& by) {
 }  // namespace
 
 Material paint(const Color& rgb) {
-    return {.rgb = rgb, .reflection = 0, .refraction = 0, .diffuse = 1, .ambient = 0, .specular = 0, .pow = 1,
-            .ior = 1};
+    return {
+        .rgb = rgb, .reflection = 0, .refraction = 0, .diffuse = 1, .ambient = 0, .specular = 0, .pow = 1, .ior = 1};
 }
 Material glow(const Color& rgb) {
     Material m = paint(rgb);

@@ -10,9 +10,9 @@
 
 namespace strahl::stability {
 
-Material paint(const Color& rgb);           // dull
-Material glow(const Color& rgb);            // shows `rgb` and nothing else, lit or not
-Material mirror(double share);              // black but for what it mirrors
+Material paint(const Color& rgb);              // dull
+Material glow(const Color& rgb);               // shows `rgb` and nothing else, lit or not
+Material mirror(double share);                 // black but for what it mirrors
 Material glass(double ior, double share = 1);  // black but for what passes, filtered by nothing
 
 /// A scene under construction: eye at (0, -6, 0) looking along +y, z up, no lights, black background.

@@ -1,0 +1,133 @@
+// Numbers at the ends of what a scene may say: no picture ever holds one that is none.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "tests/stability/stage.h"
+#include "text/parse.h"
+
+using namespace strahl;
+using namespace strahl::stability;
+
+namespace {
+
+void finite_in_all(const Scene& scene, const Shot& shot = {33, 25, 5}) {
+    for (const Precision precision : precisions) {
+        CAPTURE(std::string(name(precision)));
+        CHECK(not_finite(shoot(scene, precision, shot)) == 0);
+    }
+}
+
+}  // namespace
+
+TEST_CASE("a light on, in and within a hair of a surface") {
+    // l is 0 / 0 in the point itself.
+    for (const double x : {0., -1., -1 + 1e-16, -1 - 1e-16, -1 - 1e-300, -.5}) {
+        Stage stage;
+        Material shiny = paint({1, 1, 1});
+        shiny.specular = 1, shiny.pow = 50, shiny.reflection = .5;
+        stage.light({0, x, 0}).put(Sphere{{0, 0, 0}, 1}, shiny);
+        stage.put(Plane{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, shiny).look({0, -6, .5}, {0, x, 0}, 20);
+        finite_in_all(stage.scene, {65, 49, 5});
+        stage.light(stage.scene.camera.position);
+        finite_in_all(stage.scene, {65, 49, 5});
+    }
+}
+
+TEST_CASE("highlights of every exponent") {
+    CHECK(std::isnan(std::pow(-1e-8, 20.5)));      // the naive way, without a clamp
+    CHECK(std::isinf(std::pow(1.000001f, 1e9f)));  // and with cosines a rounding error above 1
+    for (const double pow : {0., 1e-300, .5, 1., 20.5, 1024., 1025., 1e6, 1e9, 1e15}) {
+        CAPTURE(pow);
+        Stage stage;
+        Material shiny = paint({.5, .5, .5});
+        shiny.specular = 1, shiny.pow = pow;
+        stage.light({0, -6, 0}).light({-3, -3, 3}).put(Sphere{{0, 0, 0}, 1}, shiny);
+        for (const Precision precision : precisions) {
+            const Frame frame = shoot(stage.scene, precision, {65, 49});
+            CHECK(not_finite(frame) == 0);
+            for (const double v : frame.rgb) CHECK_UNARY(v >= 0 && v <= 2 * 1.5 + 1e-6);
+        }
+    }
+}
+
+TEST_CASE("sizes and places from the smallest to the largest number a scene may hold") {
+    for (const double size : {2.3e-308, 1e-300, 1e-160, 1e-45, 1e-30, 1e-12, 1e12, 1e14, 1e15}) {
+        CAPTURE(size);
+        Stage stage;
+        stage.background({.25, .25, .25});
+        // The camera where it was: the body is a dot or all around.
+        Material shiny = paint({.5, .5, .5});
+        shiny.reflection = .5, shiny.specular = .5;
+        stage.light({-4, -5, 6}).put(Sphere{{0, 0, 0}, size}, shiny).put(Sphere{{.5, 1, 0}, 1}, glass(1.5, .5));
+        stage.put(Cylinder{{0, 0, 0}, {0, 0, size}, size}, shiny).put(Cylinder{{0, 0, 0}, {0, 0, size}, 1}, shiny);
+        stage.put(Cylinder{{0, 0, 0}, {0, 0, 1}, size}, shiny);
+        stage.put(Plane{{0, 0, -size}, {size, 0, -size}, {0, size, -size}}, shiny);
+        stage.light({size, size, size}).light({0, -size, 0});
+        finite_in_all(stage.scene);
+        // All of it that size, the camera with it.
+        if (size > 1e-300 && size < 1e14) finite_in_all(placed(still_life(), size));
+    }
+}
+
+TEST_CASE("everything at one place") {
+    for (const double place : {0., 1e-300, 1., 1e15}) {
+        Stage stage;
+        stage.look({place, place, place}, {place, place + std::max(1., place), place}, 45);
+        for (int i = 0; i < 40; ++i) stage.put(Sphere{DVec3(place), 1. + i % 3}, glass(1 + .1 * (i % 4), .5));
+        stage.light(DVec3(place)).background({1, 1, 1});
+        finite_in_all(stage.scene, {17, 13, 3});
+    }
+}
+
+TEST_CASE("stretched out of all proportion") {
+    for (const double stretch : {1e-12, 1e-6, 1e6, 1e12})
+        for (const int axis : {0, 1, 2}) {
+            CAPTURE(stretch);
+            CAPTURE(axis);
+            DVec3 by(1);
+            by[axis] = stretch;
+            Stage stage;
+            Material shiny = paint({.5, .5, .5});
+            shiny.reflection = .5;
+            stage.light({-4, -5, 6}).background({.5, .25, 0});
+            stage.put(Sphere{{0, 0, 0}, 1}, shiny, {Scale{by}, Rotate{{10, 20, 30}}});
+            stage.put(Cylinder{{0, 0, -1}, {.5, .5, 1}, .5}, glass(1.5, .5), {Scale{by}});
+            stage.put(Plane{{0, 0, -1}, {1, 0, -1}, {0, 1, -1}}, shiny, {Rotate{{10, 20, 30}}, Scale{by}});
+            finite_in_all(stage.scene);
+        }
+}
+
+TEST_CASE("the brightest a file may ask for is still a number, in every precision") {
+    // Products of three: a light, a share and a colour. In float 3.4e38 is the end.
+    const std::string largest = "1e308";
+    const auto text = [](const std::string& bright) {
+        return "camera { position <0,-6,0> look_at <0,0,0> sky <0,0,1> fov 20 }\n"
+               "global_settings { ambient_light <" +
+               bright +
+               ", 1, 1> }\n"
+               "background { color <" +
+               bright +
+               ", 0, 0> }\n"
+               "light { position <-4,-5,6> color <" +
+               bright +
+               ", 1, 0> }\n"
+               "sphere { <0,0,0>, 1 material { rgb <" +
+               bright + ", 1, 0> diffuse " + bright + " specular " + bright + " ambient " + bright +
+               " reflection 1 } }\n";
+    };
+    CHECK_THROWS_AS(parse_scene(text(largest), "bright.rt"), FileError);
+    finite_in_all(parse_scene(text("1e9"), "bright.rt"));
+}
+
+TEST_CASE("the largest and smallest index of refraction of a file") {
+    const auto text = [](const std::string& ior) {
+        return "camera { position <0,-6,0> look_at <0,0,0> sky <0,0,1> fov 20 }\n"
+               "sphere { <0,0,0>, 1 material { refraction 1 ior " +
+               ior + " } }\n";
+    };
+    for (const char* ior : {"2.3e-308", "1e308"}) CHECK_THROWS_AS(parse_scene(text(ior), "glass.rt"), FileError);
+    for (const char* ior : {"1e-9", "1e9"}) finite_in_all(parse_scene(text(ior), "glass.rt"));
+}
