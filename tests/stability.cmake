@@ -5,8 +5,7 @@ target_link_libraries(strahl_stage PUBLIC strahl_trace strahl_referee)
 
 function(strahl_stability_test name)
   add_executable(stability_${name} ${stability}/${name}.cpp)
-  target_link_libraries(stability_${name} PRIVATE doctest::doctest strahl_stage ${ARGN})
-  target_compile_definitions(stability_${name} PRIVATE DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN)
+  target_link_libraries(stability_${name} PRIVATE strahl_doctest strahl_stage ${ARGN})
   add_test(NAME stability_${name} COMMAND stability_${name})
 endfunction()
 
