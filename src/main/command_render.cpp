@@ -94,7 +94,7 @@ Camera camera_of(const Scene& scene, std::optional<double> time) {
 
 class Renderer {
   public:
-    Renderer(const RenderOptions& o, const Scene& scene, const Lattice& lattice, Stats& sums)
+    Renderer(const RenderOptions& o, Scene scene, const Lattice& lattice, Stats& sums)
         : options(o),
           linear(scene.settings.linear),
           part(lattice),
@@ -102,7 +102,7 @@ class Renderer {
           stats(sums),
           pool(o.threads),
           loading(preload_picture_library()),
-          tracer(scene, o.precision, o.simd) {
+          tracer(std::move(scene), o.precision, o.simd) {
         stats.depth = depth;
         stats.threads = pool.size();
         stats.precision = tracer.precision();
@@ -111,11 +111,15 @@ class Renderer {
         stats.build_seconds = watch.lap();
     }
 
+    const Scene& scene() const { return tracer.scene(); }
+
     /// Traces and writes one picture. False if it was interrupted: then the finished part of it is in a file of its
     /// own.
     bool render(const Camera& camera, const std::string& path, const std::string& ending, const std::string& label) {
         Picture picture{part.columns, part.rows, 3, std::vector<double>(3 * pixels())};
         watch.lap();
+        tracer.prepare(camera, pool);
+        stats.build_seconds += watch.lap();
         const std::uint64_t done = trace(camera, picture, label);
         stats.trace_seconds += watch.lap();
         const bool whole = done == pixels();
@@ -171,13 +175,13 @@ class Renderer {
     Interrupt interrupt;
 };
 
-bool render_frames(const RenderOptions& options, const Scene& scene, Renderer& renderer, const std::string& ending) {
+bool render_frames(const RenderOptions& options, Renderer& renderer, const std::string& ending) {
     const auto [first, last] = *options.frames;
     for (int frame = first; frame <= last; ++frame) {
         const std::string path = numbered(options.output, frame);
         if (options.resume && std::filesystem::exists(path)) continue;
         const std::string label = "frame " + std::to_string(frame) + " of " + std::to_string(last) + " ";
-        if (!renderer.render(camera_of(scene, frame / options.fps), path, ending, label)) {
+        if (!renderer.render(camera_of(renderer.scene(), frame / options.fps), path, ending, label)) {
             std::cerr << "strahl: the same command with --resume goes on from there\n";
             return false;
         }
@@ -198,15 +202,16 @@ int render_command(const RenderOptions& options) {
     stats.size = options.size;
     stats.crop = options.crop;
     Stopwatch watch;
-    const Scene scene = parse_scene(read_text(options.scene), options.scene == "-" ? "standard input" : options.scene);
+    Scene scene = parse_scene(read_text(options.scene), options.scene == "-" ? "standard input" : options.scene);
     stats.parse_seconds = watch.lap();
     if ((options.time || options.frames) && !scene.flythrough)
         throw UsageError(std::string(options.time ? "--time" : "--frames") +
                          " needs a scene with a flythrough { }, and " + options.scene + " has none");
 
-    Renderer renderer(options, scene, part, stats);
-    stats.finished = options.frames ? render_frames(options, scene, renderer, ending)
-                                    : renderer.render(camera_of(scene, options.time), options.output, ending, "");
+    Renderer renderer(options, std::move(scene), part, stats);
+    stats.finished = options.frames
+                         ? render_frames(options, renderer, ending)
+                         : renderer.render(camera_of(renderer.scene(), options.time), options.output, ending, "");
     if (!options.stats.empty()) write_file(options.stats, to_json(stats));
     return stats.finished ? exit_status::done : exit_status::interrupted;
 }

@@ -15,6 +15,14 @@ STRAHL_INLINE S load_lanes(const Element<S>* from) {
     else
         return S(typename S::Register(from, std::experimental::element_aligned));
 }
+/// The same from floats.
+template <class S>
+STRAHL_INLINE S load_converted(const float* from) {
+    if constexpr (width<S> == 1)
+        return static_cast<S>(*from);
+    else
+        return S(typename S::Register(from, std::experimental::element_aligned));
+}
 template <class S>
 STRAHL_INLINE void store_lanes(Element<S>* to, S value) {
     if constexpr (width<S> == 1)
@@ -61,6 +69,13 @@ STRAHL_INLINE R gather_items(const I* items, const int* index) {
     for (int f = 0; f < fields; ++f) packs[f] = load_lanes<S>(lanes[f]);
     return std::bit_cast<R>(packs);
 }
+/// Items [first, first + width) of which field f is in column f: columns + f * stride.
+template <class R, class S>
+STRAHL_INLINE R load_items(const Element<S>* columns, std::size_t stride, int first) {
+    std::array<S, sizeof(R) / sizeof(S)> packs;
+    for (std::size_t f = 0; f < packs.size(); ++f) packs[f] = load_lanes<S>(columns + f * stride + first);
+    return std::bit_cast<R>(packs);
+}
 /// The same item in every lane.
 template <class R, class S, class I>
 STRAHL_INLINE R splat_item(const I& item) {
@@ -84,6 +99,15 @@ template <Scalar S>
 STRAHL_INLINE S lane(S a, int) {
     return a;
 }
+template <Scalar S>
+STRAHL_INLINE S with_lane(S, int, S value) {
+    return value;
+}
+template <Scalar S>
+STRAHL_INLINE S least(S a) {
+    return a;
+}
+STRAHL_INLINE unsigned bits(bool mask) { return mask; }
 STRAHL_INLINE int count(bool mask) { return mask; }
 STRAHL_INLINE int first(bool) { return 0; }
 

@@ -148,9 +148,24 @@ template <class T>
 STRAHL_INLINE int first(PackMask<T> mask) {
     return std::experimental::find_first_set(mask.m);
 }
+/// Bit i is lane i.
+template <class T>
+STRAHL_INLINE unsigned bits(PackMask<T> mask) {
+    return static_cast<unsigned>(mask.m.__to_bitset().to_ulong());
+}
 template <class T>
 STRAHL_INLINE T lane(Pack<T> a, int i) {
     return a.v[i];
+}
+template <class T>
+STRAHL_INLINE Pack<T> with_lane(Pack<T> a, int i, T value) {
+    a.v[i] = value;
+    return a;
+}
+/// The smallest of the lanes.
+template <class T>
+STRAHL_INLINE T least(Pack<T> a) {
+    return std::experimental::hmin(a.v);
 }
 template <class T>
 STRAHL_INLINE void compress(T* to, Pack<T> value, PackMask<T> mask) {

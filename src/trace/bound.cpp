@@ -59,7 +59,7 @@ Bound bound_for(const Scene& scene, int depth, double error) {
             endless = std::max(endless, own[i] / (1 - scene.materials[i].reflection - scene.materials[i].refraction));
     }
     Bound bound{.brightest = brightest};
-bound.cutoff = brightest > 0 ? .75 * error / brightest : 0;
+    bound.cutoff = brightest > 0 ? .75 * error / brightest : 0;
     if (!scene.lights.empty())
         bound.faint = .25 * error / (depth * most_gain * static_cast<double>(scene.lights.size()));
     bound.truncated = keeps == 0 ? 0 : std::pow(keeps, depth) * endless;

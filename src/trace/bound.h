@@ -14,14 +14,15 @@ struct Bound {
 
 /// By how much a ray's `path` changes when it splits and goes on as the branch with this coefficient (Kr, say).
 ///
-/// Each ray has a share of the error allowed, the primary ray all of it, and hands it on to the branches it splits into,
-/// in parts that add up to 1. `path` is its weight over its share. If rays are dropped only where path * brightest <=
-/// error, then all of a pixel's dropped rays together lack no more than `error`, however often paths split. Parts in
-/// proportion to the roots of the coefficients let weak branches, the many reflections inside a glass, end early.
+/// Each ray has a share of the error allowed, the primary ray all of it, and hands it on to the branches it splits
+/// into, in parts that add up to 1. `path` is its weight over its share. If rays are dropped only where path *
+/// brightest <= error, then all of a pixel's dropped rays together lack no more than `error`, however often paths
+/// split. Parts in proportion to the roots of the coefficients let weak branches, the many reflections inside a glass,
+/// end early.
 double path_factor(double coefficient, double other);
 
-/// Three quarters of the error are for rays, one for shadow rays: all shares of a generation add up to 1 at most, so it is
-/// divided by the number of generations and lights. Error 0 is kept exactly: only what adds nothing is left out.
+/// Three quarters of the error are for rays, one for shadow rays: all shares of a generation add up to 1 at most, so it
+/// is divided by the number of generations and lights. Error 0 is kept exactly: only what adds nothing is left out.
 Bound bound_for(const Scene& scene, int depth, double error);
 
 }  // namespace strahl

@@ -18,6 +18,7 @@ namespace strahl {
 namespace {
 
 constexpr int few_items = 16;       // up to here a plain loop is faster than a hierarchy
+constexpr int widest = 16;          // lanes of the widest pack
 constexpr int most_item_keys = 64;  // up to here hits are sorted by item
 
 template <class T>
@@ -49,32 +50,47 @@ typename Affine<K>::template Kernel<T> affine(const DVec3& centre, double unit, 
 template <class T, class I>
 void drop_doubles(std::vector<I>& items, std::vector<Box>& boxes) {
     using Shape = decltype(I::shape);
-    const auto numbers = [&](std::size_t i) {
-        return std::bit_cast<std::array<T, sizeof(Shape) / sizeof(T)>>(items[i].shape);
-    };
-    std::vector<std::pair<std::uint64_t, std::size_t>> order(items.size());
-    for (std::size_t i = 0; i < items.size(); ++i) {
-        std::uint64_t hash = 0;
-        for (const T v : numbers(i))  // 0 is added because -0 equals it
-            hash = (hash ^ std::bit_cast<std::uint64_t>(static_cast<double>(v) + 0.)) * 0x9E3779B97F4A7C15u,
-            hash ^= hash >> 29;
-        order[i] = {hash, i};
-    }
-    std::sort(order.begin(), order.end());
-    std::vector<bool> doubled(items.size());
-    for (std::size_t begin = 0, end; begin < order.size(); begin = end) {
-        for (end = begin + 1; end < order.size() && order[end].first == order[begin].first; ++end)
-            for (std::size_t k = begin; k < end && !doubled[order[end].second]; ++k)
-                doubled[order[end].second] = numbers(order[k].second) == numbers(order[end].second);
-    }
+    using Numbers = std::array<T, sizeof(Shape) / sizeof(T)>;
+    const auto numbers = [&](std::size_t i) { return std::bit_cast<Numbers>(items[i].shape); };
+    const std::size_t slots = std::bit_ceil(2 * items.size() + 1);
+    std::vector<std::int32_t> table(slots, -1);  // of the items kept, by their numbers; the next slot if taken
     std::size_t kept = 0;
     for (std::size_t i = 0; i < items.size(); ++i) {
-        if (doubled[i]) continue;
+        const Numbers own = numbers(i);
+        std::uint64_t hash = 0;
+        for (const T v : own) {  // 0 is added because -0 equals it
+            hash = (hash ^ std::bit_cast<std::uint64_t>(static_cast<double>(v) + 0.)) * 0x9E3779B97F4A7C15u;
+            hash ^= hash >> 29;
+        }
+        std::size_t slot = hash & (slots - 1);
+        while (table[slot] >= 0 && !(numbers(table[slot]) == own)) slot = (slot + 1) & (slots - 1);
+        if (table[slot] >= 0) continue;
+        table[slot] = static_cast<std::int32_t>(kept);
         boxes[kept] = boxes[i];
         items[kept++] = items[i];
     }
     items.resize(kept);
     boxes.resize(kept);
+}
+
+template <class I>
+void sort_items(std::vector<I>& items, const std::vector<std::int32_t>& order) {
+    std::vector<I> sorted;
+    sorted.reserve(items.size());
+    for (const std::int32_t i : order) sorted.push_back(items[i]);
+    items = std::move(sorted);
+}
+
+/// Field by field (see World::Group).
+template <class T, class I>
+std::vector<T> columns_of(const std::vector<I>& items, std::size_t stride) {
+    constexpr std::size_t fields = sizeof(I) / sizeof(T);
+    std::vector<T> columns(fields * stride);
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        const auto values = std::bit_cast<std::array<T, fields>>(items[i]);
+        for (std::size_t f = 0; f < fields; ++f) columns[f * stride + i] = values[f];
+    }
+    return columns;
 }
 
 }  // namespace
@@ -123,8 +139,9 @@ struct BuiltWorld<T>::Arrays {
     template <template <class> class K>
     struct Group {
         std::vector<typename Item<K>::template Of<T>> items;
-        std::vector<Box> boxes;  // empty for unbounded kinds
-        Hierarchy<T> hierarchy;
+        std::vector<Box> boxes;
+        std::vector<Node> nodes;
+        std::vector<T> columns;
     };
     World<T> world;
     PerKernel<Group> groups;
@@ -140,7 +157,7 @@ struct BuiltWorld<T>::Arrays {
     };
     std::vector<Body> transparent;  // only where the bodies around an eye matter
 
-    Arrays(const Scene& scene, const Placement& placement);
+    Arrays(const Scene& scene, const Placement& placement, ThreadPool& pool);
 
     void add(const Sphere& sphere, const Setting& setting, T surface, T material) {
         if (setting.similarity > 0) {
@@ -177,7 +194,7 @@ struct BuiltWorld<T>::Arrays {
 };
 
 template <class T>
-BuiltWorld<T>::Arrays::Arrays(const Scene& scene, const Placement& placement) {
+BuiltWorld<T>::Arrays::Arrays(const Scene& scene, const Placement& placement, ThreadPool& pool) {
     const DVec3 ambient = scene.settings.ambient_light;
     for (const Material& m : scene.materials) {
         materials.push_back({to<T>(ambient * m.rgb * m.ambient), to<T>(m.rgb * m.diffuse), to<T>(m.rgb * m.refraction),
@@ -225,11 +242,13 @@ BuiltWorld<T>::Arrays::Arrays(const Scene& scene, const Placement& placement) {
     const auto finish = [&](auto& from, auto& view) {
         if (from.items.size() > few_items &&
             std::all_of(from.boxes.begin(), from.boxes.end(), [](const Box& box) { return box.finite(); })) {
-            from.hierarchy = build_hierarchy<T>(from.boxes, margin);
-            auto sorted = from.items;
-            for (std::size_t i = 0; i < sorted.size(); ++i) sorted[i] = from.items[from.hierarchy.order[i]];
-            from.items = std::move(sorted);
-            view.nodes = from.hierarchy.nodes.data();
+            Hierarchy hierarchy = build_hierarchy(from.boxes, margin, pool);
+            sort_items(from.items, hierarchy.order);
+            from.nodes = std::move(hierarchy.nodes);
+            view.nodes = from.nodes.data();
+            view.stride = from.items.size() + widest;
+            from.columns = columns_of<T>(from.items, view.stride);
+            view.columns = from.columns.data();
         }
         view.items = from.items.data();
         view.count = static_cast<int>(from.items.size());
@@ -256,8 +275,8 @@ BuiltWorld<T>::Arrays::Arrays(const Scene& scene, const Placement& placement) {
 }
 
 template <class T>
-BuiltWorld<T>::BuiltWorld(const Scene& scene, const Placement& placement)
-    : arrays(std::make_unique<Arrays>(scene, placement)) {}
+BuiltWorld<T>::BuiltWorld(const Scene& scene, const Placement& placement, ThreadPool& pool)
+    : arrays(std::make_unique<Arrays>(scene, placement, pool)) {}
 template <class T>
 BuiltWorld<T>::~BuiltWorld() = default;
 template <class T>

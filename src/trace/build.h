@@ -7,6 +7,8 @@
 
 namespace strahl {
 
+class ThreadPool;
+
 /// Where a world's coordinates start and how long its unit is: world = (scene - origin) * scale. The scale is a power
 /// of two and the origin on a coarse grid, so that both are exact wherever numbers are of a sane size.
 struct Placement {
@@ -29,7 +31,7 @@ Placement placement(const Extent& extent, const DVec3& camera);
 template <class T>
 class BuiltWorld {
   public:
-    BuiltWorld(const Scene& scene, const Placement& placement);
+    BuiltWorld(const Scene& scene, const Placement& placement, ThreadPool& pool);
     ~BuiltWorld();
     const World<T>& world() const;
     /// Transparent bodies, by surface number, that hold a point of the scene, in the order declared.

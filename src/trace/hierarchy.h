@@ -1,22 +1,34 @@
-// Building bounding volume hierarchies.
+// Bounding volume hierarchies: wide nodes, one child in each lane.
 #pragma once
+#include <cstdint>
 #include <vector>
 
 #include "num/box.h"
-#include "trace/world.h"
 
 namespace strahl {
 
+class ThreadPool;
+
+/// Up to 16 children, their boxes side by side. Boxes are of floats for every kind of number, rounded outwards.
+struct alignas(64) Node {
+    static constexpr int width = 16;
+    float low[3][width], high[3][width];
+    std::int32_t first[width];  // of a leaf: its first item; else: the child's node
+    std::int16_t count[width];  // of a leaf: its items; else 0
+    std::int32_t children = 0;  // lanes from here on are empty
+};
+
 /// Nodes, root first, and the order in which the leaves hold the items.
-template <class T>
 struct Hierarchy {
-    std::vector<Node<T>> nodes;
+    /// Most nodes on a way from the root to a leaf.
+    static constexpr int most_levels = 64;
+    std::vector<Node> nodes;
     std::vector<std::int32_t> order;
 };
 
-/// Boxes are grown by `margin` and rounded outwards. Binned surface area heuristic (I. Wald, "On fast Construction of
-/// SAH-based Bounding Volume Hierarchies", 2007).
-template <class T>
-Hierarchy<T> build_hierarchy(const std::vector<Box>& boxes, double margin);
+/// Boxes are finite and grown by `margin`. Binned surface area heuristic (I. Wald, "On fast Construction of SAH-based
+/// Bounding Volume Hierarchies", 2007), of whose binary nodes the largest are opened until 16 are side by side. The
+/// same for any number of threads.
+Hierarchy build_hierarchy(const std::vector<Box>& boxes, double margin, ThreadPool& pool);
 
 }  // namespace strahl

@@ -1,8 +1,8 @@
 // The kernel: camera rays, hits, light and new rays, generation by generation. Compiled once per instruction set.
 #include "trace/kernel.h"
 
+#include "trace/query.h"
 #include "trace/shade.h"
-#include "trace/traverse.h"
 
 namespace strahl::inline STRAHL_LEVEL {
 namespace {

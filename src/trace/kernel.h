@@ -53,8 +53,8 @@ struct Eye {
     T scale_x, scale_y, bias_x, bias_y;      // u = x * scale_x + bias_x
     T interior = 0;                          // list of bodies that the eye is in
     int depth = 20;
-    T cutoff = 0;                            // rays of a path up to this are not traced
-    T faint = 0;                             // nor shadow rays for light times path up to this
+    T cutoff = 0;  // rays of a path up to this are not traced
+    T faint = 0;   // nor shadow rays for light times path up to this
 };
 
 /// Pixels to trace, and where their light is summed: rgb[c][i] for pixel i.

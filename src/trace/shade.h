@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "trace/kernel.h"
-#include "trace/traverse.h"
+#include "trace/query.h"
 
 namespace strahl::inline STRAHL_LEVEL {
 

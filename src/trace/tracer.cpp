@@ -101,22 +101,30 @@ void deliver(const Workspace<T>& workspace, const Lattice& tile, const Sink& sin
 
 /// A tracer of one precision.
 struct AnyTracer {
+    explicit AnyTracer(Scene&& own) : scene(std::move(own)) {}
     virtual ~AnyTracer() = default;
+    virtual void prepare(const Camera&, ThreadPool&) = 0;
     virtual Counts trace(const View&, const Lattice&, ThreadPool&, const Sink&, const std::atomic<bool>*) = 0;
+    const Scene scene;
 };
 
 template <class T>
 class TracerOf : public AnyTracer {
   public:
-    TracerOf(const Scene& scene, Simd simd) : scene(scene), extent(extent_of(scene)), kernel(kernel_for<T>(simd)) {}
+    TracerOf(Scene&& own, Simd simd)
+        : AnyTracer(std::move(own)), extent(extent_of(scene)), kernel(kernel_for<T>(simd)) {}
+
+    void prepare(const Camera& camera, ThreadPool& pool) override {
+        const Placement wanted = placement(extent, camera.position);
+        if (built && wanted == placed) return;
+        built.reset();
+        built = std::make_unique<BuiltWorld<T>>(scene, wanted, pool);
+        placed = wanted;
+    }
 
     Counts trace(const View& view, const Lattice& lattice, ThreadPool& pool, const Sink& sink,
                  const std::atomic<bool>* stop) override {
-        if (const Placement wanted = placement(extent, view.camera.position); !built || !(wanted == placed)) {
-            built.reset();
-            built = std::make_unique<BuiltWorld<T>>(scene, wanted);
-            placed = wanted;
-        }
+        prepare(view.camera, pool);
         while (static_cast<int>(workspaces.size()) < pool.size())
             workspaces.push_back(std::make_unique<Workspace<T>>());
 
@@ -150,7 +158,6 @@ class TracerOf : public AnyTracer {
     }
 
   private:
-    Scene scene;
     Extent extent;
     Kernel<T> kernel;
     Placement placed;
@@ -166,20 +173,20 @@ struct Tracer::Implementation {
     std::unique_ptr<AnyTracer> tracer;
 };
 
-Tracer::Tracer(const Scene& scene, Precision precision, Simd simd) {
+Tracer::Tracer(Scene scene, Precision precision, Simd simd) {
     if (simd == Simd::automatic) simd = best_simd();
     if (precision == Precision::extended) simd = Simd::scalar;
     assert(supported(simd));
     std::unique_ptr<AnyTracer> tracer;
     switch (precision) {
         case Precision::single:
-            tracer = std::make_unique<TracerOf<float>>(scene, simd);
+            tracer = std::make_unique<TracerOf<float>>(std::move(scene), simd);
             break;
         case Precision::twice:
-            tracer = std::make_unique<TracerOf<double>>(scene, simd);
+            tracer = std::make_unique<TracerOf<double>>(std::move(scene), simd);
             break;
         case Precision::extended:
-            tracer = std::make_unique<TracerOf<long double>>(scene, simd);
+            tracer = std::make_unique<TracerOf<long double>>(std::move(scene), simd);
             break;
     }
     implementation = std::make_unique<Implementation>(Implementation{precision, simd, std::move(tracer)});
@@ -187,6 +194,8 @@ Tracer::Tracer(const Scene& scene, Precision precision, Simd simd) {
 Tracer::~Tracer() = default;
 Tracer::Tracer(Tracer&&) noexcept = default;
 Tracer& Tracer::operator=(Tracer&&) noexcept = default;
+const Scene& Tracer::scene() const { return implementation->tracer->scene; }
+void Tracer::prepare(const Camera& camera, ThreadPool& pool) { implementation->tracer->prepare(camera, pool); }
 Precision Tracer::precision() const { return implementation->precision; }
 Simd Tracer::simd() const { return implementation->simd; }
 

@@ -63,16 +63,21 @@ struct View {
 /// not on lanes, threads, tiles, crops, or the views traced before.
 class Tracer {
   public:
-    Tracer(const Scene& scene, Precision precision, Simd simd = Simd::automatic);
+    Tracer(Scene scene, Precision precision, Simd simd = Simd::automatic);
     ~Tracer();
     Tracer(Tracer&&) noexcept;
     Tracer& operator=(Tracer&&) noexcept;
+
+    /// Builds what tracing for this camera needs, if it is not there yet: cameras near the scene share it. Otherwise
+    /// `trace` does.
+    void prepare(const Camera& camera, ThreadPool& pool);
 
     /// Traces the lattice on all threads of the pool and returns when it is done or `stop` became true; tiles that
     /// were handed to the sink are whole in both cases. Not to be called from two threads at once.
     Counts trace(const View& view, const Lattice& lattice, ThreadPool& pool, const Sink& sink,
                  const std::atomic<bool>* stop = nullptr);
 
+    const Scene& scene() const;
     Precision precision() const;
     Simd simd() const;
 

@@ -1,19 +1,13 @@
 // World: a scene made ready for one kind of number, as the kernels read it. Plain arrays, const ever after.
 #pragma once
+#include <cstddef>
 #include <cstdint>
 
 #include "scene/kinds.h"
 
 namespace strahl {
 
-/// A node of a bounding volume hierarchy. A leaf holds items [first, first + count), an inner node (count 0) has the
-/// children first and first + 1, in the order of the axis' coordinate.
-template <class T>
-struct Node {
-    T low[3], high[3];
-    std::int32_t first;
-    std::int16_t count, axis;
-};
+struct Node;
 
 /// A shape with its numbers. Made of elements only, so that it can be gathered lane by lane; whole numbers are exact in
 /// every element type (in float up to 2^24, see `World::capacity`).
@@ -58,7 +52,11 @@ struct World {
         using ItemOf = typename Item<K>::template Of<S>;
         const ItemOf<T>* items = nullptr;
         int count = 0;
-        const Node<T>* nodes = nullptr;   // null: few items, looked at one after the other
+        // A hierarchy of them; null: few items, looked at one after the other. Item i's field f again is
+        // columns[f * stride + i], and there is a pack's room behind each column.
+        const Node* nodes = nullptr;
+        const T* columns = nullptr;
+        std::size_t stride = 0;
         int first_key = 0, last_key = 0;  // keys [first, last) are this group's
     };
     PerKernel<Group> groups;
