@@ -20,4 +20,3 @@ strahl_stability_test(cameras_and_transformations strahl_text)
 strahl_stability_test(extremes strahl_text)
 strahl_stability_test(properties)
 strahl_stability_test(boxes)
-target_compile_definitions(stability_boxes PRIVATE STRAHL_LEVEL=stability)  # lanes of its own, apart from the kernels

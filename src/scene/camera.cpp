@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <numbers>
 
 namespace strahl {
@@ -163,7 +164,9 @@ const char* degenerate(const Camera& camera) {
 
 CameraFrame frame_of(const Camera& camera, double aspect) {
     const DVec3 forward = unit(camera.look_at - camera.position);
-    const DVec3 right = unit(cross(unit(camera.up), forward));
+    // Of an `up` almost parallel to the view rounding leaves a cross product that leans; what leans is taken off.
+    const DVec3 across = unit(cross(unit(camera.up), forward));
+    const DVec3 right = unit(across - glm::dot(across, forward) * forward);
     const DVec3 down = cross(forward, right);
     // In long double, so that 45 degrees give exactly 1.
     const double tan_x = static_cast<double>(std::tan(camera.fov * (std::numbers::pi_v<long double> / 180)));

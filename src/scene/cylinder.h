@@ -89,9 +89,10 @@ struct CylinderKernel {
         const S ends_near = select(upwards, to_base, to_cap), ends_far = select(upwards, to_cap, to_base);
         const S near = max(side_near, ends_near), far = min(side_far, ends_far);
         // A convex body is never entered again from its own surface.
-        return {{select(starts_here, zero, near), far, Mask<S>((crosses | starts_here) & ((near < far) | starts_here))},
-                select(ends_near > side_near, select(upwards, S(1), S(2)), zero),
-                select(ends_far < side_far, select(upwards, S(2), S(1)), zero)};
+        return {
+            {select(starts_here, zero, near), far, Mask<S>((crosses | starts_here) & ((near <= far) | starts_here))},
+            select(ends_near > side_near, select(upwards, S(1), S(2)), zero),
+            select(ends_far < side_far, select(upwards, S(2), S(1)), zero)};
     }
     template <class S>
     STRAHL_INLINE Span<S> span(const Ray<S>& ray, S start) const {

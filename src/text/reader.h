@@ -28,8 +28,9 @@ inline constexpr Bounds coordinates{-largest_coordinate, largest_coordinate, "fr
 inline constexpr Bounds lengths{smallest_positive, largest_coordinate,
                                 "greater than 0 (at least 2.3e-308) and at most 1e15"};
 inline constexpr Bounds shares{0, 1, "from 0 to 1"};
-inline constexpr Bounds not_negative{0, largest_number, "0 or more"};
-inline constexpr Bounds positive{smallest_positive, largest_number, "greater than 0 (at least 2.3e-308)"};
+// Products of three of these are numbers in float too.
+inline constexpr Bounds not_negative{0, 1e9, "from 0 to 1e9"};
+inline constexpr Bounds positive{1e-9, 1e9, "from 1e-9 to 1e9"};
 inline constexpr Bounds anything{-largest_number, largest_number, "a number"};
 
 /// The bounds of a coefficient.

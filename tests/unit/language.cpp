@@ -298,16 +298,18 @@ TEST_CASE("what is out of range") {
     check_fault("sphere { <0,-1.5e15,0>, 1 }", "2:13: 'centre' of 'sphere' must be from -1e15 to 1e15, not '-1.5e15'");
     check_fault("light { position <1e16,0,0> color <1,1,1> }",
                 "2:19: 'position' of 'light' must be from -1e15 to 1e15, not '1e16'");
-    check_fault("light { position <1,0,0> color <1,1,-1> }", "2:37: 'color' of 'light' must be 0 or more, not '-1'");
-    check_fault("background { color <-.1,0,0> }", "2:21: 'color' of 'background' must be 0 or more, not '-.1'");
+    check_fault("light { position <1,0,0> color <1,1,-1> }",
+                "2:37: 'color' of 'light' must be from 0 to 1e9, not '-1'");
+    check_fault("background { color <-.1,0,0> }", "2:21: 'color' of 'background' must be from 0 to 1e9, not '-.1'");
     check_fault("defaultmaterial { reflection 1.01 }",
                 "2:30: 'reflection' of 'defaultmaterial' must be from 0 to 1, not '1.01'");
     check_fault("defaultmaterial { refraction -.1 }",
                 "2:30: 'refraction' of 'defaultmaterial' must be from 0 to 1, not '-.1'");
-    check_fault("defaultmaterial { rgb <0,0,-1> }", "2:28: 'rgb' of 'defaultmaterial' must be 0 or more, not '-1'");
-    check_fault("defaultmaterial { pow -1 }", "2:23: 'pow' of 'defaultmaterial' must be 0 or more, not '-1'");
-    check_fault("defaultmaterial { ior 0 }",
-                "2:23: 'ior' of 'defaultmaterial' must be greater than 0 (at least 2.3e-308), not '0'");
+    check_fault("defaultmaterial { rgb <0,0,-1> }", "2:28: 'rgb' of 'defaultmaterial' must be from 0 to 1e9, not '-1'");
+    check_fault("defaultmaterial { specular 1.1e9 }",
+                "2:28: 'specular' of 'defaultmaterial' must be from 0 to 1e9, not '1.1e9'");
+    check_fault("defaultmaterial { pow -1 }", "2:23: 'pow' of 'defaultmaterial' must be from 0 to 1e9, not '-1'");
+    check_fault("defaultmaterial { ior 0 }", "2:23: 'ior' of 'defaultmaterial' must be from 1e-9 to 1e9, not '0'");
     check_fault("global_settings { max_trace_level 0 }",
                 "2:35: 'max_trace_level' of 'global_settings' must be a whole number from 1 to 256, not '0'");
     check_fault("global_settings { max_trace_level 257 }",
@@ -315,7 +317,7 @@ TEST_CASE("what is out of range") {
     check_fault("global_settings { max_trace_level 2.5 }",
                 "2:19: 'max_trace_level' must be a whole number from 1 to 256");
     check_fault("global_settings { ambient_light <1,1,-1> }",
-                "2:38: 'ambient_light' of 'global_settings' must be 0 or more, not '-1'");
+                "2:38: 'ambient_light' of 'global_settings' must be from 0 to 1e9, not '-1'");
     CHECK(faults(eye + "global_settings { assumed_gamma 2.2 }")
               .at(0)
               .starts_with("x.rt:2:33: 'assumed_gamma' of 'global_settings' must be 1,"));
@@ -326,7 +328,7 @@ TEST_CASE("what is out of range") {
     CHECK(faults("camera { position <0,0,0> look_at <0,1,0> up <0,0,-1> angle 180 }") ==
           Faults{"x.rt:1:61: 'angle' of 'camera' must be greater than 0 and less than 180 degrees, not '180'"});
     CHECK(faults("camera { position <0,0,0> look_at <0,1,0> up <0,0,-1> fov 1 aspectratio 0 }") ==
-          Faults{"x.rt:1:73: 'aspectratio' of 'camera' must be greater than 0 (at least 2.3e-308), not '0'"});
+          Faults{"x.rt:1:73: 'aspectratio' of 'camera' must be from 1e-9 to 1e9, not '0'"});
     CHECK(parse("camera { position <0,0,0> look_at <0,1,0> up <0,0,-1> fov 89.99999999999999 }").camera.fov < 90);
     // A wrong value does not hide what is missing.
     CHECK(faults("camera { position <0,0,0> look_at <0,1,0> fov 95 }") ==
@@ -427,7 +429,7 @@ TEST_CASE("several faults are told at once, each once, in the order of the text"
                  "x.rt:3:1: unknown word 'palne'; did you mean 'plane'?",
                  "x.rt:4:15: a number expected for 'centre' of 'sphere', but here comes 'zero'",
                  "x.rt:4:43: ',' expected between the three numbers of a vector, but here comes '>'",
-                 "x.rt:4:53: 'diffuse' of 'material' must be 0 or more, not '-1'",
+                 "x.rt:4:53: 'diffuse' of 'material' must be from 0 to 1e9, not '-1'",
                  "x.rt:4:68: a vector <x, y, z> expected for 'translate' of 'sphere', but here comes '}'",
                  "x.rt:6:1: 'light' lacks 'position', 'color'"});
     std::string many;

@@ -53,8 +53,9 @@ class RandomScenes {
         }
         return p;
     }
-    double positive() { return chance(6) ? std::exp(uniform(-300, 30)) : .25 + std::fabs(number(10)); }
-    double not_negative() { return chance(6) ? 0 : chance(8) ? 1.7976931348623157e308 : std::fabs(number(4)); }
+    double length() { return chance(6) ? std::exp(uniform(-300, 30)) : .25 + std::fabs(number(10)); }
+    double positive() { return chance(6) ? std::exp(uniform(-20, 20)) : .25 + std::fabs(number(10)); }
+    double not_negative() { return chance(6) ? 0 : chance(8) ? 1e9 : std::fabs(number(4)); }
     Color color() { return {not_negative(), not_negative(), not_negative()}; }
 
     Material random_material() {
@@ -80,7 +81,7 @@ class RandomScenes {
             if constexpr (std::is_same_v<decltype(value), DVec3&>)
                 value = position();
             else
-                value = positive();
+                value = length();
         };
         do std::apply([&](const auto&... field) { (fill(field), ...); }, Kind::fields);
         while (kind.fault());

@@ -1,0 +1,43 @@
+// A scene's bodies in world coordinates, for programs that know no transformations.
+#pragma once
+#include <cmath>
+#include <glm/glm.hpp>
+#include <stdexcept>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace strahl::bench {
+
+template <class Kind>
+struct Body {
+    Kind shape;
+    int material;
+};
+
+struct FlatScene {
+    std::vector<Body<Sphere>> spheres;
+    std::vector<Body<Plane>> planes;
+    std::vector<Body<Cylinder>> cylinders;
+};
+
+/// Throws std::invalid_argument for ellipsoids and their like: the peers have none.
+inline FlatScene flatten(const Scene& scene) {
+    FlatScene flat;
+    for (const Primitive& primitive : scene.primitives) {
+        const glm::dmat4 m = matrix(primitive.transformations);
+        const double factor = similarity(primitive.transformations);
+        if (factor == 0) throw std::invalid_argument("a body is stretched: the other programs can't show that");
+        const auto moved = [&](const DVec3& p) { return DVec3(m * glm::dvec4(p, 1)); };
+        const int material = primitive.material;
+        if (const auto* s = std::get_if<Sphere>(&primitive.shape))
+            flat.spheres.push_back({{moved(s->centre), s->radius * factor}, material});
+        else if (const auto* c = std::get_if<Cylinder>(&primitive.shape))
+            flat.cylinders.push_back({{moved(c->base), moved(c->cap), c->radius * factor}, material});
+        else if (const auto* p = std::get_if<Plane>(&primitive.shape))
+            flat.planes.push_back({{moved(p->a), moved(p->b), moved(p->c)}, material});
+    }
+    return flat;
+}
+
+}  // namespace strahl::bench
