@@ -220,8 +220,17 @@ std::string quoted_path(const std::string& path) {
     return path.find_first_of(" ;#'") == std::string::npos ? path : "\"" + path + "\"";
 }
 
+/// What to type in a shell to run POV-Ray, which splits its arguments at spaces once more.
+std::string command(const std::string& ini_path) {
+    const std::string quoted = quoted_path(ini_path);
+    if (quoted == ini_path) return "povray " + quoted;
+    std::string escaped;
+    for (const char c : quoted) escaped += c == '\'' ? "'\\''" : std::string(1, c);
+    return "povray '" + escaped + "'";
+}
+
 std::string ini_of(const Scene& scene, const PovRequest& request, const Plan& plan, const std::string& path) {
-    std::string text = comment(request.title + " for POV-Ray 3.7: povray " + quoted_path(path), ";") +
+    std::string text = comment(request.title + " for POV-Ray 3.7, to be run by", ";") + ";   " + command(path) + "\n" +
                        "Input_File_Name=" + quoted_path(request.pov_path) +
                        "\nOutput_File_Name=" + quoted_path(request.picture_path) + "\n\n" +
                        "Width=" + std::to_string(request.width) + "\nHeight=" + std::to_string(request.height) + "\n" +

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "image/transfer.h"
 #include "trace/thread_pool.h"
@@ -11,18 +12,40 @@ namespace strahl {
 namespace {
 
 using Sample = std::array<double, 3>;
+constexpr double step = 1. / 65535;
 
-/// What the picture shows at the pixel's sampling point, moved by (dx, dy) pixels.
-Sample sample(Tracer& tracer, View view, ThreadPool& pool, int x, int y, double dx, double dy) {
-    view.shift_x += dx;
-    view.shift_y += dy;
-    Sample value{};
-    tracer.trace(view, {.x = x, .y = y, .columns = 1, .rows = 1}, pool, [&](const Tile& tile) {
-        std::visit([&](const auto& rgb) { std::copy_n(rgb.begin(), 3, value.begin()); }, tile.rgb);
-    });
-    for (double& v : value) v = std::clamp(v, 0., 1.);
-    return value;
+double apart(const Sample& a, const Sample& b) {
+    return std::max({std::fabs(a[0] - b[0]), std::fabs(a[1] - b[1]), std::fabs(a[2] - b[2])});
 }
+
+/// The picture along a line through a pixel's sampling point; positions in pixels.
+struct Line {
+    Tracer& tracer;
+    const View& view;
+    ThreadPool& pool;
+    int x, y;
+    double dx, dy;
+
+    Sample at(double t) const {
+        View moved = view;
+        moved.shift_x += t * dx;
+        moved.shift_y += t * dy;
+        Sample value{};
+        tracer.trace(moved, {.x = x, .y = y, .columns = 1, .rows = 1}, pool, [&](const Tile& tile) {
+            std::visit([&](const auto& rgb) { std::copy_n(rgb.begin(), 3, value.begin()); }, tile.rgb);
+        });
+        for (double& v : value) v = std::clamp(v, 0., 1.);
+        return value;
+    }
+    /// What varies smoothly becomes less than a step when looked at closely; a jump does not.
+    bool jumps(double a, const Sample& at_a, double b, const Sample& at_b) const {
+        if (apart(at_a, at_b) <= step) return false;
+        if (b - a < 1e-5 * edge_radius) return true;
+        const double middle = (a + b) / 2;
+        const Sample at_middle = at(middle);
+        return jumps(a, at_a, middle, at_middle) || jumps(middle, at_middle, b, at_b);
+    }
+};
 
 int steps_apart(double ours, double theirs) {
     return std::abs(int(quantise(ours, false, 65535)) - int(quantise(theirs, false, 65535)));
@@ -31,15 +54,12 @@ int steps_apart(double ours, double theirs) {
 }  // namespace
 
 bool on_edge(Tracer& tracer, const View& view, ThreadPool& pool, int x, int y) {
-    constexpr double ring = 0.01, diagonal = ring * 0.70710678118654752, least_jump = 1. / 65535;
-    const Sample middle = sample(tracer, view, pool, x, y, 0, 0);
-    const std::array<std::array<double, 2>, 4> directions{
-        {{ring, 0}, {0, ring}, {diagonal, diagonal}, {diagonal, -diagonal}}};
-    for (const auto& [dx, dy] : directions) {
-        const Sample there = sample(tracer, view, pool, x, y, dx, dy);
-        const Sample opposite = sample(tracer, view, pool, x, y, -dx, -dy);
-        for (int c = 0; c < 3; ++c)
-            if (std::fabs(there[c] + opposite[c] - 2 * middle[c]) > least_jump) return true;
+    constexpr int spokes = 8;
+    const Sample middle = Line{tracer, view, pool, x, y, 0, 0}.at(0);
+    for (int i = 0; i < spokes; ++i) {
+        const double angle = 2 * std::numbers::pi / spokes * i;
+        const Line line{tracer, view, pool, x, y, std::cos(angle), std::sin(angle)};
+        if (line.jumps(0, middle, edge_radius, line.at(edge_radius))) return true;
     }
     return false;
 }

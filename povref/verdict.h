@@ -17,9 +17,13 @@ struct Verdict {
     int x = -1, y = -1;                // of the worst pixel off the edges, if it is beyond one step
 };
 
-/// Does the picture jump within a hundredth of a pixel around this pixel's sampling point? Nine samples are taken: at
-/// the point and on a small ring. Where light varies smoothly, two opposite ones differ from the middle by opposite
-/// amounts up to their square; a jump - another body, another shadow, another history of bounces - does not cancel.
+/// So near to an edge, in pixels, it may be decided otherwise by POV-Ray, whose lengths below 1e-4 and 1e-3 do not
+/// count.
+inline constexpr double edge_radius = 0.01;
+
+/// Does the picture jump within edge_radius of this pixel's sampling point: another body, another shadow, another
+/// history of bounces? Eight lines from there are searched, and where the picture changes by more than a step of
+/// 1/65535, they are halved until the change has gone or its place is known. Light that varies fast is no edge.
 bool on_edge(Tracer& tracer, const View& view, ThreadPool& pool, int x, int y);
 
 /// `theirs` is POV-Ray's picture of the view; `ours` the tracer's.

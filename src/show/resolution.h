@@ -5,7 +5,8 @@
 namespace strahl {
 
 /// Learns what a pixel costs and chooses the level (see progressive.h) that can be traced in the time there is. It
-/// goes coarser at once, and finer only after a while and with room to spare, so that it does not flap.
+/// goes coarser when most of the last pictures took too long, and finer only after a while, with room to spare and
+/// level by level, so that it does not flap. A single hiccup of the machine changes nothing.
 class Resolution {
   public:
     /// Something was traced: so many pixels in so many seconds.
@@ -19,10 +20,9 @@ class Resolution {
 
     int level = 2;  // of every 8th pixel, until anything is known
     int width = 0, height = 0;
-    double budget = 0;
-    std::array<double, 3> costs{};  // seconds per pixel, the last three
+    std::array<double, 5> costs{};  // seconds per pixel, the last ones
     int observed = 0;
-    int calm = 0;  // observations in a row that left room for the next finer level
+    int since = 0;  // observations since the level changed
 };
 
 }  // namespace strahl

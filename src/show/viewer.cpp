@@ -213,7 +213,7 @@ double Viewer::next_draw() const {
 
 void Viewer::wait() {
     double until = next_draw();
-    if (moving || in_motion()) until = std::min(until, last_tick + 1 / options.fps);
+    if (moving || in_motion()) until = std::min(until, next_move);
     const double left = until - now();
     if (left == forever)
         glfwWaitEvents();
@@ -230,12 +230,13 @@ void Viewer::move() {
     if (begins) {
         moving = true;
         motion.begin(moment);
-        last_tick = moment - frame;
+        next_move = moment, last_move = moment - frame;
     }
-    if (!moving || moment < last_tick + frame) return;
+    // A picture that is about to be drawn makes room for the next one first: it is traced while the old one is drawn.
+    if (!moving || moment < next_move - (tracing.has_news() ? 0.5 * frame : 0)) return;
+    next_move = std::max(next_move + frame, moment);
     // A machine that could not keep up does not jump; a flight follows the clock in any case.
-    const double passed = std::min(moment - last_tick, 0.1);
-    last_tick = moment - last_tick < 2 * frame ? last_tick + frame : moment;
+    const double passed = std::min(moment - std::exchange(last_move, moment), 0.1);
     const Hands hands = controls.take(passed, moment);
     if (!(hands == Hands{})) session.steer(hands, moment);
     if (const auto ended = session.follow(moment)) tell(*ended);
@@ -266,18 +267,18 @@ void Viewer::draw() {
     if (news) state = *news;
     const Overlay over = overlay();
     screen.draw([&] { draw_overlay(over); });
-    last_draw = now();
+    last_draw = moment;
     if (draws_due > 0) --draws_due;
-    motion.drawn(last_draw - moment);
+    motion.drawn(now() - moment);
     if (!news) return;
-    if (moving && state.number != before) motion.picture(last_draw, state.level);
+    if (moving && state.number != before) motion.picture(now(), state.level);
     if (options.verbose) log_picture(before);
 }
 
 void Viewer::log_picture(std::uint64_t before) const {
     char text[120];
     if (before == 0) {
-        std::snprintf(text, sizeof text, "first picture after %.3f s, %s", last_draw,
+        std::snprintf(text, sizeof text, "first picture after %.3f s, %s", now(),
                       resolution_text(state.level).c_str());
         log_line(text);
     }
@@ -288,7 +289,6 @@ void Viewer::log_picture(std::uint64_t before) const {
 }
 
 void Viewer::run() {
-    last_tick = now();
     while (!closed) {
         move();
         order();

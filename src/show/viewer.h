@@ -80,7 +80,8 @@ class Viewer {
     Order wanted;
     Refinement state;
     int draws_due = 0;
-    double last_tick = 0, last_draw = -1;
+    double next_move = 0, last_move = 0;  // of the camera
+    double last_draw = -1;
     bool moving = false;
     Motion motion;
 };
