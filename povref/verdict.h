@@ -21,11 +21,6 @@ struct Verdict {
 /// count.
 inline constexpr double edge_radius = 0.01;
 
-/// Does the picture jump within edge_radius of this pixel's sampling point: another body, another shadow, another
-/// history of bounces? Eight lines from there are searched, and where the picture changes by more than a step of
-/// 1/65535, they are halved until the change has gone or its place is known. Light that varies fast is no edge.
-bool on_edge(Tracer& tracer, const View& view, ThreadPool& pool, int x, int y);
-
 /// `theirs` is POV-Ray's picture of the view; `ours` the tracer's.
 Verdict judge(Tracer& tracer, const View& view, const Frame& ours, const Picture& theirs);
 

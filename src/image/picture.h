@@ -24,6 +24,9 @@ struct FileFormat {
 /// `bits` 0 means the ending's default. `path` may be the ending alone.
 std::string format_fault(const std::string& path, int bits);
 
+/// What can't be seen in such a file: half a step of its values (0 for floats), before they are encoded.
+double half_step(FileFormat format);
+
 /// Writes atomically: a temporary file beside `path`, then rename. "-" is standard output, for which `ending`
 /// (".png", say) chooses the format. Throws OutputError.
 void write_picture(const Picture& picture, const std::string& path, FileFormat format, const std::string& ending = "");

@@ -18,6 +18,7 @@
 #include "main/stats.h"
 #include "text/file.h"
 #include "text/parse.h"
+#include "trace/accuracy.h"
 #include "trace/thread_pool.h"
 
 namespace strahl {
@@ -94,18 +95,19 @@ Camera camera_of(const Scene& scene, std::optional<double> time) {
 
 class Renderer {
   public:
-    Renderer(const RenderOptions& o, Scene scene, const Lattice& lattice, Stats& sums)
+    /// `camera` is the first frame's.
+    Renderer(const RenderOptions& o, Scene scene, const Camera& camera, const Lattice& lattice, FileFormat file_format,
+             Stats& sums)
         : options(o),
-          linear(scene.settings.linear),
+          format(file_format),
           part(lattice),
-          depth(o.depth.value_or(scene.settings.max_trace_level)),
           stats(sums),
           pool(o.threads),
           loading(preload_picture_library()),
-          tracer(std::move(scene), o.precision, o.simd) {
-        stats.depth = depth;
+          accuracy(choose(scene, camera)),
+          tracer(std::move(scene), accuracy.precision, o.simd) {
+        stats.accuracy = accuracy;
         stats.threads = pool.size();
-        stats.precision = tracer.precision();
         stats.simd = tracer.simd();
         stats.lanes = lanes(tracer.precision(), tracer.simd());
         stats.build_seconds = watch.lap();
@@ -128,7 +130,7 @@ class Renderer {
             return false;
         }
         const std::string file = whole || path == "-" ? path : before_ending(path, ".part");
-        write_picture(picture, file, {options.bits, linear}, ending);
+        write_picture(picture, file, format, ending);
         stats.write_seconds += watch.lap();
         stats.frames += whole;
         if (!whole)
@@ -138,11 +140,32 @@ class Renderer {
     }
 
   private:
+    /// Without --error nothing that the file could show is left out, and depth and precision are the usual ones.
+    Accuracy choose(const Scene& scene, const Camera& camera) {
+        const double unseen = half_step(format);
+        // Values of linear light are encoded by a curve that is up to 12.92 times as steep.
+        const double steepest = format.linear && format.bits != 32 ? 12.92 : 1;
+        if (!options.error) {
+            stats.error = unseen * steepest;
+            return {.precision = options.precision.value_or(Precision::twice),
+                    .depth = options.depth.value_or(scene.settings.max_trace_level),
+                    .dropped = unseen};
+        }
+        stats.error = *options.error;
+        return choose_accuracy(scene, view(camera, 1, 0), *options.error / steepest, options.precision, options.depth,
+                               pool, options.simd);
+    }
+    View view(const Camera& camera, int depth, double dropped) const {
+        return {.camera = camera,
+                .width = options.size.width,
+                .height = options.size.height,
+                .depth = depth,
+                .error = dropped};
+    }
     std::uint64_t pixels() const { return std::uint64_t(part.columns) * part.rows; }
 
     /// Returns the number of pixels that are finished; the others stay black.
     std::uint64_t trace(const Camera& camera, Picture& picture, const std::string& label) {
-        const View view{.camera = camera, .width = options.size.width, .height = options.size.height, .depth = depth};
         Progress progress(options.quiet, label);
         std::atomic<std::uint64_t> done = 0;
         const auto keep = [&](const Tile& tile) {
@@ -150,7 +173,7 @@ class Renderer {
             const std::uint64_t size = std::uint64_t(tile.lattice.columns) * tile.lattice.rows;
             progress.advance(done.fetch_add(size) + size, pixels());
         };
-        stats.rays += tracer.trace(view, part, pool, keep, interrupt.flag());
+        stats.rays += tracer.trace(view(camera, accuracy.depth, accuracy.dropped), part, pool, keep, interrupt.flag());
         return done;
     }
 
@@ -163,14 +186,14 @@ class Renderer {
     }
 
     const RenderOptions& options;
-    const bool linear;
+    const FileFormat format;
     const Lattice part;
-    const int depth;
     Stats& stats;
     Stopwatch watch;
     ThreadPool pool;
     // After the pool: threads can't be started while the library loads, they would wait for it.
     std::future<void> loading;
+    const Accuracy accuracy;
     Tracer tracer;
     Interrupt interrupt;
 };
@@ -208,10 +231,12 @@ int render_command(const RenderOptions& options) {
         throw UsageError(std::string(options.time ? "--time" : "--frames") +
                          " needs a scene with a flythrough { }, and " + options.scene + " has none");
 
-    Renderer renderer(options, std::move(scene), part, stats);
-    stats.finished = options.frames
-                         ? render_frames(options, renderer, ending)
-                         : renderer.render(camera_of(renderer.scene(), options.time), options.output, ending, "");
+    const FileFormat format{options.bits ? options.bits : ending == ".exr" ? 32 : 8, scene.settings.linear};
+    const Camera camera =
+        camera_of(scene, options.frames ? std::optional(options.frames->first / options.fps) : options.time);
+    Renderer renderer(options, std::move(scene), camera, part, format, stats);
+    stats.finished =
+        options.frames ? render_frames(options, renderer, ending) : renderer.render(camera, options.output, ending, "");
     if (!options.stats.empty()) write_file(options.stats, to_json(stats));
     return stats.finished ? exit_status::done : exit_status::interrupted;
 }

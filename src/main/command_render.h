@@ -15,8 +15,9 @@ struct RenderOptions {
     int bits = 0;        // per channel; 0 is the format's default
     Size size;           // of the whole picture, also if a crop of it is made
     std::optional<Lattice> crop;
-    std::optional<int> depth;  // 1 to 256; the scene's max_trace_level if not given
-    Precision precision = Precision::twice;
+    std::optional<int> depth;            // 1 to 256; if not given the scene's max_trace_level, or what `error` needs
+    std::optional<Precision> precision;  // if not given, double, or what `error` needs
+    std::optional<double> error;         // that the file's values may have; half a step of an 8-bit file if not given
     Simd simd = Simd::automatic;
     int threads = 0;             // 0 takes all
     std::optional<double> time;  // seconds into the flythrough

@@ -25,10 +25,18 @@ void add_render(CLI::App& app, Action& action) {
     add_parsed(command, "--crop", o->crop, parse_crop, "Only this part of it, counted from its top left corner",
                "X,Y,W,H");
     add_depth(command, o->depth);
-    add_choice<Precision>(
+    command
+        ->add_option(
+            "--error", o->error,
+            "How far each channel, of 0 to 1, may be off the exact picture; the program does no more work than "
+            "that needs, and --stats says what. 0: nothing is left out. By default half a step of the file's "
+            "values, of the picture that --depth and --precision define")
+        ->check(numbers(0, 1e9))
+        ->type_name("E");
+    add_choice<std::optional<Precision>>(
         command, "--precision", o->precision,
         {{"float", Precision::single}, {"double", Precision::twice}, {"extended", Precision::extended}},
-        "float, double (default) or extended", "KIND");
+        "float, double or extended; double by default, or what --error needs", "KIND");
     add_choice<Simd>(
         command, "--simd", o->simd,
         {{"auto", Simd::automatic}, {"scalar", Simd::scalar}, {"v2", Simd::v2}, {"v3", Simd::v3}, {"v4", Simd::v4}},

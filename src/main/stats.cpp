@@ -1,11 +1,29 @@
 // Statistics as JSON. No value needs escaping: all are numbers or words of our own.
 #include "main/stats.h"
 
+#include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace strahl {
 
+namespace {
+
+std::string number(double value) {
+    std::ostringstream text;
+    text.precision(9);
+    if (std::isfinite(value))
+        text << value;
+    else
+        text << "null";
+    return text.str();
+}
+
+}  // namespace
+
 std::string to_json(const Stats& stats) {
+    const Accuracy& accuracy = stats.accuracy;
+    const double truncated = stats.rays.depth < accuracy.depth ? 0 : accuracy.truncated;
     std::ostringstream json;
     json.precision(9);
     json << "{\n";
@@ -13,8 +31,13 @@ std::string to_json(const Stats& stats) {
     json << "  \"width\": " << stats.size.width << ",\n  \"height\": " << stats.size.height << ",\n";
     if (const auto& crop = stats.crop)
         json << "  \"crop\": [" << crop->x << ", " << crop->y << ", " << crop->columns << ", " << crop->rows << "],\n";
-    json << "  \"frames\": " << stats.frames << ",\n  \"depth\": " << stats.depth << ",\n";
-    json << "  \"precision\": \"" << name(stats.precision) << "\",\n  \"simd\": \"" << name(stats.simd) << "\",\n";
+    json << "  \"frames\": " << stats.frames << ",\n  \"depth\": " << accuracy.depth
+         << ",\n  \"deepest\": " << stats.rays.depth << ",\n";
+    json << "  \"precision\": \"" << name(accuracy.precision) << "\",\n  \"simd\": \"" << name(stats.simd) << "\",\n";
+    const double rounding = accuracy.rounding.value_or(std::numeric_limits<double>::quiet_NaN());
+    json << "  \"error\": { \"allowed\": " << number(stats.error) << ", \"dropped\": " << number(accuracy.dropped)
+         << ", \"truncated\": " << number(truncated) << ", \"rounding\": " << number(rounding)
+         << ", \"guaranteed\": " << number(accuracy.dropped + truncated) << " },\n";
     json << "  \"lanes\": " << stats.lanes << ",\n  \"threads\": " << stats.threads << ",\n";
     json << "  \"parse_seconds\": " << stats.parse_seconds << ",\n  \"build_seconds\": " << stats.build_seconds
          << ",\n";

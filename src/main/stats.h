@@ -4,6 +4,7 @@
 #include <string>
 
 #include "main/values.h"
+#include "trace/accuracy.h"
 #include "trace/tracer.h"
 
 namespace strahl {
@@ -17,8 +18,9 @@ struct Stats {
     Counts rays;
     Size size;
     std::optional<Lattice> crop;
-    int frames = 0, depth = 0, threads = 0, lanes = 0;
-    Precision precision = Precision::twice;
+    int frames = 0, threads = 0, lanes = 0;
+    double error = 0;   // allowed
+    Accuracy accuracy;  // what it was shared out to
     Simd simd = Simd::automatic;
     bool finished = false;
 };

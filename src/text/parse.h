@@ -10,7 +10,7 @@ namespace strahl {
 
 /// How much one text may ask for; more is a fault. The text's own size bounds the rest.
 struct TextLimits {
-    std::size_t primitives = std::size_t(1) << 24;
+    std::size_t primitives = 5'000'000;  // a float can number 2^24 surfaces, and a body has up to three
     std::size_t transformations = 1000;  // of one primitive
     std::size_t lights = 1 << 16;
     std::size_t keys = 1 << 20;

@@ -29,6 +29,17 @@ double own_light(const Scene& scene, const Material& m, double gain) {
     return largest(sum);
 }
 
+/// Most that all generations past `depth` can add: a geometric series.
+double truncated(const Scene& scene, double gain, int depth) {
+    double keeps = 0, endless = largest(scene.background);
+    for (const Material& m : scene.materials) keeps = std::max(keeps, m.reflection + m.refraction);
+    if (keeps == 0) return 0;
+    if (keeps >= 1) return std::numeric_limits<double>::infinity();
+    for (const Material& m : scene.materials)
+        endless = std::max(endless, own_light(scene, m, gain) / (1 - m.reflection - m.refraction));
+    return std::pow(keeps, depth) * endless;
+}
+
 }  // namespace
 
 double path_factor(double coefficient, double other) {
@@ -38,8 +49,7 @@ double path_factor(double coefficient, double other) {
 Bound bound_for(const Scene& scene, int depth, double error) {
     // B(n) = max(background, own + (Kr + Kt) B(n - 1)) over all materials, from the last generation upwards.
     const double background = largest(scene.background);
-    double brightest = 0, keeps = 0;
-    for (const Material& m : scene.materials) keeps = std::max(keeps, m.reflection + m.refraction);
+    double brightest = 0;
     std::vector<double> own;
     const double most_gain = gain(scene);
     for (const Material& m : scene.materials) own.push_back(own_light(scene, m, most_gain));
@@ -51,19 +61,19 @@ Bound bound_for(const Scene& scene, int depth, double error) {
         }
         brightest = most;
     }
-    // Without end the same sum is a geometric series.
-    double endless = std::numeric_limits<double>::infinity();
-    if (keeps < 1) {
-        endless = background;
-        for (std::size_t i = 0; i < own.size(); ++i)
-            endless = std::max(endless, own[i] / (1 - scene.materials[i].reflection - scene.materials[i].refraction));
-    }
     Bound bound{.brightest = brightest};
     bound.cutoff = brightest > 0 ? .75 * error / brightest : 0;
     if (!scene.lights.empty())
         bound.faint = .25 * error / (depth * most_gain * static_cast<double>(scene.lights.size()));
-    bound.truncated = keeps == 0 ? 0 : std::pow(keeps, depth) * endless;
+    bound.truncated = truncated(scene, most_gain, depth);
     return bound;
+}
+
+int depth_for(const Scene& scene, double error) {
+    const double most_gain = gain(scene);
+    int depth = 1;
+    while (depth < 256 && truncated(scene, most_gain, depth) > error) ++depth;
+    return depth;
 }
 
 }  // namespace strahl

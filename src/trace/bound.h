@@ -25,4 +25,8 @@ double path_factor(double coefficient, double other);
 /// is divided by the number of generations and lights. Error 0 is kept exactly: only what adds nothing is left out.
 Bound bound_for(const Scene& scene, int depth, double error);
 
+/// Generations after which all further ones together add at most `error`, 1 to 256. Infinitely many can't be had: where
+/// no number is enough, or 256 are not, it is 256.
+int depth_for(const Scene& scene, double error);
+
 }  // namespace strahl

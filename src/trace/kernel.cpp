@@ -76,6 +76,7 @@ void append(RayQueue<T>& to, const RayQueue<T>& from) {
 template <class S, class T>
 bool step(const World<T>& world, const Eye<T>& eye, const RayQueue<T>& rays, RayQueue<T>& next, RayQueue<T>& aside,
           int depth, const PixelBatch<T>& batch, Workspace<T>& workspace, KernelCounts& counts) {
+    counts.depth = counts.depth < depth ? depth : counts.depth;
     HitList<T>& list = hits(workspace);
     find<S>(world, rays, list);
     sort(world, rays, list, batch);

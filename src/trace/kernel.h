@@ -67,6 +67,7 @@ struct PixelBatch {
 
 struct KernelCounts {
     std::uint64_t camera = 0, reflected = 0, refracted = 0, shadow = 0;
+    int depth = 0;  // of the deepest generation that had rays
 };
 
 /// Most pixels in a batch, and most rays in a generation of it.

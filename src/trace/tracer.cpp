@@ -153,7 +153,7 @@ class TracerOf : public AnyTracer {
             }
         });
         Counts sum;
-        for (const KernelCounts& c : counts) sum += {c.camera, c.reflected, c.refracted, c.shadow};
+        for (const KernelCounts& c : counts) sum += {c.camera, c.reflected, c.refracted, c.shadow, c.depth};
         return sum;
     }
 
@@ -207,6 +207,7 @@ Counts Tracer::trace(const View& view, const Lattice& lattice, ThreadPool& pool,
 
 Counts& Counts::operator+=(const Counts& other) {
     camera += other.camera, reflected += other.reflected, refracted += other.refracted, shadow += other.shadow;
+    depth = std::max(depth, other.depth);
     return *this;
 }
 

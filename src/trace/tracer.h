@@ -37,6 +37,7 @@ struct Lattice {
 /// Rays traced, by type.
 struct Counts {
     std::uint64_t camera = 0, reflected = 0, refracted = 0, shadow = 0;
+    int depth = 0;  // of the deepest generation that had rays: if less than the View's, nothing was cut off there
     Counts& operator+=(const Counts& other);
     std::uint64_t total() const { return camera + reflected + refracted + shadow; }
 };

@@ -36,5 +36,18 @@ expect 0 "" render scene.rt -o x.bmp --size 64x48 --depth 1 --stats stats.json
 is 0 rays reflected
 is 0 rays refracted
 is double precision
+[[ $(value error allowed) == 0.00196* ]] || fault "error allowed is $(value error allowed)"
+
+# The one knob: a larger error, less work.
+expect 0 "" render scene.rt -o x.bmp --size 64x48 --error 1e-1 --stats stats.json
+is float precision
+few=$(value rays total)
+expect 0 "" render scene.rt -o x.bmp --size 64x48 --error 1e-6 --stats stats.json
+is double precision
+(($(value rays total) > few)) || fault "--error 1e-6 takes no more rays than --error 1e-1"
+expect 0 "" render scene.rt -o x.bmp --size 64x48 --error 0 --stats stats.json
+is 0 error dropped
+expect 2 "--error" render scene.rt -o x.bmp --error -1
+expect 2 "--error" render scene.rt -o x.bmp --error nan
 expect 0 '"rays"' render scene.rt -o x.bmp --size 8x6 --quiet --stats -
 finish

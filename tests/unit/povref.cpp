@@ -11,6 +11,7 @@
 #include "povref/unit.h"
 #include "scratch.h"
 #include "text/file.h"
+#include "trace/edge.h"
 #include "trace/thread_pool.h"
 
 using namespace strahl;
@@ -244,13 +245,13 @@ TEST_CASE("a pixel is on an edge where the picture jumps, and not where it only 
     for (int i = -50; i <= 50; ++i) {
         View moved = view;
         moved.shift_x = i / 50.;
-        edges += on_edge(tracer, moved, pool, rim, 50);
+        edges += on_edge(tracer, moved, pool, rim, 50, edge_radius, 1. / 65535);
     }
     CHECK(edges >= 1);
     CHECK(edges <= 3);
     // The highlight is a few pixels wide, far from flat, and bent where it is brighter than a screen can show.
     for (int y = 22; y < 78; ++y)
-        for (int x = 35; x < 65; ++x) CHECK_FALSE(on_edge(tracer, view, pool, x, y));
+        for (int x = 35; x < 65; ++x) CHECK_FALSE(on_edge(tracer, view, pool, x, y, edge_radius, 1. / 65535));
 }
 
 TEST_CASE("a verdict finds differences, and says on which side of the edges they are") {

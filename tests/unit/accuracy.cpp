@@ -1,0 +1,126 @@
+// The one knob: pictures stay within the error asked for, off the edges, and larger errors cost less.
+#include "trace/accuracy.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "text/parse.h"
+#include "trace/bound.h"
+#include "trace/edge.h"
+#include "trace/thread_pool.h"
+
+using namespace strahl;
+
+namespace {
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr int columns = 12, rows = 9, every = 9;
+#else
+constexpr int columns = 40, rows = 30, every = 1;
+#endif
+
+std::vector<std::string> scenes() {
+    namespace fs = std::filesystem;
+    std::vector<std::string> paths;
+    for (const auto& entry : fs::recursive_directory_iterator(STRAHL_SOURCE "/scenes"))
+        if (entry.path().extension() == ".rt") paths.push_back(entry.path().string());
+    std::sort(paths.begin(), paths.end());
+    return paths;
+}
+Scene read(const std::string& path) { return parse_scene(read_text(path), path); }
+
+double apart(const Frame& a, const Frame& b, int pixel) {
+    double most = 0;
+    for (int c = 0; c < 3; ++c) {
+        const double off =
+            std::abs(std::clamp(a.rgb[3 * pixel + c], 0., 1.) - std::clamp(b.rgb[3 * pixel + c], 0., 1.));
+        most = std::max(most, off);
+    }
+    return most;
+}
+
+}  // namespace
+
+// Of the scene's depth: the exact picture of unlimited depth can't be had, and what is past the depth is tested in
+// bound.cpp.
+TEST_CASE("no picture is farther from the exact one than was allowed, off the edges") {
+    ThreadPool pool(2), alone(1);
+    const std::vector<std::string> paths = scenes();
+    REQUIRE(paths.size() > 50);
+    for (std::size_t i = 0; i < paths.size(); i += every) {
+        CAPTURE(paths[i]);
+        const Scene scene = read(paths[i]);
+        const View view{
+            .camera = scene.camera, .width = columns, .height = rows, .depth = scene.settings.max_trace_level};
+        const Frame exact = render(scene, view, Precision::twice, 2);
+        std::uint64_t fewest = 0;
+        for (const double error : {1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1}) {
+            CAPTURE(error);
+            const Accuracy accuracy = choose_accuracy(scene, view, error, {}, view.depth, pool);
+            View allowed = view;
+            allowed.depth = accuracy.depth, allowed.error = accuracy.dropped;
+            Tracer tracer(scene, accuracy.precision);
+            const Counts counts = tracer.trace(allowed, {.columns = columns, .rows = rows}, pool, [](const Tile&) {});
+            if (fewest > 0) CHECK(counts.total() <= fewest + fewest / 50);  // edges fall this way or that
+            fewest = counts.total();
+            const Frame frame = render(scene, allowed, accuracy.precision, 2);
+            Tracer exactly(scene, Precision::twice);
+            for (int p = 0; p < columns * rows; ++p)
+                if (const double off = apart(frame, exact, p); off > error)
+                    CHECK_MESSAGE(on_edge(exactly, view, alone, p % columns, p / columns, .1, off / 4), "pixel ",
+                                  p % columns, ", ", p / columns, " is off by ", off);
+        }
+    }
+}
+
+TEST_CASE("precision and depth follow from the error, unless they are given") {
+    ThreadPool pool(2);
+    const Scene scene = read(STRAHL_SOURCE "/scenes/article.rt");
+    const View view{.camera = scene.camera, .width = 64, .height = 48};
+    const auto choose = [&](double error, std::optional<Precision> precision = {}, std::optional<int> depth = {}) {
+        return choose_accuracy(scene, view, error, precision, depth, pool);
+    };
+    CHECK(choose(1e-2).precision == Precision::single);
+    CHECK(choose(1e-6).precision == Precision::twice);
+    CHECK(choose(1e-17).precision == Precision::extended);
+    CHECK(choose(1e-6, Precision::single).precision == Precision::single);
+    CHECK(choose(1e-6, {}, 3).depth == 3);
+    CHECK(choose(0).precision == Precision::twice);
+    CHECK(choose(0).depth == scene.settings.max_trace_level);
+    CHECK(choose(0).dropped == 0);
+    Scene matt = scene;
+    for (Material& m : matt.materials) m.reflection = .01, m.refraction = 0;
+    const Accuracy accuracy = choose_accuracy(matt, view, 1e-2, {}, {}, pool);
+    CHECK(accuracy.depth < matt.settings.max_trace_level);
+    CHECK(accuracy.depth < choose_accuracy(matt, view, 1e-9, {}, {}, pool).depth);
+    CHECK(accuracy.dropped + accuracy.truncated + *accuracy.rounding <= 1e-2);
+}
+
+TEST_CASE("pictures of any size can be sampled") {
+    ThreadPool pool(1);
+    const Scene scene = read(STRAHL_SOURCE "/scenes/crosscheck/ambient.rt");
+    for (const auto& [width, height] : {std::pair{1, 1}, {1, 3000}, {3000, 1}, {33, 31}, {1000, 2}}) {
+        const View view{.camera = scene.camera, .width = width, .height = height};
+        CHECK(choose_accuracy(scene, view, 1e-3, {}, {}, pool).rounding < 1e-3);
+    }
+}
+
+TEST_CASE("an edge is a jump, however far from it light changes") {
+    ThreadPool pool(1);
+    const Scene scene = read(STRAHL_SOURCE "/scenes/crosscheck/highlights.rt");
+    const View view{.camera = scene.camera, .width = columns, .height = rows};
+    Tracer tracer(scene, Precision::twice);
+    int near = 0, nearer = 0;
+    for (int p = 0; p < columns * rows; ++p) {
+        near += on_edge(tracer, view, pool, p % columns, p / columns, .5, 1e-3);
+        nearer += on_edge(tracer, view, pool, p % columns, p / columns, .05, 1e-3);
+    }
+    CHECK(near > 0);
+    CHECK(near < columns * rows / 2);
+    CHECK(nearer < near);
+}
