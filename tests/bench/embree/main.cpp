@@ -1,6 +1,7 @@
 // A small Whitted tracer on Embree: bench_embree SCENE PICTURE WIDTH HEIGHT THREADS. Prints seconds and rays.
 //
-// Float only, as Embree is. It has no list of bodies entered: overlapping glass comes out wrong.
+// The picture "-" is not written. Float only, as Embree is. It has no list of bodies entered: overlapping glass comes
+// out wrong.
 #include <pmmintrin.h>
 
 #include <atomic>
@@ -51,7 +52,8 @@ void run(char** argv) {
     for (const auto& c : counts) sum.camera += c.camera, sum.secondary += c.secondary, sum.shadow += c.shadow;
     std::printf("build %.9g trace %.9g rays %llu\n", built - start, traced - built,
                 static_cast<unsigned long long>(sum.camera + sum.secondary + sum.shadow));
-    write_picture({width, height, 3, {rgb.begin(), rgb.end()}}, argv[2], {16, scene.settings.linear});
+    if (argv[2] != std::string("-"))
+        write_picture({width, height, 3, {rgb.begin(), rgb.end()}}, argv[2], {16, scene.settings.linear});
 }
 
 }  // namespace

@@ -1,0 +1,16 @@
+# One log-log plot: gnuplot -e "data='plot-x.dat'" -e "picture='x.svg'" plot.gp
+set terminal svg size 720,480 font "sans-serif,13" background "#ffffff"
+set output picture
+set datafile missing "-"
+set logscale xy
+set format x "%.0f"
+set format y "%g"
+set xlabel system("head -n 1 '" . data . "' | cut -d ' ' -f 1 | tr _ ' '")
+set ylabel "seconds, hierarchy and tracing"
+set grid lw 0.5 lc rgb "#cccccc"
+set key outside right top autotitle columnhead
+set offsets graph 0.03, graph 0.03, graph 0.03, graph 0.03
+stats data skip 1 nooutput
+set style data linespoints
+if (data =~ 'rays') set style data points
+plot for [i=2:STATS_columns] data using 1:i lw 2 pt 7 ps 0.6
