@@ -10,7 +10,7 @@ set ylabel "seconds, hierarchy and tracing"
 set grid lw 0.5 lc rgb "#cccccc"
 set key outside right top autotitle columnhead
 set offsets graph 0.03, graph 0.03, graph 0.03, graph 0.03
-stats data skip 1 nooutput
+columns = words(system("sed -n 2p '" . data . "'"))
 set style data linespoints
-if (data =~ 'rays') set style data points
-plot for [i=2:STATS_columns] data using 1:i lw 2 pt 7 ps 0.6
+if (strstrt(data, 'plot-rays')) set style data points
+plot for [i=2:columns] data using 1:i lw 2 pt 7 ps 0.6

@@ -15,8 +15,8 @@ using namespace strahl::bench;
 
 const std::array<std::pair<const char*, const char*>, 7> programs{{{"float", "Strahl float"},
                                                                    {"double", "Strahl double"},
-                                                                   {"float-default", "Strahl float, as called"},
-                                                                   {"double-default", "Strahl double, as called"},
+                                                                   {"render-float", "`strahl render`, float"},
+                                                                   {"render-double", "`strahl render`, double"},
                                                                    {"embree", "Embree"},
                                                                    {"tachyon", "Tachyon"},
                                                                    {"povray", "POV-Ray"}}};

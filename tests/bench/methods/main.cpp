@@ -1,0 +1,103 @@
+// Methods of intersection side by side: nanoseconds per ray against error. A table in Markdown, and numbers for
+// plot.gp.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <fstream>
+#include <iostream>
+#include <limits>
+#include <sstream>
+#include <string>
+
+#include "tests/bench/methods/inputs.h"
+#include "trace/tracer.h"
+
+namespace strahl::bench {
+namespace {
+
+constexpr std::size_t rays_timed = 1024, rays_judged = 20000 / 16 * 16;
+
+/// Median of nine, each of some milliseconds.
+template <class T>
+double nanoseconds(const Method<T>& method) {
+    const Rays<T> rays = rays_for<T>(method.group, "easy", rays_timed);
+    Answers<T> answers(rays_timed);
+    std::vector<double> times;
+    for (int i = 0; i < 9; ++i) {
+        const auto start = std::chrono::steady_clock::now();
+        std::chrono::duration<double, std::nano> spent{};
+        std::size_t done = 0;
+        for (; spent.count() < 3e6; done += rays_timed) {
+            method.run(rays, answers);
+            spent = std::chrono::steady_clock::now() - start;
+        }
+        times.push_back(spent.count() / static_cast<double>(done));
+    }
+    std::nth_element(times.begin(), times.begin() + 4, times.end());
+    return times[4];
+}
+std::string digits(double v, int n) {
+    std::ostringstream text;
+    text.precision(n);
+    text << v;
+    return text.str();
+}
+
+/// One line of the table for each method, its lists of equal methods one per width of lanes.
+template <class T>
+void compare(const char* precision, const std::vector<std::vector<Method<T>>>& levels, std::ostream& table,
+             std::ostream& chart) {
+    for (std::size_t m = 0; m < levels[0].size(); ++m) {
+        const Method<T>& method = levels[0][m];
+        table << "| " << method.group << " | " << (method.engine ? "**" : "") << method.name
+              << (method.engine ? "**" : "") << " | " << precision << " |";
+        double best = std::numeric_limits<double>::infinity();
+        for (std::size_t level = 0; level < 3; ++level)
+            if (level < levels.size()) {
+                const double ns = nanoseconds(levels[level][m]);
+                best = std::min(best, ns);
+                table << ' ' << digits(ns, 2) << " |";
+            } else {
+                table << " |";
+            }
+        double most_wrong = 0, worst = 0;
+        for (const char* input : inputs) {
+            const Rays<T> rays = rays_for<T>(method.group, input, rays_judged);
+            Answers<T> answers(rays_judged);
+            method.run(rays, answers);
+            const Wrong wrong = judge(method.group, rays, answers);
+            most_wrong = std::max(most_wrong, wrong.answers), worst = std::max(worst, wrong.t);
+            // Half an ulp is the best there is: ulps of the precision itself.
+            const double ulp = static_cast<double>(std::numeric_limits<T>::epsilon());
+            const bool box = std::string(method.group) == "box";
+            table << ' ' << (wrong.answers == 0 ? "0" : digits(100 * wrong.answers, 2) + " %");
+            if (!box) table << ", " << digits(wrong.t / ulp, 2);
+            if (!box && std::string(method.group) != "start") table << ", " << digits(wrong.surface, 1);
+            table << " |";
+        }
+        table << std::endl;
+        chart << method.group << '\t' << method.name << '\t' << precision << '\t' << best << '\t' << worst << '\t'
+              << most_wrong << '\t' << method.engine << '\n';
+    }
+}
+
+}  // namespace
+}  // namespace strahl::bench
+
+/// strahl_methods TABLE.md CHART.tsv
+int main(int count, char** words) {
+    using namespace strahl;
+    using namespace strahl::bench;
+    if (count != 3) return std::cerr << "usage: strahl_methods TABLE.md CHART.tsv\n", 2;
+    std::ofstream table(words[1]), chart(words[2]);
+    table << "| | method | numbers | 1 lane | 8 / 4 | 16 / 8 |";
+    for (const char* input : inputs) table << ' ' << input << " |";
+    table << "\n|---|---|---|--:|--:|--:|---|---|---|---|---|---|\n";
+    std::vector<std::vector<Method<float>>> single{scalar::methods_float()};
+    std::vector<std::vector<Method<double>>> twice{scalar::methods_double()};
+    if (supported(Simd::v3)) single.push_back(v3::methods_float()), twice.push_back(v3::methods_double());
+    if (supported(Simd::v4)) single.push_back(v4::methods_float()), twice.push_back(v4::methods_double());
+    compare<float>("float", single, table, chart);
+    compare<double>("double", twice, table, chart);
+    compare<long double>("long double", {scalar::methods_extended()}, table, chart);
+}
