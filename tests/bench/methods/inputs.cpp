@@ -40,7 +40,7 @@ Case round_case(std::string_view input, Dice& dice) {
     if (input == "grazing")
         return around(dice, dice(.1, 2), dice(2, 20), 1 + (dice(0, 1) < .5 ? -1 : 1) * power(dice, -6, -3));
     if (input == "huge") {  // the ground: the eye just above, looking down
-        const double r = power(dice, 4, 7), above = power(dice, -1, 1);
+        const double r = power(dice, 4, 6), above = power(dice, 0, 1);
         const DVec3 up = dice.direction(), o = up * (r + above);
         return {.o = o, .aim = o - up * above + across(up, dice) * (above * dice(0, 20)), .a = DVec3(0), .r = r};
     }
@@ -154,13 +154,14 @@ Rays<T> rays_for(std::string_view group, std::string_view input, std::size_t n) 
         // The direction from the rounded origin, so that it still aims at what it should.
         const Vec3<T> o = naive::to<T>(c.o);
         Vec3<T> d = naive::to<T>(c.aim - naive::to<double>(o));
-        d = naive::to<T>(naive::to<double>(d) / naive::length(naive::to<double>(d)));
-        const Vec3<T> a = naive::to<T>(c.a),
-                      b = naive::to<T>(group == "plane" || group == "cylinder" ? unit(c.b) : c.b);
+        d = d / naive::length(d);
+        const Vec3<T> a = naive::to<T>(c.a);
+        Vec3<T> b = naive::to<T>(c.b);
+        if (group == "plane" || group == "cylinder") b = b / naive::length(b);
         double h = c.h;
         if (group == "plane") h = naive::times(c.b, c.a);
         if (group == "box")
-            h = 32 * double(std::numeric_limits<T>::epsilon()) *
+            h = 4 * double(std::numeric_limits<float>::epsilon()) *  // boxes are kept in float
                 std::max({std::abs(c.a.x), std::abs(c.b.x), std::abs(c.a.y), std::abs(c.b.y), std::abs(c.a.z),
                           std::abs(c.b.z), std::abs(c.o.x) * .1, std::abs(c.o.y) * .1, std::abs(c.o.z) * .1});
         for (int k = 0; k < 3; ++k) {
@@ -207,8 +208,8 @@ Wrong judge(std::string_view group, const Rays<T>& rays, const Answers<T>& answe
         }
         if (group == "start") {
             if (exact == none) continue;
-            // The chord, in radii, from the exact point.
-            exact = -2 * naive::times(d, o + d * exact - a) / naive::times(d, d);
+            // The chord, in radii, from the point that was found.
+            exact = -2 * naive::times(d, p - a) / naive::times(d, d);
             ++asked;
             const bool right = hit && t >= 0;
             wrong.answers += !right;

@@ -123,7 +123,7 @@ template <class S>
 Answer<S> chord(const Question<S>& q, const Start<S>& start, Mask<S> self, Mask<S> found, S t) {
     t = select(found, t, infinite<S>);
     t = select(self, S(-1), t);
-    return {select(start.hit, t, infinite<S>), fma(t, q.d, start.p)};
+    return {select(start.hit, t, infinite<S>), start.p};
 }
 template <int digits>
 struct Epsilon {
@@ -146,7 +146,7 @@ struct Offset {
     template <class S>
     static Answer<S> of(const Question<S>& q) {
         using T = Element<S>;
-        constexpr T ulps = 256 * std::numeric_limits<T>::epsilon() / 2, near_zero = T(1) / 65536;
+        constexpr T near_zero = 128 * std::numeric_limits<T>::epsilon(), ulps = near_zero;
         const Start<S> start = start_of(q);
         const auto moved = [&](S sign) {
             Vec3<S> p = start.p;

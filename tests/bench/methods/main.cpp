@@ -15,32 +15,33 @@
 namespace strahl::bench {
 namespace {
 
-constexpr std::size_t rays_timed = 1024, rays_judged = 20000 / 16 * 16;
+constexpr std::size_t rays_timed = 256, rays_judged = 20000 / 16 * 16;
 
-/// Median of nine, each of some milliseconds.
+/// The shortest of many runs of a fraction of a millisecond: what other programs take is not counted.
 template <class T>
 double nanoseconds(const Method<T>& method) {
     const Rays<T> rays = rays_for<T>(method.group, "easy", rays_timed);
     Answers<T> answers(rays_timed);
-    std::vector<double> times;
-    for (int i = 0; i < 9; ++i) {
+    double least = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < 300; ++i) {
         const auto start = std::chrono::steady_clock::now();
-        std::chrono::duration<double, std::nano> spent{};
-        std::size_t done = 0;
-        for (; spent.count() < 3e6; done += rays_timed) {
-            method.run(rays, answers);
-            spent = std::chrono::steady_clock::now() - start;
-        }
-        times.push_back(spent.count() / static_cast<double>(done));
+        for (int k = 0; k < 4; ++k) method.run(rays, answers);
+        const std::chrono::duration<double, std::nano> spent = std::chrono::steady_clock::now() - start;
+        least = std::min(least, spent.count() / (4 * rays_timed));
     }
-    std::nth_element(times.begin(), times.begin() + 4, times.end());
-    return times[4];
+    return least;
 }
 std::string digits(double v, int n) {
     std::ostringstream text;
-    text.precision(n);
-    text << v;
-    return text.str();
+    if (v >= 10 && v < 1000)
+        text << std::lround(v);
+    else
+        text.precision(n), text << v;
+    std::string result = text.str();
+    for (const char* clumsy : {"e+0", "e+", "e-0"})
+        if (const std::size_t at = result.find(clumsy); at != result.npos)
+            result.replace(at, std::string(clumsy).size(), clumsy[1] == '-' ? "e-" : "e");
+    return result;
 }
 
 /// One line of the table for each method, its lists of equal methods one per width of lanes.
@@ -70,8 +71,9 @@ void compare(const char* precision, const std::vector<std::vector<Method<T>>>& l
             // Half an ulp is the best there is: ulps of the precision itself.
             const double ulp = static_cast<double>(std::numeric_limits<T>::epsilon());
             const bool box = std::string(method.group) == "box";
-            table << ' ' << (wrong.answers == 0 ? "0" : digits(100 * wrong.answers, 2) + " %");
-            if (!box) table << ", " << digits(wrong.t / ulp, 2);
+            table << ' ';
+            if (wrong.answers > 0 || box) table << digits(100 * wrong.answers, 2) << " %";
+            if (!box) table << (wrong.answers > 0 ? ", " : "") << digits(wrong.t / ulp, 2);
             if (!box && std::string(method.group) != "start") table << ", " << digits(wrong.surface, 1);
             table << " |";
         }
