@@ -123,6 +123,7 @@ void write_json(const std::string& path, const std::string& machine, const std::
 }
 
 /// A line per world for which `x` is above 0, a column per program; none if that makes no line in the plot.
+/// `strahl render` itself would hide behind the engine.
 void write_plot(const std::string& path, const std::string& label, const std::vector<World>& worlds,
                 const std::function<double(const World&)>& x) {
     std::vector<const World*> points;
@@ -134,7 +135,7 @@ void write_plot(const std::string& path, const std::string& label, const std::ve
     std::vector<std::string> columns;
     for (const auto& [name, words] : programs)
         for (const World* world : points)
-            if (world->find(name)) {
+            if (world->find(name) && !std::string_view(name).starts_with("render-")) {
                 columns.push_back(name);
                 out << " \"" << words << '"';
                 break;
