@@ -67,7 +67,8 @@ void compare(const char* precision, const std::vector<std::vector<Method<T>>>& l
             Answers<T> answers(rays_judged);
             method.run(rays, answers);
             const Wrong wrong = judge(method.group, rays, answers);
-            most_wrong = std::max(most_wrong, wrong.answers), worst = std::max(worst, wrong.t);
+            most_wrong = std::max(most_wrong, wrong.answers),
+            worst = std::max(worst, input == std::string("far") ? wrong.surface : 0);
             // Half an ulp is the best there is: ulps of the precision itself.
             const double ulp = static_cast<double>(std::numeric_limits<T>::epsilon());
             const bool box = std::string(method.group) == "box";
