@@ -1,7 +1,8 @@
 # Methods of intersection side by side (tests/bench/methods): `ninja strahl_methods`, then tests/bench/methods/run.
 set(methods ${CMAKE_SOURCE_DIR}/tests/bench/methods)
-add_executable(strahl_methods EXCLUDE_FROM_ALL ${methods}/main.cpp ${methods}/inputs.cpp)
-target_link_libraries(strahl_methods PRIVATE strahl_stage strahl_trace quadmath)
+add_executable(strahl_methods EXCLUDE_FROM_ALL ${methods}/main.cpp ${methods}/inputs.cpp
+                                               ${CMAKE_SOURCE_DIR}/tests/stability/stage.cpp)
+target_link_libraries(strahl_methods PRIVATE strahl_trace quadmath)
 function(strahl_methods_level level)
   add_library(methods_${level} OBJECT EXCLUDE_FROM_ALL ${methods}/lanes.cpp)
   target_link_libraries(methods_${level} PRIVATE strahl_flags)
