@@ -29,6 +29,7 @@ await() {
     echo "no '$1' in:" && cat "$work/log" && exit 1
 }
 start() {
+    : >"$work/log"
     "${higher[@]}" "$strahl" "$@" --size "$size" --verbose >"$work/log" 2>&1 &
     pid=$!
     await 'first picture' 1
