@@ -97,6 +97,9 @@ TEST_CASE("rays along an axis meet what they should, down to the last bit of the
                             if (cell == 0) {  // where places as fine as this are exact
                                 CHECK(see(inside, 0) == seen);
                                 CHECK(see(0, -inside) == seen);
+                                // 0 less 0 is 0, but -0 less 0 is -0.
+                                CHECK(shoot(turned({0, 0, way > 0 ? -8 : 16}, axis + 1),
+                                            turned({-0., -0., way > 0 ? -7 : 15}, axis + 1), up) == seen);
                             }
                             // In the common face of four boxes, and in an outer one, is nothing.
                             CHECK(see(cell + 1, cell + 1) == 0);
