@@ -20,3 +20,12 @@ strahl_stability_test(cameras_and_transformations strahl_text)
 strahl_stability_test(extremes strahl_text)
 strahl_stability_test(properties)
 strahl_stability_test(boxes)
+
+# The pictures of tests/stability/README.md: `ninja stability_pictures_drawn`.
+if(TARGET strahl_image)
+  add_executable(stability_pictures EXCLUDE_FROM_ALL ${stability}/pictures.cpp)
+  target_link_libraries(stability_pictures PRIVATE strahl_stage strahl_image)
+  # Where the picture module is looked for.
+  set_target_properties(stability_pictures PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
+  add_custom_target(stability_pictures_drawn COMMAND stability_pictures ${stability}/pictures DEPENDS stability_pictures)
+endif()

@@ -176,6 +176,8 @@ void Screen::draw(const std::function<void()>& overlay) {
     if (columns == 0 || rows == 0) return;
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = {static_cast<float>(columns), static_cast<float>(rows)};
+    // In a small window the panels shrink before they lie on each other.
+    io.FontGlobalScale = std::clamp(std::min(io.DisplaySize.x / 760, io.DisplaySize.y / 430) / scale, 0.6f, 1.f);
     ImGui_ImplOpenGL3_NewFrame();
     if (!io.Fonts->TexID) ImGui_ImplOpenGL3_CreateFontsTexture();
     ImGui::NewFrame();

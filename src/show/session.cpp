@@ -27,6 +27,7 @@ Session::Session(std::shared_ptr<const Scene> first_scene, std::optional<int> de
 void Session::replace(std::shared_ptr<const Scene> newer, bool opened) {
     const bool moved = opened || newer->camera != scene->camera;
     const bool on_scene_path = path && scene->flythrough && *path == *scene->flythrough;
+    if (newer->flythrough != scene->flythrough) recorded = {};  // most likely it was pasted
     scene = std::move(newer);
     if (on_scene_path || opened) path = scene->flythrough && !opened ? scene->flythrough : std::nullopt;
     if (opened) recorded = {}, cameras = {}, clock = {};
@@ -78,7 +79,7 @@ Answer Session::play(double now) {
     if (!path->loop && clock.at(now) >= path->duration) clock.set(0, now);
     clock.run(now);
     follow(now);
-    return {"flying from " + text_of(clock.at(now)) + " s", ""};
+    return {"flying from " + text_of(std::round(100 * clock.at(now)) / 100) + " s", ""};
 }
 
 Answer Session::pause(double now) {
@@ -88,6 +89,7 @@ Answer Session::pause(double now) {
     follow(now);
     double seconds = clock.at(now);
     if (path->loop && path->duration > 0) seconds -= path->duration * std::floor(seconds / path->duration);
+    seconds = std::round(1000 * seconds) / 1000;  // so that it can be told, and asked of `render --time`
     clock.set(seconds, now);
     follow(now);
     return {"paused at " + text_of(seconds) + " s", ""};

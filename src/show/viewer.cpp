@@ -61,6 +61,8 @@ void Viewer::connect() {
         viewer_of(w).on_key(key, scancode, action, modifiers);
     });
     glfwSetCharCallback(window, [](GLFWwindow* w, unsigned character) {
+        // On other layouts a key that moves the camera may have one of these characters printed on it.
+        if (viewer_of(w).pushing) return;
         if (const auto command = command_of_character(character)) viewer_of(w).perform(*command);
     });
     glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) { viewer_of(w).on_cursor(x, y); });
@@ -87,11 +89,12 @@ void Viewer::connect() {
 }
 
 void Viewer::on_key(int key, int scancode, int action, int modifiers) {
+    const auto push = push_of_key(key);
+    pushing = push.has_value();
     if (action == GLFW_REPEAT) return;
     GLFWwindow* const window = screen.window();
     const auto down = [&](int a, int b) { return glfwGetKey(window, a) || glfwGetKey(window, b); };
     controls.faster = down(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
-    const auto push = push_of_key(key);
     if (action == GLFW_RELEASE) {
         if (push && controls.release(*push, now())) add_still();
         return;
@@ -164,6 +167,7 @@ void Viewer::hear_of_scene() {
         return;
     }
     session.replace(loaded->scene, loaded->opened);
+    if (session.paused()) session.follow(now());
     if (loaded->opened) glfwSetWindowTitle(screen.window(), title_of(path = loaded->path).c_str());
     log_line((loaded->opened ? "opened " : "read again: ") + path);
 }
@@ -278,8 +282,7 @@ void Viewer::draw() {
 void Viewer::log_picture(std::uint64_t before) const {
     char text[120];
     if (before == 0) {
-        std::snprintf(text, sizeof text, "first picture after %.3f s, %s", now(),
-                      resolution_text(state.level).c_str());
+        std::snprintf(text, sizeof text, "first picture after %.3f s, %s", now(), resolution_text(state.level).c_str());
         log_line(text);
     }
     if (!state.finished() || state.number != wanted.number || moving) return;

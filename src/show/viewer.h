@@ -73,6 +73,7 @@ class Viewer {
     };
     std::deque<Note> notes;
 
+    bool pushing = false;  // by the key whose character comes next
     bool dragging = false;
     double cursor_x = 0, cursor_y = 0;
     double still_told = 0;

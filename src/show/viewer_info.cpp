@@ -23,7 +23,8 @@ std::vector<std::pair<std::string, std::string>> Viewer::info() const {
     const auto add = [&](const char* name, std::string value) { lines.emplace_back(name, std::move(value)); };
     add("rate", moving ? format("%.0f pictures/s, aiming at %.0f", motion.rate(now()), options.fps) : "at rest");
     add("picture", format("%dx%d, ", state.width, state.height) + resolution_text(state.level));
-    add("traced in", format("%.1f ms, %.0f %% refined", 1000 * state.seconds, std::floor(100 * state.share)));
+    add("traced in", format("%.1f ms, %.0f %% refined", 1000 * state.seconds,
+                            state.finished() ? 100 : std::floor(99.9 * state.share)));
     const auto rays = [&](std::uint64_t n) {
         return format("%.1f", state.seconds > 0 ? static_cast<double>(n) / state.seconds / 1e6 : 0);
     };

@@ -36,6 +36,16 @@ TEST_CASE("a light on, in and within a hair of a surface") {
     }
 }
 
+TEST_CASE("a light in the very point that a ray meets") {
+    Material shiny = paint({1, 1, 1});
+    shiny.specular = 1, shiny.pow = 2, shiny.reflection = .5;
+    Stage stage;
+    stage.light({0, -1, 0}).put(Sphere{{0, 0, 0}, 1}, shiny).look({0, -6, 0}, {0, 0, 0}, 20);
+    // By half a pixel's shift one of the rays goes along the axis exactly, its neighbours in the pack do not.
+    const View view{.camera = stage.scene.camera, .width = 16, .height = 16, .depth = 5, .shift_x = .5, .shift_y = .5};
+    for (const Precision precision : precisions) CHECK(not_finite(render(stage.scene, view, precision, 1)) == 0);
+}
+
 TEST_CASE("highlights of every exponent") {
     CHECK(std::isnan(std::pow(-1e-8, 20.5)));      // the naive way, without a clamp
     CHECK(std::isinf(std::pow(1.000001f, 1e9f)));  // and with cosines a rounding error above 1
@@ -49,7 +59,27 @@ TEST_CASE("highlights of every exponent") {
             const Frame frame = shoot(stage.scene, precision, {65, 49});
             CHECK(not_finite(frame) == 0);
             for (const double v : frame.rgb) CHECK_UNARY(v >= 0 && v <= 2 * 1.5 + 1e-6);
+            // A highlight adds light, also where the mirrored ray goes away from the lamp.
+            Scene dull = stage.scene;
+            dull.materials[0].specular = 0;
+            const Frame without = shoot(dull, precision, {65, 49});
+            int darker = 0;
+            for (std::size_t i = 0; i < frame.rgb.size(); ++i) darker += frame.rgb[i] < without.rgb[i];
+            CHECK(darker == 0);
         }
+    }
+}
+
+TEST_CASE("a mirrored ray that goes straight into the lamp") {
+    // Its cosine is 1 but for rounding, and 1.0000001 to the power of 1e9 is no highlight any more.
+    Dice dice;
+    for (int i = 0; i < 100; ++i) {
+        const DVec3 eye = dice.direction() * 6.;
+        Material shiny = paint({0, 0, 0});
+        shiny.specular = 1, shiny.pow = 1e9;
+        Stage stage;
+        stage.look(eye, {0, 0, 0}, 20, {.1, .2, .3}).light(eye).put(Sphere{{0, 0, 0}, 1}, shiny);
+        for (const Precision precision : precisions) CHECK(shoot(stage.scene, precision, {1, 1}).rgb[0] <= 1);
     }
 }
 

@@ -248,3 +248,21 @@ TEST_CASE("a flight goes on along the changed path") {
     session.replace(scene_of(""), false);
     CHECK(!session.flying());
 }
+
+TEST_CASE("a pause is at a moment that can be told") {
+    Session session(scene_of(path_text));
+    session.perform({Action::play}, 0);
+    CHECK(session.perform({Action::pause}, 1.23456).note == "paused at 1.235 s");
+    CHECK(session.camera == camera_at(*session.scene->flythrough, session.scene->camera, 1.235));
+}
+
+TEST_CASE("a recorded path makes room for one that was pasted into the file") {
+    Session session(scene_of(""));
+    for (int i = 0; i < 2; ++i) {
+        session.perform({Action::record}, i);
+        session.steer({.push = {1, 0, 0}}, i);
+    }
+    session.replace(scene_of(path_text), false);
+    session.perform({Action::play}, 5);
+    CHECK(session.flight_path() == session.scene->flythrough);
+}

@@ -1,16 +1,16 @@
-// A small Whitted tracer on Embree: bench_embree SCENE PICTURE WIDTH HEIGHT THREADS. Prints seconds and rays.
+// A small Whitted tracer on Embree: bench_embree SCENE PICTURE WIDTH HEIGHT THREADS. Prints seconds, rays and memory.
 //
-// Float only, as Embree is. It has no list of bodies entered: overlapping glass comes out wrong.
+// The picture "-" is not written. Float only, as Embree is. It has no list of bodies entered: overlapping glass comes
+// out wrong.
 #include <pmmintrin.h>
 
 #include <atomic>
-#include <chrono>
-#include <cstdio>
 #include <cstdlib>
 #include <iostream>
 #include <thread>
 
 #include "image/picture.h"
+#include "tests/bench/measure.h"
 #include "text/parse.h"
 #include "whitted.h"
 
@@ -22,13 +22,11 @@ double seconds() { return std::chrono::duration<double>(std::chrono::steady_cloc
 
 void run(char** argv) {
     const int width = std::atoi(argv[3]), height = std::atoi(argv[4]), threads = std::atoi(argv[5]);
-    const auto loading = preload_picture_library();
     const Scene scene = parse_scene(read_text(argv[1]), argv[1]);
-    loading.wait();  // or it would take its time from the tracing
 
-    const double start = seconds();
+    const double start = bench::seconds();
     const bench::World world(scene, threads);
-    const double built = seconds();
+    const double built = bench::seconds();
     std::vector<float> rgb(static_cast<std::size_t>(width) * height * 3);
     std::vector<bench::RayCounts> counts(threads);
     std::atomic<int> next = 0;
@@ -46,12 +44,12 @@ void run(char** argv) {
         for (int i = 1; i < threads; ++i) others.emplace_back(work, i);
         work(0);
     }
-    const double traced = seconds();
+    const double traced = bench::seconds();
     bench::RayCounts sum;
     for (const auto& c : counts) sum.camera += c.camera, sum.secondary += c.secondary, sum.shadow += c.shadow;
-    std::printf("build %.9g trace %.9g rays %llu\n", built - start, traced - built,
-                static_cast<unsigned long long>(sum.camera + sum.secondary + sum.shadow));
-    write_picture({width, height, 3, {rgb.begin(), rgb.end()}}, argv[2], {16, scene.settings.linear});
+    bench::print_figures(built - start, traced - built, sum.camera + sum.secondary + sum.shadow);
+    if (argv[2] != std::string("-"))
+        write_picture({width, height, 3, {rgb.begin(), rgb.end()}}, argv[2], {16, scene.settings.linear});
 }
 
 }  // namespace

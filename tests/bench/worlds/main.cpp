@@ -154,6 +154,24 @@ void lights_world(int count) {
     }
 }
 
+/// Dull balls under one lamp: no mirror, no glass, nothing but balls and a floor.
+void plain_world(int count) {
+    const int side = static_cast<int>(std::ceil(std::sqrt(count)));
+    const double cell = 10. / side;
+    std::puts(
+        "background { color <.5,.65,.85> }\n"
+        "camera { position <-1.5,-9.5,5.5> look_at <0,-1.2,0> sky <0,0,1> angle 55 }\n"
+        "light { position <-8,-6,9> color <.9,.9,.85> }\n"
+        "defaultmaterial { rgb <.7,.68,.62> reflection 0 refraction 0 diffuse .8 ambient .1 specular 0 pow 30 ior 1 }");
+    floor_at(0);
+    std::puts("defaultmaterial { rgb <.85,.35,.25> specular .4 }");
+    Chance chance;
+    for (int i = 0; i < count; ++i) {
+        const double r = cell * chance.in(.2, .45);
+        sphere({cell * (i % side + .5) - 5, cell * (i / side + .5) - 5, r + .02 * cell}, r);
+    }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -163,6 +181,7 @@ int main(int argc, char** argv) {
     if (count > 0 && kind == "grid") return grid_world(count), 0;
     if (count > 0 && kind == "glass") return glass_world(count), 0;
     if (count > 0 && kind == "lights") return lights_world(count), 0;
-    std::fputs("bench_worlds flake|grid|glass|lights COUNT: scene text to standard output\n", stderr);
+    if (count > 0 && kind == "plain") return plain_world(count), 0;
+    std::fputs("bench_worlds flake|grid|glass|lights|plain COUNT: scene text to standard output\n", stderr);
     return 2;
 }

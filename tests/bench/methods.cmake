@@ -1,0 +1,15 @@
+# Methods of intersection side by side (tests/bench/methods): `ninja strahl_methods`, then tests/bench/methods/run.
+set(methods ${CMAKE_SOURCE_DIR}/tests/bench/methods)
+add_executable(strahl_methods EXCLUDE_FROM_ALL ${methods}/main.cpp ${methods}/inputs.cpp
+                                               ${CMAKE_SOURCE_DIR}/tests/stability/stage.cpp)
+target_link_libraries(strahl_methods PRIVATE strahl_trace quadmath)
+function(strahl_methods_level level)
+  add_library(methods_${level} OBJECT EXCLUDE_FROM_ALL ${methods}/lanes.cpp)
+  target_link_libraries(methods_${level} PRIVATE strahl_flags)
+  target_compile_definitions(methods_${level} PRIVATE STRAHL_LEVEL=${level})
+  target_compile_options(methods_${level} PRIVATE -O3 ${ARGN})
+  target_sources(strahl_methods PRIVATE $<TARGET_OBJECTS:methods_${level}>)
+endfunction()
+strahl_methods_level(scalar -DSTRAHL_SCALAR)
+strahl_methods_level(v3 -march=x86-64-v3)
+strahl_methods_level(v4 -march=x86-64-v4 -mprefer-vector-width=512 -Wno-uninitialized -Wno-maybe-uninitialized)
