@@ -7,6 +7,7 @@
 #include "main/command_check.h"
 #include "main/command_compare.h"
 #include "main/command_render.h"
+#include "main/command_stability.h"
 #include "main/errors.h"
 #include "main/options.h"
 #include "povref/command_crosscheck.h"
@@ -130,6 +131,19 @@ void add_crosscheck(CLI::App& app, Action& action) {
         "Beyond off, on edges: how many differ by more than one step. Needs povray. See povref/README.md.");
 }
 
+void add_stability(CLI::App& app, Action& action) {
+    auto [command, o] =
+        add_command(app, action, "stability", "Trace a scene in float, double and long double; show where they part",
+                    stability_command);
+    add_scene(command, o->scene);
+    add_file(command, "-o,--output", o->output,
+             "A map: grey where all agree, orange where float differs, red: double too");
+    add_parsed(command, "--size", o->size, parse_size, "Size of the picture in pixels, 640x480 by default", "WxH");
+    add_depth(command, o->depth);
+    add_threads(command, o->threads);
+    command->footer("Differences are those of 8-bit colours. Long double has no SIMD: this takes a while.");
+}
+
 /// "strahl 0.1.0 (x86-64-v4, 16 float lanes, 8 double)"
 std::string version() {
     const Simd simd = best_simd();
@@ -201,6 +215,7 @@ int run(int argc, char** argv) {
     add_compare(app, action);
     add_pov(app, action);
     add_crosscheck(app, action);
+    add_stability(app, action);
     app.footer(
         "Exit status: 0 done, 1 failed, 2 wrong usage, 3 faults in a file, 130 interrupted.\n"
         "A first picture: strahl render scenes/article.rt -o article.bmp");

@@ -12,6 +12,8 @@
 #include <numbers>
 #include <utility>
 
+#include "image/picture.h"
+
 namespace strahl {
 namespace {
 
@@ -149,6 +151,7 @@ void Viewer::quit() {
 void Viewer::add_still() {
     View view = wanted.view;
     view.camera = session.camera, view.depth = session.depth();
+    view.error = half_step({8, session.scene->settings.linear});
     if (options.still_size.width > 0) view.width = options.still_size.width, view.height = options.still_size.height;
     const std::string name = still_name(path);
     stills.add({session.scene, view, name});
@@ -253,7 +256,11 @@ void Viewer::move() {
 void Viewer::order() {
     const int width = screen.width(), height = screen.height();
     if (width == 0 || height == 0) return;
-    const View view{.camera = session.camera, .width = width, .height = height, .depth = session.depth()};
+    const View view{.camera = session.camera,
+                    .width = width,
+                    .height = height,
+                    .depth = session.depth(),
+                    .error = half_step({8, session.scene->settings.linear})};
     const bool same = wanted.scene == session.scene && wanted.view.camera == view.camera &&
                       wanted.view.width == width && wanted.view.height == height && wanted.view.depth == view.depth;
     if (same && wanted.moving == moving) return;
