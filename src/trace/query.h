@@ -104,7 +104,9 @@ STRAHL_INLINE Vec3<S> visibility(const World<Element<S>>& world, const Ray<S>& r
                 const Mask<S> leaves = hit & (span.far > S(0)) & (span.far < distance);
                 if (clear(i)) {
                     const Vec3<T> f = filter(i);
-                    for (int c = 0; c < 3; ++c) share[c] *= select(enters, S(f[c]), one) * select(leaves, S(f[c]), one);
+                    for (int c = 0; c < 3; ++c)
+                        share[c] = min(share[c] * (select(enters, S(f[c]), one) * select(leaves, S(f[c]), one)),
+                                       S(largest_gain));
                 } else {
                     limit = select(enters | leaves, S(-1), limit);
                     if (all(limit < S(0))) return true;
@@ -138,8 +140,9 @@ STRAHL_INLINE Vec3<S> visibility(const World<Element<S>>& world, const Ray<S>& r
                         const Vec3<T> f = filter(i + n);
                         for (int c = 0; c < 3; ++c)
                             share[c] = with_lane(share[c], k,
-                                                 lane(share[c], k) * ((enters >> n & 1 ? f[c] : T(1)) *
-                                                                      (leaves >> n & 1 ? f[c] : T(1))));
+                                                 min(lane(share[c], k) * ((enters >> n & 1 ? f[c] : T(1)) *
+                                                                          (leaves >> n & 1 ? f[c] : T(1))),
+                                                     T(largest_gain)));
                     }
                 }
                 return false;

@@ -184,7 +184,7 @@ struct Shading {
 
     STRAHL_INLINE void push(RayQueue<T>& to, const Hit& hit, Mask<S> mask, const Vec3<S>& direction, S share, S path,
                             S list) {
-        const S weight = hit.weight * share;
+        const S weight = min(hit.weight * share, S(largest_gain));
         mask = mask & (weight > S(0)) & (path > S(eye.cutoff));
         if (none(mask)) return;
         const Vec3<S> d = unit(direction);

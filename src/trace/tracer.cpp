@@ -95,7 +95,9 @@ void deliver(const Workspace<T>& workspace, const Lattice& tile, const Sink& sin
     Out values[3 * tile_size * tile_size];
     const int pixels = tile.columns * tile.rows;
     for (int i = 0; i < pixels; ++i)
-        for (int c = 0; c < 3; ++c) values[3 * i + c] = static_cast<Out>(workspace.rgb[c][i]);
+        for (int c = 0; c < 3; ++c)
+            values[3 * i + c] =
+                static_cast<Out>(std::min(workspace.rgb[c][i], static_cast<T>(std::numeric_limits<Out>::max())));
     sink({tile, std::span<const Out>(values, 3 * pixels)});
 }
 

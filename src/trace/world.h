@@ -9,6 +9,10 @@ namespace strahl {
 
 struct Node;
 
+/// Shares and weights above 1, of glass brighter than white or of total reflection, grow no further than this, or in
+/// float they would become infinite and, times 0, no numbers.
+inline constexpr float largest_gain = 1e18f;
+
 /// A shape with its numbers. Made of elements only, so that it can be gathered lane by lane; whole numbers are exact in
 /// every element type (in float up to 2^24, see `World::capacity`).
 template <template <class> class K>

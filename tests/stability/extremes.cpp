@@ -161,3 +161,20 @@ TEST_CASE("the largest and smallest index of refraction of a file") {
     for (const char* ior : {"2.3e-308", "1e308"}) CHECK_THROWS_AS(parse_scene(text(ior), "glass.rt"), FileError);
     for (const char* ior : {"1e-9", "1e9"}) finite_in_all(parse_scene(text(ior), "glass.rt"));
 }
+
+TEST_CASE("glass brighter than white, and total reflection without loss, in float too") {
+    // Naive: products grow past the last number, and infinity times 0 is none.
+    for (const double bright : {2., 1e9}) {
+        Stage stack;
+        Material tinted = glass(1);
+        tinted.rgb = {bright, 0, 1}, tinted.diffuse = 1;
+        stack.light({0, 0, 900}).put(Plane{{0, 0, -1}, {1, 0, -1}, {0, 1, -1}}, paint({1, 1, 1}));
+        for (int i = 0; i < 100; ++i) stack.put(Sphere{{0, 0, double(i)}, .5}, tinted);
+        finite_in_all(stack.scene);
+    }
+    Stage trap;
+    Material twice = glass(3);
+    twice.reflection = 1;  // 2 in all, at each of 255 reflections
+    trap.put(Sphere{{0, 0, 0}, 1}, twice).light({0, 3, 3}).look({0, -.99, 0}, {.5, -.99, 0}, 40);
+    finite_in_all(trap.scene, {8, 6, 256});
+}
