@@ -11,7 +11,7 @@ set ylabel what
 set grid lc "grey85"
 set key off
 worlds = "easy mirrors glass far many"
-titles = "'easy: the matt world of the article' 'deep mirrors: four touching balls' 'glass and mirrors: the article''s world' 'far from the origin' 'many: a flake of 7381 balls'"
+titles = "'easy: the matt world of the article' 'deep mirrors: four touching balls' 'glass and mirrors: the article' 'far from the origin' 'many: a flake of 7381 balls'"
 y(v) = v < least ? least : v
 series = "float double extended SIMD --error --depth POV-Ray Tachyon"
 colours = "#d62728 #1f77b4 #111111 #bbbbbb #2ca02c #ff7f0e #9467bd #8c564b"
