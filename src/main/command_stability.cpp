@@ -12,92 +12,40 @@
 #include "image/transfer.h"
 #include "main/errors.h"
 #include "text/parse.h"
-#include "trace/thread_pool.h"
-#include "trace/tracer.h"
+#include "trace/agreement.h"
 
 namespace strahl {
 namespace {
 
-enum Part { agree, float_differs, double_differs };
+constexpr int float_differs = 1, double_differs = 2;  // of Agreement
+
 // Grey as it is, orange, and red.
 constexpr std::array<std::array<double, 3>, 3> colors{{{}, {1, .6, 0}, {1, 0, .1}}};
 
-/// The scene in all precisions.
-class Trio {
-  public:
-    Trio(const Scene& scene, int threads)
-        : linear(scene.settings.linear),
-          tracers{Tracer(scene, Precision::single), Tracer(scene, Precision::twice),
-                  Tracer(scene, Precision::extended)},
-          pool(threads),
-          alone(1) {}
-
-    /// For every pixel of the lattice, row by row, if it has the same 8-bit colour in all. `shown` is the picture in
-    /// double.
-    std::vector<Part> compare(const View& view, const Lattice& lattice, std::vector<double>& shown) {
-        ThreadPool& threads = lattice.columns * lattice.rows > 1 ? pool : alone;
-        std::vector<double> rgb[3];
-        for (int i = 0; i < 3; ++i) rgb[i] = trace(tracers[i], view, lattice, threads);
-        std::vector<Part> map;
-        for (std::size_t i = 0; i < rgb[0].size(); i += 3)
-            map.push_back(!same(&rgb[1][i], &rgb[2][i])   ? double_differs
-                          : !same(&rgb[0][i], &rgb[2][i]) ? float_differs
-                                                          : agree);
-        shown = std::move(rgb[1]);
-        return map;
-    }
-
-  private:
-    bool same(const double* a, const double* b) const {
-        for (int c = 0; c < 3; ++c)
-            if (quantise(a[c], linear, 255) != quantise(b[c], linear, 255)) return false;
-        return true;
-    }
-    static std::vector<double> trace(Tracer& tracer, const View& view, const Lattice& lattice, ThreadPool& threads) {
-        std::vector<double> values(std::size_t(3) * lattice.columns * lattice.rows);
-        tracer.trace(view, lattice, threads, [&](const Tile& tile) {
-            std::visit(
-                [&](const auto& rgb) {
-                    const Lattice& part = tile.lattice;
-                    for (int row = 0; row < part.rows; ++row)
-                        std::copy_n(rgb.begin() + std::ptrdiff_t(3) * row * part.columns, 3 * part.columns,
-                                    values.begin() + std::ptrdiff_t(3) *
-                                                         (std::ptrdiff_t(part.y - lattice.y + row) * lattice.columns +
-                                                          part.x - lattice.x));
-                },
-                tile.rgb);
-        });
-        return values;
-    }
-
-    bool linear;
-    std::array<Tracer, 3> tracers;
-    ThreadPool pool, alone;
-};
-
 void write_map(const std::string& path, const View& view, const std::vector<double>& shown,
-               const std::vector<Part>& parts, bool linear) {
+               const std::vector<Agreement>& parts, bool linear) {
     Picture map{view.width, view.height, 3, std::vector<double>(shown.size())};
     for (std::size_t i = 0; i < parts.size(); ++i) {
         double grey = 0;
         for (int c = 0; c < 3; ++c) grey += quantise(shown[3 * i + c], linear, 255) / (3. * 255);
         for (std::size_t c = 0; c < 3; ++c)
-            map.values[3 * i + c] = parts[i] == agree ? .25 + .5 * grey : colors[parts[i]][c];
+            map.values[3 * i + c] =
+                parts[i] == Agreement::all ? .25 + .5 * grey : colors[static_cast<std::size_t>(parts[i])][c];
     }
     write_picture(map, path, {});
 }
 
 /// Pixels that part, by the depth of the rays at which they do so first.
-std::vector<std::array<std::size_t, 3>> by_depth(Trio& trio, View view, const std::vector<Part>& parts) {
+std::vector<std::array<std::size_t, 3>> by_depth(Agreements& agreements, View view,
+                                                 const std::vector<Agreement>& parts) {
     std::vector<std::array<std::size_t, 3>> counts(view.depth + 1);
     const int deepest = view.depth;
-    std::vector<double> unused;
     for (std::size_t i = 0; i < parts.size(); ++i) {
-        if (parts[i] == agree) continue;
+        if (parts[i] == Agreement::all) continue;
         const Lattice pixel{int(i % view.width), int(i / view.width), 1, 1};
         for (view.depth = 1; view.depth < deepest; ++view.depth)
-            if (trio.compare(view, pixel, unused)[0] != agree) break;
-        ++counts[view.depth][parts[i]];
+            if (agreements.of(view, pixel)[0] != Agreement::all) break;
+        ++counts[view.depth][static_cast<std::size_t>(parts[i])];
     }
     return counts;
 }
@@ -112,12 +60,13 @@ int stability_command(const StabilityOptions& options) {
                     .width = options.size.width,
                     .height = options.size.height,
                     .depth = options.depth.value_or(scene.settings.max_trace_level)};
-    Trio trio(scene, options.threads);
+    Agreements agreements(scene, options.threads,
+                          [linear = scene.settings.linear](double v) { return quantise(v, linear, 255); });
     std::vector<double> shown;
-    const std::vector<Part> map = trio.compare(view, {.columns = view.width, .rows = view.height}, shown);
+    const std::vector<Agreement> map = agreements.of(view, {.columns = view.width, .rows = view.height}, &shown);
     if (!options.output.empty()) write_map(options.output, view, shown, map, scene.settings.linear);
 
-    const auto counts = by_depth(trio, view, map);
+    const auto counts = by_depth(agreements, view, map);
     std::array<std::size_t, 3> sums{};
     const auto row = [&](const std::string& depth, const std::array<std::size_t, 3>& count) {
         const double percent = 100. / static_cast<double>(map.size());

@@ -28,6 +28,8 @@ std::optional<Command> command_of_letter(char letter) {
             return Command{Action::help};
         case 'I':
             return Command{Action::info};
+        case 'X':
+            return Command{Action::stability};
         default:
             return std::nullopt;
     }

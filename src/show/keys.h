@@ -23,6 +23,7 @@ enum class Action {
     print_camera,
     help,
     info,
+    stability,
 };
 struct Command {
     Action action;
@@ -62,6 +63,7 @@ inline constexpr std::array key_help{
     KeyHelp{"[ ]", "depth: reflections of reflections"},
     KeyHelp{", .", "resolution cap while moving"},
     KeyHelp{"F11", "full screen"},
+    KeyHelp{"X", "mark pixels that rounding decides"},
     KeyHelp{"I  H", "information; this help"},
     KeyHelp{"Esc", "quit"},
 };

@@ -80,9 +80,24 @@ void draw_notes(const Overlay& overlay) {
     });
 }
 
+/// Each a little cross, since a pixel alone would be hard to see: orange where float differs, red where double does.
+void draw_marks(const Overlay& overlay) {
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    const float reach = ImGui::GetFontSize() / 5;
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    for (const Mark& mark : overlay.marks) {
+        const ImVec2 at{size.x * (static_cast<float>(mark.x) + .5f) / static_cast<float>(overlay.width),
+                        size.y * (static_cast<float>(mark.y) + .5f) / static_cast<float>(overlay.height)};
+        const ImU32 color = mark.in_double ? IM_COL32(255, 0, 25, 255) : IM_COL32(255, 153, 0, 255);
+        list.AddLine({at.x - reach, at.y}, {at.x + reach, at.y}, color, 1.5f);
+        list.AddLine({at.x, at.y - reach}, {at.x, at.y + reach}, color, 1.5f);
+    }
+}
+
 }  // namespace
 
 void draw_overlay(const Overlay& overlay) {
+    draw_marks(overlay);
     if (!overlay.info.empty()) draw_info(overlay);
     if (!overlay.fault.empty()) draw_fault(overlay.fault);
     if (!overlay.notes.empty() || overlay.still_share >= 0) draw_notes(overlay);

@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "show/stability_check.h"
+
 namespace strahl {
 
 struct Overlay {
@@ -14,8 +16,12 @@ struct Overlay {
     std::vector<std::string> notes;                         // short ones, the oldest first
     double still_share = -1;                                // of the still in work, or negative
     std::string still_text;
+    std::vector<Mark> marks;    // of pixels, on the picture
+    int width = 1, height = 1;  // of that picture
 
-    bool empty() const { return !help && info.empty() && fault.empty() && notes.empty() && still_share < 0; }
+    bool empty() const {
+        return !help && info.empty() && fault.empty() && notes.empty() && still_share < 0 && marks.empty();
+    }
 };
 
 /// To be called while ImGui makes a frame.

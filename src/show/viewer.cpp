@@ -46,6 +46,7 @@ Viewer::Viewer(const ViewOptions& o, std::shared_ptr<const Scene> scene, std::st
              o.full_screen),
       tracing(o.threads, glfwPostEmptyEvent),
       stills(o.threads, glfwPostEmptyEvent),
+      stability(o.threads, glfwPostEmptyEvent),
       reload(path, std::move(text), glfwPostEmptyEvent) {
     connect();
     if (options.time) session.go_to(*options.time, now());
@@ -130,6 +131,8 @@ void Viewer::perform(Command command) {
         case Action::info:
             with_info = !with_info, draws_due = 2;
             return;
+        case Action::stability:
+            return toggle_stability();
         case Action::full_screen:
             return screen.toggle_full_screen();
         default:
@@ -173,6 +176,27 @@ void Viewer::hear_of_scene() {
     if (session.paused()) session.follow(now());
     if (loaded->opened) glfwSetWindowTitle(screen.window(), title_of(path = loaded->path).c_str());
     log_line((loaded->opened ? "opened " : "read again: ") + path);
+}
+
+/// Marks belong to a picture at rest: they go when it does.
+void Viewer::toggle_stability() {
+    stability.cancel();
+    marks.clear(), draws_due = 2;
+    marked = !marked && !moving && wanted.scene;
+    if (!marked) return;
+    View view = wanted.view;
+    view.error = 0;
+    stability.start(wanted.scene, view);
+    note("tracing this view in float, double and long double");
+}
+
+void Viewer::hear_of_stability() {
+    auto found = stability.take();
+    if (!found) return;
+    marks = std::move(*found);
+    const auto in_double = std::count_if(marks.begin(), marks.end(), [](const Mark& m) { return m.in_double; });
+    note("rounding decides " + std::to_string(marks.size()) + " pixels in float, " + std::to_string(in_double) +
+         " in double");
 }
 
 void Viewer::hear_of_stills() {
@@ -264,6 +288,7 @@ void Viewer::order() {
     const bool same = wanted.scene == session.scene && wanted.view.camera == view.camera &&
                       wanted.view.width == width && wanted.view.height == height && wanted.view.depth == view.depth;
     if (same && wanted.moving == moving) return;
+    if (!same && marked) toggle_stability();
     wanted = {wanted.number + (same ? 0 : 1), session.scene, view, moving, 0.8 / options.fps, session.finest};
     tracing.want(wanted);
 }
@@ -306,6 +331,7 @@ void Viewer::run() {
         wait();
         hear_of_scene();
         hear_of_stills();
+        hear_of_stability();
     }
     if (options.verbose) log_line("quit");
 }

@@ -11,6 +11,7 @@
 #include "show/reload.h"
 #include "show/screen.h"
 #include "show/session.h"
+#include "show/stability_check.h"
 #include "show/stills.h"
 #include "show/trace_thread.h"
 #include "show/viewer_log.h"
@@ -36,6 +37,8 @@ class Viewer {
     void add_still();
     void hear_of_scene();
     void hear_of_stills();
+    void hear_of_stability();
+    void toggle_stability();
 
     // What goes on (all times are seconds since `start`)
     double now() const;
@@ -61,10 +64,13 @@ class Viewer {
     Screen screen;
     TraceThread tracing;
     Stills stills;
+    StabilityCheck stability;
     Reload reload;
 
     bool quitting = false, closed = false;
     bool help = false, with_info = false;
+    std::vector<Mark> marks;  // of the picture on show
+    bool marked = false;      // they are wanted, or there
     std::string fault;
     double fault_until = 0;  // infinite for the scene that is watched
     struct Note {

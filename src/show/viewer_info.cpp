@@ -55,6 +55,7 @@ Overlay Viewer::overlay() {
                              (pending > 1 ? format(", %d more waiting", pending - 1) : "") +
                              (quitting ? "; Esc drops it" : "");
     }
+    overlay.marks = marks, overlay.width = state.width, overlay.height = state.height;
     return overlay;
 }
 

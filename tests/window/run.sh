@@ -188,6 +188,12 @@ shows_other paused.png
 xdotool key h
 shows paused.png
 
+echo "-- pixels that rounding decides are marked while the picture rests"
+xdotool key x
+await 'rounding decides'
+xdotool key x
+shows paused.png
+
 echo "-- the file changes: a broken one, and a good one"
 put "$camera
 $world

@@ -1,0 +1,56 @@
+#include "trace/agreement.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace strahl {
+namespace {
+
+std::vector<double> trace(Tracer& tracer, const View& view, const Lattice& lattice, ThreadPool& threads,
+                          const std::atomic<bool>* stop) {
+    std::vector<double> values(std::size_t(3) * lattice.columns * lattice.rows);
+    const auto keep = [&](const Tile& tile) {
+        std::visit(
+            [&](const auto& rgb) {
+                const Lattice& part = tile.lattice;
+                for (int row = 0; row < part.rows; ++row) {
+                    const std::size_t to =
+                        std::size_t(part.y - lattice.y + row) * lattice.columns + (part.x - lattice.x);
+                    std::copy_n(rgb.begin() + std::ptrdiff_t(3) * row * part.columns, 3 * part.columns,
+                                values.begin() + std::ptrdiff_t(3 * to));
+                }
+            },
+            tile.rgb);
+    };
+    tracer.trace(view, lattice, threads, keep, stop);
+    return values;
+}
+
+}  // namespace
+
+Agreements::Agreements(const Scene& scene, int threads, std::function<int(double)> code_function)
+    : code(std::move(code_function)),
+      tracers{Tracer(scene, Precision::single), Tracer(scene, Precision::twice), Tracer(scene, Precision::extended)},
+      pool(threads),
+      alone(1) {}
+
+bool Agreements::same(const double* a, const double* b) const {
+    return code(a[0]) == code(b[0]) && code(a[1]) == code(b[1]) && code(a[2]) == code(b[2]);
+}
+
+std::vector<Agreement> Agreements::of(const View& view, const Lattice& lattice, std::vector<double>* shown,
+                                      const std::atomic<bool>* stop) {
+    ThreadPool& threads = lattice.columns * lattice.rows > 1 ? pool : alone;
+    std::array<std::vector<double>, 3> rgb;
+    for (std::size_t i = 0; i < 3; ++i) rgb[i] = trace(tracers[i], view, lattice, threads, stop);
+    std::vector<Agreement> map;
+    if (stop && *stop) return map;
+    for (std::size_t i = 0; i < rgb[0].size(); i += 3)
+        map.push_back(!same(&rgb[1][i], &rgb[2][i])   ? Agreement::not_twice
+                      : !same(&rgb[0][i], &rgb[2][i]) ? Agreement::not_single
+                                                      : Agreement::all);
+    if (shown) *shown = std::move(rgb[1]);
+    return map;
+}
+
+}  // namespace strahl
