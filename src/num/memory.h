@@ -76,6 +76,16 @@ STRAHL_INLINE R load_items(const Element<S>* columns, std::size_t stride, int fi
     for (std::size_t f = 0; f < packs.size(); ++f) packs[f] = load_lanes<S>(columns + f * stride + first);
     return std::bit_cast<R>(packs);
 }
+/// to[4 * index + c] += v[c] lane after lane, for the first `lanes`: equal indices add up in the order of the lanes.
+template <class S>
+STRAHL_INLINE void add_lanes(Element<S>* to, const S& index, int lanes, const Vec3<S>& v) {
+    using T = Element<S>;
+    T at[width<S>], terms[3][width<S>];
+    store_lanes(at, index);
+    for (int c = 0; c < 3; ++c) store_lanes(terms[c], v[c]);
+    for (int k = 0; k < lanes; ++k)
+        for (int c = 0; c < 3; ++c) to[4 * static_cast<int>(at[k]) + c] += terms[c][k];
+}
 /// The same item in every lane.
 template <class R, class S, class I>
 STRAHL_INLINE R splat_item(const I& item) {

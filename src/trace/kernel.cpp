@@ -1,6 +1,8 @@
 // The kernel: camera rays, hits, light and new rays, generation by generation. Compiled once per instruction set.
 #include "trace/kernel.h"
 
+#include <algorithm>
+
 #include "trace/query.h"
 #include "trace/shade.h"
 
@@ -28,38 +30,51 @@ void aim(const Eye<T>& eye, const PixelBatch<T>& batch, RayQueue<T>& rays) {
     rays.count = batch.count;
 }
 
+/// Calls visit(key, lanes) for the different keys of a pack.
+template <class S, class Visit>
+STRAHL_INLINE void each_key(const S& keys, Mask<S> active, const Visit& visit) {
+    while (any(active)) {
+        const Element<S> key = lane(keys, first(active));
+        const Mask<S> lanes = active & (keys == S(key));
+        visit(static_cast<int>(key), lanes);
+        active = active & !lanes;
+    }
+}
+
+/// Meets the nearest surfaces and counts the hits of each key.
 template <class S, class T>
 void find(const World<T>& world, const RayQueue<T>& rays, HitList<T>& hits) {
+    for (int k = 0; k <= world.keys; ++k) hits.end[k] = 0;
     for (int i = 0; i < rays.count; i += width<S>) {
         const auto at = [i](const T* values) { return load_lanes<S>(values + i); };
         const Ray<S> ray{{at(rays.origin.x), at(rays.origin.y), at(rays.origin.z)},
                          {at(rays.direction.x), at(rays.direction.y), at(rays.direction.z)},
                          at(rays.source)};
-        const Nearest<S> hit = nearest(world, ray, first_lanes<S>(rays.count - i));
+        const Mask<S> active = first_lanes<S>(rays.count - i);
+        const Nearest<S> hit = nearest(world, ray, active);
         store_lanes(hits.t + i, hit.t);
         store_lanes(hits.surface + i, hit.surface);
+        store_lanes(hits.key + i, hit.key);
+        each_key(hit.key, active, [&](int key, Mask<S> lanes) { hits.end[key] += count(lanes); });
     }
 }
 
-/// Sorts hits by key, stably; rays that hit nothing bring back the background.
-template <class T>
-void sort(const World<T>& world, const RayQueue<T>& rays, HitList<T>& hits, const PixelBatch<T>& batch) {
-    for (int k = 0; k < world.keys; ++k) hits.key_end[k] = 0;
-    for (int i = 0; i < rays.count; ++i) {
-        if (hits.surface[i] >= 0)
-            ++hits.key_end[world.places[static_cast<int>(hits.surface[i])].key];
-        else
-            for (int c = 0; c < 3; ++c)
-                batch.rgb[c][static_cast<int>(rays.pixel[i])] += rays.weight[i] * world.background[c];
+/// Sorts rays by key, stably.
+template <class S, class T>
+void sort(const World<T>& world, const RayQueue<T>& rays, HitList<T>& hits) {
+    int next = 0;
+    for (int k = 0; k <= world.keys; ++k) {
+        const int count = hits.end[k];
+        hits.begin[k] = hits.end[k] = next;
+        if (count) next += count + width<S>;
     }
-    int begin = 0;
-    for (int k = 0; k < world.keys; ++k) {
-        const int count = hits.key_end[k];
-        hits.key_end[k] = begin;
-        begin += count;
+    for (int i = 0; i < rays.count; i += width<S>) {
+        const S number = iota<S>() + S(static_cast<T>(i));
+        each_key(load_lanes<S>(hits.key + i), first_lanes<S>(rays.count - i), [&](int key, Mask<S> lanes) {
+            compress(hits.order + hits.end[key], number, lanes);
+            hits.end[key] += count(lanes);
+        });
     }
-    for (int i = 0; i < rays.count; ++i)
-        if (hits.surface[i] >= 0) hits.order[hits.key_end[world.places[static_cast<int>(hits.surface[i])].key]++] = i;
 }
 
 template <class T>
@@ -79,13 +94,14 @@ bool step(const World<T>& world, const Eye<T>& eye, const RayQueue<T>& rays, Ray
     counts.depth = counts.depth < depth ? depth : counts.depth;
     HitList<T>& list = hits(workspace);
     find<S>(world, rays, list);
-    sort(world, rays, list, batch);
+    sort<S>(world, rays, list);
     next.count = aside.count = 0;
     Shading<S> shading{world, eye, rays, list, batch, next, aside, workspace, counts, depth};
+    shading.leave(list.begin[world.keys], list.end[world.keys]);
     bool room = true;
     world.groups.each([&](const auto& group) {
         for (int key = group.first_key; room && key < group.last_key; ++key)
-            room = shading.shade(group, key ? list.key_end[key - 1] : 0, list.key_end[key]);
+            if (list.begin[key] < list.end[key]) room = shading.shade(group, key);
     });
     if (!room || next.count + aside.count > batch_rays) return false;
     counts.reflected += next.count;
@@ -125,7 +141,7 @@ bool trace(const World<Element<S>>& world, const Eye<Element<S>>& eye, const Pix
                      workspace, counts)) {
             counts = before;
             if (batch.count > 1) return false;
-            for (T* channel : batch.rgb) channel[0] = 0;
+            std::fill_n(batch.rgb, 4, T(0));
             constexpr int first_of_descent = 3;
             aim<S>(eye, batch, queue(workspace, first_of_descent));
             counts.camera += 1;

@@ -22,9 +22,9 @@ inline constexpr int ray_arrays = 11;
 /// What a generation met.
 template <class T>
 struct HitList {
-    T *t, *surface;         // by ray; surface -1 for none
-    std::int32_t* order;    // rays that hit, sorted by key
-    std::int32_t* key_end;  // by key: end of its stretch of `order`
+    T *t, *surface, *key;       // by ray; the key of rays that hit nothing is World::keys
+    T* order;                   // numbers of rays, stretches of equal keys
+    std::int32_t *begin, *end;  // by key: its stretch of `order`; a pack's room is between any two
 };
 
 /// Lists of transparent bodies entered, as POV-Ray keeps them: numbered, each a shorter list and one body more.
@@ -57,11 +57,11 @@ struct Eye {
     T faint = 0;   // nor shadow rays for light times path up to this
 };
 
-/// Pixels to trace, and where their light is summed: rgb[c][i] for pixel i.
+/// Pixels to trace, and where their light is summed: rgb[4 * i + c] for pixel i.
 template <class T>
 struct PixelBatch {
     const T *x, *y;
-    T* rgb[3];
+    T* rgb;
     int count;
 };
 

@@ -4,10 +4,10 @@
 
 namespace strahl::inline STRAHL_LEVEL {
 
-/// The nearest hit so far: t is infinite and the surface -1 at first.
+/// The nearest hit so far: t is infinite and the surface -1 at first. The key is that of the surface's place.
 template <class S>
 struct Nearest {
-    S t{std::numeric_limits<Element<S>>::infinity()}, surface{-1};
+    S t{std::numeric_limits<Element<S>>::infinity()}, surface{-1}, key;
 };
 
 /// The ray of one lane in all lanes.
@@ -24,7 +24,7 @@ STRAHL_INLINE Mask<S> closer(const Span<S>& span, const S& surface, const Neares
     return span.hit & (t > S(0)) & ((t < best.t) | ((t == best.t) & (surface < best.surface)));
 }
 
-/// One ray and items [first, first + count), which are looked at side by side.
+/// One ray and items [first, first + count), which are looked at side by side; in `best`, the key is an item's number.
 template <class S, class Group>
 STRAHL_INLINE void nearest_alone(const Group& group, int first, int count, const Ray<S>& ray, Nearest<S>& best) {
     using Item = typename Group::template ItemOf<S>;
@@ -35,7 +35,7 @@ STRAHL_INLINE void nearest_alone(const Group& group, int first, int count, const
         Mask<S> better = closer(span, item.surface, best, t) & first_lanes<S>(first + count - i);
         while (any(better)) {
             const int k = strahl::first(better);
-            best = {S(lane(t, k)), S(lane(item.surface, k))};
+            best = {S(lane(t, k)), S(lane(item.surface, k)), S(static_cast<Element<S>>(i + k))};
             better = better & ((t < best.t) | ((t == best.t) & (item.surface < best.surface)));
         }
     }
@@ -43,7 +43,9 @@ STRAHL_INLINE void nearest_alone(const Group& group, int first, int count, const
 
 template <class S>
 STRAHL_INLINE Nearest<S> nearest(const World<Element<S>>& world, const Ray<S>& ray, Mask<S> active) {
+    using T = Element<S>;
     Nearest<S> best;
+    best.key = S(static_cast<T>(world.keys));
     world.groups.each([&](const auto& group) {
         const auto look = [&](int first, int count, Mask<S> mask) {
             for (int i = first; i < first + count; ++i) {
@@ -55,6 +57,7 @@ STRAHL_INLINE Nearest<S> nearest(const World<Element<S>>& world, const Ray<S>& r
                 const Mask<S> better = mask & closer(span, surface, best, t);
                 best.t = select(better, t, best.t);
                 best.surface = select(better, surface, best.surface);
+                best.key = select(better, S(static_cast<T>(group.key(i, world.key_per_item))), best.key);
             }
             return false;
         };
@@ -65,8 +68,8 @@ STRAHL_INLINE Nearest<S> nearest(const World<Element<S>>& world, const Ray<S>& r
         const Line<S> line = line_of(ray);
         traverse<true>(group.nodes, line, active, best.t, look, [&](int k, int first, int count) {
             const Ray<S> one = lane_of(ray, k);
-            Nearest<S> own{S(lane(best.t, k)), S(lane(best.surface, k))};
-            Element<S> limit = lane(best.t, k);
+            Nearest<S> own{S(lane(best.t, k)), S(lane(best.surface, k)), S(-1)};
+            T limit = lane(best.t, k);
             traverse_alone<true>(group.nodes, first, count, lane_of(line, k), limit, [&](int item, int items) {
                 nearest_alone(group, item, items, one, own);
                 limit = lane(own.t, 0);
@@ -74,6 +77,8 @@ STRAHL_INLINE Nearest<S> nearest(const World<Element<S>>& world, const Ray<S>& r
             });
             best.t = with_lane(best.t, k, limit);
             best.surface = with_lane(best.surface, k, lane(own.surface, 0));
+            if (const int item = static_cast<int>(lane(own.key, 0)); item >= 0)
+                best.key = with_lane(best.key, k, static_cast<T>(group.key(item, world.key_per_item)));
         });
     });
     return best;

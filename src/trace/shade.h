@@ -28,6 +28,18 @@ STRAHL_INLINE S power(S x, S p) {
     return result;
 }
 
+/// The same where all lanes have the same exponent.
+template <class S>
+STRAHL_INLINE S power_of_all(S x, Element<S> p) {
+    if (!(std::floor(p) == p && p <= 1024)) return power(x, S(p));
+    S result(1);
+    for (int e = static_cast<int>(p); e > 0; e >>= 1) {
+        if (e & 1) result *= x;
+        x *= x;
+    }
+    return result;
+}
+
 /// Puts lengths that are right but for rounding back to 1.
 template <class S>
 STRAHL_INLINE Vec3<S> unit(const Vec3<S>& v) {
@@ -60,56 +72,82 @@ struct Shading {
         Vec3<S> direction, position, normal;  // the normal is turned towards the incoming ray
         Mask<S> outside;                      // it comes from the side the surface faces
         S surface, body, pixel, weight, path, interior;
-        MaterialKernel<S> material;
+        const MaterialKernel<S>& material;
     };
 
-    /// Shades hits [begin, end) of the order, all on items of this group. False if the queues are full.
-    template <class Group>
-    bool shade(const Group& group, int begin, int end) {
+    /// Rays that hit nothing, [begin, end) of the order, bring back the background.
+    void leave(int begin, int end) {
         for (int i = begin; i < end; i += width<S>) {
+            const Pick pick(hits.order + i, end - i);
+            const S weight = pick(rays.weight);
+            add_lanes(batch.rgb, pick(rays.pixel), pick.lanes, scale(weight, splat<S>(world.background)));
+        }
+    }
+
+    /// Shades the hits of a key, all on items of this group. False if the queues are full.
+    template <class Group>
+    bool shade(const Group& group, int key) {
+        using PackItem = typename Group::template ItemOf<S>;
+        PackItem item;
+        MaterialKernel<S> material;
+        if (world.key_per_item) {
+            const auto& only = group.items[key - group.first_key];
+            item = splat_item<PackItem, S>(only);
+            material = splat_item<MaterialKernel<S>, S>(world.materials[static_cast<int>(only.material)]);
+        }
+        for (int i = hits.begin[key]; i < hits.end[key]; i += width<S>) {
             if (reflected.count + refracted.count > batch_rays) return false;
-            const int lanes = end - i < width<S> ? end - i : width<S>;
-            int index[width<S>];
-            for (int k = 0; k < width<S>; ++k) index[k] = hits.order[i + (k < lanes ? k : 0)];
-            const bool consecutive = lanes == width<S> && index[width<S> - 1] - index[0] == width<S> - 1;
-            const auto fetch = [&](const T* values) {
-                return consecutive ? load_lanes<S>(values + index[0]) : gather<S>(values, index);
-            };
-            const Hit hit = meet(group, index, first_lanes<S>(lanes), fetch);
-            add(illumination(hit), hit, lanes, consecutive && depth == 1);
+            const Pick pick(hits.order + i, hits.end[key] - i);
+            if (!world.key_per_item) {
+                int items[width<S>], materials[width<S>];
+                for (int k = 0; k < width<S>; ++k) {
+                    items[k] = world.places[static_cast<int>(hits.surface[pick.index[k]])].item;
+                    materials[k] = static_cast<int>(group.items[items[k]].material);
+                }
+                item = gather_items<PackItem, S>(group.items, items);
+                material = gather_items<MaterialKernel<S>, S>(world.materials, materials);
+            }
+            const Hit hit = meet(item, material, pick);
+            add_lanes(batch.rgb, hit.pixel, pick.lanes, scale(hit.weight, illumination(hit)));
             if (depth < eye.depth) spawn(hit);
         }
         return true;
     }
 
   private:
-    template <class Group, class Fetch>
-    STRAHL_INLINE Hit meet(const Group& group, const int* index, Mask<S> active, const Fetch& fetch) const {
-        const Ray<S> ray{{fetch(rays.origin.x), fetch(rays.origin.y), fetch(rays.origin.z)},
-                         {fetch(rays.direction.x), fetch(rays.direction.y), fetch(rays.direction.z)},
-                         fetch(rays.source)};
-        int items[width<S>];
-        for (int k = 0; k < width<S>; ++k) items[k] = world.places[static_cast<int>(hits.surface[index[k]])].item;
-        using PackItem = typename Group::template ItemOf<S>;
-        const PackItem item = world.key_per_item ? splat_item<PackItem, S>(group.items[items[0]])
-                                                 : gather_items<PackItem, S>(group.items, items);
-        int materials[width<S>];
-        for (int k = 0; k < width<S>; ++k) materials[k] = static_cast<int>(group.items[items[k]].material);
-        const SurfacePoint<S> point = item.shape.at(ray, fetch(hits.t), ray.source - item.surface);
+    /// A pack's part of values by ray: up to `lanes` rays, the first again in the lanes left over.
+    struct Pick {
+        int index[width<S>];
+        int lanes;
+        bool consecutive;
+        STRAHL_INLINE Pick(const T* order, int left) : lanes(left < width<S> ? left : width<S>) {
+            for (int k = 0; k < width<S>; ++k) index[k] = static_cast<int>(order[k < lanes ? k : 0]);
+            consecutive = lanes == width<S> && index[width<S> - 1] - index[0] == width<S> - 1;
+        }
+        STRAHL_INLINE S operator()(const T* values) const {
+            return consecutive ? load_lanes<S>(values + index[0]) : gather<S>(values, index);
+        }
+    };
+
+    template <class PackItem>
+    STRAHL_INLINE Hit meet(const PackItem& item, const MaterialKernel<S>& material, const Pick& pick) const {
+        const Ray<S> ray{{pick(rays.origin.x), pick(rays.origin.y), pick(rays.origin.z)},
+                         {pick(rays.direction.x), pick(rays.direction.y), pick(rays.direction.z)},
+                         pick(rays.source)};
+        const SurfacePoint<S> point = item.shape.at(ray, pick(hits.t), ray.source - item.surface);
         const Mask<S> outside = dot(ray.direction, point.normal) < S(0);
-        return {active,
+        return {first_lanes<S>(pick.lanes),
                 ray.direction,
                 point.position,
                 select(outside, point.normal, -point.normal),
                 outside,
                 item.surface + point.face,
                 item.surface,
-                fetch(rays.pixel),
-                fetch(rays.weight),
-                fetch(rays.path),
-                world.nested ? fetch(rays.interior) : S(0),
-                world.key_per_item ? splat_item<MaterialKernel<S>, S>(world.materials[materials[0]])
-                                   : gather_items<MaterialKernel<S>, S>(world.materials, materials)};
+                pick(rays.pixel),
+                pick(rays.weight),
+                pick(rays.path),
+                world.nested ? pick(rays.interior) : S(0),
+                material};
     }
     /// Ia Ka Of + sum over lights S Il [Kd Of (n.l) + Ks (h.l)^p]
     STRAHL_INLINE Vec3<S> illumination(const Hit& hit) {
@@ -127,7 +165,7 @@ struct Shading {
             S cosine = dot(hit.normal, l);
             const S shine = min(max(dot(mirrored, l), zero), S(1));  // or sharp highlights blow rounding up
             const Mask<S> glossy = hit.active & (shine > zero) & (material.specular > zero);
-            S highlight = any(glossy) ? select(glossy, material.specular * power(shine, material.pow), zero) : zero;
+            S highlight = any(glossy) ? select(glossy, material.specular * shining(shine, material.pow), zero) : zero;
             // Whether anything is between only matters where there is light to lose.
             const S most = S(largest(lamp.color)) * fma(strongest, cosine, highlight);
             const Mask<S> faces = hit.active & (cosine > zero) & (most * hit.path > S(eye.faint));
@@ -142,19 +180,8 @@ struct Shading {
         return light;
     }
 
-    STRAHL_INLINE void add(const Vec3<S>& light, const Hit& hit, int lanes, bool in_a_row) {
-        T pixel[width<S>], sum[width<S>];
-        store_lanes(pixel, hit.pixel);
-        for (int c = 0; c < 3; ++c) {
-            T* const to = batch.rgb[c];
-            if (in_a_row) {  // the pixels of consecutive camera rays are consecutive
-                T* const first = to + static_cast<int>(pixel[0]);
-                store_lanes(first, load_lanes<S>(first) + hit.weight * light[c]);
-                continue;
-            }
-            store_lanes(sum, hit.weight * light[c]);
-            for (int k = 0; k < lanes; ++k) to[static_cast<int>(pixel[k])] += sum[k];
-        }
+    STRAHL_INLINE S shining(S shine, S pow) const {
+        return world.key_per_item ? power_of_all(shine, lane(pow, 0)) : power(shine, pow);
     }
 
     STRAHL_INLINE static Vec3<S> reflect(const Hit& hit) {

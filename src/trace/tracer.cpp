@@ -66,23 +66,20 @@ template <class T>
 void trace_tile(const World<T>& world, const Kernel<T>& kernel, const Eye<T>& eye, const Lattice& tile,
                 Workspace<T>& workspace, KernelCounts& counts) {
     const int pixels = tile.columns * tile.rows;
-    for (auto& channel : workspace.rgb) std::fill(channel.begin(), channel.end(), T(0));
+    std::fill(workspace.rgb.begin(), workspace.rgb.end(), T(0));
     for (int i = 0; i < pixels; ++i) {
         workspace.pixels_x[i] = static_cast<T>(tile.x + i % tile.columns * tile.step_x);
         workspace.pixels_y[i] = static_cast<T>(tile.y + i / tile.columns * tile.step_y);
     }
     for (int done = 0; done < pixels;) {
         const int count = std::min(workspace.batch, pixels - done);
-        const PixelBatch<T> batch{
-            workspace.pixels_x.data() + done,
-            workspace.pixels_y.data() + done,
-            {workspace.rgb[0].data() + done, workspace.rgb[1].data() + done, workspace.rgb[2].data() + done},
-            count};
+        const PixelBatch<T> batch{workspace.pixels_x.data() + done, workspace.pixels_y.data() + done,
+                                  workspace.rgb.data() + 4 * done, count};
         if (kernel.trace(world, eye, batch, workspace, counts)) {
             done += count;
             workspace.batch = std::min(batch_pixels, 2 * workspace.batch);
         } else {
-            for (T* channel : batch.rgb) std::fill(channel, channel + count, T(0));
+            std::fill_n(batch.rgb, 4 * count, T(0));
             workspace.batch = std::max(1, count / 2);
         }
     }
@@ -97,7 +94,7 @@ void deliver(const Workspace<T>& workspace, const Lattice& tile, const Sink& sin
     for (int i = 0; i < pixels; ++i)
         for (int c = 0; c < 3; ++c)
             values[3 * i + c] =
-                static_cast<Out>(std::min(workspace.rgb[c][i], static_cast<T>(std::numeric_limits<Out>::max())));
+                static_cast<Out>(std::min(workspace.rgb[4 * i + c], static_cast<T>(std::numeric_limits<Out>::max())));
     sink({tile, std::span<const Out>(values, 3 * pixels)});
 }
 

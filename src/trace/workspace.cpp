@@ -4,7 +4,8 @@
 
 namespace strahl {
 namespace {
-constexpr std::size_t room = batch_rays + 64;  // whole packs are stored past the end
+constexpr std::size_t widest_pack = 16;
+constexpr std::size_t room = batch_rays + 4 * widest_pack;  // whole packs are stored past the end
 constexpr std::size_t most_keys = 128;
 }  // namespace
 
@@ -31,12 +32,12 @@ int innermost(const Interiors& all, int list) { return all.lists[list].body; }
 
 template <class T>
 Workspace<T>::Workspace() {
-    values.resize(2 * room);
-    order.resize(room);
-    key_end.resize(most_keys);
-    hits = {values.data(), values.data() + room, order.data(), key_end.data()};
-    pixels_x.resize(batch_pixels + 64), pixels_y.resize(batch_pixels + 64);
-    for (auto& channel : rgb) channel.resize(batch_pixels + 64);
+    values.resize(4 * room + most_keys * widest_pack);
+    stretches.resize(2 * most_keys);
+    T* const first = values.data();
+    hits = {first, first + room, first + 2 * room, first + 3 * room, stretches.data(), stretches.data() + most_keys};
+    pixels_x.resize(batch_pixels + widest_pack), pixels_y.resize(batch_pixels + widest_pack);
+    rgb.resize(4 * batch_pixels);
 }
 
 template <class T>

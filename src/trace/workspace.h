@@ -24,12 +24,13 @@ class Workspace {
     RayQueue<T>& queue(int slot);
     HitList<T> hits;
     Interiors interiors;
-    std::vector<T> pixels_x, pixels_y, rgb[3];
+    std::vector<T> pixels_x, pixels_y;
+    std::vector<T> rgb;        // 4 numbers a pixel, the last unused
     int batch = batch_pixels;  // pixels that last fitted
 
   private:
     std::vector<T> values;
-    std::vector<std::int32_t> order, key_end;
+    std::vector<std::int32_t> stretches;
     std::vector<std::unique_ptr<std::vector<T>>> arrays;
     std::vector<std::unique_ptr<RayQueue<T>>> queues;
 };

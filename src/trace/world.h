@@ -62,6 +62,7 @@ struct World {
         const T* columns = nullptr;
         std::size_t stride = 0;
         int first_key = 0, last_key = 0;  // keys [first, last) are this group's
+        int key(int item, bool key_per_item) const { return key_per_item ? first_key + item : first_key; }
     };
     PerKernel<Group> groups;
     const Place* places = nullptr;  // by surface
