@@ -1,4 +1,4 @@
-// Axis-aligned boxes in double, as bounds of shapes.
+// Axis-aligned boxes and balls in double, as bounds of shapes.
 #pragma once
 #include <algorithm>
 #include <limits>
@@ -24,6 +24,12 @@ struct Box {
             if (!(high[i] - low[i] < std::numeric_limits<double>::infinity())) return false;
         return true;
     }
+};
+
+/// A ball around a shape.
+struct Ball {
+    DVec3 centre{0};
+    double radius = 0;
 };
 
 }  // namespace strahl

@@ -51,6 +51,11 @@ struct CylinderKernel {
     Vec3<T> base, axis;  // axis is of length 1
     T radius, height;
 
+    Ball ball() const {
+        const double half = static_cast<double>(height) / 2;
+        return {DVec3(base) + half * DVec3(axis), std::hypot(half, static_cast<double>(radius))};
+    }
+
     template <class S>
     struct Crossings {
         Span<S> span;

@@ -35,6 +35,8 @@ struct SphereKernel {
     Vec3<T> centre;
     T radius;
 
+    Ball ball() const { return {DVec3(centre), static_cast<double>(radius)}; }
+
     /// Closest approach first, then half the chord: r^2 - |l|^2 does not cancel the way b^2 - c does (E. Haines,
     /// J. Guenther, T. Akenine-Moeller, "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems, 2019).
     /// A ray that starts on this sphere has the roots 0 and 2b.

@@ -13,13 +13,13 @@
 #include "scene/overlap.h"
 #include "trace/bound.h"
 #include "trace/hierarchy.h"
+#include "trace/sight.h"
 
 namespace strahl {
 namespace {
 
-constexpr int few_items = 16;       // up to here a plain loop is faster than a hierarchy
-constexpr int widest = 16;          // lanes of the widest pack
-constexpr int most_item_keys = 64;  // up to here hits are sorted by item
+constexpr int few_items = 16;  // up to here a plain loop is faster than a hierarchy
+constexpr int widest = 16;     // lanes of the widest pack
 
 template <class T>
 Vec3<T> to(const DVec3& v) {
@@ -79,6 +79,22 @@ void sort_items(std::vector<I>& items, const std::vector<std::int32_t>& order) {
     sorted.reserve(items.size());
     for (const std::int32_t i : order) sorted.push_back(items[i]);
     items = std::move(sorted);
+}
+
+template <class T>
+DVec3 twice(const Vec3<T>& v) {
+    return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
+}
+template <class K>
+Outline outline_of(const K& kernel, const Box& box) {
+    if constexpr (requires { kernel.normal; }) {
+        return {{}, true, twice(kernel.normal), static_cast<double>(kernel.distance)};
+    } else if constexpr (requires { kernel.ball(); }) {
+        return {kernel.ball()};
+    } else {
+        const DVec3 size = box.size();
+        return {{box.centre(), std::hypot(size.x, size.y, size.z) / 2}};
+    }
 }
 
 /// Field by field (see World::Group).
@@ -149,6 +165,11 @@ struct BuiltWorld<T>::Arrays {
     std::vector<MaterialKernel<T>> materials;
     std::vector<LightKernel<T>> lights;
     std::vector<T> iors;
+    Placement placed;
+    std::vector<Outline> outlines;  // by key, if there is one for each item
+    std::vector<Cone<T>> cones;
+    std::vector<BodySet> blockers;
+    double reach = 0;  // the largest coordinate of a bounded body
 
     struct Body {
         int surface;
@@ -158,6 +179,24 @@ struct BuiltWorld<T>::Arrays {
     std::vector<Body> transparent;  // only where the bodies around an eye matter
 
     Arrays(const Scene& scene, const Placement& placement, ThreadPool& pool);
+
+    /// What coordinates seen from a point may be off.
+    double rounding(double furthest) const {
+        return 32 * static_cast<double>(std::numeric_limits<T>::epsilon()) * furthest;
+    }
+    double rounding_at(const DVec3& point) const {
+        return rounding(reach + std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)}));
+    }
+    void see_from_lights() {
+        for (const LightKernel<T>& light : lights) {
+            const DVec3 point = twice(light.position);
+            const double margin = rounding_at(point);
+            for (std::size_t i = 0; i < outlines.size(); ++i) {
+                cones.push_back(cone_of<T>(outlines[i], point, margin));
+                blockers.push_back(blockers_of(outlines, i, point, margin));
+            }
+        }
+    }
 
     void add(const Sphere& sphere, const Setting& setting, T surface, T material) {
         if (setting.similarity > 0) {
@@ -194,7 +233,7 @@ struct BuiltWorld<T>::Arrays {
 };
 
 template <class T>
-BuiltWorld<T>::Arrays::Arrays(const Scene& scene, const Placement& placement, ThreadPool& pool) {
+BuiltWorld<T>::Arrays::Arrays(const Scene& scene, const Placement& placement, ThreadPool& pool) : placed(placement) {
     const DVec3 ambient = scene.settings.ambient_light;
     for (const Material& m : scene.materials) {
         materials.push_back({to<T>(ambient * m.rgb * m.ambient), to<T>(m.rgb * m.diffuse), to<T>(m.rgb * m.refraction),
@@ -210,7 +249,6 @@ BuiltWorld<T>::Arrays::Arrays(const Scene& scene, const Placement& placement, Th
     world.background = to<T>(scene.background);
 
     int surface = 0;
-    double reach = 0;
     for (const Primitive& primitive : scene.primitives) {
         const Setting setting{matrix(primitive.transformations), similarity(primitive.transformations), placement};
         std::visit(
@@ -238,7 +276,7 @@ BuiltWorld<T>::Arrays::Arrays(const Scene& scene, const Placement& placement, Th
     groups.each([&](auto& group) { items += group.items.size(); });
     world.key_per_item = items <= most_item_keys;
     places.resize(surface, {-1, -1});
-    const double margin = 32 * static_cast<double>(std::numeric_limits<T>::epsilon()) * reach;
+    const double margin = rounding(reach);
     const auto finish = [&](auto& from, auto& view) {
         if (from.items.size() > few_items &&
             std::all_of(from.boxes.begin(), from.boxes.end(), [](const Box& box) { return box.finite(); })) {
@@ -259,6 +297,8 @@ BuiltWorld<T>::Arrays::Arrays(const Scene& scene, const Placement& placement, Th
             for (int face = 0; face < from.items[i].shape.faces; ++face)
                 places[static_cast<int>(from.items[i].surface) + face] = {
                     i, world.key_per_item ? view.first_key + i : view.first_key};
+        if (world.key_per_item)
+            for (int i = 0; i < view.count; ++i) outlines.push_back(outline_of(from.items[i].shape, from.boxes[i]));
         from.boxes = {};
     };
     finish(groups.spheres, world.groups.spheres);
@@ -272,6 +312,9 @@ BuiltWorld<T>::Arrays::Arrays(const Scene& scene, const Placement& placement, Th
     world.lights = lights.data();
     world.light_count = static_cast<int>(lights.size());
     world.iors = iors.data();
+    see_from_lights();
+    world.cones = cones.data();
+    world.blockers = blockers.data();
 }
 
 template <class T>
@@ -291,6 +334,14 @@ std::vector<int> BuiltWorld<T>::bodies_around(const DVec3& eye) const {
             std::visit([&](const auto& shape) { return shape.contains(point(body.inverse, eye)); }, body.shape))
             bodies.push_back(body.surface);
     return bodies;
+}
+
+template <class T>
+std::vector<Cone<T>> BuiltWorld<T>::cones(const DVec3& point) const {
+    const DVec3 own = (point - arrays->placed.origin) * arrays->placed.scale;
+    std::vector<Cone<T>> cones;
+    for (const Outline& outline : arrays->outlines) cones.push_back(cone_of<T>(outline, own, arrays->rounding_at(own)));
+    return cones;
 }
 
 template class BuiltWorld<float>;

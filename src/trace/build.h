@@ -1,6 +1,7 @@
 // From Scene to World.
 #pragma once
 #include <memory>
+#include <vector>
 
 #include "scene/scene.h"
 #include "trace/world.h"
@@ -36,6 +37,9 @@ class BuiltWorld {
     const World<T>& world() const;
     /// Transparent bodies, by surface number, that hold a point of the scene, in the order declared.
     std::vector<int> bodies_around(const DVec3& point) const;
+
+    /// The bodies as seen from a point of the scene, by key; empty if there is no key for each item.
+    std::vector<Cone<T>> cones(const DVec3& point) const;
 
   private:
     struct Arrays;

@@ -30,6 +30,31 @@ void aim(const Eye<T>& eye, const PixelBatch<T>& batch, RayQueue<T>& rays) {
     rays.count = batch.count;
 }
 
+/// The bodies that camera rays of a batch can meet: those not apart from the cone of its rays.
+template <class S, class T>
+BodySet in_view(const World<T>& world, const Eye<T>& eye, const RayQueue<T>& rays) {
+    if (!eye.cones) return ~BodySet(0);
+    const int middle = rays.count / 2;
+    const Vec3<T> axis(rays.direction.x[middle], rays.direction.y[middle], rays.direction.z[middle]);
+    S cosines(1);
+    for (int i = 0; i < rays.count; i += width<S>) {
+        const auto at = [i](const T* values) { return load_lanes<S>(values + i); };
+        const Vec3<S> d{at(rays.direction.x), at(rays.direction.y), at(rays.direction.z)};
+        cosines = select(first_lanes<S>(rays.count - i), min(cosines, dot(d, splat<S>(axis))), cosines);
+    }
+    const T rounding = 32 * std::numeric_limits<T>::epsilon();
+    const T cosine = least(cosines) - rounding, sine = sqrt(max(1 - cosine * cosine, T(0)));
+    if (!(cosine > T(.5))) return ~BodySet(0);
+    BodySet set = 0;
+    for (int key = 0; key < world.keys; ++key) {
+        const Cone<T>& cone = eye.cones[key];
+        const T other = sqrt(max(1 - cone.cosine * cone.cosine, T(0)));
+        const bool wide = !(cone.cosine > T(.5));
+        if (wide || dot(cone.axis, axis) > cosine * cone.cosine - sine * other - rounding) set |= BodySet(1) << key;
+    }
+    return set;
+}
+
 /// Calls visit(key, lanes) for the different keys of a pack.
 template <class S, class Visit>
 STRAHL_INLINE void each_key(const S& keys, Mask<S> active, const Visit& visit) {
@@ -41,9 +66,9 @@ STRAHL_INLINE void each_key(const S& keys, Mask<S> active, const Visit& visit) {
     }
 }
 
-/// Meets the nearest surfaces and counts the hits of each key.
+/// Meets the nearest surfaces, of bodies of the set, and counts the hits of each key.
 template <class S, class T>
-void find(const World<T>& world, const RayQueue<T>& rays, HitList<T>& hits) {
+void find(const World<T>& world, const RayQueue<T>& rays, BodySet set, HitList<T>& hits) {
     for (int k = 0; k <= world.keys; ++k) hits.end[k] = 0;
     for (int i = 0; i < rays.count; i += width<S>) {
         const auto at = [i](const T* values) { return load_lanes<S>(values + i); };
@@ -51,7 +76,7 @@ void find(const World<T>& world, const RayQueue<T>& rays, HitList<T>& hits) {
                          {at(rays.direction.x), at(rays.direction.y), at(rays.direction.z)},
                          at(rays.source)};
         const Mask<S> active = first_lanes<S>(rays.count - i);
-        const Nearest<S> hit = nearest(world, ray, active);
+        const Nearest<S> hit = nearest(world, ray, active, set);
         store_lanes(hits.t + i, hit.t);
         store_lanes(hits.surface + i, hit.surface);
         store_lanes(hits.key + i, hit.key);
@@ -93,7 +118,7 @@ bool step(const World<T>& world, const Eye<T>& eye, const RayQueue<T>& rays, Ray
           int depth, const PixelBatch<T>& batch, Workspace<T>& workspace, KernelCounts& counts) {
     counts.depth = counts.depth < depth ? depth : counts.depth;
     HitList<T>& list = hits(workspace);
-    find<S>(world, rays, list);
+    find<S>(world, rays, depth == 1 ? in_view<S>(world, eye, rays) : ~BodySet(0), list);
     sort<S>(world, rays, list);
     next.count = aside.count = 0;
     Shading<S> shading{world, eye, rays, list, batch, next, aside, workspace, counts, depth};

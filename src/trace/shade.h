@@ -73,6 +73,7 @@ struct Shading {
         Mask<S> outside;                      // it comes from the side the surface faces
         S surface, body, pixel, weight, path, interior;
         const MaterialKernel<S>& material;
+        int key;
     };
 
     /// Rays that hit nothing, [begin, end) of the order, bring back the background.
@@ -107,7 +108,7 @@ struct Shading {
                 item = gather_items<PackItem, S>(group.items, items);
                 material = gather_items<MaterialKernel<S>, S>(world.materials, materials);
             }
-            const Hit hit = meet(item, material, pick);
+            const Hit hit = meet(item, material, key, pick);
             add_lanes(batch.rgb, hit.pixel, pick.lanes, scale(hit.weight, illumination(hit)));
             if (depth < eye.depth) spawn(hit);
         }
@@ -130,7 +131,7 @@ struct Shading {
     };
 
     template <class PackItem>
-    STRAHL_INLINE Hit meet(const PackItem& item, const MaterialKernel<S>& material, const Pick& pick) const {
+    STRAHL_INLINE Hit meet(const PackItem& item, const MaterialKernel<S>& material, int key, const Pick& pick) const {
         const Ray<S> ray{{pick(rays.origin.x), pick(rays.origin.y), pick(rays.origin.z)},
                          {pick(rays.direction.x), pick(rays.direction.y), pick(rays.direction.z)},
                          pick(rays.source)};
@@ -147,7 +148,8 @@ struct Shading {
                 pick(rays.weight),
                 pick(rays.path),
                 world.nested ? pick(rays.interior) : S(0),
-                material};
+                material,
+                key};
     }
     /// Ia Ka Of + sum over lights S Il [Kd Of (n.l) + Ks (h.l)^p]
     STRAHL_INLINE Vec3<S> illumination(const Hit& hit) {
@@ -171,7 +173,8 @@ struct Shading {
             const Mask<S> faces = hit.active & (cosine > zero) & (most * hit.path > S(eye.faint));
             if (none(faces)) continue;
             counts.shadow += count(faces);
-            const Vec3<S> share = visibility(world, Ray<S>{hit.position, l, hit.surface}, distance, faces);
+            const Vec3<S> share =
+                visibility(world, Ray<S>{hit.position, l, hit.surface}, distance, faces, {i, hit.key, hit.outside});
             cosine = select(faces, cosine, zero);  // at the lamp itself it is NaN
             highlight = select(faces, highlight, zero);
             for (int c = 0; c < 3; ++c)

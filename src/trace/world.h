@@ -2,6 +2,7 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 #include "scene/kinds.h"
 
@@ -40,6 +41,18 @@ struct LightKernel {
     Vec3<T> position, color;
 };
 
+/// A body as seen from a point: around the direction `axis`, no further off than an angle with this cosine, and no
+/// nearer than `distance`. What can't be told is around (-2) and here (-infinity).
+template <class T>
+struct Cone {
+    Vec3<T> axis{0};
+    T cosine = -2, distance = -std::numeric_limits<T>::infinity();
+};
+
+/// Bodies by key, a bit for each.
+using BodySet = std::uint64_t;
+inline constexpr int most_item_keys = 64;  // up to here hits are sorted by item
+
 /// Where a surface's item is: its index among the items of its kernel, and the key by which hits are sorted.
 struct Place {
     std::int32_t item, key;
@@ -67,7 +80,10 @@ struct World {
     PerKernel<Group> groups;
     const Place* places = nullptr;  // by surface
     int keys = 0;
-    bool key_per_item = false;  // few items: all hits of a key are on the same item
+    bool key_per_item = false;  // few items, up to most_item_keys: all hits of a key are on the same item
+    // Only if there is a key per item: what can be between a light and a body, by light * keys + key.
+    const Cone<T>* cones = nullptr;     // each body as seen from the light
+    const BodySet* blockers = nullptr;  // the bodies that can keep light from this one; it itself only from its inside
 
     const MaterialKernel<T>* materials = nullptr;
     const LightKernel<T>* lights = nullptr;

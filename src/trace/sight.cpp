@@ -1,0 +1,63 @@
+#include "trace/sight.h"
+
+#include <cmath>
+
+namespace strahl {
+namespace {
+
+double dot_product(const DVec3& a, const DVec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+double length(const DVec3& v) { return std::hypot(v.x, v.y, v.z); }
+
+/// How far in front of a plane a point is.
+double height(const Outline& plane, const DVec3& point) { return dot_product(plane.normal, point) - plane.distance; }
+
+/// Is the whole ball on the light's side of the plane, or on the other (side -1)?
+bool beside(const Outline& plane, const Ball& ball, const DVec3& light, double margin, int side) {
+    const double own = height(plane, ball.centre), lights = height(plane, light);
+    if (!(std::abs(lights) > margin)) return false;
+    return side * (lights > 0 ? own : -own) > ball.radius + margin;
+}
+
+/// Does a ball certainly not reach into what lies between the light and another ball?
+bool apart(const Ball& other, const Ball& lit, const DVec3& light, double margin) {
+    const DVec3 to_other = other.centre - light, to_lit = lit.centre - light;
+    const double d = length(to_other), e = length(to_lit), r = other.radius + margin, s = lit.radius + margin;
+    if (d - r > e + s) return true;
+    if (!(d > r && e > s)) return false;
+    const double between = std::acos(std::clamp(dot_product(to_other, to_lit) / (d * e), -1., 1.));
+    return between > std::asin(r / d) + std::asin(s / e) + 1e-6;
+}
+
+}  // namespace
+
+template <class T>
+Cone<T> cone_of(const Outline& body, const DVec3& point, double margin) {
+    const DVec3 way = body.ball.centre - point;
+    const double away = length(way), radius = body.ball.radius + margin;
+    if (body.plane || !(radius < .99 * away) || !std::isfinite(away)) return {};
+    constexpr double rounding = 32 * static_cast<double>(std::numeric_limits<T>::epsilon());
+    const double cosine = std::sqrt(1 - radius / away * (radius / away)) - rounding;
+    const DVec3 axis = way / away;
+    return {{static_cast<T>(axis.x), static_cast<T>(axis.y), static_cast<T>(axis.z)},
+            static_cast<T>(cosine),
+            static_cast<T>((away - radius) * (1 - rounding))};
+}
+template Cone<float> cone_of(const Outline&, const DVec3&, double);
+template Cone<double> cone_of(const Outline&, const DVec3&, double);
+template Cone<long double> cone_of(const Outline&, const DVec3&, double);
+
+BodySet blockers_of(const std::vector<Outline>& bodies, std::size_t body, const DVec3& light, double margin) {
+    const Outline& lit = bodies[body];
+    const auto may_block = [&](std::size_t i) {
+        const Outline& other = bodies[i];
+        if (i == body) return !lit.plane;
+        if (other.plane) return lit.plane || !beside(other, lit.ball, light, margin, 1);
+        return lit.plane ? !beside(lit, other.ball, light, margin, -1) : !apart(other.ball, lit.ball, light, margin);
+    };
+    BodySet set = 0;
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+        if (may_block(i)) set |= BodySet(1) << i;
+    return set;
+}
+
+}  // namespace strahl

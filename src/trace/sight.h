@@ -1,0 +1,25 @@
+// Which of few bodies can be seen from a point, or be between a light and a body.
+#pragma once
+#include <vector>
+
+#include "num/box.h"
+#include "trace/world.h"
+
+namespace strahl {
+
+/// A body's surroundings in world coordinates: a ball, or for a plane normal . x = distance.
+struct Outline {
+    Ball ball;
+    bool plane = false;
+    DVec3 normal{0};
+    double distance = 0;
+};
+
+/// The body as seen from a point. Nothing of it is outside the cone, by more than coordinates may be off (`margin`).
+template <class T>
+Cone<T> cone_of(const Outline& body, const DVec3& point, double margin);
+
+/// The bodies that may be between a light and points of bodies[body], itself included unless it is a plane.
+BodySet blockers_of(const std::vector<Outline>& bodies, std::size_t body, const DVec3& light, double margin);
+
+}  // namespace strahl
