@@ -88,12 +88,12 @@ DVec3 twice(const Vec3<T>& v) {
 template <class K>
 Outline outline_of(const K& kernel, const Box& box) {
     if constexpr (requires { kernel.normal; }) {
-        return {{}, true, twice(kernel.normal), static_cast<double>(kernel.distance)};
+        return {box, {}, true, twice(kernel.normal), static_cast<double>(kernel.distance)};
     } else if constexpr (requires { kernel.ball(); }) {
-        return {kernel.ball()};
+        return {box, kernel.ball()};
     } else {
         const DVec3 size = box.size();
-        return {{box.centre(), std::hypot(size.x, size.y, size.z) / 2}};
+        return {box, {box.centre(), std::hypot(size.x, size.y, size.z) / 2}};
     }
 }
 
@@ -277,6 +277,7 @@ BuiltWorld<T>::Arrays::Arrays(const Scene& scene, const Placement& placement, Th
     world.key_per_item = items <= most_item_keys;
     places.resize(surface, {-1, -1});
     const double margin = rounding(reach);
+    BodySet transparent_keys = 0;
     const auto finish = [&](auto& from, auto& view) {
         if (from.items.size() > few_items &&
             std::all_of(from.boxes.begin(), from.boxes.end(), [](const Box& box) { return box.finite(); })) {
@@ -298,7 +299,11 @@ BuiltWorld<T>::Arrays::Arrays(const Scene& scene, const Placement& placement, Th
                 places[static_cast<int>(from.items[i].surface) + face] = {
                     i, world.key_per_item ? view.first_key + i : view.first_key};
         if (world.key_per_item)
-            for (int i = 0; i < view.count; ++i) outlines.push_back(outline_of(from.items[i].shape, from.boxes[i]));
+            for (int i = 0; i < view.count; ++i) {
+                outlines.push_back(outline_of(from.items[i].shape, from.boxes[i]));
+                if (materials[static_cast<int>(from.items[i].material)].refraction > 0)
+                    transparent_keys |= BodySet(1) << (view.first_key + i);
+            }
         from.boxes = {};
     };
     finish(groups.spheres, world.groups.spheres);
@@ -313,6 +318,8 @@ BuiltWorld<T>::Arrays::Arrays(const Scene& scene, const Placement& placement, Th
     world.light_count = static_cast<int>(lights.size());
     world.iors = iors.data();
     see_from_lights();
+    for (std::size_t i = 0; i < outlines.size(); ++i)
+        if (transparent_keys >> i & 1 && !world.nested && alone(outlines, i, margin)) world.enclosed |= BodySet(1) << i;
     world.cones = cones.data();
     world.blockers = blockers.data();
 }

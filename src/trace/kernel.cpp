@@ -111,28 +111,37 @@ void append(RayQueue<T>& to, const RayQueue<T>& from) {
     to.count += from.count;
 }
 
-/// One generation: its light is added to the pixels, its mirrored and then its refracted rays are the next. The order
-/// of a pixel's rays, and so its sum, depends on that pixel alone. False if the next generation has no room.
+/// One generation: its light is added to the pixels; its mirrored and then its refracted rays are the next, those
+/// inside enclosed bodies apart. The order of a pixel's rays, and so its sum, depends on that pixel alone. False if the
+/// next generation has no room.
 template <class S, class T>
-bool step(const World<T>& world, const Eye<T>& eye, const RayQueue<T>& rays, RayQueue<T>& next, RayQueue<T>& aside,
-          int depth, const PixelBatch<T>& batch, Workspace<T>& workspace, KernelCounts& counts) {
+bool step(const World<T>& world, const Eye<T>& eye, const Generation<T>& rays, Generation<T>& next, int depth,
+          const PixelBatch<T>& batch, Workspace<T>& workspace, KernelCounts& counts) {
     counts.depth = counts.depth < depth ? depth : counts.depth;
     HitList<T>& list = hits(workspace);
-    find<S>(world, rays, depth == 1 ? in_view<S>(world, eye, rays) : ~BodySet(0), list);
-    sort<S>(world, rays, list);
-    next.count = aside.count = 0;
-    Shading<S> shading{world, eye, rays, list, batch, next, aside, workspace, counts, depth};
+    find<S>(world, rays.open, depth == 1 ? in_view<S>(world, eye, rays.open) : ~BodySet(0), list);
+    sort<S>(world, rays.open, list);
+    RayQueue<T>& refracted = aside(workspace);
+    next.open.count = next.inside.count = refracted.count = 0;
+    Shading<S> shading{world, eye, rays, list, batch, next, refracted, workspace, counts, depth};
     shading.leave(list.begin[world.keys], list.end[world.keys]);
     bool room = true;
     world.groups.each([&](const auto& group) {
-        for (int key = group.first_key; room && key < group.last_key; ++key)
-            if (list.begin[key] < list.end[key]) room = shading.shade(group, key);
+        for (int key = group.first_key; room && key < group.last_key; ++key) room = shading.shade(group, key);
     });
-    if (!room || next.count + aside.count > batch_rays) return false;
-    counts.reflected += next.count;
-    counts.refracted += aside.count;
-    append(next, aside);
+    if (!room || next.open.count + refracted.count > batch_rays || next.inside.count > batch_rays) return false;
+    append(next.open, refracted);
     return true;
+}
+
+/// Rays [begin, begin + count) of a queue.
+template <class T>
+RayQueue<T> part_of(RayQueue<T> rays, int begin, int count) {
+    const auto skip = [begin](T*& values) { values += begin; };
+    for (int c = 0; c < 3; ++c) skip(rays.origin[c]), skip(rays.direction[c]);
+    skip(rays.source), skip(rays.pixel), skip(rays.weight), skip(rays.path), skip(rays.interior), skip(rays.t);
+    rays.count = count;
+    return rays;
 }
 
 /// Generations of one pixel that are too large to hold, a part at a time. Parts are the same on any machine.
@@ -140,16 +149,22 @@ template <class S, class T>
 void descend(const World<T>& world, const Eye<T>& eye, int slot, int depth, const PixelBatch<T>& batch,
              Workspace<T>& workspace, KernelCounts& counts) {
     constexpr int part = batch_rays / 2;
-    RayQueue<T>& rays = queue(workspace, slot);
-    for (int begin = 0; begin < rays.count; begin += part) {
-        RayQueue<T> some = rays;
-        const auto skip = [begin](T*& values) { values += begin; };
-        for (int c = 0; c < 3; ++c) skip(some.origin[c]), skip(some.direction[c]);
-        skip(some.source), skip(some.pixel), skip(some.weight), skip(some.path), skip(some.interior);
-        some.count = rays.count - begin < part ? rays.count - begin : part;
-        RayQueue<T>& next = queue(workspace, slot + 1);
-        step<S>(world, eye, some, next, queue(workspace, 2), depth, batch, workspace, counts);
-        if (next.count) descend<S>(world, eye, slot + 1, depth + 1, batch, workspace, counts);
+    const Generation<T>& all = generation(workspace, slot);
+    Generation<T>& next = generation(workspace, slot + 1);
+    const auto go = [&](const Generation<T>& some) {
+        step<S>(world, eye, some, next, depth, batch, workspace, counts);
+        if (next.rays()) descend<S>(world, eye, slot + 1, depth + 1, batch, workspace, counts);
+    };
+    std::int32_t begins[most_item_keys] = {}, ends[most_item_keys] = {};
+    for (int begin = 0; begin < all.open.count; begin += part)
+        go({part_of(all.open, begin, std::min(part, all.open.count - begin)), part_of(all.inside, 0, 0), begins, ends});
+    for (int begin = 0; begin < all.inside.count; begin += part) {
+        const int count = std::min(part, all.inside.count - begin);
+        for (int key = 0; key < std::min(world.keys, most_item_keys); ++key) {
+            begins[key] = std::clamp(all.inside_begin[key] - begin, 0, count);
+            ends[key] = std::clamp(all.inside_end[key] - begin, 0, count);
+        }
+        go({part_of(all.open, 0, 0), part_of(all.inside, begin, count), begins, ends});
     }
 }
 
@@ -158,18 +173,24 @@ bool trace(const World<Element<S>>& world, const Eye<Element<S>>& eye, const Pix
            Workspace<Element<S>>& workspace, KernelCounts& counts) {
     using T = Element<S>;
     const KernelCounts before = counts;
+    const auto start = [&](int slot) {
+        Generation<T>& first = generation(workspace, slot);
+        aim<S>(eye, batch, first.open);
+        first.inside.count = 0;
+        std::fill_n(first.inside_begin, world.keys, 0);
+        std::fill_n(first.inside_end, world.keys, 0);
+        counts.camera += batch.count;
+    };
     int slot = 0;
-    aim<S>(eye, batch, queue(workspace, slot));
-    counts.camera += batch.count;
-    for (int depth = 1; queue(workspace, slot).count > 0; ++depth, slot = 1 - slot)
-        if (!step<S>(world, eye, queue(workspace, slot), queue(workspace, 1 - slot), queue(workspace, 2), depth, batch,
-                     workspace, counts)) {
+    start(slot);
+    for (int depth = 1; generation(workspace, slot).rays() > 0; ++depth, slot = 1 - slot)
+        if (!step<S>(world, eye, generation(workspace, slot), generation(workspace, 1 - slot), depth, batch, workspace,
+                     counts)) {
             counts = before;
             if (batch.count > 1) return false;
             std::fill_n(batch.rgb, 4, T(0));
-            constexpr int first_of_descent = 3;
-            aim<S>(eye, batch, queue(workspace, first_of_descent));
-            counts.camera += 1;
+            constexpr int first_of_descent = 2;
+            start(first_of_descent);
             descend<S>(world, eye, first_of_descent, 1, batch, workspace, counts);
             break;
         }

@@ -6,7 +6,7 @@
 
 namespace strahl {
 
-/// A queue of rays, one array per value. Arrays have room for `capacity` rays and a pack more.
+/// A queue of rays, one array per value.
 template <class T>
 struct RayQueue {
     Vec3<T*> origin, direction;
@@ -15,9 +15,19 @@ struct RayQueue {
     T* weight;    // share of this ray's light that reaches the pixel
     T* path;      // weight over this ray's share of the error allowed (see bound.h)
     T* interior;  // list of bodies entered; only in nested worlds
-    int count = 0, capacity = 0;
+    T* t;         // where the ray meets its body again; only of rays inside
+    int count = 0;
 };
-inline constexpr int ray_arrays = 11;
+inline constexpr int ray_arrays = 12;
+
+/// The rays of a generation: those that look for what they meet, and those inside an enclosed body (see World), which
+/// meet nothing else: stretches by the body's key.
+template <class T>
+struct Generation {
+    RayQueue<T> open, inside;
+    std::int32_t *inside_begin, *inside_end;
+    int rays() const { return open.count + inside.count; }
+};
 
 /// What a generation met.
 template <class T>
@@ -38,9 +48,12 @@ int innermost(const Interiors& lists, int list);  // the body entered last, -1 f
 /// Memory of one thread, reused from tile to tile.
 template <class T>
 class Workspace;
-/// Queue number `slot`, made when first asked for; it keeps its address.
+/// Generation number `slot`, made when first asked for; it keeps its address.
 template <class T>
-RayQueue<T>& queue(Workspace<T>& workspace, int slot);
+Generation<T>& generation(Workspace<T>& workspace, int slot);
+/// A queue for refracted rays until they join the mirrored ones.
+template <class T>
+RayQueue<T>& aside(Workspace<T>& workspace);
 template <class T>
 HitList<T>& hits(Workspace<T>& workspace);
 template <class T>
@@ -71,10 +84,10 @@ struct KernelCounts {
     int depth = 0;  // of the deepest generation that had rays
 };
 
-/// Most pixels in a batch, and most rays in a generation of it.
+/// Most pixels in a batch, and most rays in each queue of a generation.
 inline constexpr int batch_pixels = 256, batch_rays = 4096;
 
-/// Traces a batch. False if some generation has more than batch_rays rays: the batch must be split, its sums thrown
+/// Traces a batch. False if some generation has more rays than that: the batch must be split, its sums thrown
 /// away. A batch of one pixel always succeeds.
 template <class T>
 using TraceBatch = bool (*)(const World<T>&, const Eye<T>&, const PixelBatch<T>&, Workspace<T>&, KernelCounts&);

@@ -58,10 +58,11 @@ struct Shading {
     using T = Element<S>;
     const World<T>& world;
     const Eye<T>& eye;
-    const RayQueue<T>& rays;
-    const HitList<T>& hits;
+    const Generation<T>& rays;
+    const HitList<T>& hits;  // of the open rays
     const PixelBatch<T>& batch;
-    RayQueue<T>&reflected, &refracted;
+    Generation<T>& next;
+    RayQueue<T>& refracted;  // open rays, to follow the mirrored ones in `next`
     Workspace<T>& workspace;
     KernelCounts& counts;
     int depth;
@@ -80,25 +81,30 @@ struct Shading {
     void leave(int begin, int end) {
         for (int i = begin; i < end; i += width<S>) {
             const Pick pick(hits.order + i, end - i);
-            const S weight = pick(rays.weight);
-            add_lanes(batch.rgb, pick(rays.pixel), pick.lanes, scale(weight, splat<S>(world.background)));
+            const S weight = pick(rays.open.weight);
+            add_lanes(batch.rgb, pick(rays.open.pixel), pick.lanes, scale(weight, splat<S>(world.background)));
         }
     }
 
     /// Shades the hits of a key, all on items of this group. False if the queues are full.
     template <class Group>
     bool shade(const Group& group, int key) {
+        const int found = hits.end[key] - hits.begin[key];
+        const int inside = world.enclosed ? rays.inside_end[key] - rays.inside_begin[key] : 0;
+        next.inside_begin[key] = next.inside.count;
         using PackItem = typename Group::template ItemOf<S>;
         PackItem item;
         MaterialKernel<S> material;
-        if (world.key_per_item) {
+        if (world.key_per_item && found + inside > 0) {
             const auto& only = group.items[key - group.first_key];
             item = splat_item<PackItem, S>(only);
             material = splat_item<MaterialKernel<S>, S>(world.materials[static_cast<int>(only.material)]);
         }
-        for (int i = hits.begin[key]; i < hits.end[key]; i += width<S>) {
-            if (reflected.count + refracted.count > batch_rays) return false;
-            const Pick pick(hits.order + i, hits.end[key] - i);
+        for (int i = -inside; i < found; i += i < 0 && i + width < S >> 0 ? -i : width<S>) {
+            if (next.open.count + refracted.count > batch_rays || next.inside.count > batch_rays) return false;
+            const bool within = i < 0;
+            const Pick pick =
+                within ? Pick(rays.inside_end[key] + i, -i) : Pick(hits.order + hits.begin[key] + i, found - i);
             if (!world.key_per_item) {
                 int items[width<S>], materials[width<S>];
                 for (int k = 0; k < width<S>; ++k) {
@@ -108,21 +114,24 @@ struct Shading {
                 item = gather_items<PackItem, S>(group.items, items);
                 material = gather_items<MaterialKernel<S>, S>(world.materials, materials);
             }
-            const Hit hit = meet(item, material, key, pick);
+            const RayQueue<T>& from = within ? rays.inside : rays.open;
+            const Hit hit = meet(item, material, key, from, pick, within ? from.t : hits.t);
             add_lanes(batch.rgb, hit.pixel, pick.lanes, scale(hit.weight, illumination(hit)));
-            if (depth < eye.depth) spawn(hit);
+            if (depth < eye.depth) spawn(item, hit);
         }
+        next.inside_end[key] = next.inside.count;
         return true;
     }
 
   private:
-    /// A pack's part of values by ray: up to `lanes` rays, the first again in the lanes left over.
+    /// A pack's part of values by ray: up to `lanes` rays, in the lanes left over any others.
     struct Pick {
-        int index[width<S>];
+        int index[width<S>] = {};
         int lanes;
-        bool consecutive;
-        STRAHL_INLINE Pick(const T* order, int left) : lanes(left < width<S> ? left : width<S>) {
-            for (int k = 0; k < width<S>; ++k) index[k] = static_cast<int>(order[k < lanes ? k : 0]);
+        bool consecutive = true;
+        STRAHL_INLINE Pick(int first, int left) : lanes(left < width<S> ? left : width<S>) { index[0] = first; }
+        STRAHL_INLINE Pick(const T* order, int left) : Pick(static_cast<int>(order[0]), left) {
+            for (int k = 1; k < width<S>; ++k) index[k] = static_cast<int>(order[k < lanes ? k : 0]);
             consecutive = lanes == width<S> && index[width<S> - 1] - index[0] == width<S> - 1;
         }
         STRAHL_INLINE S operator()(const T* values) const {
@@ -131,11 +140,12 @@ struct Shading {
     };
 
     template <class PackItem>
-    STRAHL_INLINE Hit meet(const PackItem& item, const MaterialKernel<S>& material, int key, const Pick& pick) const {
-        const Ray<S> ray{{pick(rays.origin.x), pick(rays.origin.y), pick(rays.origin.z)},
-                         {pick(rays.direction.x), pick(rays.direction.y), pick(rays.direction.z)},
-                         pick(rays.source)};
-        const SurfacePoint<S> point = item.shape.at(ray, pick(hits.t), ray.source - item.surface);
+    STRAHL_INLINE Hit meet(const PackItem& item, const MaterialKernel<S>& material, int key, const RayQueue<T>& from,
+                           const Pick& pick, const T* t) const {
+        const Ray<S> ray{{pick(from.origin.x), pick(from.origin.y), pick(from.origin.z)},
+                         {pick(from.direction.x), pick(from.direction.y), pick(from.direction.z)},
+                         pick(from.source)};
+        const SurfacePoint<S> point = item.shape.at(ray, pick(t), ray.source - item.surface);
         const Mask<S> outside = dot(ray.direction, point.normal) < S(0);
         return {first_lanes<S>(pick.lanes),
                 ray.direction,
@@ -144,10 +154,10 @@ struct Shading {
                 outside,
                 item.surface + point.face,
                 item.surface,
-                pick(rays.pixel),
-                pick(rays.weight),
-                pick(rays.path),
-                world.nested ? pick(rays.interior) : S(0),
+                pick(from.pixel),
+                pick(from.weight),
+                pick(from.path),
+                world.nested ? pick(from.interior) : S(0),
                 material,
                 key};
     }
@@ -191,44 +201,72 @@ struct Shading {
         return fma(S(-2) * dot(hit.direction, hit.normal), hit.normal, hit.direction);
     }
 
-    /// Mirrored and refracted rays of what can still be seen.
-    STRAHL_INLINE void spawn(const Hit& hit) {
-        const MaterialKernel<S>& material = hit.material;
-        const S zero(0);
-        S reflection = material.reflection, path = hit.path * material.path_reflected;
-        const Mask<S> glass = hit.active & (material.refraction > zero);
-        if (world.transparent && any(glass)) {
-            S b = select(hit.outside, S(1) / material.ior, material.ior), list = hit.interior;
-            if (world.nested) change_medium(hit, glass, b, list);
-            const S s = -dot(hit.direction, hit.normal);
-            const S k = fma(b * b, fma(s, s, S(-1)), S(1));
-            const Mask<S> total = glass & (k < zero);
-            const S all = reflection + material.refraction;
-            reflection = select(total, all, reflection);
-            path = select(total, hit.path * all, path);
-            const Vec3<S> g = fma(fma(b, s, -sqrt(max(k, zero))), hit.normal, scale(b, hit.direction));
-            push(refracted, hit, glass & !total, g, material.refraction, hit.path * material.path_refracted, list);
-        }
-        push(reflected, hit, hit.active, reflect(hit), reflection, path, hit.interior);
+    /// A ray that goes on from a hit.
+    struct Branch {
+        Mask<S> mask;
+        Vec3<S> direction;
+        S weight, path, list;
+    };
+    STRAHL_INLINE Branch branch(const Hit& hit, Mask<S> mask, const Vec3<S>& direction, S share, S path, S list) const {
+        const S weight = min(hit.weight * share, S(largest_gain));
+        return {Mask<S>(mask & (weight > S(0)) & (path > S(eye.cutoff))), unit(direction), weight, path, list};
     }
 
-    STRAHL_INLINE void push(RayQueue<T>& to, const Hit& hit, Mask<S> mask, const Vec3<S>& direction, S share, S path,
-                            S list) {
-        const S weight = min(hit.weight * share, S(largest_gain));
-        mask = mask & (weight > S(0)) & (path > S(eye.cutoff));
-        if (none(mask)) return;
-        const Vec3<S> d = unit(direction);
+    /// Mirrored and refracted rays of what can still be seen.
+    template <class PackItem>
+    STRAHL_INLINE void spawn(const PackItem& item, const Hit& hit) {
+        const MaterialKernel<S>& material = hit.material;
+        const S zero(0);
+        const Mask<S> glass = hit.active & (material.refraction > zero);
+        if (!world.transparent || none(glass)) {
+            const Branch mirrored = branch(hit, hit.active, reflect(hit), material.reflection,
+                                           hit.path * material.path_reflected, hit.interior);
+            counts.reflected += count(mirrored.mask);
+            push(next.open, hit, mirrored);
+            return;
+        }
+        S b = select(hit.outside, S(1) / material.ior, material.ior), list = hit.interior;
+        if (world.nested) change_medium(hit, glass, b, list);
+        const S s = -dot(hit.direction, hit.normal);
+        const S k = fma(b * b, fma(s, s, S(-1)), S(1));
+        const Mask<S> total = glass & (k < zero);
+        const S all = material.reflection + material.refraction;
+        Branch mirrored = branch(hit, hit.active, reflect(hit), select(total, all, material.reflection),
+                                 hit.path * select(total, all, material.path_reflected), hit.interior);
+        Branch bent =
+            branch(hit, glass & !total, fma(fma(b, s, -sqrt(max(k, zero))), hit.normal, scale(b, hit.direction)),
+                   material.refraction, hit.path * material.path_refracted, list);
+        counts.reflected += count(mirrored.mask);
+        counts.refracted += count(bent.mask);
+        if (world.enclosed >> hit.key & 1) {  // the one inside need not look for what it meets
+            const Mask<S> in = hit.outside;
+            Branch within{Mask<S>((mirrored.mask & !in) | (bent.mask & in)), select(in, bent.direction, mirrored.direction),
+                          select(in, bent.weight, mirrored.weight), select(in, bent.path, mirrored.path), zero};
+            const Span<S> span =
+                item.shape.span(Ray<S>{hit.position, within.direction, hit.surface}, hit.surface - hit.body);
+            within.mask = within.mask & span.hit & (span.far > zero);
+            mirrored.mask = mirrored.mask & (in | !within.mask);
+            bent.mask = bent.mask & !(in & within.mask);
+            compress(next.inside.t + next.inside.count, span.far, within.mask);
+            push(next.inside, hit, within);
+        }
+        push(refracted, hit, bent);
+        push(next.open, hit, mirrored);
+    }
+
+    STRAHL_INLINE void push(RayQueue<T>& to, const Hit& hit, const Branch& ray) {
+        if (none(ray.mask)) return;
         const int n = to.count;
         for (int c = 0; c < 3; ++c) {
-            compress(to.origin[c] + n, hit.position[c], mask);
-            compress(to.direction[c] + n, d[c], mask);
+            compress(to.origin[c] + n, hit.position[c], ray.mask);
+            compress(to.direction[c] + n, ray.direction[c], ray.mask);
         }
-        compress(to.source + n, hit.surface, mask);
-        compress(to.pixel + n, hit.pixel, mask);
-        compress(to.weight + n, weight, mask);
-        compress(to.path + n, path, mask);
-        if (world.nested) compress(to.interior + n, list, mask);
-        to.count += count(mask);
+        compress(to.source + n, hit.surface, ray.mask);
+        compress(to.pixel + n, hit.pixel, ray.mask);
+        compress(to.weight + n, ray.weight, ray.mask);
+        compress(to.path + n, ray.path, ray.mask);
+        if (world.nested) compress(to.interior + n, ray.list, ray.mask);
+        to.count += count(ray.mask);
     }
 
     /// The ratio of indices and the list beyond the surface, by the list of bodies entered (as POV-Ray does): from

@@ -28,6 +28,19 @@ bool apart(const Ball& other, const Ball& lit, const DVec3& light, double margin
     return between > std::asin(r / d) + std::asin(s / e) + 1e-6;
 }
 
+/// Does the plane certainly not cross the body?
+bool clear_of(const Outline& plane, const Outline& body, double margin) {
+    double reach = 0;  // of the box, along the normal
+    for (int c = 0; c < 3; ++c) reach += std::abs(plane.normal[c]) * body.box.size()[c] / 2;
+    return std::abs(height(plane, body.ball.centre)) > body.ball.radius + margin ||
+           std::abs(height(plane, body.box.centre())) > reach + margin;
+}
+bool clear_of_each_other(const Outline& a, const Outline& b, double margin) {
+    for (int c = 0; c < 3; ++c)
+        if (a.box.low[c] - b.box.high[c] > margin || b.box.low[c] - a.box.high[c] > margin) return true;
+    return length(a.ball.centre - b.ball.centre) > a.ball.radius + b.ball.radius + margin;
+}
+
 }  // namespace
 
 template <class T>
@@ -58,6 +71,15 @@ BodySet blockers_of(const std::vector<Outline>& bodies, std::size_t body, const 
     for (std::size_t i = 0; i < bodies.size(); ++i)
         if (may_block(i)) set |= BodySet(1) << i;
     return set;
+}
+
+bool alone(const std::vector<Outline>& bodies, std::size_t body, double margin) {
+    if (bodies[body].plane) return false;
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+        if (i != body && !(bodies[i].plane ? clear_of(bodies[i], bodies[body], margin)
+                                           : clear_of_each_other(bodies[i], bodies[body], margin)))
+            return false;
+    return true;
 }
 
 }  // namespace strahl

@@ -7,8 +7,9 @@
 
 namespace strahl {
 
-/// A body's surroundings in world coordinates: a ball, or for a plane normal . x = distance.
+/// A body's surroundings in world coordinates: a ball and a box, or for a plane normal . x = distance.
 struct Outline {
+    Box box;
     Ball ball;
     bool plane = false;
     DVec3 normal{0};
@@ -21,5 +22,8 @@ Cone<T> cone_of(const Outline& body, const DVec3& point, double margin);
 
 /// The bodies that may be between a light and points of bodies[body], itself included unless it is a plane.
 BodySet blockers_of(const std::vector<Outline>& bodies, std::size_t body, const DVec3& light, double margin);
+
+/// Is bodies[body] bounded and apart from all others, planes not crossing it either?
+bool alone(const std::vector<Outline>& bodies, std::size_t body, double margin);
 
 }  // namespace strahl

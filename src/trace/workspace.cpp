@@ -30,35 +30,50 @@ bool contains(const Interiors& all, int list, int body) {
 
 int innermost(const Interiors& all, int list) { return all.lists[list].body; }
 
+namespace {
+/// A queue in memory for ray_arrays * room values.
+template <class T>
+RayQueue<T> queue_in(T* next) {
+    const auto array = [&] { return std::exchange(next, next + room); };
+    RayQueue<T> queue;
+    for (int c = 0; c < 3; ++c) queue.origin[c] = array(), queue.direction[c] = array();
+    queue.source = array(), queue.pixel = array(), queue.weight = array();
+    queue.path = array(), queue.interior = array(), queue.t = array();
+    return queue;
+}
+}  // namespace
+
 template <class T>
 Workspace<T>::Workspace() {
-    values.resize(4 * room + most_keys * widest_pack);
+    values.resize((4 + ray_arrays) * room + most_keys * widest_pack);
     stretches.resize(2 * most_keys);
-    T* const first = values.data();
+    T* const first = values.data() + ray_arrays * room;
     hits = {first, first + room, first + 2 * room, first + 3 * room, stretches.data(), stretches.data() + most_keys};
+    aside = queue_in(values.data());
     pixels_x.resize(batch_pixels + widest_pack), pixels_y.resize(batch_pixels + widest_pack);
     rgb.resize(4 * batch_pixels);
 }
 
 template <class T>
-RayQueue<T>& Workspace<T>::queue(int slot) {
-    while (static_cast<int>(queues.size()) <= slot) {
-        arrays.push_back(std::make_unique<std::vector<T>>(ray_arrays * room));
-        T* next = arrays.back()->data();
-        const auto array = [&] { return std::exchange(next, next + room); };
-        auto made = std::make_unique<RayQueue<T>>();
-        for (int c = 0; c < 3; ++c) made->origin[c] = array(), made->direction[c] = array();
-        made->source = array(), made->pixel = array(), made->weight = array();
-        made->path = array(), made->interior = array();
-        made->capacity = batch_rays;
-        queues.push_back(std::move(made));
+Generation<T>& Workspace<T>::generation(int slot) {
+    while (static_cast<int>(held.size()) <= slot) {
+        held.push_back(std::make_unique<Held>());
+        Held& made = *held.back();
+        made.values.resize(2 * ray_arrays * room);
+        made.stretches.resize(2 * most_keys);
+        made.generation = {queue_in(made.values.data()), queue_in(made.values.data() + ray_arrays * room),
+                           made.stretches.data(), made.stretches.data() + most_keys};
     }
-    return *queues[slot];
+    return held[slot]->generation;
 }
 
 template <class T>
-RayQueue<T>& queue(Workspace<T>& workspace, int slot) {
-    return workspace.queue(slot);
+Generation<T>& generation(Workspace<T>& workspace, int slot) {
+    return workspace.generation(slot);
+}
+template <class T>
+RayQueue<T>& aside(Workspace<T>& workspace) {
+    return workspace.aside;
 }
 template <class T>
 HitList<T>& hits(Workspace<T>& workspace) {
@@ -72,9 +87,12 @@ Interiors& interiors(Workspace<T>& workspace) {
 template class Workspace<float>;
 template class Workspace<double>;
 template class Workspace<long double>;
-template RayQueue<float>& queue(Workspace<float>&, int);
-template RayQueue<double>& queue(Workspace<double>&, int);
-template RayQueue<long double>& queue(Workspace<long double>&, int);
+template Generation<float>& generation(Workspace<float>&, int);
+template RayQueue<float>& aside(Workspace<float>&);
+template Generation<double>& generation(Workspace<double>&, int);
+template RayQueue<double>& aside(Workspace<double>&);
+template Generation<long double>& generation(Workspace<long double>&, int);
+template RayQueue<long double>& aside(Workspace<long double>&);
 template HitList<float>& hits(Workspace<float>&);
 template HitList<double>& hits(Workspace<double>&);
 template HitList<long double>& hits(Workspace<long double>&);

@@ -21,7 +21,8 @@ template <class T>
 class Workspace {
   public:
     Workspace();
-    RayQueue<T>& queue(int slot);
+    Generation<T>& generation(int slot);
+    RayQueue<T> aside;
     HitList<T> hits;
     Interiors interiors;
     std::vector<T> pixels_x, pixels_y;
@@ -31,8 +32,12 @@ class Workspace {
   private:
     std::vector<T> values;
     std::vector<std::int32_t> stretches;
-    std::vector<std::unique_ptr<std::vector<T>>> arrays;
-    std::vector<std::unique_ptr<RayQueue<T>>> queues;
+    struct Held {
+        std::vector<T> values;
+        std::vector<std::int32_t> stretches;
+        Generation<T> generation;
+    };
+    std::vector<std::unique_ptr<Held>> held;
 };
 
 }  // namespace strahl

@@ -91,6 +91,9 @@ struct World {
     Vec3<T> background{0};
     const T* iors = nullptr;  // by surface; only in nested worlds
 
+    // Transparent bodies, by key, that nothing else reaches into: a ray inside meets the same body again.
+    BodySet enclosed = 0;
+
     // What the scene contains; what it does not is not looked for.
     bool transparent = false;  // some body lets light through
     bool nested = false;       // transparent bodies may overlap: rays carry the list of those entered
