@@ -165,8 +165,8 @@ struct BuiltWorld<T>::Arrays {
     std::vector<MaterialKernel<T>> materials;
     std::vector<LightKernel<T>> lights;
     std::vector<T> iors;
-    Placement placed;
     std::vector<Outline> outlines;  // by key, if there is one for each item
+    std::vector<T> balls;
     std::vector<Cone<T>> cones;
     std::vector<BodySet> blockers;
     double reach = 0;  // the largest coordinate of a bounded body
@@ -186,6 +186,20 @@ struct BuiltWorld<T>::Arrays {
     }
     double rounding_at(const DVec3& point) const {
         return rounding(reach + std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)}));
+    }
+    void surround(double margin) {
+        const std::size_t room = most_item_keys + widest;
+        balls.assign(4 * room, -std::numeric_limits<T>::infinity());
+        std::fill_n(balls.begin(), 3 * room, T(0));
+        for (std::size_t i = 0; i < outlines.size(); ++i) {
+            const auto [centre, radius] = outlines[i].ball;
+            for (int c = 0; c < 3; ++c) balls[c * room + i] = static_cast<T>(centre[c]);
+            balls[3 * room + i] =
+                outlines[i].plane ? std::numeric_limits<T>::infinity() : static_cast<T>(radius + margin);
+        }
+        const T* const first = balls.data();
+        world.centres = {first, first + room, first + 2 * room};
+        world.radii = first + 3 * room;
     }
     void see_from_lights() {
         for (const LightKernel<T>& light : lights) {
@@ -233,7 +247,7 @@ struct BuiltWorld<T>::Arrays {
 };
 
 template <class T>
-BuiltWorld<T>::Arrays::Arrays(const Scene& scene, const Placement& placement, ThreadPool& pool) : placed(placement) {
+BuiltWorld<T>::Arrays::Arrays(const Scene& scene, const Placement& placement, ThreadPool& pool) {
     const DVec3 ambient = scene.settings.ambient_light;
     for (const Material& m : scene.materials) {
         materials.push_back({to<T>(ambient * m.rgb * m.ambient), to<T>(m.rgb * m.diffuse), to<T>(m.rgb * m.refraction),
@@ -317,6 +331,7 @@ BuiltWorld<T>::Arrays::Arrays(const Scene& scene, const Placement& placement, Th
     world.lights = lights.data();
     world.light_count = static_cast<int>(lights.size());
     world.iors = iors.data();
+    if (world.key_per_item) surround(margin);
     see_from_lights();
     for (std::size_t i = 0; i < outlines.size(); ++i)
         if (transparent_keys >> i & 1 && !world.nested && alone(outlines, i, margin)) world.enclosed |= BodySet(1) << i;
@@ -341,14 +356,6 @@ std::vector<int> BuiltWorld<T>::bodies_around(const DVec3& eye) const {
             std::visit([&](const auto& shape) { return shape.contains(point(body.inverse, eye)); }, body.shape))
             bodies.push_back(body.surface);
     return bodies;
-}
-
-template <class T>
-std::vector<Cone<T>> BuiltWorld<T>::cones(const DVec3& point) const {
-    const DVec3 own = (point - arrays->placed.origin) * arrays->placed.scale;
-    std::vector<Cone<T>> cones;
-    for (const Outline& outline : arrays->outlines) cones.push_back(cone_of<T>(outline, own, arrays->rounding_at(own)));
-    return cones;
 }
 
 template class BuiltWorld<float>;

@@ -38,9 +38,6 @@ class BuiltWorld {
     /// Transparent bodies, by surface number, that hold a point of the scene, in the order declared.
     std::vector<int> bodies_around(const DVec3& point) const;
 
-    /// The bodies as seen from a point of the scene, by key; empty if there is no key for each item.
-    std::vector<Cone<T>> cones(const DVec3& point) const;
-
   private:
     struct Arrays;
     std::unique_ptr<Arrays> arrays;

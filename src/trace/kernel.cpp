@@ -30,27 +30,26 @@ void aim(const Eye<T>& eye, const PixelBatch<T>& batch, RayQueue<T>& rays) {
     rays.count = batch.count;
 }
 
-/// The bodies that camera rays of a batch can meet: those not apart from the cone of its rays.
+/// The bodies that rays of a pack can meet, those apart from all its rays left out: these start in a ball around the
+/// first one's origin and leave within a cone around its direction. The bodies are looked at side by side.
 template <class S, class T>
-BodySet in_view(const World<T>& world, const Eye<T>& eye, const RayQueue<T>& rays) {
-    if (!eye.cones) return ~BodySet(0);
-    const int middle = rays.count / 2;
-    const Vec3<T> axis(rays.direction.x[middle], rays.direction.y[middle], rays.direction.z[middle]);
-    S cosines(1);
-    for (int i = 0; i < rays.count; i += width<S>) {
-        const auto at = [i](const T* values) { return load_lanes<S>(values + i); };
-        const Vec3<S> d{at(rays.direction.x), at(rays.direction.y), at(rays.direction.z)};
-        cosines = select(first_lanes<S>(rays.count - i), min(cosines, dot(d, splat<S>(axis))), cosines);
-    }
-    const T rounding = 32 * std::numeric_limits<T>::epsilon();
-    const T cosine = least(cosines) - rounding, sine = sqrt(max(1 - cosine * cosine, T(0)));
+STRAHL_INLINE BodySet in_view(const World<T>& world, const Ray<S>& ray, Mask<S> active) {
+    const auto first_of = [](const Vec3<S>& v) { return Vec3<S>(S(lane(v.x, 0)), S(lane(v.y, 0)), S(lane(v.z, 0))); };
+    const Vec3<S> origin = first_of(ray.origin), axis = first_of(ray.direction), off = ray.origin - origin;
+    const T rounding = 16 * std::numeric_limits<T>::epsilon();
+    const T cosine = least(select(active, dot(ray.direction, axis), S(1))) - rounding;
     if (!(cosine > T(.5))) return ~BodySet(0);
+    const T spread = sqrt(-least(select(active, -dot(off, off), S(0))));
+    const S tangent(sqrt(1 - cosine * cosine) / cosine);
     BodySet set = 0;
-    for (int key = 0; key < world.keys; ++key) {
-        const Cone<T>& cone = eye.cones[key];
-        const T other = sqrt(max(1 - cone.cosine * cone.cosine, T(0)));
-        const bool wide = !(cone.cosine > T(.5));
-        if (wide || dot(cone.axis, axis) > cosine * cone.cosine - sine * other - rounding) set |= BodySet(1) << key;
+    for (int i = 0; i < world.keys; i += width<S>) {
+        const auto at = [i](const T* values) { return load_lanes<S>(values + i); };
+        const Vec3<S> way = Vec3<S>(at(world.centres.x), at(world.centres.y), at(world.centres.z)) - origin;
+        const S reach = at(world.radii) + S(spread), along = dot(way, axis);
+        const Vec3<S> across = fma(-along, axis, way);
+        const S widest = fma(max(along + reach, S(0)), tangent, reach);
+        const Mask<S> met = (dot(across, across) <= widest * widest) & (along >= -reach);
+        set |= BodySet(bits(met)) << i;
     }
     return set;
 }
@@ -66,9 +65,9 @@ STRAHL_INLINE void each_key(const S& keys, Mask<S> active, const Visit& visit) {
     }
 }
 
-/// Meets the nearest surfaces, of bodies of the set, and counts the hits of each key.
+/// Meets the nearest surfaces and counts the hits of each key.
 template <class S, class T>
-void find(const World<T>& world, const RayQueue<T>& rays, BodySet set, HitList<T>& hits) {
+void find(const World<T>& world, const RayQueue<T>& rays, HitList<T>& hits) {
     for (int k = 0; k <= world.keys; ++k) hits.end[k] = 0;
     for (int i = 0; i < rays.count; i += width<S>) {
         const auto at = [i](const T* values) { return load_lanes<S>(values + i); };
@@ -76,7 +75,7 @@ void find(const World<T>& world, const RayQueue<T>& rays, BodySet set, HitList<T
                          {at(rays.direction.x), at(rays.direction.y), at(rays.direction.z)},
                          at(rays.source)};
         const Mask<S> active = first_lanes<S>(rays.count - i);
-        const Nearest<S> hit = nearest(world, ray, active, set);
+        const Nearest<S> hit = nearest(world, ray, active, world.radii ? in_view(world, ray, active) : ~BodySet(0));
         store_lanes(hits.t + i, hit.t);
         store_lanes(hits.surface + i, hit.surface);
         store_lanes(hits.key + i, hit.key);
@@ -119,7 +118,7 @@ bool step(const World<T>& world, const Eye<T>& eye, const Generation<T>& rays, G
           const PixelBatch<T>& batch, Workspace<T>& workspace, KernelCounts& counts) {
     counts.depth = counts.depth < depth ? depth : counts.depth;
     HitList<T>& list = hits(workspace);
-    find<S>(world, rays.open, depth == 1 ? in_view<S>(world, eye, rays.open) : ~BodySet(0), list);
+    find<S>(world, rays.open, list);
     sort<S>(world, rays.open, list);
     RayQueue<T>& refracted = aside(workspace);
     next.open.count = next.inside.count = refracted.count = 0;

@@ -65,7 +65,6 @@ struct Eye {
     Vec3<T> position, forward, right, down;  // right and down scaled by the picture's half sizes at distance 1
     T scale_x, scale_y, bias_x, bias_y;      // u = x * scale_x + bias_x
     T interior = 0;                          // list of bodies that the eye is in
-    const Cone<T>* cones = nullptr;          // each body as seen from here, where World has such for lights
     int depth = 20;
     T cutoff = 0;  // rays of a path up to this are not traced
     T faint = 0;   // nor shadow rays for light times path up to this

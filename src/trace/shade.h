@@ -240,8 +240,9 @@ struct Shading {
         counts.refracted += count(bent.mask);
         if (world.enclosed >> hit.key & 1) {  // the one inside need not look for what it meets
             const Mask<S> in = hit.outside;
-            Branch within{Mask<S>((mirrored.mask & !in) | (bent.mask & in)), select(in, bent.direction, mirrored.direction),
-                          select(in, bent.weight, mirrored.weight), select(in, bent.path, mirrored.path), zero};
+            Branch within{Mask<S>((mirrored.mask & !in) | (bent.mask & in)),
+                          select(in, bent.direction, mirrored.direction), select(in, bent.weight, mirrored.weight),
+                          select(in, bent.path, mirrored.path), zero};
             const Span<S> span =
                 item.shape.span(Ray<S>{hit.position, within.direction, hit.surface}, hit.surface - hit.body);
             within.mask = within.mask & span.hit & (span.far > zero);

@@ -128,7 +128,6 @@ class TracerOf : public AnyTracer {
             workspaces.push_back(std::make_unique<Workspace<T>>());
 
         const Eye<T> eye = eye_of<T>(view, placed, bound_for(scene, view.depth, view.error));
-        const std::vector<Cone<T>> cones = built->cones(view.camera.position);
         const std::vector<int> around = built->bodies_around(view.camera.position);
         const int columns = (lattice.columns + tile_size - 1) / tile_size;
         const int tiles = columns * ((lattice.rows + tile_size - 1) / tile_size);
@@ -137,7 +136,6 @@ class TracerOf : public AnyTracer {
         pool.run([&](int thread) {
             Workspace<T>& workspace = *workspaces[thread];
             Eye<T> own = eye;
-            own.cones = cones.empty() ? nullptr : cones.data();
             int list = 0;
             for (const int body : around) list = entered(workspace.interiors, list, body);
             own.interior = static_cast<T>(list);
