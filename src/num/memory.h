@@ -77,11 +77,20 @@ STRAHL_INLINE R load_items(const Element<S>* columns, std::size_t stride, int fi
     return std::bit_cast<R>(packs);
 }
 /// to[4 * index + c] += v[c] lane after lane, for the first `lanes`: equal indices add up in the order of the lanes.
+/// What is in to[4 * index + 3] is lost.
 template <class S>
 STRAHL_INLINE void add_lanes(Element<S>* to, const S& index, int lanes, const Vec3<S>& v) {
     using T = Element<S>;
-    T at[width<S>], terms[3][width<S>];
+    alignas(64) T at[width<S>];
     store_lanes(at, index);
+    if constexpr (width < S >> 1)
+        if constexpr (interleaves<T>) {
+            alignas(64) T fours[4 * width<S>];
+            interleave(fours, v.x, v.y, v.z);
+            for (int k = 0; k < lanes; ++k) add_four(to + 4 * static_cast<int>(at[k]), fours + 4 * interleaved(k));
+            return;
+        }
+    alignas(64) T terms[3][width<S>];
     for (int c = 0; c < 3; ++c) store_lanes(terms[c], v[c]);
     for (int k = 0; k < lanes; ++k)
         for (int c = 0; c < 3; ++c) to[4 * static_cast<int>(at[k]) + c] += terms[c][k];

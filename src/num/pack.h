@@ -186,6 +186,32 @@ STRAHL_INLINE void compress(T* to, Pack<T> value, PackMask<T> mask) {
     }
 }
 
+/// (x, y, z, 0) of lane k from 4 * interleaved(k) on: then one addition serves all three.
+template <class T>
+inline constexpr bool interleaves =
+#if defined(__AVX512F__)
+    std::is_same_v<T, float>&& Pack<T>::size == 16;
+#else
+    false;
+#endif
+constexpr int interleaved(int k) { return 4 * (k % 4) + k / 4; }
+#if defined(__AVX512F__)
+STRAHL_INLINE void interleave(float* to, Pack<float> x, Pack<float> y, Pack<float> z) {
+    const __m512 none = _mm512_setzero_ps();
+    const __m512d low_xy = _mm512_castps_pd(_mm512_unpacklo_ps(raw(x), raw(y)));
+    const __m512d high_xy = _mm512_castps_pd(_mm512_unpackhi_ps(raw(x), raw(y)));
+    const __m512d low_z = _mm512_castps_pd(_mm512_unpacklo_ps(raw(z), none));
+    const __m512d high_z = _mm512_castps_pd(_mm512_unpackhi_ps(raw(z), none));
+    _mm512_store_ps(to, _mm512_castpd_ps(_mm512_unpacklo_pd(low_xy, low_z)));
+    _mm512_store_ps(to + 16, _mm512_castpd_ps(_mm512_unpackhi_pd(low_xy, low_z)));
+    _mm512_store_ps(to + 32, _mm512_castpd_ps(_mm512_unpacklo_pd(high_xy, high_z)));
+    _mm512_store_ps(to + 48, _mm512_castpd_ps(_mm512_unpackhi_pd(high_xy, high_z)));
+}
+STRAHL_INLINE void add_four(float* to, const float* from) {
+    _mm_storeu_ps(to, _mm_add_ps(_mm_loadu_ps(to), _mm_load_ps(from)));
+}
+#endif
+
 template <class T>
 struct LaneTraits<Pack<T>> {
     using Element = T;

@@ -103,14 +103,16 @@ STRAHL_INLINE Nearest<S> nearest(const World<Element<S>>& world, const Ray<S>& r
     Nearest<S> best;
     best.key = S(static_cast<Element<S>>(world.keys));
     world.groups.each([&](const auto& group) __attribute__((always_inline)) {
-        if (group.nodes)
-            best = nearest_below(world, group, ray, active, best);
-        else
-            each_item(
-                group, world.key_per_item, set, [&](int i) __attribute__((always_inline)) {
-                    meet(world, group, i, ray, active, best);
-                    return false;
-                });
+        if constexpr (std::remove_cvref_t<decltype(group)>::bounded)
+            if (group.nodes) {
+                best = nearest_below(world, group, ray, active, best);
+                return;
+            }
+        each_item(
+            group, world.key_per_item, set, [&](int i) __attribute__((always_inline)) {
+                meet(world, group, i, ray, active, best);
+                return false;
+            });
     });
     return best;
 }
@@ -226,11 +228,12 @@ template <class S>
     bool dark = false;
     world.groups.each([&](const auto& group) __attribute__((always_inline)) {
         if (dark) return;
-        if (group.nodes) {
-            light = pass_below(world, group, ray, distance, light);
-            dark = all(light.limit < S(0));
-            return;
-        }
+        if constexpr (std::remove_cvref_t<decltype(group)>::bounded)
+            if (group.nodes) {
+                light = pass_below(world, group, ray, distance, light);
+                dark = all(light.limit < S(0));
+                return;
+            }
         const BodySet set = world.key_per_item ? world.blockers[row + start.key] : 0;
         each_item(
             group, world.key_per_item, set, [&](int i) __attribute__((always_inline)) {

@@ -168,16 +168,20 @@ struct Shading {
         Vec3<S> light = material.ambient;
         const Vec3<S> mirrored = reflect(hit);
         const S strongest = largest(material.diffuse);
-        if (none(hit.active & ((strongest > zero) | (material.specular > zero)))) return light;
+        const Mask<S> glossy = hit.active & (material.specular > zero);
+        if (none(glossy | (hit.active & (strongest > zero)))) return light;
         for (int i = 0; i < world.light_count; ++i) {
             const LightKernel<T>& lamp = world.lights[i];
             const Vec3<S> to_lamp = splat<S>(lamp.position) - hit.position;
             const S distance = sqrt(dot(to_lamp, to_lamp));
             const Vec3<S> l = scale(S(1) / distance, to_lamp);
             S cosine = dot(hit.normal, l);
-            const S shine = min(max(dot(mirrored, l), zero), S(1));  // or sharp highlights blow rounding up
-            const Mask<S> glossy = hit.active & (shine > zero) & (material.specular > zero);
-            S highlight = any(glossy) ? select(glossy, material.specular * shining(shine, material.pow), zero) : zero;
+            S highlight = zero;
+            if (any(glossy)) {
+                const S shine = min(max(dot(mirrored, l), zero), S(1));  // or sharp highlights blow rounding up
+                const Mask<S> shines = glossy & (shine > zero);
+                if (any(shines)) highlight = select(shines, material.specular * shining(shine, material.pow), zero);
+            }
             // Whether anything is between only matters where there is light to lose.
             const S most = S(largest(lamp.color)) * fma(strongest, cosine, highlight);
             const Mask<S> faces = hit.active & (cosine > zero) & (most * hit.path > S(eye.faint));
@@ -218,6 +222,7 @@ struct Shading {
         const MaterialKernel<S>& material = hit.material;
         const S zero(0);
         const Mask<S> glass = hit.active & (material.refraction > zero);
+        if (none(glass | (hit.active & (material.reflection > zero)))) return;
         if (!world.transparent || none(glass)) {
             const Branch mirrored = branch(hit, hit.active, reflect(hit), material.reflection,
                                            hit.path * material.path_reflected, hit.interior);

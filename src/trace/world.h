@@ -67,6 +67,7 @@ struct World {
     struct Group {
         template <class S>
         using ItemOf = typename Item<K>::template Of<S>;
+        static constexpr bool bounded = !requires(K<T> kernel) { kernel.normal; };  // all but planes
         const ItemOf<T>* items = nullptr;
         int count = 0;
         // A hierarchy of them; null: few items, looked at one after the other. Item i's field f again is
