@@ -89,12 +89,12 @@ template <class T>
 void deliver(const Workspace<T>& workspace, const Lattice& tile, const Sink& sink) {
     using Out = std::conditional_t<std::is_same_v<T, float>, float, double>;
     static_assert(tile_size * tile_size <= batch_pixels);
-    Out values[3 * tile_size * tile_size];
+    constexpr auto most = static_cast<T>(std::numeric_limits<Out>::max());
+    Out values[3 * tile_size * tile_size + 1];
     const int pixels = tile.columns * tile.rows;
     for (int i = 0; i < pixels; ++i)
-        for (int c = 0; c < 3; ++c)
-            values[3 * i + c] =
-                static_cast<Out>(std::min(workspace.rgb[4 * i + c], static_cast<T>(std::numeric_limits<Out>::max())));
+        for (int c = 0; c < 4; ++c)  // four at once are faster than three; the next pixel covers the last
+            values[3 * i + c] = static_cast<Out>(std::min(workspace.rgb[4 * i + c], most));
     sink({tile, std::span<const Out>(values, 3 * pixels)});
 }
 

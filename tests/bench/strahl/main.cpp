@@ -17,11 +17,13 @@ namespace {
 
 using namespace strahl;
 
-void run(char** argv) {
-    const Scene scene = parse_scene(read_text(argv[1]), argv[1]);
+template <class T>
+void run(char** argv, Precision precision) {
+    Scene scene = parse_scene(read_text(argv[1]), argv[1]);
     View view{.camera = scene.camera, .width = std::atoi(argv[3]), .height = std::atoi(argv[4])};
     view.depth = scene.settings.max_trace_level;
-    Picture picture{view.width, view.height, 3, std::vector<double>(3 * std::size_t(view.width) * view.height)};
+    std::vector<T> picture(3 * std::size_t(view.width) * view.height);
+    const bool linear = scene.settings.linear;
     ThreadPool pool(std::atoi(argv[5]));
     const auto keep = [&](const Tile& tile) {
         const Lattice& part = tile.lattice;
@@ -29,25 +31,29 @@ void run(char** argv) {
             [&](const auto& rgb) {
                 for (int row = 0; row < part.rows; ++row)
                     std::copy_n(rgb.begin() + 3 * row * part.columns, 3 * part.columns,
-                                picture.values.begin() + 3 * (std::ptrdiff_t(part.y + row) * view.width + part.x));
+                                picture.begin() + 3 * (std::ptrdiff_t(part.y + row) * view.width + part.x));
             },
             tile.rgb);
     };
 
     const double start = bench::seconds();
-    Tracer tracer(scene, std::strcmp(argv[6], "float") == 0 ? Precision::single : Precision::twice);
+    Tracer tracer(std::move(scene), precision);
     tracer.trace(view, {.columns = 1, .rows = 1}, pool, keep);  // the first ray waits for the hierarchy
     const double built = bench::seconds();
     const Counts counts = tracer.trace(view, {.columns = view.width, .rows = view.height}, pool, keep);
     bench::print_figures(built - start, bench::seconds() - built, counts.total());
-    if (std::strcmp(argv[2], "-") != 0) write_picture(picture, argv[2], {16, scene.settings.linear});
+    if (std::strcmp(argv[2], "-") != 0)
+        write_picture({view.width, view.height, 3, {picture.begin(), picture.end()}}, argv[2], {16, linear});
 }
 
 }  // namespace
 
 int main(int argc, char** argv) try {
     if (argc != 7) throw std::invalid_argument("bench_strahl SCENE PICTURE WIDTH HEIGHT THREADS float|double");
-    run(argv);
+    if (std::strcmp(argv[6], "float") == 0)
+        run<float>(argv, Precision::single);
+    else
+        run<double>(argv, Precision::twice);
 } catch (const std::exception& error) {
     std::cerr << error.what() << '\n';
     return 1;
