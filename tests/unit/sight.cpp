@@ -1,0 +1,139 @@
+// Bodies left out because they can't be met never change a picture.
+#include "trace/sight.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "tests/referee/random_scene.h"
+#include "text/parse.h"
+#include "trace/tracer.h"
+
+using namespace strahl;
+
+namespace {
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr int columns = 10, rows = 8, every = 9, random_scenes = 8;
+#else
+constexpr int columns = 40, rows = 30, every = 1, random_scenes = 120;
+#endif
+
+/// The same scene with so many bodies more, far away and black inside a black ball, that it gets hierarchies and
+/// nothing is known of single bodies.
+Scene crowded(Scene scene) {
+    scene.materials.push_back({.rgb = Color(0), .reflection = 0, .diffuse = 0, .specular = 0});
+    const int black = static_cast<int>(scene.materials.size()) - 1;
+    const DVec3 out{3e4, -2e4, -5e4};
+    scene.primitives.push_back({Sphere{out, .3}, black, {}});
+    for (int i = 0; i < most_item_keys; ++i)
+        scene.primitives.push_back({Sphere{out + DVec3(i % 4, i / 4 % 4, i / 16) / 20., .01}, black, {}});
+    return scene;
+}
+
+double largest_difference(const Scene& scene, Precision precision) {
+    const View view{
+        .camera = scene.camera, .width = columns, .height = rows, .depth = std::min(scene.settings.max_trace_level, 7)};
+    const Frame few = render(scene, view, precision, 2), many = render(crowded(scene), view, precision, 2);
+    double most = 0;
+    for (std::size_t i = 0; i < few.rgb.size(); ++i)
+        most = std::max(most, std::abs(few.rgb[i] - many.rgb[i]) / std::max(1., std::abs(few.rgb[i])));
+    return most;
+}
+
+}  // namespace
+
+TEST_CASE("pictures are the same with and without knowing what each body can be met from") {
+    namespace fs = std::filesystem;
+    int index = 0, seen = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(STRAHL_SOURCE "/scenes")) {
+        if (entry.path().extension() != ".rt" || index++ % every) continue;
+        CAPTURE(entry.path().string());
+        const Scene scene = parse_scene(read_text(entry.path().string()), entry.path().string());
+        if (scene.primitives.size() > most_item_keys) continue;
+        CHECK(largest_difference(scene, Precision::twice) < 1e-8);
+        ++seen;
+    }
+    CHECK(seen >= 50 / every);
+}
+
+TEST_CASE("the same of random scenes") {
+    for (int seed = 0; seed < random_scenes; ++seed) {
+        CAPTURE(seed);
+        const RandomScene what{.transparent = seed % 3 != 0, .camera_inside = seed % 5 == 4};
+        CHECK(largest_difference(random_scene(1000 + seed, what), Precision::twice) < 1e-8);
+    }
+}
+
+TEST_CASE("what is between a point of a body and a light is among its blockers, and in its cone") {
+    std::mt19937 engine(7);
+    const auto dice = [&](double low, double high) { return low + (high - low) * engine() * 0x1p-32; };
+    const auto place = [&](double size) { return DVec3(dice(-size, size), dice(-size, size), dice(-size, size)); };
+    const auto product = [](const DVec3& a, const DVec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; };
+    const auto length = [&](const DVec3& v) { return std::sqrt(product(v, v)); };
+    int between = 0, left_out = 0, outside_cone = 0;
+    for (int round = 0; round < 2000; ++round) {
+        std::vector<Outline> bodies(6);
+        for (Outline& body : bodies) {
+            body.ball = {place(4), std::exp(dice(-5, .7))};
+            body.box = {body.ball.centre - body.ball.radius, body.ball.centre + body.ball.radius};
+        }
+        bodies[5] = {{}, {}, true, {0, 0, 1}, dice(-3, 3)};
+        const DVec3 light = place(std::exp(dice(0, 4)));
+        const double margin = 32 * 0x1p-23 * (4 + length(light));
+        for (std::size_t lit = 0; lit < bodies.size(); ++lit) {
+            const BodySet set = blockers_of(bodies, lit, light, margin);
+            for (int sample = 0; sample < 8; ++sample) {
+                DVec3 point = place(9);
+                if (bodies[lit].plane)
+                    point.z = bodies[lit].distance;
+                else
+                    point = bodies[lit].ball.centre + point * (bodies[lit].ball.radius / length(point));
+                const DVec3 way = light - point;
+                const double distance = length(way);
+                for (std::size_t i = 0; i < bodies.size(); ++i) {
+                    if (i == lit) continue;
+                    const Cone<float> cone = cone_of<float>(bodies[i], light, margin);
+                    const float cosine = -float(way.x / distance) * cone.axis.x -
+                                         float(way.y / distance) * cone.axis.y - float(way.z / distance) * cone.axis.z;
+                    const bool known = set >> i & 1, looked_at = cosine >= cone.cosine && distance > cone.distance;
+                    left_out += !known, outside_cone += !looked_at;
+                    const DVec3 to_centre = bodies[i].ball.centre - point;
+                    const double along = std::clamp(product(to_centre, way) / distance, 0., distance);
+                    const bool blocks = bodies[i].plane
+                                            ? (point.z - bodies[i].distance) * (light.z - bodies[i].distance) < 0
+                                            : length(to_centre - way * (along / distance)) < bodies[i].ball.radius;
+                    if (!blocks) continue;
+                    ++between;
+                    CHECK(known);
+                    CHECK(looked_at);
+                }
+            }
+        }
+    }
+    MESSAGE(between << " between, " << left_out << " left out, " << outside_cone << " outside their cones");
+    CHECK(between > 10000);
+    CHECK(left_out > 100000);  // or nothing is gained
+    CHECK(outside_cone > 100000);
+}
+
+TEST_CASE("a body is alone if nothing reaches into it") {
+    const auto ball = [](const DVec3& centre, double radius) {
+        return Outline{{centre - radius, centre + radius}, {centre, radius}};
+    };
+    const Outline floor{{}, {}, true, {0, 0, 1}, 0}, glass = ball({0, 0, 2}, 1);
+    CHECK(alone({glass, floor, ball({3, 0, 2}, 1)}, 0, 1e-6));
+    CHECK_FALSE(alone({floor, glass}, 0, 1e-6));                 // a plane has no end
+    CHECK_FALSE(alone({glass, ball({1.9, 0, 2}, 1)}, 0, 1e-6));  // overlapping
+    CHECK_FALSE(alone({glass, ball({0, 0, 2}, .5)}, 0, 1e-6));   // something inside
+    CHECK_FALSE(alone({glass, ball({0, 0, 2}, 5)}, 0, 1e-6));    // inside something
+    CHECK_FALSE(alone({glass, ball({2, 0, 2}, 1)}, 0, 1e-6));    // touching
+    CHECK_FALSE(alone({ball({0, 0, 1}, 1), floor}, 0, 1e-6));    // standing on the floor
+    CHECK_FALSE(alone({ball({0, 0, .5}, 1), floor}, 0, 1e-6));   // cut by it
+    CHECK(alone({glass, ball({1.5, 1.5, 2}, 1)}, 0, 1e-6));      // boxes overlap, balls do not
+}
