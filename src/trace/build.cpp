@@ -293,7 +293,7 @@ BuiltWorld<T>::Arrays::Arrays(const Scene& scene, const Placement& placement, Th
     const double margin = rounding(reach);
     BodySet transparent_keys = 0;
     const auto finish = [&](auto& from, auto& view) {
-        if (from.items.size() > few_items &&
+        if (!world.key_per_item && from.items.size() > few_items &&
             std::all_of(from.boxes.begin(), from.boxes.end(), [](const Box& box) { return box.finite(); })) {
             Hierarchy hierarchy = build_hierarchy(from.boxes, margin, pool);
             sort_items(from.items, hierarchy.order);

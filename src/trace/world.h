@@ -51,7 +51,7 @@ struct Cone {
 
 /// Bodies by key, a bit for each.
 using BodySet = std::uint64_t;
-inline constexpr int most_item_keys = 64;  // up to here hits are sorted by item
+inline constexpr int most_item_keys = 64;  // up to here there is a key per item, and no hierarchy
 
 /// Where a surface's item is: its index among the items of its kernel, and the key by which hits are sorted.
 struct Place {
