@@ -1,5 +1,6 @@
 // Light at hits, and the rays that go on from them.
 #pragma once
+#include <algorithm>
 #include <cmath>
 
 #include "trace/kernel.h"
@@ -74,6 +75,7 @@ struct Shading {
         Mask<S> outside;                      // it comes from the side the surface faces
         S surface, body, pixel, weight, path, interior;
         const MaterialKernel<S>& material;
+        bool alike;  // all lanes have the same material
         int key;
     };
 
@@ -95,10 +97,16 @@ struct Shading {
         using PackItem = typename Group::template ItemOf<S>;
         PackItem item;
         MaterialKernel<S> material;
+        int spread = -1;  // number of the material that all lanes have
+        const auto spread_material = [&](int number) {
+            if (number == spread) return;
+            material = splat_item<MaterialKernel<S>, S>(world.materials[number]);
+            spread = number;
+        };
         if (world.key_per_item && found + inside > 0) {
             const auto& only = group.items[key - group.first_key];
             item = splat_item<PackItem, S>(only);
-            material = splat_item<MaterialKernel<S>, S>(world.materials[static_cast<int>(only.material)]);
+            spread_material(static_cast<int>(only.material));
         }
         for (int i = -inside; i < found; i += i < 0 && i + width < S >> 0 ? -i : width<S>) {
             if (next.open.count + refracted.count > batch_rays || next.inside.count > batch_rays) return false;
@@ -112,10 +120,15 @@ struct Shading {
                     materials[k] = static_cast<int>(group.items[items[k]].material);
                 }
                 item = gather_items<PackItem, S>(group.items, items);
-                material = gather_items<MaterialKernel<S>, S>(world.materials, materials);
+                if (std::all_of(materials, materials + width<S>, [&](int m) { return m == materials[0]; })) {
+                    spread_material(materials[0]);
+                } else {
+                    material = gather_items<MaterialKernel<S>, S>(world.materials, materials);
+                    spread = -1;
+                }
             }
             const RayQueue<T>& from = within ? rays.inside : rays.open;
-            const Hit hit = meet(item, material, key, from, pick, within ? from.t : hits.t);
+            const Hit hit = meet(item, material, spread >= 0, key, from, pick, within ? from.t : hits.t);
             add_lanes(batch.rgb, hit.pixel, pick.lanes, scale(hit.weight, illumination(hit)));
             if (depth < eye.depth) spawn(item, hit);
         }
@@ -140,8 +153,8 @@ struct Shading {
     };
 
     template <class PackItem>
-    STRAHL_INLINE Hit meet(const PackItem& item, const MaterialKernel<S>& material, int key, const RayQueue<T>& from,
-                           const Pick& pick, const T* t) const {
+    STRAHL_INLINE Hit meet(const PackItem& item, const MaterialKernel<S>& material, bool alike, int key,
+                           const RayQueue<T>& from, const Pick& pick, const T* t) const {
         const Ray<S> ray{{pick(from.origin.x), pick(from.origin.y), pick(from.origin.z)},
                          {pick(from.direction.x), pick(from.direction.y), pick(from.direction.z)},
                          pick(from.source)};
@@ -159,6 +172,7 @@ struct Shading {
                 pick(from.path),
                 world.nested ? pick(from.interior) : S(0),
                 material,
+                alike,
                 key};
     }
     /// Ia Ka Of + sum over lights S Il [Kd Of (n.l) + Ks (h.l)^p]
@@ -180,7 +194,11 @@ struct Shading {
             if (any(glossy)) {
                 const S shine = min(max(dot(mirrored, l), zero), S(1));  // or sharp highlights blow rounding up
                 const Mask<S> shines = glossy & (shine > zero);
-                if (any(shines)) highlight = select(shines, material.specular * shining(shine, material.pow), zero);
+                if (any(shines))
+                    highlight = select(shines,
+                                       material.specular * (hit.alike ? power_of_all(shine, lane(material.pow, 0))
+                                                                      : power(shine, material.pow)),
+                                       zero);
             }
             // Whether anything is between only matters where there is light to lose.
             const S most = S(largest(lamp.color)) * fma(strongest, cosine, highlight);
@@ -195,10 +213,6 @@ struct Shading {
                 light[c] = fma(share[c] * S(lamp.color[c]), fma(material.diffuse[c], cosine, highlight), light[c]);
         }
         return light;
-    }
-
-    STRAHL_INLINE S shining(S shine, S pow) const {
-        return world.key_per_item ? power_of_all(shine, lane(pow, 0)) : power(shine, pow);
     }
 
     STRAHL_INLINE static Vec3<S> reflect(const Hit& hit) {
