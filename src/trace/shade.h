@@ -108,11 +108,12 @@ struct Shading {
             item = splat_item<PackItem, S>(only);
             spread_material(static_cast<int>(only.material));
         }
-        for (int i = -inside; i < found; i += i < 0 && i + width < S >> 0 ? -i : width<S>) {
+        for (int i = -inside, left; i < found; i += std::min(left, width<S>)) {
+            left = i < 0 ? -i : found - i;
             if (next.open.count + refracted.count > batch_rays || next.inside.count > batch_rays) return false;
             const bool within = i < 0;
             const Pick pick =
-                within ? Pick(rays.inside_end[key] + i, -i) : Pick(hits.order + hits.begin[key] + i, found - i);
+                within ? Pick(rays.inside_end[key] + i, left) : Pick(hits.order + hits.begin[key] + i, left);
             if (!world.key_per_item) {
                 int items[width<S>], materials[width<S>];
                 for (int k = 0; k < width<S>; ++k) {
@@ -187,9 +188,11 @@ struct Shading {
         for (int i = 0; i < world.light_count; ++i) {
             const LightKernel<T>& lamp = world.lights[i];
             const Vec3<S> to_lamp = splat<S>(lamp.position) - hit.position;
-            const S distance = sqrt(dot(to_lamp, to_lamp));
-            const Vec3<S> l = scale(S(1) / distance, to_lamp);
-            S cosine = dot(hit.normal, l);
+            const S facing = dot(hit.normal, to_lamp);
+            if (none(hit.active & (facing > zero))) continue;
+            const S distance = sqrt(dot(to_lamp, to_lamp)), inverse = S(1) / distance;
+            const Vec3<S> l = scale(inverse, to_lamp);
+            S cosine = facing * inverse;
             S highlight = zero;
             if (any(glossy)) {
                 const S shine = min(max(dot(mirrored, l), zero), S(1));  // or sharp highlights blow rounding up
