@@ -18,7 +18,7 @@ namespace {
 using namespace strahl;
 
 void run(char** argv) {
-    const Scene scene = parse_scene(read_text(argv[1]), argv[1]);
+    Scene scene = parse_scene(read_text(argv[1]), argv[1]);
     View view{.camera = scene.camera, .width = std::atoi(argv[3]), .height = std::atoi(argv[4])};
     view.depth = scene.settings.max_trace_level;
     Picture picture{view.width, view.height, 3, std::vector<double>(3 * std::size_t(view.width) * view.height)};
@@ -35,12 +35,12 @@ void run(char** argv) {
     };
 
     const double start = bench::seconds();
-    Tracer tracer(scene, std::strcmp(argv[6], "float") == 0 ? Precision::single : Precision::twice);
+    Tracer tracer(std::move(scene), std::strcmp(argv[6], "float") == 0 ? Precision::single : Precision::twice);
     tracer.trace(view, {.columns = 1, .rows = 1}, pool, keep);  // the first ray waits for the hierarchy
     const double built = bench::seconds();
     const Counts counts = tracer.trace(view, {.columns = view.width, .rows = view.height}, pool, keep);
     bench::print_figures(built - start, bench::seconds() - built, counts.total());
-    if (std::strcmp(argv[2], "-") != 0) write_picture(picture, argv[2], {16, scene.settings.linear});
+    if (std::strcmp(argv[2], "-") != 0) write_picture(picture, argv[2], {16, tracer.scene().settings.linear});
 }
 
 }  // namespace
