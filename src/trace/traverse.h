@@ -97,19 +97,21 @@ class Beam {
     int way[3];           // that sign, or 0 where lines go both ways
 };
 
-/// A stack whose topmost stretch can be kept sorted, the nearest on top.
+/// A stack whose topmost stretch can be kept sorted, the nearest on top. Entries are written and read in place, field
+/// by field: whole copies would wait for fields just written.
 template <class Entry>
 class Stack {
   public:
-    STRAHL_INLINE Entry pop() { return entries[--size]; }
+    /// To be read before anything is pushed.
+    STRAHL_INLINE const Entry& pop() { return entries[--size]; }
     STRAHL_INLINE bool empty() const { return size == 0; }
     STRAHL_INLINE int height() const { return size; }
-    STRAHL_INLINE void push(const Entry& entry) { entries[size++] = entry; }
+    STRAHL_INLINE Entry& push() { return entries[size++]; }
     template <class T>
-    STRAHL_INLINE void push_sorted(const Entry& entry, T near, int bottom) {
+    STRAHL_INLINE Entry& push_sorted(T near, int bottom) {
         int at = size++;
         for (; at > bottom && entries[at - 1].near < near; --at) entries[at] = entries[at - 1];
-        entries[at] = entry;
+        return entries[at];
     }
 
   private:
@@ -128,15 +130,19 @@ STRAHL_INLINE void traverse_alone(const Node* nodes, int first, int count, const
         std::int32_t first, count;
     };
     Stack<Entry> stack;
-    stack.push({T(0), first, count});
+    const auto put = [](Entry& entry, T near, std::int32_t first, std::int32_t count) {
+        entry.near = near, entry.first = first, entry.count = count;
+    };
+    put(stack.push(), T(0), first, count);
     while (!stack.empty()) {
-        const Entry entry = stack.pop();
-        if (entry.near > limit) continue;
-        if (entry.count > 0) {
-            if (leaf(entry.first, entry.count)) return;
+        const Entry& top = stack.pop();
+        const std::int32_t at = top.first, items = top.count;
+        if (top.near > limit) continue;
+        if (items > 0) {
+            if (leaf(at, items)) return;
             continue;
         }
-        const Node& node = nodes[entry.first];
+        const Node& node = nodes[at];
         const int bottom = stack.height();
         T nears[Node::width];
         const auto look = [&](int c) {
@@ -150,14 +156,14 @@ STRAHL_INLINE void traverse_alone(const Node* nodes, int first, int count, const
             for (int c = 0; c < node.children; c += width<S>)
                 for (unsigned hits = look(c); hits; hits &= hits - 1) {
                     const int i = c + std::countr_zero(hits);
-                    stack.push_sorted({nears[i], node.first[i], node.count[i]}, nears[i], bottom);
+                    put(stack.push_sorted(nears[i], bottom), nears[i], node.first[i], node.count[i]);
                 }
         } else {
             for (int c = (node.children - 1) / width<S> * width<S>; c >= 0; c -= width<S>)
                 for (unsigned hits = look(c); hits;) {
                     const int i = c + std::bit_width(hits) - 1;
                     hits &= ~(1u << (i - c));
-                    stack.push({nears[i], node.first[i], node.count[i]});
+                    put(stack.push(), nears[i], node.first[i], node.count[i]);
                 }
         }
     }
@@ -179,22 +185,25 @@ STRAHL_INLINE void traverse(const Node* nodes, const Line<S>& line, Mask<S> acti
     };
     const Beam<S> beam(line, active);
     Stack<Entry> stack;
-    stack.push({S(0), active, T(0), 0, 0});
+    const auto put = [](Entry& entry, const S& enters, Mask<S> mask, T near, std::int32_t first, std::int32_t count) {
+        entry.enters = enters, entry.mask = mask, entry.near = near, entry.first = first, entry.count = count;
+    };
+    put(stack.push(), S(0), active, T(0), 0, 0);
     while (!stack.empty()) {
-        const Entry entry = stack.pop();
-        const Mask<S> mask = entry.mask & (entry.enters <= limit);
+        const Entry& top = stack.pop();
+        const std::int32_t at = top.first, items = top.count;
+        const Mask<S> mask = top.mask & (top.enters <= limit);
         const int rays = count(mask);
         if (rays == 0) continue;
         if (rays <= few) {
-            for (unsigned left = bits(mask); left; left &= left - 1)
-                alone(std::countr_zero(left), entry.first, entry.count);
+            for (unsigned left = bits(mask); left; left &= left - 1) alone(std::countr_zero(left), at, items);
             continue;
         }
-        if (entry.count > 0) {
-            if (leaf(entry.first, entry.count, mask)) return;
+        if (items > 0) {
+            if (leaf(at, items, mask)) return;
             continue;
         }
-        const Node& node = nodes[entry.first];
+        const Node& node = nodes[at];
         const int bottom = stack.height();
         T nears[Node::width];
         const auto look = [&](int c) {
@@ -208,11 +217,8 @@ STRAHL_INLINE void traverse(const Node* nodes, const Line<S>& line, Mask<S> acti
             S enters;
             const Mask<S> hit = mask & crosses(box<S>(node.low, i), box<S>(node.high, i), line, limit, enters);
             if (none(hit)) return;
-            const Entry child{enters, hit, nears[i], node.first[i], node.count[i]};
-            if constexpr (sorted)
-                stack.push_sorted(child, nears[i], bottom);
-            else
-                stack.push(child);
+            Entry& child = sorted ? stack.push_sorted(nears[i], bottom) : stack.push();
+            put(child, enters, hit, nears[i], node.first[i], node.count[i]);
         };
         for (int c = (node.children - 1) / width<S> * width<S>; c >= 0; c -= width<S>)
             for (unsigned met = look(c); met;) {
