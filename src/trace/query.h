@@ -67,11 +67,15 @@ STRAHL_INLINE Nearest<S> nearest(const World<Element<S>>& world, const Ray<S>& r
             const Ray<S> one = lane_of(ray, k);
             Nearest<S> own{S(lane(best.t, k)), S(lane(best.surface, k))};
             Element<S> limit = lane(best.t, k);
-            traverse_alone<true>(group.nodes, first, count, lane_of(line, k), limit, [&](int item, int items) {
+            const auto meet = [&](int item, int items) {
                 nearest_alone(group, item, items, one, own);
                 limit = lane(own.t, 0);
                 return false;
-            });
+            };
+            if (count > 0)
+                meet(first, count);
+            else
+                traverse_alone<true>(group.nodes, first, lane_of(line, k), limit, meet);
             best.t = with_lane(best.t, k, limit);
             best.surface = with_lane(best.surface, k, lane(own.surface, 0));
         });
@@ -119,7 +123,7 @@ STRAHL_INLINE Vec3<S> visibility(const World<Element<S>>& world, const Ray<S>& r
             look(0, group.count, active);
             return;
         }
-        const auto alone = [&](int k, int first, int count, const Line<S>& line) {
+        const auto alone = [&](int k, int first, int count, const Line<S>& lines) {
             using Item = typename std::remove_cvref_t<decltype(group)>::template ItemOf<S>;
             const Ray<S> lone = lane_of(ray, k);
             const S end(lane(distance, k));
@@ -147,14 +151,16 @@ STRAHL_INLINE Vec3<S> visibility(const World<Element<S>>& world, const Ray<S>& r
                 }
                 return false;
             };
-            if (world.transparent)
-                traverse_alone<false>(group.nodes, first, count, line, own_limit, blocks);
+            if (count > 0)
+                blocks(first, count);
+            else if (world.transparent)
+                traverse_alone<false>(group.nodes, first, lane_of(lines, k), own_limit, blocks);
             else
-                traverse_alone<true>(group.nodes, first, count, line, own_limit, blocks);
+                traverse_alone<true>(group.nodes, first, lane_of(lines, k), own_limit, blocks);
             limit = with_lane(limit, k, own_limit);
         };
         const Line<S> line = line_of(ray);
-        const auto go_alone = [&](int k, int first, int count) { alone(k, first, count, lane_of(line, k)); };
+        const auto go_alone = [&](int k, int first, int count) { alone(k, first, count, line); };
         if (world.transparent)  // products must not depend on the order in which neighbours want to go
             traverse<false>(group.nodes, line, active & (limit > S(0)), limit, look, go_alone);
         else

@@ -119,10 +119,10 @@ class Stack {
     int size = 0;
 };
 
-/// One ray's way through the part of a hierarchy below a child: leaf(first, count) for leaves whose boxes it crosses
+/// One ray's way through the part of a hierarchy from a node on: leaf(first, count) for leaves whose boxes it crosses
 /// before `limit`, until that returns true. Front to back if `sorted`, else in the order of the items.
 template <bool sorted, class S, class Leaf>
-STRAHL_INLINE void traverse_alone(const Node* nodes, int first, int count, const Line<S>& line, const Element<S>& limit,
+STRAHL_INLINE void traverse_alone(const Node* nodes, int root, const Line<S>& line, const Element<S>& limit,
                                   const Leaf& leaf) {
     using T = Element<S>;
     struct Entry {
@@ -133,7 +133,7 @@ STRAHL_INLINE void traverse_alone(const Node* nodes, int first, int count, const
     const auto put = [](Entry& entry, T near, std::int32_t first, std::int32_t count) {
         entry.near = near, entry.first = first, entry.count = count;
     };
-    put(stack.push(), T(0), first, count);
+    put(stack.push(), T(0), root, 0);
     while (!stack.empty()) {
         const Entry& top = stack.pop();
         const std::int32_t at = top.first, items = top.count;
@@ -170,13 +170,14 @@ STRAHL_INLINE void traverse_alone(const Node* nodes, int first, int count, const
 }
 
 /// The way of a pack of rays: leaf(first, count, mask) for leaves, with the lanes whose rays cross its box; until that
-/// returns true. Where few rays are left, each goes on by itself: alone(lane, first, count). What is asked of a ray
+/// returns true. Where few rays are left, each goes on by itself: alone(lane, first, count), a leaf's items or 0. What is asked of a ray
 /// does not depend on its neighbours if `sorted` is false, and else but for the order.
 template <bool sorted, class S, class Leaf, class Alone>
 STRAHL_INLINE void traverse(const Node* nodes, const Line<S>& line, Mask<S> active, const S& limit, const Leaf& leaf,
                             const Alone& alone) {
     using T = Element<S>;
     constexpr int few = width < S >> 4 ? width<S> / 4 : 1;
+    constexpr int dear = 3;  // so many items of a pack cost as much as a pack of items of a ray
     struct Entry {
         S enters;
         Mask<S> mask;
@@ -195,7 +196,8 @@ STRAHL_INLINE void traverse(const Node* nodes, const Line<S>& line, Mask<S> acti
         const Mask<S> mask = top.mask & (top.enters <= limit);
         const int rays = count(mask);
         if (rays == 0) continue;
-        if (rays <= few) {
+        // Items beside each other for one ray after the other, or rays for one item after the other?
+        if (items > 0 ? rays * dear * ((items - 1) / width<S> + 1) <= items : rays <= few) {
             for (unsigned left = bits(mask); left; left &= left - 1) alone(std::countr_zero(left), at, items);
             continue;
         }
