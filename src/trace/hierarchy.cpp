@@ -138,6 +138,7 @@ class Builder {
             count += below[i].size();
         }
         result.nodes = room<Node>(count);
+        result.size = static_cast<std::int32_t>(count);
         std::copy(top.begin(), top.end(), result.nodes.get());
         share_out(pool, static_cast<std::int32_t>(tasks.size()), 1, [&](std::int32_t first, std::int32_t last) {
             for (std::int32_t i = first; i < last; ++i) {

@@ -31,6 +31,7 @@ struct Hierarchy {
     /// Most nodes on a way from the root to a leaf.
     static constexpr int most_levels = 64;
     Room<Node> nodes;
+    std::int32_t size = 0;  // of nodes
     Room<std::int32_t> order;
 };
 
