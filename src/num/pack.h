@@ -154,13 +154,15 @@ STRAHL_INLINE unsigned bits(PackMask<T> mask) {
     return static_cast<unsigned>(mask.m.__to_bitset().to_ulong());
 }
 template <class T>
-STRAHL_INLINE T lane(Pack<T> a, int i) {
-    return a.v[i];
+STRAHL_INLINE T lane(const Pack<T>& a, int i) {  // from where it lies: no copy of all lanes for the sake of one
+    T value;
+    std::memcpy(&value, reinterpret_cast<const char*>(&a) + i * sizeof(T), sizeof(T));
+    return value;
 }
 template <class T>
-STRAHL_INLINE Pack<T> with_lane(Pack<T> a, int i, T value) {
-    a.v[i] = value;
-    return a;
+STRAHL_INLINE Pack<T> with_lane(Pack<T> a, int i, T value) {  // a whole pack read after one lane was written waits
+    const Pack<T> numbers{typename Pack<T>::Register([](auto n) { return static_cast<T>(n); })};
+    return select(numbers == Pack<T>(static_cast<T>(i)), Pack<T>(value), a);
 }
 /// The smallest of the lanes.
 template <class T>

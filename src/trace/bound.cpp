@@ -12,12 +12,13 @@ double largest(const Color& c) { return std::max({std::abs(c.x), std::abs(c.y), 
 
 /// Most by which the bodies on its way can multiply a light: glass of a colour above 1 brightens it.
 double gain(const Scene& scene) {
+    const auto filter = [](const Material& m) { return m.refraction * largest(m.rgb); };
     double product = 1;
-    for (const Primitive& primitive : scene.primitives) {
-        const Material& m = scene.materials[primitive.material];
-        const double filter = m.refraction * largest(m.rgb);
-        if (filter > 1) product *= filter * filter;  // entered and left
-    }
+    if (std::any_of(scene.materials.begin(), scene.materials.end(), [&](const auto& m) { return filter(m) > 1; }))
+        for (const Primitive& primitive : scene.primitives) {
+            const double factor = filter(scene.materials[primitive.material]);
+            if (factor > 1) product *= factor * factor;  // entered and left
+        }
     return product;
 }
 

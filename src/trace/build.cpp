@@ -2,23 +2,27 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <glm/matrix.hpp>
-#include <tuple>
+#include <memory>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "scene/overlap.h"
 #include "trace/bound.h"
+#include "trace/doubles.h"
 #include "trace/hierarchy.h"
 #include "trace/sight.h"
+#include "trace/thread_pool.h"
 
 namespace strahl {
 namespace {
 
-constexpr int few_items = 16;  // up to here a plain loop is faster than a hierarchy
+constexpr int few_items = 16;  // of a kind, in a world without a key per item: a plain loop is faster than a hierarchy
 constexpr int widest = 16;     // lanes of the widest pack
 
 template <class T>
@@ -45,48 +49,21 @@ typename Affine<K>::template Kernel<T> affine(const DVec3& centre, double unit, 
     return {to<T>(setting.to_world(centre)), row(0), row(1), row(2), shape};
 }
 
-/// Items with the numbers of an earlier one go, and their boxes: of bodies in the same place the first declared is
-/// seen, and rays that start on it would meet its double a rounding error before or behind.
-template <class T, class I>
-void drop_doubles(std::vector<I>& items, std::vector<Box>& boxes) {
-    using Shape = decltype(I::shape);
-    using Numbers = std::array<T, sizeof(Shape) / sizeof(T)>;
-    const auto numbers = [&](std::size_t i) { return std::bit_cast<Numbers>(items[i].shape); };
-    const std::size_t slots = std::bit_ceil(2 * items.size() + 1);
-    std::vector<std::int32_t> table(slots, -1);  // of the items kept, by their numbers; the next slot if taken
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < items.size(); ++i) {
-        const Numbers own = numbers(i);
-        std::uint64_t hash = 0;
-        for (const T v : own) {  // 0 is added because -0 equals it
-            hash = (hash ^ std::bit_cast<std::uint64_t>(static_cast<double>(v) + 0.)) * 0x9E3779B97F4A7C15u;
-            hash ^= hash >> 29;
-        }
-        std::size_t slot = hash & (slots - 1);
-        while (table[slot] >= 0 && !(numbers(table[slot]) == own)) slot = (slot + 1) & (slots - 1);
-        if (table[slot] >= 0) continue;
-        table[slot] = static_cast<std::int32_t>(kept);
-        boxes[kept] = boxes[i];
-        items[kept++] = items[i];
-    }
-    items.resize(kept);
-    boxes.resize(kept);
-}
-
-template <class I>
-void sort_items(std::vector<I>& items, const std::vector<std::int32_t>& order) {
-    std::vector<I> sorted;
-    sorted.reserve(items.size());
-    for (const std::int32_t i : order) sorted.push_back(items[i]);
-    items = std::move(sorted);
-}
+// Numbers of the kernels.
+constexpr int spheres = 0, planes = 1, cylinders = 2, affine_spheres = 3, affine_cylinders = 4;
+int kernel_of(const Sphere&, bool similar) { return similar ? spheres : affine_spheres; }
+int kernel_of(const Plane&, bool) { return planes; }
+int kernel_of(const Cylinder&, bool similar) { return similar ? cylinders : affine_cylinders; }
 
 template <class T>
 DVec3 twice(const Vec3<T>& v) {
     return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
 }
+/// What is around a kernel, from its box if need be, whose corners may be off by `slack`.
 template <class K>
-Outline outline_of(const K& kernel, const Box& box) {
+Outline outline_of(const K& kernel, const ItemBox& rounded, double slack) {
+    Box box;
+    for (int c = 0; c < 3; ++c) box.low[c] = rounded.low[c] - slack, box.high[c] = rounded.high[c] + slack;
     if constexpr (requires { kernel.normal; }) {
         return {box, {}, true, twice(kernel.normal), static_cast<double>(kernel.distance)};
     } else if constexpr (requires { kernel.ball(); }) {
@@ -97,16 +74,25 @@ Outline outline_of(const K& kernel, const Box& box) {
     }
 }
 
-/// Field by field (see World::Group).
-template <class T, class I>
-std::vector<T> columns_of(const std::vector<I>& items, std::size_t stride) {
-    constexpr std::size_t fields = sizeof(I) / sizeof(T);
-    std::vector<T> columns(fields * stride);
-    for (std::size_t i = 0; i < items.size(); ++i) {
-        const auto values = std::bit_cast<std::array<T, fields>>(items[i]);
-        for (std::size_t f = 0; f < fields; ++f) columns[f * stride + i] = values[f];
+/// What comes before a primitive.
+struct Before {
+    std::array<int, 5> items{};  // by kernel
+    int surfaces = 0;
+    Before& operator+=(const Before& b) {
+        for (std::size_t i = 0; i < items.size(); ++i) items[i] += b.items[i];
+        return surfaces += b.surfaces, *this;
     }
-    return columns;
+};
+
+/// Takes the doubles out. How many items are left?
+template <class T, class G>
+int drop_doubles(G& group, int count, ThreadPool& pool) {
+    const std::vector<std::int32_t> gone = doubles<T>(group.items.get(), count, pool);
+    int kept = gone.empty() ? count : gone[0];
+    for (std::size_t i = 0; i < gone.size(); ++i)
+        for (int from = gone[i] + 1; from < (i + 1 < gone.size() ? gone[i + 1] : count); ++from, ++kept)
+            group.items[kept] = group.items[from], group.boxes[kept] = group.boxes[from];
+    return kept;
 }
 
 }  // namespace
@@ -154,18 +140,21 @@ template <class T>
 struct BuiltWorld<T>::Arrays {
     template <template <class> class K>
     struct Group {
-        std::vector<typename Item<K>::template Of<T>> items;
-        std::vector<Box> boxes;
-        std::vector<Node> nodes;
-        std::vector<T> columns;
+        using I = typename Item<K>::template Of<T>;
+        Room<I> items;
+        Room<ItemBox> boxes;
+        std::atomic<bool> bounded{true};  // all of them
+        Room<Node> nodes;
+        Room<T> columns;
     };
     World<T> world;
     PerKernel<Group> groups;
-    std::vector<Place> places;
+    Room<Place> places;
     std::vector<MaterialKernel<T>> materials;
     std::vector<LightKernel<T>> lights;
     std::vector<T> iors;
     std::vector<Outline> outlines;  // by key, if there is one for each item
+    BodySet glass = 0;              // of these the transparent ones
     std::vector<T> balls;
     std::vector<Cone<T>> cones;
     std::vector<BodySet> blockers;
@@ -180,56 +169,47 @@ struct BuiltWorld<T>::Arrays {
 
     Arrays(const Scene& scene, const Placement& placement, ThreadPool& pool);
 
-    /// What coordinates seen from a point may be off.
-    double rounding(double furthest) const {
+    /// What coordinates may be off, the largest of them being `furthest`.
+    static double rounding(double furthest) {
         return 32 * static_cast<double>(std::numeric_limits<T>::epsilon()) * furthest;
     }
-    double rounding_at(const DVec3& point) const {
-        return rounding(reach + std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)}));
-    }
-    void surround(double margin) {
-        const std::size_t room = most_item_keys + widest;
-        balls.assign(4 * room, -std::numeric_limits<T>::infinity());
-        std::fill_n(balls.begin(), 3 * room, T(0));
-        for (std::size_t i = 0; i < outlines.size(); ++i) {
-            const auto [centre, radius] = outlines[i].ball;
-            for (int c = 0; c < 3; ++c) balls[c * room + i] = static_cast<T>(centre[c]);
-            balls[3 * room + i] =
-                outlines[i].plane ? std::numeric_limits<T>::infinity() : static_cast<T>(radius + margin);
-        }
-        const T* const first = balls.data();
-        world.centres = {first, first + room, first + 2 * room};
-        world.radii = first + 3 * room;
-    }
-    void see_from_lights() {
-        for (const LightKernel<T>& light : lights) {
-            const DVec3 point = twice(light.position);
-            const double margin = rounding_at(point);
-            for (std::size_t i = 0; i < outlines.size(); ++i) {
-                cones.push_back(cone_of<T>(outlines[i], point, margin));
-                blockers.push_back(blockers_of(outlines, i, point, margin));
-            }
-        }
-    }
+    void surround();
+    void see_from_lights();
 
-    void add(const Sphere& sphere, const Setting& setting, T surface, T material) {
+    /// A primitive that is being added.
+    struct Entry {
+        Before& before;
+        Box box;
+        T surface, material;
+    };
+    template <class G, class K>
+    void put(G& group, int kernel, const K& shape, const Entry& entry) {
+        const int item = entry.before.items[kernel]++;
+        ItemBox& box = group.boxes[item];
+        for (int c = 0; c < 3; ++c)
+            box.low[c] = static_cast<float>(entry.box.low[c]), box.high[c] = static_cast<float>(entry.box.high[c]);
+        for (int c = 0; c < 3; ++c)
+            if (!std::isfinite(box.high[c] - box.low[c])) group.bounded = false;
+        group.items[item] = {shape, entry.surface, entry.material};
+    }
+    void add(const Sphere& sphere, const Setting& setting, const Entry& entry) {
         if (setting.similarity > 0) {
             const SphereKernel<T> kernel{to<T>(setting.to_world(sphere.centre)),
                                          static_cast<T>(setting.length(sphere.radius))};
-            groups.spheres.items.push_back({kernel, surface, material});
+            put(groups.spheres, spheres, kernel, entry);
         } else {
-            groups.affine_spheres.items.push_back(
-                {affine<T, SphereKernel>(sphere.centre, sphere.radius, setting, {Vec3<T>(T(0)), T(1)}), surface,
-                 material});
+            const SphereKernel<T> kernel{Vec3<T>(T(0)), T(1)};
+            put(groups.affine_spheres, affine_spheres,
+                affine<T, SphereKernel>(sphere.centre, sphere.radius, setting, kernel), entry);
         }
     }
-    void add(const Plane& plane, const Setting& setting, T surface, T material) {
+    void add(const Plane& plane, const Setting& setting, const Entry& entry) {
         const DVec3 n = glm::transpose(glm::inverse(glm::dmat3(setting.matrix))) * plane.normal();
         const DVec3 normal = n / std::sqrt(dot_product(n, n));
         const double distance = dot_product(normal, setting.to_world(plane.a));
-        groups.planes.items.push_back({{to<T>(normal), static_cast<T>(distance)}, surface, material});
+        put(groups.planes, planes, PlaneKernel<T>{to<T>(normal), static_cast<T>(distance)}, entry);
     }
-    void add(const Cylinder& cylinder, const Setting& setting, T surface, T material) {
+    void add(const Cylinder& cylinder, const Setting& setting, const Entry& entry) {
         const DVec3 rise = cylinder.cap - cylinder.base, axis = cylinder.axis();
         const double height = std::sqrt(dot_product(rise, rise));
         if (setting.similarity > 0) {
@@ -237,14 +217,155 @@ struct BuiltWorld<T>::Arrays {
             const CylinderKernel<T> kernel{
                 to<T>(setting.to_world(cylinder.base)), to<T>(turned / std::sqrt(dot_product(turned, turned))),
                 static_cast<T>(setting.length(cylinder.radius)), static_cast<T>(setting.length(height))};
-            groups.cylinders.items.push_back({kernel, surface, material});
+            put(groups.cylinders, cylinders, kernel, entry);
         } else {
             const CylinderKernel<T> kernel{Vec3<T>(T(0)), to<T>(axis), T(1), static_cast<T>(height / cylinder.radius)};
-            groups.affine_cylinders.items.push_back(
-                {affine<T, CylinderKernel>(cylinder.base, cylinder.radius, setting, kernel), surface, material});
+            put(groups.affine_cylinders, affine_cylinders,
+                affine<T, CylinderKernel>(cylinder.base, cylinder.radius, setting, kernel), entry);
         }
     }
+    double add_all(const Scene& scene, const Placement& placement, ThreadPool& pool);
+    template <class G, class V>
+    void finish(G& group, V& view, ItemBox* spare, ThreadPool& pool);
+
+    /// Calls visit(group, view, number of the kernel).
+    template <class Visit>
+    void each_kernel(const Visit& visit) {
+        visit(groups.spheres, world.groups.spheres, spheres);
+        visit(groups.planes, world.groups.planes, planes);
+        visit(groups.cylinders, world.groups.cylinders, cylinders);
+        visit(groups.affine_spheres, world.groups.affine_spheres, affine_spheres);
+        visit(groups.affine_cylinders, world.groups.affine_cylinders, affine_cylinders);
+    }
 };
+
+/// Adds the primitives, all threads at once, each item where it would be if one came after the other. The largest
+/// coordinate of a bounded one is returned.
+template <class T>
+double BuiltWorld<T>::Arrays::add_all(const Scene& scene, const Placement& placement, ThreadPool& pool) {
+    constexpr std::int32_t stretch = 4096;
+    const auto size = static_cast<std::int32_t>(scene.primitives.size());
+    std::vector<Before> before(size / stretch + 2);
+    share_out(pool, size, stretch, [&](std::int32_t first, std::int32_t last) {
+        Before own;
+        for (std::int32_t i = first; i < last; ++i) {
+            const Primitive& primitive = scene.primitives[i];
+            const bool similar = similarity(primitive.transformations) > 0;
+            std::visit([&](const auto& shape) { ++own.items[kernel_of(shape, similar)], own.surfaces += shape.faces; },
+                       primitive.shape);
+        }
+        before[first / stretch + 1] = own;
+    });
+    for (std::size_t i = 1; i < before.size(); ++i) before[i] += before[i - 1];
+    const Before& all = before.back();
+    each_kernel([&](auto& group, auto& view, int kernel) {
+        view.count = all.items[kernel];
+        group.items = room<typename std::remove_cvref_t<decltype(group)>::I>(view.count + widest);
+        group.boxes = room<ItemBox>(view.count);
+    });
+    places = room<Place>(all.surfaces);
+
+    std::vector<double> reaches(before.size());
+    share_out(pool, size, stretch, [&](std::int32_t first, std::int32_t last) {
+        Before own = before[first / stretch];
+        std::fill(&places[own.surfaces], &places[before[first / stretch + 1].surfaces], Place{-1, -1});
+        double reach = 0;
+        for (std::int32_t i = first; i < last; ++i) {
+            const Primitive& primitive = scene.primitives[i];
+            const Setting setting{matrix(primitive.transformations), similarity(primitive.transformations), placement};
+            Box box = world_bounds(primitive);
+            box = {(box.low - placement.origin) * placement.scale, (box.high - placement.origin) * placement.scale};
+            if (box.finite())
+                for (int c = 0; c < 3; ++c) reach = std::max({reach, std::abs(box.low[c]), std::abs(box.high[c])});
+            const Entry entry{own, box, static_cast<T>(own.surfaces), static_cast<T>(primitive.material)};
+            std::visit([&](const auto& shape) { add(shape, setting, entry), own.surfaces += shape.faces; },
+                       primitive.shape);
+        }
+        reaches[first / stretch] = reach;
+    });
+    return *std::max_element(reaches.begin(), reaches.end());
+}
+
+/// Makes a group's hierarchy and puts its items in order.
+template <class T>
+template <class G, class V>
+void BuiltWorld<T>::Arrays::finish(G& group, V& view, ItemBox* spare, ThreadPool& pool) {
+    constexpr std::int32_t stretch = 4096;
+    using I = typename G::I;
+    view.first_key = world.keys;
+    world.keys += world.key_per_item ? view.count : 1;
+    view.last_key = world.keys;
+    if (!world.key_per_item && view.count > few_items && group.bounded) {
+        Hierarchy hierarchy =
+            build_hierarchy({group.boxes.get(), static_cast<std::size_t>(view.count)}, spare, rounding(reach), pool);
+        group.nodes = std::move(hierarchy.nodes);
+        view.nodes = group.nodes.get();
+        Room<I> sorted = room<I>(view.count);
+        share_out(pool, view.count, stretch, [&](std::int32_t first, std::int32_t last) {
+            for (std::int32_t i = first; i < last; ++i) sorted[i] = group.items[hierarchy.order[i]];
+        });
+        // The columns take the place of the items as they came.
+        constexpr std::size_t fields = sizeof(I) / sizeof(T);
+        view.stride = view.count + widest;
+        group.columns = Room<T>(reinterpret_cast<T*>(group.items.release()));
+        group.items = std::move(sorted);
+        share_out(pool, view.count, stretch, [&](std::int32_t first, std::int32_t last) {
+            for (std::int32_t i = first; i < last; ++i) {
+                const auto values = std::bit_cast<std::array<T, fields>>(group.items[i]);
+                for (std::size_t f = 0; f < fields; ++f) group.columns[f * view.stride + i] = values[f];
+            }
+        });
+        for (std::size_t f = 0; f < fields; ++f)
+            std::fill_n(&group.columns[f * view.stride + view.count], widest, T(0));
+        view.columns = group.columns.get();
+    }
+    if (world.key_per_item)
+        for (int i = 0; i < view.count; ++i) {
+            if (materials[static_cast<int>(group.items[i].material)].refraction > 0)
+                glass |= BodySet(1) << outlines.size();
+            outlines.push_back(outline_of(group.items[i].shape, group.boxes[i], reach * 0x1p-23));
+        }
+    group.boxes.reset();
+    view.items = group.items.get();
+    share_out(pool, view.count, stretch, [&](std::int32_t first, std::int32_t last) {
+        for (std::int32_t i = first; i < last; ++i)
+            for (int face = 0; face < group.items[i].shape.faces; ++face)
+                places[static_cast<int>(group.items[i].surface) + face] = {
+                    i, world.key_per_item ? view.first_key + i : view.first_key};
+    });
+}
+
+/// What is known of each body, if there is a key for each.
+template <class T>
+void BuiltWorld<T>::Arrays::surround() {
+    const double margin = rounding(reach);
+    const std::size_t room = most_item_keys + widest;
+    balls.assign(4 * room, -std::numeric_limits<T>::infinity());
+    std::fill_n(balls.begin(), 3 * room, T(0));
+    for (std::size_t i = 0; i < outlines.size(); ++i) {
+        const auto [centre, radius] = outlines[i].ball;
+        for (int c = 0; c < 3; ++c) balls[c * room + i] = static_cast<T>(centre[c]);
+        balls[3 * room + i] = outlines[i].plane ? std::numeric_limits<T>::infinity() : static_cast<T>(radius + margin);
+        if (glass >> i & 1 && !world.nested && alone(outlines, i, margin)) world.enclosed |= BodySet(1) << i;
+    }
+    const T* const first = balls.data();
+    world.centres = {first, first + room, first + 2 * room};
+    world.radii = first + 3 * room;
+}
+
+template <class T>
+void BuiltWorld<T>::Arrays::see_from_lights() {
+    for (const LightKernel<T>& light : lights) {
+        const DVec3 point = twice(light.position);
+        const double margin = rounding(reach + std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)}));
+        for (std::size_t i = 0; i < outlines.size(); ++i) {
+            cones.push_back(cone_of<T>(outlines[i], point, margin));
+            blockers.push_back(blockers_of(outlines, i, point, margin));
+        }
+    }
+    world.cones = cones.data();
+    world.blockers = blockers.data();
+}
 
 template <class T>
 BuiltWorld<T>::Arrays::Arrays(const Scene& scene, const Placement& placement, ThreadPool& pool) {
@@ -262,81 +383,36 @@ BuiltWorld<T>::Arrays::Arrays(const Scene& scene, const Placement& placement, Th
     world.nested = world.transparent && transparent_bodies_overlap(scene);
     world.background = to<T>(scene.background);
 
-    int surface = 0;
-    for (const Primitive& primitive : scene.primitives) {
-        const Setting setting{matrix(primitive.transformations), similarity(primitive.transformations), placement};
-        std::visit(
-            [&](const auto& shape) {
-                add(shape, setting, static_cast<T>(surface), static_cast<T>(primitive.material));
-            },
-            primitive.shape);
-        const Material& material = scene.materials[primitive.material];
-        if (world.nested && material.refraction > 0)
-            transparent.push_back({surface, primitive.shape, glm::inverse(setting.matrix)});
-        Box box = world_bounds(primitive);
-        box = {(box.low - placement.origin) * placement.scale, (box.high - placement.origin) * placement.scale};
-        if (box.finite())
-            for (int c = 0; c < 3; ++c) reach = std::max({reach, std::abs(box.low[c]), std::abs(box.high[c])});
-        groups.each([&](auto& group) {
-            if (group.items.size() > group.boxes.size()) group.boxes.push_back(box);
-        });
-        const int faces = std::visit([](const auto& shape) { return shape.faces; }, primitive.shape);
-        if (world.nested) iors.insert(iors.end(), faces, static_cast<T>(material.ior));
-        surface += faces;
-    }
-
-    groups.each([](auto& group) { drop_doubles<T>(group.items, group.boxes); });
-    std::size_t items = 0;
-    groups.each([&](auto& group) { items += group.items.size(); });
-    world.key_per_item = items <= most_item_keys;
-    places.resize(surface, {-1, -1});
-    const double margin = rounding(reach);
-    BodySet transparent_keys = 0;
-    const auto finish = [&](auto& from, auto& view) {
-        if (!world.key_per_item && from.items.size() > few_items &&
-            std::all_of(from.boxes.begin(), from.boxes.end(), [](const Box& box) { return box.finite(); })) {
-            Hierarchy hierarchy = build_hierarchy(from.boxes, margin, pool);
-            sort_items(from.items, hierarchy.order);
-            from.nodes = std::move(hierarchy.nodes);
-            view.nodes = from.nodes.data();
-            view.stride = from.items.size() + widest;
-            from.columns = columns_of<T>(from.items, view.stride);
-            view.columns = from.columns.data();
+    reach = add_all(scene, placement, pool);
+    if (world.nested) {
+        int surface = 0;
+        for (const Primitive& primitive : scene.primitives) {
+            const Material& material = scene.materials[primitive.material];
+            if (material.refraction > 0)
+                transparent.push_back({surface, primitive.shape, glm::inverse(matrix(primitive.transformations))});
+            const int faces = std::visit([](const auto& shape) { return shape.faces; }, primitive.shape);
+            iors.insert(iors.end(), faces, static_cast<T>(material.ior));
+            surface += faces;
         }
-        view.items = from.items.data();
-        view.count = static_cast<int>(from.items.size());
-        view.first_key = world.keys;
-        world.keys += world.key_per_item ? view.count : 1;
-        view.last_key = world.keys;
-        for (int i = 0; i < view.count; ++i)
-            for (int face = 0; face < from.items[i].shape.faces; ++face)
-                places[static_cast<int>(from.items[i].surface) + face] = {
-                    i, world.key_per_item ? view.first_key + i : view.first_key};
-        if (world.key_per_item)
-            for (int i = 0; i < view.count; ++i) {
-                outlines.push_back(outline_of(from.items[i].shape, from.boxes[i]));
-                if (materials[static_cast<int>(from.items[i].material)].refraction > 0)
-                    transparent_keys |= BodySet(1) << (view.first_key + i);
-            }
-        from.boxes = {};
-    };
-    finish(groups.spheres, world.groups.spheres);
-    finish(groups.planes, world.groups.planes);
-    finish(groups.cylinders, world.groups.cylinders);
-    finish(groups.affine_spheres, world.groups.affine_spheres);
-    finish(groups.affine_cylinders, world.groups.affine_cylinders);
-
-    world.places = places.data();
+    }
+    int items = 0, most = 0;
+    each_kernel([&](auto& group, auto& view, int) {
+        view.count = drop_doubles<T>(group, view.count, pool);
+        items += view.count;
+        most = std::max(most, view.count);
+    });
+    world.key_per_item = items <= most_item_keys;
+    const Room<ItemBox> spare = room<ItemBox>(most);
+    each_kernel([&](auto& group, auto& view, int) { finish(group, view, spare.get(), pool); });
+    world.places = places.get();
     world.materials = materials.data();
     world.lights = lights.data();
     world.light_count = static_cast<int>(lights.size());
     world.iors = iors.data();
-    if (world.key_per_item) surround(margin);
-    see_from_lights();
-    for (std::size_t i = 0; i < outlines.size(); ++i)
-        if (transparent_keys >> i & 1 && !world.nested && alone(outlines, i, margin)) world.enclosed |= BodySet(1) << i;
-    world.cones = cones.data();
-    world.blockers = blockers.data();
+    if (world.key_per_item) {
+        surround();
+        see_from_lights();
+    }
 }
 
 template <class T>

@@ -2,201 +2,296 @@
 
 #include <algorithm>
 #include <atomic>
+#include <bit>
 #include <cmath>
 #include <limits>
-#include <memory>
+#include <numeric>
 
+#include "num/pack.h"
 #include "trace/thread_pool.h"
 
 namespace strahl {
 namespace {
 
-constexpr int bins = 16;
-constexpr int leaf_items = 8;     // most items of a leaf
-constexpr float item_cost = .5f;  // of that of a binary node
-constexpr int deepest_cut = 30;   // from this depth on, in the middle: 2^30 items have no more than 60 levels
-constexpr int task_items = 8192;  // fewer are not worth sharing out
+constexpr int most_bins = 16;
+constexpr int leaf_items = 16;       // most items of a leaf
+constexpr float item_cost = .1f;     // of that of a binary node
+constexpr int deepest_cut = 30;      // from this depth on, in the middle: 2^30 items have no more than 60 levels
+constexpr int shared_items = 16384;  // on more than these all threads work together
+constexpr int chunk_items = 8192;    // a thread's piece of such work
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-struct FloatBox {
-    float low[3]{infinity, infinity, infinity}, high[3]{-infinity, -infinity, -infinity};
+/// Coordinates x, y, z, and something that does not matter.
+using Quad = __m128;
+using WholeQuad = std::int32_t __attribute__((vector_size(16)));
 
-    void add(const FloatBox& b) {
-        for (int i = 0; i < 3; ++i) low[i] = std::min(low[i], b.low[i]), high[i] = std::max(high[i], b.high[i]);
-    }
+struct Bounds {
+    Quad low, high;
+
+    void add(const Bounds& b) { low = minimum(low, b.low), high = maximum(high, b.high); }
+    void add(Quad point) { low = minimum(low, point), high = maximum(high, point); }
     float half_area() const {
-        const float x = high[0] - low[0], y = high[1] - low[1], z = high[2] - low[2];
-        return x < 0 ? 0 : x * y + y * z + z * x;
+        const Quad size = maximum(high - low, Quad{}), area = size * __builtin_shuffle(size, WholeQuad{1, 2, 0, 3});
+        return area[0] + area[1] + area[2];
     }
     /// Twice the centre.
-    float middle(int axis) const { return low[axis] + high[axis]; }
+    Quad middle() const { return low + high; }
+};
+const Bounds nothing{Quad{} + infinity, Quad{} - infinity};
+Bounds bounds_of(const ItemBox& box) { return std::bit_cast<Bounds>(box); }
+
+/// Of a range of boxes: one around them, and one around their centres.
+struct Extents {
+    Bounds all = nothing, middles = nothing;
+    void add(const Extents& e) { all.add(e.all), middles.add(e.middles); }
 };
 
-struct Entry {
-    FloatBox box;
-    std::int32_t item;
+/// Bins for so many items: a look at empty ones costs as much as at full ones.
+
+int bins_for(std::int32_t count) { return count <= 16 ? 4 : count <= 64 ? 8 : most_bins; }
+
+/// How far along the bins of each axis a box's centre is.
+struct Scale {
+    int bins;
+    Quad from, per_bin, last;
+    Scale(const Bounds& middles, int own)
+        : bins(own), from(middles.low), per_bin(Quad{} + static_cast<float>(bins)), last(per_bin - 1) {
+        per_bin /= middles.high - middles.low;
+        for (int i = 0; i < 3; ++i)
+            if (!std::isfinite(per_bin[i])) per_bin[i] = 0;
+    }
+    Quad operator()(const Bounds& box) const { return minimum((box.middle() - from) * per_bin, last); }
 };
 
-/// Of a range of entries; a leaf's `right` is 0. The left child of node n is n + 1.
-struct Binary {
-    FloatBox box;
-    std::int32_t begin, end;
-    std::int64_t right;
+/// What is in each bin: count boxes, and one around them.
+struct Bins {
+    int bins;
+    Bounds box[3][most_bins];
+    std::int32_t count[3][most_bins];
+
+    Bins() = default;
+    explicit Bins(int own) : bins(own) {
+        for (int axis = 0; axis < 3; ++axis)
+            for (int b = 0; b < bins; ++b) box[axis][b] = nothing, count[axis][b] = 0;
+    }
+    void add(const Bins& more) {
+        for (int axis = 0; axis < 3; ++axis)
+            for (int b = 0; b < bins; ++b) box[axis][b].add(more.box[axis][b]), count[axis][b] += more.count[axis][b];
+    }
 };
+
+struct Cut {
+    float cost = infinity;  // in boxes' half areas
+    int axis = -1, bin = 0;
+};
+
+/// The cheapest cut along the bins of one of the axes, both sides of which have items.
+Cut best_cut(const Bins& in, std::int32_t count) {
+    Cut best;
+    for (int axis = 0; axis < 3; ++axis) {
+        float cost_left[most_bins];
+        Bounds sum = nothing;
+        std::int32_t n = 0;
+        for (int b = 0; b + 1 < in.bins; ++b) {
+            sum.add(in.box[axis][b]), n += in.count[axis][b];
+            cost_left[b] = static_cast<float>(n) * sum.half_area();
+        }
+        sum = nothing, n = 0;
+        for (int b = in.bins - 1; b > 0; --b) {
+            sum.add(in.box[axis][b]), n += in.count[axis][b];
+            const float cost = cost_left[b - 1] + static_cast<float>(n) * sum.half_area();
+            if (n > 0 && n < count && cost < best.cost) best = {cost, axis, b};
+        }
+    }
+    return best;
+}
 
 class Builder {
   public:
-    Builder(const std::vector<Box>& boxes, double margin, ThreadPool& pool)
-        : entries(boxes.size()), binary(new Binary[2 * boxes.size()]) {
+    Builder(std::span<ItemBox> boxes, ItemBox* room_for_them, double margin, ThreadPool& workers)
+        : entries(boxes.data()), spare(room_for_them), pool(workers) {
         const auto size = static_cast<std::int32_t>(boxes.size());
-        for (std::int32_t i = 0; i < size; ++i) {
-            entries[i].item = i;
-            for (int c = 0; c < 3; ++c) {
-                entries[i].box.low[c] = std::nextafter(static_cast<float>(boxes[i].low[c] - margin), -infinity);
-                entries[i].box.high[c] = std::nextafter(static_cast<float>(boxes[i].high[c] + margin), infinity);
+        result.order = room<std::int32_t>(boxes.size());
+        // Half a unit in the last place was lost when the corner was rounded, and half a one is lost here.
+        const Quad grow = Quad{} + static_cast<float>(margin), units = Quad{} + 0x1p-22f;
+        share_out(pool, size, chunk_items, [&](std::int32_t first, std::int32_t last) {
+            for (ItemBox* e = entries + first; e < entries + last; ++e) {
+                const Bounds box = bounds_of(*e);
+                const Quad low = box.low - (grow + maximum(box.low, -box.low) * units);
+                const Quad high = box.high + (grow + maximum(box.high, -box.high) * units);
+                for (int c = 0; c < 3; ++c) e->low[c] = low[c], e->high[c] = high[c];
+                e->item = static_cast<std::int32_t>(e - entries);
             }
-        }
-        largest_task = std::max(task_items, size / (8 * pool.size()));
-        split({0, 0, size, 0}, true);
-        std::atomic<std::size_t> next{0};
-        pool.run([&](int) {
-            for (std::size_t i; (i = next++) < tasks.size();) split(tasks[i], false);
         });
-        result.nodes.emplace_back();
-        widen(0, 0);
-        result.order.reserve(entries.size());
-        for (const Entry& entry : entries) result.order.push_back(entry.item);
+        std::vector<Node> top;
+        node(part(entries, 0, size, 0), top, true);
+        std::vector<std::vector<Node>> below(tasks.size());
+        share_out(pool, static_cast<std::int32_t>(tasks.size()), 1, [&](std::int32_t first, std::int32_t last) {
+            for (std::int32_t i = first; i < last; ++i) node(tasks[i].part, below[i], false);
+        });
+        std::size_t count = top.size();
+        std::vector<std::size_t> starts;
+        for (std::size_t i = 0; i < tasks.size(); ++i) {
+            top[tasks[i].node].first[tasks[i].child] = static_cast<std::int32_t>(count);
+            starts.push_back(count);
+            count += below[i].size();
+        }
+        result.nodes = room<Node>(count);
+        result.size = static_cast<std::int32_t>(count);
+        std::copy(top.begin(), top.end(), result.nodes.get());
+        share_out(pool, static_cast<std::int32_t>(tasks.size()), 1, [&](std::int32_t first, std::int32_t last) {
+            for (std::int32_t i = first; i < last; ++i) {
+                for (Node& node : below[i])
+                    for (int c = 0; c < node.children; ++c)
+                        if (node.count[c] == 0) node.first[c] += static_cast<std::int32_t>(starts[i]);
+                std::copy(below[i].begin(), below[i].end(), result.nodes.get() + starts[i]);
+            }
+        });
     }
     Hierarchy result;
 
   private:
-    struct Task {
-        std::int64_t node;
+    /// A node of the binary hierarchy: items [begin, end).
+    struct Part {
+        Extents extents;
+        Cut cut;
+        ItemBox* items;  // the array that they are in now
         std::int32_t begin, end;
         int depth;
+        bool leaf;
+        std::int32_t count() const { return end - begin; }
     };
-    struct Cut {
-        float cost = infinity;
-        int axis = -1, bin = 0;
-        float low = 0, per_bin = 0;
-        int bin_of(const FloatBox& box) const {
-            return std::min(bins - 1, static_cast<int>((box.middle(axis) - low) * per_bin));
-        }
+    struct Task {
+        Part part;
+        std::size_t node;
+        int child;
     };
-    std::vector<Entry> entries;
-    std::unique_ptr<Binary[]> binary;
+    ItemBox* entries;
+    ItemBox* spare;
+    ThreadPool& pool;
     std::vector<Task> tasks;
-    std::int32_t largest_task;
 
-    /// The cheapest cut along the bins of one of the axes; its cost is in boxes' half areas.
-    Cut best_cut(std::int32_t begin, std::int32_t end, const float (&low)[3], const float (&high)[3]) const {
-        FloatBox box[3][bins];
-        std::int32_t count[3][bins] = {};
-        Cut axes[3];
-        for (int axis = 0; axis < 3; ++axis) {
-            axes[axis] = {infinity, axis, 0, low[axis], bins / (high[axis] - low[axis])};
-            if (!std::isfinite(axes[axis].per_bin)) axes[axis].per_bin = 0;
-        }
-        for (std::int32_t i = begin; i < end; ++i)
-            for (const Cut& cut : axes) {
-                const int bin = cut.bin_of(entries[i].box);
-                box[cut.axis][bin].add(entries[i].box);
-                ++count[cut.axis][bin];
-            }
-        Cut best;
-        for (Cut& cut : axes) {
-            float cost_left[bins];
-            FloatBox sum;
-            std::int32_t n = 0;
-            for (int b = 0; b + 1 < bins; ++b) {
-                sum.add(box[cut.axis][b]), n += count[cut.axis][b];
-                cost_left[b] = static_cast<float>(n) * sum.half_area();
-            }
-            sum = {}, n = 0;
-            for (int b = bins - 1; b > 0; --b) {
-                sum.add(box[cut.axis][b]), n += count[cut.axis][b];
-                cut.cost = cost_left[b - 1] + static_cast<float>(n) * sum.half_area();
-                cut.bin = b;
-                if (n > 0 && n < end - begin && cut.cost < best.cost) best = cut;
-            }
-        }
-        return best;
+    /// look(first, last) of a range; of a large one in pieces, by all threads.
+    template <class Sum, class Look>
+    Sum summed(std::int32_t begin, std::int32_t end, const Look& look) {
+        if (end - begin <= shared_items) return look(begin, end);
+        std::vector<Sum> sums((end - begin + chunk_items - 1) / chunk_items);
+        share_out(pool, end - begin, chunk_items, [&](std::int32_t first, std::int32_t last) {
+            sums[first / chunk_items] = look(begin + first, begin + last);
+        });
+        for (std::size_t i = 1; i < sums.size(); ++i) sums[0].add(sums[i]);
+        return sums[0];
     }
 
-    /// Makes the nodes of a range: all of them, or if they are to be `shared`, down to those that are tasks.
-    void split(const Task& task, bool shared) {
-        const auto [index, begin, end, depth] = task;
+    Part part(ItemBox* items, std::int32_t begin, std::int32_t end, int depth) {
+        Part part{{}, {}, items, begin, end, depth, false};
+        part.extents = summed<Extents>(begin, end, [items](std::int32_t first, std::int32_t last) {
+            Extents sum;
+            for (std::int32_t i = first; i < last; ++i) {
+                const Bounds box = bounds_of(items[i]);
+                sum.all.add(box), sum.middles.add(box.middle());
+            }
+            return sum;
+        });
         const std::int32_t count = end - begin;
-        if (shared && count <= largest_task) {
-            tasks.push_back(task);
-            return;
+        if (depth < deepest_cut && count > 2) {
+            const Scale scale(part.extents.middles, bins_for(count));
+            const auto sort = [items, scale](std::int32_t first, std::int32_t last) {
+                Bins sum(scale.bins);
+                for (std::int32_t i = first; i < last; ++i) {
+                    const Bounds box = bounds_of(items[i]);
+                    const auto bin = __builtin_convertvector(scale(box), WholeQuad);
+                    for (int axis = 0; axis < 3; ++axis)
+                        sum.box[axis][bin[axis]].add(box), ++sum.count[axis][bin[axis]];
+                }
+                return sum;
+            };
+            part.cut = best_cut(summed<Bins>(begin, end, sort), count);
         }
-        Binary& node = binary[index];
-        node.box = {};
-        FloatBox middles;
-        for (std::int32_t i = begin; i < end; ++i) {
-            node.box.add(entries[i].box);
-            for (int c = 0; c < 3; ++c) {
-                middles.low[c] = std::min(middles.low[c], entries[i].box.middle(c));
-                middles.high[c] = std::max(middles.high[c], entries[i].box.middle(c));
-            }
-        }
-        node.begin = begin, node.end = end, node.right = 0;
-        if (count == 1) return;
-        const Cut cut = depth < deepest_cut ? best_cut(begin, end, middles.low, middles.high) : Cut{};
-        const float area = node.box.half_area();
-        if (count <= leaf_items && !(area + item_cost * cut.cost < item_cost * static_cast<float>(count) * area))
-            return;
-        auto middle = entries.begin() + begin + count / 2;
-        if (cut.axis >= 0)
-            middle = std::partition(entries.begin() + begin, entries.begin() + end,
-                                    [&](const Entry& entry) { return cut.bin_of(entry.box) < cut.bin; });
-        const auto at = static_cast<std::int32_t>(middle - entries.begin());
-        node.right = index + 2 * std::int64_t(at - begin);
-        split({index + 1, begin, at, depth + 1}, shared);
-        split({node.right, at, end, depth + 1}, shared);
+        const float area = part.extents.all.half_area();
+        part.leaf =
+            count <= leaf_items && !(area + item_cost * part.cut.cost < item_cost * static_cast<float>(count) * area);
+        return part;
     }
 
-    /// Makes a wide node of a binary one and what is below it.
-    void widen(std::int64_t root, std::size_t index) {
-        std::int64_t children[Node::width]{root};
-        int count = 1;
-        while (count < Node::width) {
+    /// Items before the cut go to the front. What remains of `part` is the part before; the other is returned.
+    Part open(Part& from) {
+        ItemBox* items = from.items;
+        std::int32_t at = from.begin + from.count() / 2;
+        if (from.cut.axis >= 0) {
+            const Scale scale(from.extents.middles, bins_for(from.count()));
+            const auto before = [axis = from.cut.axis, low = scale.from[from.cut.axis],
+                                 per_bin = scale.per_bin[from.cut.axis], bin = static_cast<float>(from.cut.bin)](
+                                    const ItemBox& e) { return (e.low[axis] + e.high[axis] - low) * per_bin < bin; };
+            if (from.count() <= shared_items) {
+                at = static_cast<std::int32_t>(std::partition(items + from.begin, items + from.end, before) - items);
+            } else {
+                std::vector<std::int32_t> ends((from.count() + chunk_items - 1) / chunk_items + 1);
+                share_out(pool, from.count(), chunk_items, [&](std::int32_t first, std::int32_t last) {
+                    ends[first / chunk_items + 1] = static_cast<std::int32_t>(
+                        std::count_if(items + from.begin + first, items + from.begin + last, before));
+                });
+                std::partial_sum(ends.begin(), ends.end(), ends.begin());
+                at = from.begin + ends.back();
+                ItemBox* const to = items == entries ? spare : entries;
+                share_out(pool, from.count(), chunk_items, [&](std::int32_t first, std::int32_t last) {
+                    ItemBox* left = to + from.begin + ends[first / chunk_items];
+                    ItemBox* right = to + at + first - ends[first / chunk_items];
+                    std::partition_copy(items + from.begin + first, items + from.begin + last, left, right, before);
+                });
+                items = to;
+            }
+        }
+        const Part right = part(items, at, from.end, from.depth + 1);
+        from = part(items, from.begin, at, from.depth + 1);
+        return right;
+    }
+
+    /// Makes a wide node and what is below it; or if others can do that, leaves them tasks.
+    std::int32_t node(const Part& root, std::vector<Node>& nodes, bool shared) {
+        const std::size_t index = nodes.size();
+        nodes.emplace_back();
+        std::vector<Part> children;
+        children.reserve(Node::width);
+        children.push_back(root);
+        while (children.size() < Node::width) {
             int largest = -1;
-            for (int i = 0; i < count; ++i)
-                if (binary[children[i]].right &&
-                    (largest < 0 || binary[children[i]].box.half_area() > binary[children[largest]].box.half_area()))
-                    largest = i;
+            float most = -1;
+            for (std::size_t i = 0; i < children.size(); ++i) {
+                const float area = children[i].extents.all.half_area();
+                if (!children[i].leaf && area > most) largest = static_cast<int>(i), most = area;
+            }
             if (largest < 0) break;
             // Beside each other, so that the order of the children is that of their items.
-            std::copy_backward(children + largest + 1, children + count, children + count + 1);
-            children[largest + 1] = binary[children[largest]].right;
-            children[largest] += 1;
-            ++count;
+            const Part right = open(children[largest]);
+            children.insert(children.begin() + largest + 1, right);
         }
         Node node{};
-        node.children = count;
-        for (int i = 0; i < count; ++i) {
-            const Binary& child = binary[children[i]];
-            for (int c = 0; c < 3; ++c) node.low[c][i] = child.box.low[c], node.high[c][i] = child.box.high[c];
-            if (child.right == 0) {
+        node.children = static_cast<std::int32_t>(children.size());
+        for (int i = 0; i < node.children; ++i) {
+            const Part& child = children[i];
+            for (int c = 0; c < 3; ++c)
+                node.low[c][i] = child.extents.all.low[c], node.high[c][i] = child.extents.all.high[c];
+            if (child.leaf) {
                 node.first[i] = child.begin;
-                node.count[i] = static_cast<std::int16_t>(child.end - child.begin);
-                continue;
+                node.count[i] = static_cast<std::int16_t>(child.count());
+                for (std::int32_t k = child.begin; k < child.end; ++k) result.order[k] = child.items[k].item;
+            } else if (shared && child.count() <= shared_items) {
+                tasks.push_back({child, index, i});
+            } else {
+                node.first[i] = this->node(child, nodes, shared);
             }
-            node.first[i] = static_cast<std::int32_t>(result.nodes.size());
-            result.nodes.emplace_back();
-            widen(children[i], result.nodes.size() - 1);
         }
-        result.nodes[index] = node;
+        nodes[index] = node;
+        return static_cast<std::int32_t>(index);
     }
 };
 
 }  // namespace
 
-Hierarchy build_hierarchy(const std::vector<Box>& boxes, double margin, ThreadPool& pool) {
-    return std::move(Builder(boxes, margin, pool).result);
+Hierarchy build_hierarchy(std::span<ItemBox> boxes, ItemBox* spare, double margin, ThreadPool& pool) {
+    return std::move(Builder(boxes, spare, margin, pool).result);
 }
 
 }  // namespace strahl

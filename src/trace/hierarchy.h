@@ -1,9 +1,9 @@
 // Bounding volume hierarchies: wide nodes, one child in each lane.
 #pragma once
 #include <cstdint>
-#include <vector>
+#include <span>
 
-#include "num/box.h"
+#include "num/room.h"
 
 namespace strahl {
 
@@ -18,17 +18,27 @@ struct alignas(64) Node {
     std::int32_t children = 0;  // lanes from here on are empty
 };
 
+/// The box around an item, its corners rounded to the nearest floats. Which item is for the builder to note.
+struct alignas(16) ItemBox {
+    float low[3];
+    std::int32_t item;
+    float high[3];
+    float unused;
+};
+
 /// Nodes, root first, and the order in which the leaves hold the items.
 struct Hierarchy {
     /// Most nodes on a way from the root to a leaf.
     static constexpr int most_levels = 64;
-    std::vector<Node> nodes;
-    std::vector<std::int32_t> order;
+    Room<Node> nodes;
+    std::int32_t size = 0;  // of nodes
+    Room<std::int32_t> order;
 };
 
-/// Boxes are finite and grown by `margin`. Binned surface area heuristic (I. Wald, "On fast Construction of SAH-based
-/// Bounding Volume Hierarchies", 2007), of whose binary nodes the largest are opened until 16 are side by side. The
-/// same for any number of threads.
-Hierarchy build_hierarchy(const std::vector<Box>& boxes, double margin, ThreadPool& pool);
+/// Boxes are finite, and grown by `margin` and by what rounding may have cost them. They are moved about, to and from
+/// as much `spare` room too. Binned surface area heuristic (I. Wald, "On fast Construction of SAH-based Bounding Volume
+/// Hierarchies", 2007), of whose binary nodes the largest are opened until 16 are side by side. The same for any number
+/// of threads.
+Hierarchy build_hierarchy(std::span<ItemBox> boxes, ItemBox* spare, double margin, ThreadPool& pool);
 
 }  // namespace strahl

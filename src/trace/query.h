@@ -38,7 +38,7 @@ STRAHL_INLINE Mask<S> closer(const Span<S>& span, const S& surface, const Neares
     return span.hit & (t > S(0)) & ((t < best.t) | ((t == best.t) & (surface < best.surface)));
 }
 
-/// One ray and items [first, first + count), which are looked at side by side; in `best`, the key is an item's number.
+/// One ray and items [first, first + count), which are looked at side by side.
 template <class S, class Group>
 STRAHL_INLINE void nearest_alone(const Group& group, int first, int count, const Ray<S>& ray, Nearest<S>& best) {
     using Item = typename Group::template ItemOf<S>;
@@ -49,7 +49,7 @@ STRAHL_INLINE void nearest_alone(const Group& group, int first, int count, const
         Mask<S> better = closer(span, item.surface, best, t) & first_lanes<S>(first + count - i);
         while (any(better)) {
             const int k = strahl::first(better);
-            best = {S(lane(t, k)), S(lane(item.surface, k)), S(static_cast<Element<S>>(i + k))};
+            best.t = S(lane(t, k)), best.surface = S(lane(item.surface, k));
             better = better & ((t < best.t) | ((t == best.t) & (item.surface < best.surface)));
         }
     }
@@ -76,24 +76,28 @@ template <class S, class Group>
                                            Mask<S> active, Nearest<S> best) {
     using T = Element<S>;
     const Line<S> line = line_of(ray);
+    const S before = best.surface;
     const auto look = [&](int first, int count, Mask<S> mask) {
         for (int i = first; i < first + count; ++i) meet(world, group, i, ray, mask, best);
         return false;
     };
     traverse<true>(group.nodes, line, active, best.t, look, [&](int k, int first, int count) {
         const Ray<S> one = lane_of(ray, k);
-        Nearest<S> own{S(lane(best.t, k)), S(lane(best.surface, k)), S(-1)};
+        Nearest<S> own{S(lane(best.t, k)), S(lane(best.surface, k)), S(0)};
         T limit = lane(best.t, k);
-        traverse_alone<true>(group.nodes, first, count, lane_of(line, k), limit, [&](int item, int items) {
+        const auto meet_items = [&](int item, int items) {
             nearest_alone(group, item, items, one, own);
             limit = lane(own.t, 0);
             return false;
-        });
+        };
+        if (count > 0)
+            meet_items(first, count);
+        else
+            traverse_alone<true>(group.nodes, first, lane_of(line, k), limit, meet_items);
         best.t = with_lane(best.t, k, limit);
         best.surface = with_lane(best.surface, k, lane(own.surface, 0));
-        if (const int item = static_cast<int>(lane(own.key, 0)); item >= 0)
-            best.key = with_lane(best.key, k, static_cast<T>(group.key(item, world.key_per_item)));
     });
+    best.key = select(best.surface == before, best.key, S(static_cast<T>(group.first_key)));
     return best;
 }
 
@@ -204,10 +208,12 @@ template <class S, class Group>
             }
             return false;
         };
-        if (world.transparent)
-            traverse_alone<false>(group.nodes, first, count, lane_of(line, k), limit, blocks);
+        if (count > 0)
+            blocks(first, count);
+        else if (world.transparent)
+            traverse_alone<false>(group.nodes, first, lane_of(line, k), limit, blocks);
         else
-            traverse_alone<true>(group.nodes, first, count, lane_of(line, k), limit, blocks);
+            traverse_alone<true>(group.nodes, first, lane_of(line, k), limit, blocks);
         light.limit = with_lane(light.limit, k, limit);
     };
     if (world.transparent)  // products must not depend on the order in which neighbours want to go

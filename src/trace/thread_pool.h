@@ -1,6 +1,8 @@
 // A pool of threads that share out numbered pieces of work.
 #pragma once
+#include <atomic>
 #include <condition_variable>
+#include <cstdint>
 #include <functional>
 #include <mutex>
 #include <thread>
@@ -28,5 +30,19 @@ class ThreadPool {
     int busy = 0;
     std::vector<std::jthread> workers;
 };
+
+/// Calls work(first, last) for stretches of [0, count) of `step` each, the last one of what remains, in any order.
+template <class Work>
+void share_out(ThreadPool& pool, std::int32_t count, std::int32_t step, const Work& work) {
+    if (count <= step) {  // not worth waking anybody
+        if (count > 0) work(0, count);
+        return;
+    }
+    std::atomic<std::int32_t> next{0};
+    const std::int32_t pieces = (count - 1) / step + 1;
+    pool.run([&](int) {
+        for (std::int32_t i; (i = next++) < pieces;) work(i * step, i + 1 < pieces ? (i + 1) * step : count);
+    });
+}
 
 }  // namespace strahl

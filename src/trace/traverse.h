@@ -2,6 +2,7 @@
 #pragma once
 #include <bit>
 #include <limits>
+#include <type_traits>
 
 #include "num/memory.h"
 #include "trace/hierarchy.h"
@@ -12,10 +13,39 @@ namespace strahl::inline STRAHL_LEVEL {
 /// Most entries of a stack: on each level all children of a node but the one gone into, and this one.
 inline constexpr int most_entries = Hierarchy::most_levels * (Node::width - 1) + 1;
 
+/// Lanes that hold boxes: floats are as good for rays in double and twice as many, if rays are rounded outwards too.
+template <class S>
+struct BoxLanes {
+    using Type = S;
+};
+template <>
+struct BoxLanes<Pack<double>> {
+    using Type = Pack<float>;
+};
+template <class S>
+using ForBoxes = typename BoxLanes<S>::Type;
+
+/// Away from 0 if `up`, else towards it, if F has fewer bits than T.
+template <class F, class T>
+STRAHL_INLINE F rounded(T x, bool up) {
+    if constexpr (std::is_same_v<F, T>) return x;
+    constexpr F unit = std::numeric_limits<F>::epsilon();
+    return static_cast<F>(x) * (up ? 1 + unit : 1 - unit);
+}
+
 /// Rays as boxes see them, with finite reciprocals of the direction.
 template <class S>
 struct Line {
     Vec3<S> origin, inverse;
+    STRAHL_INLINE const S& low(int i) const { return origin[i]; }
+    STRAHL_INLINE const S& high(int i) const { return origin[i]; }
+};
+/// A ray whose origin is only known to be between two places.
+template <class F>
+struct RoundedLine {
+    Vec3<F> origin_low, origin_high, inverse;
+    STRAHL_INLINE const F& low(int i) const { return origin_low[i]; }
+    STRAHL_INLINE const F& high(int i) const { return origin_high[i]; }
 };
 template <class S>
 STRAHL_INLINE Line<S> line_of(const Ray<S>& ray) {
@@ -24,22 +54,40 @@ STRAHL_INLINE Line<S> line_of(const Ray<S>& ray) {
     const auto reciprocal = [](S d) { return S(1) / select(abs(d) < S(tiny), select(d < S(0), S(-tiny), S(tiny)), d); };
     return {ray.origin, {reciprocal(ray.direction.x), reciprocal(ray.direction.y), reciprocal(ray.direction.z)}};
 }
+/// Coordinates from here on are not rounded but taken to be anywhere: no float may overflow.
+inline constexpr double farthest = 1e18;
+
+/// One ray in all lanes.
 template <class S>
-STRAHL_INLINE Line<S> lane_of(const Line<S>& line, int k) {
-    const auto pick = [k](const Vec3<S>& v) { return Vec3<S>(S(lane(v.x, k)), S(lane(v.y, k)), S(lane(v.z, k))); };
-    return {pick(line.origin), pick(line.inverse)};
+STRAHL_INLINE auto lane_of(const Line<S>& line, int k) {
+    using F = ForBoxes<S>;
+    using E = Element<F>;
+    if constexpr (std::is_same_v<F, S>) {
+        const auto pick = [k](const Vec3<S>& v) { return Vec3<S>(S(lane(v.x, k)), S(lane(v.y, k)), S(lane(v.z, k))); };
+        return Line<S>{pick(line.origin), pick(line.inverse)};
+    } else {
+        RoundedLine<F> result;
+        for (int i = 0; i < 3; ++i) {
+            const Element<S> origin = lane(line.origin[i], k);
+            const bool near = abs(origin) < farthest;
+            result.origin_low[i] = F(near ? rounded<E>(origin, origin < 0) : E(0));
+            result.origin_high[i] = F(near ? rounded<E>(origin, origin > 0) : E(0));
+            result.inverse[i] = F(near ? static_cast<E>(lane(line.inverse[i], k)) : E(0));
+        }
+        return result;
+    }
 }
 
 /// Does the line cross the box before `limit`, and where at the earliest? Boxes are grown when built and their far ends
 /// here (T. Ize, "Robust BVH Ray Traversal", JCGT 2013): rounding never hides a hit. One ray in each lane and the same
 /// box, or the other way round.
-template <class S>
-STRAHL_INLINE Mask<S> crosses(const Vec3<S>& low, const Vec3<S>& high, const Line<S>& line, const S& limit, S& near) {
-    const S grow(1 + 4 * std::numeric_limits<Element<S>>::epsilon());
+template <class S, class L>
+STRAHL_INLINE Mask<S> crosses(const Vec3<S>& low, const Vec3<S>& high, const L& line, const S& limit, S& near) {
+    const S grow(1 + 8 * std::numeric_limits<Element<S>>::epsilon());
     S far = limit;
     near = S(0);
     for (int i = 0; i < 3; ++i) {
-        const S a = (low[i] - line.origin[i]) * line.inverse[i], b = (high[i] - line.origin[i]) * line.inverse[i];
+        const S a = (low[i] - line.high(i)) * line.inverse[i], b = (high[i] - line.low(i)) * line.inverse[i];
         near = max(near, min(a, b));
         far = min(far, max(a, b) * grow);
     }
@@ -62,54 +110,61 @@ STRAHL_INLINE Vec3<S> box(const float (&side)[3][Node::width], int c) {
 template <class S>
 class Beam {
     using T = Element<S>;
+    using F = ForBoxes<S>;
+    using E = Element<F>;
 
   public:
     STRAHL_INLINE Beam(const Line<S>& line, Mask<S> active) {
         const S most(std::numeric_limits<T>::infinity());
         for (int i = 0; i < 3; ++i) {
-            origin_low[i] = S(least(select(active, line.origin[i], most)));
-            origin_high[i] = S(-least(select(active, -line.origin[i], most)));
-            const T low = least(select(active, line.inverse[i], most));
-            const T high = -least(select(active, -line.inverse[i], most));
-            way[i] = low > 0 ? 1 : high < 0 ? -1 : 0;
-            flat[i] = S(low > 0 ? low : -high);
-            steep[i] = S(low > 0 ? high : -low);
+            const T origin_least = least(select(active, line.origin[i], most));
+            const T origin_most = -least(select(active, -line.origin[i], most));
+            const T inverse_least = least(select(active, line.inverse[i], most));
+            const T inverse_most = -least(select(active, -line.inverse[i], most));
+            way[i] = inverse_least > 0 ? 1 : inverse_most < 0 ? -1 : 0;
+            if (!std::is_same_v<F, S> && !(origin_least > -farthest && origin_most < farthest)) way[i] = 0;
+            origin_low[i] = F(rounded<E>(origin_least, origin_least < 0));
+            origin_high[i] = F(rounded<E>(origin_most, origin_most > 0));
+            flat[i] = F(rounded<E>(inverse_least > 0 ? inverse_least : -inverse_most, false));
+            steep[i] = F(rounded<E>(inverse_least > 0 ? inverse_most : -inverse_least, true));
         }
     }
     /// Is a box in the way of any? `near` is a lower bound of where.
-    STRAHL_INLINE Mask<S> meets(const Vec3<S>& low, const Vec3<S>& high, S& near) const {
-        const S grow(1 + 4 * std::numeric_limits<T>::epsilon());
-        S far(std::numeric_limits<T>::infinity());
-        near = S(0);
+    STRAHL_INLINE Mask<F> meets(const Vec3<F>& low, const Vec3<F>& high, F& near) const {
+        const F grow(1 + 8 * std::numeric_limits<E>::epsilon());
+        F far(std::numeric_limits<E>::infinity());
+        near = F(0);
         for (int i = 0; i < 3; ++i) {
             if (way[i] == 0) continue;
-            const S a = way[i] > 0 ? low[i] - origin_high[i] : origin_low[i] - high[i];
-            const S b = way[i] > 0 ? high[i] - origin_low[i] : origin_high[i] - low[i];
-            near = max(near, a * select(a < S(0), steep[i], flat[i]));
-            far = min(far, b * select(b < S(0), flat[i], steep[i]) * grow);
+            const F a = way[i] > 0 ? low[i] - origin_high[i] : origin_low[i] - high[i];
+            const F b = way[i] > 0 ? high[i] - origin_low[i] : origin_high[i] - low[i];
+            near = max(near, a * flat[i]);        // negative ones do not matter, of whatever size, nor does how much
+            far = min(far, b * steep[i] * grow);  // a negative end is below 0
         }
         return near <= far;
     }
 
   private:
-    Vec3<S> origin_low, origin_high;
-    Vec3<S> flat, steep;  // smallest and largest reciprocal, without its sign
+    Vec3<F> origin_low, origin_high;
+    Vec3<F> flat, steep;  // smallest and largest reciprocal, without its sign
     int way[3];           // that sign, or 0 where lines go both ways
 };
 
-/// A stack whose topmost stretch can be kept sorted, the nearest on top.
+/// A stack whose topmost stretch can be kept sorted, the nearest on top. Entries are written and read in place, field
+/// by field: whole copies would wait for fields just written.
 template <class Entry>
 class Stack {
   public:
-    STRAHL_INLINE Entry pop() { return entries[--size]; }
+    /// To be read before anything is pushed.
+    STRAHL_INLINE const Entry& pop() { return entries[--size]; }
     STRAHL_INLINE bool empty() const { return size == 0; }
     STRAHL_INLINE int height() const { return size; }
-    STRAHL_INLINE void push(const Entry& entry) { entries[size++] = entry; }
+    STRAHL_INLINE Entry& push() { return entries[size++]; }
     template <class T>
-    STRAHL_INLINE void push_sorted(const Entry& entry, T near, int bottom) {
+    STRAHL_INLINE Entry& push_sorted(T near, int bottom) {
         int at = size++;
         for (; at > bottom && entries[at - 1].near < near; --at) entries[at] = entries[at - 1];
-        entries[at] = entry;
+        return entries[at];
     }
 
   private:
@@ -117,60 +172,69 @@ class Stack {
     int size = 0;
 };
 
-/// One ray's way through the part of a hierarchy below a child: leaf(first, count) for leaves whose boxes it crosses
+/// One ray's way through the part of a hierarchy from a node on: leaf(first, count) for leaves whose boxes it crosses
 /// before `limit`, until that returns true. Front to back if `sorted`, else in the order of the items.
-template <bool sorted, class S, class Leaf>
-STRAHL_INLINE void traverse_alone(const Node* nodes, int first, int count, const Line<S>& line, const Element<S>& limit,
-                                  const Leaf& leaf) {
+template <bool sorted, template <class> class L, class S, class T0, class Leaf>
+STRAHL_INLINE void traverse_alone(const Node* nodes, int root, const L<S>& line, const T0& limit, const Leaf& leaf) {
     using T = Element<S>;
+    constexpr bool fewer_bits = !std::is_same_v<T, T0>;
+    constexpr T shrink = fewer_bits ? 1 - 8 * std::numeric_limits<T>::epsilon() : 1;
     struct Entry {
         T near;
         std::int32_t first, count;
     };
     Stack<Entry> stack;
-    stack.push({T(0), first, count});
+    const auto put = [](Entry& entry, T near, std::int32_t first, std::int32_t count) {
+        entry.near = near, entry.first = first, entry.count = count;
+    };
+    put(stack.push(), T(0), root, 0);
     while (!stack.empty()) {
-        const Entry entry = stack.pop();
-        if (entry.near > limit) continue;
-        if (entry.count > 0) {
-            if (leaf(entry.first, entry.count)) return;
+        const Entry& top = stack.pop();
+        const std::int32_t at = top.first, items = top.count;
+        if (top.near > limit) continue;
+        if (items > 0) {
+            if (leaf(at, items)) return;
             continue;
         }
-        const Node& node = nodes[entry.first];
+        const Node& node = nodes[at];
         const int bottom = stack.height();
         T nears[Node::width];
         const auto look = [&](int c) {
             S near;
-            const Mask<S> hit = crosses(boxes<S>(node.low, c), boxes<S>(node.high, c), line, S(limit), near) &
-                                first_lanes<S>(node.children - c);
-            store_lanes(nears + c, near);
+            const Mask<S> hit =
+                crosses(boxes<S>(node.low, c), boxes<S>(node.high, c), line, S(rounded<T>(limit, true)), near) &
+                first_lanes<S>(node.children - c);
+            // Too large for this kind of number need not be for the other.
+            store_lanes(nears + c, fewer_bits ? min(near * S(shrink), S(std::numeric_limits<T>::max())) : near);
             return bits(hit);
         };
         if constexpr (sorted) {
             for (int c = 0; c < node.children; c += width<S>)
                 for (unsigned hits = look(c); hits; hits &= hits - 1) {
                     const int i = c + std::countr_zero(hits);
-                    stack.push_sorted({nears[i], node.first[i], node.count[i]}, nears[i], bottom);
+                    put(stack.push_sorted(nears[i], bottom), nears[i], node.first[i], node.count[i]);
                 }
         } else {
             for (int c = (node.children - 1) / width<S> * width<S>; c >= 0; c -= width<S>)
                 for (unsigned hits = look(c); hits;) {
                     const int i = c + std::bit_width(hits) - 1;
                     hits &= ~(1u << (i - c));
-                    stack.push({nears[i], node.first[i], node.count[i]});
+                    put(stack.push(), nears[i], node.first[i], node.count[i]);
                 }
         }
     }
 }
 
 /// The way of a pack of rays: leaf(first, count, mask) for leaves, with the lanes whose rays cross its box; until that
-/// returns true. Where few rays are left, each goes on by itself: alone(lane, first, count). What is asked of a ray
-/// does not depend on its neighbours if `sorted` is false, and else but for the order.
+/// returns true. Where few rays are left, each goes on by itself: alone(lane, first, count), a leaf's items or 0. What
+/// is asked of a ray does not depend on its neighbours if `sorted` is false, and else but for the order.
 template <bool sorted, class S, class Leaf, class Alone>
 STRAHL_INLINE void traverse(const Node* nodes, const Line<S>& line, Mask<S> active, const S& limit, const Leaf& leaf,
                             const Alone& alone) {
-    using T = Element<S>;
+    using F = ForBoxes<S>;
+    using T = Element<F>;
     constexpr int few = width < S >> 4 ? width<S> / 4 : 1;
+    constexpr int dear = 3;  // so many items of a pack cost as much as a pack of items of a ray
     struct Entry {
         S enters;
         Mask<S> mask;
@@ -179,28 +243,32 @@ STRAHL_INLINE void traverse(const Node* nodes, const Line<S>& line, Mask<S> acti
     };
     const Beam<S> beam(line, active);
     Stack<Entry> stack;
-    stack.push({S(0), active, T(0), 0, 0});
+    const auto put = [](Entry& entry, const S& enters, Mask<S> mask, T near, std::int32_t first, std::int32_t count) {
+        entry.enters = enters, entry.mask = mask, entry.near = near, entry.first = first, entry.count = count;
+    };
+    put(stack.push(), S(0), active, T(0), 0, 0);
     while (!stack.empty()) {
-        const Entry entry = stack.pop();
-        const Mask<S> mask = entry.mask & (entry.enters <= limit);
+        const Entry& top = stack.pop();
+        const std::int32_t at = top.first, items = top.count;
+        const Mask<S> mask = top.mask & (top.enters <= limit);
         const int rays = count(mask);
         if (rays == 0) continue;
-        if (rays <= few) {
-            for (unsigned left = bits(mask); left; left &= left - 1)
-                alone(std::countr_zero(left), entry.first, entry.count);
+        // Items beside each other for one ray after the other, or rays for one item after the other?
+        if (items > 0 ? rays * dear * ((items - 1) / width<S> + 1) <= items : rays <= few) {
+            for (unsigned left = bits(mask); left; left &= left - 1) alone(std::countr_zero(left), at, items);
             continue;
         }
-        if (entry.count > 0) {
-            if (leaf(entry.first, entry.count, mask)) return;
+        if (items > 0) {
+            if (leaf(at, items, mask)) return;
             continue;
         }
-        const Node& node = nodes[entry.first];
+        const Node& node = nodes[at];
         const int bottom = stack.height();
         T nears[Node::width];
         const auto look = [&](int c) {
-            S near;
-            const Mask<S> met =
-                beam.meets(boxes<S>(node.low, c), boxes<S>(node.high, c), near) & first_lanes<S>(node.children - c);
+            F near;
+            const Mask<F> met =
+                beam.meets(boxes<F>(node.low, c), boxes<F>(node.high, c), near) & first_lanes<F>(node.children - c);
             store_lanes(nears + c, near);
             return bits(met);
         };
@@ -208,13 +276,10 @@ STRAHL_INLINE void traverse(const Node* nodes, const Line<S>& line, Mask<S> acti
             S enters;
             const Mask<S> hit = mask & crosses(box<S>(node.low, i), box<S>(node.high, i), line, limit, enters);
             if (none(hit)) return;
-            const Entry child{enters, hit, nears[i], node.first[i], node.count[i]};
-            if constexpr (sorted)
-                stack.push_sorted(child, nears[i], bottom);
-            else
-                stack.push(child);
+            Entry& child = sorted ? stack.push_sorted(nears[i], bottom) : stack.push();
+            put(child, enters, hit, nears[i], node.first[i], node.count[i]);
         };
-        for (int c = (node.children - 1) / width<S> * width<S>; c >= 0; c -= width<S>)
+        for (int c = (node.children - 1) / width<F> * width<F>; c >= 0; c -= width<F>)
             for (unsigned met = look(c); met;) {
                 const int i = c + std::bit_width(met) - 1;
                 met &= ~(1u << (i - c));

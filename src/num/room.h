@@ -1,0 +1,36 @@
+// Room for large arrays, not filled.
+#pragma once
+#include <cstddef>
+#include <cstdlib>
+#include <memory>
+#include <new>
+#include <type_traits>
+
+#if defined(__linux__)
+#include <sys/mman.h>
+#endif
+
+namespace strahl {
+
+struct FreeRoom {
+    void operator()(void* p) const { std::free(p); }
+};
+template <class I>
+using Room = std::unique_ptr<I[], FreeRoom>;
+
+/// Room for `count` values that are yet to be written: zeros would be written by one thread, and memory is slow when
+/// first touched. Much of it is asked for in large pages, of which the processor finds more at once.
+template <class I>
+Room<I> room(std::size_t count) {
+    static_assert(std::is_trivially_copyable_v<I> && std::is_trivially_destructible_v<I>);
+    constexpr std::size_t page = std::size_t(1) << 21;
+    const std::size_t bytes = count * sizeof(I), unit = bytes < page ? 64 : page;
+    void* const p = std::aligned_alloc(unit, (bytes / unit + 1) * unit);
+    if (!p) throw std::bad_alloc();
+#if defined(__linux__)
+    if (unit == page) madvise(p, bytes, MADV_HUGEPAGE);
+#endif
+    return Room<I>(static_cast<I*>(p));
+}
+
+}  // namespace strahl

@@ -1,0 +1,123 @@
+// The hierarchy of many bodies, and bodies declared twice: made by any number of threads, and by the plain way.
+#include "trace/hierarchy.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <random>
+#include <set>
+#include <tuple>
+#include <vector>
+
+#include "scene/sphere.h"
+#include "trace/doubles.h"
+#include "trace/thread_pool.h"
+#include "trace/world.h"
+
+using namespace strahl;
+
+namespace {
+
+/// Large enough for all threads to share the topmost nodes, and clustered: some cuts are lopsided, some boxes equal.
+std::vector<ItemBox> clustered_boxes(int count) {
+    std::mt19937 random(7);
+    std::vector<ItemBox> boxes(count);
+    for (int i = 0; i < count; ++i) {
+        const float spread = i % 3 == 0 ? 1000 : i % 3 == 1 ? 1 : 1e-3f;
+        for (int c = 0; c < 3; ++c) {
+            const float middle = spread * (static_cast<float>(random() % 2001) / 1000 - 1);
+            boxes[i].low[c] = middle - (i % 5 == 0 ? 0 : .01f), boxes[i].high[c] = middle + .01f;
+        }
+        if (i % 10 == 0 && i > 500) boxes[i] = boxes[500];
+    }
+    return boxes;
+}
+
+Hierarchy built(std::vector<ItemBox> boxes, double margin, int threads) {
+    ThreadPool pool(threads);
+    std::vector<ItemBox> spare(boxes.size());
+    return build_hierarchy(boxes, spare.data(), margin, pool);
+}
+
+bool holds(const Node& node, int child, const ItemBox& box, float margin) {
+    for (int c = 0; c < 3; ++c)
+        if (node.low[c][child] > box.low[c] - margin || node.high[c][child] < box.high[c] + margin) return false;
+    return true;
+}
+
+}  // namespace
+
+TEST_CASE("every item is in one leaf, and every box around it holds it and the margin") {
+    for (const int count : {1, 2, 17, 300, 60000}) {
+        const std::vector<ItemBox> boxes = clustered_boxes(count);
+        const float margin = .25f;
+        const Hierarchy hierarchy = built(boxes, margin, 2);
+        std::vector<int> met(count, 0), parent(hierarchy.size, -1), child(hierarchy.size, -1);
+        for (int n = 0; n < hierarchy.size; ++n)
+            for (int c = 0; c < hierarchy.nodes[n].children; ++c)
+                if (hierarchy.nodes[n].count[c] == 0) {
+                    const int below = hierarchy.nodes[n].first[c];
+                    REQUIRE((below > 0 && below < hierarchy.size));
+                    CHECK(parent[below] == -1);
+                    parent[below] = n, child[below] = c;
+                }
+        int lost = 0, deepest = 0;
+        for (int n = 0; n < hierarchy.size; ++n)
+            for (int c = 0; c < hierarchy.nodes[n].children; ++c)
+                for (int i = 0; i < hierarchy.nodes[n].count[c]; ++i) {
+                    const int item = hierarchy.order[hierarchy.nodes[n].first[c] + i];
+                    ++met[item];
+                    int level = 1;
+                    for (int at = n, by = c; at >= 0; by = child[at], at = parent[at], ++level)
+                        lost += !holds(hierarchy.nodes[at], by, boxes[item], margin);
+                    deepest = std::max(deepest, level);
+                }
+        CHECK(lost == 0);
+        CHECK(deepest <= Hierarchy::most_levels);
+        CHECK(std::count(met.begin(), met.end(), 1) == count);
+    }
+}
+
+TEST_CASE("the hierarchy does not depend on the number of threads") {
+    const std::vector<ItemBox> boxes = clustered_boxes(60000);
+    const Hierarchy one = built(boxes, 1e-6, 1);
+    for (const int threads : {2, 3, 5}) {
+        const Hierarchy many = built(boxes, 1e-6, threads);
+        REQUIRE(many.size == one.size);
+        CHECK(std::equal(many.order.get(), many.order.get() + boxes.size(), one.order.get()));
+        int apart = 0;
+        for (int n = 0; n < one.size; ++n)
+            for (int c = 0; c < one.nodes[n].children; ++c) {
+                const auto numbers = [c](const Node& node) {
+                    return std::tuple(node.children, node.first[c], node.count[c], node.low[0][c], node.low[1][c],
+                                      node.low[2][c], node.high[0][c], node.high[1][c], node.high[2][c]);
+                };
+                apart += numbers(one.nodes[n]) != numbers(many.nodes[n]);
+            }
+        CHECK(apart == 0);
+    }
+}
+
+TEST_CASE("doubles are what was declared before, and nothing else") {
+    using Ball = Item<SphereKernel>::Of<float>;
+    std::mt19937 random(3);
+    std::vector<Ball> balls(20000);
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+        const auto number = [&] { return static_cast<float>(random() % 20) - 10; };
+        const float x = number(), y = number(), z = number();
+        balls[i] = {{{x, y, z}, static_cast<float>(1 + random() % 10)}, static_cast<float>(i), 0};
+        if (i % 3 == 0) balls[i].shape.centre = -balls[i].shape.centre;  // zeros of either sign
+    }
+    std::set<std::tuple<float, float, float, float>> before;
+    std::vector<std::int32_t> expected;
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+        const auto& [centre, radius] = balls[i].shape;
+        if (!before.emplace(centre.x, centre.y, centre.z, radius).second) expected.push_back(int(i));
+    }
+    REQUIRE(expected.size() > 1000);
+    for (const int threads : {1, 3}) {
+        ThreadPool pool(threads);
+        CHECK(doubles<float>(balls.data(), static_cast<int>(balls.size()), pool) == expected);
+        CHECK(doubles<float>(balls.data(), 0, pool).empty());
+    }
+}
