@@ -1,0 +1,49 @@
+// Where a world's coordinates start and how long its unit is.
+#include <algorithm>
+#include <cmath>
+
+#include "scene/overlap.h"
+#include "trace/build.h"
+
+namespace strahl {
+
+Extent extent_of(const Scene& scene) {
+    constexpr std::size_t enough = 4096;
+    const std::size_t stride = 1 + scene.primitives.size() / enough;
+    std::vector<double> along[3], sizes;
+    for (std::size_t i = 0; i < scene.primitives.size(); i += stride) {
+        const Box box = world_bounds(scene.primitives[i]);
+        if (!box.finite()) continue;
+        const DVec3 centre = box.centre(), size = box.size();
+        for (int c = 0; c < 3; ++c) along[c].push_back(centre[c]);
+        sizes.push_back(std::max({size.x, size.y, size.z}));
+    }
+    if (sizes.empty())
+        return {scene.camera.look_at, std::hypot(scene.camera.position.x - scene.camera.look_at.x,
+                                                 scene.camera.position.y - scene.camera.look_at.y,
+                                                 scene.camera.position.z - scene.camera.look_at.z)};
+    const auto quantile = [](std::vector<double>& values, int quarters) {
+        const auto nth = values.begin() + (values.size() - 1) * quarters / 4;
+        std::nth_element(values.begin(), nth, values.end());
+        return *nth;
+    };
+    Extent extent;
+    double spread = 0;
+    for (int c = 0; c < 3; ++c) {
+        extent.centre[c] = quantile(along[c], 2);
+        spread = std::max(spread, quantile(along[c], 3) - quantile(along[c], 1));
+    }
+    extent.size = 2 * (spread + quantile(sizes, 2));
+    return extent;
+}
+
+Placement placement(const Extent& extent, const DVec3& camera) {
+    const int exponent = std::ilogb(extent.size);
+    const auto snap = [](const DVec3& p, double cell) {
+        return DVec3(std::round(p.x / cell), std::round(p.y / cell), std::round(p.z / cell)) * cell;
+    };
+    const DVec3 home = snap(extent.centre, std::ldexp(1., exponent));
+    return {home + snap(camera - home, std::ldexp(1., exponent + 3)), std::ldexp(1., -exponent)};
+}
+
+}  // namespace strahl
