@@ -1,5 +1,6 @@
 #include "trace/tracer.h"
 
+#include <array>
 #include <cassert>
 #include <cmath>
 
@@ -13,6 +14,21 @@ namespace strahl {
 namespace {
 
 constexpr int tile_size = 16;
+
+/// Pixels of a tile along a Z curve: packs are blocks of 4x4 or 4x2 pixels, whose rays have more in common than a
+/// row's.
+struct Spot {
+    std::uint8_t x, y;
+};
+constexpr std::array<Spot, tile_size* tile_size> z_curve = [] {
+    std::array<Spot, tile_size * tile_size> spots{};
+    for (std::size_t i = 0; i < spots.size(); ++i)
+        for (int bit = 0; bit < 4; ++bit) {
+            spots[i].x |= (i >> 2 * bit & 1) << bit;
+            spots[i].y |= (i >> (2 * bit + 1) & 1) << bit;
+        }
+    return spots;
+}();
 
 template <class T>
 Vec3<T> to(const DVec3& v) {
@@ -67,9 +83,12 @@ void trace_tile(const World<T>& world, const Kernel<T>& kernel, const Eye<T>& ey
                 Workspace<T>& workspace, KernelCounts& counts) {
     const int pixels = tile.columns * tile.rows;
     std::fill(workspace.rgb.begin(), workspace.rgb.end(), T(0));
-    for (int i = 0; i < pixels; ++i) {
-        workspace.pixels_x[i] = static_cast<T>(tile.x + i % tile.columns * tile.step_x);
-        workspace.pixels_y[i] = static_cast<T>(tile.y + i / tile.columns * tile.step_y);
+    int filled = 0;
+    for (const auto [x, y] : z_curve) {
+        if (x >= tile.columns || y >= tile.rows) continue;
+        workspace.pixels_x[filled] = static_cast<T>(tile.x + x * tile.step_x);
+        workspace.pixels_y[filled] = static_cast<T>(tile.y + y * tile.step_y);
+        workspace.order[y * tile.columns + x] = filled++;
     }
     for (int done = 0; done < pixels;) {
         const int count = std::min(workspace.batch, pixels - done);
@@ -94,7 +113,7 @@ void deliver(const Workspace<T>& workspace, const Lattice& tile, const Sink& sin
     const int pixels = tile.columns * tile.rows;
     for (int i = 0; i < pixels; ++i)
         for (int c = 0; c < 4; ++c)  // four at once are faster than three; the next pixel covers the last
-            values[3 * i + c] = static_cast<Out>(std::min(workspace.rgb[4 * i + c], most));
+            values[3 * i + c] = static_cast<Out>(std::min(workspace.rgb[4 * workspace.order[i] + c], most));
     sink({tile, std::span<const Out>(values, 3 * pixels)});
 }
 

@@ -51,6 +51,7 @@ Workspace<T>::Workspace() {
     hits = {first, first + room, first + 2 * room, first + 3 * room, stretches.data(), stretches.data() + most_keys};
     aside = queue_in(values.data());
     pixels_x.resize(batch_pixels + widest_pack), pixels_y.resize(batch_pixels + widest_pack);
+    order.resize(batch_pixels);
     rgb.resize(4 * batch_pixels);
 }
 
