@@ -155,6 +155,7 @@ class TracerOf : public AnyTracer {
         pool.run([&](int thread) {
             Workspace<T>& workspace = *workspaces[thread];
             Eye<T> own = eye;
+            KernelCounts counted;  // its own memory: threads that count beside each other wait for each other
             int list = 0;
             for (const int body : around) list = entered(workspace.interiors, list, body);
             own.interior = static_cast<T>(list);
@@ -166,9 +167,10 @@ class TracerOf : public AnyTracer {
                                    std::min(tile_size, lattice.rows - y),
                                    lattice.step_x,
                                    lattice.step_y};
-                trace_tile(built->world(), kernel, own, tile, workspace, counts[thread]);
+                trace_tile(built->world(), kernel, own, tile, workspace, counted);
                 deliver(workspace, tile, sink);
             }
+            counts[thread] = counted;
         });
         Counts sum;
         for (const KernelCounts& c : counts) sum += {c.camera, c.reflected, c.refracted, c.shadow, c.depth};
