@@ -12,11 +12,11 @@ perf record -q -o "$work/data" "$strahl" render "$scene" -o "$work/picture.bmp" 
     --size 1920x1080 --error 0 "$@" 2>/dev/null
 perf report -i "$work/data" --stdio --no-children -F overhead,symbol 2>/dev/null | awk '
     !/strahl::/ { next }
-    /visibility</ { stage = "blocked (shadow rays against bodies)" }
-    /nearest</ { stage = "find (nearest bodies)" }
+    /visibility<|pass_below</ { stage = "blocked (shadow rays against bodies)" }
+    /::(find|nearest_below)</ { stage = "find (nearest bodies)" }
     /shade</ { stage = "shade and spawn (light, new rays)" }
     /::(step|sort|append|aim|trace)</ { stage = "aim, sort, append" }
-    /Builder|BuiltWorld/ { stage = "build" }
+    /Builder|BuiltWorld|build_hierarchy|share_out|doubles/ { stage = "build" }
     /quantise|deliver|Renderer|write_picture|copy/ { stage = "write" }
     stage { sum[stage] += $1; all += $1; stage = "" }
     END { for (s in sum) printf "%5.1f %%  %s\n", 100 * sum[s] / all, s }' | sort -rn
