@@ -8,7 +8,7 @@ set ylabel "error"
 set format x "10^{%L}"
 set format y "10^{%L}"
 set grid lc "grey85"
-set key bottom left
+set key below maxrows 2
 plot folder."/passes-glass.tsv" using 1:2 with linespoints pt 7 lc rgb "#1f77b4" title "article: pixels of another 8-bit colour", \
     "" using 1:3 with linespoints pt 6 lc rgb "#1f77b4" title "article: mean difference", \
     folder."/passes-mirrors.tsv" using 1:2 with linespoints pt 7 lc rgb "#2ca02c" title "mirror balls: pixels of another 8-bit colour", \
