@@ -1,11 +1,12 @@
 #include "trace/workspace.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace strahl {
 namespace {
 constexpr std::size_t widest_pack = 16;
-constexpr std::size_t room = batch_rays + 4 * widest_pack;  // whole packs are stored past the end
+constexpr std::size_t queue_room = batch_rays + 4 * widest_pack;  // whole packs are stored past the end
 constexpr std::size_t most_keys = 128;
 }  // namespace
 
@@ -31,10 +32,18 @@ bool contains(const Interiors& all, int list, int body) {
 int innermost(const Interiors& all, int list) { return all.lists[list].body; }
 
 namespace {
-/// A queue in memory for ray_arrays * room values.
+/// Zeros on large pages of their own: the arrays of a queue are on more small ones than the processor keeps in mind.
+template <class T>
+Room<T> zeros(std::size_t count) {
+    constexpr std::size_t page = std::size_t(1) << 21;
+    Room<T> values = room<T>(std::max(count, page / sizeof(T)));
+    std::fill_n(values.get(), count, T(0));
+    return values;
+}
+/// A queue in memory for ray_arrays * queue_room values.
 template <class T>
 RayQueue<T> queue_in(T* next) {
-    const auto array = [&] { return std::exchange(next, next + room); };
+    const auto array = [&] { return std::exchange(next, next + queue_room); };
     RayQueue<T> queue;
     for (int c = 0; c < 3; ++c) queue.origin[c] = array(), queue.direction[c] = array();
     queue.source = array(), queue.pixel = array(), queue.weight = array();
@@ -45,11 +54,16 @@ RayQueue<T> queue_in(T* next) {
 
 template <class T>
 Workspace<T>::Workspace() {
-    values.resize((4 + ray_arrays) * room + most_keys * widest_pack);
+    values = zeros<T>((4 + ray_arrays) * queue_room + most_keys * widest_pack);
     stretches.resize(2 * most_keys);
-    T* const first = values.data() + ray_arrays * room;
-    hits = {first, first + room, first + 2 * room, first + 3 * room, stretches.data(), stretches.data() + most_keys};
-    aside = queue_in(values.data());
+    T* const first = values.get() + ray_arrays * queue_room;
+    hits = {first,
+            first + queue_room,
+            first + 2 * queue_room,
+            first + 3 * queue_room,
+            stretches.data(),
+            stretches.data() + most_keys};
+    aside = queue_in(values.get());
     pixels_x.resize(batch_pixels + widest_pack), pixels_y.resize(batch_pixels + widest_pack);
     order.resize(batch_pixels);
     rgb.resize(4 * batch_pixels);
@@ -60,9 +74,9 @@ Generation<T>& Workspace<T>::generation(int slot) {
     while (static_cast<int>(held.size()) <= slot) {
         held.push_back(std::make_unique<Held>());
         Held& made = *held.back();
-        made.values.resize(2 * ray_arrays * room);
+        made.values = zeros<T>(2 * ray_arrays * queue_room);
         made.stretches.resize(2 * most_keys);
-        made.generation = {queue_in(made.values.data()), queue_in(made.values.data() + ray_arrays * room),
+        made.generation = {queue_in(made.values.get()), queue_in(made.values.get() + ray_arrays * queue_room),
                            made.stretches.data(), made.stretches.data() + most_keys};
     }
     return held[slot]->generation;

@@ -4,6 +4,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "num/room.h"
 #include "trace/kernel.h"
 
 namespace strahl {
@@ -31,10 +32,10 @@ class Workspace {
     int batch = batch_pixels;  // pixels that last fitted
 
   private:
-    std::vector<T> values;
+    Room<T> values;
     std::vector<std::int32_t> stretches;
     struct Held {
-        std::vector<T> values;
+        Room<T> values;
         std::vector<std::int32_t> stretches;
         Generation<T> generation;
     };
