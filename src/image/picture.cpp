@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstdlib>
 #include <filesystem>
 #include <limits>
 #include <system_error>
@@ -12,6 +13,10 @@
 #include "image/oiio/module.h"
 #include "image/transfer.h"
 #include "text/file.h"
+
+#if defined(__SANITIZE_ADDRESS__)
+#include <sanitizer/lsan_interface.h>
+#endif
 
 namespace strahl {
 namespace {
@@ -37,6 +42,11 @@ Library load_library() {
     void* const handle = ::dlopen(path.c_str(), RTLD_LAZY | RTLD_LOCAL);
     if (!handle)
         throw FileError(std::string("the part of strahl that reads and writes pictures does not load: ") + ::dlerror());
+#if defined(__SANITIZE_ADDRESS__)
+    // One of these libraries ends threads of its own at exit, and the search for leaks stumbles over threads that are
+    // just ending. This comes before.
+    std::atexit(__lsan_do_leak_check);
+#endif
     return {reinterpret_cast<decltype(&strahl_encode_picture)>(::dlsym(handle, "strahl_encode_picture")),
             reinterpret_cast<decltype(&strahl_decode_picture)>(::dlsym(handle, "strahl_decode_picture"))};
 }
