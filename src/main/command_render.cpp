@@ -169,20 +169,12 @@ class Renderer {
         Progress progress(options.quiet, label);
         std::atomic<std::uint64_t> done = 0;
         const auto keep = [&](const Tile& tile) {
-            std::visit([&](const auto& rgb) { copy(tile.lattice, rgb, picture); }, tile.rgb);
+            place(tile, part, picture.values);
             const std::uint64_t size = std::uint64_t(tile.lattice.columns) * tile.lattice.rows;
             progress.advance(done.fetch_add(size) + size, pixels());
         };
         stats.rays += tracer.trace(view(camera, accuracy.depth, accuracy.dropped), part, pool, keep, interrupt.flag());
         return done;
-    }
-
-    void copy(const Lattice& tile, const auto& rgb, Picture& picture) const {
-        for (int row = 0; row < tile.rows; ++row) {
-            const std::size_t to = 3 * (std::size_t(tile.y - part.y + row) * part.columns + (tile.x - part.x));
-            std::copy_n(rgb.begin() + std::ptrdiff_t(3) * row * tile.columns, 3 * tile.columns,
-                        picture.values.begin() + std::ptrdiff_t(to));
-        }
     }
 
     const RenderOptions& options;

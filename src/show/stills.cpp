@@ -77,21 +77,17 @@ void Stills::loop(std::stop_token quit, int threads) {
 Stills::Outcome Stills::make(const Still& still, ThreadPool& pool) try {
     const View& view = still.view;
     Picture picture{view.width, view.height, 3, std::vector<double>(std::size_t(3) * view.width * view.height)};
+    const Lattice whole{.columns = view.width, .rows = view.height};
     const double all = double(view.width) * view.height;
     std::atomic<int> pixels = 0;
     const auto keep = [&](const Tile& tile) {
-        const auto rgb = std::get<std::span<const double>>(tile.rgb);
-        const Lattice& part = tile.lattice;
-        for (int row = 0; row < part.rows; ++row)
-            std::copy_n(
-                rgb.begin() + std::ptrdiff_t(3) * row * part.columns, 3 * part.columns,
-                picture.values.begin() + std::ptrdiff_t(3) * (std::ptrdiff_t(part.y + row) * view.width + part.x));
-        const int size = part.columns * part.rows, before = pixels.fetch_add(size);
+        place(tile, whole, picture.values);
+        const int size = tile.lattice.columns * tile.lattice.rows, before = pixels.fetch_add(size);
         share = (before + size) / all;
         if (int(100 * before / all) != int(100 * (before + size) / all)) news();
     };
     Tracer tracer(*still.scene, Precision::twice);
-    tracer.trace(view, {.columns = view.width, .rows = view.height}, pool, keep, &stop);
+    tracer.trace(view, whole, pool, keep, &stop);
     if (stop) return {};
     const std::string path = reserve_file(still.name, ".bmp");
     try {

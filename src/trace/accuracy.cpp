@@ -25,17 +25,7 @@ Lattice sample_of(const View& view) {
 
 std::vector<double> trace(Tracer& tracer, const View& view, const Lattice& lattice, ThreadPool& pool) {
     std::vector<double> values(std::size_t(3) * lattice.columns * lattice.rows);
-    tracer.trace(view, lattice, pool, [&](const Tile& tile) {
-        std::visit(
-            [&](const auto& rgb) {
-                const int column = (tile.lattice.x - lattice.x) / lattice.step_x;
-                const int row = (tile.lattice.y - lattice.y) / lattice.step_y;
-                for (int r = 0; r < tile.lattice.rows; ++r)
-                    std::copy_n(rgb.begin() + std::ptrdiff_t(3) * r * tile.lattice.columns, 3 * tile.lattice.columns,
-                                values.begin() + std::ptrdiff_t(3) * ((row + r) * lattice.columns + column));
-            },
-            tile.rgb);
-    });
+    tracer.trace(view, lattice, pool, [&](const Tile& tile) { place(tile, lattice, values); });
     return values;
 }
 

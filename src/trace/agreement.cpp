@@ -9,20 +9,8 @@ namespace {
 std::vector<double> trace(Tracer& tracer, const View& view, const Lattice& lattice, ThreadPool& threads,
                           const std::atomic<bool>* stop) {
     std::vector<double> values(std::size_t(3) * lattice.columns * lattice.rows);
-    const auto keep = [&](const Tile& tile) {
-        std::visit(
-            [&](const auto& rgb) {
-                const Lattice& part = tile.lattice;
-                for (int row = 0; row < part.rows; ++row) {
-                    const std::size_t to =
-                        std::size_t(part.y - lattice.y + row) * lattice.columns + (part.x - lattice.x);
-                    std::copy_n(rgb.begin() + std::ptrdiff_t(3) * row * part.columns, 3 * part.columns,
-                                values.begin() + std::ptrdiff_t(3 * to));
-                }
-            },
-            tile.rgb);
-    };
-    tracer.trace(view, lattice, threads, keep, stop);
+    tracer.trace(
+        view, lattice, threads, [&](const Tile& tile) { place(tile, lattice, values); }, stop);
     return values;
 }
 

@@ -75,7 +75,8 @@ void find(const World<T>& world, const RayQueue<T>& rays, HitList<T>& hits) {
                          {at(rays.direction.x), at(rays.direction.y), at(rays.direction.z)},
                          at(rays.source)};
         const Mask<S> active = first_lanes<S>(rays.count - i);
-        const Nearest<S> hit = nearest(world, ray, active, world.radii ? in_view(world, ray, active) : ~BodySet(0));
+        const Nearest<S> hit =
+            nearest(world, ray, active, world.key_per_item ? in_view(world, ray, active) : ~BodySet(0));
         store_lanes(hits.t + i, hit.t);
         store_lanes(hits.surface + i, hit.surface);
         store_lanes(hits.key + i, hit.key);

@@ -235,16 +235,8 @@ Frame render(const Scene& scene, const View& view, Precision precision, int thre
     Frame frame{view.width, view.height, std::vector<double>(3 * std::size_t(view.width) * view.height)};
     ThreadPool pool(threads);
     Tracer tracer(scene, precision, simd);
-    tracer.trace(view, {.columns = view.width, .rows = view.height}, pool, [&](const Tile& tile) {
-        std::visit(
-            [&](const auto& values) {
-                for (int row = 0; row < tile.lattice.rows; ++row)
-                    std::copy_n(
-                        values.begin() + 3 * row * tile.lattice.columns, 3 * tile.lattice.columns,
-                        frame.rgb.begin() + 3 * (std::size_t(tile.lattice.y + row) * view.width + tile.lattice.x));
-            },
-            tile.rgb);
-    });
+    const Lattice whole{.columns = view.width, .rows = view.height};
+    tracer.trace(view, whole, pool, [&](const Tile& tile) { place(tile, whole, frame.rgb); });
     return frame;
 }
 

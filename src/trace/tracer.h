@@ -1,7 +1,9 @@
 // The tracer: a scene made ready for one precision, and pictures of it, traced by all threads.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -48,6 +50,18 @@ struct Tile {
     Lattice lattice;
     std::variant<std::span<const float>, std::span<const double>> rgb;
 };
+/// Copies a tile to its place among the values of the lattice that is being traced, 3 for each pixel, row by row.
+template <class T>
+void place(const Tile& tile, const Lattice& whole, std::vector<T>& values) {
+    const Lattice& part = tile.lattice;
+    const std::ptrdiff_t column = (part.x - whole.x) / whole.step_x, first_row = (part.y - whole.y) / whole.step_y;
+    const auto copy = [&](const auto& rgb) {
+        for (std::ptrdiff_t row = 0; row < part.rows; ++row)
+            std::copy_n(rgb.begin() + 3 * row * part.columns, 3 * part.columns,
+                        values.begin() + 3 * ((first_row + row) * whole.columns + column));
+    };
+    std::visit(copy, tile.rgb);
+}
 /// Called from any thread, once per tile; tiles do not overlap.
 using Sink = std::function<void(const Tile&)>;
 

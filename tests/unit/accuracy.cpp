@@ -5,11 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <string>
 #include <vector>
 
-#include "text/parse.h"
+#include "tests/unit/scenes.h"
 #include "trace/bound.h"
 #include "trace/edge.h"
 #include "trace/thread_pool.h"
@@ -23,16 +22,6 @@ constexpr int columns = 12, rows = 9, every = 9;
 #else
 constexpr int columns = 40, rows = 30, every = 1;
 #endif
-
-std::vector<std::string> scenes() {
-    namespace fs = std::filesystem;
-    std::vector<std::string> paths;
-    for (const auto& entry : fs::recursive_directory_iterator(STRAHL_SOURCE "/scenes"))
-        if (entry.path().extension() == ".rt") paths.push_back(entry.path().string());
-    std::sort(paths.begin(), paths.end());
-    return paths;
-}
-Scene read(const std::string& path) { return parse_scene(read_text(path), path); }
 
 double apart(const Frame& a, const Frame& b, int pixel) {
     double most = 0;
@@ -50,11 +39,11 @@ double apart(const Frame& a, const Frame& b, int pixel) {
 // bound.cpp.
 TEST_CASE("no picture is farther from the exact one than was allowed, off the edges") {
     ThreadPool pool(2), alone(1);
-    const std::vector<std::string> paths = scenes();
+    const std::vector<std::string> paths = scene_names();
     REQUIRE(paths.size() > 50);
     for (std::size_t i = 0; i < paths.size(); i += every) {
         CAPTURE(paths[i]);
-        const Scene scene = read(paths[i]);
+        const Scene scene = read_scene(paths[i]);
         const View view{
             .camera = scene.camera, .width = columns, .height = rows, .depth = scene.settings.max_trace_level};
         const Frame exact = render(scene, view, Precision::twice, 2);
@@ -80,7 +69,7 @@ TEST_CASE("no picture is farther from the exact one than was allowed, off the ed
 
 TEST_CASE("precision and depth follow from the error, unless they are given") {
     ThreadPool pool(2);
-    const Scene scene = read(STRAHL_SOURCE "/scenes/article.rt");
+    const Scene scene = read_scene("article");
     const View view{.camera = scene.camera, .width = 64, .height = 48};
     const auto choose = [&](double error, std::optional<Precision> precision = {}, std::optional<int> depth = {}) {
         return choose_accuracy(scene, view, error, precision, depth, pool);
@@ -103,7 +92,7 @@ TEST_CASE("precision and depth follow from the error, unless they are given") {
 
 TEST_CASE("pictures of any size can be sampled") {
     ThreadPool pool(1);
-    const Scene scene = read(STRAHL_SOURCE "/scenes/crosscheck/ambient.rt");
+    const Scene scene = read_scene("crosscheck/ambient");
     for (const auto& [width, height] : {std::pair{1, 1}, {1, 3000}, {3000, 1}, {33, 31}, {1000, 2}}) {
         const View view{.camera = scene.camera, .width = width, .height = height};
         CHECK(choose_accuracy(scene, view, 1e-3, {}, {}, pool).rounding < 1e-3);
@@ -112,7 +101,7 @@ TEST_CASE("pictures of any size can be sampled") {
 
 TEST_CASE("an edge is a jump, however far from it light changes") {
     ThreadPool pool(1);
-    const Scene scene = read(STRAHL_SOURCE "/scenes/crosscheck/highlights.rt");
+    const Scene scene = read_scene("crosscheck/highlights");
     const View view{.camera = scene.camera, .width = columns, .height = rows};
     Tracer tracer(scene, Precision::twice);
     int near = 0, nearer = 0;

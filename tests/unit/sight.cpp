@@ -5,13 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <random>
 #include <string>
 #include <vector>
 
 #include "tests/referee/random_scene.h"
-#include "text/parse.h"
+#include "tests/unit/scenes.h"
 #include "trace/tracer.h"
 
 using namespace strahl;
@@ -49,12 +48,11 @@ double largest_difference(const Scene& scene, Precision precision) {
 }  // namespace
 
 TEST_CASE("pictures are the same with and without knowing what each body can be met from") {
-    namespace fs = std::filesystem;
     int index = 0, seen = 0;
-    for (const auto& entry : fs::recursive_directory_iterator(STRAHL_SOURCE "/scenes")) {
-        if (entry.path().extension() != ".rt" || index++ % every) continue;
-        CAPTURE(entry.path().string());
-        const Scene scene = parse_scene(read_text(entry.path().string()), entry.path().string());
+    for (const std::string& name : scene_names()) {
+        if (index++ % every) continue;
+        CAPTURE(name);
+        const Scene scene = read_scene(name);
         if (scene.primitives.size() > most_item_keys) continue;
         CHECK(largest_difference(scene, Precision::twice) < 1e-8);
         ++seen;

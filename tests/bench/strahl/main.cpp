@@ -25,22 +25,14 @@ void run(char** argv, Precision precision) {
     std::vector<T> picture(3 * std::size_t(view.width) * view.height);
     const bool linear = scene.settings.linear;
     ThreadPool pool(std::atoi(argv[5]));
-    const auto keep = [&](const Tile& tile) {
-        const Lattice& part = tile.lattice;
-        std::visit(
-            [&](const auto& rgb) {
-                for (int row = 0; row < part.rows; ++row)
-                    std::copy_n(rgb.begin() + 3 * row * part.columns, 3 * part.columns,
-                                picture.begin() + 3 * (std::ptrdiff_t(part.y + row) * view.width + part.x));
-            },
-            tile.rgb);
-    };
+    const Lattice whole{.columns = view.width, .rows = view.height};
+    const auto keep = [&](const Tile& tile) { place(tile, whole, picture); };
 
     const double start = bench::seconds();
     Tracer tracer(std::move(scene), precision);
     tracer.trace(view, {.columns = 1, .rows = 1}, pool, keep);  // the first ray waits for the hierarchy
     const double built = bench::seconds();
-    const Counts counts = tracer.trace(view, {.columns = view.width, .rows = view.height}, pool, keep);
+    const Counts counts = tracer.trace(view, whole, pool, keep);
     bench::print_figures(built - start, bench::seconds() - built, counts.total());
     if (std::strcmp(argv[2], "-") != 0)
         write_picture({view.width, view.height, 3, {picture.begin(), picture.end()}}, argv[2], {16, linear});
