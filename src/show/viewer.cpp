@@ -273,6 +273,7 @@ void Viewer::move() {
     if (const auto ended = session.follow(moment)) tell(*ended);
     if (in_motion()) return;
     moving = false;
+    told = 0;
     if (options.verbose) log_line("rest after " + motion.report(moment));
 }
 
@@ -306,18 +307,19 @@ void Viewer::draw() {
     last_draw = moment;
     if (draws_due > 0) --draws_due;
     motion.drawn(now() - moment);
-    if (!news) return;
     if (moving && state.number != before) motion.picture(now(), state.level);
-    if (options.verbose) log_picture(before);
 }
 
-void Viewer::log_picture(std::uint64_t before) const {
+/// The first picture, and once a rest the finished one; it may have been finished before the rest began.
+void Viewer::log_pictures() {
     char text[120];
-    if (before == 0) {
+    if (!seen && state.number > 0) {
+        seen = true;
         std::snprintf(text, sizeof text, "first picture after %.3f s, %s", now(), resolution_text(state.level).c_str());
         log_line(text);
     }
-    if (!state.finished() || state.number != wanted.number || moving) return;
+    if (moving || !state.finished() || state.number != wanted.number || state.number == told) return;
+    told = state.number;
     std::snprintf(text, sizeof text, "finished %dx%d: traced in %.4f s, %.3f million rays", state.width, state.height,
                   state.seconds, static_cast<double>(state.rays.total()) / 1e6);
     log_line(text);
@@ -328,6 +330,7 @@ void Viewer::run() {
         move();
         order();
         draw();
+        if (options.verbose) log_pictures();
         wait();
         hear_of_scene();
         hear_of_stills();

@@ -48,7 +48,7 @@ class Viewer {
     void move();
     void order();
     void draw();
-    void log_picture(std::uint64_t before) const;
+    void log_pictures();
 
     // What is told
     Overlay overlay();
@@ -86,6 +86,8 @@ class Viewer {
 
     Order wanted;
     Refinement state;
+    bool seen = false;       // the first picture was told of
+    std::uint64_t told = 0;  // the picture that was told to be finished
     int draws_due = 0;
     double next_move = 0, last_move = 0;  // of the camera
     double last_draw = -1;

@@ -259,6 +259,15 @@ await 'waiting for'
 quit
 grep -q 'still dropped: scene-' log || fault "it is not said which still was dropped"
 
+echo "-- so small that every picture is complete while the camera still moves"
+start scene.rt --size 64x48
+xdotool keydown w
+sleep 1
+xdotool keyup w
+await 'rest after'
+await 'finished'
+quit
+
 echo "-- where no window can be"
 env -u DISPLAY -u WAYLAND_DISPLAY "$strahl" scene.rt >log 2>&1
 (($? == 1)) && grep -q 'strahl render' log || fault "without a display: $(cat log)"
