@@ -23,7 +23,6 @@ std::string number(double value) {
 
 std::string to_json(const Stats& stats) {
     const Accuracy& accuracy = stats.accuracy;
-    const double truncated = stats.rays.depth < accuracy.depth ? 0 : accuracy.truncated;
     std::ostringstream json;
     json.precision(9);
     json << "{\n";
@@ -35,9 +34,8 @@ std::string to_json(const Stats& stats) {
          << ",\n  \"deepest\": " << stats.rays.depth << ",\n";
     json << "  \"precision\": \"" << name(accuracy.precision) << "\",\n  \"simd\": \"" << name(stats.simd) << "\",\n";
     const double rounding = accuracy.rounding.value_or(std::numeric_limits<double>::quiet_NaN());
-    json << "  \"error\": { \"allowed\": " << number(stats.error) << ", \"dropped\": " << number(accuracy.dropped)
-         << ", \"truncated\": " << number(truncated) << ", \"rounding\": " << number(rounding)
-         << ", \"guaranteed\": " << number(accuracy.dropped + truncated) << " },\n";
+    json << "  \"error\": { \"allowed\": " << number(stats.error) << ", \"guaranteed\": " << number(stats.rays.lost)
+         << ", \"rounding\": " << number(rounding) << " },\n";
     json << "  \"lanes\": " << stats.lanes << ",\n  \"threads\": " << stats.threads << ",\n";
     json << "  \"parse_seconds\": " << stats.parse_seconds << ",\n  \"build_seconds\": " << stats.build_seconds
          << ",\n";

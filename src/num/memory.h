@@ -77,7 +77,7 @@ STRAHL_INLINE R load_items(const Element<S>* columns, std::size_t stride, int fi
     return std::bit_cast<R>(packs);
 }
 /// to[4 * index + c] += v[c] lane after lane, for the first `lanes`: equal indices add up in the order of the lanes.
-/// What is in to[4 * index + 3] is lost.
+/// What is in to[4 * index + 3] stays.
 template <class S>
 STRAHL_INLINE void add_lanes(Element<S>* to, const S& index, int lanes, const Vec3<S>& v) {
     using T = Element<S>;

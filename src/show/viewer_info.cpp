@@ -46,7 +46,8 @@ std::vector<std::pair<std::string, std::string>> Viewer::info() const {
 }
 
 Overlay Viewer::overlay() {
-    Overlay overlay{.help = help, .info = {}, .share = state.share, .fault = fault, .notes = {}, .still_text = {}};
+    Overlay overlay;
+    overlay.help = help, overlay.share = state.share, overlay.fault = fault;
     if (with_info) overlay.info = info();
     for (const Note& n : notes) overlay.notes.push_back(n.text);
     if (const int pending = stills.pending(); pending > 0) {

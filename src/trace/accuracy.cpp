@@ -5,7 +5,6 @@
 #include <limits>
 #include <vector>
 
-#include "trace/bound.h"
 #include "trace/edge.h"
 #include "trace/thread_pool.h"
 
@@ -56,11 +55,7 @@ Accuracy choose_accuracy(const Scene& scene, const View& view, double error, std
                          std::optional<int> depth, ThreadPool& pool, Simd simd) {
     Accuracy choice{.precision = precision.value_or(Precision::twice),
                     .depth = depth.value_or(scene.settings.max_trace_level)};
-    if (error > 0) {
-        if (!depth) choice.depth = std::min(choice.depth, depth_for(scene, error / 4));
-        choice.dropped = error / 2;
-    }
-    choice.truncated = bound_for(scene, choice.depth, choice.dropped).truncated;
+    choice.dropped = error / 2;
     if (precision || error == 0) return choice;
 
     View sampled = view;

@@ -5,6 +5,8 @@
 #include <limits>
 #include <vector>
 
+#include "trace/world.h"
+
 namespace strahl {
 namespace {
 
@@ -19,7 +21,7 @@ double gain(const Scene& scene) {
             const double factor = filter(scene.materials[primitive.material]);
             if (factor > 1) product *= factor * factor;  // entered and left
         }
-    return product;
+    return std::min(product, std::numeric_limits<double>::max());  // infinity times nothing would be no number
 }
 
 /// Most light that a surface of this material sends back by itself.
@@ -30,51 +32,40 @@ double own_light(const Scene& scene, const Material& m, double gain) {
     return largest(sum);
 }
 
-/// Most that all generations past `depth` can add: a geometric series.
-double truncated(const Scene& scene, double gain, int depth) {
-    double keeps = 0, endless = largest(scene.background);
-    for (const Material& m : scene.materials) keeps = std::max(keeps, m.reflection + m.refraction);
-    if (keeps == 0) return 0;
-    if (keeps >= 1) return std::numeric_limits<double>::infinity();
-    for (const Material& m : scene.materials)
-        endless = std::max(endless, own_light(scene, m, gain) / (1 - m.reflection - m.refraction));
-    return std::pow(keeps, depth) * endless;
-}
-
 }  // namespace
 
-double path_factor(double coefficient, double other) {
-    return std::sqrt(coefficient) * (std::sqrt(coefficient) + std::sqrt(other));
-}
-
-Bound bound_for(const Scene& scene, int depth, double error) {
+Bound bound_for(const Scene& scene, int depth) {
     // B(n) = max(background, own + (Kr + Kt) B(n - 1)) over all materials, from the last generation upwards.
     const double background = largest(scene.background);
-    double brightest = 0;
     std::vector<double> own;
     const double most_gain = gain(scene);
     for (const Material& m : scene.materials) own.push_back(own_light(scene, m, most_gain));
+    Bound bound{{0}, background};
     for (int generation = 0; generation < depth; ++generation) {
         double most = background;
         for (std::size_t i = 0; i < own.size(); ++i) {
             const Material& m = scene.materials[i];
-            most = std::max(most, own[i] + (m.reflection + m.refraction) * brightest);
+            most = std::max(most, own[i] + (m.reflection + m.refraction) * bound.brightest.back());
         }
-        brightest = most;
+        bound.brightest.push_back(most);
     }
-    Bound bound{.brightest = brightest};
-    bound.cutoff = brightest > 0 ? .75 * error / brightest : 0;
-    if (!scene.lights.empty())
-        bound.faint = .25 * error / (depth * most_gain * static_cast<double>(scene.lights.size()));
-    bound.truncated = truncated(scene, most_gain, depth);
+    // A geometric series.
+    for (std::size_t i = 0; i < own.size(); ++i) {
+        const double lost = 1 - scene.materials[i].reflection - scene.materials[i].refraction;
+        const double series = lost > 0 ? own[i] / lost : std::numeric_limits<double>::infinity();
+        bound.endless = std::max(bound.endless, series);
+    }
     return bound;
 }
 
-int depth_for(const Scene& scene, double error) {
+std::vector<double> scattered_light(const Scene& scene) {
+    double lamps = 0;
+    for (const Light& light : scene.lights) lamps += largest(light.color);
     const double most_gain = gain(scene);
-    int depth = 1;
-    while (depth < 256 && truncated(scene, most_gain, depth) > error) ++depth;
-    return depth;
+    std::vector<double> light;
+    for (const Material& m : scene.materials)
+        light.push_back(faint_share * most_gain * lamps * m.diffuse * largest(m.rgb));
+    return light;
 }
 
 }  // namespace strahl

@@ -331,12 +331,12 @@ void BuiltWorld<T>::Arrays::see_from_lights() {
 template <class T>
 BuiltWorld<T>::Arrays::Arrays(const Scene& scene, const Placement& placement, ThreadPool& pool) {
     const DVec3 ambient = scene.settings.ambient_light;
+    const std::vector<double> scattered = scattered_light(scene);
     for (const Material& m : scene.materials) {
         materials.push_back({to<T>(ambient * m.rgb * m.ambient), to<T>(m.rgb * m.diffuse), to<T>(m.rgb * m.refraction),
                              static_cast<T>(m.specular), static_cast<T>(m.pow), static_cast<T>(m.reflection),
                              static_cast<T>(m.refraction), static_cast<T>(m.ior),
-                             static_cast<T>(path_factor(m.reflection, m.refraction)),
-                             static_cast<T>(path_factor(m.refraction, m.reflection))});
+                             static_cast<T>(scattered[materials.size()])});
         world.transparent |= m.refraction > 0;
     }
     for (const Light& light : scene.lights)

@@ -24,7 +24,6 @@ void aim(const Eye<T>& eye, const PixelBatch<T>& batch, RayQueue<T>& rays) {
         store_lanes(rays.source + i, S(-1));
         store_lanes(rays.pixel + i, iota<S>() + S(static_cast<T>(i)));
         store_lanes(rays.weight + i, S(1));
-        store_lanes(rays.path + i, S(1));
         store_lanes(rays.interior + i, S(eye.interior));
     }
     rays.count = batch.count;
@@ -107,7 +106,7 @@ void append(RayQueue<T>& to, const RayQueue<T>& from) {
     const auto copy = [&](T* a, const T* b) { __builtin_memcpy(a + to.count, b, from.count * sizeof(T)); };
     for (int c = 0; c < 3; ++c) copy(to.origin[c], from.origin[c]), copy(to.direction[c], from.direction[c]);
     copy(to.source, from.source), copy(to.pixel, from.pixel), copy(to.weight, from.weight);
-    copy(to.path, from.path), copy(to.interior, from.interior);
+    copy(to.interior, from.interior);
     to.count += from.count;
 }
 
@@ -139,7 +138,7 @@ template <class T>
 RayQueue<T> part_of(RayQueue<T> rays, int begin, int count) {
     const auto skip = [begin](T*& values) { values += begin; };
     for (int c = 0; c < 3; ++c) skip(rays.origin[c]), skip(rays.direction[c]);
-    skip(rays.source), skip(rays.pixel), skip(rays.weight), skip(rays.path), skip(rays.interior), skip(rays.t);
+    skip(rays.source), skip(rays.pixel), skip(rays.weight), skip(rays.interior), skip(rays.t);
     rays.count = count;
     return rays;
 }

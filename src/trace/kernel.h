@@ -13,12 +13,11 @@ struct RayQueue {
     T* source;    // surface on which the ray starts, -1 for none
     T* pixel;     // of the tile
     T* weight;    // share of this ray's light that reaches the pixel
-    T* path;      // weight over this ray's share of the error allowed (see bound.h)
     T* interior;  // list of bodies entered; only in nested worlds
     T* t;         // where the ray meets its body again; only of rays inside
     int count = 0;
 };
-inline constexpr int ray_arrays = 12;
+inline constexpr int ray_arrays = 11;
 
 /// The rays of a generation: those that look for what they meet, and those inside an enclosed body (see World), which
 /// meet nothing else: stretches by the body's key.
@@ -66,11 +65,13 @@ struct Eye {
     T scale_x, scale_y, bias_x, bias_y;      // u = x * scale_x + bias_x
     T interior = 0;                          // list of bodies that the eye is in
     int depth = 20;
-    T cutoff = 0;  // rays of a path up to this are not traced
-    T faint = 0;   // nor shadow rays for light times path up to this
+    T error = 0;                   // light that a pixel may lack
+    const T* brightest = nullptr;  // [n]: with n generations to come, the next one's rays are no brighter
+    T endless = 0;                 // nor with any number of generations; infinite if there is no bound
 };
 
-/// Pixels to trace, and where their light is summed: rgb[4 * i + c] for pixel i.
+/// Pixels to trace, and where their light is summed: rgb[4 * i + c] for pixel i, and in rgb[4 * i + 3] what it lacks at
+/// most, by rays left out as too weak and by generations past the last.
 template <class T>
 struct PixelBatch {
     const T *x, *y;
@@ -80,7 +81,8 @@ struct PixelBatch {
 
 struct KernelCounts {
     std::uint64_t camera = 0, reflected = 0, refracted = 0, shadow = 0;
-    int depth = 0;  // of the deepest generation that had rays
+    int depth = 0;    // of the deepest generation that had rays
+    double lost = 0;  // most that any pixel lacks, see PixelBatch
 };
 
 /// Most pixels in a batch, and most rays in each queue of a generation.

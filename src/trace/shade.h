@@ -53,6 +53,10 @@ STRAHL_INLINE T largest(const Vec3<T>& v) {
     return max(v.x, max(v.y, v.z));
 }
 
+/// What is left out at once is no more than this share of what a pixel may still lack: later and weaker rays, of which
+/// there are more, want some of it too.
+inline constexpr float weak_share = .25f;
+
 /// The shading of one generation.
 template <class S>
 struct Shading {
@@ -73,7 +77,7 @@ struct Shading {
         Mask<S> active;
         Vec3<S> direction, position, normal;  // the normal is turned towards the incoming ray
         Mask<S> outside;                      // it comes from the side the surface faces
-        S surface, body, pixel, weight, path, interior;
+        S surface, body, pixel, weight, interior;
         const MaterialKernel<S>& material;
         bool alike;  // all lanes have the same material
         int key;
@@ -130,8 +134,12 @@ struct Shading {
             }
             const RayQueue<T>& from = within ? rays.inside : rays.open;
             const Hit hit = meet(item, material, spread >= 0, key, from, pick, within ? from.t : hits.t);
-            add_lanes(batch.rgb, hit.pixel, pick.lanes, scale(hit.weight, illumination(hit)));
-            if (depth < eye.depth) spawn(item, hit);
+            Mask<S> dim = Mask<S>(hit.active & !hit.active);
+            if (depth < eye.depth)
+                dim = spawn(item, hit);
+            else
+                truncate(hit);
+            add_lanes(batch.rgb, hit.pixel, pick.lanes, scale(hit.weight, illumination(hit, dim)));
         }
         next.inside_end[key] = next.inside.count;
         return true;
@@ -170,14 +178,15 @@ struct Shading {
                 item.surface,
                 pick(from.pixel),
                 pick(from.weight),
-                pick(from.path),
                 world.nested ? pick(from.interior) : S(0),
                 material,
                 alike,
                 key};
     }
-    /// Ia Ka Of + sum over lights S Il [Kd Of (n.l) + Ks (h.l)^p]
-    STRAHL_INLINE Vec3<S> illumination(const Hit& hit) {
+
+    /// Ia Ka Of + sum over lights S Il [Kd Of (n.l) + Ks (h.l)^p]; at `dim` hits without lamps that bring no more than
+    /// `MaterialKernel::scattered`.
+    STRAHL_INLINE Vec3<S> illumination(const Hit& hit, Mask<S> dim) {
         const MaterialKernel<S>& material = hit.material;
         const S zero(0);
         Vec3<S> light = material.ambient;
@@ -185,6 +194,7 @@ struct Shading {
         const S strongest = largest(material.diffuse);
         const Mask<S> glossy = hit.active & (material.specular > zero);
         if (none(glossy | (hit.active & (strongest > zero)))) return light;
+        const S faint = select(dim, S(faint_share) * strongest, zero);
         for (int i = 0; i < world.light_count; ++i) {
             const LightKernel<T>& lamp = world.lights[i];
             const Vec3<S> to_lamp = splat<S>(lamp.position) - hit.position;
@@ -204,8 +214,7 @@ struct Shading {
                                        zero);
             }
             // Whether anything is between only matters where there is light to lose.
-            const S most = S(largest(lamp.color)) * fma(strongest, cosine, highlight);
-            const Mask<S> faces = hit.active & (cosine > zero) & (most * hit.path > S(eye.faint));
+            const Mask<S> faces = hit.active & (cosine > zero) & (fma(strongest, cosine, highlight) > faint);
             if (none(faces)) continue;
             counts.shadow += count(faces);
             const Vec3<S> share =
@@ -226,26 +235,83 @@ struct Shading {
     struct Branch {
         Mask<S> mask;
         Vec3<S> direction;
-        S weight, path, list;
+        S weight, list;
     };
-    STRAHL_INLINE Branch branch(const Hit& hit, Mask<S> mask, const Vec3<S>& direction, S share, S path, S list) const {
+    STRAHL_INLINE static Branch branch(const Hit& hit, Mask<S> mask, const Vec3<S>& direction, S share, S list) {
         const S weight = min(hit.weight * share, S(largest_gain));
-        return {Mask<S>(mask & (weight > S(0)) & (path > S(eye.cutoff))), unit(direction), weight, path, list};
+        return {Mask<S>(mask & (weight > S(0))), unit(direction), weight, list};
     }
 
-    /// Mirrored and refracted rays of what can still be seen.
+    /// Something that a hit need not do if its pixel can do without the light: at most so much, in the lanes that have
+    /// it at all.
+    struct Part {
+        S most;
+        Mask<S> lanes, spared;
+        T share[width<S>], gone[width<S>];
+        Part(S light, Mask<S> mask) : most(light), lanes(mask), spared(mask & !mask) {}
+    };
+
+    /// Spares parts that are weak beside what the pixel may still lack, and adds them to what it does. One lane after
+    /// the other, so that what happens to a pixel depends on its own rays alone.
+    template <class... Parts>
+    STRAHL_INLINE void spare(const S& pixel, Parts&... parts) {
+        const T error = eye.error;
+        if (error == 0) return;
+        const auto weak = [&](const Part& part) { return bits(part.lanes & (part.most <= S(weak_share * error))); };
+        unsigned some = (weak(parts) | ...);
+        if (some == 0) return;
+        T pixels[width<S>];
+        store_lanes(pixels, pixel);
+        const auto lay_out = [&](Part& part) {
+            store_lanes(part.share, select(part.lanes, part.most, S(std::numeric_limits<T>::infinity())));
+            store_lanes(part.gone, S(0));
+        };
+        (lay_out(parts), ...);
+        for (; some != 0; some &= some - 1) {
+            const int k = std::countr_zero(some);
+            T& lacks = batch.rgb[4 * static_cast<int>(pixels[k]) + 3];
+            const auto decide = [&](Part& part) {
+                if (part.share[k] <= weak_share * (error - lacks)) lacks += part.share[k], part.gone[k] = 1;
+            };
+            (decide(parts), ...);
+        }
+        ((parts.spared = load_lanes<S>(parts.gone) > S(0)), ...);
+    }
+
+    /// In the last generation: what further ones could bring.
+    STRAHL_INLINE void truncate(const Hit& hit) {
+        const S share = hit.material.reflection + hit.material.refraction;
+        const Mask<S> more = hit.active & (hit.weight * share > S(0));
+        if (none(more)) return;
+        T pixels[width<S>], most[width<S>];
+        store_lanes(pixels, hit.pixel), store_lanes(most, hit.weight * share * S(eye.endless));
+        for (unsigned left = bits(more); left != 0; left &= left - 1) {
+            const int k = std::countr_zero(left);
+            batch.rgb[4 * static_cast<int>(pixels[k]) + 3] += most[k];
+        }
+    }
+
+    /// Mirrored and refracted rays that can still be seen. The lanes whose own light can hardly be.
     template <class PackItem>
-    STRAHL_INLINE void spawn(const PackItem& item, const Hit& hit) {
+    STRAHL_INLINE Mask<S> spawn(const PackItem& item, const Hit& hit) {
         const MaterialKernel<S>& material = hit.material;
         const S zero(0);
+        const T brightest = eye.brightest[eye.depth - depth];
+        const auto ray = [&](const Branch& b) { return Part(b.weight * S(brightest), b.mask); };
+        Part light(hit.weight * material.scattered, hit.active & (material.scattered > zero));
         const Mask<S> glass = hit.active & (material.refraction > zero);
-        if (none(glass | (hit.active & (material.reflection > zero)))) return;
+        if (none(glass | (hit.active & (material.reflection > zero)))) {
+            spare(hit.pixel, light);
+            return light.spared;
+        }
         if (!world.transparent || none(glass)) {
-            const Branch mirrored = branch(hit, hit.active, reflect(hit), material.reflection,
-                                           hit.path * material.path_reflected, hit.interior);
+            Branch mirrored = branch(hit, hit.active, reflect(hit), material.reflection, hit.interior);
+            Part part = ray(mirrored);
+            spare(hit.pixel, part, light);
+            mirrored.mask = mirrored.mask & !part.spared;
             counts.reflected += count(mirrored.mask);
             push(next.open, hit, mirrored);
-            return;
+            return light.spared;
         }
         S b = select(hit.outside, S(1) / material.ior, material.ior), list = hit.interior;
         if (world.nested) change_medium(hit, glass, b, list);
@@ -253,18 +319,21 @@ struct Shading {
         const S k = fma(b * b, fma(s, s, S(-1)), S(1));
         const Mask<S> total = glass & (k < zero);
         const S all = material.reflection + material.refraction;
-        Branch mirrored = branch(hit, hit.active, reflect(hit), select(total, all, material.reflection),
-                                 hit.path * select(total, all, material.path_reflected), hit.interior);
+        Branch mirrored = branch(hit, hit.active, reflect(hit), select(total, all, material.reflection), hit.interior);
         Branch bent =
             branch(hit, glass & !total, fma(fma(b, s, -sqrt(max(k, zero))), hit.normal, scale(b, hit.direction)),
-                   material.refraction, hit.path * material.path_refracted, list);
+                   material.refraction, list);
+        Part mirrored_part = ray(mirrored), bent_part = ray(bent);
+        spare(hit.pixel, mirrored_part, bent_part, light);
+        mirrored.mask = mirrored.mask & !mirrored_part.spared;
+        bent.mask = bent.mask & !bent_part.spared;
         counts.reflected += count(mirrored.mask);
         counts.refracted += count(bent.mask);
         if (world.enclosed >> hit.key & 1) {  // the one inside need not look for what it meets
             const Mask<S> in = hit.outside;
             Branch within{Mask<S>((mirrored.mask & !in) | (bent.mask & in)),
                           select(in, bent.direction, mirrored.direction), select(in, bent.weight, mirrored.weight),
-                          select(in, bent.path, mirrored.path), zero};
+                          zero};
             const Span<S> span =
                 item.shape.span(Ray<S>{hit.position, within.direction, hit.surface}, hit.surface - hit.body);
             within.mask = within.mask & span.hit & (span.far > zero);
@@ -275,6 +344,7 @@ struct Shading {
         }
         push(refracted, hit, bent);
         push(next.open, hit, mirrored);
+        return light.spared;
     }
 
     STRAHL_INLINE void push(RayQueue<T>& to, const Hit& hit, const Branch& ray) {
@@ -287,7 +357,6 @@ struct Shading {
         compress(to.source + n, hit.surface, ray.mask);
         compress(to.pixel + n, hit.pixel, ray.mask);
         compress(to.weight + n, ray.weight, ray.mask);
-        compress(to.path + n, ray.path, ray.mask);
         if (world.nested) compress(to.interior + n, ray.list, ray.mask);
         to.count += count(ray.mask);
     }

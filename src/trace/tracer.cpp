@@ -35,6 +35,12 @@ Vec3<T> to(const DVec3& v) {
     return {static_cast<T>(v.x), static_cast<T>(v.y), static_cast<T>(v.z)};
 }
 
+/// A bound in T; infinite before it could overflow when multiplied.
+template <class T>
+T upper(double value) {
+    return value < 1e18 ? static_cast<T>(value) : std::numeric_limits<T>::infinity();
+}
+
 template <class T>
 Kernel<T> kernel_for(Simd simd) {
     if constexpr (std::is_same_v<T, long double>) {
@@ -62,7 +68,7 @@ Kernel<T> kernel_for(Simd simd) {
 }
 
 template <class T>
-Eye<T> eye_of(const View& view, const Placement& placement, const Bound& bound) {
+Eye<T> eye_of(const View& view, const Placement& placement) {
     const CameraFrame frame = frame_of(view.camera, static_cast<double>(view.width) / view.height);
     return {.position = to<T>((view.camera.position - placement.origin) * placement.scale),
             .forward = to<T>(frame.forward),
@@ -73,8 +79,7 @@ Eye<T> eye_of(const View& view, const Placement& placement, const Bound& bound) 
             .bias_x = static_cast<T>((1 + 2 * view.shift_x) / view.width - 1),
             .bias_y = static_cast<T>((1 + 2 * view.shift_y) / view.height - 1),
             .depth = view.depth,
-            .cutoff = static_cast<T>(bound.cutoff),
-            .faint = static_cast<T>(bound.faint)};
+            .error = static_cast<T>(view.error)};
 }
 
 /// One thread's way through a tile: as many pixels at once as fit.
@@ -102,6 +107,7 @@ void trace_tile(const World<T>& world, const Kernel<T>& kernel, const Eye<T>& ey
             workspace.batch = std::max(1, count / 2);
         }
     }
+    for (int i = 0; i < pixels; ++i) counts.lost = std::max(counts.lost, double(workspace.rgb[4 * i + 3]));
 }
 
 template <class T>
@@ -146,7 +152,11 @@ class TracerOf : public AnyTracer {
         while (static_cast<int>(workspaces.size()) < pool.size())
             workspaces.push_back(std::make_unique<Workspace<T>>());
 
-        const Eye<T> eye = eye_of<T>(view, placed, bound_for(scene, view.depth, view.error));
+        const Bound bound = bound_for(scene, view.depth);
+        std::vector<T> brightest;
+        for (const double most : bound.brightest) brightest.push_back(upper<T>(most));
+        Eye<T> eye = eye_of<T>(view, placed);
+        eye.brightest = brightest.data(), eye.endless = upper<T>(bound.endless);
         const std::vector<int> around = built->bodies_around(view.camera.position);
         const int columns = (lattice.columns + tile_size - 1) / tile_size;
         const int tiles = columns * ((lattice.rows + tile_size - 1) / tile_size);
@@ -173,7 +183,7 @@ class TracerOf : public AnyTracer {
             counts[thread] = counted;
         });
         Counts sum;
-        for (const KernelCounts& c : counts) sum += {c.camera, c.reflected, c.refracted, c.shadow, c.depth};
+        for (const KernelCounts& c : counts) sum += {c.camera, c.reflected, c.refracted, c.shadow, c.depth, c.lost};
         return sum;
     }
 
@@ -227,7 +237,7 @@ Counts Tracer::trace(const View& view, const Lattice& lattice, ThreadPool& pool,
 
 Counts& Counts::operator+=(const Counts& other) {
     camera += other.camera, reflected += other.reflected, refracted += other.refracted, shadow += other.shadow;
-    depth = std::max(depth, other.depth);
+    depth = std::max(depth, other.depth), lost = std::max(lost, other.lost);
     return *this;
 }
 

@@ -39,7 +39,9 @@ struct Lattice {
 /// Rays traced, by type.
 struct Counts {
     std::uint64_t camera = 0, reflected = 0, refracted = 0, shadow = 0;
-    int depth = 0;  // of the deepest generation that had rays: if less than the View's, nothing was cut off there
+    int depth = 0;    // of the deepest generation that had rays
+    double lost = 0;  // no pixel lacks more light than this in any channel, by what was too weak to be traced
+                      // (View::error) and by generations past View::depth; infinite where those have no bound
     Counts& operator+=(const Counts& other);
     std::uint64_t total() const { return camera + reflected + refracted + shadow; }
 };
@@ -71,7 +73,7 @@ struct View {
     int width = 640, height = 480;
     int depth = 20;                   // generations of rays, the primary ray being the first; 1 to 256
     double shift_x = 0, shift_y = 0;  // of the sampling point from the pixel's centre, in pixels
-    double error = 0;  // the picture may lack this much light in a channel: what weighs less is not traced
+    double error = 0;  // a pixel may lack this much light in a channel: weak rays are left out until they add up to it
 };
 
 /// A scene made ready. Pictures depend on the scene, view, precision and (x86-64-v2 and extended apart) nothing else:

@@ -47,7 +47,7 @@ RayQueue<T> queue_in(T* next) {
     RayQueue<T> queue;
     for (int c = 0; c < 3; ++c) queue.origin[c] = array(), queue.direction[c] = array();
     queue.source = array(), queue.pixel = array(), queue.weight = array();
-    queue.path = array(), queue.interior = array(), queue.t = array();
+    queue.interior = array(), queue.t = array();
     return queue;
 }
 }  // namespace

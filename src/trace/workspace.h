@@ -28,7 +28,7 @@ class Workspace {
     Interiors interiors;
     std::vector<T> pixels_x, pixels_y;
     std::vector<int> order;    // of the tile's pixels, row by row: their numbers in the batch
-    std::vector<T> rgb;        // 4 numbers a pixel, the last unused
+    std::vector<T> rgb;        // 4 numbers a pixel, see PixelBatch
     int batch = batch_pixels;  // pixels that last fitted
 
   private:

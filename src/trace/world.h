@@ -13,6 +13,9 @@ struct Node;
 /// Shares and weights above 1, of glass brighter than white or of total reflection, grow no further than this, or in
 /// float they would become infinite and, times 0, no numbers.
 inline constexpr float largest_gain = 1e18f;
+/// Where a hit can do without the light of its lamps, it does without that of one lamp up to this many times the light
+/// that the lamp, straight above, would scatter there.
+inline constexpr float faint_share = 2;
 
 /// A shape with its numbers. Made of elements only, so that it can be gathered lane by lane; whole numbers are exact in
 /// every element type (in float up to 2^24, see `World::capacity`).
@@ -33,7 +36,7 @@ struct MaterialKernel {
     Vec3<T> diffuse;  // Kd Of
     Vec3<T> filter;   // Kt Of, what a shadow ray keeps at each surface crossed
     T specular, pow, reflection, refraction, ior;
-    T path_reflected, path_refracted;  // see RayQueue::path
+    T scattered;  // see scattered_light
 };
 
 template <class T>

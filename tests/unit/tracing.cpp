@@ -9,6 +9,7 @@
 #include "tests/referee/examples.h"
 #include "tests/referee/random_scene.h"
 #include "tests/referee/referee.h"
+#include "tests/unit/scenes.h"
 #include "trace/thread_pool.h"
 #include "trace/tracer.h"
 
@@ -63,6 +64,12 @@ struct Canvas {
 Counts trace(Tracer& tracer, const View& view, const Lattice& lattice, int threads, Canvas& canvas) {
     ThreadPool pool(threads);
     return tracer.trace(view, lattice, pool, [&](const Tile& tile) { canvas.put(tile); });
+}
+
+Counts render_counts(const Scene& scene, const View& view, Precision precision) {
+    Canvas canvas(view.width, view.height);
+    Tracer tracer(scene, precision);
+    return trace(tracer, view, {0, 0, view.width, view.height}, 1, canvas);
 }
 
 }  // namespace
@@ -126,6 +133,36 @@ TEST_CASE_TEMPLATE("the passes of Adam7 together are the whole picture", P, Sing
     }
     CHECK(canvas.count(1) == view.width * view.height);
     CHECK(canvas.rgb == render(scene, view, P::precision, 1).rgb);
+}
+
+TEST_CASE_TEMPLATE("what is left out of a pixel depends on that pixel alone, not on its neighbours or the lanes", P,
+                   Single, Twice) {
+    for (const char* name :
+         {"article", "crosscheck/camera_inside_opaque", "crosscheck/nested", "crosscheck/bright_glass"}) {
+        CAPTURE(name);
+        const Scene scene = read_scene(name);
+        View view = view_of(scene, 24 / coarse, 18 / coarse, 12);
+        std::uint64_t all = render_counts(scene, view, P::precision).total();
+        for (const double error : {1e-3, 3e-2, .3}) {
+            CAPTURE(error);
+            view.error = error;
+            const Frame expected = render(scene, view, P::precision, 1);
+            const Counts counts = render_counts(scene, view, P::precision);
+            CHECK(counts.total() < all);
+            all = counts.total();
+            CHECK(counts.lost > 0);
+            for (const Simd simd : {Simd::scalar, Simd::v3, Simd::v4})
+                if (supported(simd)) CHECK(render(scene, view, P::precision, 1, simd) == expected);
+            Tracer tracer(scene, P::precision);
+            Canvas canvas(view.width, view.height);
+            Counts sum;
+            for (int y = 0; y < view.height; ++y)
+                for (int x = 0; x < view.width; ++x) sum += trace(tracer, view, {x, y, 1, 1}, 1, canvas);
+            CHECK(canvas.rgb == expected.rgb);
+            CHECK(sum.total() == counts.total());
+            CHECK(sum.lost == counts.lost);
+        }
+    }
 }
 
 TEST_CASE("an empty lattice is no work") {
