@@ -72,6 +72,14 @@ STRAHL_INLINE __m512 maximum(__m512 a, __m512 b) { return _mm512_max_ps(a, b); }
 STRAHL_INLINE __m512d maximum(__m512d a, __m512d b) { return _mm512_max_pd(a, b); }
 STRAHL_INLINE __m512 fused(__m512 a, __m512 b, __m512 c) { return _mm512_fmadd_ps(a, b, c); }
 STRAHL_INLINE __m512d fused(__m512d a, __m512d b, __m512d c) { return _mm512_fmadd_pd(a, b, c); }
+STRAHL_INLINE __m512 chosen(unsigned mask, __m512 yes, __m512 no) {
+    return _mm512_mask_mov_ps(no, static_cast<__mmask16>(mask), yes);
+}
+STRAHL_INLINE __m512d chosen(unsigned mask, __m512d yes, __m512d no) {
+    return _mm512_mask_mov_pd(no, static_cast<__mmask8>(mask), yes);
+}
+STRAHL_INLINE float least_of(__m512 a) { return _mm512_reduce_min_ps(a); }
+STRAHL_INLINE double least_of(__m512d a) { return _mm512_reduce_min_pd(a); }
 #endif
 template <class T>
 STRAHL_INLINE auto raw(Pack<T> a) {
@@ -105,10 +113,19 @@ template <class T>
 STRAHL_INLINE Pack<T> sqrt(Pack<T> a) {
     return Pack<T>(std::experimental::sqrt(a.v));
 }
+/// Bit i is lane i.
+template <class T>
+STRAHL_INLINE unsigned bits(PackMask<T> mask) {
+    return static_cast<unsigned>(mask.m.__to_bitset().to_ulong());
+}
 template <class T>
 STRAHL_INLINE Pack<T> select(PackMask<T> mask, Pack<T> yes, Pack<T> no) {
+#if defined(__AVX512F__)  // the standard's way keeps g++ 12 from putting it into the instruction before
+    return Pack<T>(typename Pack<T>::Register(chosen(bits(mask), raw(yes), raw(no))));
+#else
     std::experimental::where(mask.m, no.v) = yes.v;
     return no;
+#endif
 }
 template <class T>
 STRAHL_INLINE Pack<T> abs(Pack<T> a) {
@@ -148,11 +165,6 @@ template <class T>
 STRAHL_INLINE int first(PackMask<T> mask) {
     return std::experimental::find_first_set(mask.m);
 }
-/// Bit i is lane i.
-template <class T>
-STRAHL_INLINE unsigned bits(PackMask<T> mask) {
-    return static_cast<unsigned>(mask.m.__to_bitset().to_ulong());
-}
 template <class T>
 STRAHL_INLINE T lane(const Pack<T>& a, int i) {  // from where it lies: no copy of all lanes for the sake of one
     T value;
@@ -167,7 +179,11 @@ STRAHL_INLINE Pack<T> with_lane(Pack<T> a, int i, T value) {  // a whole pack re
 /// The smallest of the lanes.
 template <class T>
 STRAHL_INLINE T least(Pack<T> a) {
+#if defined(__AVX512F__)
+    return least_of(raw(a));
+#else
     return std::experimental::hmin(a.v);
+#endif
 }
 template <class T>
 STRAHL_INLINE void compress(T* to, Pack<T> value, PackMask<T> mask) {
@@ -175,11 +191,9 @@ STRAHL_INLINE void compress(T* to, Pack<T> value, PackMask<T> mask) {
 #if defined(__AVX512F__)
     // Compressing in the register and storing whole: vcompress to memory is slow microcode on some processors.
     if constexpr (std::is_same_v<T, float> && n == 16) {
-        const auto bits = static_cast<__mmask16>(mask.m.__to_bitset().to_ulong());
-        return _mm512_storeu_ps(to, _mm512_maskz_compress_ps(bits, static_cast<__m512>(value.v)));
+        return _mm512_storeu_ps(to, _mm512_maskz_compress_ps(static_cast<__mmask16>(bits(mask)), raw(value)));
     } else if constexpr (std::is_same_v<T, double> && n == 8) {
-        const auto bits = static_cast<__mmask8>(mask.m.__to_bitset().to_ulong());
-        return _mm512_storeu_pd(to, _mm512_maskz_compress_pd(bits, static_cast<__m512d>(value.v)));
+        return _mm512_storeu_pd(to, _mm512_maskz_compress_pd(static_cast<__mmask8>(bits(mask)), raw(value)));
     }
 #endif
     for (int i = 0; i < n; ++i) {

@@ -328,6 +328,12 @@ void BuiltWorld<T>::Arrays::see_from_lights() {
     world.blockers = blockers.data();
 }
 
+/// The cosine whose power is a 64th of the last bit of 1.
+template <class T>
+T shines_from(double exponent) {
+    return std::pow(std::numeric_limits<T>::epsilon() / 64, 1 / static_cast<T>(exponent));
+}
+
 template <class T>
 BuiltWorld<T>::Arrays::Arrays(const Scene& scene, const Placement& placement, ThreadPool& pool) {
     const DVec3 ambient = scene.settings.ambient_light;
@@ -335,7 +341,7 @@ BuiltWorld<T>::Arrays::Arrays(const Scene& scene, const Placement& placement, Th
     for (const Material& m : scene.materials) {
         materials.push_back({to<T>(ambient * m.rgb * m.ambient), to<T>(m.rgb * m.diffuse), to<T>(m.rgb * m.refraction),
                              static_cast<T>(m.specular), static_cast<T>(m.pow), static_cast<T>(m.reflection),
-                             static_cast<T>(m.refraction), static_cast<T>(m.ior),
+                             static_cast<T>(m.refraction), static_cast<T>(m.ior), shines_from<T>(m.pow),
                              static_cast<T>(scattered[materials.size()])});
         world.transparent |= m.refraction > 0;
     }

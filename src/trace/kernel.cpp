@@ -68,18 +68,27 @@ STRAHL_INLINE void each_key(const S& keys, Mask<S> active, const Visit& visit) {
 template <class S, class T>
 void find(const World<T>& world, const RayQueue<T>& rays, HitList<T>& hits) {
     for (int k = 0; k <= world.keys; ++k) hits.end[k] = 0;
-    for (int i = 0; i < rays.count; i += width<S>) {
+    const auto pack_of = [&](int i) {
         const auto at = [i](const T* values) { return load_lanes<S>(values + i); };
-        const Ray<S> ray{{at(rays.origin.x), at(rays.origin.y), at(rays.origin.z)},
-                         {at(rays.direction.x), at(rays.direction.y), at(rays.direction.z)},
-                         at(rays.source)};
-        const Mask<S> active = first_lanes<S>(rays.count - i);
-        const Nearest<S> hit =
-            nearest(world, ray, active, world.key_per_item ? in_view(world, ray, active) : ~BodySet(0));
-        store_lanes(hits.t + i, hit.t);
-        store_lanes(hits.surface + i, hit.surface);
-        store_lanes(hits.key + i, hit.key);
-        each_key(hit.key, active, [&](int key, Mask<S> lanes) { hits.end[key] += count(lanes); });
+        return Ray<S>{{at(rays.origin.x), at(rays.origin.y), at(rays.origin.z)},
+                      {at(rays.direction.x), at(rays.direction.y), at(rays.direction.z)},
+                      at(rays.source)};
+    };
+    constexpr int packs = 8;  // looked over together: what one waits for does not hold up the next
+    for (int first = 0; first < rays.count; first += packs * width<S>) {
+        const int last = std::min(rays.count, first + packs * width<S>);
+        BodySet sets[packs];
+        for (int i = first; i < last; i += width<S>)
+            sets[(i - first) / width<S>] =
+                world.key_per_item ? in_view(world, pack_of(i), first_lanes<S>(rays.count - i)) : ~BodySet(0);
+        for (int i = first; i < last; i += width<S>) {
+            const Mask<S> active = first_lanes<S>(rays.count - i);
+            const Nearest<S> hit = nearest(world, pack_of(i), active, sets[(i - first) / width<S>]);
+            store_lanes(hits.t + i, hit.t);
+            store_lanes(hits.surface + i, hit.surface);
+            store_lanes(hits.key + i, hit.key);
+            each_key(hit.key, active, [&](int key, Mask<S> lanes) { hits.end[key] += count(lanes); });
+        }
     }
 }
 

@@ -206,7 +206,7 @@ struct Shading {
             S highlight = zero;
             if (any(glossy)) {
                 const S shine = min(max(dot(mirrored, l), zero), S(1));  // or sharp highlights blow rounding up
-                const Mask<S> shines = glossy & (shine > zero);
+                const Mask<S> shines = glossy & (shine > material.shines_from);
                 if (any(shines))
                     highlight = select(shines,
                                        material.specular * (hit.alike ? power_of_all(shine, lane(material.pow, 0))
@@ -350,14 +350,16 @@ struct Shading {
     STRAHL_INLINE void push(RayQueue<T>& to, const Hit& hit, const Branch& ray) {
         if (none(ray.mask)) return;
         const int n = to.count;
-        for (int c = 0; c < 3; ++c) {
-            compress(to.origin[c] + n, hit.position[c], ray.mask);
-            compress(to.direction[c] + n, ray.direction[c], ray.mask);
-        }
-        compress(to.source + n, hit.surface, ray.mask);
-        compress(to.pixel + n, hit.pixel, ray.mask);
-        compress(to.weight + n, ray.weight, ray.mask);
-        if (world.nested) compress(to.interior + n, ray.list, ray.mask);
+        const auto put_with = [&](const auto& put) {
+            for (int c = 0; c < 3; ++c)
+                put(to.origin[c] + n, hit.position[c]), put(to.direction[c] + n, ray.direction[c]);
+            put(to.source + n, hit.surface), put(to.pixel + n, hit.pixel), put(to.weight + n, ray.weight);
+            if (world.nested) put(to.interior + n, ray.list);
+        };
+        if (all(ray.mask))
+            put_with([](T* place, const S& value) { store_lanes(place, value); });
+        else
+            put_with([&](T* place, const S& value) { compress(place, value, ray.mask); });
         to.count += count(ray.mask);
     }
 

@@ -36,7 +36,8 @@ struct MaterialKernel {
     Vec3<T> diffuse;  // Kd Of
     Vec3<T> filter;   // Kt Of, what a shadow ray keeps at each surface crossed
     T specular, pow, reflection, refraction, ior;
-    T scattered;  // see scattered_light
+    T shines_from;  // the cosine up to which a highlight is below the last bit
+    T scattered;    // see scattered_light
 };
 
 template <class T>
