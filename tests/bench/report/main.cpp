@@ -13,13 +13,16 @@ namespace {
 
 using namespace strahl::bench;
 
-const std::array<std::pair<const char*, const char*>, 7> programs{{{"float", "Strahl float"},
-                                                                   {"double", "Strahl double"},
-                                                                   {"render-float", "`strahl render`, float"},
-                                                                   {"render-double", "`strahl render`, double"},
-                                                                   {"embree", "Embree"},
-                                                                   {"tachyon", "Tachyon"},
-                                                                   {"povray", "POV-Ray"}}};
+const std::array<std::pair<const char*, const char*>, 10> programs{{{"float", "Strahl float"},
+                                                                    {"double", "Strahl double"},
+                                                                    {"float-16", "Strahl float, 16 bits"},
+                                                                    {"double-16", "Strahl double, 16 bits"},
+                                                                    {"render-float", "`strahl render`, float"},
+                                                                    {"render-double", "`strahl render`, double"},
+                                                                    {"embree", "Embree"},
+                                                                    {"tachyon", "Tachyon"},
+                                                                    {"povray", "POV-Ray"},
+                                                                    {"povray-16", "POV-Ray, 16 bits"}}};
 
 std::string title(const std::string& program) {
     for (const auto& [name, words] : programs)
@@ -43,19 +46,22 @@ const Summary* any_of_ours(const World& world) {
     return s ? s : world.find("float");
 }
 
-void write_overview(const std::vector<World>& worlds) {
-    std::cout << "| World | Threads | Strahl float | Strahl double |";
-    for (const char* peer : {"embree", "tachyon", "povray"})
-        std::cout << ' ' << title(peer) << ": to float | to double |";
-    std::cout << "\n|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n";
+/// Seconds of two programs of ours, and how many times as long others take.
+void write_overview(const std::vector<World>& worlds, const std::array<const char*, 2>& ours,
+                    const std::vector<const char*>& peers) {
+    std::cout << "| World | Threads | " << title(ours[0]) << " | " << title(ours[1]) << " |";
+    for (const char* peer : peers) std::cout << ' ' << title(peer) << ": to float | to double |";
+    std::cout << "\n|---|--:|--:|--:|";
+    for (std::size_t i = 0; i < peers.size(); ++i) std::cout << "--:|--:|";
+    std::cout << '\n';
     for (const World& world : worlds) {
         std::cout << "| " << world.name << " | " << world.threads;
-        for (const char* own : {"float", "double"}) {
+        for (const char* own : ours) {
             const Summary* s = world.find(own);
             std::cout << " | " << (s ? digits(s->row.seconds()) + " s" : "");
         }
-        for (const char* peer : {"embree", "tachyon", "povray"})
-            for (const char* own : {"float", "double"}) {
+        for (const char* peer : peers)
+            for (const char* own : ours) {
                 const Summary* s = world.find(peer);
                 const bool both = s && s->ratio.contains(own);
                 std::cout << " | " << (both ? digits(s->ratio.at(own)) : "");
@@ -113,7 +119,7 @@ void write_json(const std::string& path, const std::string& machine, const std::
             if (s.row.program == "float" || s.row.program == "double") continue;
             out << separator << "{\"world\": " << quoted(world.name) << ", \"threads\": " << world.threads
                 << ", \"program\": " << quoted(s.row.program);
-            for (const char* own : {"float", "double"})
+            for (const char* own : {"float", "double", "float-16", "double-16"})
                 if (s.ratio.contains(own)) out << ", \"to_" << own << "\": " << s.ratio.at(own);
             out << "}";
             separator = ",\n";
@@ -122,8 +128,10 @@ void write_json(const std::string& path, const std::string& machine, const std::
     if (!out.flush()) throw std::runtime_error("cannot write " + path);
 }
 
+/// `strahl render` itself would hide behind the engine, and what leaves something out is not for these plots.
+bool shown(std::string_view program) { return !program.starts_with("render-") && !program.ends_with("-16"); }
+
 /// A line per world for which `x` is above 0, a column per program; none if that makes no line in the plot.
-/// `strahl render` itself would hide behind the engine.
 void write_plot(const std::string& path, const std::string& label, const std::vector<World>& worlds,
                 const std::function<double(const World&)>& x) {
     std::vector<const World*> points;
@@ -135,7 +143,7 @@ void write_plot(const std::string& path, const std::string& label, const std::ve
     std::vector<std::string> columns;
     for (const auto& [name, words] : programs)
         for (const World* world : points)
-            if (world->find(name) && !std::string_view(name).starts_with("render-")) {
+            if (world->find(name) && shown(name)) {
                 columns.push_back(name);
                 out << " \"" << words << '"';
                 break;
@@ -188,7 +196,13 @@ int main(int argc, char** argv) try {
         << ".\n\nSeconds are wall time to make the hierarchy and to trace, without start-up, parsing and writing; "
            "medians of all rounds.\nNumbers below a program's name say how many times as long as Strahl it takes, "
            "in the same round.\n\n";
-    write_overview(worlds);
+    write_overview(worlds, {"float", "double"}, {"embree", "tachyon", "povray"});
+    std::cout
+        << "\nThe same, where nothing need be traced that can't change 16 bits: Strahl leaves out light that adds up "
+           "to "
+           "less than\nhalf a step, for certain, and POV-Ray rays that weigh less than that (`adc_bailout`), which "
+           "is no such promise.\n\n";
+    write_overview(worlds, {"float-16", "double-16"}, {"povray-16", "povray"});
     for (const World& world : worlds) write_details(world);
     write_json(folder + "/results.json", argv[3], rows, worlds);
     write_plots(folder, worlds);

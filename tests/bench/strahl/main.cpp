@@ -1,7 +1,8 @@
-// Strahl's engine as the other programs are measured: bench_strahl SCENE PICTURE WIDTH HEIGHT THREADS PRECISION
+// Strahl's engine as the other programs are measured: bench_strahl SCENE PICTURE WIDTH HEIGHT THREADS PRECISION [BITS]
 //
 // Prints seconds, rays and peak memory before the picture is written; the picture "-" is not written. Nothing is left
-// out of it (error 0). `strahl render` itself loads the picture library while it traces, which small pictures feel.
+// out of it (error 0), or what is less than half a step of so many bits. `strahl render` itself loads the picture
+// library while it traces, which small pictures feel.
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -18,12 +19,13 @@ namespace {
 using namespace strahl;
 
 template <class T>
-void run(char** argv, Precision precision) {
+void run(char** argv, Precision precision, int bits) {
     Scene scene = parse_scene(read_text(argv[1]), argv[1]);
     View view{.camera = scene.camera, .width = std::atoi(argv[3]), .height = std::atoi(argv[4])};
     view.depth = scene.settings.max_trace_level;
     std::vector<T> picture(3 * std::size_t(view.width) * view.height);
     const bool linear = scene.settings.linear;
+    if (bits > 0) view.error = half_step({bits, linear});
     ThreadPool pool(std::atoi(argv[5]));
     const Lattice whole{.columns = view.width, .rows = view.height};
     const auto keep = [&](const Tile& tile) { place(tile, whole, picture); };
@@ -41,11 +43,13 @@ void run(char** argv, Precision precision) {
 }  // namespace
 
 int main(int argc, char** argv) try {
-    if (argc != 7) throw std::invalid_argument("bench_strahl SCENE PICTURE WIDTH HEIGHT THREADS float|double");
+    if (argc != 7 && argc != 8)
+        throw std::invalid_argument("bench_strahl SCENE PICTURE WIDTH HEIGHT THREADS float|double [BITS]");
+    const int bits = argc == 8 ? std::atoi(argv[7]) : 0;
     if (std::strcmp(argv[6], "float") == 0)
-        run<float>(argv, Precision::single);
+        run<float>(argv, Precision::single, bits);
     else
-        run<double>(argv, Precision::twice);
+        run<double>(argv, Precision::twice, bits);
 } catch (const std::exception& error) {
     std::cerr << error.what() << '\n';
     return 1;
