@@ -64,10 +64,10 @@ STRAHL_INLINE void each_key(const S& keys, Mask<S> active, const Visit& visit) {
     }
 }
 
-/// Meets the nearest surfaces and counts the hits of each key.
+/// Meets the nearest surfaces, and sorts the rays by the keys of these, stably.
 template <class S, class T>
 void find(const World<T>& world, const RayQueue<T>& rays, HitList<T>& hits) {
-    for (int k = 0; k <= world.keys; ++k) hits.end[k] = 0;
+    for (int k = 0; k <= world.keys; ++k) hits.count[k] = 0;
     const auto pack_of = [&](int i) {
         const auto at = [i](const T* values) { return load_lanes<S>(values + i); };
         return Ray<S>{{at(rays.origin.x), at(rays.origin.y), at(rays.origin.z)},
@@ -86,27 +86,12 @@ void find(const World<T>& world, const RayQueue<T>& rays, HitList<T>& hits) {
             const Nearest<S> hit = nearest(world, pack_of(i), active, sets[(i - first) / width<S>]);
             store_lanes(hits.t + i, hit.t);
             store_lanes(hits.surface + i, hit.surface);
-            store_lanes(hits.key + i, hit.key);
-            each_key(hit.key, active, [&](int key, Mask<S> lanes) { hits.end[key] += count(lanes); });
+            const S number = iota<S>() + S(static_cast<T>(i));
+            each_key(hit.key, active, [&](int key, Mask<S> lanes) {
+                compress(hits.of(key) + hits.count[key], number, lanes);
+                hits.count[key] += count(lanes);
+            });
         }
-    }
-}
-
-/// Sorts rays by key, stably.
-template <class S, class T>
-void sort(const World<T>& world, const RayQueue<T>& rays, HitList<T>& hits) {
-    int next = 0;
-    for (int k = 0; k <= world.keys; ++k) {
-        const int count = hits.end[k];
-        hits.begin[k] = hits.end[k] = next;
-        if (count) next += count + width<S>;
-    }
-    for (int i = 0; i < rays.count; i += width<S>) {
-        const S number = iota<S>() + S(static_cast<T>(i));
-        each_key(load_lanes<S>(hits.key + i), first_lanes<S>(rays.count - i), [&](int key, Mask<S> lanes) {
-            compress(hits.order + hits.end[key], number, lanes);
-            hits.end[key] += count(lanes);
-        });
     }
 }
 
@@ -128,11 +113,10 @@ bool step(const World<T>& world, const Eye<T>& eye, const Generation<T>& rays, G
     counts.depth = counts.depth < depth ? depth : counts.depth;
     HitList<T>& list = hits(workspace);
     find<S>(world, rays.open, list);
-    sort<S>(world, rays.open, list);
     RayQueue<T>& refracted = aside(workspace);
     next.open.count = next.inside.count = refracted.count = 0;
     Shading<S> shading{world, eye, rays, list, batch, next, refracted, workspace, counts, depth};
-    shading.leave(list.begin[world.keys], list.end[world.keys]);
+    shading.leave();
     bool room = true;
     world.groups.each([&](const auto& group) {
         for (int key = group.first_key; room && key < group.last_key; ++key) room = shading.shade(group, key);

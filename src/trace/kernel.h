@@ -6,6 +6,9 @@
 
 namespace strahl {
 
+/// Most pixels in a batch, and most rays in each queue of a generation.
+inline constexpr int batch_pixels = 256, batch_rays = 4096;
+
 /// A queue of rays, one array per value.
 template <class T>
 struct RayQueue {
@@ -31,9 +34,12 @@ struct Generation {
 /// What a generation met.
 template <class T>
 struct HitList {
-    T *t, *surface, *key;       // by ray; the key of rays that hit nothing is World::keys
-    T* order;                   // numbers of rays, stretches of equal keys
-    std::int32_t *begin, *end;  // by key: its stretch of `order`; a pack's room is between any two
+    T *t, *surface;  // by ray
+    T* order;        // numbers of rays by the key of what they hit, see of(); of those that hit nothing World::keys
+    std::int32_t* count;  // by key: how many
+    T* of(int key) const { return order + std::size_t(key) * room; }
+    static constexpr std::size_t room = batch_rays + 80;  // packs are stored whole; no power of two, or caches would
+                                                          // fill one place only
 };
 
 /// Lists of transparent bodies entered, as POV-Ray keeps them: numbered, each a shorter list and one body more.
@@ -84,9 +90,6 @@ struct KernelCounts {
     int depth = 0;    // of the deepest generation that had rays
     double lost = 0;  // most that any pixel lacks, see PixelBatch
 };
-
-/// Most pixels in a batch, and most rays in each queue of a generation.
-inline constexpr int batch_pixels = 256, batch_rays = 4096;
 
 /// Traces a batch. False if some generation has more rays than that: the batch must be split, its sums thrown
 /// away. A batch of one pixel always succeeds.

@@ -83,10 +83,10 @@ struct Shading {
         int key;
     };
 
-    /// Rays that hit nothing, [begin, end) of the order, bring back the background.
-    void leave(int begin, int end) {
-        for (int i = begin; i < end; i += width<S>) {
-            const Pick pick(hits.order + i, end - i);
+    /// Rays that hit nothing bring back the background.
+    void leave() {
+        for (int i = 0, left; (left = hits.count[world.keys] - i) > 0; i += width<S>) {
+            const Pick pick(hits.of(world.keys) + i, left);
             const S weight = pick(rays.open.weight);
             add_lanes(batch.rgb, pick(rays.open.pixel), pick.lanes, scale(weight, splat<S>(world.background)));
         }
@@ -95,7 +95,7 @@ struct Shading {
     /// Shades the hits of a key, all on items of this group. False if the queues are full.
     template <class Group>
     bool shade(const Group& group, int key) {
-        const int found = hits.end[key] - hits.begin[key];
+        const int found = hits.count[key];
         const int inside = world.enclosed ? rays.inside_end[key] - rays.inside_begin[key] : 0;
         next.inside_begin[key] = next.inside.count;
         using PackItem = typename Group::template ItemOf<S>;
@@ -116,8 +116,7 @@ struct Shading {
             left = i < 0 ? -i : found - i;
             if (next.open.count + refracted.count > batch_rays || next.inside.count > batch_rays) return false;
             const bool within = i < 0;
-            const Pick pick =
-                within ? Pick(rays.inside_end[key] + i, left) : Pick(hits.order + hits.begin[key] + i, left);
+            const Pick pick = within ? Pick(rays.inside_end[key] + i, left) : Pick(hits.of(key) + i, left);
             if (!world.key_per_item) {
                 int items[width<S>], materials[width<S>];
                 for (int k = 0; k < width<S>; ++k) {

@@ -54,15 +54,11 @@ RayQueue<T> queue_in(T* next) {
 
 template <class T>
 Workspace<T>::Workspace() {
-    values = zeros<T>((4 + ray_arrays) * queue_room + most_keys * widest_pack);
-    stretches.resize(2 * most_keys);
+    values = zeros<T>((2 + ray_arrays) * queue_room);
+    order_by_key = room<T>(most_keys * HitList<T>::room);
+    counts.resize(most_keys);
     T* const first = values.get() + ray_arrays * queue_room;
-    hits = {first,
-            first + queue_room,
-            first + 2 * queue_room,
-            first + 3 * queue_room,
-            stretches.data(),
-            stretches.data() + most_keys};
+    hits = {first, first + queue_room, order_by_key.get(), counts.data()};
     aside = queue_in(values.get());
     pixels_x.resize(batch_pixels + widest_pack), pixels_y.resize(batch_pixels + widest_pack);
     order.resize(batch_pixels);

@@ -32,8 +32,8 @@ class Workspace {
     int batch = batch_pixels;  // pixels that last fitted
 
   private:
-    Room<T> values;
-    std::vector<std::int32_t> stretches;
+    Room<T> values, order_by_key;
+    std::vector<std::int32_t> counts;
     struct Held {
         Room<T> values;
         std::vector<std::int32_t> stretches;
