@@ -34,8 +34,9 @@ std::string to_json(const Stats& stats) {
          << ",\n  \"deepest\": " << stats.rays.depth << ",\n";
     json << "  \"precision\": \"" << name(accuracy.precision) << "\",\n  \"simd\": \"" << name(stats.simd) << "\",\n";
     const double rounding = accuracy.rounding.value_or(std::numeric_limits<double>::quiet_NaN());
-    json << "  \"error\": { \"allowed\": " << number(stats.error) << ", \"guaranteed\": " << number(stats.rays.lost)
-         << ", \"rounding\": " << number(rounding) << " },\n";
+    json << "  \"error\": { \"allowed\": " << number(stats.error) << ", \"dropped\": " << number(stats.rays.dropped)
+         << ", \"past_depth\": " << number(stats.rays.past) << ", \"rounding\": " << number(rounding)
+         << ", \"guaranteed\": " << number(stats.rays.lost()) << " },\n";
     json << "  \"lanes\": " << stats.lanes << ",\n  \"threads\": " << stats.threads << ",\n";
     json << "  \"parse_seconds\": " << stats.parse_seconds << ",\n  \"build_seconds\": " << stats.build_seconds
          << ",\n";

@@ -8,7 +8,7 @@ namespace strahl {
 
 /// How to trace, and what that leaves out of the exact picture, off the edges (see edge.h). Values are per channel.
 /// Generations past `depth` are left out too; how much light they could have brought is known when the picture is
-/// traced (Counts::lost).
+/// traced (Counts::past).
 struct Accuracy {
     Precision precision = Precision::twice;
     int depth = 20;

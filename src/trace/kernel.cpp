@@ -180,7 +180,7 @@ bool trace(const World<Element<S>>& world, const Eye<Element<S>>& eye, const Pix
                      counts)) {
             counts = before;
             if (batch.count > 1) return false;
-            std::fill_n(batch.rgb, 4, T(0));
+            std::fill_n(batch.rgb, 4, T(0)), batch.past[0] = 0;
             constexpr int first_of_descent = 2;
             start(first_of_descent);
             descend<S>(world, eye, first_of_descent, 1, batch, workspace, counts);

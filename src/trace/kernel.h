@@ -76,19 +76,19 @@ struct Eye {
     T endless = 0;                 // nor with any number of generations; infinite if there is no bound
 };
 
-/// Pixels to trace, and where their light is summed: rgb[4 * i + c] for pixel i, and in rgb[4 * i + 3] what it lacks at
-/// most, by rays left out as too weak and by generations past the last.
+/// Pixels to trace, and where their light is summed: rgb[4 * i + c] for pixel i. In rgb[4 * i + 3] is what it lacks at
+/// most by rays left out as too weak, in past[i] by generations past the last.
 template <class T>
 struct PixelBatch {
     const T *x, *y;
-    T* rgb;
+    T *rgb, *past;
     int count;
 };
 
 struct KernelCounts {
     std::uint64_t camera = 0, reflected = 0, refracted = 0, shadow = 0;
-    int depth = 0;    // of the deepest generation that had rays
-    double lost = 0;  // most that any pixel lacks, see PixelBatch
+    int depth = 0;                 // of the deepest generation that had rays
+    double dropped = 0, past = 0;  // most that any pixel lacks, see PixelBatch
 };
 
 /// Traces a batch. False if some generation has more rays than that: the batch must be split, its sums thrown

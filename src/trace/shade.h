@@ -286,7 +286,7 @@ struct Shading {
         store_lanes(pixels, hit.pixel), store_lanes(most, hit.weight * share * S(eye.endless));
         for (unsigned left = bits(more); left != 0; left &= left - 1) {
             const int k = std::countr_zero(left);
-            batch.rgb[4 * static_cast<int>(pixels[k]) + 3] += most[k];
+            batch.past[static_cast<int>(pixels[k])] += most[k];
         }
     }
 

@@ -88,6 +88,7 @@ void trace_tile(const World<T>& world, const Kernel<T>& kernel, const Eye<T>& ey
                 Workspace<T>& workspace, KernelCounts& counts) {
     const int pixels = tile.columns * tile.rows;
     std::fill(workspace.rgb.begin(), workspace.rgb.end(), T(0));
+    std::fill(workspace.past.begin(), workspace.past.end(), T(0));
     int filled = 0;
     for (const auto [x, y] : z_curve) {
         if (x >= tile.columns || y >= tile.rows) continue;
@@ -98,16 +99,20 @@ void trace_tile(const World<T>& world, const Kernel<T>& kernel, const Eye<T>& ey
     for (int done = 0; done < pixels;) {
         const int count = std::min(workspace.batch, pixels - done);
         const PixelBatch<T> batch{workspace.pixels_x.data() + done, workspace.pixels_y.data() + done,
-                                  workspace.rgb.data() + 4 * done, count};
+                                  workspace.rgb.data() + 4 * done, workspace.past.data() + done, count};
         if (kernel.trace(world, eye, batch, workspace, counts)) {
             done += count;
             workspace.batch = std::min(batch_pixels, 2 * workspace.batch);
         } else {
             std::fill_n(batch.rgb, 4 * count, T(0));
+            std::fill_n(batch.past, count, T(0));
             workspace.batch = std::max(1, count / 2);
         }
     }
-    for (int i = 0; i < pixels; ++i) counts.lost = std::max(counts.lost, double(workspace.rgb[4 * i + 3]));
+    for (int i = 0; i < pixels; ++i) {
+        counts.dropped = std::max(counts.dropped, double(workspace.rgb[4 * i + 3]));
+        counts.past = std::max(counts.past, double(workspace.past[i]));
+    }
 }
 
 template <class T>
@@ -183,7 +188,8 @@ class TracerOf : public AnyTracer {
             counts[thread] = counted;
         });
         Counts sum;
-        for (const KernelCounts& c : counts) sum += {c.camera, c.reflected, c.refracted, c.shadow, c.depth, c.lost};
+        for (const KernelCounts& c : counts)
+            sum += {c.camera, c.reflected, c.refracted, c.shadow, c.depth, c.dropped, c.past};
         return sum;
     }
 
@@ -237,7 +243,8 @@ Counts Tracer::trace(const View& view, const Lattice& lattice, ThreadPool& pool,
 
 Counts& Counts::operator+=(const Counts& other) {
     camera += other.camera, reflected += other.reflected, refracted += other.refracted, shadow += other.shadow;
-    depth = std::max(depth, other.depth), lost = std::max(lost, other.lost);
+    depth = std::max(depth, other.depth);
+    dropped = std::max(dropped, other.dropped), past = std::max(past, other.past);
     return *this;
 }
 

@@ -39,9 +39,11 @@ struct Lattice {
 /// Rays traced, by type.
 struct Counts {
     std::uint64_t camera = 0, reflected = 0, refracted = 0, shadow = 0;
-    int depth = 0;    // of the deepest generation that had rays
-    double lost = 0;  // no pixel lacks more light than this in any channel, by what was too weak to be traced
-                      // (View::error) and by generations past View::depth; infinite where those have no bound
+    int depth = 0;  // of the deepest generation that had rays
+    // No pixel lacks more light than this in any channel: by rays too weak to be traced (View::error), and by
+    // generations past View::depth; infinite where those have no bound.
+    double dropped = 0, past = 0;
+    double lost() const { return dropped + past; }
     Counts& operator+=(const Counts& other);
     std::uint64_t total() const { return camera + reflected + refracted + shadow; }
 };

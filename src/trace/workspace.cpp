@@ -62,7 +62,7 @@ Workspace<T>::Workspace() {
     aside = queue_in(values.get());
     pixels_x.resize(batch_pixels + widest_pack), pixels_y.resize(batch_pixels + widest_pack);
     order.resize(batch_pixels);
-    rgb.resize(4 * batch_pixels);
+    rgb.resize(4 * batch_pixels), past.resize(batch_pixels);
 }
 
 template <class T>

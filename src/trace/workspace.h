@@ -27,8 +27,9 @@ class Workspace {
     HitList<T> hits;
     Interiors interiors;
     std::vector<T> pixels_x, pixels_y;
-    std::vector<int> order;    // of the tile's pixels, row by row: their numbers in the batch
-    std::vector<T> rgb;        // 4 numbers a pixel, see PixelBatch
+    std::vector<int> order;  // of the tile's pixels, row by row: their numbers in the batch
+    std::vector<T> rgb;      // 4 numbers a pixel, see PixelBatch
+    std::vector<T> past;
     int batch = batch_pixels;  // pixels that last fitted
 
   private:

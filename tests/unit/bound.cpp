@@ -52,15 +52,15 @@ Traced trace(const Scene& scene, int depth, double error) {
 void hold(const Scene& scene, int depth) {
     const Frame all = picture(scene, depth), deeper = picture(scene, depth + 3);
     CHECK(brightest(all) <= bound_for(scene, depth).brightest.back() + rounding);
-    const double past = trace(scene, depth, 0).counts.lost;  // nothing else is left out then
+    const double past = trace(scene, depth, 0).counts.lost();  // nothing else is left out then
     CHECK(difference(deeper, all) <= past + rounding);
     for (const double error : {1e-1, 1e-2, 1e-3, 1e-4}) {
         CAPTURE(error);
         const auto [frame, counts] = trace(scene, depth, error);
         CHECK(difference(frame, all) <= error + rounding);
-        CHECK(difference(frame, deeper) <= counts.lost + rounding);
-        CHECK(counts.lost <= error + past + rounding);
-        CHECK(counts.lost >= 0);
+        CHECK(difference(frame, deeper) <= counts.lost() + rounding);
+        CHECK(counts.lost() <= error + past + rounding);
+        CHECK(counts.lost() >= 0);
     }
 }
 
@@ -88,7 +88,7 @@ TEST_CASE("glass that brightens the light going through it") {
     scene.primitives.insert(scene.primitives.end(), 500, scene.primitives[1]);  // the bound is infinite
     const auto [frame, counts] = trace(scene, 2, .1);
     CHECK(frame == picture(scene, 2));
-    CHECK(std::isinf(counts.lost));
+    CHECK(std::isinf(counts.lost()));
 }
 
 TEST_CASE("a larger error allows fewer rays, and none allows all") {

@@ -150,7 +150,7 @@ TEST_CASE_TEMPLATE("what is left out of a pixel depends on that pixel alone, not
             const Counts counts = render_counts(scene, view, P::precision);
             CHECK(counts.total() < all);
             all = counts.total();
-            CHECK(counts.lost > 0);
+            CHECK(counts.lost() > 0);
             for (const Simd simd : {Simd::scalar, Simd::v3, Simd::v4})
                 if (supported(simd)) CHECK(render(scene, view, P::precision, 1, simd) == expected);
             Tracer tracer(scene, P::precision);
@@ -160,7 +160,7 @@ TEST_CASE_TEMPLATE("what is left out of a pixel depends on that pixel alone, not
                 for (int x = 0; x < view.width; ++x) sum += trace(tracer, view, {x, y, 1, 1}, 1, canvas);
             CHECK(canvas.rgb == expected.rgb);
             CHECK(sum.total() == counts.total());
-            CHECK(sum.lost == counts.lost);
+            CHECK(sum.lost() == counts.lost());
         }
     }
 }
