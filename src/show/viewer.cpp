@@ -308,18 +308,18 @@ void Viewer::draw() {
     if (draws_due > 0) --draws_due;
     motion.drawn(now() - moment);
     if (moving && state.number != before) motion.picture(now(), state.level);
-}
-
-/// The first picture, and once a rest the finished one; it may have been finished before the rest began.
-void Viewer::log_pictures() {
-    char text[120];
-    if (!seen && state.number > 0) {
-        seen = true;
+    if (options.verbose && news && before == 0) {
+        char text[80];
         std::snprintf(text, sizeof text, "first picture after %.3f s, %s", now(), resolution_text(state.level).c_str());
         log_line(text);
     }
+}
+
+/// Once a rest; the picture may have been finished before the rest began.
+void Viewer::log_finished() {
     if (moving || !state.finished() || state.number != wanted.number || state.number == told) return;
     told = state.number;
+    char text[120];
     std::snprintf(text, sizeof text, "finished %dx%d: traced in %.4f s, %.3f million rays", state.width, state.height,
                   state.seconds, static_cast<double>(state.rays.total()) / 1e6);
     log_line(text);
@@ -330,7 +330,7 @@ void Viewer::run() {
         move();
         order();
         draw();
-        if (options.verbose) log_pictures();
+        if (options.verbose) log_finished();
         wait();
         hear_of_scene();
         hear_of_stills();

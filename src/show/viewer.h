@@ -48,7 +48,7 @@ class Viewer {
     void move();
     void order();
     void draw();
-    void log_pictures();
+    void log_finished();
 
     // What is told
     Overlay overlay();
@@ -86,7 +86,6 @@ class Viewer {
 
     Order wanted;
     Refinement state;
-    bool seen = false;       // the first picture was told of
     std::uint64_t told = 0;  // the picture that was told to be finished
     int draws_due = 0;
     double next_move = 0, last_move = 0;  // of the camera

@@ -1,7 +1,9 @@
 // Light at hits, and the rays that go on from them.
 #pragma once
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <limits>
 
 #include "trace/kernel.h"
 #include "trace/query.h"
@@ -133,7 +135,7 @@ struct Shading {
             }
             const RayQueue<T>& from = within ? rays.inside : rays.open;
             const Hit hit = meet(item, material, spread >= 0, key, from, pick, within ? from.t : hits.t);
-            Mask<S> dim = Mask<S>(hit.active & !hit.active);
+            Mask<S> dim = first_lanes<S>(0);
             if (depth < eye.depth)
                 dim = spawn(item, hit);
             else
@@ -247,7 +249,7 @@ struct Shading {
         S most;
         Mask<S> lanes, spared;
         T share[width<S>], gone[width<S>];
-        Part(S light, Mask<S> mask) : most(light), lanes(mask), spared(mask & !mask) {}
+        Part(S light, Mask<S> mask) : most(light), lanes(mask), spared(first_lanes<S>(0)) {}
     };
 
     /// Spares parts that are weak beside what the pixel may still lack, and adds them to what it does. One lane after

@@ -13,9 +13,9 @@ perf record -q -o "$work/data" "$strahl" render "$scene" -o "$work/picture.bmp" 
 perf report -i "$work/data" --stdio --no-children -F overhead,symbol 2>/dev/null | awk '
     !/strahl::/ { next }
     /visibility<|pass_below</ { stage = "blocked (shadow rays against bodies)" }
-    /::(find|nearest_below)</ { stage = "find (nearest bodies)" }
+    /::(find|nearest_below)</ { stage = "find (nearest bodies, sorting by body)" }
     /shade</ { stage = "shade and spawn (light, new rays)" }
-    /::(step|sort|append|aim|trace)</ { stage = "aim, sort, append" }
+    /::(step|append|aim|trace)</ { stage = "aim, append" }
     /Builder|BuiltWorld|build_hierarchy|share_out|doubles/ { stage = "build" }
     /quantise|deliver|Renderer|write_picture|copy/ { stage = "write" }
     stage { sum[stage] += $1; all += $1; stage = "" }

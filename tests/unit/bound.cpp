@@ -19,9 +19,6 @@ namespace {
 View view_of(const Scene& scene, int depth, double error = 0) {
     return {.camera = scene.camera, .width = 24, .height = 18, .depth = depth, .error = error};
 }
-Frame picture(const Scene& scene, int depth, double error = 0) {
-    return render(scene, view_of(scene, depth, error), Precision::twice, 2);
-}
 double brightest(const Frame& frame) {
     double most = 0;
     for (const double v : frame.rgb) most = std::max(most, std::abs(v));
@@ -39,7 +36,7 @@ struct Traced {
     Frame frame;
     Counts counts;
 };
-Traced trace(const Scene& scene, int depth, double error) {
+Traced trace(const Scene& scene, int depth, double error = 0) {
     const View view = view_of(scene, depth, error);
     const Lattice whole{.columns = view.width, .rows = view.height};
     Traced traced{{view.width, view.height, std::vector<double>(3 * view.width * view.height)}, {}};
@@ -50,9 +47,10 @@ Traced trace(const Scene& scene, int depth, double error) {
 }
 
 void hold(const Scene& scene, int depth) {
-    const Frame all = picture(scene, depth), deeper = picture(scene, depth + 3);
+    const auto [all, everything] = trace(scene, depth);
+    const Frame deeper = trace(scene, depth + 3).frame;
     CHECK(brightest(all) <= bound_for(scene, depth).brightest.back() + rounding);
-    const double past = trace(scene, depth, 0).counts.lost();  // nothing else is left out then
+    const double past = everything.lost();  // nothing else is left out then
     CHECK(difference(deeper, all) <= past + rounding);
     for (const double error : {1e-1, 1e-2, 1e-3, 1e-4}) {
         CAPTURE(error);
@@ -87,7 +85,7 @@ TEST_CASE("glass that brightens the light going through it") {
     hold(scene, 4);
     scene.primitives.insert(scene.primitives.end(), 500, scene.primitives[1]);  // the bound is infinite
     const auto [frame, counts] = trace(scene, 2, .1);
-    CHECK(frame == picture(scene, 2));
+    CHECK(frame == trace(scene, 2).frame);
     CHECK(std::isinf(counts.lost()));
 }
 

@@ -200,8 +200,8 @@ int main(int argc, char** argv) try {
     std::cout
         << "\nThe same, where nothing need be traced that can't change 16 bits: Strahl leaves out light that adds up "
            "to "
-           "less than\nhalf a step, for certain, and POV-Ray rays that weigh less than that (`adc_bailout`), which "
-           "is no such promise.\n\n";
+           "less than\nhalf a step, for certain, and POV-Ray rays that weigh less than that (`adc_bailout`), which is "
+           "no such promise.\n\n";
     write_overview(worlds, {"float-16", "double-16"}, {"povray-16", "povray"});
     for (const World& world : worlds) write_details(world);
     write_json(folder + "/results.json", argv[3], rows, worlds);
