@@ -80,7 +80,7 @@ bool check(const CrosscheckOptions& options, const std::string& path) {
                                       .height = view.height,
                                       .depth = view.depth},
                                      options.threads);
-    Tracer tracer(scene, Precision::twice);
+    Tracer tracer(scene, Precision::float64);
     const OurRun ours = trace(tracer, view, options.threads);
     const Verdict verdict = judge(tracer, view, ours.frame, theirs.picture);
     print_row(path, verdict, ours.seconds, theirs.seconds);

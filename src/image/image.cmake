@@ -1,5 +1,5 @@
 # Pictures: the plain part, and a module with OpenImageIO in it that is loaded only when a picture file is needed.
-strahl_room(image src/image strahl_text)
+strahl_module(image src/image strahl_text)
 target_link_libraries(strahl_image PRIVATE ${CMAKE_DL_LIBS})
 
 # Not find_package(OpenImageIO): Debian 12's own is broken (it asks for a missing iconvert).

@@ -147,7 +147,7 @@ class Renderer {
         const double steepest = format.linear && format.bits != 32 ? 12.92 : 1;
         if (!options.error) {
             stats.error = unseen * steepest;
-            return {.precision = options.precision.value_or(Precision::twice),
+            return {.precision = options.precision.value_or(Precision::float64),
                     .depth = options.depth.value_or(scene.settings.max_trace_level),
                     .dropped = unseen};
         }

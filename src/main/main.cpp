@@ -36,7 +36,7 @@ void add_render(CLI::App& app, Action& action) {
         ->type_name("E");
     add_choice<std::optional<Precision>>(
         command, "--precision", o->precision,
-        {{"float", Precision::single}, {"double", Precision::twice}, {"extended", Precision::extended}},
+        {{"float", Precision::float32}, {"double", Precision::float64}, {"extended", Precision::extended}},
         "float, double or extended; double by default, or what --error needs", "KIND");
     add_choice<Simd>(
         command, "--simd", o->simd,
@@ -148,8 +148,8 @@ void add_stability(CLI::App& app, Action& action) {
 std::string version() {
     const Simd simd = best_simd();
     std::ostringstream text;
-    text << "strahl " STRAHL_VERSION " (" << name(simd) << ", " << lanes(Precision::single, simd) << " float lanes, "
-         << lanes(Precision::twice, simd) << " double)";
+    text << "strahl " STRAHL_VERSION " (" << name(simd) << ", " << lanes(Precision::float32, simd) << " float lanes, "
+         << lanes(Precision::float64, simd) << " double)";
     return text.str();
 }
 

@@ -29,8 +29,8 @@ bool finite(const DVec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) &&
 // A key has one neighbour on each side or, at the ends of an open path, none. `Window` holds the four keys around a
 // moment: between [1] and [2] lies the moment, `h` is its share of the way.
 struct Window {
-    std::array<const Key*, 4> key;  // [0] and [3] may be nullptr
-    std::array<double, 3> seconds;  // from each key to the next
+    std::array<const Keyframe*, 4> key;  // [0] and [3] may be nullptr
+    std::array<double, 3> seconds;       // from each key to the next
     double h;
 };
 
@@ -71,7 +71,7 @@ double number_at(const Window& w, Value value) {
 /// apart and which therefore has no loops or cusps between keys (C. Yuksel, S. Schaefer, J. Keyser, "Parameterization
 /// and Applications of Catmull-Rom Curves", 2011). Time runs over the knots along a monotone cubic, so that speed too
 /// is continuous at the keys, whatever their times.
-DVec3 point_at(const Window& w, DVec3 Key::*member) {
+DVec3 point_at(const Window& w, DVec3 Keyframe::*member) {
     const auto chord = [&](int i) { return w.key[i + 1]->*member - w.key[i]->*member; };
     const DVec3 here = chord(1);
     const double knots = std::sqrt(length(here));
@@ -101,13 +101,13 @@ DVec3 direction_at(const Window& w, Value value) {
     const DVec3 p = value(*w.key[1]);
     if (value(*w.key[2]) == p) return p;
     DVec3 result;
-    for (int i = 0; i < 3; ++i) result[i] = number_at(w, [&](const Key& key) { return unit(value(key))[i]; });
+    for (int i = 0; i < 3; ++i) result[i] = number_at(w, [&](const Keyframe& key) { return unit(value(key))[i]; });
     return result;
 }
 
 /// The camera of the moment, degenerate where the keys' curves happen to meet.
 Camera raw_camera_at(const Flythrough& path, const Camera& scene_camera, double time) {
-    const std::vector<Key>& keys = path.keys;
+    const std::vector<Keyframe>& keys = path.keys;
     int count = static_cast<int>(keys.size());
     if (count == 0) return scene_camera;
     const bool closed = path.loop && path.duration > 0;
@@ -119,13 +119,13 @@ Camera raw_camera_at(const Flythrough& path, const Camera& scene_camera, double 
     }
     if (count == 1 || !(time > keys.front().time)) return camera_of(keys.front(), scene_camera);
     const auto after = std::upper_bound(keys.begin(), keys.begin() + count, time,
-                                        [](double t, const Key& key) { return t < key.time; });
+                                        [](double t, const Keyframe& key) { return t < key.time; });
     const int i = static_cast<int>(after - keys.begin()) - 1;
     if (time == keys[i].time || (!closed && i == count - 1)) return camera_of(keys[i], scene_camera);
 
     // Key numbers run on past both ends: of a closed path they come round a duration later, of an open one there is
     // none.
-    const auto key = [&](int k) -> const Key* {
+    const auto key = [&](int k) -> const Keyframe* {
         return closed ? &keys[(k + count) % count] : k >= 0 && k < count ? &keys[k] : nullptr;
     };
     const auto moment = [&](int k) {
@@ -137,16 +137,16 @@ Camera raw_camera_at(const Flythrough& path, const Camera& scene_camera, double 
     w.h = (time - moment(i)) / w.seconds[1];
 
     Camera camera = scene_camera;
-    camera.position = point_at(w, &Key::position);
-    camera.look_at = point_at(w, &Key::look_at);
-    camera.fov = number_at(w, [&](const Key& k) { return k.fov.value_or(scene_camera.fov); });
-    camera.up = direction_at(w, [&](const Key& k) { return k.up.value_or(scene_camera.up); });
+    camera.position = point_at(w, &Keyframe::position);
+    camera.look_at = point_at(w, &Keyframe::look_at);
+    camera.fov = number_at(w, [&](const Keyframe& k) { return k.fov.value_or(scene_camera.fov); });
+    camera.up = direction_at(w, [&](const Keyframe& k) { return k.up.value_or(scene_camera.up); });
     return camera;
 }
 
 }  // namespace
 
-Camera camera_of(const Key& key, const Camera& scene_camera) {
+Camera camera_of(const Keyframe& key, const Camera& scene_camera) {
     return {key.position, key.look_at, key.up.value_or(scene_camera.up), key.fov.value_or(scene_camera.fov),
             scene_camera.aspectratio};
 }

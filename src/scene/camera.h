@@ -32,23 +32,23 @@ CameraFrame frame_of(const Camera& camera, double aspect);
 const char* degenerate(const Camera& camera);
 
 /// A moment of a flythrough: seconds, and what differs from the scene's camera.
-struct Key {
+struct Keyframe {
     double time = 0;
     DVec3 position{0};
     DVec3 look_at{0};
     std::optional<double> fov;
     std::optional<DVec3> up;
-    bool operator==(const Key&) const = default;
+    bool operator==(const Keyframe&) const = default;
 };
 
 /// What the camera is at a key; `scene_camera` gives what the key leaves open.
-Camera camera_of(const Key& key, const Camera& scene_camera);
+Camera camera_of(const Keyframe& key, const Camera& scene_camera);
 
 /// A path through the keys on a centripetal Catmull-Rom curve; times rise strictly.
 struct Flythrough {
     double duration = 0;  // seconds, at least the last key's time
     bool loop = false;    // after `duration` the path goes on at its first key, on a closed curve
-    std::vector<Key> keys;
+    std::vector<Keyframe> keys;
     bool operator==(const Flythrough&) const = default;
 };
 

@@ -21,7 +21,7 @@ Flythrough orbit_path(const Camera& camera, const Camera& scene_camera) {
 }
 
 Flythrough with_key(Flythrough path, const Camera& camera, const Camera& scene_camera, double seconds) {
-    Key key{path.keys.empty() ? 0 : path.keys.back().time + seconds, camera.position, camera.look_at, {}, {}};
+    Keyframe key{path.keys.empty() ? 0 : path.keys.back().time + seconds, camera.position, camera.look_at, {}, {}};
     if (camera.fov != scene_camera.fov) key.fov = camera.fov;
     if (camera.up != scene_camera.up) key.up = camera.up;
     path.loop = path.keys.size() > 1 && key.position == path.keys[0].position && key.look_at == path.keys[0].look_at;

@@ -21,7 +21,7 @@ void StabilityCheck::start(std::shared_ptr<const Scene> scene, const View& view)
         const auto map = agreements.of(view, {.columns = view.width, .rows = view.height}, nullptr, &stop);
         for (std::size_t i = 0; i < map.size(); ++i)
             if (map[i] != Agreement::all)
-                marks.push_back({int(i) % view.width, int(i) / view.width, map[i] == Agreement::not_twice});
+                marks.push_back({int(i) % view.width, int(i) / view.width, map[i] == Agreement::not_float64});
         ready = true;
         news();
     });

@@ -86,7 +86,7 @@ Stills::Outcome Stills::make(const Still& still, ThreadPool& pool) try {
         share = (before + size) / all;
         if (int(100 * before / all) != int(100 * (before + size) / all)) news();
     };
-    Tracer tracer(*still.scene, Precision::twice);
+    Tracer tracer(*still.scene, Precision::float64);
     tracer.trace(view, whole, pool, keep, &stop);
     if (stop) return {};
     const std::string path = reserve_file(still.name, ".bmp");

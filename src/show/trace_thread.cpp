@@ -88,7 +88,7 @@ void TraceThread::announce(std::unique_lock<std::mutex>& lock) {
 void TraceThread::first_picture() {
     // Here, not when the scene arrives: the window must not wait for it.
     const bool built = tracer.has_value();
-    if (!built) tracer.emplace(*order.scene, Precision::single);
+    if (!built) tracer.emplace(*order.scene, Precision::float32);
     const View& view = order.view;
     const int level = level_in_work;
     const Steps steps = steps_of(level);

@@ -32,8 +32,8 @@ std::vector<std::pair<std::string, std::string>> Viewer::info() const {
         rays(state.rays.total()) + "  camera " + rays(state.rays.camera) + ", shadow " + rays(state.rays.shadow));
     add("", "mirrored " + rays(state.rays.reflected) + ", refracted " + rays(state.rays.refracted));
     add("depth", std::to_string(session.depth()));
-    add("precision",
-        format("%s, %d lanes (%s)", name(Precision::single), lanes(Precision::single, best_simd()), name(best_simd())));
+    add("precision", format("%s, %d lanes (%s)", name(Precision::float32), lanes(Precision::float32, best_simd()),
+                            name(best_simd())));
     add("threads", std::to_string(tracing.threads()));
     add("position", text_of(session.camera.position));
     add("look_at", text_of(session.camera.look_at));

@@ -45,8 +45,9 @@ struct CameraBlocks::Eye {
             const Parameter *first = &parameters[i], *second = &parameters[i + 1];
             if (!first->given() || !second->given()) continue;
             if (second->at.data() < first->at.data()) std::swap(first, second);
-            reader.faults.add(second->at, quoted(second->name) + " says again what " + quoted(first->name) + " in " +
-                                              reader.faults.line(first->at) + " says; only one of them may stand");
+            reader.diagnostics.add(second->at, quoted(second->name) + " says again what " + quoted(first->name) +
+                                                   " in " + reader.diagnostics.line(first->at) +
+                                                   " says; only one of them may stand");
             block.bad = true;
         }
     }
@@ -65,14 +66,14 @@ void CameraBlocks::camera(std::string_view word) {
     the_camera = {eye.position, eye.look_at, *eye.up(), *eye.fov(), std::nullopt};
     if (eye.own.given()) the_camera.aspectratio = eye.own_value;
     const char* const fault = degenerate(the_camera);
-    if (fault) reader.faults.add(word, std::string("this camera sees nothing: ") + fault);
+    if (fault) reader.diagnostics.add(word, std::string("this camera sees nothing: ") + fault);
     camera_good = !fault;
 }
 
 void CameraBlocks::key(std::string_view word, Flythrough& read_path, std::vector<KeyPlace>& places, Block& outer) {
     if (read_path.keys.size() >= limits.keys) {
-        reader.faults.add(word, "more than " + std::to_string(limits.keys) + " keys");
-        reader.faults.check();
+        reader.diagnostics.add(word, "more than " + std::to_string(limits.keys) + " keys");
+        reader.diagnostics.check();
     }
     Block block{word};
     Eye eye("time", seconds);
@@ -107,30 +108,30 @@ void CameraBlocks::flythrough(std::string_view word) {
 
 void CameraBlocks::check_times(const Flythrough& read_path, std::span<const KeyPlace> places,
                                std::string_view duration) {
-    const std::vector<Key>& keys = read_path.keys;
+    const std::vector<Keyframe>& keys = read_path.keys;
     for (std::size_t i = 0; i < keys.size(); ++i)
         if (i > 0 && !(keys[i].time > keys[i - 1].time))
-            reader.faults.add(places[i].time, "times must rise: the key before, in " +
-                                                  reader.faults.line(places[i - 1].time) +
-                                                  ", is not earlier than this one");
+            reader.diagnostics.add(places[i].time, "times must rise: the key before, in " +
+                                                       reader.diagnostics.line(places[i - 1].time) +
+                                                       ", is not earlier than this one");
         else if (keys[i].time > read_path.duration)
-            reader.faults.add(places[i].time,
-                              "this is after the end, which 'duration' in " + reader.faults.line(duration) + " sets");
+            reader.diagnostics.add(places[i].time, "this is after the end, which 'duration' in " +
+                                                       reader.diagnostics.line(duration) + " sets");
     // The path that loops is at its first key again when the duration is over.
-    Key again = keys.front();
+    Keyframe again = keys.front();
     again.time += read_path.duration;
     if (read_path.loop && keys.back().time == again.time && keys.back() != again)
-        reader.faults.add(places.back().time,
-                          "at this time the loop is at its first key again: make this key the same as that in " +
-                              reader.faults.line(places[0].key) + ", or 'duration' longer");
+        reader.diagnostics.add(places.back().time,
+                               "at this time the loop is at its first key again: make this key the same as that in " +
+                                   reader.diagnostics.line(places[0].key) + ", or 'duration' longer");
 }
 
 void CameraBlocks::check(std::string_view end_of_text) {
-    if (!camera_at.data()) reader.faults.add(end_of_text, "no camera: a scene needs one 'camera { ... }'");
+    if (!camera_at.data()) reader.diagnostics.add(end_of_text, "no camera: a scene needs one 'camera { ... }'");
     if (!camera_good || !path) return;
     for (std::size_t i = 0; i < path->keys.size(); ++i)
         if (const char* const fault = degenerate(camera_of(path->keys[i], the_camera)))
-            reader.faults.add(key_places[i].key, std::string("the camera sees nothing at this key: ") + fault);
+            reader.diagnostics.add(key_places[i].key, std::string("the camera sees nothing at this key: ") + fault);
 }
 
 }  // namespace strahl

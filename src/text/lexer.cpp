@@ -30,8 +30,8 @@ bool Lexer::skip_comment() {
     if (close == rest.npos) {
         const std::string_view opening(next, 2);
         next = end;
-        faults.add(opening, "this comment is never closed: '*/' missing");
-        faults.check();  // all that follows is comment: nothing more can be said about this text
+        diagnostics.add(opening, "this comment is never closed: '*/' missing");
+        diagnostics.check();  // all that follows is comment: nothing more can be said about this text
     }
     next += 2 + close + 2;
     return true;
@@ -62,11 +62,11 @@ bool Lexer::read_number(Number& number) {
         while (stop < end && (is_letter(*stop) || is_digit(*stop) || *stop == '.')) ++stop;
         const std::string_view whole(next, stop - next);
         next = stop;
-        faults.add(whole, quoted(whole) + " is not a number");
-        throw Lost{};
+        diagnostics.add(whole, quoted(whole) + " is not a number");
+        throw ParseAbort{};
     }
     if (range == std::errc::result_out_of_range) {
-        faults.add(number.at, quoted(number.at) + " is outside of what a number can hold (4.9e-324 to 1.8e308)");
+        diagnostics.add(number.at, quoted(number.at) + " is outside of what a number can hold (4.9e-324 to 1.8e308)");
         number.value = 1;
     }
     next = stop;
@@ -86,8 +86,8 @@ std::string_view Lexer::token() {
 
 void Lexer::fail(const std::string& message) {
     const std::string_view here = token();
-    faults.add(here, message + (here.empty() ? ", but the text ends" : ", but here comes " + quoted(here)));
-    throw Lost{};
+    diagnostics.add(here, message + (here.empty() ? ", but the text ends" : ", but here comes " + quoted(here)));
+    throw ParseAbort{};
 }
 
 void Lexer::skip_to(std::span<const std::string_view> words, std::span<const std::string_view> blocks) {

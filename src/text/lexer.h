@@ -9,7 +9,7 @@
 namespace strahl {
 
 /// Thrown after a fault was noted at which the text can't be followed; caught where parsing can go on.
-struct Lost {};
+struct ParseAbort {};
 
 /// A number and the slice of text it was read from.
 struct Number {
@@ -20,7 +20,8 @@ struct Number {
 /// Walks over a text. Every function first steps over white space and comments.
 class Lexer {
   public:
-    Lexer(std::string_view text, Faults& faults) : next(text.data()), end(text.data() + text.size()), faults(faults) {}
+    Lexer(std::string_view text, Diagnostics& diagnostics)
+        : next(text.data()), end(text.data() + text.size()), diagnostics(diagnostics) {}
 
     /// The next character, 0 at the end of the text.
     char peek() {
@@ -49,7 +50,7 @@ class Lexer {
     /// Back to a slice that was read.
     void rewind(std::string_view to) { next = to.data(); }
 
-    /// Notes "`message`, but here comes ..." at the next token, and throws Lost.
+    /// Notes "`message`, but here comes ..." at the next token, and throws ParseAbort.
     [[noreturn]] void fail(const std::string& message);
 
     /// Goes on to the next of `words` (to any word, if there are none) or to the closing brace of the block we are in,
@@ -71,7 +72,7 @@ class Lexer {
 
     const char* next;
     const char* end;
-    Faults& faults;
+    Diagnostics& diagnostics;
 };
 
 bool contains(std::span<const std::string_view> words, std::string_view word);

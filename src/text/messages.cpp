@@ -33,14 +33,14 @@ std::size_t distance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-void Faults::add(std::string_view at, std::string message) {
+void Diagnostics::add(std::string_view at, std::string message) {
     for (const Fault& fault : faults)
         if (fault.at.data() == at.data()) return;
     faults.push_back({at, std::move(message)});
     if (faults.size() == most) check();
 }
 
-void Faults::check() const {
+void Diagnostics::check() const {
     if (faults.empty()) return;
     std::vector<Fault> sorted = faults;
     std::stable_sort(sorted.begin(), sorted.end(),
@@ -53,11 +53,11 @@ void Faults::check() const {
     throw FileError(all);
 }
 
-std::string Faults::line(std::string_view at) const {
+std::string Diagnostics::line(std::string_view at) const {
     return "line " + std::to_string(1 + std::count(text.data(), at.data(), '\n'));
 }
 
-std::string Faults::tell(const Fault& fault) const {
+std::string Diagnostics::tell(const Fault& fault) const {
     std::size_t at = fault.at.data() - text.data();
     if (at == text.size()) at = text.find_last_not_of(" \t\r\n") + 1;  // where the text ends for a reader
     const std::size_t newline = at == 0 ? text.npos : text.rfind('\n', at - 1);

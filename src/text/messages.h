@@ -9,11 +9,11 @@
 namespace strahl {
 
 /// Collects the faults of one text. A place is a slice of that text (empty at its end).
-class Faults {
+class Diagnostics {
   public:
     static constexpr std::size_t most = 10;
 
-    Faults(std::string_view text, std::string_view file) : text(text), file(file) {}
+    Diagnostics(std::string_view text, std::string_view file) : text(text), file(file) {}
 
     /// Throws FileError with all faults once there are `most`. Of several faults at one place only the first counts.
     void add(std::string_view at, std::string message);

@@ -25,8 +25,12 @@ constexpr auto block_words = top_words(std::type_identity<Shape>{});
 
 class Parser {
   public:
-    Parser(std::string_view text, Faults& faults, const TextLimits& limits)
-        : limits(limits), text(text), faults(faults), reader(text, faults, block_words), cameras(reader, limits) {}
+    Parser(std::string_view text, Diagnostics& diagnostics, const TextLimits& limits)
+        : limits(limits),
+          text(text),
+          diagnostics(diagnostics),
+          reader(text, diagnostics, block_words),
+          cameras(reader, limits) {}
     Scene parse();
 
   private:
@@ -44,7 +48,7 @@ class Parser {
 
     const TextLimits& limits;
     std::string_view text;
-    Faults& faults;
+    Diagnostics& diagnostics;
     Reader reader;
     CameraBlocks cameras;
     Scene scene;
@@ -60,16 +64,16 @@ Scene Parser::parse() {
         try {
             if (!word.empty())
                 top_block(word);
-            else if (!(faults.any() && lexer.accept('}')))  // one too many may be our own misunderstanding
+            else if (!(diagnostics.any() && lexer.accept('}')))  // one too many may be our own misunderstanding
                 lexer.fail("a block expected, such as 'sphere { ... }'");
-        } catch (const Lost&) {
+        } catch (const ParseAbort&) {
             const bool inside = lexer.accept('{');
             lexer.skip_to(block_words, block_words);
             if (inside) lexer.accept('}');
         }
     }
     cameras.check(text.substr(text.size()));
-    faults.check();
+    diagnostics.check();
     scene.camera = cameras.the_camera;
     scene.flythrough = std::move(cameras.path);
     scene.materials = std::move(materials.list);
@@ -87,14 +91,14 @@ void Parser::top_block(std::string_view word) {
     if (word == "background") return background(word);
     if (word == "global_settings") return global_settings(word);
     if (word == "flythrough") return cameras.flythrough(word);
-    faults.add(word, unknown_word(word, block_words, ""));
-    throw Lost{};
+    diagnostics.add(word, unknown_word(word, block_words, ""));
+    throw ParseAbort{};
 }
 
 void Parser::limit(std::size_t count, std::size_t most, std::string_view at, const char* what) {
     if (count < most) return;
-    faults.add(at, "more than " + std::to_string(most) + " " + what);
-    faults.check();
+    diagnostics.add(at, "more than " + std::to_string(most) + " " + what);
+    diagnostics.check();
 }
 
 void Parser::light(std::string_view word) {
@@ -127,7 +131,7 @@ void Parser::global_settings(std::string_view word) {
             "assumed_gamma", &gamma, {1, 1, "1, the only one known (leave it out for values shown as they are)"}}};
     reader.block(block, parameters);
     if (block.good() && level != std::floor(level))
-        faults.add(parameters[1].at, "'max_trace_level' must be a whole number from 1 to 256");
+        diagnostics.add(parameters[1].at, "'max_trace_level' must be a whole number from 1 to 256");
     if (block.good()) scene.settings.max_trace_level = static_cast<int>(level);
     scene.settings.linear = parameters[2].given();
 }
@@ -154,8 +158,8 @@ Transformation Parser::transformation(std::string_view word, Block& block) {
     else
         reader.read(v.x, anything, word, block), v.y = v.z = v.x;
     if (v.x == 0 || v.y == 0 || v.z == 0) {
-        faults.add(at,
-                   "'scale' of " + quoted(block.name) + " is 0, which would leave nothing of it; 1 changes nothing");
+        diagnostics.add(
+            at, "'scale' of " + quoted(block.name) + " is 0, which would leave nothing of it; 1 changes nothing");
         block.bad = true;
     }
     return Scale{v};
@@ -203,23 +207,23 @@ bool Parser::shape(std::string_view word) {
 template <class Kind>
 void Parser::check(const Kind& shape, const Primitive& primitive, std::string_view word, std::string_view last) {
     const std::string name(word);
-    if (const char* const fault = shape.fault()) return faults.add(word, "this " + name + " is none: " + fault);
+    if (const char* const fault = shape.fault()) return diagnostics.add(word, "this " + name + " is none: " + fault);
     if (primitive.transformations.empty()) return;
     const std::string fault = transformed_fault(shape, primitive.transformations);
-    if (!fault.empty()) faults.add(last, "up to here the transformations of this " + name + " " + fault);
+    if (!fault.empty()) diagnostics.add(last, "up to here the transformations of this " + name + " " + fault);
 }
 
 }  // namespace
 
 Scene parse_scene(std::string_view text, std::string_view file, const TextLimits& limits) {
     if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-    Faults faults(text, file);
+    Diagnostics diagnostics(text, file);
     if (const std::size_t i = find_invalid(text); i != text.npos) {
-        faults.add(text.substr(i, 1), text[i] == '\0' ? "a byte 0 in the text; is this a scene file?"
-                                                      : "not UTF-8; save the file in that encoding");
-        faults.check();
+        diagnostics.add(text.substr(i, 1), text[i] == '\0' ? "a byte 0 in the text; is this a scene file?"
+                                                           : "not UTF-8; save the file in that encoding");
+        diagnostics.check();
     }
-    return Parser(text, faults, limits).parse();
+    return Parser(text, diagnostics, limits).parse();
 }
 
 }  // namespace strahl

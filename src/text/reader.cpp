@@ -8,8 +8,8 @@ void Reader::read(double& value, const Bounds& bounds, std::string_view name, Bl
     value = number.value;
     if (bounds.contains(value)) return;
     block.bad = true;
-    faults.add(number.at,
-               quoted(name) + " of " + quoted(block.name) + " must be " + bounds.words + ", not " + quoted(number.at));
+    diagnostics.add(number.at, quoted(name) + " of " + quoted(block.name) + " must be " + bounds.words + ", not " +
+                                   quoted(number.at));
 }
 
 void Reader::read(DVec3& value, const Bounds& bounds, std::string_view name, Block& block) {
@@ -43,7 +43,7 @@ void Reader::require(Block& block, std::initializer_list<Need> needs) {
         if (!need.given) lacking += (lacking.empty() ? "" : ", ") + std::string(need.name);
     if (lacking.empty()) return;
     block.bad = true;
-    if (!block.lost) faults.add(block.name, quoted(block.name) + " lacks " + lacking);
+    if (!block.lost) diagnostics.add(block.name, quoted(block.name) + " lacks " + lacking);
 }
 
 void Reader::open(const Block& block) {
@@ -54,7 +54,7 @@ void Reader::open(const Block& block) {
 bool Reader::closed(Block& block, std::span<const std::string_view> words, std::string_view& word) {
     if (lexer.accept('}')) return true;
     if (lexer.at_end()) {
-        if (!block.lost) faults.add(block.name, "'}' missing: this " + quoted(block.name) + " is never closed");
+        if (!block.lost) diagnostics.add(block.name, "'}' missing: this " + quoted(block.name) + " is never closed");
         return block.lost = true;
     }
     word = lexer.word();
@@ -65,14 +65,14 @@ bool Reader::closed(Block& block, std::span<const std::string_view> words, std::
     // A block of the top level inside of another: its closing brace is missing.
     if (contains(words, word) || !contains(blocks, word) || lexer.peek() != '{') return false;
     if (!block.lost)
-        faults.add(word,
-                   "'}' missing: the " + quoted(block.name) + " of " + faults.line(block.name) + " is still open");
+        diagnostics.add(
+            word, "'}' missing: the " + quoted(block.name) + " of " + diagnostics.line(block.name) + " is still open");
     lexer.rewind(word);
     return block.lost = true;
 }
 
 void Reader::unknown(Block& block, std::span<const std::string_view> words, std::string_view word) {
-    faults.add(word, unknown_word(word, words, " in " + quoted(block.name)));
+    diagnostics.add(word, unknown_word(word, words, " in " + quoted(block.name)));
     block.lost = true;
     lexer.skip_to({}, blocks);
 }

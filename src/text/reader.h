@@ -72,8 +72,8 @@ struct Block {
 
 class Reader {
   public:
-    Reader(std::string_view text, Faults& faults, std::span<const std::string_view> blocks)
-        : lexer(text, faults), faults(faults), blocks(blocks) {}
+    Reader(std::string_view text, Diagnostics& diagnostics, std::span<const std::string_view> blocks)
+        : lexer(text, diagnostics), diagnostics(diagnostics), blocks(blocks) {}
 
     /// Values out of bounds are noted, and reading goes on.
     void read(double& value, const Bounds& bounds, std::string_view name, Block& block);
@@ -121,12 +121,12 @@ class Reader {
     /// Notes that a word stands a second time; `first` is where it stood first, or becomes it.
     bool once(std::string_view& first, std::string_view word) {
         if (!first.data()) return first = word, true;
-        faults.add(word, "a second " + quoted(word) + "; the first is in " + faults.line(first));
+        diagnostics.add(word, "a second " + quoted(word) + "; the first is in " + diagnostics.line(first));
         return false;
     }
 
     Lexer lexer;
-    Faults& faults;
+    Diagnostics& diagnostics;
     const std::span<const std::string_view> blocks;  // words of the top level
 
   private:
@@ -139,7 +139,7 @@ class Reader {
     void guard(Block& block, std::span<const std::string_view> words, Action action) {
         try {
             action();
-        } catch (const Lost&) {
+        } catch (const ParseAbort&) {
             block.lost = true;
             lexer.skip_to(words, blocks);
         }

@@ -102,7 +102,7 @@ std::string write_camera(const Camera& camera) {
 std::string write_flythrough(const Flythrough& path) {
     std::string text = "flythrough {\n  duration " + text_of(path.duration) + "\n";
     if (path.loop) text += "  loop\n";
-    for (const Key& key : path.keys) {
+    for (const Keyframe& key : path.keys) {
         text += "  key { time " + text_of(key.time) + "  position " + text_of(key.position) + "  look_at " +
                 text_of(key.look_at);
         if (key.up) text += "  up " + text_of(*key.up);

@@ -32,9 +32,9 @@ std::vector<double> trace(Tracer& tracer, const View& view, const Lattice& latti
 /// `enough`.
 double rounding_of_float(const Scene& scene, const View& view, double enough, ThreadPool& pool, Simd simd) {
     const Lattice lattice = sample_of(view);
-    Tracer single(scene, Precision::single, simd), twice(scene, Precision::twice, simd);
-    const std::vector<double> a = trace(single, view, lattice, pool), b = trace(twice, view, lattice, pool);
-    ThreadPool alone(1);  // a single pixel is not worth waking others for
+    Tracer float32(scene, Precision::float32, simd), float64(scene, Precision::float64, simd);
+    const std::vector<double> a = trace(float32, view, lattice, pool), b = trace(float64, view, lattice, pool);
+    ThreadPool alone(1);  // a float32 pixel is not worth waking others for
     double most = 0;
     for (int i = 0; i < lattice.columns * lattice.rows; ++i) {
         double off = 0;
@@ -42,7 +42,7 @@ double rounding_of_float(const Scene& scene, const View& view, double enough, Th
         if (off <= most) continue;
         const int x = lattice.x + i % lattice.columns * lattice.step_x;
         const int y = lattice.y + i / lattice.columns * lattice.step_y;
-        if (off > std::max(enough, least_jump) && on_edge(twice, view, alone, x, y, edge_radius, off / 4)) continue;
+        if (off > std::max(enough, least_jump) && on_edge(float64, view, alone, x, y, edge_radius, off / 4)) continue;
         most = off;
         if (most > enough) break;
     }
@@ -53,7 +53,7 @@ double rounding_of_float(const Scene& scene, const View& view, double enough, Th
 
 Accuracy choose_accuracy(const Scene& scene, const View& view, double error, std::optional<Precision> precision,
                          std::optional<int> depth, ThreadPool& pool, Simd simd) {
-    Accuracy choice{.precision = precision.value_or(Precision::twice),
+    Accuracy choice{.precision = precision.value_or(Precision::float64),
                     .depth = depth.value_or(scene.settings.max_trace_level)};
     choice.dropped = error / 2;
     if (precision || error == 0) return choice;
@@ -64,8 +64,8 @@ Accuracy choose_accuracy(const Scene& scene, const View& view, double error, std
     constexpr double ratio = std::numeric_limits<double>::epsilon() / std::numeric_limits<float>::epsilon();
     constexpr double extended_ratio =
         static_cast<double>(std::numeric_limits<long double>::epsilon() / std::numeric_limits<double>::epsilon());
-    choice.precision = Precision::single;
-    if (*choice.rounding > error / safety) choice.precision = Precision::twice, *choice.rounding *= ratio;
+    choice.precision = Precision::float32;
+    if (*choice.rounding > error / safety) choice.precision = Precision::float64, *choice.rounding *= ratio;
     if (*choice.rounding > error / safety) choice.precision = Precision::extended, *choice.rounding *= extended_ratio;
     return choice;
 }

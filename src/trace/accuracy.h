@@ -10,7 +10,7 @@ namespace strahl {
 /// Generations past `depth` are left out too; how much light they could have brought is known when the picture is
 /// traced (Counts::past).
 struct Accuracy {
-    Precision precision = Precision::twice;
+    Precision precision = Precision::float64;
     int depth = 20;
     double dropped = 0;                // most that weak rays add up to which are not traced; the View's `error`
     std::optional<double> rounding{};  // measured on a sample of the pixels; none if nothing depended on it

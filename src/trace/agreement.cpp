@@ -18,7 +18,7 @@ std::vector<double> trace(Tracer& tracer, const View& view, const Lattice& latti
 
 Agreements::Agreements(const Scene& scene, int threads, std::function<int(double)> code_function)
     : code(std::move(code_function)),
-      tracers{Tracer(scene, Precision::single), Tracer(scene, Precision::twice), Tracer(scene, Precision::extended)},
+      tracers{Tracer(scene, Precision::float32), Tracer(scene, Precision::float64), Tracer(scene, Precision::extended)},
       pool(threads),
       alone(1) {}
 
@@ -34,8 +34,8 @@ std::vector<Agreement> Agreements::of(const View& view, const Lattice& lattice, 
     std::vector<Agreement> map;
     if (stop && *stop) return map;
     for (std::size_t i = 0; i < rgb[0].size(); i += 3)
-        map.push_back(!same(&rgb[1][i], &rgb[2][i])   ? Agreement::not_twice
-                      : !same(&rgb[0][i], &rgb[2][i]) ? Agreement::not_single
+        map.push_back(!same(&rgb[1][i], &rgb[2][i])   ? Agreement::not_float64
+                      : !same(&rgb[0][i], &rgb[2][i]) ? Agreement::not_float32
                                                       : Agreement::all);
     if (shown) *shown = std::move(rgb[1]);
     return map;

@@ -11,7 +11,7 @@ namespace strahl {
 
 /// Of a pixel: traced in float, double and long double, its codes are the same; or float's differ from long double's;
 /// or even double's do.
-enum class Agreement { all, not_single, not_twice };
+enum class Agreement { all, not_float32, not_float64 };
 
 /// A scene in all three precisions.
 class Agreements {

@@ -53,18 +53,18 @@ Bound bound_for(const Scene& scene, int depth) {
     for (std::size_t i = 0; i < own.size(); ++i) {
         const double lost = 1 - scene.materials[i].reflection - scene.materials[i].refraction;
         const double series = lost > 0 ? own[i] / lost : std::numeric_limits<double>::infinity();
-        bound.endless = std::max(bound.endless, series);
+        bound.limit = std::max(bound.limit, series);
     }
     return bound;
 }
 
 std::vector<double> scattered_light(const Scene& scene) {
-    double lamps = 0;
-    for (const Light& light : scene.lights) lamps += largest(light.color);
+    double lights = 0;
+    for (const Light& light : scene.lights) lights += largest(light.color);
     const double most_gain = gain(scene);
     std::vector<double> light;
     for (const Material& m : scene.materials)
-        light.push_back(faint_share * most_gain * lamps * m.diffuse * largest(m.rgb));
+        light.push_back(faint_share * most_gain * lights * m.diffuse * largest(m.rgb));
     return light;
 }
 

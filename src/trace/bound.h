@@ -9,7 +9,7 @@ namespace strahl {
 /// The most that any ray of the scene can bring, in any channel.
 struct Bound {
     std::vector<double> brightest;  // [n]: with n generations to come, its own hit the first
-    double endless;                 // with any number of them; infinite where no bound exists
+    double limit;                   // with any number of them; infinite where no bound exists
 };
 /// For up to `depth` generations. Values may be infinite.
 Bound bound_for(const Scene& scene, int depth);

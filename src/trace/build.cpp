@@ -14,9 +14,9 @@
 
 #include "scene/overlap.h"
 #include "trace/bound.h"
-#include "trace/doubles.h"
+#include "trace/duplicates.h"
 #include "trace/hierarchy.h"
-#include "trace/sight.h"
+#include "trace/light_culling.h"
 #include "trace/thread_pool.h"
 
 namespace strahl {
@@ -61,7 +61,7 @@ DVec3 twice(const Vec3<T>& v) {
 }
 /// What is around a kernel, from its box if need be, whose corners may be off by `slack`.
 template <class K>
-Outline outline_of(const K& kernel, const ItemBox& rounded, double slack) {
+BoundingVolume bounding_volume_of(const K& kernel, const ItemBox& rounded, double slack) {
     Box box;
     for (int c = 0; c < 3; ++c) box.low[c] = rounded.low[c] - slack, box.high[c] = rounded.high[c] + slack;
     if constexpr (requires { kernel.normal; }) {
@@ -84,10 +84,10 @@ struct Before {
     }
 };
 
-/// Takes the doubles out. How many items are left?
+/// Removes the duplicates. How many items are left?
 template <class T, class G>
-int drop_doubles(G& group, int count, ThreadPool& pool) {
-    const std::vector<std::int32_t> gone = doubles<T>(group.items.get(), count, pool);
+int drop_duplicates(G& group, int count, ThreadPool& pool) {
+    const std::vector<std::int32_t> gone = duplicates<T>(group.items.get(), count, pool);
     int kept = gone.empty() ? count : gone[0];
     for (std::size_t i = 0; i < gone.size(); ++i)
         for (int from = gone[i] + 1; from < (i + 1 < gone.size() ? gone[i + 1] : count); ++from, ++kept)
@@ -102,23 +102,23 @@ struct BuiltWorld<T>::Arrays {
     template <template <class> class K>
     struct Group {
         using I = typename Item<K>::template Of<T>;
-        Room<I> items;
-        Room<ItemBox> boxes;
+        Buffer<I> items;
+        Buffer<ItemBox> boxes;
         std::atomic<bool> bounded{true};  // all of them
-        Room<Node> nodes;
-        Room<T> columns;
+        Buffer<Node> nodes;
+        Buffer<T> columns;
     };
     World<T> world;
     PerKernel<Group> groups;
-    Room<Place> places;
+    Buffer<Place> places;
     std::vector<MaterialKernel<T>> materials;
     std::vector<LightKernel<T>> lights;
     std::vector<T> iors;
-    std::vector<Outline> outlines;  // by key, if there is one for each item
-    BodySet glass = 0;              // of these the transparent ones
+    std::vector<BoundingVolume> volumes;  // by key, if there is one for each item
+    BodySet glass = 0;                    // of these the transparent ones
     std::vector<T> balls;
     std::vector<Cone<T>> cones;
-    std::vector<BodySet> blockers;
+    std::vector<BodySet> occluders;
     double reach = 0;  // the largest coordinate of a bounded body
 
     struct Body {
@@ -134,8 +134,8 @@ struct BuiltWorld<T>::Arrays {
     static double rounding(double furthest) {
         return 32 * static_cast<double>(std::numeric_limits<T>::epsilon()) * furthest;
     }
-    void surround();
-    void see_from_lights();
+    void bound_bodies();
+    void cull_for_lights();
 
     /// A primitive that is being added.
     struct Entry {
@@ -221,10 +221,10 @@ double BuiltWorld<T>::Arrays::add_all(const Scene& scene, const Placement& place
     const Before& all = before.back();
     each_kernel([&](auto& group, auto& view, int kernel) {
         view.count = all.items[kernel];
-        group.items = room<typename std::remove_cvref_t<decltype(group)>::I>(view.count + widest);
-        group.boxes = room<ItemBox>(view.count);
+        group.items = uninitialized_buffer<typename std::remove_cvref_t<decltype(group)>::I>(view.count + widest);
+        group.boxes = uninitialized_buffer<ItemBox>(view.count);
     });
-    places = room<Place>(all.surfaces);
+    places = uninitialized_buffer<Place>(all.surfaces);
 
     std::vector<double> reaches(before.size());
     share_out(pool, size, stretch, [&](std::int32_t first, std::int32_t last) {
@@ -261,14 +261,14 @@ void BuiltWorld<T>::Arrays::finish(G& group, V& view, ItemBox* spare, ThreadPool
             build_hierarchy({group.boxes.get(), static_cast<std::size_t>(view.count)}, spare, rounding(reach), pool);
         group.nodes = std::move(hierarchy.nodes);
         view.nodes = group.nodes.get();
-        Room<I> sorted = room<I>(view.count);
+        Buffer<I> sorted = uninitialized_buffer<I>(view.count);
         share_out(pool, view.count, stretch, [&](std::int32_t first, std::int32_t last) {
             for (std::int32_t i = first; i < last; ++i) sorted[i] = group.items[hierarchy.order[i]];
         });
         // The columns take the place of the items as they came.
         constexpr std::size_t fields = sizeof(I) / sizeof(T);
         view.stride = view.count + widest;
-        group.columns = Room<T>(reinterpret_cast<T*>(group.items.release()));
+        group.columns = Buffer<T>(reinterpret_cast<T*>(group.items.release()));
         group.items = std::move(sorted);
         share_out(pool, view.count, stretch, [&](std::int32_t first, std::int32_t last) {
             for (std::int32_t i = first; i < last; ++i) {
@@ -283,8 +283,8 @@ void BuiltWorld<T>::Arrays::finish(G& group, V& view, ItemBox* spare, ThreadPool
     if (world.key_per_item)
         for (int i = 0; i < view.count; ++i) {
             if (materials[static_cast<int>(group.items[i].material)].refraction > 0)
-                glass |= BodySet(1) << outlines.size();
-            outlines.push_back(outline_of(group.items[i].shape, group.boxes[i], reach * 0x1p-23));
+                glass |= BodySet(1) << volumes.size();
+            volumes.push_back(bounding_volume_of(group.items[i].shape, group.boxes[i], reach * 0x1p-23));
         }
     group.boxes.reset();
     view.items = group.items.get();
@@ -298,16 +298,16 @@ void BuiltWorld<T>::Arrays::finish(G& group, V& view, ItemBox* spare, ThreadPool
 
 /// What is known of each body, if there is a key for each.
 template <class T>
-void BuiltWorld<T>::Arrays::surround() {
+void BuiltWorld<T>::Arrays::bound_bodies() {
     const double margin = rounding(reach);
     const std::size_t room = most_item_keys + widest;
     balls.assign(4 * room, -std::numeric_limits<T>::infinity());
     std::fill_n(balls.begin(), 3 * room, T(0));
-    for (std::size_t i = 0; i < outlines.size(); ++i) {
-        const auto [centre, radius] = outlines[i].ball;
+    for (std::size_t i = 0; i < volumes.size(); ++i) {
+        const auto [centre, radius] = volumes[i].ball;
         for (int c = 0; c < 3; ++c) balls[c * room + i] = static_cast<T>(centre[c]);
-        balls[3 * room + i] = outlines[i].plane ? std::numeric_limits<T>::infinity() : static_cast<T>(radius + margin);
-        if (glass >> i & 1 && !world.nested && alone(outlines, i, margin)) world.enclosed |= BodySet(1) << i;
+        balls[3 * room + i] = volumes[i].plane ? std::numeric_limits<T>::infinity() : static_cast<T>(radius + margin);
+        if (glass >> i & 1 && !world.nested && isolated(volumes, i, margin)) world.enclosed |= BodySet(1) << i;
     }
     const T* const first = balls.data();
     world.centres = {first, first + room, first + 2 * room};
@@ -315,17 +315,17 @@ void BuiltWorld<T>::Arrays::surround() {
 }
 
 template <class T>
-void BuiltWorld<T>::Arrays::see_from_lights() {
+void BuiltWorld<T>::Arrays::cull_for_lights() {
     for (const LightKernel<T>& light : lights) {
         const DVec3 point = twice(light.position);
         const double margin = rounding(reach + std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)}));
-        for (std::size_t i = 0; i < outlines.size(); ++i) {
-            cones.push_back(cone_of<T>(outlines[i], point, margin));
-            blockers.push_back(blockers_of(outlines, i, point, margin));
+        for (std::size_t i = 0; i < volumes.size(); ++i) {
+            cones.push_back(cone_of<T>(volumes[i], point, margin));
+            occluders.push_back(occluders_of(volumes, i, point, margin));
         }
     }
     world.cones = cones.data();
-    world.blockers = blockers.data();
+    world.occluders = occluders.data();
 }
 
 /// The cosine whose power is a 64th of the last bit of 1.
@@ -364,12 +364,12 @@ BuiltWorld<T>::Arrays::Arrays(const Scene& scene, const Placement& placement, Th
     }
     int items = 0, most = 0;
     each_kernel([&](auto& group, auto& view, int) {
-        view.count = drop_doubles<T>(group, view.count, pool);
+        view.count = drop_duplicates<T>(group, view.count, pool);
         items += view.count;
         most = std::max(most, view.count);
     });
     world.key_per_item = items <= most_item_keys;
-    const Room<ItemBox> spare = room<ItemBox>(most);
+    const Buffer<ItemBox> spare = uninitialized_buffer<ItemBox>(most);
     each_kernel([&](auto& group, auto& view, int) { finish(group, view, spare.get(), pool); });
     world.places = places.get();
     world.materials = materials.data();
@@ -377,8 +377,8 @@ BuiltWorld<T>::Arrays::Arrays(const Scene& scene, const Placement& placement, Th
     world.light_count = static_cast<int>(lights.size());
     world.iors = iors.data();
     if (world.key_per_item) {
-        surround();
-        see_from_lights();
+        bound_bodies();
+        cull_for_lights();
     }
 }
 

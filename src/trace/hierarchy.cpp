@@ -112,7 +112,7 @@ class Builder {
     Builder(std::span<ItemBox> boxes, ItemBox* room_for_them, double margin, ThreadPool& workers)
         : entries(boxes.data()), spare(room_for_them), pool(workers) {
         const auto size = static_cast<std::int32_t>(boxes.size());
-        result.order = room<std::int32_t>(boxes.size());
+        result.order = uninitialized_buffer<std::int32_t>(boxes.size());
         // Half a unit in the last place was lost when the corner was rounded, and half a one is lost here.
         const Quad grow = Quad{} + static_cast<float>(margin), units = Quad{} + 0x1p-22f;
         share_out(pool, size, chunk_items, [&](std::int32_t first, std::int32_t last) {
@@ -137,7 +137,7 @@ class Builder {
             starts.push_back(count);
             count += below[i].size();
         }
-        result.nodes = room<Node>(count);
+        result.nodes = uninitialized_buffer<Node>(count);
         result.size = static_cast<std::int32_t>(count);
         std::copy(top.begin(), top.end(), result.nodes.get());
         share_out(pool, static_cast<std::int32_t>(tasks.size()), 1, [&](std::int32_t first, std::int32_t last) {

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <span>
 
-#include "num/room.h"
+#include "num/buffer.h"
 
 namespace strahl {
 
@@ -30,9 +30,9 @@ struct alignas(16) ItemBox {
 struct Hierarchy {
     /// Most nodes on a way from the root to a leaf.
     static constexpr int most_levels = 64;
-    Room<Node> nodes;
+    Buffer<Node> nodes;
     std::int32_t size = 0;  // of nodes
-    Room<std::int32_t> order;
+    Buffer<std::int32_t> order;
 };
 
 /// Boxes are finite, and grown by `margin` and by what rounding may have cost them. They are moved about, to and from

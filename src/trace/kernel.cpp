@@ -24,7 +24,7 @@ void aim(const Eye<T>& eye, const PixelBatch<T>& batch, RayQueue<T>& rays) {
         store_lanes(rays.source + i, S(-1));
         store_lanes(rays.pixel + i, iota<S>() + S(static_cast<T>(i)));
         store_lanes(rays.weight + i, S(1));
-        store_lanes(rays.interior + i, S(eye.interior));
+        store_lanes(rays.medium + i, S(eye.medium));
     }
     rays.count = batch.count;
 }
@@ -100,7 +100,7 @@ void append(RayQueue<T>& to, const RayQueue<T>& from) {
     const auto copy = [&](T* a, const T* b) { __builtin_memcpy(a + to.count, b, from.count * sizeof(T)); };
     for (int c = 0; c < 3; ++c) copy(to.origin[c], from.origin[c]), copy(to.direction[c], from.direction[c]);
     copy(to.source, from.source), copy(to.pixel, from.pixel), copy(to.weight, from.weight);
-    copy(to.interior, from.interior);
+    copy(to.medium, from.medium);
     to.count += from.count;
 }
 
@@ -113,7 +113,7 @@ bool step(const World<T>& world, const Eye<T>& eye, const Generation<T>& rays, G
     counts.depth = counts.depth < depth ? depth : counts.depth;
     HitList<T>& list = hits(workspace);
     find<S>(world, rays.open, list);
-    RayQueue<T>& refracted = aside(workspace);
+    RayQueue<T>& refracted = refracted_queue(workspace);
     next.open.count = next.inside.count = refracted.count = 0;
     Shading<S> shading{world, eye, rays, list, batch, next, refracted, workspace, counts, depth};
     shading.leave();
@@ -131,7 +131,7 @@ template <class T>
 RayQueue<T> part_of(RayQueue<T> rays, int begin, int count) {
     const auto skip = [begin](T*& values) { values += begin; };
     for (int c = 0; c < 3; ++c) skip(rays.origin[c]), skip(rays.direction[c]);
-    skip(rays.source), skip(rays.pixel), skip(rays.weight), skip(rays.interior), skip(rays.t);
+    skip(rays.source), skip(rays.pixel), skip(rays.weight), skip(rays.medium), skip(rays.t);
     rays.count = count;
     return rays;
 }

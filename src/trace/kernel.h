@@ -13,11 +13,11 @@ inline constexpr int batch_pixels = 256, batch_rays = 4096;
 template <class T>
 struct RayQueue {
     Vec3<T*> origin, direction;
-    T* source;    // surface on which the ray starts, -1 for none
-    T* pixel;     // of the tile
-    T* weight;    // share of this ray's light that reaches the pixel
-    T* interior;  // list of bodies entered; only in nested worlds
-    T* t;         // where the ray meets its body again; only of rays inside
+    T* source;  // surface on which the ray starts, -1 for none
+    T* pixel;   // of the tile
+    T* weight;  // share of this ray's light that reaches the pixel
+    T* medium;  // list of bodies entered; only in nested worlds
+    T* t;       // where the ray meets its body again; only of rays inside
     int count = 0;
 };
 inline constexpr int ray_arrays = 11;
@@ -37,18 +37,18 @@ struct HitList {
     T *t, *surface;  // by ray
     T* order;        // numbers of rays by the key of what they hit, see of(); of those that hit nothing World::keys
     std::int32_t* count;  // by key: how many
-    T* of(int key) const { return order + std::size_t(key) * room; }
-    static constexpr std::size_t room = batch_rays + 80;  // packs are stored whole; no power of two, or caches would
-                                                          // fill one place only
+    T* of(int key) const { return order + std::size_t(key) * capacity; }
+    static constexpr std::size_t capacity = batch_rays + 80;  // packs are stored whole; no power of two, or caches
+                                                              // would fill one place only
 };
 
 /// Lists of transparent bodies entered, as POV-Ray keeps them: numbered, each a shorter list and one body more.
 /// List 0 is empty. Not for two threads at once.
-class Interiors;
-int entered(Interiors& lists, int list, int body);  // the list with the body appended
-int left(Interiors& lists, int list, int body);     // ... with it removed, wherever it is
-bool contains(const Interiors& lists, int list, int body);
-int innermost(const Interiors& lists, int list);  // the body entered last, -1 for none
+class MediumStacks;
+int push(MediumStacks& lists, int list, int body);    // the list with the body appended
+int remove(MediumStacks& lists, int list, int body);  // ... with it removed, wherever it is
+bool contains(const MediumStacks& lists, int list, int body);
+int top(const MediumStacks& lists, int list);  // the body entered last, -1 for none
 
 /// Memory of one thread, reused from tile to tile.
 template <class T>
@@ -58,22 +58,22 @@ template <class T>
 Generation<T>& generation(Workspace<T>& workspace, int slot);
 /// A queue for refracted rays until they join the mirrored ones.
 template <class T>
-RayQueue<T>& aside(Workspace<T>& workspace);
+RayQueue<T>& refracted_queue(Workspace<T>& workspace);
 template <class T>
 HitList<T>& hits(Workspace<T>& workspace);
 template <class T>
-Interiors& interiors(Workspace<T>& workspace);
+MediumStacks& mediums(Workspace<T>& workspace);
 
 /// Where camera rays come from: pixel (x, y) looks along forward + u * right + v * down, with u, v in [-1, 1].
 template <class T>
 struct Eye {
     Vec3<T> position, forward, right, down;  // right and down scaled by the picture's half sizes at distance 1
     T scale_x, scale_y, bias_x, bias_y;      // u = x * scale_x + bias_x
-    T interior = 0;                          // list of bodies that the eye is in
+    T medium = 0;                            // list of bodies that the eye is in
     int depth = 20;
     T error = 0;                   // light that a pixel may lack
     const T* brightest = nullptr;  // [n]: with n generations to come, the next one's rays are no brighter
-    T endless = 0;                 // nor with any number of generations; infinite if there is no bound
+    T brightest_limit = 0;         // nor with any number of generations; infinite if there is no bound
 };
 
 /// Pixels to trace, and where their light is summed: rgb[4 * i + c] for pixel i. In rgb[4 * i + 3] is what it lacks at

@@ -1,6 +1,6 @@
 # The tracer: its plain part, and the kernel compiled once per instruction set. Kernels are optimised in every preset:
 # an inline function that is not inlined would merge with another level's when linked.
-strahl_room(trace src/trace strahl_scene)
+strahl_module(trace src/trace strahl_scene)
 get_target_property(strahl_trace_sources strahl_trace SOURCES)
 list(FILTER strahl_trace_sources EXCLUDE REGEX "/kernel\\.cpp$")
 set_property(TARGET strahl_trace PROPERTY SOURCES ${strahl_trace_sources})

@@ -240,7 +240,7 @@ template <class S>
                 dark = all(light.limit < S(0));
                 return;
             }
-        const BodySet set = world.key_per_item ? world.blockers[row + start.key] : 0;
+        const BodySet set = world.key_per_item ? world.occluders[row + start.key] : 0;
         each_item(
             group, world.key_per_item, set, [&](int i) __attribute__((always_inline)) {
                 Mask<S> mask = active;

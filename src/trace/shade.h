@@ -79,7 +79,7 @@ struct Shading {
         Mask<S> active;
         Vec3<S> direction, position, normal;  // the normal is turned towards the incoming ray
         Mask<S> outside;                      // it comes from the side the surface faces
-        S surface, body, pixel, weight, interior;
+        S surface, body, pixel, weight, medium;
         const MaterialKernel<S>& material;
         bool alike;  // all lanes have the same material
         int key;
@@ -179,7 +179,7 @@ struct Shading {
                 item.surface,
                 pick(from.pixel),
                 pick(from.weight),
-                world.nested ? pick(from.interior) : S(0),
+                world.nested ? pick(from.medium) : S(0),
                 material,
                 alike,
                 key};
@@ -285,7 +285,7 @@ struct Shading {
         const Mask<S> more = hit.active & (hit.weight * share > S(0));
         if (none(more)) return;
         T pixels[width<S>], most[width<S>];
-        store_lanes(pixels, hit.pixel), store_lanes(most, hit.weight * share * S(eye.endless));
+        store_lanes(pixels, hit.pixel), store_lanes(most, hit.weight * share * S(eye.brightest_limit));
         for (unsigned left = bits(more); left != 0; left &= left - 1) {
             const int k = std::countr_zero(left);
             batch.past[static_cast<int>(pixels[k])] += most[k];
@@ -306,7 +306,7 @@ struct Shading {
             return light.spared;
         }
         if (!world.transparent || none(glass)) {
-            Branch mirrored = branch(hit, hit.active, reflect(hit), material.reflection, hit.interior);
+            Branch mirrored = branch(hit, hit.active, reflect(hit), material.reflection, hit.medium);
             Part part = ray(mirrored);
             spare(hit.pixel, part, light);
             mirrored.mask = mirrored.mask & !part.spared;
@@ -314,13 +314,13 @@ struct Shading {
             push(next.open, hit, mirrored);
             return light.spared;
         }
-        S b = select(hit.outside, S(1) / material.ior, material.ior), list = hit.interior;
+        S b = select(hit.outside, S(1) / material.ior, material.ior), list = hit.medium;
         if (world.nested) change_medium(hit, glass, b, list);
         const S s = -dot(hit.direction, hit.normal);
         const S k = fma(b * b, fma(s, s, S(-1)), S(1));
         const Mask<S> total = glass & (k < zero);
         const S all = material.reflection + material.refraction;
-        Branch mirrored = branch(hit, hit.active, reflect(hit), select(total, all, material.reflection), hit.interior);
+        Branch mirrored = branch(hit, hit.active, reflect(hit), select(total, all, material.reflection), hit.medium);
         Branch bent =
             branch(hit, glass & !total, fma(fma(b, s, -sqrt(max(k, zero))), hit.normal, scale(b, hit.direction)),
                    material.refraction, list);
@@ -355,7 +355,7 @@ struct Shading {
             for (int c = 0; c < 3; ++c)
                 put(to.origin[c] + n, hit.position[c]), put(to.direction[c] + n, ray.direction[c]);
             put(to.source + n, hit.surface), put(to.pixel + n, hit.pixel), put(to.weight + n, ray.weight);
-            if (world.nested) put(to.interior + n, ray.list);
+            if (world.nested) put(to.medium + n, ray.list);
         };
         if (all(ray.mask))
             put_with([](T* place, const S& value) { store_lanes(place, value); });
@@ -370,22 +370,22 @@ struct Shading {
         T ratios[width<S>], lists[width<S>], bodies[width<S>], wanted[width<S>];
         store_lanes(ratios, ratio), store_lanes(lists, list), store_lanes(bodies, hit.body);
         store_lanes(wanted, select(glass, S(1), S(0)));
-        Interiors& interiors = strahl::interiors(workspace);
+        MediumStacks& mediums = strahl::mediums(workspace);
         const auto ior = [&](int body) { return body < 0 ? T(1) : world.iors[body]; };
         for (int k = 0; k < width<S>; ++k) {
             if (wanted[k] == 0) continue;
             const int before = static_cast<int>(lists[k]), body = static_cast<int>(bodies[k]);
-            const int inner = innermost(interiors, before);
+            const int inner = top(mediums, before);
             if (body == inner) {
-                const int after = left(interiors, before, body);
-                ratios[k] = ior(body) / ior(innermost(interiors, after));
+                const int after = remove(mediums, before, body);
+                ratios[k] = ior(body) / ior(top(mediums, after));
                 lists[k] = static_cast<T>(after);
-            } else if (contains(interiors, before, body)) {
+            } else if (contains(mediums, before, body)) {
                 ratios[k] = 1;
-                lists[k] = static_cast<T>(left(interiors, before, body));
+                lists[k] = static_cast<T>(remove(mediums, before, body));
             } else {
                 ratios[k] = ior(inner) / ior(body);
-                lists[k] = static_cast<T>(entered(interiors, before, body));
+                lists[k] = static_cast<T>(strahl::push(mediums, before, body));
             }
         }
         ratio = load_lanes<S>(ratios), list = load_lanes<S>(lists);

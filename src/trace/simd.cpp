@@ -6,9 +6,9 @@ namespace strahl {
 
 const char* name(Precision precision) {
     switch (precision) {
-        case Precision::single:
+        case Precision::float32:
             return "float";
-        case Precision::twice:
+        case Precision::float64:
             return "double";
         default:
             return "extended";
@@ -58,7 +58,7 @@ int lanes(Precision precision, Simd simd) {
     if (simd == Simd::automatic) simd = best_simd();
     if (precision == Precision::extended || simd == Simd::scalar) return 1;
     const int bytes = simd == Simd::v2 ? 16 : simd == Simd::v3 ? 32 : 64;
-    return bytes / (precision == Precision::single ? 4 : 8);
+    return bytes / (precision == Precision::float32 ? 4 : 8);
 }
 
 }  // namespace strahl

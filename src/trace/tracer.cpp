@@ -46,11 +46,11 @@ Kernel<T> kernel_for(Simd simd) {
     if constexpr (std::is_same_v<T, long double>) {
         return scalar::kernel_extended();
     } else {
-        const auto pick = [](Kernel<float> (*single)(), Kernel<double> (*twice)()) -> Kernel<T> {
+        const auto pick = [](Kernel<float> (*float32)(), Kernel<double> (*float64)()) -> Kernel<T> {
             if constexpr (std::is_same_v<T, float>)
-                return single();
+                return float32();
             else
-                return twice();
+                return float64();
         };
         switch (simd) {
 #if defined(__x86_64__)
@@ -161,7 +161,7 @@ class TracerOf : public AnyTracer {
         std::vector<T> brightest;
         for (const double most : bound.brightest) brightest.push_back(upper<T>(most));
         Eye<T> eye = eye_of<T>(view, placed);
-        eye.brightest = brightest.data(), eye.endless = upper<T>(bound.endless);
+        eye.brightest = brightest.data(), eye.brightest_limit = upper<T>(bound.limit);
         const std::vector<int> around = built->bodies_around(view.camera.position);
         const int columns = (lattice.columns + tile_size - 1) / tile_size;
         const int tiles = columns * ((lattice.rows + tile_size - 1) / tile_size);
@@ -172,8 +172,8 @@ class TracerOf : public AnyTracer {
             Eye<T> own = eye;
             KernelCounts counted;  // its own memory: threads that count beside each other wait for each other
             int list = 0;
-            for (const int body : around) list = entered(workspace.interiors, list, body);
-            own.interior = static_cast<T>(list);
+            for (const int body : around) list = push(workspace.mediums, list, body);
+            own.medium = static_cast<T>(list);
             for (int i; !(stop && *stop) && (i = next++) < tiles;) {
                 const int x = i % columns * tile_size, y = i / columns * tile_size;
                 const Lattice tile{lattice.x + x * lattice.step_x,
@@ -215,10 +215,10 @@ Tracer::Tracer(Scene scene, Precision precision, Simd simd) {
     assert(supported(simd));
     std::unique_ptr<AnyTracer> tracer;
     switch (precision) {
-        case Precision::single:
+        case Precision::float32:
             tracer = std::make_unique<TracerOf<float>>(std::move(scene), simd);
             break;
-        case Precision::twice:
+        case Precision::float64:
             tracer = std::make_unique<TracerOf<double>>(std::move(scene), simd);
             break;
         case Precision::extended:

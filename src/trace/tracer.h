@@ -18,7 +18,7 @@ namespace strahl {
 
 class ThreadPool;
 
-enum class Precision { single, twice, extended };   // float, double, long double
+enum class Precision { float32, float64, extended };
 enum class Simd { automatic, scalar, v2, v3, v4 };  // x86-64 level of the lanes; scalar is one lane without SIMD
 
 const char* name(Precision precision);  // "float", "double", "extended"
@@ -113,7 +113,7 @@ struct Frame {
 };
 
 /// The plain way: the whole view as a frame.
-Frame render(const Scene& scene, const View& view, Precision precision = Precision::twice, int threads = 0,
+Frame render(const Scene& scene, const View& view, Precision precision = Precision::float64, int threads = 0,
              Simd simd = Simd::automatic);
 
 }  // namespace strahl

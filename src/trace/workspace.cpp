@@ -6,60 +6,60 @@
 namespace strahl {
 namespace {
 constexpr std::size_t widest_pack = 16;
-constexpr std::size_t queue_room = batch_rays + 4 * widest_pack;  // whole packs are stored past the end
+constexpr std::size_t queue_capacity = batch_rays + 4 * widest_pack;  // whole packs are stored past the end
 constexpr std::size_t most_keys = 128;
 }  // namespace
 
-int entered(Interiors& all, int list, int body) {
+int push(MediumStacks& all, int list, int body) {
     const auto [entry, is_new] =
         all.known.try_emplace(std::uint64_t(list) << 32 | std::uint32_t(body), static_cast<int>(all.lists.size()));
     if (is_new) all.lists.push_back({list, body});
     return entry->second;
 }
 
-int left(Interiors& all, int list, int body) {
+int remove(MediumStacks& all, int list, int body) {
     if (list == 0) return 0;
     const auto [shorter, last] = all.lists[list];
-    return last == body ? shorter : entered(all, left(all, shorter, body), last);
+    return last == body ? shorter : push(all, remove(all, shorter, body), last);
 }
 
-bool contains(const Interiors& all, int list, int body) {
+bool contains(const MediumStacks& all, int list, int body) {
     for (; list; list = all.lists[list].shorter)
         if (all.lists[list].body == body) return true;
     return false;
 }
 
-int innermost(const Interiors& all, int list) { return all.lists[list].body; }
+int top(const MediumStacks& all, int list) { return all.lists[list].body; }
 
 namespace {
 /// Zeros on large pages of their own: the arrays of a queue are on more small ones than the processor keeps in mind.
 template <class T>
-Room<T> zeros(std::size_t count) {
+Buffer<T> zeros(std::size_t count) {
     constexpr std::size_t page = std::size_t(1) << 21;
-    Room<T> values = room<T>(std::max(count, page / sizeof(T)));
+    Buffer<T> values = uninitialized_buffer<T>(std::max(count, page / sizeof(T)));
     std::fill_n(values.get(), count, T(0));
     return values;
 }
-/// A queue in memory for ray_arrays * queue_room values.
+/// A queue in memory for ray_arrays * queue_capacity values.
 template <class T>
 RayQueue<T> queue_in(T* next) {
-    const auto array = [&] { return std::exchange(next, next + queue_room); };
+    const auto array = [&] { return std::exchange(next, next + queue_capacity); };
     RayQueue<T> queue;
     for (int c = 0; c < 3; ++c) queue.origin[c] = array(), queue.direction[c] = array();
     queue.source = array(), queue.pixel = array(), queue.weight = array();
-    queue.interior = array(), queue.t = array();
+    queue.medium = array(), queue.t = array();
     return queue;
 }
 }  // namespace
 
 template <class T>
 Workspace<T>::Workspace() {
-    values = zeros<T>((2 + ray_arrays) * queue_room);
-    order_by_key = room<T>(most_keys * HitList<T>::room);
+    values = zeros<T>((2 + ray_arrays) * queue_capacity);
+    order_by_key = uninitialized_buffer<T>(most_keys * HitList<T>::capacity);
     counts.resize(most_keys);
-    T* const first = values.get() + ray_arrays * queue_room;
-    hits = {first, first + queue_room, order_by_key.get(), counts.data()};
-    aside = queue_in(values.get());
+    T* const first = values.get() + ray_arrays * queue_capacity;
+    hits = {first, first + queue_capacity, order_by_key.get(), counts.data()};
+    refracted_queue = queue_in(values.get());
     pixels_x.resize(batch_pixels + widest_pack), pixels_y.resize(batch_pixels + widest_pack);
     order.resize(batch_pixels);
     rgb.resize(4 * batch_pixels), past.resize(batch_pixels);
@@ -70,9 +70,9 @@ Generation<T>& Workspace<T>::generation(int slot) {
     while (static_cast<int>(held.size()) <= slot) {
         held.push_back(std::make_unique<Held>());
         Held& made = *held.back();
-        made.values = zeros<T>(2 * ray_arrays * queue_room);
+        made.values = zeros<T>(2 * ray_arrays * queue_capacity);
         made.stretches.resize(2 * most_keys);
-        made.generation = {queue_in(made.values.get()), queue_in(made.values.get() + ray_arrays * queue_room),
+        made.generation = {queue_in(made.values.get()), queue_in(made.values.get() + ray_arrays * queue_capacity),
                            made.stretches.data(), made.stretches.data() + most_keys};
     }
     return held[slot]->generation;
@@ -83,32 +83,32 @@ Generation<T>& generation(Workspace<T>& workspace, int slot) {
     return workspace.generation(slot);
 }
 template <class T>
-RayQueue<T>& aside(Workspace<T>& workspace) {
-    return workspace.aside;
+RayQueue<T>& refracted_queue(Workspace<T>& workspace) {
+    return workspace.refracted_queue;
 }
 template <class T>
 HitList<T>& hits(Workspace<T>& workspace) {
     return workspace.hits;
 }
 template <class T>
-Interiors& interiors(Workspace<T>& workspace) {
-    return workspace.interiors;
+MediumStacks& mediums(Workspace<T>& workspace) {
+    return workspace.mediums;
 }
 
 template class Workspace<float>;
 template class Workspace<double>;
 template class Workspace<long double>;
 template Generation<float>& generation(Workspace<float>&, int);
-template RayQueue<float>& aside(Workspace<float>&);
+template RayQueue<float>& refracted_queue(Workspace<float>&);
 template Generation<double>& generation(Workspace<double>&, int);
-template RayQueue<double>& aside(Workspace<double>&);
+template RayQueue<double>& refracted_queue(Workspace<double>&);
 template Generation<long double>& generation(Workspace<long double>&, int);
-template RayQueue<long double>& aside(Workspace<long double>&);
+template RayQueue<long double>& refracted_queue(Workspace<long double>&);
 template HitList<float>& hits(Workspace<float>&);
 template HitList<double>& hits(Workspace<double>&);
 template HitList<long double>& hits(Workspace<long double>&);
-template Interiors& interiors(Workspace<float>&);
-template Interiors& interiors(Workspace<double>&);
-template Interiors& interiors(Workspace<long double>&);
+template MediumStacks& mediums(Workspace<float>&);
+template MediumStacks& mediums(Workspace<double>&);
+template MediumStacks& mediums(Workspace<long double>&);
 
 }  // namespace strahl

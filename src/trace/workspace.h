@@ -4,12 +4,12 @@
 #include <unordered_map>
 #include <vector>
 
-#include "num/room.h"
+#include "num/buffer.h"
 #include "trace/kernel.h"
 
 namespace strahl {
 
-class Interiors {
+class MediumStacks {
   public:
     struct List {
         int shorter, body;
@@ -23,9 +23,9 @@ class Workspace {
   public:
     Workspace();
     Generation<T>& generation(int slot);
-    RayQueue<T> aside;
+    RayQueue<T> refracted_queue;
     HitList<T> hits;
-    Interiors interiors;
+    MediumStacks mediums;
     std::vector<T> pixels_x, pixels_y;
     std::vector<int> order;  // of the tile's pixels, row by row: their numbers in the batch
     std::vector<T> rgb;      // 4 numbers a pixel, see PixelBatch
@@ -33,10 +33,10 @@ class Workspace {
     int batch = batch_pixels;  // pixels that last fitted
 
   private:
-    Room<T> values, order_by_key;
+    Buffer<T> values, order_by_key;
     std::vector<std::int32_t> counts;
     struct Held {
-        Room<T> values;
+        Buffer<T> values;
         std::vector<std::int32_t> stretches;
         Generation<T> generation;
     };

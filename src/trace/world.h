@@ -87,10 +87,10 @@ struct World {
     int keys = 0;
     bool key_per_item = false;  // few items, up to most_item_keys: all hits of a key are on the same item
     // Only if there is a key per item, by key; the last two by light * keys + key.
-    Vec3<const T*> centres{nullptr};    // of balls around the bodies, and a pack's room behind
-    const T* radii = nullptr;           // of these; infinite for planes, and -infinite behind the last
-    const Cone<T>* cones = nullptr;     // each body as seen from the light
-    const BodySet* blockers = nullptr;  // the bodies that can keep light from this one; it itself only from its inside
+    Vec3<const T*> centres{nullptr};     // of balls around the bodies, and a pack's room behind
+    const T* radii = nullptr;            // of these; infinite for planes, and -infinite behind the last
+    const Cone<T>* cones = nullptr;      // each body as seen from the light
+    const BodySet* occluders = nullptr;  // the bodies that can keep light from this one; it itself only from its inside
 
     const MaterialKernel<T>* materials = nullptr;
     const LightKernel<T>* lights = nullptr;

@@ -122,7 +122,7 @@ TEST_CASE("discs thinner than the last bit of where they are hit") {
         stage.put(discs.back(), glow(Color(1)));
     }
     constexpr int rays = 3000;
-    for (const Precision precision : {Precision::single, Precision::twice}) {
+    for (const Precision precision : {Precision::float32, Precision::float64}) {
         Shooter shoot(stage.scene, precision);
         dice = {};
         int naive_missed = 0, our_missed = 0;
@@ -154,7 +154,7 @@ TEST_CASE("dust: balls no larger than the last bits of their places") {
         stage.put(grains.back(), glow(Color(1)));
     }
     for (int i = 0; i < 64; ++i) stage.put(Sphere{DVec3(dice(-8, 8), 9, dice(-8, 8)), .5}, glow(Color(.5)));
-    for (const Precision precision : {Precision::twice, Precision::extended})
+    for (const Precision precision : {Precision::float64, Precision::extended})
         for (const Sphere& grain : grains) {
             Scene all = stage.scene, alone = stage.scene;
             alone.primitives = {{grain, stage.scene.primitives[0].material, {}}};
@@ -200,8 +200,8 @@ TEST_CASE("a hierarchy of cans on a grid, looked at along every axis, shows what
 
 TEST_CASE("neighbours in a pack do not decide what a ray finds") {
     const Scene scene = still_life();
-    const Frame whole = shoot(scene, Precision::single, {64, 48, 3});
+    const Frame whole = shoot(scene, Precision::float32, {64, 48, 3});
     const View view{.camera = scene.camera, .width = 64, .height = 48, .depth = 3};
     for (const Simd simd : {Simd::scalar, Simd::v3, Simd::v4})
-        if (supported(simd)) CHECK(render(scene, view, Precision::single, 1, simd) == whole);
+        if (supported(simd)) CHECK(render(scene, view, Precision::float32, 1, simd) == whole);
 }

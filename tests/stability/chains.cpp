@@ -109,8 +109,8 @@ TEST_CASE("four touching mirror balls") {
     for (const int depth : {5, 20, 50}) {
         CAPTURE(depth);
         const Shot shot{.width = 64, .height = 48, .depth = depth};
-        const Frame exact = shoot(scene, Precision::extended, shot), single = shoot(scene, Precision::single, shot),
-                    twice = shoot(scene, Precision::twice, shot);
+        const Frame exact = shoot(scene, Precision::extended, shot), single = shoot(scene, Precision::float32, shot),
+                    twice = shoot(scene, Precision::float64, shot);
         CHECK(not_finite(single) + not_finite(twice) + not_finite(exact) == 0);
         MESSAGE("depth " << depth << ": other pixels in float " << share_apart(single, exact, 1. / 510)
                          << ", in double " << share_apart(twice, exact, 1. / 510));
@@ -130,6 +130,6 @@ TEST_CASE("two flat mirrors do not multiply errors: 200 bounces") {
     stage.put(Sphere{{.3, 1, .2}, .25}, paint({.2, .4, .8}));
     const Shot shot{.depth = 200};
     const Frame exact = shoot(stage.scene, Precision::extended, shot);
-    CHECK(share_apart(shoot(stage.scene, Precision::twice, shot), exact, 1e-9) < .005);
-    CHECK(share_apart(shoot(stage.scene, Precision::single, shot), exact, 1. / 255) < .02);
+    CHECK(share_apart(shoot(stage.scene, Precision::float64, shot), exact, 1e-9) < .005);
+    CHECK(share_apart(shoot(stage.scene, Precision::float32, shot), exact, 1. / 255) < .02);
 }

@@ -132,7 +132,7 @@ TEST_CASE("a wire thinner than any epsilon") {
         Stage stage;
         stage.look({0, -6 * radius, 0}, {0, 0, 0}, 20);
         stage.put(Cylinder{{-1, 0, 0}, {1, 0, 0}, radius}, glow({1, 1, 1}));
-        for (const Precision precision : {Precision::twice, Precision::extended}) {
+        for (const Precision precision : {Precision::float64, Precision::extended}) {
             const Frame frame = shoot(stage.scene, precision);
             int seen = 0;
             for (int y = 0; y < 48; ++y) seen += pixel(frame, 32, y) == Color(1);

@@ -49,7 +49,7 @@ TEST_CASE("total reflection at its threshold") {
             // Every pixel is one or the other, no light is lost or doubled.
             CHECK(count(frame, {1, 1, 1}) + count(frame, {1, 0, 0}) == 65 * 49);
             // As narrow as double tells angles apart the threshold is in the middle row.
-            if (precision == Precision::single || fov < 1e-9 || fov > 1) continue;
+            if (precision == Precision::float32 || fov < 1e-9 || fov > 1) continue;
             CHECK(pixel(frame, 32, 21) == Color(1, 1, 1));
             CHECK(pixel(frame, 32, 27) == Color(1, 0, 0));
         }
@@ -62,7 +62,7 @@ TEST_CASE("the last rays that pass glass leave along it") {
         for (const Precision precision : precisions) {
             const Frame frame = shoot(under_glass(critical + above, above / 10), precision, {9, 9});
             CHECK(not_finite(frame) == 0);
-            if (precision != Precision::single || above > 1e-4) CHECK(count(frame, {1, 1, 1}) == 81);
+            if (precision != Precision::float32 || above > 1e-4) CHECK(count(frame, {1, 1, 1}) == 81);
         }
 }
 
@@ -79,12 +79,12 @@ TEST_CASE("a bubble of air in glass of water") {
     Scene naive_scene = stage.scene;
     naive_scene.materials[naive_scene.primitives[1].material].ior = 1.5 * 1.2;
     naive_scene.materials[naive_scene.primitives[2].material].ior = 1.5 * 1.2;
-    const Frame naive_frame = shoot(naive_scene, Precision::twice, {32, 24, 10});
+    const Frame naive_frame = shoot(naive_scene, Precision::float64, {32, 24, 10});
     for (const Precision precision : precisions) {
         const Frame frame = shoot(stage.scene, precision, {32, 24, 10});
         CHECK(not_finite(frame) == 0);
         CHECK(share_apart(frame, naive_frame, .02) > .05);
-        const double tolerance = precision == Precision::single ? 1e-3 : 1e-9;
+        const double tolerance = precision == Precision::float32 ? 1e-3 : 1e-9;
         int wrong = 0;
         for (int y = 0; y < 24; ++y)
             for (int x = 0; x < 32; ++x) wrong += !exact.explains(x, y, &frame.rgb[3 * (y * 32 + x)], tolerance, 3e-3);
@@ -96,9 +96,9 @@ TEST_CASE("glass of index 1, or as good as none, bends nothing") {
     for (const double ior : {1., 1 + 0x1p-52, 1 - 0x1p-53}) {
         Stage stage;
         stage.background({.5, .5, .5}).put(Sphere{{.3, 3, .2}, .8}, glow({1, .5, .25}));
-        const Frame without = shoot(stage.scene, Precision::twice);
+        const Frame without = shoot(stage.scene, Precision::float64);
         for (int i = 0; i < 4; ++i) stage.put(Sphere{{.1 * i, 0, 0}, 1}, glass(ior));
-        CHECK(share_apart(shoot(stage.scene, Precision::twice, {.depth = 20}), without, 1e-9) < .003);
+        CHECK(share_apart(shoot(stage.scene, Precision::float64, {.depth = 20}), without, 1e-9) < .003);
     }
 }
 

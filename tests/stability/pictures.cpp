@@ -30,7 +30,7 @@ void paste(const Frame& frame, Picture& picture, int at) {
 struct Pair {
     const char* name;
     Scene scene;
-    Precision precision = Precision::single;  // of ours
+    Precision precision = Precision::float32;  // of ours
     naive::Habits habits{};
     int depth = 6;
 };
@@ -140,15 +140,15 @@ int main(int count, char** words) {
     const auto library = preload_picture_library();
     const std::vector<Pair> pairs{
         {"far", far_ball()},
-        {"ground", huge_ground(), Precision::twice},
+        {"ground", huge_ground(), Precision::float64},
         {"acne", placed(table().scene, 300)},
         {"small", placed(table(true).scene, 1e-4)},
-        {"shifted", placed(table().scene, 1, DVec3(1e6, -1e6, 1e6)), Precision::single, {.epsilon = .2}},
-        {"contact", contact(), Precision::single, {.epsilon = 1e-3}},
+        {"shifted", placed(table().scene, 1, DVec3(1e6, -1e6, 1e6)), Precision::float32, {.epsilon = .2}},
+        {"contact", contact(), Precision::float32, {.epsilon = 1e-3}},
         {"discs", thin_discs()},
         {"tube", tube()},
         {"twins", twins()},
-        {"total", diver(), Precision::single, {.asks_for_total_reflection = false}},
+        {"total", diver(), Precision::float32, {.asks_for_total_reflection = false}},
         {"bubble", bubble()},
     };
     for (const Pair& pair : pairs) draw(pair, words[1]);

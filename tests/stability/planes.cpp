@@ -93,7 +93,7 @@ TEST_CASE("a grazing plane far off, in double, is the exact one") {
         stage.put(Plane{{0, 0, -1e-3}, {1, 0, -1e-3}, {0, 1, -1e-3}}, paint({.5, .5, .5}));
         stage.put(Sphere{{shift, shift, 0}, 1}, mirror(.5));
         const Frame exact = shoot(stage.scene, Precision::extended);
-        CHECK(share_apart(shoot(stage.scene, Precision::twice), exact, 1e-7) < .002);
-        CHECK(share_apart(shoot(stage.scene, Precision::single), exact, 1. / 255) < .01);
+        CHECK(share_apart(shoot(stage.scene, Precision::float64), exact, 1e-7) < .002);
+        CHECK(share_apart(shoot(stage.scene, Precision::float32), exact, 1. / 255) < .01);
     }
 }

@@ -45,7 +45,7 @@ TEST_CASE("a unit that is no power of two, and the origin anywhere: within the r
     const Scene scene = still_life();
     for (const Precision precision : precisions) {
         const Frame frame = shoot(scene, precision);
-        const double epsilon = precision == Precision::single ? 1e-7 : 2e-16;
+        const double epsilon = precision == Precision::float32 ? 1e-7 : 2e-16;
         for (const double factor : {1e-6, 1e-3, 10., 1e6}) {
             CAPTURE(factor);
             CHECK(share_apart(shoot(placed(scene, factor), precision), frame, 1e4 * epsilon) < .01);
@@ -72,7 +72,7 @@ TEST_CASE("left and right") {
     const Scene scene = still_life();
     for (const Precision precision : precisions) {
         const Frame frame = shoot(scene, precision, {65, 48}), other = shoot(mirrored(scene), precision, {65, 48});
-        const double tolerance = precision == Precision::single ? 1e-4 : 1e-11;
+        const double tolerance = precision == Precision::float32 ? 1e-4 : 1e-11;
         CHECK(share_apart(left_to_right(other), frame, tolerance) < .005);
     }
 }
@@ -85,8 +85,8 @@ TEST_CASE("the order of bodies that do not coincide does not matter, nor, but fo
     for (const Precision precision : precisions) {
         const Frame frame = shoot(scene, precision);
         // Bodies of one kind keep the order of the products of light that they let through.
-        CHECK(share_apart(shoot(reversed, precision), frame, precision == Precision::single ? 1e-6 : 1e-14) == 0);
-        CHECK(share_apart(shoot(lights, precision), frame, precision == Precision::single ? 1e-6 : 1e-14) == 0);
+        CHECK(share_apart(shoot(reversed, precision), frame, precision == Precision::float32 ? 1e-6 : 1e-14) == 0);
+        CHECK(share_apart(shoot(lights, precision), frame, precision == Precision::float32 ? 1e-6 : 1e-14) == 0);
     }
 }
 
@@ -113,7 +113,7 @@ TEST_CASE("turning the scene and the camera together by a quarter") {
     for (Primitive& primitive : turned.primitives) primitive.transformations.push_back(Rotate{{0, 0, 90}});
     for (const Precision precision : precisions)
         CHECK(share_apart(shoot(turned, precision), shoot(scene, precision),
-                          precision == Precision::single ? 1e-4 : 1e-11) < .005);
+                          precision == Precision::float32 ? 1e-4 : 1e-11) < .005);
 }
 
 TEST_CASE("a scene is as precise as its camera is near") {
@@ -123,7 +123,7 @@ TEST_CASE("a scene is as precise as its camera is near") {
         CAPTURE(far);
         const Scene moved = placed(scene, 1, {far, 0, 0});
         const Frame exact = shoot(moved, Precision::extended);
-        CHECK(share_apart(shoot(moved, Precision::twice), exact, 1. / 510) == 0);
-        CHECK(share_apart(shoot(moved, Precision::single), exact, 1. / 510) < .005);
+        CHECK(share_apart(shoot(moved, Precision::float64), exact, 1. / 510) == 0);
+        CHECK(share_apart(shoot(moved, Precision::float32), exact, 1. / 510) < .005);
     }
 }

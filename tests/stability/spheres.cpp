@@ -128,8 +128,8 @@ TEST_CASE("the picture of a world on a huge ball, in double") {
     stage.look({0, -6, 1}, {0, 0, 0}, 30).light({-5, -5, 9}).background({.2, .3, .5});
     stage.put(Sphere{{0, 0, -1e7 - 1}, 1e7}, paint({.5, .6, .4}));
     stage.put(Sphere{{0, 0, 0}, 1}, paint({.9, .4, .2}));
-    const Frame twice = shoot(stage.scene, Precision::twice), extended = shoot(stage.scene, Precision::extended);
-    const Frame single = shoot(stage.scene, Precision::single);
+    const Frame twice = shoot(stage.scene, Precision::float64), extended = shoot(stage.scene, Precision::extended);
+    const Frame single = shoot(stage.scene, Precision::float32);
     MESSAGE("largest difference: float " << largest_difference(single, extended) << ", double "
                                          << largest_difference(twice, extended));
     CHECK(not_finite(single) == 0);

@@ -31,7 +31,7 @@ struct Shot {
 };
 Frame shoot(const Scene& scene, Precision precision, const Shot& shot = {});
 
-inline constexpr Precision precisions[]{Precision::single, Precision::twice, Precision::extended};
+inline constexpr Precision precisions[]{Precision::float32, Precision::float64, Precision::extended};
 
 Color pixel(const Frame& frame, int x, int y);
 /// How many pixels are exactly of this colour.

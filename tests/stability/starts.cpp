@@ -109,7 +109,7 @@ TEST_CASE("a mirror ball, a glass ball and a can look the same at any size") {
     stage.put(Cylinder{{.25, .5, -1}, {.25, 1, 1}, .5}, paint({.5, .75, 1}));
     for (const Precision precision : precisions) {
         const Frame frame = shoot(stage.scene, precision);
-        const double tolerance = precision == Precision::single ? 1e-3 : 1e-9;
+        const double tolerance = precision == Precision::float32 ? 1e-3 : 1e-9;
         for (const double size : {1e-6, 1e-3, 1e3, 1e6}) {
             CAPTURE(size);
             CHECK(share_apart(shoot(placed(stage.scene, size), precision), frame, tolerance) < .01);
@@ -125,7 +125,7 @@ TEST_CASE("contact shadows: a thing just above the ground darkens it, however sm
         stage.look({0, -.02, .01}, {0, 0, 0}, 12).light({0, 0, 1}).background({0, 0, 1});
         stage.put(Plane{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, paint({1, 1, 1}));
         stage.put(Cylinder{{0, 0, gap}, {0, 0, gap + 1e-5}, 2e-3}, glass(1, .5));  // seen through, and half a shadow
-        const Frame frame = shoot(stage.scene, Precision::twice, {160, 120});
+        const Frame frame = shoot(stage.scene, Precision::float64, {160, 120});
         // The eye looks through the can at the plane, and both ways each surface keeps half of the light.
         int shadow = 0;
         for (int y = 0; y < 120; ++y)
@@ -143,11 +143,12 @@ TEST_CASE("bodies that touch: light in the gap goes as far as it should") {
         stage.look({0, -6, .05}, {0, 0, 0}, 12).light({0, -8, .001});
         stage.put(Plane{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, paint({1, 1, 1}));
         stage.put(Sphere{{0, 0, 1 + gap}, 1}, paint({1, 1, 1}));
-        for (const Precision precision : {Precision::twice, Precision::extended}) {
+        for (const Precision precision : {Precision::float64, Precision::extended}) {
             const Frame frame = shoot(stage.scene, precision, {65, 49});
             CHECK(not_finite(frame) == 0);
             CHECK(pixel(frame, 32, 40).x > 0);  // the plane before the ball
         }
-        CHECK(share_apart(shoot(stage.scene, Precision::twice), shoot(stage.scene, Precision::extended), 1e-9) < .002);
+        CHECK(share_apart(shoot(stage.scene, Precision::float64), shoot(stage.scene, Precision::extended), 1e-9) <
+              .002);
     }
 }

@@ -46,7 +46,7 @@ TEST_CASE("no picture is farther from the exact one than was allowed, off the ed
         const Scene scene = read_scene(paths[i]);
         const View view{
             .camera = scene.camera, .width = columns, .height = rows, .depth = scene.settings.max_trace_level};
-        const Frame exact = render(scene, view, Precision::twice, 2);
+        const Frame exact = render(scene, view, Precision::float64, 2);
         std::uint64_t fewest = 0;
         for (const double error : {1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1}) {
             CAPTURE(error);
@@ -59,7 +59,7 @@ TEST_CASE("no picture is farther from the exact one than was allowed, off the ed
             fewest = counts.total();
             CHECK(counts.dropped <= accuracy.dropped * (1 + 1e-6));  // they are added up in float
             const Frame frame = render(scene, allowed, accuracy.precision, 2);
-            Tracer exactly(scene, Precision::twice);
+            Tracer exactly(scene, Precision::float64);
             for (int p = 0; p < columns * rows; ++p)
                 if (const double off = apart(frame, exact, p); off > error)
                     CHECK_MESSAGE(on_edge(exactly, view, alone, p % columns, p / columns, .1, off / 4), "pixel ",
@@ -75,12 +75,12 @@ TEST_CASE("precision and depth follow from the error, unless they are given") {
     const auto choose = [&](double error, std::optional<Precision> precision = {}, std::optional<int> depth = {}) {
         return choose_accuracy(scene, view, error, precision, depth, pool);
     };
-    CHECK(choose(1e-2).precision == Precision::single);
-    CHECK(choose(1e-6).precision == Precision::twice);
+    CHECK(choose(1e-2).precision == Precision::float32);
+    CHECK(choose(1e-6).precision == Precision::float64);
     CHECK(choose(1e-17).precision == Precision::extended);
-    CHECK(choose(1e-6, Precision::single).precision == Precision::single);
+    CHECK(choose(1e-6, Precision::float32).precision == Precision::float32);
     CHECK(choose(1e-6, {}, 3).depth == 3);
-    CHECK(choose(0).precision == Precision::twice);
+    CHECK(choose(0).precision == Precision::float64);
     CHECK(choose(0).depth == scene.settings.max_trace_level);
     CHECK(choose(0).dropped == 0);
     const Accuracy accuracy = choose(1e-2);
@@ -100,7 +100,7 @@ TEST_CASE("an edge is a jump, however far from it light changes") {
     ThreadPool pool(1);
     const Scene scene = read_scene("crosscheck/highlights");
     const View view{.camera = scene.camera, .width = columns, .height = rows};
-    Tracer tracer(scene, Precision::twice);
+    Tracer tracer(scene, Precision::float64);
     int near = 0, nearer = 0;
     for (int p = 0; p < columns * rows; ++p) {
         near += on_edge(tracer, view, pool, p % columns, p / columns, .5, 1e-3);

@@ -40,7 +40,7 @@ Traced trace(const Scene& scene, int depth, double error = 0) {
     const View view = view_of(scene, depth, error);
     const Lattice whole{.columns = view.width, .rows = view.height};
     Traced traced{{view.width, view.height, std::vector<double>(3 * view.width * view.height)}, {}};
-    Tracer tracer(scene, Precision::twice);
+    Tracer tracer(scene, Precision::float64);
     ThreadPool pool(2);
     traced.counts = tracer.trace(view, whole, pool, [&](const Tile& tile) { place(tile, whole, traced.frame.rgb); });
     return traced;
@@ -92,7 +92,7 @@ TEST_CASE("glass that brightens the light going through it") {
 TEST_CASE("a larger error allows fewer rays, and none allows all") {
     const Scene scene = facing_mirrors();
     const View view = view_of(scene, 20);
-    Tracer tracer(scene, Precision::twice);
+    Tracer tracer(scene, Precision::float64);
     ThreadPool pool(2);
     std::uint64_t last = 0;
     for (const double error : {1e9, 20., 10., 5., 2., 1., 0.}) {

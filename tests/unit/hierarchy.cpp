@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "scene/sphere.h"
-#include "trace/doubles.h"
+#include "trace/duplicates.h"
 #include "trace/thread_pool.h"
 #include "trace/world.h"
 
@@ -98,7 +98,7 @@ TEST_CASE("the hierarchy does not depend on the number of threads") {
     }
 }
 
-TEST_CASE("doubles are what was declared before, and nothing else") {
+TEST_CASE("duplicates are what was declared before, and nothing else") {
     using Ball = Item<SphereKernel>::Of<float>;
     std::mt19937 random(3);
     std::vector<Ball> balls(20000);
@@ -117,7 +117,7 @@ TEST_CASE("doubles are what was declared before, and nothing else") {
     REQUIRE(expected.size() > 1000);
     for (const int threads : {1, 3}) {
         ThreadPool pool(threads);
-        CHECK(doubles<float>(balls.data(), static_cast<int>(balls.size()), pool) == expected);
-        CHECK(doubles<float>(balls.data(), 0, pool).empty());
+        CHECK(duplicates<float>(balls.data(), static_cast<int>(balls.size()), pool) == expected);
+        CHECK(duplicates<float>(balls.data(), 0, pool).empty());
     }
 }

@@ -16,8 +16,8 @@ using namespace strahl;
 
 namespace {
 
-// Odd, so that a middle row and column look exactly along axes where the camera does (of 11 rows the middle one is a last
-// bit beside it in double, and where it is the horizon of a plane, rounding decides all of it).
+// Odd, so that a middle row and column look exactly along axes where the camera does (of 11 rows the middle one is a
+// last bit beside it in double, and where it is the horizon of a plane, rounding decides all of it).
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr int columns = 17, rows = 9, random_scenes = 8;
 #else
@@ -31,9 +31,9 @@ struct Bounds {
 };
 Bounds bounds(Precision precision) {
     switch (precision) {
-        case Precision::single:
+        case Precision::float32:
             return {1e-4, 3e-3, .004};
-        case Precision::twice:
+        case Precision::float64:
             return {1e-12, 1e-9, .0005};
         default:
             return {1e-13, 1e-11, .0005};
@@ -89,7 +89,7 @@ void hold(const Scene& scene, int depth, std::array<Tally, 3>& tally) {
     const Referee<long double> referee(scene, scene.camera, columns, rows, depth);
     const Pixels truth = pixels(referee);
     const View view{.camera = scene.camera, .width = columns, .height = rows, .depth = depth};
-    for (const Precision precision : {Precision::single, Precision::twice, Precision::extended}) {
+    for (const Precision precision : {Precision::float32, Precision::float64, Precision::extended}) {
         const Bounds allowed = bounds(precision);
         Frame scalar;
         for (const Simd simd : levels()) {
@@ -111,7 +111,7 @@ void hold(const Scene& scene, int depth, std::array<Tally, 3>& tally) {
     }
 }
 void conclude(const std::array<Tally, 3>& tally) {
-    for (const Precision precision : {Precision::single, Precision::twice, Precision::extended}) {
+    for (const Precision precision : {Precision::float32, Precision::float64, Precision::extended}) {
         const auto [pixels, excused] = tally[int(precision)];
         MESSAGE(std::string(name(precision))
                 << ": " << excused << " of " << pixels << " pixels are on an edge or vary too fast");
@@ -148,8 +148,8 @@ TEST_CASE("every depth from 1 to 20, between two mirrors") {
         CAPTURE(depth);
         const Referee<long double> referee(scene, scene.camera, columns, rows, depth);
         const View view{.camera = scene.camera, .width = columns, .height = rows, .depth = depth};
-        const Frame frame = render(scene, view, Precision::twice, 2);
-        const Verdict verdict = judge(frame, referee, pixels(referee), bounds(Precision::twice));
+        const Frame frame = render(scene, view, Precision::float64, 2);
+        const Verdict verdict = judge(frame, referee, pixels(referee), bounds(Precision::float64));
         CHECK_MESSAGE(verdict.wrong == 0, verdict.wrong << " pixels, the first: " << verdict.first);
         CHECK(frame != last);
         last = frame;

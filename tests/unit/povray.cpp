@@ -24,7 +24,7 @@ std::string check(const std::string& name, const Allowed& allowed, int width, in
     const View view{.camera = scene.camera, .width = width, .height = height, .depth = scene.settings.max_trace_level};
     const PovRun theirs = run_povray(
         scene, {.title = name, .cameras = {view.camera}, .width = width, .height = height, .depth = view.depth}, 1);
-    Tracer tracer(scene, Precision::twice);
+    Tracer tracer(scene, Precision::float64);
     const std::string disagreement = fault(judge(tracer, view, render(scene, view), theirs.picture), allowed);
     return disagreement + (theirs.warnings.empty() ? "" : "povray warns: " + theirs.warnings);
 }
@@ -109,7 +109,7 @@ TEST_CASE("an animation of ten frames agrees frame by frame") {
                          .height = 48}) == 0);
     const std::string log = output_of("povray '" + (scratch / "flight.ini") + "'");
     CHECK_MESSAGE(log.find("Rendering frame 10 of 10") != std::string::npos, log);
-    Tracer tracer(scene, Precision::twice);
+    Tracer tracer(scene, Precision::float64);
     for (int n = 0; n < 10; ++n) {
         CAPTURE(n);
         const View view{.camera = camera_at(*scene.flythrough, scene.camera, n / 4.5), .width = 64, .height = 48};

@@ -217,7 +217,7 @@ TEST_CASE("strahl's pictures are POV-Ray's stored ones") {
                         .width = picture_width,
                         .height = picture_height,
                         .depth = scene.settings.max_trace_level};
-        Tracer tracer(scene, Precision::twice);
+        Tracer tracer(scene, Precision::float64);
         const Picture theirs = read_picture(STRAHL_SOURCE "/povref/reference/" + name + ".png");
         const Verdict verdict = judge(tracer, view, render(scene, view), theirs);
         const auto allowed = table.find(name);
@@ -234,7 +234,7 @@ TEST_CASE("a pixel is on an edge where the picture jumps, and not where it only 
     scene.materials.push_back({.reflection = 0, .specular = 1, .pow = 500});
     scene.primitives.push_back({Sphere{{0, 0, 0}, 2}, 0, {}});
     const View view{.camera = scene.camera, .width = 101, .height = 101};
-    Tracer tracer(scene, Precision::twice);
+    Tracer tracer(scene, Precision::float64);
     ThreadPool pool(1);
     const Frame frame = render(scene, view);
     const auto lit = [&](int x) { return frame.rgb[3 * (50 * 101 + x)] > 0; };
@@ -257,7 +257,7 @@ TEST_CASE("a pixel is on an edge where the picture jumps, and not where it only 
 TEST_CASE("a verdict finds differences, and says on which side of the edges they are") {
     const Scene scene = read_scene("crosscheck/ambient");
     const View view{.camera = scene.camera, .width = 40, .height = 30};
-    Tracer tracer(scene, Precision::twice);
+    Tracer tracer(scene, Precision::float64);
     const Frame ours = render(scene, view);
     Picture theirs{40, 30, 3, ours.rgb, 16};
     for (double& v : theirs.values) v = std::round(v * 65535) / 65535;

@@ -123,7 +123,7 @@ class RandomScenes {
         path.loop = chance(2);
         double time = 0;
         for (int i = 2 + below(4); i > 0;) {
-            Key key{time, position(), position(), {}, {}};
+            Keyframe key{time, position(), position(), {}, {}};
             if (chance(2)) key.fov = uniform(1e-9, 90);
             if (chance(2)) key.up = position();
             if (degenerate(camera_of(key, scene_camera))) continue;

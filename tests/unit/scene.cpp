@@ -114,7 +114,8 @@ TEST_CASE("at its keys a flythrough is exactly at them, before and after it stay
                            {2, {.1, .7, .3}, {0, 9, 0}, 40., {}},
                            {5, {7, 2, 3}, {0, 9, 1}, {}, DVec3(.3, 0, -1)},
                            {8, {1, 1, 1}, {3, 3, 3}, 10., {}}}};
-    for (const Key& key : path.keys) CHECK(camera_at(path, scene_camera, key.time) == camera_of(key, scene_camera));
+    for (const Keyframe& key : path.keys)
+        CHECK(camera_at(path, scene_camera, key.time) == camera_of(key, scene_camera));
     CHECK(camera_at(path, scene_camera, 0) == camera_of(path.keys.front(), scene_camera));
     CHECK(camera_at(path, scene_camera, -1e300) == camera_of(path.keys.front(), scene_camera));
     CHECK(camera_at(path, scene_camera, 9) == camera_of(path.keys.back(), scene_camera));
@@ -190,7 +191,7 @@ TEST_CASE("velocity has no jumps, neither at keys with uneven times nor at the s
 }
 
 TEST_CASE("a loop repeats every duration; a last key at its end is the first again") {
-    const Key a{0, {0, 0, 0}, {0, 50, 0}, {}, {}}, b{2, {5, 1, 0}, {1, 50, 0}, {}, {}},
+    const Keyframe a{0, {0, 0, 0}, {0, 50, 0}, {}, {}}, b{2, {5, 1, 0}, {1, 50, 0}, {}, {}},
         c{5, {6, 7, 2}, {2, 50, 1}, {}, {}};
     const Flythrough path{8, true, {a, b, c}};
     for (const double t : {.25, 1., 3.5, 6., 7.75}) {
@@ -198,7 +199,7 @@ TEST_CASE("a loop repeats every duration; a last key at its end is the first aga
         CHECK(camera_at(path, scene_camera, t - 16) == camera_at(path, scene_camera, t));
     }
     check_near(camera_at(path, scene_camera, 8 - 1e-9).position, a.position, 1e-7);
-    Key again = a;
+    Keyframe again = a;
     again.time = 8;
     const Flythrough said_twice{8, true, {a, b, c, again}};
     for (double t = 0; t < 8; t += .25)

@@ -91,7 +91,7 @@ class Watcher {
 };
 
 Image exact(const Order& order) {
-    const Frame frame = render(*order.scene, order.view, Precision::single, 1);
+    const Frame frame = render(*order.scene, order.view, Precision::float32, 1);
     Image image;
     image.resize(frame.width, frame.height);
     for (std::size_t i = 0; i < image.rgba.size(); ++i) {

@@ -1,4 +1,4 @@
-// The shape of the source tree: which room may include which, where each library stays, and that the kernels of
+// The shape of the source tree: which module may include which, where each library stays, and that the kernels of
 // different instruction sets can't be mixed up by the linker.
 #include <doctest/doctest.h>
 
@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 /// Includes point one way: num <- scene <- {text, trace, image, povref} <- show <- main. Of the four in the middle,
 /// text (whole files out, scene text) serves image, and all three serve povref, which compares their pictures.
-const std::map<std::string, std::set<std::string>> rooms{
+const std::map<std::string, std::set<std::string>> modules{
     {"num", {}},
     {"scene", {"num"}},
     {"text", {"num", "scene"}},
@@ -28,7 +28,7 @@ const std::map<std::string, std::set<std::string>> rooms{
     {"show", {"num", "scene", "text", "trace", "image"}},
     {"main", {"num", "scene", "text", "trace", "image", "povref", "show"}},
 };
-/// Headers of libraries, and the one room that may include them.
+/// Headers of libraries, and the one module that may include them.
 const std::vector<std::pair<std::regex, std::string>> libraries{
     {std::regex("OpenImageIO/.*"), "image"},
     {std::regex("(GLFW|GL|GLES[0-9]*|EGL)/.*|imgui.*"), "show"},
@@ -36,18 +36,19 @@ const std::vector<std::pair<std::regex, std::string>> libraries{
     {std::regex("[a-z0-9]*intrin\\.h|experimental/simd"), "num"},
 };
 
-/// What is wrong with this line in a file of `room`, or "".
-std::string fault(const std::string& room, const std::string& line) {
+/// What is wrong with this line in a file of `module`, or "".
+std::string fault(const std::string& module, const std::string& line) {
     static const std::regex include(R"re(\s*#\s*include\s*([<"])([^>"]+)[>"].*)re");
     std::smatch match;
     if (!std::regex_match(line, match, include)) return "";
     const std::string path = match[2], first = path.substr(0, path.find('/'));
     for (const auto& [pattern, home] : libraries)
-        if (std::regex_match(path, pattern) && room != home)
-            return room + " includes " + path + ", which is for " + home;
-    if (match[1] == "<" || first == room) return "";
-    if (!rooms.contains(first)) return room + " includes \"" + path + "\": name the room, as in \"scene/scene.h\"";
-    return rooms.at(room).contains(first) ? "" : room + " includes " + path + ": this arrow points the wrong way";
+        if (std::regex_match(path, pattern) && module != home)
+            return module + " includes " + path + ", which is for " + home;
+    if (match[1] == "<" || first == module) return "";
+    if (!modules.contains(first))
+        return module + " includes \"" + path + "\": name the module, as in \"scene/scene.h\"";
+    return modules.at(module).contains(first) ? "" : module + " includes " + path + ": this arrow points the wrong way";
 }
 
 std::vector<fs::path> files_under(const fs::path& folder, const std::regex& name) {
@@ -95,16 +96,16 @@ TEST_CASE("the rules for includes find wrong ones") {
     CHECK(fault("num", "a line that speaks of #include \"trace/world.h\"") == "");
 }
 
-TEST_CASE("includes point one way, and libraries stay in their rooms") {
+TEST_CASE("includes point one way, and libraries stay in their modules") {
     const std::regex source(R"(.*\.(h|cpp))");
     int seen = 0;
-    for (const auto& [room, allowed] : rooms) {
-        const fs::path folder = fs::path(STRAHL_SOURCE) / (room == "povref" ? room : "src/" + room);
+    for (const auto& [module, allowed] : modules) {
+        const fs::path folder = fs::path(STRAHL_SOURCE) / (module == "povref" ? module : "src/" + module);
         for (const fs::path& file : files_under(folder, source)) {
             std::ifstream in(file);
             std::string line;
             for (int number = 1; std::getline(in, line); ++number) {
-                const std::string wrong = fault(room, line);
+                const std::string wrong = fault(module, line);
                 if (!wrong.empty()) FAIL_CHECK(file.string() << ":" << number << ": " << wrong);
             }
             ++seen;

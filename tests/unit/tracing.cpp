@@ -27,8 +27,8 @@ template <Precision P>
 struct As {
     static constexpr Precision precision = P;
 };
-using Single = As<Precision::single>;
-using Twice = As<Precision::twice>;
+using Single = As<Precision::float32>;
+using Twice = As<Precision::float64>;
 using Extended = As<Precision::extended>;
 
 /// A scene with all there is in it.
@@ -167,7 +167,7 @@ TEST_CASE_TEMPLATE("what is left out of a pixel depends on that pixel alone, not
 
 TEST_CASE("an empty lattice is no work") {
     const Scene scene = busy();
-    Tracer tracer(scene, Precision::twice);
+    Tracer tracer(scene, Precision::float64);
     Canvas canvas(8, 8);
     CHECK(trace(tracer, view_of(scene, 8, 8), {3, 3, 0, 4}, 2, canvas).total() == 0);
     CHECK(canvas.tiles == 0);
@@ -194,7 +194,7 @@ TEST_CASE("tracing stops when told to, and what it hands over is whole") {
     const View view = view_of(scene, 800 / coarse, 600 / coarse, 6);
     const Lattice whole{0, 0, view.width, view.height};
     const int pixels = view.width * view.height;
-    Tracer tracer(scene, Precision::twice);
+    Tracer tracer(scene, Precision::float64);
     ThreadPool pool(2);
     std::atomic<bool> stop = true;
     Canvas none(view.width, view.height);
@@ -231,7 +231,7 @@ TEST_CASE("a shifted view samples beside the pixels' centres") {
     const Scene scene = busy();
     View view = view_of(scene, 24, 18);
     view.shift_x = .25, view.shift_y = -.375;
-    const Frame frame = render(scene, view, Precision::twice, 2);
+    const Frame frame = render(scene, view, Precision::float64, 2);
     const Referee<long double> referee(scene, scene.camera, 24, 18, view.depth);
     double worst = 0;
     for (int y = 0; y < 18; ++y)

@@ -90,7 +90,7 @@ void passes(const std::string& path) {
     const Scene scene = parse_scene(read_text(path), path);
     const View view{.camera = scene.camera, .depth = scene.settings.max_trace_level};
     const Frame exact = render(scene, view, Precision::extended);
-    Tracer tracer(scene, Precision::single);
+    Tracer tracer(scene, Precision::float32);
     ThreadPool pool;
     tracer.prepare(view.camera, pool);
     constexpr int rounds = 7;

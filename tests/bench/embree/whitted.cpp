@@ -235,10 +235,10 @@ Vec3<S> Whitted::illumination(const Packet& p, int generation) {
     const Vec3<S> mirrored = fma(S(-2) * dot(p.direction, p.normal), p.normal, p.direction);
     const Mask<S> bright = p.active & ((largest(p.surface.diffuse) > S(0)) | (p.surface.specular > S(0)));
     if (none(bright)) return light;
-    for (const auto& lamp : world.lamps) {
-        const Vec3<S> to_lamp = splat<S>(lamp.position) - p.start;
-        const S distance = sqrt(dot(to_lamp, to_lamp));
-        const Vec3<S> l = scale(S(1) / distance, to_lamp);
+    for (const auto& light_source : world.lights) {
+        const Vec3<S> to_light = splat<S>(light_source.position) - p.start;
+        const S distance = sqrt(dot(to_light, to_light));
+        const Vec3<S> l = scale(S(1) / distance, to_light);
         const S cosine = dot(p.normal, l);
         const Mask<S> faces = bright & (cosine > S(0));
         if (none(faces)) continue;
@@ -248,7 +248,8 @@ Vec3<S> Whitted::illumination(const Packet& p, int generation) {
         const Mask<S> glossy = faces & (shine > S(0)) & (p.surface.specular > S(0));
         const S highlight = any(glossy) ? select(glossy, p.surface.specular * power(shine, p.surface.pow), S(0)) : S(0);
         for (int c = 0; c < 3; ++c)
-            light[c] += select(faces, share[c] * S(lamp.color[c]) * fma(p.surface.diffuse[c], cosine, highlight), S(0));
+            light[c] +=
+                select(faces, share[c] * S(light_source.color[c]) * fma(p.surface.diffuse[c], cosine, highlight), S(0));
     }
     return light;
 }

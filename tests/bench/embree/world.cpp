@@ -127,7 +127,7 @@ World::World(const Scene& from, int threads) : background(to_float(from.backgrou
                              to_float(m.rgb * m.refraction), static_cast<float>(m.specular), static_cast<float>(m.pow),
                              static_cast<float>(m.reflection), static_cast<float>(m.refraction),
                              static_cast<float>(m.ior)});
-    for (const Light& light : from.lights) lamps.push_back({to_float(light.position), to_float(light.color)});
+    for (const Light& light : from.lights) lights.push_back({to_float(light.position), to_float(light.color)});
     for (Group& group : groups) group.materials = &materials;
     const auto transparent = [&](int material) { return from.materials[material].refraction > 0; };
 

@@ -40,10 +40,10 @@ struct World {
     std::vector<PlaneKernel<float>> planes;
     std::vector<int> plane_material;
     std::vector<Surface<float>> materials;
-    struct Lamp {
+    struct PointLight {
         Vec3<float> position, color;
     };
-    std::vector<Lamp> lamps;
+    std::vector<PointLight> lights;
     Vec3<float> background;
 };
 

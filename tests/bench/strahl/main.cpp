@@ -47,9 +47,9 @@ int main(int argc, char** argv) try {
         throw std::invalid_argument("bench_strahl SCENE PICTURE WIDTH HEIGHT THREADS float|double [BITS]");
     const int bits = argc == 8 ? std::atoi(argv[7]) : 0;
     if (std::strcmp(argv[6], "float") == 0)
-        run<float>(argv, Precision::single, bits);
+        run<float>(argv, Precision::float32, bits);
     else
-        run<double>(argv, Precision::twice, bits);
+        run<double>(argv, Precision::float64, bits);
 } catch (const std::exception& error) {
     std::cerr << error.what() << '\n';
     return 1;

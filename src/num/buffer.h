@@ -1,4 +1,4 @@
-// Room for large arrays, not filled.
+// Uninitialized buffers for large arrays.
 #pragma once
 #include <cstddef>
 #include <cstdlib>
@@ -12,16 +12,16 @@
 
 namespace strahl {
 
-struct FreeRoom {
+struct FreeBuffer {
     void operator()(void* p) const { std::free(p); }
 };
 template <class I>
-using Room = std::unique_ptr<I[], FreeRoom>;
+using Buffer = std::unique_ptr<I[], FreeBuffer>;
 
-/// Room for `count` values that are yet to be written: zeros would be written by one thread, and memory is slow when
-/// first touched. Much of it is asked for in large pages, of which the processor finds more at once.
+/// A buffer for `count` values that are yet to be written. Zeros would be written by one thread, and memory is slow
+/// when first touched. Large ones ask for huge pages (fewer TLB misses).
 template <class I>
-Room<I> room(std::size_t count) {
+Buffer<I> uninitialized_buffer(std::size_t count) {
     static_assert(std::is_trivially_copyable_v<I> && std::is_trivially_destructible_v<I>);
     constexpr std::size_t page = std::size_t(1) << 21;
     const std::size_t bytes = count * sizeof(I), unit = bytes < page ? 64 : page;
@@ -30,7 +30,7 @@ Room<I> room(std::size_t count) {
 #if defined(__linux__)
     if (unit == page) madvise(p, bytes, MADV_HUGEPAGE);
 #endif
-    return Room<I>(static_cast<I*>(p));
+    return Buffer<I>(static_cast<I*>(p));
 }
 
 }  // namespace strahl

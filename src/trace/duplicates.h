@@ -12,11 +12,11 @@
 namespace strahl {
 
 /// Items with the numbers of an earlier one, ascending: of bodies in the same place the first declared is seen, and
-/// rays that start on it would meet its double a rounding error before or behind.
+/// rays that start on it would meet its duplicate a rounding error before or behind.
 ///
 /// Each item has a bit by its numbers, in a table that stays in the cache; only those that share one are compared.
 template <class T, class I>
-std::vector<std::int32_t> doubles(const I* items, std::int32_t count, ThreadPool& pool) {
+std::vector<std::int32_t> duplicates(const I* items, std::int32_t count, ThreadPool& pool) {
     using Shape = decltype(I::shape);
     using Numbers = std::array<T, sizeof(Shape) / sizeof(T)>;
     const auto numbers = [items](std::int32_t i) { return std::bit_cast<Numbers>(items[i].shape); };

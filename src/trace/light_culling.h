@@ -8,7 +8,7 @@
 namespace strahl {
 
 /// A body's surroundings in world coordinates: a ball and a box, or for a plane normal . x = distance.
-struct Outline {
+struct BoundingVolume {
     Box box;
     Ball ball;
     bool plane = false;
@@ -18,12 +18,12 @@ struct Outline {
 
 /// The body as seen from a point. Nothing of it is outside the cone, by more than coordinates may be off (`margin`).
 template <class T>
-Cone<T> cone_of(const Outline& body, const DVec3& point, double margin);
+Cone<T> cone_of(const BoundingVolume& body, const DVec3& point, double margin);
 
 /// The bodies that may be between a light and points of bodies[body], itself included unless it is a plane.
-BodySet blockers_of(const std::vector<Outline>& bodies, std::size_t body, const DVec3& light, double margin);
+BodySet occluders_of(const std::vector<BoundingVolume>& bodies, std::size_t body, const DVec3& light, double margin);
 
 /// Is bodies[body] bounded and apart from all others, planes not crossing it either?
-bool alone(const std::vector<Outline>& bodies, std::size_t body, double margin);
+bool isolated(const std::vector<BoundingVolume>& bodies, std::size_t body, double margin);
 
 }  // namespace strahl

@@ -1,4 +1,4 @@
-#include "trace/sight.h"
+#include "trace/light_culling.h"
 
 #include <cmath>
 
@@ -9,10 +9,12 @@ double dot_product(const DVec3& a, const DVec3& b) { return a.x * b.x + a.y * b.
 double length(const DVec3& v) { return std::hypot(v.x, v.y, v.z); }
 
 /// How far in front of a plane a point is.
-double height(const Outline& plane, const DVec3& point) { return dot_product(plane.normal, point) - plane.distance; }
+double height(const BoundingVolume& plane, const DVec3& point) {
+    return dot_product(plane.normal, point) - plane.distance;
+}
 
 /// Is the whole ball on the light's side of the plane, or on the other (side -1)?
-bool beside(const Outline& plane, const Ball& ball, const DVec3& light, double margin, int side) {
+bool beside(const BoundingVolume& plane, const Ball& ball, const DVec3& light, double margin, int side) {
     const double own = height(plane, ball.centre), lights = height(plane, light);
     if (!(std::abs(lights) > margin)) return false;
     return side * (lights > 0 ? own : -own) > ball.radius + margin;
@@ -29,13 +31,13 @@ bool apart(const Ball& other, const Ball& lit, const DVec3& light, double margin
 }
 
 /// Does the plane certainly not cross the body?
-bool clear_of(const Outline& plane, const Outline& body, double margin) {
+bool clear_of(const BoundingVolume& plane, const BoundingVolume& body, double margin) {
     double reach = 0;  // of the box, along the normal
     for (int c = 0; c < 3; ++c) reach += std::abs(plane.normal[c]) * body.box.size()[c] / 2;
     return std::abs(height(plane, body.ball.centre)) > body.ball.radius + margin ||
            std::abs(height(plane, body.box.centre())) > reach + margin;
 }
-bool clear_of_each_other(const Outline& a, const Outline& b, double margin) {
+bool clear_of_each_other(const BoundingVolume& a, const BoundingVolume& b, double margin) {
     for (int c = 0; c < 3; ++c)
         if (a.box.low[c] - b.box.high[c] > margin || b.box.low[c] - a.box.high[c] > margin) return true;
     return length(a.ball.centre - b.ball.centre) > a.ball.radius + b.ball.radius + margin;
@@ -44,7 +46,7 @@ bool clear_of_each_other(const Outline& a, const Outline& b, double margin) {
 }  // namespace
 
 template <class T>
-Cone<T> cone_of(const Outline& body, const DVec3& point, double margin) {
+Cone<T> cone_of(const BoundingVolume& body, const DVec3& point, double margin) {
     const DVec3 way = body.ball.centre - point;
     const double away = length(way), radius = body.ball.radius + margin;
     if (body.plane || !(radius < .99 * away) || !std::isfinite(away)) return {};
@@ -55,25 +57,25 @@ Cone<T> cone_of(const Outline& body, const DVec3& point, double margin) {
             static_cast<T>(cosine),
             static_cast<T>((away - radius) * (1 - rounding))};
 }
-template Cone<float> cone_of(const Outline&, const DVec3&, double);
-template Cone<double> cone_of(const Outline&, const DVec3&, double);
-template Cone<long double> cone_of(const Outline&, const DVec3&, double);
+template Cone<float> cone_of(const BoundingVolume&, const DVec3&, double);
+template Cone<double> cone_of(const BoundingVolume&, const DVec3&, double);
+template Cone<long double> cone_of(const BoundingVolume&, const DVec3&, double);
 
-BodySet blockers_of(const std::vector<Outline>& bodies, std::size_t body, const DVec3& light, double margin) {
-    const Outline& lit = bodies[body];
-    const auto may_block = [&](std::size_t i) {
-        const Outline& other = bodies[i];
+BodySet occluders_of(const std::vector<BoundingVolume>& bodies, std::size_t body, const DVec3& light, double margin) {
+    const BoundingVolume& lit = bodies[body];
+    const auto may_occlude = [&](std::size_t i) {
+        const BoundingVolume& other = bodies[i];
         if (i == body) return !lit.plane;
         if (other.plane) return lit.plane || !beside(other, lit.ball, light, margin, 1);
         return lit.plane ? !beside(lit, other.ball, light, margin, -1) : !apart(other.ball, lit.ball, light, margin);
     };
     BodySet set = 0;
     for (std::size_t i = 0; i < bodies.size(); ++i)
-        if (may_block(i)) set |= BodySet(1) << i;
+        if (may_occlude(i)) set |= BodySet(1) << i;
     return set;
 }
 
-bool alone(const std::vector<Outline>& bodies, std::size_t body, double margin) {
+bool isolated(const std::vector<BoundingVolume>& bodies, std::size_t body, double margin) {
     if (bodies[body].plane) return false;
     for (std::size_t i = 0; i < bodies.size(); ++i)
         if (i != body && !(bodies[i].plane ? clear_of(bodies[i], bodies[body], margin)

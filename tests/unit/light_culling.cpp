@@ -1,5 +1,5 @@
 // Bodies left out because they can't be met never change a picture.
-#include "trace/sight.h"
+#include "trace/light_culling.h"
 
 #include <doctest/doctest.h>
 
@@ -54,7 +54,7 @@ TEST_CASE("pictures are the same with and without knowing what each body can be 
         CAPTURE(name);
         const Scene scene = read_scene(name);
         if (scene.primitives.size() > most_item_keys) continue;
-        CHECK(largest_difference(scene, Precision::twice) < 1e-8);
+        CHECK(largest_difference(scene, Precision::float64) < 1e-8);
         ++seen;
     }
     CHECK(seen >= 50 / every);
@@ -64,11 +64,11 @@ TEST_CASE("the same of random scenes") {
     for (int seed = 0; seed < random_scenes; ++seed) {
         CAPTURE(seed);
         const RandomScene what{.transparent = seed % 3 != 0, .camera_inside = seed % 5 == 4};
-        CHECK(largest_difference(random_scene(1000 + seed, what), Precision::twice) < 1e-8);
+        CHECK(largest_difference(random_scene(1000 + seed, what), Precision::float64) < 1e-8);
     }
 }
 
-TEST_CASE("what is between a point of a body and a light is among its blockers, and in its cone") {
+TEST_CASE("what is between a point of a body and a light is among its occluders, and in its cone") {
     std::mt19937 engine(7);
     const auto dice = [&](double low, double high) { return low + (high - low) * engine() * 0x1p-32; };
     const auto place = [&](double size) { return DVec3(dice(-size, size), dice(-size, size), dice(-size, size)); };
@@ -76,8 +76,8 @@ TEST_CASE("what is between a point of a body and a light is among its blockers, 
     const auto length = [&](const DVec3& v) { return std::sqrt(product(v, v)); };
     int between = 0, left_out = 0, outside_cone = 0;
     for (int round = 0; round < 2000; ++round) {
-        std::vector<Outline> bodies(6);
-        for (Outline& body : bodies) {
+        std::vector<BoundingVolume> bodies(6);
+        for (BoundingVolume& body : bodies) {
             body.ball = {place(4), std::exp(dice(-5, .7))};
             body.box = {body.ball.centre - body.ball.radius, body.ball.centre + body.ball.radius};
         }
@@ -85,7 +85,7 @@ TEST_CASE("what is between a point of a body and a light is among its blockers, 
         const DVec3 light = place(std::exp(dice(0, 4)));
         const double margin = 32 * 0x1p-23 * (4 + length(light));
         for (std::size_t lit = 0; lit < bodies.size(); ++lit) {
-            const BodySet set = blockers_of(bodies, lit, light, margin);
+            const BodySet set = occluders_of(bodies, lit, light, margin);
             for (int sample = 0; sample < 8; ++sample) {
                 DVec3 point = place(9);
                 if (bodies[lit].plane)
@@ -120,18 +120,18 @@ TEST_CASE("what is between a point of a body and a light is among its blockers, 
     CHECK(outside_cone > 100000);
 }
 
-TEST_CASE("a body is alone if nothing reaches into it") {
+TEST_CASE("a body is isolated if nothing reaches into it") {
     const auto ball = [](const DVec3& centre, double radius) {
-        return Outline{{centre - radius, centre + radius}, {centre, radius}};
+        return BoundingVolume{{centre - radius, centre + radius}, {centre, radius}};
     };
-    const Outline floor{{}, {}, true, {0, 0, 1}, 0}, glass = ball({0, 0, 2}, 1);
-    CHECK(alone({glass, floor, ball({3, 0, 2}, 1)}, 0, 1e-6));
-    CHECK_FALSE(alone({floor, glass}, 0, 1e-6));                 // a plane has no end
-    CHECK_FALSE(alone({glass, ball({1.9, 0, 2}, 1)}, 0, 1e-6));  // overlapping
-    CHECK_FALSE(alone({glass, ball({0, 0, 2}, .5)}, 0, 1e-6));   // something inside
-    CHECK_FALSE(alone({glass, ball({0, 0, 2}, 5)}, 0, 1e-6));    // inside something
-    CHECK_FALSE(alone({glass, ball({2, 0, 2}, 1)}, 0, 1e-6));    // touching
-    CHECK_FALSE(alone({ball({0, 0, 1}, 1), floor}, 0, 1e-6));    // standing on the floor
-    CHECK_FALSE(alone({ball({0, 0, .5}, 1), floor}, 0, 1e-6));   // cut by it
-    CHECK(alone({glass, ball({1.5, 1.5, 2}, 1)}, 0, 1e-6));      // boxes overlap, balls do not
+    const BoundingVolume floor{{}, {}, true, {0, 0, 1}, 0}, glass = ball({0, 0, 2}, 1);
+    CHECK(isolated({glass, floor, ball({3, 0, 2}, 1)}, 0, 1e-6));
+    CHECK_FALSE(isolated({floor, glass}, 0, 1e-6));                 // a plane has no end
+    CHECK_FALSE(isolated({glass, ball({1.9, 0, 2}, 1)}, 0, 1e-6));  // overlapping
+    CHECK_FALSE(isolated({glass, ball({0, 0, 2}, .5)}, 0, 1e-6));   // something inside
+    CHECK_FALSE(isolated({glass, ball({0, 0, 2}, 5)}, 0, 1e-6));    // inside something
+    CHECK_FALSE(isolated({glass, ball({2, 0, 2}, 1)}, 0, 1e-6));    // touching
+    CHECK_FALSE(isolated({ball({0, 0, 1}, 1), floor}, 0, 1e-6));    // standing on the floor
+    CHECK_FALSE(isolated({ball({0, 0, .5}, 1), floor}, 0, 1e-6));   // cut by it
+    CHECK(isolated({glass, ball({1.5, 1.5, 2}, 1)}, 0, 1e-6));      // boxes overlap, balls do not
 }
