@@ -10,12 +10,9 @@ namespace {
 
 double length(const DVec3& v) { return std::hypot(v.x, v.y, v.z); }
 
-/// The distance from `eye` of the farthest point of a body that must be within reach: of a plane, its nearest.
+/// The distance from `eye` of the farthest point of a body that must be within reach; of a half-space a point of it.
 double reach(const Primitive& primitive, const DVec3& eye) {
-    if (const auto* plane = std::get_if<Plane>(&primitive.shape)) {
-        const DVec3 a(matrix(primitive.transformations) * glm::dvec4(plane->a, 1));
-        return length(a - eye);
-    }
+    if (const std::optional<HalfSpace> space = half_space(primitive)) return length(space->point - eye);
     const Box box = world_bounds(primitive);
     return length({std::max(eye.x - box.low.x, box.high.x - eye.x), std::max(eye.y - box.low.y, box.high.y - eye.y),
                    std::max(eye.z - box.low.z, box.high.z - eye.z)});
@@ -29,9 +26,9 @@ double round_up(double v) {
     return 10 * power;
 }
 
-bool has_plane(const Scene& scene) {
+bool has_horizon(const Scene& scene) {
     return std::any_of(scene.primitives.begin(), scene.primitives.end(),
-                       [](const Primitive& primitive) { return std::holds_alternative<Plane>(primitive.shape); });
+                       [](const Primitive& primitive) { return half_space(primitive).has_value(); });
 }
 
 }  // namespace
@@ -48,7 +45,7 @@ Unit unit_for(const Scene& scene, const std::vector<Camera>& cameras) {
         smallest = std::min({smallest, size.x, size.y, size.z});
     }
     if (farthest == 0) return {};
-    const bool horizon = has_plane(scene);
+    const bool horizon = has_horizon(scene);
     const double least = std::max((horizon ? 150 : 3e4) / farthest, 1 / smallest), most = 1e6 / farthest;
     const bool good = least <= 1 && farthest <= (horizon ? 1e4 : 1e6);
     const double unit = good ? 1 : std::min(round_up(least), round_up(most));

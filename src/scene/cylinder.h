@@ -3,51 +3,15 @@
 #include <cmath>
 #include <tuple>
 
-#include "num/box.h"
-#include "num/ray.h"
+#include "scene/affine.h"
 #include "scene/field.h"
 
 namespace strahl {
 
-struct Cylinder {
-    DVec3 base{0, 0, 0}, cap{0, 0, 1};
-    double radius = 1;
-
-    bool operator==(const Cylinder&) const = default;
-
-    static constexpr const char* name = "cylinder";
-    static constexpr int faces = 3;
-    static constexpr auto fields = std::make_tuple(Field{"base", &Cylinder::base, "centre of one end"},
-                                                   Field{"cap", &Cylinder::cap, "centre of the other end"},
-                                                   Field{"radius", &Cylinder::radius, "the radius", Range::positive});
-    const char* fault() const { return base == cap ? "base and cap are the same point" : nullptr; }
-    DVec3 axis() const {
-        const DVec3 a = cap - base;
-        return a / std::hypot(a.x, a.y, a.z);
-    }
-    Box bounds() const {
-        const DVec3 a = axis();
-        Box box;
-        for (int i = 0; i < 3; ++i) {
-            const double reach = radius * std::sqrt(std::max(0., 1 - a[i] * a[i]));
-            box.low[i] = std::min(base[i], cap[i]) - reach;
-            box.high[i] = std::max(base[i], cap[i]) + reach;
-        }
-        return box;
-    }
-    bool contains(const DVec3& p) const {
-        const DVec3 a = axis(), d = p - base, h = cap - base;
-        const double along = a.x * d.x + a.y * d.y + a.z * d.z;
-        const DVec3 across = d - along * a;
-        return along > 0 && along < std::hypot(h.x, h.y, h.z) &&
-               across.x * across.x + across.y * across.y + across.z * across.z < radius * radius;
-    }
-};
-
 /// Faces: 0 the side, 1 the base, 2 the cap.
 template <class T>
 struct CylinderKernel {
-    static constexpr int faces = Cylinder::faces;
+    static constexpr int faces = 3;
     Vec3<T> base, axis;  // axis is of length 1
     T radius, height;
 
@@ -119,6 +83,57 @@ struct CylinderKernel {
         const Vec3<S> on_side = fma(along, a, scale(S(radius), outwards)), on_end = fma(end, a, across);
         return {b + select(side, on_side, on_end), select(side, outwards, scale(select(at_base, S(-1), S(1)), a)),
                 face};
+    }
+};
+
+struct Cylinder {
+    DVec3 base{0, 0, 0}, cap{0, 0, 1};
+    double radius = 1;
+
+    bool operator==(const Cylinder&) const = default;
+
+    static constexpr const char* name = "cylinder";
+    static constexpr int faces = 3, max_crossings = 2;
+    static constexpr bool bounded = true, convex = true, hot = true;
+    static constexpr auto fields = std::make_tuple(Field{"base", &Cylinder::base, "centre of one end"},
+                                                   Field{"cap", &Cylinder::cap, "centre of the other end"},
+                                                   Field{"radius", &Cylinder::radius, "the radius", Range::positive});
+    const char* fault() const { return base == cap ? "base and cap are the same point" : nullptr; }
+    DVec3 axis() const {
+        const DVec3 a = cap - base;
+        return a / std::hypot(a.x, a.y, a.z);
+    }
+    Box bounds() const {
+        const DVec3 a = axis();
+        Box box;
+        for (int i = 0; i < 3; ++i) {
+            const double reach = radius * std::sqrt(std::max(0., 1 - a[i] * a[i]));
+            box.low[i] = std::min(base[i], cap[i]) - reach;
+            box.high[i] = std::max(base[i], cap[i]) + reach;
+        }
+        return box;
+    }
+    bool contains(const DVec3& p) const {
+        const DVec3 a = axis(), d = p - base, h = cap - base;
+        const double along = a.x * d.x + a.y * d.y + a.z * d.z;
+        const DVec3 across = d - along * a;
+        return along > 0 && along < std::hypot(h.x, h.y, h.z) &&
+               across.x * across.x + across.y * across.y + across.z * across.z < radius * radius;
+    }
+    auto pov() const { return std::tuple("cylinder", base, cap, radius); }
+
+    template <class T>
+    using Kernels = std::tuple<CylinderKernel<T>, AffineKernel<CylinderKernel<T>, T>>;
+    template <class T, class Emit>
+    void emit(const WorldTransform& to_world, const Emit& emit) const {
+        const DVec3 rise = cap - base;
+        const double height = std::sqrt(rise.x * rise.x + rise.y * rise.y + rise.z * rise.z);
+        if (to_world.similar())
+            emit(CylinderKernel<T>{cast<T>(to_world.point(base)), cast<T>(to_world.direction(axis())),
+                                   static_cast<T>(to_world.length(radius)), static_cast<T>(to_world.length(height))});
+        else
+            emit(affine<T>(CylinderKernel<T>{Vec3<T>(T(0)), cast<T>(axis()), T(1), static_cast<T>(height / radius)},
+                           base, radius, to_world));
     }
 };
 

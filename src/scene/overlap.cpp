@@ -1,7 +1,8 @@
 #include "scene/overlap.h"
 
+#include <algorithm>
 #include <cmath>
-#include <glm/matrix.hpp>
+#include <optional>
 
 namespace strahl {
 namespace {
@@ -9,68 +10,70 @@ namespace {
 /// A transparent body: what of it is known exactly, and a box around it.
 struct Body {
     Box box;
-    const Sphere* sphere = nullptr;  // with `centre` and `radius` if it stayed one
-    DVec3 centre{0};
-    double radius = 0;
-    bool plane = false;  // the half-space normal . x < distance
-    DVec3 normal{0};
-    double distance = 0;
+    std::optional<Ball> ball;        // if it is one
+    std::optional<HalfSpace> space;  // likewise
+    double distance = 0;             // of the half-space normal . x < distance
 };
 
 double dot_product(const DVec3& a, const DVec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
 Body body_of(const Primitive& primitive) {
     Body body{.box = world_bounds(primitive)};
+    body.space = half_space(primitive);
+    if (body.space) body.distance = dot_product(body.space->normal, body.space->point);
     const glm::dmat4 m = matrix(primitive.transformations);
-    const double s = similarity(primitive.transformations);
-    if (const auto* sphere = std::get_if<Sphere>(&primitive.shape); sphere && s > 0) {
-        body.sphere = sphere;
-        body.centre = DVec3(m * glm::dvec4(sphere->centre, 1));
-        body.radius = sphere->radius * s;
-    } else if (const auto* plane = std::get_if<Plane>(&primitive.shape)) {
-        body.plane = true;
-        const DVec3 n = glm::transpose(glm::inverse(glm::dmat3(m))) * plane->normal();
-        body.normal = n / std::sqrt(dot_product(n, n));
-        body.distance = dot_product(body.normal, DVec3(m * glm::dvec4(plane->a, 1)));
-    }
+    const double factor = similarity(primitive.transformations);
+    std::visit(
+        [&](const auto& shape) {
+            if constexpr (requires { shape.ball(m, factor); })
+                if (factor > 0) body.ball = shape.ball(m, factor);
+        },
+        primitive.shape);
     return body;
 }
 
 bool may_overlap(const Body& a, const Body& b) {
-    if (b.plane && !a.plane) return may_overlap(b, a);
-    if (a.plane && b.plane) return !(dot_product(a.normal, b.normal) == -1 && a.distance <= -b.distance);
-    if (a.plane) {
-        if (b.sphere) return dot_product(a.normal, b.centre) - a.distance < b.radius;
+    if (b.space && !a.space) return may_overlap(b, a);
+    if (a.space && b.space) return !(dot_product(a.space->normal, b.space->normal) == -1 && a.distance <= -b.distance);
+    if (a.space) {
+        const DVec3& normal = a.space->normal;
+        if (b.ball) return dot_product(normal, b.ball->centre) - a.distance < b.ball->radius;
         DVec3 deepest;  // the corner furthest into the half-space
-        for (int c = 0; c < 3; ++c) deepest[c] = a.normal[c] > 0 ? b.box.low[c] : b.box.high[c];
-        return dot_product(a.normal, deepest) < a.distance;
+        for (int c = 0; c < 3; ++c) deepest[c] = normal[c] > 0 ? b.box.low[c] : b.box.high[c];
+        return dot_product(normal, deepest) < a.distance;
     }
     for (int c = 0; c < 3; ++c)
         if (a.box.high[c] <= b.box.low[c] || b.box.high[c] <= a.box.low[c]) return false;
-    if (!a.sphere || !b.sphere) return true;
-    const DVec3 d = a.centre - b.centre;
-    return std::sqrt(dot_product(d, d)) < a.radius + b.radius;
+    if (!a.ball || !b.ball) return true;
+    const DVec3 d = a.ball->centre - b.ball->centre;
+    return std::sqrt(dot_product(d, d)) < a.ball->radius + b.ball->radius;
 }
 
 }  // namespace
 
 Box world_bounds(const Primitive& primitive) {
-    const Box local = std::visit([](const auto& shape) { return shape.bounds(); }, primitive.shape);
-    if (primitive.transformations.empty() || !local.finite()) return local;
-    const glm::dmat4 m = matrix(primitive.transformations);
-    Box box;
-    if (const auto* sphere = std::get_if<Sphere>(&primitive.shape)) {  // exact: the rows' lengths
-        const DVec3 centre = DVec3(m * glm::dvec4(sphere->centre, 1));
-        DVec3 reach;
-        for (int c = 0; c < 3; ++c) reach[c] = sphere->radius * std::hypot(m[0][c], m[1][c], m[2][c]);
-        return {centre - reach, centre + reach};
-    }
-    for (int corner = 0; corner < 8; ++corner) {
-        const DVec3 p{corner & 1 ? local.high.x : local.low.x, corner & 2 ? local.high.y : local.low.y,
-                      corner & 4 ? local.high.z : local.low.z};
-        box.add(DVec3(m * glm::dvec4(p, 1)));
-    }
-    return box;
+    return std::visit(
+        [&](const auto& shape) {
+            const Box own = shape.bounds();
+            if (primitive.transformations.empty() || !own.finite()) return own;
+            const glm::dmat4 m = matrix(primitive.transformations);
+            if constexpr (requires { shape.bounds(m); })
+                return shape.bounds(m);
+            else
+                return transformed(own, m);
+        },
+        primitive.shape);
+}
+
+std::optional<HalfSpace> half_space(const Primitive& primitive) {
+    return std::visit(
+        [&]<class Kind>(const Kind& shape) -> std::optional<HalfSpace> {
+            if constexpr (!Kind::bounded)
+                return shape.half_space(matrix(primitive.transformations));
+            else
+                return {};
+        },
+        primitive.shape);
 }
 
 bool transparent_bodies_overlap(const Scene& scene) {
@@ -80,7 +83,7 @@ bool transparent_bodies_overlap(const Scene& scene) {
             const Body body = body_of(primitive);
             for (const Body& plane : planes)
                 if (may_overlap(plane, body)) return true;
-            (body.plane ? planes : bodies).push_back(body);
+            (body.space ? planes : bodies).push_back(body);
         }
     for (const Body& plane : planes)
         for (const Body& body : bodies)

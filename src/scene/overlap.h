@@ -4,8 +4,10 @@
 
 namespace strahl {
 
-/// A box around the transformed primitive, infinite for a plane.
+/// A box around the transformed primitive; infinite if its kind is not bounded.
 Box world_bounds(const Primitive& primitive);
+/// The half-space that a primitive of an unbounded kind is.
+std::optional<HalfSpace> half_space(const Primitive& primitive);
 
 /// May two transparent bodies of the scene have points in common? False only if certainly not: then a ray is inside
 /// one at most, and the side from which it meets a surface tells whether it enters.

@@ -4,11 +4,34 @@
 #include <limits>
 #include <tuple>
 
-#include "num/box.h"
 #include "num/ray.h"
 #include "scene/field.h"
+#include "scene/world_transform.h"
 
 namespace strahl {
+
+/// normal . x = distance. A ray crosses once; the other end of its span is at infinity.
+template <class T>
+struct PlaneKernel {
+    Vec3<T> normal;
+    T distance;
+
+    template <class S>
+    STRAHL_INLINE Span<S> span(const Ray<S>& ray, S start) const {
+        const Vec3<S> n = splat<S>(normal);
+        const S t = (S(distance) - dot(n, ray.origin)) / dot(n, ray.direction);
+        constexpr auto inf = std::numeric_limits<Element<S>>::infinity();
+        const Mask<S> hit = (abs(t) < S(inf)) & !(start == S(0));  // false for a parallel ray too: +-inf or NaN
+        return {t, S(inf), hit};
+    }
+    /// The point at `t`, put back onto the plane.
+    template <class S>
+    STRAHL_INLINE SurfacePoint<S> at(const Ray<S>& ray, S t, S) const {
+        const Vec3<S> n = splat<S>(normal);
+        const Vec3<S> p = fma(t, ray.direction, ray.origin);
+        return {fma(S(distance) - dot(n, p), n, p), n, S(0)};
+    }
+};
 
 /// The normal is (b - a) x (c - a); the inside, which matters for transparent planes, lies away from it.
 struct Plane {
@@ -17,7 +40,8 @@ struct Plane {
     bool operator==(const Plane&) const = default;
 
     static constexpr const char* name = "plane";
-    static constexpr int faces = 1;
+    static constexpr int faces = 1, max_crossings = 1;
+    static constexpr bool bounded = false, convex = true, hot = true;
     static constexpr auto fields = std::make_tuple(Field{"first point", &Plane::a, "a point of the plane"},
                                                    Field{"second point", &Plane::b, "another point"},
                                                    Field{"third point", &Plane::c, "a third, not on their line"});
@@ -40,29 +64,23 @@ struct Plane {
         const DVec3 n = normal(), d = p - a;
         return n.x * d.x + n.y * d.y + n.z * d.z < 0;
     }
-};
-
-/// normal . x = distance. A ray crosses once; the other end of its span is at infinity.
-template <class T>
-struct PlaneKernel {
-    static constexpr int faces = Plane::faces;
-    Vec3<T> normal;
-    T distance;
-
-    template <class S>
-    STRAHL_INLINE Span<S> span(const Ray<S>& ray, S start) const {
-        const Vec3<S> n = splat<S>(normal);
-        const S t = (S(distance) - dot(n, ray.origin)) / dot(n, ray.direction);
-        constexpr auto inf = std::numeric_limits<Element<S>>::infinity();
-        const Mask<S> hit = (abs(t) < S(inf)) & !(start == S(0));  // false for a parallel ray too: +-inf or NaN
-        return {t, S(inf), hit};
+    HalfSpace half_space(const glm::dmat4& m) const {
+        const DVec3 n = glm::transpose(glm::inverse(glm::dmat3(m))) * normal();
+        return {transform_point(m, a), n / std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z)};
     }
-    /// The point at `t`, put back onto the plane.
-    template <class S>
-    STRAHL_INLINE SurfacePoint<S> at(const Ray<S>& ray, S t, S) const {
-        const Vec3<S> n = splat<S>(normal);
-        const Vec3<S> p = fma(t, ray.direction, ray.origin);
-        return {fma(S(distance) - dot(n, p), n, p), n, S(0)};
+    /// POV-Ray's inside is normal . p < distance: the half-space behind the normal, as here.
+    auto pov() const {
+        const DVec3 n = normal();
+        return std::tuple("plane", n, n.x * a.x + n.y * a.y + n.z * a.z);
+    }
+
+    template <class T>
+    using Kernels = std::tuple<PlaneKernel<T>>;  // under any transformation a plane is a plane
+    template <class T, class Emit>
+    void emit(const WorldTransform& to_world, const Emit& emit) const {
+        const HalfSpace body = half_space(to_world.matrix);
+        const DVec3 n = body.normal, p = to_world.place(body.point);
+        emit(PlaneKernel<T>{cast<T>(n), static_cast<T>(n.x * p.x + n.y * p.y + n.z * p.z)});
     }
 };
 

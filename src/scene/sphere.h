@@ -1,37 +1,16 @@
 // The sphere: a centre and a radius.
 #pragma once
+#include <cmath>
 #include <tuple>
 
-#include "num/box.h"
-#include "num/ray.h"
+#include "scene/affine.h"
 #include "scene/field.h"
 
 namespace strahl {
 
-struct Sphere {
-    DVec3 centre{0};
-    double radius = 1;
-
-    bool operator==(const Sphere&) const = default;
-
-    static constexpr const char* name = "sphere";
-    static constexpr int faces = 1;
-    static constexpr auto fields = std::make_tuple(Field{"centre", &Sphere::centre, "the centre"},
-                                                   Field{"radius", &Sphere::radius, "the radius", Range::positive});
-    /// Why these values make no body, or nullptr.
-    const char* fault() const { return nullptr; }
-    Box bounds() const { return {centre - radius, centre + radius}; }
-    /// Is p strictly inside?
-    bool contains(const DVec3& p) const {
-        const DVec3 d = p - centre;
-        return d.x * d.x + d.y * d.y + d.z * d.z < radius * radius;
-    }
-};
-
 /// The sphere as the kernel sees it, for one number or lane by lane.
 template <class T>
 struct SphereKernel {
-    static constexpr int faces = Sphere::faces;
     Vec3<T> centre;
     T radius;
 
@@ -65,6 +44,49 @@ struct SphereKernel {
         const Vec3<S> out = fma(t, ray.direction, ray.origin - c);
         const Vec3<S> normal = scale(S(1) / sqrt(dot(out, out)), out);
         return {fma(S(radius), normal, c), normal, S(0)};
+    }
+};
+
+struct Sphere {
+    DVec3 centre{0};
+    double radius = 1;
+
+    bool operator==(const Sphere&) const = default;
+
+    static constexpr const char* name = "sphere";
+    static constexpr int faces = 1, max_crossings = 2;
+    static constexpr bool bounded = true, convex = true, hot = true;
+    static constexpr auto fields = std::make_tuple(Field{"centre", &Sphere::centre, "the centre"},
+                                                   Field{"radius", &Sphere::radius, "the radius", Range::positive});
+    /// Why these values make no body, or nullptr.
+    const char* fault() const { return nullptr; }
+    Box bounds() const { return {centre - radius, centre + radius}; }
+    /// Of what the sphere becomes. Exact: the reach along an axis is the length of the matrix's row.
+    Box bounds(const glm::dmat4& m) const {
+        const DVec3 middle = transform_point(m, centre);
+        DVec3 reach;
+        for (int i = 0; i < 3; ++i) reach[i] = radius * std::hypot(m[0][i], m[1][i], m[2][i]);
+        return {middle - reach, middle + reach};
+    }
+    /// What the sphere becomes under a transformation that scales lengths by `similarity`.
+    Ball ball(const glm::dmat4& m, double similarity) const {
+        return {transform_point(m, centre), radius * similarity};
+    }
+    /// Is p strictly inside?
+    bool contains(const DVec3& p) const {
+        const DVec3 d = p - centre;
+        return d.x * d.x + d.y * d.y + d.z * d.z < radius * radius;
+    }
+    auto pov() const { return std::tuple("sphere", centre, radius); }
+
+    template <class T>
+    using Kernels = std::tuple<SphereKernel<T>, AffineKernel<SphereKernel<T>, T>>;
+    template <class T, class Emit>
+    void emit(const WorldTransform& to_world, const Emit& emit) const {
+        if (to_world.similar())
+            emit(SphereKernel<T>{cast<T>(to_world.point(centre)), static_cast<T>(to_world.length(radius))});
+        else
+            emit(affine<T>(SphereKernel<T>{Vec3<T>(T(0)), T(1)}, centre, radius, to_world));
     }
 };
 

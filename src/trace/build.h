@@ -28,6 +28,12 @@ Extent extent_of(const Scene& scene);
 /// The same for all cameras near the scene; for one far off it follows from the camera's position alone.
 Placement placement(const Extent& extent, const DVec3& camera);
 
+/// How many surfaces the bodies have in all; World<T>::capacity is the most.
+double surfaces_of(const Scene& scene);
+
+template <class T>
+struct WorldArrays;
+
 /// A world and the arrays that it points into.
 template <class T>
 class BuiltWorld {
@@ -39,8 +45,7 @@ class BuiltWorld {
     std::vector<int> bodies_around(const DVec3& point) const;
 
   private:
-    struct Arrays;
-    std::unique_ptr<Arrays> arrays;
+    std::unique_ptr<WorldArrays<T>> arrays;
 };
 
 }  // namespace strahl

@@ -47,8 +47,7 @@ struct Extents {
     void add(const Extents& e) { all.add(e.all), middles.add(e.middles); }
 };
 
-/// Bins for so many items: a look at empty ones costs as much as at full ones.
-
+/// Bins for so many items: an empty one costs as much as a full one.
 int bins_for(std::int32_t count) { return count <= 16 ? 4 : count <= 64 ? 8 : most_bins; }
 
 /// How far along the bins of each axis a box's centre is.
@@ -81,9 +80,11 @@ struct Bins {
     }
 };
 
+/// Items are cut in the middle, along the bins of an axis, or by their forms: those of form `bin` come first.
+enum CutAxis { in_the_middle = -1, by_form = 3 };
 struct Cut {
     float cost = infinity;  // in boxes' half areas
-    int axis = -1, bin = 0;
+    int axis = in_the_middle, bin = 0;
 };
 
 /// The cheapest cut along the bins of one of the axes, both sides of which have items.
@@ -212,6 +213,11 @@ class Builder {
         const float area = part.extents.all.half_area();
         part.leaf =
             count <= leaf_items && !(area + item_cost * part.cut.cost < item_cost * static_cast<float>(count) * area);
+        if (part.leaf) {
+            const auto [least, most] = std::minmax_element(
+                items + begin, items + end, [](const ItemBox& a, const ItemBox& b) { return a.form < b.form; });
+            if (least->form < most->form) part.leaf = false, part.cut = {0, by_form, least->form};
+        }
         return part;
     }
 
@@ -219,7 +225,10 @@ class Builder {
     Part open(Part& from) {
         ItemBox* items = from.items;
         std::int32_t at = from.begin + from.count() / 2;
-        if (from.cut.axis >= 0) {
+        if (from.cut.axis == by_form) {
+            const auto first = [form = from.cut.bin](const ItemBox& e) { return e.form == form; };
+            at = static_cast<std::int32_t>(std::partition(items + from.begin, items + from.end, first) - items);
+        } else if (from.cut.axis != in_the_middle) {
             const Scale scale(from.extents.middles, bins_for(from.count()));
             const auto before = [axis = from.cut.axis, low = scale.from[from.cut.axis],
                                  per_bin = scale.per_bin[from.cut.axis], bin = static_cast<float>(from.cut.bin)](
@@ -276,6 +285,7 @@ class Builder {
             if (child.leaf) {
                 node.first[i] = child.begin;
                 node.count[i] = static_cast<std::int16_t>(child.count());
+                node.form[i] = static_cast<std::uint8_t>(child.items[child.begin].form);
                 for (std::int32_t k = child.begin; k < child.end; ++k) result.order[k] = child.items[k].item;
             } else if (shared && child.count() <= shared_items) {
                 tasks.push_back({child, index, i});

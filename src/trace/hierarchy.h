@@ -9,21 +9,23 @@ namespace strahl {
 
 class ThreadPool;
 
-/// Up to 16 children, their boxes side by side. Boxes are of floats for every kind of number, rounded outwards.
+/// Up to 16 children, their boxes side by side. Boxes are of floats for every kind of number, rounded outwards. A leaf
+/// holds items of one form.
 struct alignas(64) Node {
     static constexpr int width = 16;
     float low[3][width], high[3][width];
     std::int32_t first[width];  // of a leaf: its first item; else: the child's node
     std::int16_t count[width];  // of a leaf: its items; else 0
+    std::uint8_t form[width];   // of a leaf: their form
     std::int32_t children = 0;  // lanes from here on are empty
 };
 
-/// The box around an item, its corners rounded to the nearest floats. Which item is for the builder to note.
+/// The box around an item of a form, its corners rounded to the nearest floats. Which item is for the builder to note.
 struct alignas(16) ItemBox {
     float low[3];
     std::int32_t item;
     float high[3];
-    float unused;
+    std::int32_t form;
 };
 
 /// Nodes, root first, and the order in which the leaves hold the items.
@@ -35,10 +37,10 @@ struct Hierarchy {
     Buffer<std::int32_t> order;
 };
 
-/// Boxes are finite, and grown by `margin` and by what rounding may have cost them. They are moved about, to and from
-/// as much `spare` room too. Binned surface area heuristic (I. Wald, "On fast Construction of SAH-based Bounding Volume
-/// Hierarchies", 2007), of whose binary nodes the largest are opened until 16 are side by side. The same for any number
-/// of threads.
+/// Boxes are finite, and are grown by `margin` and by what rounding may have cost them. They are moved about, to and
+/// from as much `spare` room too. Binned surface area heuristic (I. Wald, "On fast Construction of SAH-based Bounding
+/// Volume Hierarchies", 2007), of whose binary nodes the largest are opened until 16 are side by side. The same for any
+/// number of threads.
 Hierarchy build_hierarchy(std::span<ItemBox> boxes, ItemBox* spare, double margin, ThreadPool& pool);
 
 }  // namespace strahl

@@ -1,7 +1,9 @@
 // What the plain part of the tracer and the kernels, compiled once per instruction set, know of each other.
 #pragma once
+#include <atomic>
 #include <cstdint>
 
+#include "trace/counts.h"
 #include "trace/world.h"
 
 namespace strahl {
@@ -22,8 +24,8 @@ struct RayQueue {
 };
 inline constexpr int ray_arrays = 11;
 
-/// The rays of a generation: those that look for what they meet, and those inside an enclosed body (see World), which
-/// meet nothing else: stretches by the body's key.
+/// The rays of a generation: those whose hits are searched, and those inside an enclosed body (see World), which meet
+/// nothing else: ranges by the body's bin.
 template <class T>
 struct Generation {
     RayQueue<T> open, inside;
@@ -34,21 +36,21 @@ struct Generation {
 /// What a generation met.
 template <class T>
 struct HitList {
-    T *t, *surface;  // by ray
-    T* order;        // numbers of rays by the key of what they hit, see of(); of those that hit nothing World::keys
-    std::int32_t* count;  // by key: how many
-    T* of(int key) const { return order + std::size_t(key) * capacity; }
+    T *t, *surface;       // by ray
+    T* order;             // numbers of rays by the bin of what they hit, see of(); of misses the bin is World::bins
+    std::int32_t* count;  // by bin
+    T* of(int bin) const { return order + std::size_t(bin) * capacity; }
     static constexpr std::size_t capacity = batch_rays + 80;  // packs are stored whole; no power of two, or caches
                                                               // would fill one place only
 };
 
-/// Lists of transparent bodies entered, as POV-Ray keeps them: numbered, each a shorter list and one body more.
-/// List 0 is empty. Not for two threads at once.
+/// Stacks of transparent bodies entered, as POV-Ray keeps them: numbered, each a shorter stack and one body more.
+/// Stack 0 is empty. Not for two threads at once.
 class MediumStacks;
-int push(MediumStacks& lists, int list, int body);    // the list with the body appended
-int remove(MediumStacks& lists, int list, int body);  // ... with it removed, wherever it is
-bool contains(const MediumStacks& lists, int list, int body);
-int top(const MediumStacks& lists, int list);  // the body entered last, -1 for none
+int push(MediumStacks& stacks, int stack, int body);    // the stack with the body on top
+int remove(MediumStacks& stacks, int stack, int body);  // ... without it, wherever it is
+bool contains(const MediumStacks& stacks, int stack, int body);
+int top(const MediumStacks& stacks, int stack);  // the body entered last, -1 for none
 
 /// Memory of one thread, reused from tile to tile.
 template <class T>
@@ -56,7 +58,7 @@ class Workspace;
 /// Generation number `slot`, made when first asked for; it keeps its address.
 template <class T>
 Generation<T>& generation(Workspace<T>& workspace, int slot);
-/// A queue for refracted rays until they join the mirrored ones.
+/// A queue for refracted rays until they join the reflected ones.
 template <class T>
 RayQueue<T>& refracted_queue(Workspace<T>& workspace);
 template <class T>
@@ -69,32 +71,40 @@ template <class T>
 struct Eye {
     Vec3<T> position, forward, right, down;  // right and down scaled by the picture's half sizes at distance 1
     T scale_x, scale_y, bias_x, bias_y;      // u = x * scale_x + bias_x
-    T medium = 0;                            // list of bodies that the eye is in
-    int depth = 20;
-    T error = 0;                   // light that a pixel may lack
-    const T* brightest = nullptr;  // [n]: with n generations to come, the next one's rays are no brighter
-    T brightest_limit = 0;         // nor with any number of generations; infinite if there is no bound
+    T medium = 0;                            // stack of bodies that the eye is in
 };
 
-/// Pixels to trace, and where their light is summed: rgb[4 * i + c] for pixel i. In rgb[4 * i + 3] is what it lacks at
-/// most by rays left out as too weak, in past[i] by generations past the last.
+/// How far rays are followed.
+template <class T>
+struct Limits {
+    int depth = 20;                           // generations
+    T error = 0;                              // light that a pixel may lack by pruned rays
+    const T* brightest = nullptr;             // [n]: with n generations to come, the next one's rays are no brighter
+    T brightest_limit = 0;                    // nor with any number of generations; infinite if there is no bound
+    const std::atomic<bool>* stop = nullptr;  // if it becomes true the picture is no longer wanted
+    bool stopped() const { return stop && stop->load(std::memory_order_relaxed); }
+};
+
+/// The light of a pixel, and what it lacks at most by rays pruned as too weak: four numbers, added to at once.
+template <class T>
+struct PixelSum {
+    T rgb[3], pruned;
+};
+
+/// Pixels to trace.
 template <class T>
 struct PixelBatch {
     const T *x, *y;
-    T *rgb, *past;
+    PixelSum<T>* sums;
+    T* past;  // what each pixel lacks at most by generations past the last
     int count;
 };
 
-struct KernelCounts {
-    std::uint64_t camera = 0, reflected = 0, refracted = 0, shadow = 0;
-    int depth = 0;                 // of the deepest generation that had rays
-    double dropped = 0, past = 0;  // most that any pixel lacks, see PixelBatch
-};
-
-/// Traces a batch. False if some generation has more rays than that: the batch must be split, its sums thrown
-/// away. A batch of one pixel always succeeds.
+/// Traces a batch. False if some generation has more rays than fit: the batch must be split, its sums thrown away. A
+/// batch of one pixel always succeeds. Stopped batches are incomplete.
 template <class T>
-using TraceBatch = bool (*)(const World<T>&, const Eye<T>&, const PixelBatch<T>&, Workspace<T>&, KernelCounts&);
+using TraceBatch = bool (*)(const World<T>&, const Eye<T>&, const Limits<T>&, const PixelBatch<T>&, Workspace<T>&,
+                            Counts&);
 
 template <class T>
 struct Kernel {
@@ -103,23 +113,22 @@ struct Kernel {
 };
 
 // One inline namespace for each instruction set; the kernel's own code lives in them, so that nothing merges when
-// linked.
+// linked. Each is there for float and double, the scalar one for long double too.
 inline namespace scalar {
-Kernel<float> kernel_float();
-Kernel<double> kernel_double();
-Kernel<long double> kernel_extended();
-}  // namespace scalar
+template <class T>
+Kernel<T> kernel();
+}
 inline namespace v2 {
-Kernel<float> kernel_float();
-Kernel<double> kernel_double();
-}  // namespace v2
+template <class T>
+Kernel<T> kernel();
+}
 inline namespace v3 {
-Kernel<float> kernel_float();
-Kernel<double> kernel_double();
-}  // namespace v3
+template <class T>
+Kernel<T> kernel();
+}
 inline namespace v4 {
-Kernel<float> kernel_float();
-Kernel<double> kernel_double();
-}  // namespace v4
+template <class T>
+Kernel<T> kernel();
+}
 
 }  // namespace strahl

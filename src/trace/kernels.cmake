@@ -1,12 +1,34 @@
-# The tracer: its plain part, and the kernel compiled once per instruction set. Kernels are optimised in every preset:
-# an inline function that is not inlined would merge with another level's when linked.
+# The tracer: its plain part, and the kernel compiled once per instruction set: a file for each element type, and one
+# for each kind of body. Kernels are optimised in every preset: an inline function that is not inlined would merge with
+# another level's when linked.
 strahl_module(trace src/trace strahl_scene)
 get_target_property(strahl_trace_sources strahl_trace SOURCES)
 list(FILTER strahl_trace_sources EXCLUDE REGEX "/kernel\\.cpp$")
 set_property(TARGET strahl_trace PROPERTY SOURCES ${strahl_trace_sources})
 
-function(strahl_kernel level)
-  add_library(kernel_${level} OBJECT src/trace/kernel.cpp)
+# The kinds are read from their one list.
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/scene/kinds.h)
+file(READ src/scene/kinds.h strahl_kinds)
+string(REGEX REPLACE ".*using Shape = std::variant<([^>]*)>.*" "\\1" strahl_kinds "${strahl_kinds}")
+string(REGEX REPLACE "[ \n]*,[ \n]*" ";" strahl_kinds "${strahl_kinds}")
+
+function(strahl_kernel level elements)
+  set(folder ${CMAKE_BINARY_DIR}/kernels/${level})
+  set(sources)
+  foreach(element ${elements})
+    string(REPLACE " " "_" name ${element})
+    file(CONFIGURE OUTPUT ${folder}/${name}.cpp CONTENT "#define STRAHL_ELEMENT ${element}\n#include \"trace/kernel.cpp\"\n")
+    list(APPEND sources ${folder}/${name}.cpp)
+  endforeach()
+  foreach(kind ${strahl_kinds})
+    set(content "#include \"trace/kind.h\"\nnamespace strahl::inline STRAHL_LEVEL {\n")
+    foreach(element ${elements})
+      string(APPEND content "template struct KindCalls<${kind}, Widest<${element}>>;\n")
+    endforeach()
+    file(CONFIGURE OUTPUT ${folder}/${kind}.cpp CONTENT "${content}}\n")
+    list(APPEND sources ${folder}/${kind}.cpp)
+  endforeach()
+  add_library(kernel_${level} OBJECT ${sources})
   target_link_libraries(kernel_${level} PRIVATE strahl_flags)
   target_compile_definitions(kernel_${level} PRIVATE STRAHL_LEVEL=${level})
   # Points-to analysis takes g++ 12 a third of its time here and finds nothing that makes the code faster; ordering
@@ -22,10 +44,10 @@ function(strahl_kernel level)
   target_sources(strahl_trace PRIVATE $<TARGET_OBJECTS:kernel_${level}>)
 endfunction()
 
-strahl_kernel(scalar -DSTRAHL_SCALAR)
+strahl_kernel(scalar "float;double;long double" -DSTRAHL_SCALAR)
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
-  strahl_kernel(v2 -march=x86-64-v2)
-  strahl_kernel(v3 -march=x86-64-v3)
+  strahl_kernel(v2 "float;double" -march=x86-64-v2)
+  strahl_kernel(v3 "float;double" -march=x86-64-v3)
   # g++ 12 warns of an "uninitialized" operand inside its own AVX-512 header.
-  strahl_kernel(v4 -march=x86-64-v4 -mprefer-vector-width=512 -Wno-uninitialized -Wno-maybe-uninitialized)
+  strahl_kernel(v4 "float;double" -march=x86-64-v4 -mprefer-vector-width=512 -Wno-uninitialized -Wno-maybe-uninitialized)
 endif()

@@ -1,14 +1,9 @@
 // The two questions asked of geometry: which surface is nearest, and what light comes through.
 #pragma once
+#include "trace/form_functions.h"
 #include "trace/traverse.h"
 
 namespace strahl::inline STRAHL_LEVEL {
-
-/// The nearest hit so far: t is infinite and the surface -1 at first. The key is that of the surface's place.
-template <class S>
-struct Nearest {
-    S t{std::numeric_limits<Element<S>>::infinity()}, surface{-1}, key;
-};
 
 /// The ray of one lane in all lanes.
 template <class S>
@@ -17,244 +12,165 @@ STRAHL_INLINE Ray<S> lane_of(const Ray<S>& ray, int k) {
     return {pick(ray.origin), pick(ray.direction), S(lane(ray.source, k))};
 }
 
-/// Calls look(item) for the items of a group without a hierarchy, those of the set if there is a key for each, until
-/// that returns true.
-template <class Group, class Look>
-STRAHL_INLINE void each_item(const Group& group, bool key_per_item, BodySet set, const Look& look) {
-    if (!key_per_item) {
-        for (int i = 0; i < group.count; ++i)
-            if (look(i)) return;
-    } else if (group.count > 0) {
-        const BodySet own = ~BodySet(0) >> (most_item_keys - group.count);
-        for (BodySet left = set >> group.first_key & own; left; left &= left - 1)
-            if (look(std::countr_zero(left))) return;
-    }
-}
-
-/// Where a surface is met, and whether it is nearer than what was met before; of equally near ones the first declared.
-template <class S>
-STRAHL_INLINE Mask<S> closer(const Span<S>& span, const S& surface, const Nearest<S>& best, S& t) {
-    t = select(span.near > S(0), span.near, span.far);
-    return span.hit & (t > S(0)) & ((t < best.t) | ((t == best.t) & (surface < best.surface)));
-}
-
-/// One ray and items [first, first + count), which are looked at side by side.
-template <class S, class Group>
-STRAHL_INLINE void nearest_alone(const Group& group, int first, int count, const Ray<S>& ray, Nearest<S>& best) {
-    using Item = typename Group::template ItemOf<S>;
-    for (int i = first; i < first + count; i += width<S>) {
-        const Item item = load_items<Item, S>(group.columns, group.stride, i);
-        S t;
-        const Span<S> span = item.shape.span(ray, ray.source - item.surface);
-        Mask<S> better = closer(span, item.surface, best, t) & first_lanes<S>(first + count - i);
-        while (any(better)) {
-            const int k = strahl::first(better);
-            best.t = S(lane(t, k)), best.surface = S(lane(item.surface, k));
-            better = better & ((t < best.t) | ((t == best.t) & (item.surface < best.surface)));
+/// Calls look(group, item) for the items of the hot forms that are not in the hierarchy, those of the set if there is a
+/// bin for each, until that returns true.
+template <class T, class Look>
+STRAHL_INLINE void each_hot_item(const World<T>& world, BodySet set, const Look& look) {
+    bool done = false;
+    world.groups.each([&](const auto& group) __attribute__((always_inline)) {
+        if constexpr (std::remove_cvref_t<decltype(group)>::Form::hot) {
+            if (done) return;
+            if (!world.bin_per_item) {
+                for (int i = group.in_hierarchy; i < group.count; ++i)
+                    if (look(group, i)) return void(done = true);
+            } else if (group.count > 0) {
+                const BodySet own = ~BodySet(0) >> (most_item_bins - group.count);
+                for (BodySet left = set >> group.first_bin & own; left; left &= left - 1)
+                    if (look(group, std::countr_zero(left))) return void(done = true);
+            }
         }
+    });
+}
+
+/// Calls look(items) for the items of other forms that are not in the hierarchy.
+template <class T, class Look>
+STRAHL_INLINE void each_cold_range(const World<T>& world, BodySet set, const Look& look) {
+    for (BodySet left = set & world.cold; left; left &= left - 1) {
+        const SortBin& bin = world.sort_bins[std::countr_zero(left)];
+        if (look(ItemRange{bin.form, bin.item, 1}, std::countr_zero(left))) return;
     }
+    for (int i = 0; i < world.loop_count; ++i)
+        if (look(world.loops[i], 0)) return;
 }
 
-/// Looks whether item i is nearer than what was met before.
-template <class S, class Group>
-STRAHL_INLINE void meet(const World<Element<S>>& world, const Group& group, int i, const Ray<S>& ray, Mask<S> mask,
-                        Nearest<S>& best) {
-    const auto& item = group.items[i];
-    const S surface(item.surface);
-    const Span<S> span = item.shape.span(ray, ray.source - surface);
-    if (none(span.hit & mask)) return;
-    S t;
-    const Mask<S> better = mask & closer(span, surface, best, t);
-    best.t = select(better, t, best.t);
-    best.surface = select(better, surface, best.surface);
-    best.key = select(better, S(static_cast<Element<S>>(group.key(i, world.key_per_item))), best.key);
-}
-
-/// The same for a group with a hierarchy. Not inline: of small worlds it would be a burden.
-template <class S, class Group>
-[[gnu::noinline]] Nearest<S> nearest_below(const World<Element<S>>& world, const Group& group, const Ray<S>& ray,
-                                           Mask<S> active, Nearest<S> best) {
+/// The nearest surfaces of the hierarchy. Not inline: of small worlds it would be a burden.
+template <class S>
+[[gnu::noinline]] void nearest_in_hierarchy(const World<Element<S>>& world, const Ray<S>& ray, Mask<S> active,
+                                            Nearest<S>& best) {
     using T = Element<S>;
-    const Line<S> line = line_of(ray);
-    const S before = best.surface;
-    const auto look = [&](int first, int count, Mask<S> mask) {
-        for (int i = first; i < first + count; ++i) meet(world, group, i, ray, mask, best);
+    const TraversalRay<S> line = traversal_ray(ray);
+    const auto look = [&](const Leaf& leaf, Mask<S> mask) {
+        calls<S>(leaf.form).intersect(world, leaf.first, leaf.count, ray, mask, best);
         return false;
     };
-    traverse<true>(group.nodes, line, active, best.t, look, [&](int k, int first, int count) {
+    traverse<true>(world.nodes, line, active, best.t, look, [&](int k, const Leaf& from) {
         const Ray<S> one = lane_of(ray, k);
-        Nearest<S> own{S(lane(best.t, k)), S(lane(best.surface, k)), S(0)};
+        Nearest<S> own{S(lane(best.t, k)), S(lane(best.surface, k)), S(lane(best.bin, k))};
         T limit = lane(best.t, k);
-        const auto meet_items = [&](int item, int items) {
-            nearest_alone(group, item, items, one, own);
+        const auto look_single = [&](const Leaf& leaf) {
+            calls<S>(leaf.form).intersect_single(world, leaf.first, leaf.count, one, own);
             limit = lane(own.t, 0);
             return false;
         };
-        if (count > 0)
-            meet_items(first, count);
+        if (from.count > 0)
+            look_single(from);
         else
-            traverse_alone<true>(group.nodes, first, lane_of(line, k), limit, meet_items);
+            traverse_single<true>(world.nodes, from.first, lane_of(line, k), limit, look_single);
         best.t = with_lane(best.t, k, limit);
         best.surface = with_lane(best.surface, k, lane(own.surface, 0));
+        best.bin = with_lane(best.bin, k, lane(own.bin, 0));
     });
-    best.key = select(best.surface == before, best.key, S(static_cast<T>(group.first_key)));
-    return best;
 }
 
-/// The nearest surfaces; where there is a key for each item, among the bodies of the set.
+/// The nearest surfaces; where there is a bin for each item, among the bodies of the set.
 template <class S>
 STRAHL_INLINE Nearest<S> nearest(const World<Element<S>>& world, const Ray<S>& ray, Mask<S> active, BodySet set) {
+    using T = Element<S>;
     Nearest<S> best;
-    best.key = S(static_cast<Element<S>>(world.keys));
-    world.groups.each([&](const auto& group) __attribute__((always_inline)) {
-        if constexpr (std::remove_cvref_t<decltype(group)>::bounded)
-            if (group.nodes) {
-                best = nearest_below(world, group, ray, active, best);
-                return;
-            }
-        each_item(
-            group, world.key_per_item, set, [&](int i) __attribute__((always_inline)) {
-                meet(world, group, i, ray, active, best);
-                return false;
-            });
-    });
+    best.bin = S(static_cast<T>(world.bins));
+    each_hot_item(
+        world, set, [&](const auto& group, int i) __attribute__((always_inline)) {
+            const Mask<S> better = intersect_item(group, i, ray, active, best);
+            const int bin = world.bin_per_item ? group.first_bin + i : group.first_bin;
+            best.bin = select(better, S(static_cast<T>(bin)), best.bin);
+            return false;
+        });
+    each_cold_range(
+        world, set, [&](const ItemRange& items, int) __attribute__((always_inline)) {
+            calls<S>(items.form).intersect(world, items.first, items.count, ray, active, best);
+            return false;
+        });
+    if (world.nodes) nearest_in_hierarchy(world, ray, active, best);
     return best;
 }
 
-/// Where shadow rays to a light start: on which body, by its key, and whether on its outside. Only where there is a
-/// key for each item.
+/// Where shadow rays to a light start: on which body, by its bin, and whether on its outside. Only where there is a bin
+/// for each item.
 template <class S>
 struct Start {
-    int light, key;
+    int light, bin;
     Mask<S> outside;
 };
 
-/// What is left of light, per channel, behind what has been looked at, and how far away it comes from: -1 if it is all
-/// gone.
+/// What the hierarchy takes from the light.
 template <class S>
-struct Passing {
-    Vec3<S> share;
-    S limit;
-};
-
-/// Does the item let light through?
-template <class T, class Group>
-STRAHL_INLINE bool clear(const World<T>& world, const Group& group, int i) {
-    return world.transparent && world.materials[static_cast<int>(group.items[i].material)].refraction > 0;
-}
-template <class T, class Group>
-STRAHL_INLINE const Vec3<T>& filter(const World<T>& world, const Group& group, int i) {
-    return world.materials[static_cast<int>(group.items[i].material)].filter;
-}
-
-/// Takes from the light what item i takes. Is none left in any lane?
-template <class S, class Group>
-STRAHL_INLINE bool pass(const World<Element<S>>& world, const Group& group, int i, const Ray<S>& ray, const S& distance,
-                        Mask<S> mask, Passing<S>& light) {
-    const auto& item = group.items[i];
-    const S one(1);
-    const Span<S> span = item.shape.span(ray, ray.source - S(item.surface));
-    const Mask<S> hit = span.hit & mask;
-    if (none(hit)) return false;
-    const Mask<S> enters = hit & (span.near > S(0)) & (span.near < distance);
-    const Mask<S> leaves = hit & (span.far > S(0)) & (span.far < distance);
-    if (clear(world, group, i)) {
-        const Vec3<S> f = splat<S>(filter(world, group, i));
-        for (int c = 0; c < 3; ++c)
-            light.share[c] =
-                min(light.share[c] * (select(enters, f[c], one) * select(leaves, f[c], one)), S(largest_gain));
-        return false;
-    }
-    light.limit = select(enters | leaves, S(-1), light.limit);
-    return all(light.limit < S(0));
-}
-
-/// The same for a group with a hierarchy.
-template <class S, class Group>
-[[gnu::noinline]] Passing<S> pass_below(const World<Element<S>>& world, const Group& group, const Ray<S>& ray,
-                                        const S& distance, Passing<S> light) {
+[[gnu::noinline]] void occlude_in_hierarchy(const World<Element<S>>& world, const Ray<S>& ray, const S& distance,
+                                            Transmission<S>& light) {
     using T = Element<S>;
-    const Line<S> line = line_of(ray);
-    const auto look = [&](int first, int count, Mask<S> mask) {
-        for (int i = first; i < first + count; ++i)
-            if (pass(world, group, i, ray, distance, mask, light)) return true;
-        return false;
+    const TraversalRay<S> line = traversal_ray(ray);
+    const auto look = [&](const Leaf& leaf, Mask<S> mask) {
+        return calls<S>(leaf.form).occlude(world, leaf.first, leaf.count, ray, distance, mask, light);
     };
-    const auto alone = [&](int k, int first, int count) {
-        using Item = typename Group::template ItemOf<S>;
-        const Ray<S> lone = lane_of(ray, k);
-        const S end(lane(distance, k));
-        T limit = lane(light.limit, k);
-        const auto blocks = [&](int first, int count) {
-            for (int i = first; i < first + count; i += width<S>) {
-                const Item item = load_items<Item, S>(group.columns, group.stride, i);
-                const Span<S> span = item.shape.span(lone, lone.source - item.surface);
-                const Mask<S> hit = span.hit & first_lanes<S>(first + count - i);
-                const unsigned enters = bits(hit & (span.near > S(0)) & (span.near < end));
-                const unsigned leaves = bits(hit & (span.far > S(0)) & (span.far < end));
-                for (unsigned hits = enters | leaves; hits; hits &= hits - 1) {
-                    const int n = std::countr_zero(hits);
-                    if (!clear(world, group, i + n)) {
-                        limit = T(-1);
-                        return true;
-                    }
-                    const Vec3<T> f = filter(world, group, i + n);
-                    for (int c = 0; c < 3; ++c) {
-                        const T kept = (enters >> n & 1 ? f[c] : T(1)) * (leaves >> n & 1 ? f[c] : T(1));
-                        light.share[c] =
-                            with_lane(light.share[c], k, min(lane(light.share[c], k) * kept, T(largest_gain)));
-                    }
-                }
-            }
-            return false;
+    const auto single = [&](int k, const Leaf& from) {
+        SingleRay<S> one{lane_of(ray, k),
+                         S(lane(distance, k)),
+                         {lane(light.share.x, k), lane(light.share.y, k), lane(light.share.z, k)}};
+        const T limit = lane(light.limit, k);
+        bool dark = false;
+        const auto look_single = [&](const Leaf& leaf) {
+            return dark = calls<S>(leaf.form).occlude_single(world, leaf.first, leaf.count, one);
         };
-        if (count > 0)
-            blocks(first, count);
+        if (from.count > 0)
+            look_single(from);
         else if (world.transparent)
-            traverse_alone<false>(group.nodes, first, lane_of(line, k), limit, blocks);
+            traverse_single<false>(world.nodes, from.first, lane_of(line, k), limit, look_single);
         else
-            traverse_alone<true>(group.nodes, first, lane_of(line, k), limit, blocks);
-        light.limit = with_lane(light.limit, k, limit);
+            traverse_single<true>(world.nodes, from.first, lane_of(line, k), limit, look_single);
+        light.limit = with_lane(light.limit, k, dark ? T(-1) : limit);
+        if (world.transparent)
+            for (int c = 0; c < 3; ++c) light.share[c] = with_lane(light.share[c], k, one.share[c]);
     };
     if (world.transparent)  // products must not depend on the order in which neighbours want to go
-        traverse<false>(group.nodes, line, light.limit > S(0), light.limit, look, alone);
+        traverse<false>(world.nodes, line, light.limit > S(0), light.limit, look, single);
     else
-        traverse<true>(group.nodes, line, light.limit > S(0), light.limit, look, alone);
-    return light;
+        traverse<true>(world.nodes, line, light.limit > S(0), light.limit, look, single);
 }
 
 /// The share of light, per channel, that comes from `distance` away along the ray: opaque bodies between take all of
-/// it, transparent ones Kt Of at each surface crossed, in the order of the items.
+/// it, transparent ones Kt Of at each surface crossed. These are multiplied in one order for good: bodies outside the
+/// hierarchy by form and as declared, then those inside in the order of its leaves.
 template <class S>
 [[gnu::noinline]] Vec3<S> visibility(const World<Element<S>>& world, const Ray<S>& ray, const S& distance,
                                      Mask<S> active, const Start<S>& start) {
     const S one(1);
-    Passing<S> light{{one, one, one}, select(active, distance, S(-1))};
-    const int row = start.light * world.keys;
+    Transmission<S> light{{one, one, one}, select(active, distance, S(-1))};
+    const int row = start.light * world.bins;
+    const BodySet set = world.bin_per_item ? world.occluders[row + start.bin] : 0;
+    // Rays of which a body can be in the way.
+    const auto reached = [&](int bin) __attribute__((always_inline)) {
+        Mask<S> mask = active;
+        if (world.bin_per_item) {
+            const Cone<Element<S>>& cone = world.cones[row + bin];
+            mask = mask & (dot(splat<S>(cone.axis), ray.direction) <= S(-cone.cosine)) & (distance > S(cone.distance));
+            if (bin == start.bin && (world.convex >> bin & 1)) mask = mask & !start.outside;
+        }
+        return mask;
+    };
     bool dark = false;
-    world.groups.each([&](const auto& group) __attribute__((always_inline)) {
-        if (dark) return;
-        if constexpr (std::remove_cvref_t<decltype(group)>::bounded)
-            if (group.nodes) {
-                light = pass_below(world, group, ray, distance, light);
-                dark = all(light.limit < S(0));
-                return;
-            }
-        const BodySet set = world.key_per_item ? world.occluders[row + start.key] : 0;
-        each_item(
-            group, world.key_per_item, set, [&](int i) __attribute__((always_inline)) {
-                Mask<S> mask = active;
-                if (world.key_per_item) {
-                    const int key = group.first_key + i;
-                    const Cone<Element<S>>& cone = world.cones[row + key];
-                    mask = mask & (dot(splat<S>(cone.axis), ray.direction) <= S(-cone.cosine)) &
-                           (distance > S(cone.distance));
-                    if (key == start.key) mask = mask & !start.outside;
-                    if (none(mask)) return false;
-                }
-                return dark = pass(world, group, i, ray, distance, mask, light);
+    each_hot_item(
+        world, set, [&](const auto& group, int i) __attribute__((always_inline)) {
+            const Mask<S> mask = reached(group.first_bin + i);
+            if (world.bin_per_item && none(mask)) return false;
+            return dark = occlude_item(world, group, i, ray, distance, mask, light);
+        });
+    if (!dark)
+        each_cold_range(
+            world, set, [&](const ItemRange& items, int bin) __attribute__((always_inline)) {
+                const Mask<S> mask = reached(bin);
+                if (none(mask)) return false;
+                return dark = calls<S>(items.form).occlude(world, items.first, items.count, ray, distance, mask, light);
             });
-    });
+    if (world.nodes && !dark) occlude_in_hierarchy(world, ray, distance, light);
     return select(light.limit < S(0), Vec3<S>(S(0), S(0), S(0)), light.share);
 }
 

@@ -30,11 +30,6 @@ constexpr std::array<Spot, tile_size* tile_size> z_curve = [] {
     return spots;
 }();
 
-template <class T>
-Vec3<T> to(const DVec3& v) {
-    return {static_cast<T>(v.x), static_cast<T>(v.y), static_cast<T>(v.z)};
-}
-
 /// A bound in T; infinite before it could overflow when multiplied.
 template <class T>
 T upper(double value) {
@@ -43,51 +38,40 @@ T upper(double value) {
 
 template <class T>
 Kernel<T> kernel_for(Simd simd) {
-    if constexpr (std::is_same_v<T, long double>) {
-        return scalar::kernel_extended();
-    } else {
-        const auto pick = [](Kernel<float> (*float32)(), Kernel<double> (*float64)()) -> Kernel<T> {
-            if constexpr (std::is_same_v<T, float>)
-                return float32();
-            else
-                return float64();
-        };
-        switch (simd) {
+    if constexpr (!std::is_same_v<T, long double>) switch (simd) {
 #if defined(__x86_64__)
             case Simd::v2:
-                return pick(v2::kernel_float, v2::kernel_double);
+                return v2::kernel<T>();
             case Simd::v3:
-                return pick(v3::kernel_float, v3::kernel_double);
+                return v3::kernel<T>();
             case Simd::v4:
-                return pick(v4::kernel_float, v4::kernel_double);
+                return v4::kernel<T>();
 #endif
             default:
-                return pick(scalar::kernel_float, scalar::kernel_double);
+                break;
         }
-    }
+    return scalar::kernel<T>();
 }
 
 template <class T>
 Eye<T> eye_of(const View& view, const Placement& placement) {
     const CameraFrame frame = frame_of(view.camera, static_cast<double>(view.width) / view.height);
-    return {.position = to<T>((view.camera.position - placement.origin) * placement.scale),
-            .forward = to<T>(frame.forward),
-            .right = to<T>(frame.right * frame.tan_x),
-            .down = to<T>(frame.down * frame.tan_y),
+    return {.position = cast<T>((view.camera.position - placement.origin) * placement.scale),
+            .forward = cast<T>(frame.forward),
+            .right = cast<T>(frame.right * frame.tan_x),
+            .down = cast<T>(frame.down * frame.tan_y),
             .scale_x = static_cast<T>(2. / view.width),
             .scale_y = static_cast<T>(2. / view.height),
             .bias_x = static_cast<T>((1 + 2 * view.shift_x) / view.width - 1),
-            .bias_y = static_cast<T>((1 + 2 * view.shift_y) / view.height - 1),
-            .depth = view.depth,
-            .error = static_cast<T>(view.error)};
+            .bias_y = static_cast<T>((1 + 2 * view.shift_y) / view.height - 1)};
 }
 
 /// One thread's way through a tile: as many pixels at once as fit.
 template <class T>
-void trace_tile(const World<T>& world, const Kernel<T>& kernel, const Eye<T>& eye, const Lattice& tile,
-                Workspace<T>& workspace, KernelCounts& counts) {
+void trace_tile(const World<T>& world, const Kernel<T>& kernel, const Eye<T>& eye, const Limits<T>& limits,
+                const Lattice& tile, Workspace<T>& workspace, Counts& counts) {
     const int pixels = tile.columns * tile.rows;
-    std::fill(workspace.rgb.begin(), workspace.rgb.end(), T(0));
+    std::fill(workspace.sums.begin(), workspace.sums.end(), PixelSum<T>{});
     std::fill(workspace.past.begin(), workspace.past.end(), T(0));
     int filled = 0;
     for (const auto [x, y] : z_curve) {
@@ -99,18 +83,18 @@ void trace_tile(const World<T>& world, const Kernel<T>& kernel, const Eye<T>& ey
     for (int done = 0; done < pixels;) {
         const int count = std::min(workspace.batch, pixels - done);
         const PixelBatch<T> batch{workspace.pixels_x.data() + done, workspace.pixels_y.data() + done,
-                                  workspace.rgb.data() + 4 * done, workspace.past.data() + done, count};
-        if (kernel.trace(world, eye, batch, workspace, counts)) {
+                                  workspace.sums.data() + done, workspace.past.data() + done, count};
+        if (kernel.trace(world, eye, limits, batch, workspace, counts)) {
             done += count;
             workspace.batch = std::min(batch_pixels, 2 * workspace.batch);
         } else {
-            std::fill_n(batch.rgb, 4 * count, T(0));
+            std::fill_n(batch.sums, count, PixelSum<T>{});
             std::fill_n(batch.past, count, T(0));
             workspace.batch = std::max(1, count / 2);
         }
     }
     for (int i = 0; i < pixels; ++i) {
-        counts.dropped = std::max(counts.dropped, double(workspace.rgb[4 * i + 3]));
+        counts.dropped = std::max(counts.dropped, double(workspace.sums[i].pruned));
         counts.past = std::max(counts.past, double(workspace.past[i]));
     }
 }
@@ -122,9 +106,11 @@ void deliver(const Workspace<T>& workspace, const Lattice& tile, const Sink& sin
     constexpr auto most = static_cast<T>(std::numeric_limits<Out>::max());
     Out values[3 * tile_size * tile_size + 1];
     const int pixels = tile.columns * tile.rows;
+    static_assert(sizeof(PixelSum<T>) == 4 * sizeof(T));
+    const T* const sums = workspace.sums[0].rgb;
     for (int i = 0; i < pixels; ++i)
         for (int c = 0; c < 4; ++c)  // four at once are faster than three; the next pixel covers the last
-            values[3 * i + c] = static_cast<Out>(std::min(workspace.rgb[4 * workspace.order[i] + c], most));
+            values[3 * i + c] = static_cast<Out>(std::min(sums[4 * workspace.order[i] + c], most));
     sink({tile, std::span<const Out>(values, 3 * pixels)});
 }
 
@@ -160,21 +146,25 @@ class TracerOf : public AnyTracer {
         const Bound bound = bound_for(scene, view.depth);
         std::vector<T> brightest;
         for (const double most : bound.brightest) brightest.push_back(upper<T>(most));
-        Eye<T> eye = eye_of<T>(view, placed);
-        eye.brightest = brightest.data(), eye.brightest_limit = upper<T>(bound.limit);
+        const Eye<T> eye = eye_of<T>(view, placed);
+        const Limits<T> limits{.depth = view.depth,
+                               .error = static_cast<T>(view.error),
+                               .brightest = brightest.data(),
+                               .brightest_limit = upper<T>(bound.limit),
+                               .stop = stop};
         const std::vector<int> around = built->bodies_around(view.camera.position);
         const int columns = (lattice.columns + tile_size - 1) / tile_size;
         const int tiles = columns * ((lattice.rows + tile_size - 1) / tile_size);
         std::atomic<int> next{0};
-        std::vector<KernelCounts> counts(pool.size());
+        std::vector<Counts> counts(pool.size());
         pool.run([&](int thread) {
             Workspace<T>& workspace = *workspaces[thread];
             Eye<T> own = eye;
-            KernelCounts counted;  // its own memory: threads that count beside each other wait for each other
+            Counts counted;  // its own memory: threads that count beside each other wait for each other
             int list = 0;
             for (const int body : around) list = push(workspace.mediums, list, body);
             own.medium = static_cast<T>(list);
-            for (int i; !(stop && *stop) && (i = next++) < tiles;) {
+            for (int i; !limits.stopped() && (i = next++) < tiles;) {
                 const int x = i % columns * tile_size, y = i / columns * tile_size;
                 const Lattice tile{lattice.x + x * lattice.step_x,
                                    lattice.y + y * lattice.step_y,
@@ -182,14 +172,13 @@ class TracerOf : public AnyTracer {
                                    std::min(tile_size, lattice.rows - y),
                                    lattice.step_x,
                                    lattice.step_y};
-                trace_tile(built->world(), kernel, own, tile, workspace, counted);
-                deliver(workspace, tile, sink);
+                trace_tile(built->world(), kernel, own, limits, tile, workspace, counted);
+                if (!limits.stopped()) deliver(workspace, tile, sink);
             }
             counts[thread] = counted;
         });
         Counts sum;
-        for (const KernelCounts& c : counts)
-            sum += {c.camera, c.reflected, c.refracted, c.shadow, c.depth, c.dropped, c.past};
+        for (const Counts& c : counts) sum += c;
         return sum;
     }
 

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "scene/scene.h"
+#include "trace/counts.h"
 
 namespace strahl {
 
@@ -36,20 +37,8 @@ struct Lattice {
     int x = 0, y = 0, columns = 0, rows = 0, step_x = 1, step_y = 1;
 };
 
-/// Rays traced, by type.
-struct Counts {
-    std::uint64_t camera = 0, reflected = 0, refracted = 0, shadow = 0;
-    int depth = 0;  // of the deepest generation that had rays
-    // No pixel lacks more light than this in any channel: by rays too weak to be traced (View::error), and by
-    // generations past View::depth; infinite where those have no bound.
-    double dropped = 0, past = 0;
-    double lost() const { return dropped + past; }
-    Counts& operator+=(const Counts& other);
-    std::uint64_t total() const { return camera + reflected + refracted + shadow; }
-};
-
 /// Values of one tile: red, green, blue of each pixel of `lattice`, row by row, linear and unclamped. Float for
-/// single precision, double for the two others.
+/// float32, double for the two others.
 struct Tile {
     Lattice lattice;
     std::variant<std::span<const float>, std::span<const double>> rgb;

@@ -1,4 +1,4 @@
-// Ways through a hierarchy: of a pack of rays together, and of one ray alone.
+// Traversal of the hierarchy: by a pack of rays together, and by a single ray.
 #pragma once
 #include <bit>
 #include <limits>
@@ -35,20 +35,20 @@ STRAHL_INLINE F rounded(T x, bool up) {
 
 /// Rays as boxes see them, with finite reciprocals of the direction.
 template <class S>
-struct Line {
+struct TraversalRay {
     Vec3<S> origin, inverse;
     STRAHL_INLINE const S& low(int i) const { return origin[i]; }
     STRAHL_INLINE const S& high(int i) const { return origin[i]; }
 };
 /// A ray whose origin is only known to be between two places.
 template <class F>
-struct RoundedLine {
+struct RoundedTraversalRay {
     Vec3<F> origin_low, origin_high, inverse;
     STRAHL_INLINE const F& low(int i) const { return origin_low[i]; }
     STRAHL_INLINE const F& high(int i) const { return origin_high[i]; }
 };
 template <class S>
-STRAHL_INLINE Line<S> line_of(const Ray<S>& ray) {
+STRAHL_INLINE TraversalRay<S> traversal_ray(const Ray<S>& ray) {
     using T = Element<S>;
     constexpr T tiny = T(1) / (T(1) * (std::uint64_t(1) << 60));
     const auto reciprocal = [](S d) { return S(1) / select(abs(d) < S(tiny), select(d < S(0), S(-tiny), S(tiny)), d); };
@@ -59,20 +59,20 @@ inline constexpr double farthest = 1e18;
 
 /// One ray in all lanes.
 template <class S>
-STRAHL_INLINE auto lane_of(const Line<S>& line, int k) {
+STRAHL_INLINE auto lane_of(const TraversalRay<S>& ray, int k) {
     using F = ForBoxes<S>;
     using E = Element<F>;
     if constexpr (std::is_same_v<F, S>) {
         const auto pick = [k](const Vec3<S>& v) { return Vec3<S>(S(lane(v.x, k)), S(lane(v.y, k)), S(lane(v.z, k))); };
-        return Line<S>{pick(line.origin), pick(line.inverse)};
+        return TraversalRay<S>{pick(ray.origin), pick(ray.inverse)};
     } else {
-        RoundedLine<F> result;
+        RoundedTraversalRay<F> result;
         for (int i = 0; i < 3; ++i) {
-            const Element<S> origin = lane(line.origin[i], k);
+            const Element<S> origin = lane(ray.origin[i], k);
             const bool near = abs(origin) < farthest;
             result.origin_low[i] = F(near ? rounded<E>(origin, origin < 0) : E(0));
             result.origin_high[i] = F(near ? rounded<E>(origin, origin > 0) : E(0));
-            result.inverse[i] = F(near ? static_cast<E>(lane(line.inverse[i], k)) : E(0));
+            result.inverse[i] = F(near ? static_cast<E>(lane(ray.inverse[i], k)) : E(0));
         }
         return result;
     }
@@ -82,12 +82,12 @@ STRAHL_INLINE auto lane_of(const Line<S>& line, int k) {
 /// here (T. Ize, "Robust BVH Ray Traversal", JCGT 2013): rounding never hides a hit. One ray in each lane and the same
 /// box, or the other way round.
 template <class S, class L>
-STRAHL_INLINE Mask<S> crosses(const Vec3<S>& low, const Vec3<S>& high, const L& line, const S& limit, S& near) {
+STRAHL_INLINE Mask<S> crosses(const Vec3<S>& low, const Vec3<S>& high, const L& ray, const S& limit, S& near) {
     const S grow(1 + 8 * std::numeric_limits<Element<S>>::epsilon());
     S far = limit;
     near = S(0);
     for (int i = 0; i < 3; ++i) {
-        const S a = (low[i] - line.high(i)) * line.inverse[i], b = (high[i] - line.low(i)) * line.inverse[i];
+        const S a = (low[i] - ray.high(i)) * ray.inverse[i], b = (high[i] - ray.low(i)) * ray.inverse[i];
         near = max(near, min(a, b));
         far = min(far, max(a, b) * grow);
     }
@@ -106,27 +106,27 @@ STRAHL_INLINE Vec3<S> box(const float (&side)[3][Node::width], int c) {
     return {S(static_cast<T>(side[0][c])), S(static_cast<T>(side[1][c])), S(static_cast<T>(side[2][c]))};
 }
 
-/// All lines of a pack, as intervals: what none of them can cross need not be looked at one by one.
+/// All rays of a pack, as intervals: what none of them can cross need not be tested ray by ray.
 template <class S>
-class Beam {
+class PacketBounds {
     using T = Element<S>;
     using F = ForBoxes<S>;
     using E = Element<F>;
 
   public:
-    STRAHL_INLINE Beam(const Line<S>& line, Mask<S> active) {
+    STRAHL_INLINE PacketBounds(const TraversalRay<S>& ray, Mask<S> active) {
         const S most(std::numeric_limits<T>::infinity());
         for (int i = 0; i < 3; ++i) {
-            const T origin_least = least(select(active, line.origin[i], most));
-            const T origin_most = -least(select(active, -line.origin[i], most));
-            const T inverse_least = least(select(active, line.inverse[i], most));
-            const T inverse_most = -least(select(active, -line.inverse[i], most));
-            way[i] = inverse_least > 0 ? 1 : inverse_most < 0 ? -1 : 0;
-            if (!std::is_same_v<F, S> && !(origin_least > -farthest && origin_most < farthest)) way[i] = 0;
+            const T origin_least = least(select(active, ray.origin[i], most));
+            const T origin_most = -least(select(active, -ray.origin[i], most));
+            const T inverse_least = least(select(active, ray.inverse[i], most));
+            const T inverse_most = -least(select(active, -ray.inverse[i], most));
+            sign[i] = inverse_least > 0 ? 1 : inverse_most < 0 ? -1 : 0;
+            if (!std::is_same_v<F, S> && !(origin_least > -farthest && origin_most < farthest)) sign[i] = 0;
             origin_low[i] = F(rounded<E>(origin_least, origin_least < 0));
             origin_high[i] = F(rounded<E>(origin_most, origin_most > 0));
-            flat[i] = F(rounded<E>(inverse_least > 0 ? inverse_least : -inverse_most, false));
-            steep[i] = F(rounded<E>(inverse_least > 0 ? inverse_most : -inverse_least, true));
+            inv_min[i] = F(rounded<E>(inverse_least > 0 ? inverse_least : -inverse_most, false));
+            inv_max[i] = F(rounded<E>(inverse_least > 0 ? inverse_most : -inverse_least, true));
         }
     }
     /// Is a box in the way of any? `near` is a lower bound of where.
@@ -135,19 +135,19 @@ class Beam {
         F far(std::numeric_limits<E>::infinity());
         near = F(0);
         for (int i = 0; i < 3; ++i) {
-            if (way[i] == 0) continue;
-            const F a = way[i] > 0 ? low[i] - origin_high[i] : origin_low[i] - high[i];
-            const F b = way[i] > 0 ? high[i] - origin_low[i] : origin_high[i] - low[i];
-            near = max(near, a * flat[i]);        // negative ones do not matter, of whatever size, nor does how much
-            far = min(far, b * steep[i] * grow);  // a negative end is below 0
+            if (sign[i] == 0) continue;
+            const F a = sign[i] > 0 ? low[i] - origin_high[i] : origin_low[i] - high[i];
+            const F b = sign[i] > 0 ? high[i] - origin_low[i] : origin_high[i] - low[i];
+            near = max(near, a * inv_min[i]);       // negative ones do not matter, of whatever size, nor does how much
+            far = min(far, b * inv_max[i] * grow);  // a negative end is below 0
         }
         return near <= far;
     }
 
   private:
     Vec3<F> origin_low, origin_high;
-    Vec3<F> flat, steep;  // smallest and largest reciprocal, without its sign
-    int way[3];           // that sign, or 0 where lines go both ways
+    Vec3<F> inv_min, inv_max;  // smallest and largest reciprocal, without its sign
+    int sign[3];               // that sign, or 0 where rays go both ways
 };
 
 /// A stack whose topmost stretch can be kept sorted, the nearest on top. Entries are written and read in place, field
@@ -172,37 +172,44 @@ class Stack {
     int size = 0;
 };
 
-/// One ray's way through the part of a hierarchy from a node on: leaf(first, count) for leaves whose boxes it crosses
-/// before `limit`, until that returns true. Front to back if `sorted`, else in the order of the items.
-template <bool sorted, template <class> class L, class S, class T0, class Leaf>
-STRAHL_INLINE void traverse_alone(const Node* nodes, int root, const L<S>& line, const T0& limit, const Leaf& leaf) {
+/// Items of one form that a leaf holds; of an inner node `first` is its number, and the count 0.
+struct Leaf {
+    std::int32_t first, count, form;
+};
+
+/// Traverses the part of a hierarchy from a node on with one ray: visit(leaf) for leaves whose boxes it crosses before
+/// `limit`, until that returns true. Front to back if `sorted`, else in the order of the leaves.
+template <bool sorted, template <class> class R, class S, class T0, class Visit>
+STRAHL_INLINE void traverse_single(const Node* nodes, int root, const R<S>& ray, const T0& limit, const Visit& visit) {
     using T = Element<S>;
     constexpr bool fewer_bits = !std::is_same_v<T, T0>;
     constexpr T shrink = fewer_bits ? 1 - 8 * std::numeric_limits<T>::epsilon() : 1;
     struct Entry {
         T near;
-        std::int32_t first, count;
+        Leaf leaf;
     };
     Stack<Entry> stack;
-    const auto put = [](Entry& entry, T near, std::int32_t first, std::int32_t count) {
-        entry.near = near, entry.first = first, entry.count = count;
+    const auto put = [](Entry& entry, T near, const Node& node, int i) {
+        entry.near = near;
+        entry.leaf.first = node.first[i], entry.leaf.count = node.count[i], entry.leaf.form = node.form[i];
     };
-    put(stack.push(), T(0), root, 0);
+    Entry& start = stack.push();
+    start.near = T(0), start.leaf.first = root, start.leaf.count = 0;
     while (!stack.empty()) {
         const Entry& top = stack.pop();
-        const std::int32_t at = top.first, items = top.count;
         if (top.near > limit) continue;
-        if (items > 0) {
-            if (leaf(at, items)) return;
+        const Leaf leaf = top.leaf;
+        if (leaf.count > 0) {
+            if (visit(leaf)) return;
             continue;
         }
-        const Node& node = nodes[at];
+        const Node& node = nodes[leaf.first];
         const int bottom = stack.height();
         T nears[Node::width];
-        const auto look = [&](int c) {
+        const auto test = [&](int c) {
             S near;
             const Mask<S> hit =
-                crosses(boxes<S>(node.low, c), boxes<S>(node.high, c), line, S(rounded<T>(limit, true)), near) &
+                crosses(boxes<S>(node.low, c), boxes<S>(node.high, c), ray, S(rounded<T>(limit, true)), near) &
                 first_lanes<S>(node.children - c);
             // Too large for this kind of number need not be for the other.
             store_lanes(nears + c, fewer_bits ? min(near * S(shrink), S(std::numeric_limits<T>::max())) : near);
@@ -210,77 +217,76 @@ STRAHL_INLINE void traverse_alone(const Node* nodes, int root, const L<S>& line,
         };
         if constexpr (sorted) {
             for (int c = 0; c < node.children; c += width<S>)
-                for (unsigned hits = look(c); hits; hits &= hits - 1) {
+                for (unsigned hits = test(c); hits; hits &= hits - 1) {
                     const int i = c + std::countr_zero(hits);
-                    put(stack.push_sorted(nears[i], bottom), nears[i], node.first[i], node.count[i]);
+                    put(stack.push_sorted(nears[i], bottom), nears[i], node, i);
                 }
         } else {
             for (int c = (node.children - 1) / width<S> * width<S>; c >= 0; c -= width<S>)
-                for (unsigned hits = look(c); hits;) {
+                for (unsigned hits = test(c); hits;) {
                     const int i = c + std::bit_width(hits) - 1;
                     hits &= ~(1u << (i - c));
-                    put(stack.push(), nears[i], node.first[i], node.count[i]);
+                    put(stack.push(), nears[i], node, i);
                 }
         }
     }
 }
 
-/// The way of a pack of rays: leaf(first, count, mask) for leaves, with the lanes whose rays cross its box; until that
-/// returns true. Where few rays are left, each goes on by itself: alone(lane, first, count), a leaf's items or 0. What
-/// is asked of a ray does not depend on its neighbours if `sorted` is false, and else but for the order.
-template <bool sorted, class S, class Leaf, class Alone>
-STRAHL_INLINE void traverse(const Node* nodes, const Line<S>& line, Mask<S> active, const S& limit, const Leaf& leaf,
-                            const Alone& alone) {
+/// Traverses a hierarchy with a pack of rays: visit(leaf, mask) for leaves, with the lanes whose rays cross its box,
+/// until that returns true. Where few rays are left, each goes on by itself: single(lane, leaf), which may be an inner
+/// node. What is asked of a ray does not depend on its neighbours if `sorted` is false, and else but for the order.
+template <bool sorted, class S, class Visit, class Single>
+STRAHL_INLINE void traverse(const Node* nodes, const TraversalRay<S>& ray, Mask<S> active, const S& limit,
+                            const Visit& visit, const Single& single) {
     using F = ForBoxes<S>;
     using T = Element<F>;
-    constexpr int few = width < S >> 4 ? width<S> / 4 : 1;
-    constexpr int dear = 3;  // so many items of a pack cost as much as a pack of items of a ray
+    constexpr int threshold = width<S> / 4 > 0 ? width<S> / 4 : 1;  // up to so many rays leave the pack
+    constexpr int cost_ratio = 3;  // of an item for a pack of rays to a pack of items for a ray
     struct Entry {
         S enters;
         Mask<S> mask;
         T near;
-        std::int32_t first, count;
+        Leaf leaf;
     };
-    const Beam<S> beam(line, active);
+    const PacketBounds<S> packet(ray, active);
     Stack<Entry> stack;
-    const auto put = [](Entry& entry, const S& enters, Mask<S> mask, T near, std::int32_t first, std::int32_t count) {
-        entry.enters = enters, entry.mask = mask, entry.near = near, entry.first = first, entry.count = count;
-    };
-    put(stack.push(), S(0), active, T(0), 0, 0);
+    Entry& start = stack.push();
+    start.enters = S(0), start.mask = active, start.near = T(0), start.leaf.first = 0, start.leaf.count = 0;
     while (!stack.empty()) {
         const Entry& top = stack.pop();
-        const std::int32_t at = top.first, items = top.count;
+        const Leaf leaf = top.leaf;
         const Mask<S> mask = top.mask & (top.enters <= limit);
         const int rays = count(mask);
         if (rays == 0) continue;
         // Items beside each other for one ray after the other, or rays for one item after the other?
-        if (items > 0 ? rays * dear * ((items - 1) / width<S> + 1) <= items : rays <= few) {
-            for (unsigned left = bits(mask); left; left &= left - 1) alone(std::countr_zero(left), at, items);
+        if (leaf.count > 0 ? rays * cost_ratio * ((leaf.count - 1) / width<S> + 1) <= leaf.count : rays <= threshold) {
+            for (unsigned left = bits(mask); left; left &= left - 1) single(std::countr_zero(left), leaf);
             continue;
         }
-        if (items > 0) {
-            if (leaf(at, items, mask)) return;
+        if (leaf.count > 0) {
+            if (visit(leaf, mask)) return;
             continue;
         }
-        const Node& node = nodes[at];
+        const Node& node = nodes[leaf.first];
         const int bottom = stack.height();
         T nears[Node::width];
-        const auto look = [&](int c) {
+        const auto test = [&](int c) {
             F near;
             const Mask<F> met =
-                beam.meets(boxes<F>(node.low, c), boxes<F>(node.high, c), near) & first_lanes<F>(node.children - c);
+                packet.meets(boxes<F>(node.low, c), boxes<F>(node.high, c), near) & first_lanes<F>(node.children - c);
             store_lanes(nears + c, near);
             return bits(met);
         };
         const auto enter = [&](int i) {
             S enters;
-            const Mask<S> hit = mask & crosses(box<S>(node.low, i), box<S>(node.high, i), line, limit, enters);
+            const Mask<S> hit = mask & crosses(box<S>(node.low, i), box<S>(node.high, i), ray, limit, enters);
             if (none(hit)) return;
             Entry& child = sorted ? stack.push_sorted(nears[i], bottom) : stack.push();
-            put(child, enters, hit, nears[i], node.first[i], node.count[i]);
+            child.enters = enters, child.mask = hit, child.near = nears[i];
+            child.leaf.first = node.first[i], child.leaf.count = node.count[i], child.leaf.form = node.form[i];
         };
         for (int c = (node.children - 1) / width<F> * width<F>; c >= 0; c -= width<F>)
-            for (unsigned met = look(c); met;) {
+            for (unsigned met = test(c); met;) {
                 const int i = c + std::bit_width(met) - 1;
                 met &= ~(1u << (i - c));
                 enter(i);

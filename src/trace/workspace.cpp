@@ -7,7 +7,7 @@ namespace strahl {
 namespace {
 constexpr std::size_t widest_pack = 16;
 constexpr std::size_t queue_capacity = batch_rays + 4 * widest_pack;  // whole packs are stored past the end
-constexpr std::size_t most_keys = 128;
+constexpr std::size_t most_bins = 128;
 }  // namespace
 
 int push(MediumStacks& all, int list, int body) {
@@ -55,14 +55,14 @@ RayQueue<T> queue_in(T* next) {
 template <class T>
 Workspace<T>::Workspace() {
     values = zeros<T>((2 + ray_arrays) * queue_capacity);
-    order_by_key = uninitialized_buffer<T>(most_keys * HitList<T>::capacity);
-    counts.resize(most_keys);
+    order_by_bin = uninitialized_buffer<T>(most_bins * HitList<T>::capacity);
+    counts.resize(most_bins);
     T* const first = values.get() + ray_arrays * queue_capacity;
-    hits = {first, first + queue_capacity, order_by_key.get(), counts.data()};
+    hits = {first, first + queue_capacity, order_by_bin.get(), counts.data()};
     refracted_queue = queue_in(values.get());
     pixels_x.resize(batch_pixels + widest_pack), pixels_y.resize(batch_pixels + widest_pack);
     order.resize(batch_pixels);
-    rgb.resize(4 * batch_pixels), past.resize(batch_pixels);
+    sums.resize(batch_pixels), past.resize(batch_pixels);
 }
 
 template <class T>
@@ -71,9 +71,9 @@ Generation<T>& Workspace<T>::generation(int slot) {
         held.push_back(std::make_unique<Held>());
         Held& made = *held.back();
         made.values = zeros<T>(2 * ray_arrays * queue_capacity);
-        made.stretches.resize(2 * most_keys);
+        made.stretches.resize(2 * most_bins);
         made.generation = {queue_in(made.values.get()), queue_in(made.values.get() + ray_arrays * queue_capacity),
-                           made.stretches.data(), made.stretches.data() + most_keys};
+                           made.stretches.data(), made.stretches.data() + most_bins};
     }
     return held[slot]->generation;
 }

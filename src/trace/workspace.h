@@ -28,12 +28,12 @@ class Workspace {
     MediumStacks mediums;
     std::vector<T> pixels_x, pixels_y;
     std::vector<int> order;  // of the tile's pixels, row by row: their numbers in the batch
-    std::vector<T> rgb;      // 4 numbers a pixel, see PixelBatch
+    std::vector<PixelSum<T>> sums;
     std::vector<T> past;
     int batch = batch_pixels;  // pixels that last fitted
 
   private:
-    Buffer<T> values, order_by_key;
+    Buffer<T> values, order_by_bin;
     std::vector<std::int32_t> counts;
     struct Held {
         Buffer<T> values;

@@ -11,22 +11,19 @@ namespace strahl {
 struct Node;
 
 /// Shares and weights above 1, of glass brighter than white or of total reflection, grow no further than this, or in
-/// float they would become infinite and, times 0, no numbers.
+/// float they would become infinite and, times 0, NaN.
 inline constexpr float largest_gain = 1e18f;
-/// Where a hit can do without the light of its lamps, it does without that of one lamp up to this many times the light
-/// that the lamp, straight above, would scatter there.
+/// Where a hit can do without the light of its lights, it does without that of one light up to this many times what
+/// that light, straight above, would make it scatter.
 inline constexpr float faint_share = 2;
 
-/// A shape with its numbers. Made of elements only, so that it can be gathered lane by lane; whole numbers are exact in
-/// every element type (in float up to 2^24, see `World::capacity`).
-template <template <class> class K>
+/// A kernel with its numbers. Made of elements only, so that it can be gathered lane by lane; whole numbers are exact
+/// in every element type (in float up to 2^24, see `World::capacity`).
+template <class Form, class T>
 struct Item {
-    template <class T>
-    struct Of {
-        K<T> shape;
-        T surface;  // number of its first face; faces are numbered through the scene in the order declared
-        T material;
-    };
+    typename Form::template Kernel<T> shape;
+    T surface;  // number of its first face; faces are numbered through the scene in the order declared
+    T material;
 };
 
 /// Material coefficients, multiplied out as far as they can be before a ray is known.
@@ -53,13 +50,56 @@ struct Cone {
     T cosine = -2, distance = -std::numeric_limits<T>::infinity();
 };
 
-/// Bodies by key, a bit for each.
+/// Bodies by sort bin, a bit for each.
 using BodySet = std::uint64_t;
-inline constexpr int most_item_keys = 64;  // up to here there is a key per item, and no hierarchy
+inline constexpr int most_item_bins = 64;  // up to here each item has a bin of its own, and there is no hierarchy
 
-/// Where a surface's item is: its index among the items of its kernel, and the key by which hits are sorted.
-struct Place {
-    std::int32_t item, key;
+/// Items [first, first + count) of a form.
+struct ItemRange {
+    std::int32_t form, first, count;
+};
+/// Where a surface's item is: its index among the items of its form, and the bin by which hits are sorted.
+struct ItemReference {
+    std::int32_t item, bin;
+};
+/// What hits of a bin are on: one item of this form and its material, or if these are -1 any item of the form.
+struct SortBin {
+    std::int32_t form, item = -1, material = -1;
+};
+
+/// The items of a form. Those of the hierarchy come first, in the order of its leaves, then those that are looked at
+/// one after the other: unbounded ones, and all in a world without a hierarchy.
+template <class F, class T>
+struct Group {
+    using Form = F;
+    template <class S>
+    using ItemOf = Item<F, S>;
+    const Item<F, T>* items = nullptr;
+    int count = 0, in_hierarchy = 0;
+    // Item i's field f once more is columns[f * stride + i], and a pack may be read past the end of each column. Only
+    // where there is a hierarchy.
+    const T* columns = nullptr;
+    std::size_t stride = 0;
+    int first_bin = 0, last_bin = 0;  // bins [first, last) are this form's
+};
+
+template <class T, class Forms>
+struct GroupsOf;
+template <class T, class... F>
+struct GroupsOf<T, FormList<F...>> : Group<F, T>... {
+    template <class Form>
+    [[gnu::always_inline]] const Group<Form, T>& get() const {
+        return *this;
+    }
+    /// Calls visit(group) for each form in the order of the list.
+    template <class Visit>
+    [[gnu::always_inline]] void each(const Visit& visit) const {
+        (visit(static_cast<const Group<F, T>&>(*this)), ...);
+    }
+    template <class Visit>
+    [[gnu::always_inline]] void each(const Visit& visit) {
+        (visit(static_cast<Group<F, T>&>(*this)), ...);
+    }
 };
 
 template <class T>
@@ -67,39 +107,30 @@ struct World {
     /// Surfaces that can be numbered exactly in T.
     static constexpr double capacity = 2 / std::numeric_limits<T>::epsilon();
 
-    template <template <class> class K>
-    struct Group {
-        template <class S>
-        using ItemOf = typename Item<K>::template Of<S>;
-        static constexpr bool bounded = !requires(K<T> kernel) { kernel.normal; };  // all but planes
-        const ItemOf<T>* items = nullptr;
-        int count = 0;
-        // A hierarchy of them; null: few items, looked at one after the other. Item i's field f again is
-        // columns[f * stride + i], and there is a pack's room behind each column.
-        const Node* nodes = nullptr;
-        const T* columns = nullptr;
-        std::size_t stride = 0;
-        int first_key = 0, last_key = 0;  // keys [first, last) are this group's
-        int key(int item, bool key_per_item) const { return key_per_item ? first_key + item : first_key; }
-    };
-    PerKernel<Group> groups;
-    const Place* places = nullptr;  // by surface
-    int keys = 0;
-    bool key_per_item = false;  // few items, up to most_item_keys: all hits of a key are on the same item
-    // Only if there is a key per item, by key; the last two by light * keys + key.
-    Vec3<const T*> centres{nullptr};     // of balls around the bodies, and a pack's room behind
-    const T* radii = nullptr;            // of these; infinite for planes, and -infinite behind the last
+    GroupsOf<T, Forms> groups;
+    const Node* nodes = nullptr;                // the hierarchy of all bounded items; null: few items, or unbounded
+    const ItemReference* references = nullptr;  // by surface
+    const SortBin* sort_bins = nullptr;         // by bin
+    int bins = 0;
+    bool bin_per_item = false;         // few items, up to most_item_bins: all hits of a bin are on the same item
+    const ItemRange* loops = nullptr;  // where there is a hierarchy: items of other than hot forms that it lacks,
+    int loop_count = 0;                // and how many such ranges
+
+    // Only if there is a bin per item, by bin; the last two by light * bins + bin.
+    Vec3<const T*> centres{nullptr};     // of balls around the bodies; a pack may be read past the end
+    const T* radii = nullptr;            // of these; infinite for planes, and -infinite past the end
     const Cone<T>* cones = nullptr;      // each body as seen from the light
-    const BodySet* occluders = nullptr;  // the bodies that can keep light from this one; it itself only from its inside
+    const BodySet* occluders = nullptr;  // bodies that can keep light from this one; itself only from its inside
+    BodySet cold = 0;                    // bodies of other than hot forms
+    BodySet convex = 0;                  // bodies that never shadow their own outside
+    // Transparent convex bodies that nothing else reaches into: a ray inside meets the same body again.
+    BodySet enclosed = 0;
 
     const MaterialKernel<T>* materials = nullptr;
     const LightKernel<T>* lights = nullptr;
     int light_count = 0;
     Vec3<T> background{0};
     const T* iors = nullptr;  // by surface; only in nested worlds
-
-    // Transparent bodies, by key, that nothing else reaches into: a ray inside meets the same body again.
-    BodySet enclosed = 0;
 
     // What the scene contains; what it does not is not looked for.
     bool transparent = false;  // some body lets light through

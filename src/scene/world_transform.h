@@ -1,0 +1,51 @@
+// The way from a primitive's own space into the world's.
+#pragma once
+#include <cmath>
+#include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
+
+#include "num/box.h"
+
+namespace strahl {
+
+inline DVec3 transform_point(const glm::dmat4& m, const DVec3& p) { return DVec3(m * glm::dvec4(p, 1)); }
+
+/// The box around a transformed box.
+inline Box transformed(const Box& local, const glm::dmat4& m) {
+    Box box;
+    for (int corner = 0; corner < 8; ++corner)
+        box.add(transform_point(m, {corner & 1 ? local.high.x : local.low.x, corner & 2 ? local.high.y : local.low.y,
+                                    corner & 4 ? local.high.z : local.low.z}));
+    return box;
+}
+
+/// The half-space on the side of a plane that its unit normal points away from. `point` is on the plane.
+struct HalfSpace {
+    DVec3 point{0}, normal{0, 0, 1};
+};
+
+/// world = (matrix * (own, 1) - origin) * scale.
+struct WorldTransform {
+    glm::dmat4 matrix{1};
+    double similarity = 1;  // the factor by which `matrix` scales lengths, or 0 if it does not keep shapes similar
+    DVec3 origin{0};
+    double scale = 1;
+
+    bool similar() const { return similarity > 0; }
+    DVec3 point(const DVec3& p) const { return place(transform_point(matrix, p)); }
+    /// Of a point that has been through the matrix.
+    DVec3 place(const DVec3& p) const { return (p - origin) * scale; }
+    double length(double x) const { return x * similarity * scale; }
+    /// The unit vector along a transformed direction.
+    DVec3 direction(const DVec3& v) const {
+        const DVec3 turned = glm::dmat3(matrix) * v;
+        return turned / std::sqrt(turned.x * turned.x + turned.y * turned.y + turned.z * turned.z);
+    }
+};
+
+template <class T>
+Vec3<T> cast(const DVec3& v) {
+    return {static_cast<T>(v.x), static_cast<T>(v.y), static_cast<T>(v.z)};
+}
+
+}  // namespace strahl

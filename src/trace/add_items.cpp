@@ -1,0 +1,89 @@
+// Primitives become items: all threads at once, each item where it would be if one came after the other.
+#include <algorithm>
+#include <cmath>
+
+#include "scene/overlap.h"
+#include "trace/world_arrays.h"
+
+namespace strahl {
+namespace {
+
+ItemBox item_box(const Box& box, int form) {
+    ItemBox result;
+    for (int c = 0; c < 3; ++c)
+        result.low[c] = static_cast<float>(box.low[c]), result.high[c] = static_cast<float>(box.high[c]);
+    result.form = form;
+    return result;
+}
+
+/// An emitter that puts items into their places.
+template <class T>
+struct PutItems {
+    WorldArrays<T>& arrays;
+    ItemCounts& before;
+    const Box& box;
+    T material;
+    int faces;
+
+    template <class K>
+    void operator()(const K& kernel) const {
+        constexpr int number = form_number<K, T>(Forms{});
+        auto& own = arrays.forms.template get<FormAt<number, Forms>>();
+        const int item = before.items[number]++;
+        own.items[item] = {kernel, static_cast<T>(before.surfaces), material};
+        own.boxes[item] = item_box(box, number);
+        before.surfaces += faces;
+    }
+};
+
+}  // namespace
+
+template <class T>
+void WorldArrays<T>::add_items(const Scene& scene, const Placement& placement, ThreadPool& pool) {
+    const auto size = static_cast<std::int32_t>(scene.primitives.size());
+    std::vector<ItemCounts> before(size / share_items + 2);
+    share_out(pool, size, share_items, [&](std::int32_t first, std::int32_t last) {
+        ItemCounts own;
+        for (std::int32_t i = first; i < last; ++i) count_items<T>(scene.primitives[i], own);
+        before[first / share_items + 1] = own;
+    });
+    for (std::size_t i = 1; i < before.size(); ++i) before[i] += before[i - 1];
+    const ItemCounts& all = before.back();
+    each_form([&](auto& own, auto& group, int number) {
+        using Form = typename std::remove_cvref_t<decltype(own)>::Form;
+        group.count = all.items[number];
+        own.items = uninitialized_buffer<Item<Form, T>>(group.count + widest_pack);
+        own.boxes = uninitialized_buffer<ItemBox>(group.count);
+    });
+    surfaces = all.surfaces;
+
+    std::vector<double> reaches(before.size());
+    share_out(pool, size, share_items, [&](std::int32_t first, std::int32_t last) {
+        ItemCounts own = before[first / share_items];
+        double reach = 0;
+        for (std::int32_t i = first; i < last; ++i) {
+            const Primitive& primitive = scene.primitives[i];
+            const WorldTransform to_world{matrix(primitive.transformations), similarity(primitive.transformations),
+                                          placement.origin, placement.scale};
+            const Box whole = world_bounds(primitive);
+            const Box box{to_world.place(whole.low), to_world.place(whole.high)};
+            if (box.finite())
+                for (int c = 0; c < 3; ++c) reach = std::max({reach, std::abs(box.low[c]), std::abs(box.high[c])});
+            std::visit(
+                [&](const auto& shape) {
+                    constexpr int faces = std::remove_cvref_t<decltype(shape)>::faces;
+                    shape.template emit<T>(to_world,
+                                           PutItems<T>{*this, own, box, static_cast<T>(primitive.material), faces});
+                },
+                primitive.shape);
+        }
+        reaches[first / share_items] = reach;
+    });
+    reach = *std::max_element(reaches.begin(), reaches.end());
+}
+
+template void WorldArrays<float>::add_items(const Scene&, const Placement&, ThreadPool&);
+template void WorldArrays<double>::add_items(const Scene&, const Placement&, ThreadPool&);
+template void WorldArrays<long double>::add_items(const Scene&, const Placement&, ThreadPool&);
+
+}  // namespace strahl

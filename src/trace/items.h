@@ -1,0 +1,86 @@
+// The two questions asked of geometry, of items of one form: which is nearest, and what light passes them.
+#pragma once
+#include <bit>
+
+#include "num/memory.h"
+#include "trace/world.h"
+
+namespace strahl::inline STRAHL_LEVEL {
+
+/// The lanes of this instance.
+template <class T>
+using Widest =
+#ifdef STRAHL_SCALAR
+    T;
+#else
+    Pack<T>;
+#endif
+
+/// The nearest hit so far: t is infinite and the surface -1 at first. The bin is that of the surface's item.
+template <class S>
+struct Nearest {
+    S t{std::numeric_limits<Element<S>>::infinity()}, surface{-1}, bin;
+};
+
+/// What is left of light, per channel, past the items looked at, and how far away it comes from: -1 if none is left.
+template <class S>
+struct Transmission {
+    Vec3<S> share;
+    S limit;
+};
+
+/// Where a surface is met, and whether it is nearer than what was met before; of equally near ones the first declared.
+template <class S>
+STRAHL_INLINE Mask<S> closer(const Span<S>& span, const S& surface, const Nearest<S>& best, S& t) {
+    t = select(span.near > S(0), span.near, span.far);
+    return span.hit & (t > S(0)) & ((t < best.t) | ((t == best.t) & (surface < best.surface)));
+}
+
+/// Meets item i. The lanes in which it is the nearest so far; their bin is left to the caller.
+template <class S, class Group>
+STRAHL_INLINE Mask<S> intersect_item(const Group& group, int i, const Ray<S>& ray, Mask<S> mask, Nearest<S>& best) {
+    const auto& item = group.items[i];
+    const S surface(item.surface);
+    const Span<S> span = item.shape.span(ray, ray.source - surface);
+    const Mask<S> hit = span.hit & mask;
+    if (none(hit)) return hit;
+    S t;
+    const Mask<S> better = mask & closer(span, surface, best, t);
+    best.t = select(better, t, best.t);
+    best.surface = select(better, surface, best.surface);
+    return better;
+}
+
+/// Does the item let light through?
+template <class T, class Group>
+STRAHL_INLINE bool transparent(const World<T>& world, const Group& group, int i) {
+    return world.transparent && world.materials[static_cast<int>(group.items[i].material)].refraction > 0;
+}
+template <class T, class Group>
+STRAHL_INLINE const Vec3<T>& filter(const World<T>& world, const Group& group, int i) {
+    return world.materials[static_cast<int>(group.items[i].material)].filter;
+}
+
+/// Takes from the light what item i takes. Is none left in any lane?
+template <class S, class Group>
+STRAHL_INLINE bool occlude_item(const World<Element<S>>& world, const Group& group, int i, const Ray<S>& ray,
+                                const S& distance, Mask<S> mask, Transmission<S>& light) {
+    const auto& item = group.items[i];
+    const S one(1);
+    const Span<S> span = item.shape.span(ray, ray.source - S(item.surface));
+    const Mask<S> hit = span.hit & mask;
+    if (none(hit)) return false;
+    const Mask<S> enters = hit & (span.near > S(0)) & (span.near < distance);
+    const Mask<S> leaves = hit & (span.far > S(0)) & (span.far < distance);
+    if (transparent(world, group, i)) {
+        const Vec3<S> f = splat<S>(filter(world, group, i));
+        for (int c = 0; c < 3; ++c)
+            light.share[c] =
+                min(light.share[c] * (select(enters, f[c], one) * select(leaves, f[c], one)), S(largest_gain));
+        return false;
+    }
+    light.limit = select(enters | leaves, S(-1), light.limit);
+    return all(light.limit < S(0));
+}
+
+}  // namespace strahl::inline STRAHL_LEVEL

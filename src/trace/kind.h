@@ -1,0 +1,97 @@
+// The code of a kind's forms. Every kind has a file of its own that instantiates this, made by kernels.cmake, so that
+// processors share the work of compiling.
+#pragma once
+#include "trace/form_functions.h"
+
+namespace strahl::inline STRAHL_LEVEL {
+
+template <class Form, class S>
+void FormFunctions<Form, S>::intersect(const World<T>& world, int first, int count, const Ray<S>& ray, Mask<S> mask,
+                                       Nearest<S>& best) {
+    const auto& group = world.groups.template get<Form>();
+    const S before = best.surface;
+    for (int i = first; i < first + count; ++i) intersect_item(group, i, ray, mask, best);
+    const int bin = world.bin_per_item ? group.first_bin + first : group.first_bin;
+    best.bin = select(best.surface == before, best.bin, S(static_cast<T>(bin)));
+}
+
+template <class Form, class S>
+void FormFunctions<Form, S>::intersect_single(const World<T>& world, int first, int count, const Ray<S>& ray,
+                                              Nearest<S>& best) {
+    const auto& group = world.groups.template get<Form>();
+    for (int i = first; i < first + count; i += width<S>) {
+        const Item<Form, S> item = load_items<Item<Form, S>, S>(group.columns, group.stride, i);
+        S t;
+        const Span<S> span = item.shape.span(ray, ray.source - item.surface);
+        Mask<S> better = closer(span, item.surface, best, t) & first_lanes<S>(first + count - i);
+        while (any(better)) {
+            const int k = strahl::first(better);
+            best.t = S(lane(t, k)), best.surface = S(lane(item.surface, k));
+            best.bin = S(static_cast<T>(group.first_bin));
+            better = better & ((t < best.t) | ((t == best.t) & (item.surface < best.surface)));
+        }
+    }
+}
+
+template <class Form, class S>
+bool FormFunctions<Form, S>::occlude(const World<T>& world, int first, int count, const Ray<S>& ray, const S& distance,
+                                     Mask<S> mask, Transmission<S>& light) {
+    const auto& group = world.groups.template get<Form>();
+    for (int i = first; i < first + count; ++i)
+        if (occlude_item(world, group, i, ray, distance, mask, light)) return true;
+    return false;
+}
+
+template <class Form, class S>
+bool FormFunctions<Form, S>::occlude_single(const World<T>& world, int first, int count, SingleRay<S>& single) {
+    const auto& group = world.groups.template get<Form>();
+    const auto& [ray, distance, _] = single;
+    for (int i = first; i < first + count; i += width<S>) {
+        const Item<Form, S> item = load_items<Item<Form, S>, S>(group.columns, group.stride, i);
+        const Span<S> span = item.shape.span(ray, ray.source - item.surface);
+        const Mask<S> hit = span.hit & first_lanes<S>(first + count - i);
+        const unsigned enters = bits(hit & (span.near > S(0)) & (span.near < distance));
+        const unsigned leaves = bits(hit & (span.far > S(0)) & (span.far < distance));
+        for (unsigned hits = enters | leaves; hits; hits &= hits - 1) {
+            const int n = std::countr_zero(hits);
+            if (!transparent(world, group, i + n)) return true;
+            const Vec3<T> f = filter(world, group, i + n);
+            for (int c = 0; c < 3; ++c) {
+                const T kept = (enters >> n & 1 ? f[c] : T(1)) * (leaves >> n & 1 ? f[c] : T(1));
+                single.share[c] = min(single.share[c] * kept, T(largest_gain));
+            }
+        }
+    }
+    return false;
+}
+
+template <class Form, class S>
+void FormFunctions<Form, S>::surface_at(const World<T>& world, const int* items, bool uniform, const Ray<S>& ray,
+                                        const S& t, SurfaceHit<S>& hit) {
+    const auto& group = world.groups.template get<Form>();
+    Item<Form, S> item;
+    if (uniform) {
+        item = splat_item<Item<Form, S>, S>(group.items[*items]);
+    } else {
+        item = gather_items<Item<Form, S>, S>(group.items, items);
+        for (int k = 0; k < width<S>; ++k) hit.material[k] = static_cast<int>(group.items[items[k]].material);
+    }
+    hit.point = item.shape.at(ray, t, ray.source - item.surface);
+    hit.body = item.surface;
+}
+
+template <class Form, class S>
+Span<S> FormFunctions<Form, S>::span(const World<T>& world, int item, const Ray<S>& ray) {
+    const auto& own = world.groups.template get<Form>().items[item];
+    return own.shape.span(ray, ray.source - S(own.surface));
+}
+
+template <class S, class... F>
+constexpr std::array<FormCalls<S>, sizeof...(F)> calls_of(FormList<F...>) {
+    return {{{&FormFunctions<F, S>::intersect, &FormFunctions<F, S>::intersect_single, &FormFunctions<F, S>::occlude,
+              &FormFunctions<F, S>::occlude_single, &FormFunctions<F, S>::surface_at, &FormFunctions<F, S>::span}...}};
+}
+template <class Kind, class S>
+const std::array<FormCalls<S>, KindCalls<Kind, S>::forms> KindCalls<Kind, S>::calls = calls_of<S>(FormsOfKind<Kind>{});
+
+}  // namespace strahl::inline STRAHL_LEVEL

@@ -1,0 +1,129 @@
+// The rays that go on from hits.
+#pragma once
+#include "trace/prune.h"
+
+namespace strahl::inline STRAHL_LEVEL {
+
+/// A ray that goes on from a hit.
+template <class S>
+struct Branch {
+    Mask<S> mask;
+    Vec3<S> direction;
+    S weight, medium;
+};
+template <class S>
+STRAHL_INLINE Branch<S> branch(const Hit<S>& hit, Mask<S> mask, const Vec3<S>& direction, S share, S medium) {
+    const S weight = min(hit.weight * share, S(largest_gain));
+    return {Mask<S>(mask & (weight > S(0))), unit(direction), weight, medium};
+}
+
+template <class S>
+STRAHL_INLINE void push(const Shading<S>& shading, RayQueue<Element<S>>& to, const Hit<S>& hit, const Branch<S>& ray) {
+    using T = Element<S>;
+    if (none(ray.mask)) return;
+    const int n = to.count;
+    const auto put_with = [&](const auto& put) {
+        for (int c = 0; c < 3; ++c) put(to.origin[c] + n, hit.position[c]), put(to.direction[c] + n, ray.direction[c]);
+        put(to.source + n, hit.surface), put(to.pixel + n, hit.pixel), put(to.weight + n, ray.weight);
+        if (shading.world.nested) put(to.medium + n, ray.medium);
+    };
+    if (all(ray.mask))
+        put_with([](T* place, const S& value) { store_lanes(place, value); });
+    else
+        put_with([&](T* place, const S& value) { compress(place, value, ray.mask); });
+    to.count += count(ray.mask);
+}
+
+/// The ratio of indices and the medium stack beyond the surface, by the bodies entered (as POV-Ray does): from outside
+/// all, into the body; from the body entered last, out of it; from one entered before, straight on.
+template <class S>
+[[gnu::noinline]] void change_medium(const Shading<S>& shading, const Hit<S>& hit, Mask<S> glass, S& ratio, S& medium) {
+    using T = Element<S>;
+    T ratios[width<S>], stacks[width<S>], bodies[width<S>], wanted[width<S>];
+    store_lanes(ratios, ratio), store_lanes(stacks, medium), store_lanes(bodies, hit.body);
+    store_lanes(wanted, select(glass, S(1), S(0)));
+    MediumStacks& all = mediums(shading.workspace);
+    const auto ior = [&](int body) { return body < 0 ? T(1) : shading.world.iors[body]; };
+    for (int k = 0; k < width<S>; ++k) {
+        if (wanted[k] == 0) continue;
+        const int before = static_cast<int>(stacks[k]), body = static_cast<int>(bodies[k]);
+        const int inner = top(all, before);
+        if (body == inner) {
+            const int after = remove(all, before, body);
+            ratios[k] = ior(body) / ior(top(all, after));
+            stacks[k] = static_cast<T>(after);
+        } else if (contains(all, before, body)) {
+            ratios[k] = 1;
+            stacks[k] = static_cast<T>(remove(all, before, body));
+        } else {
+            ratios[k] = ior(inner) / ior(body);
+            stacks[k] = static_cast<T>(push(all, before, body));
+        }
+    }
+    ratio = load_lanes<S>(ratios), medium = load_lanes<S>(stacks);
+}
+
+/// Of the two rays at a surface of an enclosed body the one inside goes apart: where it leaves is found at once.
+template <class S>
+STRAHL_INLINE void keep_inside(const Shading<S>& shading, const Hit<S>& hit, Branch<S>& reflected,
+                               Branch<S>& refracted) {
+    RayQueue<Element<S>>& queue = shading.next.inside;
+    const Mask<S> in = hit.outside;
+    Branch<S> within{Mask<S>((reflected.mask & !in) | (refracted.mask & in)),
+                     select(in, refracted.direction, reflected.direction),
+                     select(in, refracted.weight, reflected.weight), S(0)};
+    const SortBin& bin = shading.world.sort_bins[hit.bin];
+    const Span<S> span =
+        calls<S>(bin.form).span(shading.world, bin.item, Ray<S>{hit.position, within.direction, hit.surface});
+    within.mask = within.mask & span.hit & (span.far > S(0));
+    reflected.mask = reflected.mask & (in | !within.mask);
+    refracted.mask = refracted.mask & !(in & within.mask);
+    compress(queue.t + queue.count, span.far, within.mask);
+    push(shading, queue, hit, within);
+}
+
+/// Queues reflected and refracted rays that can still be seen. The lanes whose own light can hardly be.
+template <class S>
+STRAHL_INLINE Mask<S> scatter(const Shading<S>& shading, const Hit<S>& hit) {
+    const MaterialKernel<S>& material = hit.material;
+    const auto& [world, limits, rays, hits, batch, next, refracted_queue, workspace, counts, depth] = shading;
+    const S zero(0), brightest(limits.brightest[limits.depth - depth]);
+    const auto ray = [&](const Branch<S>& b) { return Contribution<S>(b.weight * brightest, b.mask); };
+    Contribution<S> light(hit.weight * material.scattered, hit.active & (material.scattered > zero));
+    const Mask<S> glass = hit.active & (material.refraction > zero);
+    if (none(glass | (hit.active & (material.reflection > zero)))) {
+        prune(shading, hit.pixel, light);
+        return light.pruned;
+    }
+    if (!world.transparent || none(glass)) {
+        Branch<S> reflected = branch(hit, hit.active, reflect(hit), material.reflection, hit.medium);
+        Contribution<S> part = ray(reflected);
+        prune(shading, hit.pixel, part, light);
+        reflected.mask = reflected.mask & !part.pruned;
+        counts.reflected += count(reflected.mask);
+        push(shading, next.open, hit, reflected);
+        return light.pruned;
+    }
+    S b = select(hit.outside, S(1) / material.ior, material.ior), medium = hit.medium;
+    if (world.nested) change_medium(shading, hit, glass, b, medium);
+    const S s = -dot(hit.direction, hit.normal);
+    const S k = fma(b * b, fma(s, s, S(-1)), S(1));
+    const Mask<S> total = glass & (k < zero);
+    const S all = material.reflection + material.refraction;
+    Branch<S> reflected = branch(hit, hit.active, reflect(hit), select(total, all, material.reflection), hit.medium);
+    Branch<S> refracted =
+        branch(hit, glass & !total, fma(fma(b, s, -sqrt(max(k, zero))), hit.normal, scale(b, hit.direction)),
+               material.refraction, medium);
+    Contribution<S> reflected_part = ray(reflected), refracted_part = ray(refracted);
+    prune(shading, hit.pixel, reflected_part, refracted_part, light);
+    reflected.mask = reflected.mask & !reflected_part.pruned;
+    refracted.mask = refracted.mask & !refracted_part.pruned;
+    counts.reflected += count(reflected.mask);
+    counts.refracted += count(refracted.mask);
+    if (world.enclosed >> hit.bin & 1) keep_inside(shading, hit, reflected, refracted);
+    push(shading, refracted_queue, hit, refracted);
+    push(shading, next.open, hit, reflected);
+    return light.pruned;
+}
+
+}  // namespace strahl::inline STRAHL_LEVEL

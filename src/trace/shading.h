@@ -1,0 +1,67 @@
+// What the stages of a generation share: its rays, hits and queues, and a pack of hits.
+#pragma once
+#include "trace/kernel.h"
+#include "trace/query.h"
+#include "trace/shading_math.h"
+
+namespace strahl::inline STRAHL_LEVEL {
+
+/// The shading of one generation.
+template <class S>
+struct Shading {
+    using T = Element<S>;
+    const World<T>& world;
+    const Limits<T>& limits;
+    const Generation<T>& rays;
+    const HitList<T>& hits;  // of the open rays
+    const PixelBatch<T>& batch;
+    Generation<T>& next;
+    RayQueue<T>& refracted;  // open rays, to follow the reflected ones in `next`
+    Workspace<T>& workspace;
+    Counts& counts;
+    int depth;
+
+    bool full() const { return next.open.count + refracted.count > batch_rays || next.inside.count > batch_rays; }
+};
+
+/// A pack's part of values by ray: up to `lanes` rays, in the lanes left over any others.
+template <class S>
+struct LaneIndices {
+    using T = Element<S>;
+    int index[width<S>] = {};
+    int lanes;
+    bool consecutive = true;
+    STRAHL_INLINE LaneIndices(int first, int left) : lanes(left < width<S> ? left : width<S>) { index[0] = first; }
+    STRAHL_INLINE LaneIndices(const T* order, int left) : LaneIndices(static_cast<int>(order[0]), left) {
+        for (int k = 1; k < width<S>; ++k) index[k] = static_cast<int>(order[k < lanes ? k : 0]);
+        consecutive = lanes == width<S> && index[width<S> - 1] - index[0] == width<S> - 1;
+    }
+    STRAHL_INLINE S operator()(const T* values) const {
+        return consecutive ? load_lanes<S>(values + index[0]) : gather<S>(values, index);
+    }
+};
+
+/// What is known of a pack of hits.
+template <class S>
+struct Hit {
+    Mask<S> active;
+    Vec3<S> direction, position, normal;  // the normal is turned towards the incoming ray
+    Mask<S> outside;                      // it comes from the side the surface faces
+    S surface, body, pixel, weight, medium;
+    const MaterialKernel<S>& material;
+    bool uniform;  // all lanes have the same material
+    int bin;
+};
+
+template <class S>
+STRAHL_INLINE Vec3<S> reflect(const Hit<S>& hit) {
+    return fma(S(-2) * dot(hit.direction, hit.normal), hit.normal, hit.direction);
+}
+
+/// Adds light to the pixels of a pack's first lanes.
+template <class S>
+STRAHL_INLINE void add_light(const PixelBatch<Element<S>>& batch, const S& pixel, int lanes, const Vec3<S>& light) {
+    add_lanes(batch.sums[0].rgb, pixel, lanes, light);
+}
+
+}  // namespace strahl::inline STRAHL_LEVEL

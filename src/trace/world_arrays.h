@@ -1,0 +1,137 @@
+// The arrays that a World points into, while they are made and ever after.
+#pragma once
+#include <array>
+#include <atomic>
+#include <type_traits>
+#include <vector>
+
+#include "num/buffer.h"
+#include "scene/scene.h"
+#include "trace/build.h"
+#include "trace/hierarchy.h"
+#include "trace/light_culling.h"
+#include "trace/thread_pool.h"
+#include "trace/world.h"
+
+namespace strahl {
+
+inline constexpr int widest_pack = 16;             // lanes
+inline constexpr std::int32_t share_items = 4096;  // a thread's piece of work on items
+
+/// Counts what shapes emit, by form.
+struct ItemCounts {
+    std::array<int, Forms::size> items{};
+    int surfaces = 0;
+    ItemCounts& operator+=(const ItemCounts& more) {
+        for (std::size_t i = 0; i < items.size(); ++i) items[i] += more.items[i];
+        return surfaces += more.surfaces, *this;
+    }
+};
+
+/// The number of the form whose kernel for T is K.
+template <class K, class T, class... F>
+consteval int form_number(FormList<F...>) {
+    int number = 0, found = -1;
+    ((std::is_same_v<typename F::template Kernel<T>, K> ? found = number++ : ++number), ...);
+    return found;
+}
+/// An emitter that counts.
+template <class T>
+struct CountItems {
+    ItemCounts& counts;
+    int faces;
+    template <class K>
+    void operator()(const K&) const {
+        ++counts.items[form_number<K, T>(Forms{})];
+        counts.surfaces += faces;
+    }
+};
+/// Adds what a primitive emits; which forms these are depends on the similarity alone.
+template <class T>
+void count_items(const Primitive& primitive, ItemCounts& counts) {
+    const WorldTransform transform{.similarity = similarity(primitive.transformations)};
+    std::visit(
+        [&](const auto& shape) {
+            shape.template emit<T>(transform, CountItems<T>{counts, std::remove_cvref_t<decltype(shape)>::faces});
+        },
+        primitive.shape);
+}
+
+template <class T>
+DVec3 to_double(const Vec3<T>& v) {
+    return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
+}
+
+/// The items of a form, and what is known of each while the world is made.
+template <class F, class T>
+struct FormArrays {
+    using Form = F;
+    Buffer<Item<F, T>> items;
+    Buffer<ItemBox> boxes;
+    Buffer<T> columns;
+};
+template <class T, class Forms>
+struct FormArraysOf;
+template <class T, class... F>
+struct FormArraysOf<T, FormList<F...>> : FormArrays<F, T>... {
+    template <class Form>
+    FormArrays<Form, T>& get() {
+        return *this;
+    }
+};
+
+template <class T>
+struct WorldArrays {
+    World<T> world;
+    FormArraysOf<T, Forms> forms;
+    Hierarchy hierarchy;
+    Buffer<ItemReference> references;
+    std::vector<SortBin> sort_bins;
+    std::vector<ItemRange> loops;
+    std::vector<MaterialKernel<T>> materials;
+    std::vector<LightKernel<T>> lights;
+    std::vector<T> iors;
+    std::vector<BoundingVolume> volumes;  // by bin, if there is one for each item
+    BodySet glass = 0;                    // of these the transparent ones
+    std::vector<T> balls;
+    std::vector<Cone<T>> cones;
+    std::vector<BodySet> occluders;
+    double reach = 0;  // the largest coordinate of a bounded body
+    int surfaces = 0;
+
+    struct Body {
+        int surface;
+        Shape shape;
+        glm::dmat4 inverse;
+    };
+    std::vector<Body> transparent;  // only in nested worlds
+
+    WorldArrays(const Scene& scene, const Placement& placement, ThreadPool& pool);
+
+    /// What coordinates may be off, the largest of them being `furthest`.
+    static double rounding(double furthest) {
+        return 32 * static_cast<double>(std::numeric_limits<T>::epsilon()) * furthest;
+    }
+    /// Calls visit(arrays, group, number) for each form.
+    template <class Visit>
+    void each_form(const Visit& visit) {
+        int number = 0;
+        world.groups.each([&](auto& group) {
+            using Form = typename std::remove_cvref_t<decltype(group)>::Form;
+            visit(forms.template get<Form>(), group, number++);
+        });
+    }
+
+    // add_items.cpp
+    void add_items(const Scene& scene, const Placement& placement, ThreadPool& pool);
+    // arrange_items.cpp
+    void arrange_items(ThreadPool& pool);
+    void make_hierarchy(ThreadPool& pool);
+    // build.cpp
+    void add_materials(const Scene& scene);
+    void list_transparent(const Scene& scene);
+    void bound_bodies();
+    void cull_for_lights();
+};
+
+}  // namespace strahl
