@@ -96,7 +96,7 @@ void WorldArrays<T>::make_hierarchy(ThreadPool& pool) {
     share_out(pool, hierarchy.size, 256, [&](std::int32_t first, std::int32_t last) {
         for (Node* node = &hierarchy.nodes[first]; node < &hierarchy.nodes[last]; ++node)
             for (int c = 0; c < node->children; ++c)
-                if (node->count[c] > 0) node->first[c] = places[node->first[c]];
+                if (node->leaves[c] != 0) node->first[c] = places[node->first[c]];
     });
     each_form([&](auto& own, auto& group, int number) {
         if (group.in_hierarchy == 0) return;
@@ -163,6 +163,7 @@ void WorldArrays<T>::arrange_items(ThreadPool& pool) {
     world.bins = static_cast<int>(sort_bins.size());
     world.loops = loops.data();
     world.loop_count = static_cast<int>(loops.size());
+    world.beyond_loops = world.nodes || world.cold || !loops.empty();
 }
 
 template void WorldArrays<float>::arrange_items(ThreadPool&);

@@ -6,20 +6,15 @@
 
 namespace strahl::inline STRAHL_LEVEL {
 
-/// A point of a surface, and what it belongs to.
-template <class S>
-struct SurfaceHit {
-    SurfacePoint<S> point;
-    S body;                  // the number of the item's first surface
-    int material[width<S>];  // only of hits on different items
-};
-
-/// One ray, and the light on it, while the items of a leaf are looked at side by side.
+/// One ray, the same in all lanes, whose items are tested side by side: what it met so far, or what is left of the
+/// light from `t` away.
 template <class S>
 struct SingleRay {
-    Ray<S> ray;  // the same in all lanes
-    S distance;
-    Vec3<Element<S>> share;
+    using T = Element<S>;
+    Ray<S> ray;
+    T t;
+    T surface = -1, bin = -1;
+    Vec3<T> share{1};
 };
 
 template <class Form, class S>
@@ -29,15 +24,17 @@ struct FormFunctions {
     static void intersect(const World<T>& world, int first, int count, const Ray<S>& ray, Mask<S> mask,
                           Nearest<S>& best);
     /// Meets the items, side by side, with one ray that is in all lanes.
-    static void intersect_single(const World<T>& world, int first, int count, const Ray<S>& ray, Nearest<S>& best);
+    static void intersect_single(const World<T>& world, int first, int count, SingleRay<S>& single);
     /// Takes from the light what the items take. Is none left in any lane?
     static bool occlude(const World<T>& world, int first, int count, const Ray<S>& ray, const S& distance, Mask<S> mask,
                         Transmission<S>& light);
     /// The same of one ray, items side by side.
     static bool occlude_single(const World<T>& world, int first, int count, SingleRay<S>& single);
-    /// The points at which rays first meet items: all the same one, or one in each lane.
-    static void surface_at(const World<T>& world, const int* items, bool uniform, const Ray<S>& ray, const S& t,
-                           SurfaceHit<S>& hit);
+    /// The points at which rays first meet an item, all the same one.
+    static void surface_at(const World<T>& world, int item, const Ray<S>& ray, const S& t, SurfaceHit<S>& hit);
+    /// The same of items, one in each lane, and their materials.
+    static void surfaces_at(const World<T>& world, const int* items, const Ray<S>& ray, const S& t, SurfaceHit<S>& hit,
+                            int* materials);
     /// Where rays that start on an item leave it.
     static Span<S> span(const World<T>& world, int item, const Ray<S>& ray);
 };
@@ -47,10 +44,11 @@ template <class S>
 struct FormCalls {
     using W = World<Element<S>>;
     void (*intersect)(const W&, int, int, const Ray<S>&, Mask<S>, Nearest<S>&);
-    void (*intersect_single)(const W&, int, int, const Ray<S>&, Nearest<S>&);
+    void (*intersect_single)(const W&, int, int, SingleRay<S>&);
     bool (*occlude)(const W&, int, int, const Ray<S>&, const S&, Mask<S>, Transmission<S>&);
     bool (*occlude_single)(const W&, int, int, SingleRay<S>&);
-    void (*surface_at)(const W&, const int*, bool, const Ray<S>&, const S&, SurfaceHit<S>&);
+    void (*surface_at)(const W&, int, const Ray<S>&, const S&, SurfaceHit<S>&);
+    void (*surfaces_at)(const W&, const int*, const Ray<S>&, const S&, SurfaceHit<S>&, int*);
     Span<S> (*span)(const W&, int, const Ray<S>&);
 };
 /// Those of a kind, in a file of its own.
@@ -68,6 +66,18 @@ struct FormTable<S, FormList<F...>> {
 template <class S>
 STRAHL_INLINE const FormCalls<S>& calls(int form) {
     return *FormTable<S, Forms>::calls[form];
+}
+/// Calls visit(group) if the form is hot.
+template <class T, class Visit>
+STRAHL_INLINE bool if_hot(const World<T>& world, int form, const Visit& visit) {
+    int number = 0;
+    bool hot = false;
+    world.groups.each([&](const auto& group) __attribute__((always_inline)) {
+        if constexpr (std::remove_cvref_t<decltype(group)>::Form::hot)
+            if (number == form) visit(group), hot = true;
+        ++number;
+    });
+    return hot;
 }
 
 }  // namespace strahl::inline STRAHL_LEVEL

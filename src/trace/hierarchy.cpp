@@ -14,7 +14,8 @@ namespace strahl {
 namespace {
 
 constexpr int most_bins = 16;
-constexpr int leaf_items = 16;       // most items of a leaf
+constexpr int leaf_items = 16;  // most items of a leaf
+static_assert(leaf_items <= LeafCode::most_items);
 constexpr float item_cost = .1f;     // of that of a binary node
 constexpr int deepest_cut = 30;      // from this depth on, in the middle: 2^30 items have no more than 60 levels
 constexpr int shared_items = 16384;  // on more than these all threads work together
@@ -145,7 +146,7 @@ class Builder {
             for (std::int32_t i = first; i < last; ++i) {
                 for (Node& node : below[i])
                     for (int c = 0; c < node.children; ++c)
-                        if (node.count[c] == 0) node.first[c] += static_cast<std::int32_t>(starts[i]);
+                        if (node.leaves[c] == 0) node.first[c] += static_cast<std::int32_t>(starts[i]);
                 std::copy(below[i].begin(), below[i].end(), result.nodes.get() + starts[i]);
             }
         });
@@ -284,8 +285,8 @@ class Builder {
                 node.low[c][i] = child.extents.all.low[c], node.high[c][i] = child.extents.all.high[c];
             if (child.leaf) {
                 node.first[i] = child.begin;
-                node.count[i] = static_cast<std::int16_t>(child.count());
-                node.form[i] = static_cast<std::uint8_t>(child.items[child.begin].form);
+                node.leaves[i] =
+                    static_cast<std::int16_t>(LeafCode::make(child.items[child.begin].form, child.count()));
                 for (std::int32_t k = child.begin; k < child.end; ++k) result.order[k] = child.items[k].item;
             } else if (shared && child.count() <= shared_items) {
                 tasks.push_back({child, index, i});

@@ -9,15 +9,22 @@ namespace strahl {
 
 class ThreadPool;
 
+/// How many items a leaf holds, and their form, as one number above 0: traversal keeps many of them.
+struct LeafCode {
+    static constexpr int most_items = 31;
+    static constexpr int make(int form, int items) { return (most_items + 1) * form + items; }
+    static constexpr int items(int code) { return code % (most_items + 1); }
+    static constexpr int form(int code) { return code / (most_items + 1); }
+};
+
 /// Up to 16 children, their boxes side by side. Boxes are of floats for every kind of number, rounded outwards. A leaf
 /// holds items of one form.
 struct alignas(64) Node {
     static constexpr int width = 16;
     float low[3][width], high[3][width];
-    std::int32_t first[width];  // of a leaf: its first item; else: the child's node
-    std::int16_t count[width];  // of a leaf: its items; else 0
-    std::uint8_t form[width];   // of a leaf: their form
-    std::int32_t children = 0;  // lanes from here on are empty
+    std::int32_t first[width];   // of a leaf: its first item; else: the child's node
+    std::int16_t leaves[width];  // of a leaf: a LeafCode; else 0
+    std::int32_t children = 0;   // lanes from here on are empty
 };
 
 /// The box around an item of a form, its corners rounded to the nearest floats. Which item is for the builder to note.

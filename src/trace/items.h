@@ -29,11 +29,15 @@ struct Transmission {
     S limit;
 };
 
-/// Where a surface is met, and whether it is nearer than what was met before; of equally near ones the first declared.
+/// The first crossing ahead; what is behind is not above 0.
 template <class S>
-STRAHL_INLINE Mask<S> closer(const Span<S>& span, const S& surface, const Nearest<S>& best, S& t) {
-    t = select(span.near > S(0), span.near, span.far);
-    return span.hit & (t > S(0)) & ((t < best.t) | ((t == best.t) & (surface < best.surface)));
+STRAHL_INLINE S first_crossing(const Span<S>& span) {
+    return select(span.near > S(0), span.near, span.far);
+}
+/// Is a surface nearer than the best so far? Of equally near ones the first declared is.
+template <class S>
+STRAHL_INLINE Mask<S> closer(const S& t, const S& surface, const S& best_t, const S& best_surface) {
+    return (t < best_t) | ((t == best_t) & (surface < best_surface));
 }
 
 /// Meets item i. The lanes in which it is the nearest so far; their bin is left to the caller.
@@ -44,11 +48,25 @@ STRAHL_INLINE Mask<S> intersect_item(const Group& group, int i, const Ray<S>& ra
     const Span<S> span = item.shape.span(ray, ray.source - surface);
     const Mask<S> hit = span.hit & mask;
     if (none(hit)) return hit;
-    S t;
-    const Mask<S> better = mask & closer(span, surface, best, t);
+    const S t = first_crossing(span);
+    const Mask<S> better = hit & (t > S(0)) & closer(t, surface, best.t, best.surface);
     best.t = select(better, t, best.t);
     best.surface = select(better, surface, best.surface);
     return better;
+}
+
+/// A point of a surface, and the number of its item's first surface.
+template <class S>
+struct SurfaceHit {
+    SurfacePoint<S> point;
+    S body;
+};
+
+/// Where all rays first meet item i.
+template <class S, class Group>
+STRAHL_INLINE SurfaceHit<S> surface_at_item(const Group& group, int i, const Ray<S>& ray, const S& t) {
+    const auto item = splat_item<typename Group::template ItemOf<S>, S>(group.items[i]);
+    return {item.shape.at(ray, t, ray.source - item.surface), item.surface};
 }
 
 /// Does the item let light through?

@@ -16,19 +16,20 @@ void FormFunctions<Form, S>::intersect(const World<T>& world, int first, int cou
 }
 
 template <class Form, class S>
-void FormFunctions<Form, S>::intersect_single(const World<T>& world, int first, int count, const Ray<S>& ray,
-                                              Nearest<S>& best) {
+void FormFunctions<Form, S>::intersect_single(const World<T>& world, int first, int count, SingleRay<S>& single) {
     const auto& group = world.groups.template get<Form>();
+    const Ray<S> ray = single.ray;
     for (int i = first; i < first + count; i += width<S>) {
         const Item<Form, S> item = load_items<Item<Form, S>, S>(group.columns, group.stride, i);
-        S t;
         const Span<S> span = item.shape.span(ray, ray.source - item.surface);
-        Mask<S> better = closer(span, item.surface, best, t) & first_lanes<S>(first + count - i);
+        const S t = first_crossing(span);
+        Mask<S> better = span.hit & (t > S(0)) & first_lanes<S>(first + count - i);
+        better = better & closer(t, item.surface, S(single.t), S(single.surface));
         while (any(better)) {
             const int k = strahl::first(better);
-            best.t = S(lane(t, k)), best.surface = S(lane(item.surface, k));
-            best.bin = S(static_cast<T>(group.first_bin));
-            better = better & ((t < best.t) | ((t == best.t) & (item.surface < best.surface)));
+            single.t = lane(t, k), single.surface = lane(item.surface, k);
+            single.bin = static_cast<T>(group.first_bin);
+            better = better & closer(t, item.surface, S(single.t), S(single.surface));
         }
     }
 }
@@ -45,7 +46,8 @@ bool FormFunctions<Form, S>::occlude(const World<T>& world, int first, int count
 template <class Form, class S>
 bool FormFunctions<Form, S>::occlude_single(const World<T>& world, int first, int count, SingleRay<S>& single) {
     const auto& group = world.groups.template get<Form>();
-    const auto& [ray, distance, _] = single;
+    const Ray<S> ray = single.ray;
+    const S distance(single.t);
     for (int i = first; i < first + count; i += width<S>) {
         const Item<Form, S> item = load_items<Item<Form, S>, S>(group.columns, group.stride, i);
         const Span<S> span = item.shape.span(ray, ray.source - item.surface);
@@ -66,18 +68,18 @@ bool FormFunctions<Form, S>::occlude_single(const World<T>& world, int first, in
 }
 
 template <class Form, class S>
-void FormFunctions<Form, S>::surface_at(const World<T>& world, const int* items, bool uniform, const Ray<S>& ray,
-                                        const S& t, SurfaceHit<S>& hit) {
+void FormFunctions<Form, S>::surface_at(const World<T>& world, int item, const Ray<S>& ray, const S& t,
+                                        SurfaceHit<S>& hit) {
+    hit = surface_at_item(world.groups.template get<Form>(), item, ray, t);
+}
+
+template <class Form, class S>
+void FormFunctions<Form, S>::surfaces_at(const World<T>& world, const int* items, const Ray<S>& ray, const S& t,
+                                         SurfaceHit<S>& hit, int* materials) {
     const auto& group = world.groups.template get<Form>();
-    Item<Form, S> item;
-    if (uniform) {
-        item = splat_item<Item<Form, S>, S>(group.items[*items]);
-    } else {
-        item = gather_items<Item<Form, S>, S>(group.items, items);
-        for (int k = 0; k < width<S>; ++k) hit.material[k] = static_cast<int>(group.items[items[k]].material);
-    }
-    hit.point = item.shape.at(ray, t, ray.source - item.surface);
-    hit.body = item.surface;
+    const auto item = gather_items<Item<Form, S>, S>(group.items, items);
+    for (int k = 0; k < width<S>; ++k) materials[k] = static_cast<int>(group.items[items[k]].material);
+    hit = {item.shape.at(ray, t, ray.source - item.surface), item.surface};
 }
 
 template <class Form, class S>
@@ -89,7 +91,8 @@ Span<S> FormFunctions<Form, S>::span(const World<T>& world, int item, const Ray<
 template <class S, class... F>
 constexpr std::array<FormCalls<S>, sizeof...(F)> calls_of(FormList<F...>) {
     return {{{&FormFunctions<F, S>::intersect, &FormFunctions<F, S>::intersect_single, &FormFunctions<F, S>::occlude,
-              &FormFunctions<F, S>::occlude_single, &FormFunctions<F, S>::surface_at, &FormFunctions<F, S>::span}...}};
+              &FormFunctions<F, S>::occlude_single, &FormFunctions<F, S>::surface_at, &FormFunctions<F, S>::surfaces_at,
+              &FormFunctions<F, S>::span}...}};
 }
 template <class Kind, class S>
 const std::array<FormCalls<S>, KindCalls<Kind, S>::forms> KindCalls<Kind, S>::calls = calls_of<S>(FormsOfKind<Kind>{});

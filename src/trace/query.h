@@ -43,33 +43,41 @@ STRAHL_INLINE void each_cold_range(const World<T>& world, BodySet set, const Loo
         if (look(world.loops[i], 0)) return;
 }
 
-/// The nearest surfaces of the hierarchy. Not inline: of small worlds it would be a burden.
+/// The nearest surfaces of the hierarchy.
 template <class S>
-[[gnu::noinline]] void nearest_in_hierarchy(const World<Element<S>>& world, const Ray<S>& ray, Mask<S> active,
-                                            Nearest<S>& best) {
+STRAHL_INLINE void nearest_in_hierarchy(const World<Element<S>>& world, const Ray<S>& ray, Mask<S> active,
+                                        Nearest<S>& best) {
     using T = Element<S>;
     const TraversalRay<S> line = traversal_ray(ray);
     const auto look = [&](const Leaf& leaf, Mask<S> mask) {
-        calls<S>(leaf.form).intersect(world, leaf.first, leaf.count, ray, mask, best);
+        calls<S>(leaf.form()).intersect(world, leaf.first, leaf.count(), ray, mask, best);
         return false;
     };
     traverse<true>(world.nodes, line, active, best.t, look, [&](int k, const Leaf& from) {
-        const Ray<S> one = lane_of(ray, k);
-        Nearest<S> own{S(lane(best.t, k)), S(lane(best.surface, k)), S(lane(best.bin, k))};
-        T limit = lane(best.t, k);
+        SingleRay<S> single{lane_of(ray, k), lane(best.t, k), lane(best.surface, k), lane(best.bin, k)};
         const auto look_single = [&](const Leaf& leaf) {
-            calls<S>(leaf.form).intersect_single(world, leaf.first, leaf.count, one, own);
-            limit = lane(own.t, 0);
+            calls<S>(leaf.form()).intersect_single(world, leaf.first, leaf.count(), single);
             return false;
         };
-        if (from.count > 0)
+        if (from.code != 0)
             look_single(from);
         else
-            traverse_single<true>(world.nodes, from.first, lane_of(line, k), limit, look_single);
-        best.t = with_lane(best.t, k, limit);
-        best.surface = with_lane(best.surface, k, lane(own.surface, 0));
-        best.bin = with_lane(best.bin, k, lane(own.bin, 0));
+            traverse_single<true>(world.nodes, from.first, lane_of(line, k), single.t, look_single);
+        best.t = with_lane(best.t, k, single.t);
+        best.surface = with_lane(best.surface, k, single.surface);
+        best.bin = with_lane(best.bin, k, single.bin);
     });
+}
+
+/// The nearest surfaces of what the hot loops leave out. Not inline: of small worlds it would be a burden.
+template <class S>
+[[gnu::noinline]] void nearest_beyond_loops(const World<Element<S>>& world, const Ray<S>& ray, Mask<S> active,
+                                            BodySet set, Nearest<S>& best) {
+    each_cold_range(world, set, [&](const ItemRange& items, int) {
+        calls<S>(items.form).intersect(world, items.first, items.count, ray, active, best);
+        return false;
+    });
+    if (world.nodes) nearest_in_hierarchy(world, ray, active, best);
 }
 
 /// The nearest surfaces; where there is a bin for each item, among the bodies of the set.
@@ -85,12 +93,11 @@ STRAHL_INLINE Nearest<S> nearest(const World<Element<S>>& world, const Ray<S>& r
             best.bin = select(better, S(static_cast<T>(bin)), best.bin);
             return false;
         });
-    each_cold_range(
-        world, set, [&](const ItemRange& items, int) __attribute__((always_inline)) {
-            calls<S>(items.form).intersect(world, items.first, items.count, ray, active, best);
-            return false;
-        });
-    if (world.nodes) nearest_in_hierarchy(world, ray, active, best);
+    if (world.beyond_loops) {  // works on a copy, so that in small worlds all stays in registers
+        Nearest<S> copy = best;
+        nearest_beyond_loops(world, Ray<S>(ray), active, set, copy);
+        best = copy;
+    }
     return best;
 }
 
@@ -104,23 +111,23 @@ struct Start {
 
 /// What the hierarchy takes from the light.
 template <class S>
-[[gnu::noinline]] void occlude_in_hierarchy(const World<Element<S>>& world, const Ray<S>& ray, const S& distance,
-                                            Transmission<S>& light) {
+STRAHL_INLINE void occlude_in_hierarchy(const World<Element<S>>& world, const Ray<S>& ray, const S& distance,
+                                        Transmission<S>& light) {
     using T = Element<S>;
     const TraversalRay<S> line = traversal_ray(ray);
     const auto look = [&](const Leaf& leaf, Mask<S> mask) {
-        return calls<S>(leaf.form).occlude(world, leaf.first, leaf.count, ray, distance, mask, light);
+        return calls<S>(leaf.form()).occlude(world, leaf.first, leaf.count(), ray, distance, mask, light);
     };
     const auto single = [&](int k, const Leaf& from) {
-        SingleRay<S> one{lane_of(ray, k),
-                         S(lane(distance, k)),
-                         {lane(light.share.x, k), lane(light.share.y, k), lane(light.share.z, k)}};
+        SingleRay<S> one{.ray = lane_of(ray, k), .t = lane(distance, k)};
+        if (world.transparent)
+            for (int c = 0; c < 3; ++c) one.share[c] = lane(light.share[c], k);
         const T limit = lane(light.limit, k);
         bool dark = false;
         const auto look_single = [&](const Leaf& leaf) {
-            return dark = calls<S>(leaf.form).occlude_single(world, leaf.first, leaf.count, one);
+            return dark = calls<S>(leaf.form()).occlude_single(world, leaf.first, leaf.count(), one);
         };
-        if (from.count > 0)
+        if (from.code != 0)
             look_single(from);
         else if (world.transparent)
             traverse_single<false>(world.nodes, from.first, lane_of(line, k), limit, look_single);
@@ -136,41 +143,55 @@ template <class S>
         traverse<true>(world.nodes, line, light.limit > S(0), light.limit, look, single);
 }
 
+/// Rays that a body, by its bin, can be in the way of.
+template <class S>
+STRAHL_INLINE Mask<S> reached(const World<Element<S>>& world, int bin, const Ray<S>& ray, const S& distance,
+                              Mask<S> active, const Start<S>& start) {
+    const Cone<Element<S>>& cone = world.cones[start.light * world.bins + bin];
+    Mask<S> mask =
+        active & (dot(splat<S>(cone.axis), ray.direction) <= S(-cone.cosine)) & (distance > S(cone.distance));
+    if (bin == start.bin && (world.convex >> bin & 1)) mask = mask & !start.outside;
+    return mask;
+}
+
+/// What the light loses to what the hot loops leave out.
+template <class S>
+[[gnu::noinline]] void occlude_beyond_loops(const World<Element<S>>& world, const Ray<S>& ray, const S& distance,
+                                            Mask<S> active, const Start<S>& start, BodySet set,
+                                            Transmission<S>& light) {
+    bool dark = false;
+    each_cold_range(world, set, [&](const ItemRange& items, int bin) {
+        const Mask<S> mask = world.bin_per_item ? reached(world, bin, ray, distance, active, start) : active;
+        if (none(mask)) return false;
+        return dark = calls<S>(items.form).occlude(world, items.first, items.count, ray, distance, mask, light);
+    });
+    if (world.nodes && !dark) occlude_in_hierarchy(world, ray, distance, light);
+}
+
 /// The share of light, per channel, that comes from `distance` away along the ray: opaque bodies between take all of
 /// it, transparent ones Kt Of at each surface crossed. These are multiplied in one order for good: bodies outside the
-/// hierarchy by form and as declared, then those inside in the order of its leaves.
+/// hierarchy by form and as declared, hot forms first, then those inside in the order of its leaves.
 template <class S>
 [[gnu::noinline]] Vec3<S> visibility(const World<Element<S>>& world, const Ray<S>& ray, const S& distance,
                                      Mask<S> active, const Start<S>& start) {
     const S one(1);
     Transmission<S> light{{one, one, one}, select(active, distance, S(-1))};
-    const int row = start.light * world.bins;
-    const BodySet set = world.bin_per_item ? world.occluders[row + start.bin] : 0;
-    // Rays of which a body can be in the way.
-    const auto reached = [&](int bin) __attribute__((always_inline)) {
-        Mask<S> mask = active;
-        if (world.bin_per_item) {
-            const Cone<Element<S>>& cone = world.cones[row + bin];
-            mask = mask & (dot(splat<S>(cone.axis), ray.direction) <= S(-cone.cosine)) & (distance > S(cone.distance));
-            if (bin == start.bin && (world.convex >> bin & 1)) mask = mask & !start.outside;
-        }
-        return mask;
-    };
+    const BodySet set = world.bin_per_item ? world.occluders[start.light * world.bins + start.bin] : 0;
     bool dark = false;
     each_hot_item(
         world, set, [&](const auto& group, int i) __attribute__((always_inline)) {
-            const Mask<S> mask = reached(group.first_bin + i);
-            if (world.bin_per_item && none(mask)) return false;
+            Mask<S> mask = active;
+            if (world.bin_per_item) {
+                mask = reached(world, group.first_bin + i, ray, distance, active, start);
+                if (none(mask)) return false;
+            }
             return dark = occlude_item(world, group, i, ray, distance, mask, light);
         });
-    if (!dark)
-        each_cold_range(
-            world, set, [&](const ItemRange& items, int bin) __attribute__((always_inline)) {
-                const Mask<S> mask = reached(bin);
-                if (none(mask)) return false;
-                return dark = calls<S>(items.form).occlude(world, items.first, items.count, ray, distance, mask, light);
-            });
-    if (world.nodes && !dark) occlude_in_hierarchy(world, ray, distance, light);
+    if (world.beyond_loops && !dark) {
+        Transmission<S> copy = light;
+        occlude_beyond_loops(world, ray, distance, active, start, set, copy);
+        light = copy;
+    }
     return select(light.limit < S(0), Vec3<S>(S(0), S(0), S(0)), light.share);
 }
 

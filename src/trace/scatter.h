@@ -63,6 +63,21 @@ template <class S>
     ratio = load_lanes<S>(ratios), medium = load_lanes<S>(stacks);
 }
 
+/// Where rays that start on the one item of a bin leave it.
+template <class S>
+STRAHL_INLINE Span<S> span_of_item(const World<Element<S>>& world, const SortBin& bin, const Ray<S>& ray) {
+    Span<S> span;
+    const auto inline_code = [&](const auto& group) __attribute__((always_inline)) {
+        const auto& item = group.items[bin.item];
+        span = item.shape.span(ray, ray.source - S(item.surface));
+    };
+    if (!if_hot(world, bin.form, inline_code)) {
+        const Ray<S> copy = ray;
+        span = calls<S>(bin.form).span(world, bin.item, copy);
+    }
+    return span;
+}
+
 /// Of the two rays at a surface of an enclosed body the one inside goes apart: where it leaves is found at once.
 template <class S>
 STRAHL_INLINE void keep_inside(const Shading<S>& shading, const Hit<S>& hit, Branch<S>& reflected,
@@ -72,9 +87,8 @@ STRAHL_INLINE void keep_inside(const Shading<S>& shading, const Hit<S>& hit, Bra
     Branch<S> within{Mask<S>((reflected.mask & !in) | (refracted.mask & in)),
                      select(in, refracted.direction, reflected.direction),
                      select(in, refracted.weight, reflected.weight), S(0)};
-    const SortBin& bin = shading.world.sort_bins[hit.bin];
-    const Span<S> span =
-        calls<S>(bin.form).span(shading.world, bin.item, Ray<S>{hit.position, within.direction, hit.surface});
+    const Span<S> span = span_of_item(shading.world, shading.world.sort_bins[hit.bin],
+                                      Ray<S>{hit.position, within.direction, hit.surface});
     within.mask = within.mask & span.hit & (span.far > S(0));
     reflected.mask = reflected.mask & (in | !within.mask);
     refracted.mask = refracted.mask & !(in & within.mask);

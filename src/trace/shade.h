@@ -43,6 +43,33 @@ class HitMaterial {
     int number = -1;  // of the one that all lanes have
 };
 
+/// Where rays first meet the one item of a bin. What is called gets copies, so that all else can stay in registers.
+template <class S>
+STRAHL_INLINE SurfaceHit<S> surface_at(const World<Element<S>>& world, const SortBin& bin, const Ray<S>& ray, S t) {
+    SurfaceHit<S> hit;
+    const auto inline_code = [&](const auto& group) __attribute__((always_inline)) {
+        hit = surface_at_item(group, bin.item, ray, t);
+    };
+    if (!if_hot(world, bin.form, inline_code)) {
+        const Ray<S> copy = ray;
+        SurfaceHit<S> called;
+        calls<S>(bin.form).surface_at(world, bin.item, copy, S(t), called);
+        hit.point = called.point, hit.body = called.body;
+    }
+    return hit;
+}
+/// Where rays first meet the items of their surfaces, all of one form, and the materials of these.
+template <class S>
+STRAHL_INLINE SurfaceHit<S> surfaces_at(const World<Element<S>>& world, int form, const Element<S>* surfaces,
+                                        const LaneIndices<S>& pick, const Ray<S>& ray, S t, int* materials) {
+    int items[width<S>];
+    for (int k = 0; k < width<S>; ++k) items[k] = world.references[static_cast<int>(surfaces[pick.index[k]])].item;
+    const Ray<S> copy = ray;
+    SurfaceHit<S> called;
+    calls<S>(form).surfaces_at(world, items, copy, S(t), called, materials);
+    return called;
+}
+
 template <class S>
 STRAHL_INLINE Hit<S> make_hit(const Shading<S>& shading, int bin, const RayQueue<Element<S>>& from,
                               const LaneIndices<S>& pick, const Element<S>* t, HitMaterial<S>& material) {
@@ -53,14 +80,12 @@ STRAHL_INLINE Hit<S> make_hit(const Shading<S>& shading, int bin, const RayQueue
                      pick(from.source)};
     SurfaceHit<S> hit;
     if (world.bin_per_item) {
-        calls<S>(own.form).surface_at(world, &own.item, true, ray, pick(t), hit);
+        hit = surface_at(world, own, ray, pick(t));
         material.broadcast(world, own.material);
     } else {
-        int items[width<S>];
-        for (int k = 0; k < width<S>; ++k)
-            items[k] = world.references[static_cast<int>(shading.hits.surface[pick.index[k]])].item;
-        calls<S>(own.form).surface_at(world, items, false, ray, pick(t), hit);
-        material.load(world, hit.material);
+        int materials[width<S>];
+        hit = surfaces_at(world, own.form, shading.hits.surface, pick, ray, pick(t), materials);
+        material.load(world, materials);
     }
     const Mask<S> outside = dot(ray.direction, hit.point.normal) < S(0);
     return {first_lanes<S>(pick.lanes),

@@ -172,9 +172,11 @@ class Stack {
     int size = 0;
 };
 
-/// Items of one form that a leaf holds; of an inner node `first` is its number, and the count 0.
+/// A leaf's items, or with the code 0 an inner node, whose number `first` is then.
 struct Leaf {
-    std::int32_t first, count, form;
+    std::int32_t first, code;
+    STRAHL_INLINE int count() const { return LeafCode::items(code); }
+    STRAHL_INLINE int form() const { return LeafCode::form(code); }
 };
 
 /// Traverses the part of a hierarchy from a node on with one ray: visit(leaf) for leaves whose boxes it crosses before
@@ -191,15 +193,15 @@ STRAHL_INLINE void traverse_single(const Node* nodes, int root, const R<S>& ray,
     Stack<Entry> stack;
     const auto put = [](Entry& entry, T near, const Node& node, int i) {
         entry.near = near;
-        entry.leaf.first = node.first[i], entry.leaf.count = node.count[i], entry.leaf.form = node.form[i];
+        entry.leaf.first = node.first[i], entry.leaf.code = node.leaves[i];
     };
     Entry& start = stack.push();
-    start.near = T(0), start.leaf.first = root, start.leaf.count = 0;
+    start.near = T(0), start.leaf.first = root, start.leaf.code = 0;
     while (!stack.empty()) {
         const Entry& top = stack.pop();
         if (top.near > limit) continue;
-        const Leaf leaf = top.leaf;
-        if (leaf.count > 0) {
+        const Leaf leaf{top.leaf.first, top.leaf.code};
+        if (leaf.code != 0) {
             if (visit(leaf)) return;
             continue;
         }
@@ -251,19 +253,20 @@ STRAHL_INLINE void traverse(const Node* nodes, const TraversalRay<S>& ray, Mask<
     const PacketBounds<S> packet(ray, active);
     Stack<Entry> stack;
     Entry& start = stack.push();
-    start.enters = S(0), start.mask = active, start.near = T(0), start.leaf.first = 0, start.leaf.count = 0;
+    start.enters = S(0), start.mask = active, start.near = T(0), start.leaf.first = 0, start.leaf.code = 0;
     while (!stack.empty()) {
         const Entry& top = stack.pop();
-        const Leaf leaf = top.leaf;
+        const Leaf leaf{top.leaf.first, top.leaf.code};
         const Mask<S> mask = top.mask & (top.enters <= limit);
         const int rays = count(mask);
         if (rays == 0) continue;
         // Items beside each other for one ray after the other, or rays for one item after the other?
-        if (leaf.count > 0 ? rays * cost_ratio * ((leaf.count - 1) / width<S> + 1) <= leaf.count : rays <= threshold) {
+        if (leaf.code != 0 ? rays * cost_ratio * ((leaf.count() - 1) / width<S> + 1) <= leaf.count()
+                           : rays <= threshold) {
             for (unsigned left = bits(mask); left; left &= left - 1) single(std::countr_zero(left), leaf);
             continue;
         }
-        if (leaf.count > 0) {
+        if (leaf.code != 0) {
             if (visit(leaf, mask)) return;
             continue;
         }
@@ -283,7 +286,7 @@ STRAHL_INLINE void traverse(const Node* nodes, const TraversalRay<S>& ray, Mask<
             if (none(hit)) return;
             Entry& child = sorted ? stack.push_sorted(nears[i], bottom) : stack.push();
             child.enters = enters, child.mask = hit, child.near = nears[i];
-            child.leaf.first = node.first[i], child.leaf.count = node.count[i], child.leaf.form = node.form[i];
+            child.leaf.first = node.first[i], child.leaf.code = node.leaves[i];
         };
         for (int c = (node.children - 1) / width<F> * width<F>; c >= 0; c -= width<F>)
             for (unsigned met = test(c); met;) {

@@ -109,6 +109,7 @@ struct World {
 
     GroupsOf<T, Forms> groups;
     const Node* nodes = nullptr;                // the hierarchy of all bounded items; null: few items, or unbounded
+    bool beyond_loops = false;                  // there is a hierarchy, or there are items of other than hot forms
     const ItemReference* references = nullptr;  // by surface
     const SortBin* sort_bins = nullptr;         // by bin
     int bins = 0;

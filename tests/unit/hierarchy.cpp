@@ -28,6 +28,7 @@ std::vector<ItemBox> clustered_boxes(int count) {
             const float middle = spread * (static_cast<float>(random() % 2001) / 1000 - 1);
             boxes[i].low[c] = middle - (i % 5 == 0 ? 0 : .01f), boxes[i].high[c] = middle + .01f;
         }
+        boxes[i].form = i / 5 % 3;
         if (i % 10 == 0 && i > 500) boxes[i] = boxes[500];
     }
     return boxes;
@@ -47,7 +48,7 @@ bool holds(const Node& node, int child, const ItemBox& box, float margin) {
 
 }  // namespace
 
-TEST_CASE("every item is in one leaf, and every box around it holds it and the margin") {
+TEST_CASE("every item is in one leaf of items of its form, and every box around it holds it and the margin") {
     for (const int count : {1, 2, 17, 300, 60000}) {
         const std::vector<ItemBox> boxes = clustered_boxes(count);
         const float margin = .25f;
@@ -55,24 +56,26 @@ TEST_CASE("every item is in one leaf, and every box around it holds it and the m
         std::vector<int> met(count, 0), parent(hierarchy.size, -1), child(hierarchy.size, -1);
         for (int n = 0; n < hierarchy.size; ++n)
             for (int c = 0; c < hierarchy.nodes[n].children; ++c)
-                if (hierarchy.nodes[n].count[c] == 0) {
+                if (hierarchy.nodes[n].leaves[c] == 0) {
                     const int below = hierarchy.nodes[n].first[c];
                     REQUIRE((below > 0 && below < hierarchy.size));
                     CHECK(parent[below] == -1);
                     parent[below] = n, child[below] = c;
                 }
-        int lost = 0, deepest = 0;
+        int lost = 0, deepest = 0, others = 0;
         for (int n = 0; n < hierarchy.size; ++n)
             for (int c = 0; c < hierarchy.nodes[n].children; ++c)
-                for (int i = 0; i < hierarchy.nodes[n].count[c]; ++i) {
+                for (int i = 0; i < LeafCode::items(hierarchy.nodes[n].leaves[c]); ++i) {
                     const int item = hierarchy.order[hierarchy.nodes[n].first[c] + i];
                     ++met[item];
+                    others += boxes[item].form != LeafCode::form(hierarchy.nodes[n].leaves[c]);
                     int level = 1;
                     for (int at = n, by = c; at >= 0; by = child[at], at = parent[at], ++level)
                         lost += !holds(hierarchy.nodes[at], by, boxes[item], margin);
                     deepest = std::max(deepest, level);
                 }
         CHECK(lost == 0);
+        CHECK(others == 0);
         CHECK(deepest <= Hierarchy::most_levels);
         CHECK(std::count(met.begin(), met.end(), 1) == count);
     }
@@ -89,7 +92,7 @@ TEST_CASE("the hierarchy does not depend on the number of threads") {
         for (int n = 0; n < one.size; ++n)
             for (int c = 0; c < one.nodes[n].children; ++c) {
                 const auto numbers = [c](const Node& node) {
-                    return std::tuple(node.children, node.first[c], node.count[c], node.low[0][c], node.low[1][c],
+                    return std::tuple(node.children, node.first[c], node.leaves[c], node.low[0][c], node.low[1][c],
                                       node.low[2][c], node.high[0][c], node.high[1][c], node.high[2][c]);
                 };
                 apart += numbers(one.nodes[n]) != numbers(many.nodes[n]);
@@ -99,7 +102,7 @@ TEST_CASE("the hierarchy does not depend on the number of threads") {
 }
 
 TEST_CASE("duplicates are what was declared before, and nothing else") {
-    using Ball = Item<SphereKernel>::Of<float>;
+    using Ball = Item<Form<Sphere, 0>, float>;
     std::mt19937 random(3);
     std::vector<Ball> balls(20000);
     for (std::size_t i = 0; i < balls.size(); ++i) {

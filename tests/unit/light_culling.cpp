@@ -30,7 +30,7 @@ Scene crowded(Scene scene) {
     const int black = static_cast<int>(scene.materials.size()) - 1;
     const DVec3 out{3e4, -2e4, -5e4};
     scene.primitives.push_back({Sphere{out, .3}, black, {}});
-    for (int i = 0; i < most_item_keys; ++i)
+    for (int i = 0; i < most_item_bins; ++i)
         scene.primitives.push_back({Sphere{out + DVec3(i % 4, i / 4 % 4, i / 16) / 20., .01}, black, {}});
     return scene;
 }
@@ -53,7 +53,7 @@ TEST_CASE("pictures are the same with and without knowing what each body can be 
         if (index++ % every) continue;
         CAPTURE(name);
         const Scene scene = read_scene(name);
-        if (scene.primitives.size() > most_item_keys) continue;
+        if (scene.primitives.size() > most_item_bins) continue;
         CHECK(largest_difference(scene, Precision::float64) < 1e-8);
         ++seen;
     }
