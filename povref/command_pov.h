@@ -16,7 +16,7 @@ struct PovOptions {
     int bits = 16;               // of POV-Ray's picture, 8 or 16
 };
 
-/// Returns the exit status. Throws FileError for faults in files, and std::invalid_argument for options that make no
+/// Returns the exit status. Throws FileError for faults in files, and UsageError for options that make no
 /// sense.
 int pov_command(const PovOptions& options);
 

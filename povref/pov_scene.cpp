@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
 #include <map>
 
+#include "num/vec_math.h"
 #include "povref/layout.h"
 #include "povref/materials.h"
 #include "povref/numbers.h"
@@ -28,7 +29,7 @@ struct Plan {
 };
 
 bool contains(const Primitive& primitive, const DVec3& p) {
-    const DVec3 local(glm::inverse(matrix(primitive.transformations)) * glm::dvec4(p, 1));
+    const DVec3 local = transform_point(glm::inverse(matrix(primitive.transformations)), p);
     return std::visit([&](const auto& shape) { return shape.contains(local); }, primitive.shape);
 }
 

@@ -79,8 +79,7 @@ std::vector<T> quantised(const Picture& picture, bool linear) {
 
 double half_step(FileFormat format) {
     if (format.bits > 16) return 0;
-    constexpr double steepest = 12.92;  // of the curve that encodes linear light
-    return .5 / (format.bits == 16 ? 65535 : 255) / (format.linear ? steepest : 1);
+    return .5 / (format.bits == 16 ? 65535 : 255) / (format.linear ? steepest_srgb : 1);
 }
 
 std::string format_fault(const std::string& path, int bits) {

@@ -6,8 +6,8 @@
 #include <sstream>
 #include <utility>
 
-#include "main/errors.h"
-#include "scene/scene.h"
+#include "main/exit_status.h"
+#include "scene/overlap.h"
 #include "text/file.h"
 #include "text/parse.h"
 #include "text/write.h"
@@ -36,24 +36,13 @@ std::string kinds_in_words(const std::vector<Primitive>& primitives, std::varian
     return words;
 }
 
-Box transformed(const Box& box, const glm::dmat4& m) {
-    Box world;
-    for (int corner = 0; corner < 8; ++corner) {
-        const glm::dvec4 p{corner & 1 ? box.low.x : box.high.x, corner & 2 ? box.low.y : box.high.y,
-                           corner & 4 ? box.low.z : box.high.z, 1};
-        world.add(DVec3(m * p));
-    }
-    return world;
-}
-
 /// Of all bodies that end somewhere.
 std::string bounds_in_words(const Scene& scene) {
     Box box;
     bool endless = false;
     for (const Primitive& primitive : scene.primitives) {
-        const Box own = std::visit([](const auto& shape) { return shape.bounds(); }, primitive.shape);
-        if (own.finite())
-            box.add(transformed(own, matrix(primitive.transformations)));
+        if (const Box own = world_bounds(primitive); own.finite())
+            box.add(own);
         else
             endless = true;
     }

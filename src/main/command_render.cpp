@@ -11,7 +11,8 @@
 #include <utility>
 
 #include "image/picture.h"
-#include "main/errors.h"
+#include "image/transfer.h"
+#include "main/exit_status.h"
 #include "main/interrupt.h"
 #include "main/memory.h"
 #include "main/progress.h"
@@ -143,8 +144,8 @@ class Renderer {
     /// Without --error nothing that the file could show is left out, and depth and precision are the usual ones.
     Accuracy choose(const Scene& scene, const Camera& camera) {
         const double unseen = half_step(format);
-        // Values of linear light are encoded by a curve that is up to 12.92 times as steep.
-        const double steepest = format.linear && format.bits != 32 ? 12.92 : 1;
+        // The curve that encodes linear light enlarges errors where it is steep.
+        const double steepest = format.linear && format.bits != 32 ? steepest_srgb : 1;
         if (!options.error) {
             stats.error = unseen * steepest;
             return {.precision = options.precision.value_or(Precision::float64),

@@ -10,7 +10,7 @@
 
 #include "image/picture.h"
 #include "image/transfer.h"
-#include "main/errors.h"
+#include "main/exit_status.h"
 #include "text/parse.h"
 #include "trace/agreement.h"
 

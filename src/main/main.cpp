@@ -1,4 +1,4 @@
-// The program: its commands and their options. A command is one block here and one thin file beside this one.
+// The program: its commands and their options. Each command has one function here and one file with its work.
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
@@ -8,7 +8,7 @@
 #include "main/command_compare.h"
 #include "main/command_render.h"
 #include "main/command_stability.h"
-#include "main/errors.h"
+#include "main/exit_status.h"
 #include "main/options.h"
 #include "povref/command_crosscheck.h"
 #include "povref/command_pov.h"
@@ -41,7 +41,7 @@ void add_render(CLI::App& app, Action& action) {
     add_choice<Simd>(
         command, "--simd", o->simd,
         {{"auto", Simd::automatic}, {"scalar", Simd::scalar}, {"v2", Simd::v2}, {"v3", Simd::v3}, {"v4", Simd::v4}},
-        "Vector instructions: auto (default), scalar, or x86-64-v2, v3, v4", "LEVEL");
+        "Vector instructions: auto (default), scalar, or v2, v3, v4 for the levels of x86-64", "LEVEL");
     add_threads(command, o->threads);
     add_bits(command, o->bits, {8, 16, 32}, "Bits per channel: 8, or 16 for .png (.exr always holds 32-bit floats)");
     add_choice<std::string>(command, "--format", o->format, {{"bmp", "bmp"}, {"png", "png"}, {"exr", "exr"}},
@@ -244,7 +244,7 @@ int main(int argc, char** argv) {
     using namespace strahl;
     try {
         return run(argc, argv);
-    } catch (const std::invalid_argument& error) {
+    } catch (const UsageError& error) {
         return fail(error, exit_status::usage);
     } catch (const OutputError& error) {
         return fail(error, exit_status::failed);

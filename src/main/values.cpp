@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "main/errors.h"
+#include "scene/error.h"
 
 namespace strahl {
 namespace {

@@ -16,7 +16,7 @@ struct FrameRange {
 
 /// "640x480". Sides are 1 to 1000000. These throw UsageError with an example of what is meant.
 Size parse_size(std::string_view text);
-/// "X,Y,W,H": a part of the whole picture. Whether it lies within the picture is for `within` to say.
+/// "X,Y,W,H": a part of the whole picture. `require_within` checks that it lies in the picture.
 Lattice parse_crop(std::string_view text);
 /// "A-B", or "A" for one frame: 0 <= A <= B < 10^9.
 FrameRange parse_frames(std::string_view text);

@@ -4,24 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <numbers>
+
+#include "num/vec_math.h"
 
 namespace strahl {
 namespace {
 
-DVec3 cross(const DVec3& a, const DVec3& b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-double length(const DVec3& v) { return std::hypot(v.x, v.y, v.z); }
-
-/// Length 1; not finite if `v` is zero. The largest component is taken out first, or denormal vectors lose their
-/// direction.
-DVec3 unit(const DVec3& v) {
-    const double largest = std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
-    const DVec3 w = v / largest;
-    return w / length(w);
-}
 bool finite(const DVec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 // Between the keys
@@ -101,7 +90,7 @@ DVec3 direction_at(const Window& w, Value value) {
     const DVec3 p = value(*w.key[1]);
     if (value(*w.key[2]) == p) return p;
     DVec3 result;
-    for (int i = 0; i < 3; ++i) result[i] = number_at(w, [&](const Keyframe& key) { return unit(value(key))[i]; });
+    for (int i = 0; i < 3; ++i) result[i] = number_at(w, [&](const Keyframe& key) { return normalize(value(key))[i]; });
     return result;
 }
 
@@ -157,17 +146,17 @@ const char* degenerate(const Camera& camera) {
     if (camera.up == DVec3(0)) return "up is the zero vector";
     if (!finite(view) || !finite(camera.up)) return "a coordinate is not finite";
     // Rounding turns the axes by 1e-16 / sine: at 1e-12 the picture's roll would still be right to 0.01 degrees.
-    if (length(cross(unit(camera.up), unit(view))) < 1e-12)
+    if (length(cross_product(normalize(camera.up), normalize(view))) < 1e-12)
         return "up is parallel to the direction from position to look_at";
     return nullptr;
 }
 
 CameraFrame frame_of(const Camera& camera, double aspect) {
-    const DVec3 forward = unit(camera.look_at - camera.position);
+    const DVec3 forward = normalize(camera.look_at - camera.position);
     // Of an `up` almost parallel to the view rounding leaves a cross product that leans; what leans is taken off.
-    const DVec3 across = unit(cross(unit(camera.up), forward));
-    const DVec3 right = unit(across - glm::dot(across, forward) * forward);
-    const DVec3 down = cross(forward, right);
+    const DVec3 across = normalize(cross_product(normalize(camera.up), forward));
+    const DVec3 right = normalize(across - dot_product(across, forward) * forward);
+    const DVec3 down = cross_product(forward, right);
     // In long double, so that 45 degrees give exactly 1.
     const double tan_x = static_cast<double>(std::tan(camera.fov * (std::numbers::pi_v<long double> / 180)));
     return {right, down, forward, tan_x, tan_x / camera.aspectratio.value_or(aspect)};

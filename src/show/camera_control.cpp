@@ -5,23 +5,20 @@
 #include <cmath>
 #include <numbers>
 
-#include "num/lanes.h"
+#include "num/vec_math.h"
 
 namespace strahl {
 namespace {
-
-double length(const DVec3& v) { return std::hypot(v.x, v.y, v.z); }
-DVec3 unit(const DVec3& v) { return v / length(v); }
 
 struct Axes {
     DVec3 forward, level, right, up;  // `level` is forward without its rise
     double elevation;                 // radians
 };
 Axes axes_of(const Camera& camera) {
-    const DVec3 up = DVec3(0) - unit(camera.up);
+    const DVec3 up = DVec3(0) - normalize(camera.up);
     const DVec3 forward = frame_of(camera, 1).forward;
     const DVec3 right = frame_of(camera, 1).right;
-    return {forward, cross(up, right), right, up, std::asin(std::clamp(dot(forward, up), -1., 1.))};
+    return {forward, cross_product(up, right), right, up, std::asin(std::clamp(dot_product(forward, up), -1., 1.))};
 }
 
 /// The viewing direction after a turn.

@@ -23,7 +23,8 @@ struct ViewOptions {
     bool verbose = false;
 };
 
-/// Returns the exit status. Throws FileError for the scene, std::runtime_error with advice if there can be no window.
+/// Returns the exit status. Throws FileError for the scene, UsageError for options that do not suit it, and
+/// std::runtime_error with advice if no window can be opened.
 int view_command(const ViewOptions& options);
 
 }  // namespace strahl

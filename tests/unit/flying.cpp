@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "num/lanes.h"
+#include "num/vec_math.h"
 #include "show/controls.h"
 #include "show/session.h"
 #include "text/parse.h"
@@ -16,7 +16,6 @@ namespace {
 
 const Camera camera{{5, -20, 18}, {0, 0, 0}, {0, 0, -1}, 25, {}};
 
-double length(const DVec3& v) { return std::hypot(v.x, v.y, v.z); }
 double distance(const DVec3& a, const DVec3& b) { return length(a - b); }
 const DVec3 sky{0, 0, 1};
 
@@ -51,7 +50,7 @@ TEST_CASE("turning keeps the position, the distance looked over, and a level hor
     CHECK(turned.position == camera.position);
     CHECK(turned.up == camera.up);
     CHECK(std::abs(distance(turned.position, turned.look_at) - distance(camera.position, camera.look_at)) < 1e-9);
-    CHECK(dot(after.forward, before.right) > 0.01);
+    CHECK(dot_product(after.forward, before.right) > 0.01);
     CHECK(after.forward.z > before.forward.z + 0.03);
     CHECK(std::abs(std::asin(after.forward.z) - std::asin(before.forward.z) - 0.05) < 1e-9);
     // Straight up is never reached, and back is the way that it came.
@@ -67,7 +66,7 @@ TEST_CASE("orbiting keeps what is looked at, and the distance but for pushes") {
     const CameraFrame frame = frame_of(camera, 1);
     const Camera right = orbit(camera, {.push = {0.1, 0, 0}});
     CHECK(right.look_at == camera.look_at);
-    CHECK(dot(right.position - camera.position, frame.right) > 0.5);
+    CHECK(dot_product(right.position - camera.position, frame.right) > 0.5);
     CHECK(std::abs(distance(right.position, right.look_at) - away) < 1e-9);
     CHECK(orbit(camera, {.push = {0, 0.1, 0}}).position.z > camera.position.z + 0.5);
     const Camera near = orbit(camera, {.push = {0, 0, std::log(2)}});

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "num/vec_math.h"
 #include "scene/camera.h"
 #include "scene/transformation.h"
 
@@ -15,9 +16,7 @@ namespace {
 
 using Steps = std::vector<Transformation>;
 
-DVec3 apply(const Steps& steps, const DVec3& p) { return DVec3(matrix(steps) * glm::dvec4(p, 1)); }
-double dot(const DVec3& a, const DVec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-double length(const DVec3& v) { return std::sqrt(dot(v, v)); }
+DVec3 apply(const Steps& steps, const DVec3& p) { return transform_point(matrix(steps), p); }
 
 void check_near(const DVec3& a, const DVec3& b, double tolerance = 1e-14) {
     INFO(a.x, " ", a.y, " ", a.z, " is not near ", b.x, " ", b.y, " ", b.z);
@@ -86,13 +85,13 @@ TEST_CASE("camera axes are orthonormal and right-handed wherever the camera stan
         REQUIRE(degenerate(camera) == nullptr);
         const CameraFrame f = frame_of(camera, 1);
         for (const DVec3& axis : {f.right, f.down, f.forward}) CHECK(length(axis) == doctest::Approx(1).epsilon(1e-14));
-        CHECK(std::fabs(dot(f.right, f.down)) < 1e-9);
-        CHECK(std::fabs(dot(f.down, f.forward)) < 1e-9);
-        CHECK(std::fabs(dot(f.forward, f.right)) < 1e-9);
+        CHECK(std::fabs(dot_product(f.right, f.down)) < 1e-9);
+        CHECK(std::fabs(dot_product(f.down, f.forward)) < 1e-9);
+        CHECK(std::fabs(dot_product(f.forward, f.right)) < 1e-9);
         const DVec3 z{f.right.y * f.down.z - f.right.z * f.down.y, f.right.z * f.down.x - f.right.x * f.down.z,
                       f.right.x * f.down.y - f.right.y * f.down.x};
         check_near(z, f.forward, 1e-9);
-        CHECK(dot(f.down, camera.up) > 0);
+        CHECK(dot_product(f.down, camera.up) > 0);
     }
 }
 

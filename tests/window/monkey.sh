@@ -8,14 +8,8 @@ set -uo pipefail
 
 strahl=$(readlink -f -- "$1") seconds=$2 seed=${3-1}
 here=$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")
-if [[ -z ${STRAHL_OWN_DISPLAY-} ]]; then
-    for tool in xvfb-run xauth xdotool cc; do
-        command -v "$tool" >/dev/null && continue
-        echo "skipped: $tool is missing (Debian packages xvfb, xauth, xdotool, libgl1-mesa-dri)"
-        exit 77
-    done
-    STRAHL_OWN_DISPLAY=yes exec xvfb-run -a -s "-screen 0 800x600x24" bash "${BASH_SOURCE[0]}" "$@"
-fi
+source "$here/display.sh"
+own_display 800x600 cc "$@"
 work=$(mktemp -d)
 pid=
 trap '[[ -n $pid ]] && kill -9 "$pid" 2>/dev/null; rm -rf "$work"' EXIT

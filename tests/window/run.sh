@@ -8,14 +8,8 @@
 set -uo pipefail
 
 strahl=$(readlink -f -- "$1")
-if [[ -z ${STRAHL_OWN_DISPLAY-} ]]; then
-    for tool in xvfb-run xauth xdotool import compare; do
-        command -v "$tool" >/dev/null && continue
-        echo "skipped: $tool is missing (Debian packages xvfb, xauth, xdotool, imagemagick, libgl1-mesa-dri)"
-        exit 77
-    done
-    STRAHL_OWN_DISPLAY=yes exec xvfb-run -a -s "-screen 0 1280x1024x24" bash "${BASH_SOURCE[0]}" "$strahl"
-fi
+source "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/display.sh"
+own_display 1280x1024 "import compare" "$strahl"
 
 work=$(mktemp -d)
 pid=
