@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "num/decimal.h"
 #include "povref/layout.h"
 #include "povref/material_names.h"
-#include "povref/numbers.h"
 
 namespace strahl {
 namespace {

@@ -5,10 +5,10 @@
 #include <glm/matrix.hpp>
 #include <map>
 
+#include "num/decimal.h"
 #include "num/vec_math.h"
 #include "povref/layout.h"
 #include "povref/materials.h"
-#include "povref/numbers.h"
 #include "povref/sentences.h"
 #include "povref/unit.h"
 #include "scene/overlap.h"

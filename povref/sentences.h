@@ -3,7 +3,7 @@
 #include <string>
 #include <type_traits>
 
-#include "povref/numbers.h"
+#include "num/decimal.h"
 #include "scene/kinds.h"
 
 namespace strahl {

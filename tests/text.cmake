@@ -3,6 +3,12 @@ strahl_test(scene strahl_scene)
 strahl_test(language strahl_text)
 strahl_test(roundtrip strahl_text)
 
+# The manual's tables: the test says when they are stale, `cmake --build --preset release --target manual` makes them anew.
+strahl_test(manual strahl_text)
+add_executable(write_manual EXCLUDE_FROM_ALL manual/main.cpp)
+target_link_libraries(write_manual PRIVATE strahl_text)
+add_custom_target(manual COMMAND write_manual ${CMAKE_SOURCE_DIR}/src/text/README.md DEPENDS write_manual)
+
 # The parser under strange input: with a mutator of our own, seconds in every test run, hours when asked
 # (fuzz_parser --seconds 3600); and under libFuzzer where the compiler is clang.
 add_executable(fuzz_parser fuzz/parser.cpp fuzz/mutate.cpp)

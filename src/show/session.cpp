@@ -2,22 +2,16 @@
 #include "show/session.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <utility>
 
+#include "num/decimal.h"
 #include "text/write.h"
 
 namespace strahl {
 namespace {
 
 constexpr double seconds_per_key = 3;  // of recorded paths
-
-/// The shortest digits that give the same number.
-std::string text_of(double v) {
-    char digits[32];
-    return {digits, std::to_chars(digits, digits + sizeof digits, v).ptr};
-}
 
 }  // namespace
 

@@ -22,7 +22,6 @@ class CameraBlocks {
     std::optional<Flythrough> path;
 
   private:
-    struct Eye;
     struct KeyPlace {
         std::string_view key, time;  // these words of a key
     };

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "text/blocks.h"
 #include "text/bodies.h"
 #include "text/camera_blocks.h"
 #include "text/materials.h"
@@ -105,45 +106,37 @@ void Parser::light(std::string_view word) {
     limit(scene.lights.size(), limits.lights, word, "lights");
     Light light;
     Block block{word};
-    std::array parameters{Parameter{"position", &light.position, coordinates},
-                          Parameter{"color", &light.color, not_negative}};
+    auto parameters = light_parameters(light);
     reader.block(block, parameters);
-    reader.require(block, {{parameters[0].given(), "'position'"}, {parameters[1].given(), "'color'"}});
+    reader.require(block, parameters);
     scene.lights.push_back(light);
 }
 
 void Parser::background(std::string_view word) {
     reader.once(background_at, word);
     Block block{word};
-    std::array parameters{Parameter{"color", &scene.background, not_negative}};
+    auto parameters = background_parameters(scene.background);
     reader.block(block, parameters);
-    reader.require(block, {{parameters[0].given(), "'color'"}});
+    reader.require(block, parameters);
 }
 
 void Parser::global_settings(std::string_view word) {
     reader.once(settings_at, word);
     Block block{word};
-    double level = scene.settings.max_trace_level, gamma = 1;
-    std::array parameters{
-        Parameter{"ambient_light", &scene.settings.ambient_light, not_negative},
-        Parameter{"max_trace_level", &level, {1, 256, "a whole number from 1 to 256"}},
-        Parameter{
-            "assumed_gamma", &gamma, {1, 1, "1, the only one known (leave it out for values shown as they are)"}}};
+    SettingsText settings;
+    auto parameters = settings_parameters(settings);
     reader.block(block, parameters);
-    if (block.good() && level != std::floor(level))
-        diagnostics.add(parameters[1].at, "'max_trace_level' must be a whole number from 1 to 256");
-    if (block.good()) scene.settings.max_trace_level = static_cast<int>(level);
-    scene.settings.linear = parameters[2].given();
+    if (!block.good()) return;
+    const double depth = settings.max_trace_level;
+    if (depth != std::floor(depth))
+        diagnostics.add(parameters[1].at, std::string("'max_trace_level' must be ") + depths.words);
+    scene.settings = {settings.ambient_light, static_cast<int>(depth), settings.assumed_gamma.has_value()};
 }
 
 /// Overrides what the block names.
 Block Parser::material(std::string_view word, Material& target) {
     Block block{word};
-    auto parameters = std::apply(
-        [&](const auto&... field) {
-            return std::array{Parameter{field.name, &(target.*field.member), bounds_of(field.range)}...};
-        },
-        Material::fields);
+    auto parameters = material_parameters(target);
     reader.block(block, parameters);
     return block;
 }

@@ -3,62 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <initializer_list>
-#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
-#include <variant>
 
-#include "scene/field.h"
 #include "text/lexer.h"
+#include "text/parameter.h"
 
 namespace strahl {
-
-/// The values a number may have, with the words that say so.
-struct Bounds {
-    double low, high;
-    const char* words;
-    bool contains(double v) const { return v >= low && v <= high; }
-};
-
-inline constexpr double largest_number = std::numeric_limits<double>::max();
-inline constexpr double smallest_positive = std::numeric_limits<double>::min();  // denormals lose digits
-inline constexpr double largest_coordinate = 1e15;
-inline constexpr Bounds coordinates{-largest_coordinate, largest_coordinate, "from -1e15 to 1e15"};
-inline constexpr Bounds lengths{smallest_positive, largest_coordinate,
-                                "greater than 0 (at least 2.3e-308) and at most 1e15"};
-inline constexpr Bounds shares{0, 1, "from 0 to 1"};
-// Products of three of these are numbers in float too.
-inline constexpr Bounds not_negative{0, 1e9, "from 0 to 1e9"};
-inline constexpr Bounds positive{1e-9, 1e9, "from 1e-9 to 1e9"};
-inline constexpr Bounds anything{-largest_number, largest_number, "a number"};
-
-/// The bounds of a coefficient.
-constexpr Bounds bounds_of(Range range) {
-    switch (range) {
-        case Range::positive:
-            return positive;
-        case Range::zero_or_more:
-            return not_negative;
-        case Range::zero_to_one:
-            return shares;
-        default:
-            return anything;
-    }
-}
-/// Those of a shape's own arguments, which are points and lengths.
-constexpr Bounds argument_bounds(Range range) {
-    return range == Range::positive ? lengths : range == Range::any ? coordinates : bounds_of(range);
-}
-
-/// One `name value` of a block; of a bool the name alone. `at` becomes the place of the name.
-struct Parameter {
-    std::string_view name;
-    std::variant<double*, DVec3*, bool*> value;
-    Bounds bounds = anything;
-    std::string_view at{};
-    bool given() const { return at.data() != nullptr; }
-};
 
 /// A block being read: its name where it stands. `lost`: some of it could not be understood, so that what seems to be
 /// missing is no news. `bad`: some value is wrong, so that what follows from it means nothing.
@@ -116,8 +68,8 @@ class Reader {
         bool given;
         const char* name;
     };
-    /// Notes what a block lacks.
-    void require(Block& block, std::initializer_list<Need> needs);
+    /// Notes what a block lacks, and which of its parameters say the same twice.
+    void require(Block& block, std::span<const Parameter> parameters, std::initializer_list<Need> needs = {});
     /// Notes that a word stands a second time; `first` is where it stood first, or becomes it.
     bool once(std::string_view& first, std::string_view word) {
         if (!first.data()) return first = word, true;
@@ -134,6 +86,7 @@ class Reader {
     bool closed(Block& block, std::span<const std::string_view> words, std::string_view& word);
     void unknown(Block& block, std::span<const std::string_view> words, std::string_view word);
     void read(Parameter& parameter, std::string_view word, Block& block);
+    void repeats(Block& block, const Parameter& a, const Parameter& b);
 
     template <class Action>
     void guard(Block& block, std::span<const std::string_view> words, Action action) {

@@ -237,16 +237,3 @@ TEST_CASE("many materials do not take forever, and are numbered in the order of 
     CHECK(scene.materials[count - 1].pow == count - 1);
     CHECK(reparsed(scene) == scene);
 }
-
-TEST_CASE("the manual names every parameter of every kind") {
-    const std::string manual = read_text(STRAHL_SOURCE "/src/text/README.md");
-    const auto named = [&](const char* word) {
-        CHECK_MESSAGE(manual.find("`" + std::string(word) + "`") != manual.npos, word);
-    };
-    const auto fields = [&](const auto&... field) { (named(field.name), ...); };
-    std::apply(fields, Material::fields);
-    const auto kinds = [&]<class... Kinds>(std::type_identity<std::variant<Kinds...>>) {
-        ((named(Kinds::name), std::apply(fields, Kinds::fields)), ...);
-    };
-    kinds(std::type_identity<Shape>{});
-}
