@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Random keys, mouse moves, sizes and changes of the file for a while; worth most with a sanitized build.
+# Random keys, mouse moves, window sizes and file changes for a while; most useful with a sanitized build.
 #
-#   tests/window/monkey.sh STRAHL SECONDS [SEED]
+#   tests/window/random_input.sh STRAHL SECONDS [SEED]
 #
-# Exit status: 0 if the window lived and ended without a report, 1 if not, 77 a tool is missing.
+# Exit status: 0 the window survived and the sanitizers reported nothing, 1 otherwise, 77 a tool is missing.
 set -uo pipefail
 
 strahl=$(readlink -f -- "$1") seconds=$2 seed=${3-1}
@@ -19,7 +19,7 @@ cp "$here/../../scenes/article.rt" other.rt
 cp good.rt scene.rt
 sed 's/{/{ {/' good.rt >broken.rt
 
-# What an OpenGL driver keeps until the end looks lost once its library is gone; so libraries stay.
+# Memory that an OpenGL driver keeps until the end looks leaked once its library is unloaded; so libraries stay loaded.
 echo 'int dlclose(void *library) { return !library; }' | cc -shared -fPIC -x c - -o keep.so || exit 77
 export ASAN_OPTIONS=verify_asan_link_order=0:log_path=$work/report UBSAN_OPTIONS=print_stacktrace=1:log_path=$work/report
 export TSAN_OPTIONS=log_path=$work/report:print_suppressions=0:suppressions=$here/races.txt
