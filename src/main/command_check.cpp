@@ -1,4 +1,4 @@
-// strahl check: a scene in a few lines.
+// strahl check: a summary of a scene in a few lines.
 #include "main/command_check.h"
 
 #include <algorithm>
@@ -36,21 +36,21 @@ std::string kinds_in_words(const std::vector<Primitive>& primitives, std::varian
     return words;
 }
 
-/// Of all bodies that end somewhere.
+/// The box around all bounded bodies.
 std::string bounds_in_words(const Scene& scene) {
     Box box;
-    bool endless = false;
+    bool unbounded = false;
     for (const Primitive& primitive : scene.primitives) {
         if (const Box own = world_bounds(primitive); own.finite())
             box.add(own);
         else
-            endless = true;
+            unbounded = true;
     }
     std::ostringstream words;
     if (box.empty())
-        words << (endless ? "endless" : "nothing to see");
+        words << (unbounded ? "infinite" : "no bodies");
     else
-        words << box.low << " to " << box.high << (endless ? ", and what is endless" : "");
+        words << box.low << " to " << box.high << (unbounded ? ", and unbounded bodies" : "");
     return words.str();
 }
 
@@ -85,7 +85,7 @@ std::string summary(const Scene& scene) {
 int check_command(const CheckOptions& options) {
     const std::string file = options.scene == "-" ? "standard input" : options.scene;
     const Scene scene = parse_scene(read_text(options.scene), file);
-    write_file("-", options.print ? write_scene(scene) : file + ": no faults\n" + summary(scene));
+    write_file("-", options.print ? write_scene(scene) : file + ": no errors\n" + summary(scene));
     return exit_status::done;
 }
 

@@ -47,6 +47,6 @@ done
 # Of several frames, the finished ones stay, and --resume goes on.
 expect 0 "" render long.rt -o film.bmp --frames 0-1 --size 4x3
 stop INT -o film.bmp --frames 0-9 --size 2000x1500 --resume
-grep -q "with --resume goes on" said || fault "it said: $(<said)"
+grep -q "with --resume continues" said || fault "it said: $(<said)"
 expect_only long.rt scene.rt said film-0000.bmp film-0001.bmp film-0002.part.bmp
 finish

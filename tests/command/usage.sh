@@ -25,7 +25,7 @@ refuse "Add -o FILE"
 refuse ".bmp, .png or .exr" -o x.jpg
 refuse ".bmp, .png or .exr" -o x
 refuse "--format bmp, png or exr" -o -
-refuse "a file's ending chooses its format" -o x.png --format png
+refuse "the file's ending chooses its format" -o x.png --format png
 refuse "--format" -o - --format jpg
 refuse "choose .png for 16" -o x.bmp --bits 16
 refuse "float" -o x.exr --bits 16
