@@ -1,4 +1,4 @@
-// What a surface does with light: the coefficients of the article's illumination equation.
+// The material of a body: the coefficients of the article's illumination equation.
 #pragma once
 #include <tuple>
 
@@ -6,7 +6,7 @@
 
 namespace strahl {
 
-/// The defaults are those of the article's own `defaultmaterial` listing.
+/// The default values are those of the article's `defaultmaterial` listing.
 struct Material {
     Color rgb{.5, .5, .5};   // Of
     double reflection = .5;  // Kr

@@ -1,4 +1,4 @@
-// Is a shape, where its transformations take it, still a body that numbers can tell?
+// Checks that a transformed body can still be represented in double.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -13,8 +13,8 @@
 
 namespace strahl {
 
-/// How much more the linear part of a transformation shrinks one direction than another, at most (in Frobenius norms:
-/// up to three times too much). Its largest entry should be about 1.
+/// The condition number of the linear part of a transformation, in Frobenius norms (at most three times too large): how
+/// much more it shrinks one direction than another. Its largest entry should be about 1.
 inline double condition(const glm::dmat4& m) {
     const DVec3 a(m[0]), b(m[1]), c(m[2]);
     const auto norm = [](const DVec3& u, const DVec3& v, const DVec3& w) {
@@ -25,8 +25,8 @@ inline double condition(const glm::dmat4& m) {
     return norm(a, b, c) * norm(bc, ca, ab) / std::fabs(determinant);
 }
 
-/// What the transformations do to a good shape that may not be done, or "". Vectors among a shape's arguments are
-/// taken for points, numbers for lengths.
+/// Why the transformations are not allowed for a valid shape, or "". Among the arguments of a shape, vectors are taken
+/// for points and numbers for lengths.
 template <class Kind>
 std::string transformed_fault(const Kind& shape, std::span<const Transformation> steps) {
     glm::dmat4 m = matrix(steps);

@@ -1,4 +1,4 @@
-// Where the eye stands, and its path.
+// Parses the camera and its path.
 #include "text/camera_blocks.h"
 
 #include <utility>
@@ -69,7 +69,7 @@ void CameraBlocks::check_times(const Flythrough& read_path, std::span<const KeyP
         else if (keys[i].time > read_path.duration)
             reader.diagnostics.add(places[i].time, "this is after the end, which 'duration' in " +
                                                        reader.diagnostics.line(duration) + " sets");
-    // The path that loops is at its first key again when the duration is over.
+    // A path that loops is back at its first key when the duration is over.
     Keyframe again = keys.front();
     again.time += read_path.duration;
     if (read_path.loop && keys.back().time == again.time && keys.back() != again)

@@ -1,4 +1,4 @@
-// The blocks of the scene language.
+// The parser: the blocks of the scene language.
 #include <array>
 #include <cmath>
 #include <utility>
@@ -55,7 +55,7 @@ class Parser {
     Scene scene;
     Materials materials;
     Material default_material;
-    std::string_view background_at, settings_at;  // where these once-only blocks stand
+    std::string_view background_at, settings_at;  // where these blocks are, of which a scene has one
 };
 
 Scene Parser::parse() {
@@ -65,7 +65,7 @@ Scene Parser::parse() {
         try {
             if (!word.empty())
                 top_block(word);
-            else if (!(diagnostics.any() && lexer.accept('}')))  // one too many may be our own misunderstanding
+            else if (!(diagnostics.any() && lexer.accept('}')))  // one too many may follow from an earlier error
                 lexer.fail("a block expected, such as 'sphere { ... }'");
         } catch (const ParseAbort&) {
             const bool inside = lexer.accept('{');
@@ -133,7 +133,7 @@ void Parser::global_settings(std::string_view word) {
     scene.settings = {settings.ambient_light, static_cast<int>(depth), settings.assumed_gamma.has_value()};
 }
 
-/// Overrides what the block names.
+/// Changes the parameters that the block names.
 Block Parser::material(std::string_view word, Material& target) {
     Block block{word};
     auto parameters = material_parameters(target);
@@ -158,7 +158,7 @@ Transformation Parser::transformation(std::string_view word, Block& block) {
     return Scale{v};
 }
 
-/// A shape's block: the arguments that its field table lists, then materials and transformations in any order.
+/// The block of a body: the arguments that its field table lists, then material and transformations in any order.
 template <class Kind>
 bool Parser::shape(std::string_view word) {
     limit(scene.primitives.size(), limits.primitives, word, "primitives");
@@ -196,7 +196,7 @@ bool Parser::shape(std::string_view word) {
     return true;
 }
 
-/// Notes a body that is none: by its own arguments, or by its transformations, of which `last` is the last one's place.
+/// Reports a body that is invalid by its arguments or by its transformations, the last of which is at `last`.
 template <class Kind>
 void Parser::check(const Kind& shape, const Primitive& primitive, std::string_view word, std::string_view last) {
     const std::string name(word);

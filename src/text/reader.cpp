@@ -1,4 +1,4 @@
-// Values, and the frame of a block: braces, words, what to do when they are wrong.
+// Reads values and blocks, and recovers from errors.
 #include "text/reader.h"
 
 namespace strahl {
@@ -68,7 +68,7 @@ void Reader::open(const Block& block) {
     if (!lexer.accept('{')) lexer.fail("'{' expected after " + quoted(block.name));
 }
 
-/// Is the block at its end? Else `word` is the next word in it, or empty if something else came and was noted.
+/// Is the block at its end? If not, `word` is the next word in it, or empty if something else came and was reported.
 bool Reader::closed(Block& block, std::span<const std::string_view> words, std::string_view& word) {
     if (lexer.accept('}')) return true;
     if (lexer.at_end()) {
@@ -80,7 +80,7 @@ bool Reader::closed(Block& block, std::span<const std::string_view> words, std::
         guard(block, words, [&] { lexer.fail("a word or '}' expected in " + quoted(block.name)); });
         return false;
     }
-    // A block of the top level inside of another: its closing brace is missing.
+    // A top-level block inside another block: a closing brace is missing.
     if (contains(words, word) || !contains(blocks, word) || lexer.peek() != '{') return false;
     if (!block.lost)
         diagnostics.add(

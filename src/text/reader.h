@@ -1,4 +1,4 @@
-// Reads the values and blocks that all parts of the language are made of.
+// Reads values and blocks.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -12,13 +12,13 @@
 
 namespace strahl {
 
-/// A block being read: its name where it stands. `lost`: some of it could not be understood, so that what seems to be
-/// missing is no news. `bad`: some value is wrong, so that what follows from it means nothing.
+/// A block being read, and its name where it stands. `lost`: part of it could not be parsed, so missing parameters are
+/// not reported. `bad`: some value is wrong, so errors that follow from it are not reported.
 struct Block {
     std::string_view name;
     bool lost = false, bad = false;
     bool good() const { return !lost && !bad; }
-    /// What was wrong in a block inside of this one.
+    /// Takes over the state of a block inside this one.
     void absorb(const Block& inner) { lost |= inner.lost, bad |= inner.bad; }
 };
 
@@ -27,12 +27,12 @@ class Reader {
     Reader(std::string_view text, Diagnostics& diagnostics, std::span<const std::string_view> blocks)
         : lexer(text, diagnostics), diagnostics(diagnostics), blocks(blocks) {}
 
-    /// Values out of bounds are noted, and reading goes on.
+    /// Values out of bounds are reported, and reading continues.
     void read(double& value, const Bounds& bounds, std::string_view name, Block& block);
     void read(DVec3& value, const Bounds& bounds, std::string_view name, Block& block);
 
-    /// Reads `{ ... }`: first what `arguments()` reads, then words, of which `item(word)` reads the values; it says
-    /// whether it knew the word. `words` are all that it knows.
+    /// Reads `{ ... }`: first `arguments()`, then words. `item(word)` reads the value of a word and returns whether it
+    /// knows the word; `words` are all words that it knows.
     template <class Arguments, class Item>
     void block(Block& block, std::span<const std::string_view> words, Arguments arguments, Item item) {
         open(block);
@@ -43,7 +43,7 @@ class Reader {
                     if (!item(word)) unknown(block, words, word);
                 });
     }
-    /// A block of parameters, and other words for `item`.
+    /// Reads a block of parameters, and other words by `item`.
     template <std::size_t count, std::size_t others, class Item>
     void block(Block& block, std::array<Parameter, count>& parameters,
                const std::array<std::string_view, others>& other_words, Item item) {
@@ -68,9 +68,9 @@ class Reader {
         bool given;
         const char* name;
     };
-    /// Notes what a block lacks, and which of its parameters say the same twice.
+    /// Reports missing parameters, and pairs of which only one may be given.
     void require(Block& block, std::span<const Parameter> parameters, std::initializer_list<Need> needs = {});
-    /// Notes that a word stands a second time; `first` is where it stood first, or becomes it.
+    /// Reports a word that is given a second time. `first` is the place of the first time, and is set then.
     bool once(std::string_view& first, std::string_view word) {
         if (!first.data()) return first = word, true;
         diagnostics.add(word, "a second " + quoted(word) + "; the first is in " + diagnostics.line(first));
@@ -79,7 +79,7 @@ class Reader {
 
     Lexer lexer;
     Diagnostics& diagnostics;
-    const std::span<const std::string_view> blocks;  // words of the top level
+    const std::span<const std::string_view> blocks;  // words that open a top-level block
 
   private:
     void open(const Block& block);

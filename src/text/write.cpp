@@ -1,4 +1,4 @@
-// Scenes as text, such as a person would write it.
+// Writes scenes as text, in the form a person would write.
 #include "text/write.h"
 
 #include <tuple>
@@ -9,7 +9,7 @@
 namespace strahl {
 namespace {
 
-/// The parameters of `material`; only those that differ from `base`, if there is one.
+/// The parameters of `material`; if there is a `base`, only those that differ from it.
 std::string parameters(const Material& material, const Material* base, const char* separator) {
     std::string text;
     const auto add = [&](const auto& field) {
@@ -31,7 +31,7 @@ std::string transformation_text(const Transformation& step) {
     return std::visit(words, step);
 }
 
-/// `base` is the default material in force, or nullptr if the primitive has just that one.
+/// `base` is the default material in force, or nullptr if the primitive has that one.
 std::string primitive_text(const Primitive& primitive, const Material& own, const Material* base) {
     std::string text = std::visit(
         [](const auto& shape) {
@@ -70,7 +70,7 @@ std::string primitives_text(const std::vector<Primitive>& primitives, const std:
     Material in_force;
     for (std::size_t i = 0; i < primitives.size(); ++i) {
         const Material& own = materials[primitives[i].material];
-        // One that differs among its neighbours has a material of its own; where several follow, the default changes.
+        // A single primitive that differs gets a material of its own; for a run of them the default changes.
         const bool same = own == in_force;
         const bool alone = i + 1 == primitives.size() || materials[primitives[i + 1].material] != own;
         if (!same && !alone) {
