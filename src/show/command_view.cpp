@@ -1,4 +1,4 @@
-// The window's command: reads the scene, opens the window.
+// strahl view: reads the scene and opens the window.
 #include "show/command_view.h"
 
 #include "show/viewer.h"

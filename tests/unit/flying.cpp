@@ -1,4 +1,4 @@
-// Camera, hands, flights and commands, without a window.
+// Camera, input, flights and commands, without a window.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -32,9 +32,9 @@ const std::string path_text =
 TEST_CASE("flying keeps the direction, and goes where the picture's axes point") {
     const CameraFrame frame = frame_of(camera, 1);
     for (int axis = 0; axis < 3; ++axis) {
-        Hands hands;
-        hands.push[axis] = 2;
-        const Camera moved = fly(camera, hands);
+        CameraInput input;
+        input.push[axis] = 2;
+        const Camera moved = fly(camera, input);
         const DVec3 way = moved.position - camera.position;
         const DVec3 expected = axis == 0 ? frame.right : axis == 1 ? sky : frame.forward;
         CHECK(distance(way, expected * 2.) < 1e-12);
@@ -88,7 +88,7 @@ TEST_CASE("keys push while they are down, and a tap for one moment") {
     CHECK(controls.active(1.02));
     CHECK(controls.take(0.02, 1.02).push == DVec3(0, 0, 0.02));
     CHECK(!controls.active(1.03));
-    CHECK(controls.take(0.02, 1.04) == Hands{});
+    CHECK(controls.take(0.02, 1.04) == CameraInput{});
 
     controls.press(Push::left, 2);
     controls.press(Push::up, 2);
@@ -101,9 +101,9 @@ TEST_CASE("keys push while they are down, and a tap for one moment") {
 TEST_CASE("the key back is a tap or a push, never both") {
     Controls controls;
     controls.press(Push::back, 1);
-    CHECK(controls.take(0.02, 1.1) == Hands{});
+    CHECK(controls.take(0.02, 1.1) == CameraInput{});
     CHECK(controls.release(Push::back, 1.15));
-    CHECK(controls.take(0.02, 1.16) == Hands{});
+    CHECK(controls.take(0.02, 1.16) == CameraInput{});
     CHECK(!controls.active(1.16));
 
     controls.press(Push::back, 2);
@@ -122,8 +122,8 @@ TEST_CASE("what the mouse has turned is taken once") {
     controls.drag(0.1, -0.2, 1);
     controls.drag(0.1, 0, 1.01);
     CHECK(controls.active(1.05));
-    CHECK(controls.take(0.02, 1.05) == Hands{.right = 0.2, .upwards = -0.2});
-    CHECK(controls.take(0.02, 1.06) == Hands{});
+    CHECK(controls.take(0.02, 1.05) == CameraInput{.right = 0.2, .upwards = -0.2});
+    CHECK(controls.take(0.02, 1.06) == CameraInput{});
     CHECK(!controls.active(1.2));
 }
 

@@ -104,11 +104,11 @@ TEST_CASE("an expanded level is exact at its pixels and between its neighbours e
 }
 
 TEST_CASE("tiles are stored where their pixels belong") {
-    const Codes codes(false);
+    const TransferTable table(false);
     const std::vector<float> rgb{0, .5f, 1, 2, -1, .25f};
     Image level;
     level.resize(4, 3);
-    store({{8, 4, 2, 1, 4, 2}, std::span<const float>(rgb)}, codes, {4, 2}, level);
+    store({{8, 4, 2, 1, 4, 2}, std::span<const float>(rgb)}, table, {4, 2}, level);
     CHECK(level.rgba[2 * 4 + 2] == (128u << 8 | 255u << 16 | 0xff000000u));
     CHECK(level.rgba[2 * 4 + 3] == (255u | 64u << 16 | 0xff000000u));
     CHECK(level.rgba[2 * 4 + 1] == 0);
@@ -116,8 +116,8 @@ TEST_CASE("tiles are stored where their pixels belong") {
 
 TEST_CASE("the tabulated transfer curve is the curve") {
     for (const bool linear : {false, true}) {
-        const Codes codes(linear);
-        const auto check = [&](float v) { CHECK(codes(v) == quantise(v, linear, 255)); };
+        const TransferTable table(linear);
+        const auto check = [&](float v) { CHECK(table(v) == quantise(v, linear, 255)); };
         for (const float v : {0.f, -0.f, -1.f, 1.f, 2.f, NAN, INFINITY, -INFINITY, 1e-40f, 0.99999994f}) check(v);
         for (int i = 0; i <= 100000; ++i) check(static_cast<float>(i) / 99991);
         // Around each step of the curve, float by float.

@@ -49,9 +49,9 @@ class Watcher {
                 if (!wake.wait_for(lock, std::chrono::seconds(10), [this] { return heard; })) return false;
                 heard = false;
             }
-            const auto news = tracing.take([this](const Fresh& fresh) { copy(fresh); });
-            if (news) state = *news;
-            if (news && enough(state)) return true;
+            const auto notify = tracing.take([this](const Fresh& fresh) { copy(fresh); });
+            if (notify) state = *notify;
+            if (notify && enough(state)) return true;
         }
     }
     bool finish(std::uint64_t number) {

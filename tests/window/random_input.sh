@@ -75,7 +75,7 @@ status=$?
 pid=
 count() { grep -c "$1" log; }
 echo "$actions actions in $seconds s, seed $seed: $(count 'rest after') motions, $(count 'read again') files read," \
-    "$(count 'has a fault') faulty ones, $(count 'still saved') stills; exit status $status"
+    "$(count 'has an error') faulty ones, $(count 'still saved') stills; exit status $status"
 ((status == 0)) && ! compgen -G 'report*' >/dev/null && exit 0
 tail -n 3 log
 cat report* | head -n 200
