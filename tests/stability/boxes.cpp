@@ -68,7 +68,7 @@ TEST_CASE("the textbooks' slab test loses rays with a zero in their direction") 
     CHECK(!naive_slab(box, Vec3<float>{.5f, .5f, -1}, Vec3<float>{-0.f, 0, 1}));  // through its very middle
 }
 
-TEST_CASE("rays along an axis meet what they should, down to the last bit of the outline, in a hierarchy too") {
+TEST_CASE("rays along an axis hit correctly to the last bit of the outline, also in a hierarchy") {
     // Balls and cans side by side: the boxes' faces lie in common planes, in which some of the rays run.
     constexpr double radius = 1, pitch = 2;
     const double inside = std::nextafter(1.f, 0.f), outside = std::nextafter(1.f, 2.f);
@@ -144,7 +144,7 @@ TEST_CASE("discs thinner than the last bit of where they are hit") {
     }
 }
 
-TEST_CASE("dust: balls no larger than the last bits of their places") {
+TEST_CASE("dust: balls no larger than the last bits of their positions") {
     // Boxes are kept in float; unless rounded outwards they cut off half of such a ball.
     Stage stage;
     Dice dice;
@@ -164,7 +164,7 @@ TEST_CASE("dust: balls no larger than the last bits of their places") {
         }
 }
 
-TEST_CASE("a hierarchy of cans on a grid, looked at along every axis, shows what a plain loop shows") {
+TEST_CASE("a hierarchy of cylinders on a grid, seen along every axis, equals a plain loop") {
     // The faces of their boxes are all in a few planes, in which rays run.
     for (const int axis : {0, 1, 2}) {
         DVec3 along(0), up(0);
@@ -198,7 +198,7 @@ TEST_CASE("a hierarchy of cans on a grid, looked at along every axis, shows what
     }
 }
 
-TEST_CASE("neighbours in a pack do not decide what a ray finds") {
+TEST_CASE("a ray's hit does not depend on its neighbours in the pack") {
     const Scene scene = still_life();
     const Frame whole = shoot(scene, Precision::float32, {64, 48, 3});
     const View view{.camera = scene.camera, .width = 64, .height = 48, .depth = 3};

@@ -51,7 +51,7 @@ TEST_CASE("equal balls: of two, and of many in a hierarchy, with any threads and
             }
 }
 
-TEST_CASE("taking the last of equals instead, or whichever a hierarchy meets first, is not the same") {
+TEST_CASE("taking the last of equal bodies, or the first in the hierarchy, gives other pictures") {
     // What the rule saves from: the nearest by `<=` is the last declared.
     const SphereKernel<float> ball{{0, 0, 0}, 1};
     const Ray<float> ray{{.3f, .2f, -5}, {0, 0, 1}, -1};
@@ -62,7 +62,7 @@ TEST_CASE("taking the last of equals instead, or whichever a hierarchy meets fir
     CHECK(naive == 1);
 }
 
-TEST_CASE("equal planes and cans, and the same ball written in three ways") {
+TEST_CASE("equal planes and cylinders, and the same ball written in three ways") {
     const auto only_red = [](const Stage& stage) {
         for (const Precision precision : precisions) {
             const Frame frame = shoot(stage.scene, precision);
@@ -86,7 +86,7 @@ TEST_CASE("equal planes and cans, and the same ball written in three ways") {
                  .put(Cylinder{{-.1, .2, 0}, {-.1, .2, 2}, .5}, glow(blue)));
 }
 
-TEST_CASE("of two bodies in the same place light and mirrored rays see the first alone") {
+TEST_CASE("of two bodies in one place, light and reflected rays see only the first") {
     // Its double, a rounding error before or behind, would be in the way of every second ray.
     Material shiny = paint({.8, .6, .4});
     shiny.reflection = .5, shiny.specular = .5;
@@ -108,7 +108,7 @@ TEST_CASE("of two bodies in the same place light and mirrored rays see the first
     }
 }
 
-TEST_CASE("glass with water: the wall in common, whichever is declared first, is the same from run to run") {
+TEST_CASE("glass with water: their common surface is the same in every run") {
     for (const bool water_first : {false, true}) {
         Stage stage;
         stage.background({.25, .5, .75}).light({-3, -5, 6});

@@ -22,7 +22,7 @@ void finite_in_all(const Scene& scene, const Shot& shot = {33, 25, 5}) {
 
 }  // namespace
 
-TEST_CASE("a light on, in and within a hair of a surface") {
+TEST_CASE("a light on, inside and very near to a surface") {
     // l is 0 / 0 in the point itself.
     for (const double x : {0., -1., -1 + 1e-16, -1 - 1e-16, -1 - 1e-300, -.5}) {
         Stage stage;
@@ -36,7 +36,7 @@ TEST_CASE("a light on, in and within a hair of a surface") {
     }
 }
 
-TEST_CASE("a light in the very point that a ray meets") {
+TEST_CASE("a light exactly at a hit point") {
     Material shiny = paint({1, 1, 1});
     shiny.specular = 1, shiny.pow = 2, shiny.reflection = .5;
     Stage stage;
@@ -70,7 +70,7 @@ TEST_CASE("highlights of every exponent") {
     }
 }
 
-TEST_CASE("a mirrored ray that goes straight into the lamp") {
+TEST_CASE("a reflected ray that hits a light") {
     // Its cosine is 1 but for rounding, and 1.0000001 to the power of 1e9 is no highlight any more.
     Dice dice;
     for (int i = 0; i < 100; ++i) {
@@ -102,7 +102,7 @@ TEST_CASE("sizes and places from the smallest to the largest number a scene may 
     }
 }
 
-TEST_CASE("everything at one place") {
+TEST_CASE("all bodies at one place") {
     for (const double place : {0., 1e-300, 1., 1e15}) {
         Stage stage;
         stage.look({place, place, place}, {place, place + std::max(1., place), place}, 45);
@@ -112,7 +112,7 @@ TEST_CASE("everything at one place") {
     }
 }
 
-TEST_CASE("stretched out of all proportion") {
+TEST_CASE("extreme scaling") {
     for (const double stretch : {1e-12, 1e-6, 1e6, 1e12})
         for (const int axis : {0, 1, 2}) {
             CAPTURE(stretch);
@@ -130,7 +130,7 @@ TEST_CASE("stretched out of all proportion") {
         }
 }
 
-TEST_CASE("the brightest a file may ask for is still a number, in every precision") {
+TEST_CASE("the brightest scene allowed gives finite values in every precision") {
     // Products of three: a light, a share and a colour. In float 3.4e38 is the end.
     const std::string largest = "1e308";
     const auto text = [](const std::string& bright) {
@@ -152,7 +152,7 @@ TEST_CASE("the brightest a file may ask for is still a number, in every precisio
     finite_in_all(parse_scene(text("1e9"), "bright.rt"));
 }
 
-TEST_CASE("the largest and smallest index of refraction of a file") {
+TEST_CASE("the largest and smallest index of refraction allowed") {
     const auto text = [](const std::string& ior) {
         return "camera { position <0,-6,0> look_at <0,0,0> sky <0,0,1> fov 20 }\n"
                "sphere { <0,0,0>, 1 material { refraction 1 ior " +

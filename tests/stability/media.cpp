@@ -55,7 +55,7 @@ TEST_CASE("total reflection at its threshold") {
         }
 }
 
-TEST_CASE("the last rays that pass glass leave along it") {
+TEST_CASE("rays at the threshold of total reflection leave along the surface") {
     // Just above the threshold the ray leaves at a grazing angle and must not meet the glass again.
     const double critical = std::asin(std::sqrt(5. / 9)) / degree;
     for (const double above : {1e-3, 1e-6, 1e-9, 1e-12})
@@ -92,7 +92,7 @@ TEST_CASE("a bubble of air in glass of water") {
     }
 }
 
-TEST_CASE("glass of index 1, or as good as none, bends nothing") {
+TEST_CASE("glass of index 1, or almost 1, does not refract") {
     for (const double ior : {1., 1 + 0x1p-52, 1 - 0x1p-53}) {
         Stage stage;
         stage.background({.5, .5, .5}).put(Sphere{{.3, 3, .2}, .8}, glow({1, .5, .25}));

@@ -53,7 +53,7 @@ TEST_CASE("a plane reaches to the horizon") {
     }
 }
 
-TEST_CASE("a ray within a plane does not meet it") {
+TEST_CASE("a ray within a plane does not hit it") {
     const PlaneKernel<double> plane{{0, 0, 1}, 0};
     for (const double height : {0., -0., 1., -1.})
         for (const double slope : {0., -0.}) {
@@ -64,7 +64,7 @@ TEST_CASE("a ray within a plane does not meet it") {
     CHECK(std::isnan((0 - 0.) / 0.));  // what the naive way goes on with
 }
 
-TEST_CASE("an eye in a plane sees through it, and nothing that is no number") {
+TEST_CASE("an eye in a plane sees through it, without NaN") {
     // The middle row looks along the plane exactly.
     for (const bool tilted : {false, true}) {
         const DVec3 side = tilted ? DVec3{3, 0, 4} : DVec3{1, 0, 0};
@@ -85,7 +85,7 @@ TEST_CASE("an eye in a plane sees through it, and nothing that is no number") {
     }
 }
 
-TEST_CASE("a grazing plane far off, in double, is the exact one") {
+TEST_CASE("a far plane at a grazing angle is exact in double") {
     for (const double shift : {1e4, 1e6, 1e8}) {
         CAPTURE(shift);
         Stage stage;

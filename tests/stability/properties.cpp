@@ -41,7 +41,7 @@ TEST_CASE("any power of two as the unit of length gives the same bits") {
     }
 }
 
-TEST_CASE("a unit that is no power of two, and the origin anywhere: within the rounding of the scene's own numbers") {
+TEST_CASE("any other unit of length, and any origin: equal up to the rounding of the scene's numbers") {
     const Scene scene = still_life();
     for (const Precision precision : precisions) {
         const Frame frame = shoot(scene, precision);
@@ -63,12 +63,12 @@ TEST_CASE("a unit that is no power of two, and the origin anywhere: within the r
     }
 }
 
-TEST_CASE("the naive way: coordinates as they are, in float, 1e6 from the origin, are off by a sixteenth") {
+TEST_CASE("naive: untransformed float coordinates 1e6 from the origin are off by a sixteenth") {
     const float there = 1e6f + .03f;
     CHECK(std::abs((there - 1e6f) - .03f) > .01f);
 }
 
-TEST_CASE("left and right") {
+TEST_CASE("mirror images") {
     const Scene scene = still_life();
     for (const Precision precision : precisions) {
         const Frame frame = shoot(scene, precision, {65, 48}), other = shoot(mirrored(scene), precision, {65, 48});
@@ -77,7 +77,7 @@ TEST_CASE("left and right") {
     }
 }
 
-TEST_CASE("the order of bodies that do not coincide does not matter, nor, but for the last bits, that of lights") {
+TEST_CASE("the order of separate bodies does not matter, nor, except for the last bits, that of lights") {
     const Scene scene = still_life();
     Scene reversed = scene, lights = scene;
     std::ranges::reverse(reversed.primitives);
@@ -90,7 +90,7 @@ TEST_CASE("the order of bodies that do not coincide does not matter, nor, but fo
     }
 }
 
-TEST_CASE("threads, lanes") {
+TEST_CASE("the number of threads and lanes does not matter") {
     // Products of round numbers are exact, and whether they are fused with a sum would not be seen.
     Scene scene = still_life();
     for (Material& m : scene.materials) m.reflection *= .7, m.refraction *= .9, m.rgb *= .83, m.ior *= 1.01;
@@ -104,7 +104,7 @@ TEST_CASE("threads, lanes") {
     }
 }
 
-TEST_CASE("turning the scene and the camera together by a quarter") {
+TEST_CASE("turning scene and camera together by 90 degrees") {
     const Scene scene = still_life();
     Scene turned = scene;
     const auto turn = [](DVec3& p) { p = {-p.y, p.x, p.z}; };
@@ -116,7 +116,7 @@ TEST_CASE("turning the scene and the camera together by a quarter") {
                           precision == Precision::float32 ? 1e-4 : 1e-11) < .005);
 }
 
-TEST_CASE("a scene is as precise as its camera is near") {
+TEST_CASE("precision depends on the distance from the camera, not from the origin") {
     // In float, at coordinates of 1e4 to 1e8, where the plain way has wrong pixels by the percent.
     const Scene scene = still_life();
     for (const double far : {1e4, 1e6, 1e8}) {

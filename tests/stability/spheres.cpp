@@ -77,7 +77,7 @@ TEST_CASE("the outline of a ball 4096 radii away, in float") {
     CHECK(!ours(outside, z, centre, 1.f).hit);
 }
 
-TEST_CASE("hit or miss, of far balls by chance") {
+TEST_CASE("hit or miss at random far balls") {
     constexpr int rays = 20000;
     const Wrong naive_float = wrong_answers<float>(rays, naive::sphere<float>);
     const Wrong our_float = wrong_answers<float>(rays, ours<float>);
@@ -109,7 +109,7 @@ TEST_CASE("rays one ulp outside a ball miss, one ulp inside they hit, from any d
     CHECK(our_wrong == 0);
 }
 
-TEST_CASE("a ball as large as the earth as the ground") {
+TEST_CASE("the ground is a ball as large as the earth") {
     // Straight down from 1 above radius 1e7; and 1.5 above radius 1e6, down a slope of 1 in 100.
     CHECK(std::abs(naive::stable_sphere<float>({0, 1, 0}, {0, -1, 0}, {0, -1e7f, 0}, 1e7f).near - 1) > .1);
     CHECK(ours<double>({0, 1, 0}, {0, -1, 0}, {0, -1e7, 0}, 1e7).near == doctest::Approx(1).epsilon(1e-9));
@@ -123,7 +123,7 @@ TEST_CASE("a ball as large as the earth as the ground") {
     CHECK(std::abs(span.near - static_cast<double>(exact.near)) < 1e-6);
 }
 
-TEST_CASE("the picture of a world on a huge ball, in double") {
+TEST_CASE("a picture of a scene on a huge ball, in double") {
     Stage stage;
     stage.look({0, -6, 1}, {0, 0, 0}, 30).light({-5, -5, 9}).background({.2, .3, .5});
     stage.put(Sphere{{0, 0, -1e7 - 1}, 1e7}, paint({.5, .6, .4}));
@@ -136,7 +136,7 @@ TEST_CASE("the picture of a world on a huge ball, in double") {
     CHECK(share_apart(twice, extended, 1e-6) == 0);
 }
 
-TEST_CASE("balls of a millionth, seen through a lens as narrow") {
+TEST_CASE("balls of radius 1e-6 through a narrow lens") {
     constexpr int width = 160, height = 120;
     const double reach = std::tan(.001 * std::numbers::pi / 180), per_pixel = 2 * reach / width;
     for (const double radius : {8e-6, 1.1e-5, 8e-9}) {

@@ -56,7 +56,7 @@ Comparison compare(float size, float shift, int rays) {
 
 }  // namespace
 
-TEST_CASE("a ray leaves the sphere it starts on, and crosses it inside, at every size and far from the origin") {
+TEST_CASE("a ray leaves the sphere it starts on, and crosses it inside, at any size and far from the origin") {
     constexpr int rays = 10000;
     struct {
         float size, shift;
@@ -102,7 +102,7 @@ TEST_CASE("a point of a sphere is not in the sphere's own shadow") {
         }
 }
 
-TEST_CASE("a mirror ball, a glass ball and a can look the same at any size") {
+TEST_CASE("a mirror ball, a glass ball and a cylinder look the same at any size") {
     Stage stage;
     stage.background({.5, .25, .125}).light({-4, -5, 6});
     stage.put(Sphere{{-1.25, 0, 0}, 1}, mirror(.5)).put(Sphere{{1, 0, .25}, .75}, glass(1.5, .75));
@@ -117,7 +117,7 @@ TEST_CASE("a mirror ball, a glass ball and a can look the same at any size") {
     }
 }
 
-TEST_CASE("contact shadows: a thing just above the ground darkens it, however small the gap") {
+TEST_CASE("contact shadows: a body just above the ground darkens it, at any gap") {
     // A flat can over a plane, light straight above. Naive: obstacles nearer than 1e-3 cast none.
     for (const double gap : {9e-4, 5e-4, 1e-6, 1e-9}) {
         CAPTURE(gap);
@@ -135,7 +135,7 @@ TEST_CASE("contact shadows: a thing just above the ground darkens it, however sm
     }
 }
 
-TEST_CASE("bodies that touch: light in the gap goes as far as it should") {
+TEST_CASE("bodies that touch: light enters the gap correctly") {
     // A ball that lies on a plane and one whose lowest point is 1e-9 above: the point of contact is dark, all else the
     // light reaches, is lit.
     for (const double gap : {0., 1e-9, 1e-6}) {

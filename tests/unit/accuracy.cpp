@@ -37,7 +37,7 @@ double apart(const Frame& a, const Frame& b, int pixel) {
 
 // Of the scene's depth: the exact picture of unlimited depth can't be had, and what is past the depth is tested in
 // bound.cpp.
-TEST_CASE("no picture is farther from the exact one than was allowed, off the edges") {
+TEST_CASE("off the edges no picture exceeds the error allowed") {
     ThreadPool pool(2), alone(1);
     const std::vector<std::string> paths = scene_names();
     REQUIRE(paths.size() > 50);
@@ -68,7 +68,7 @@ TEST_CASE("no picture is farther from the exact one than was allowed, off the ed
     }
 }
 
-TEST_CASE("precision and depth follow from the error, unless they are given") {
+TEST_CASE("precision and depth follow from the error unless given") {
     ThreadPool pool(2);
     const Scene scene = read_scene("article");
     const View view{.camera = scene.camera, .width = 64, .height = 48};
@@ -96,7 +96,7 @@ TEST_CASE("pictures of any size can be sampled") {
     }
 }
 
-TEST_CASE("an edge is a jump, however far from it light changes") {
+TEST_CASE("an edge is a jump, not a gradual change") {
     ThreadPool pool(1);
     const Scene scene = read_scene("crosscheck/highlights");
     const View view{.camera = scene.camera, .width = columns, .height = rows};

@@ -64,7 +64,7 @@ void hold(const Scene& scene, int depth) {
 
 }  // namespace
 
-TEST_CASE("no more light is missing than the bound says") {
+TEST_CASE("no more radiance is lost than the bound says") {
     for (int seed = 0; seed < 40; ++seed) {
         CAPTURE(seed);
         hold(random_scene(seed, {.camera_inside = seed % 4 == 3}), 1 + seed % 5);
@@ -75,7 +75,7 @@ TEST_CASE("no more light is missing than the bound says") {
     }
 }
 
-TEST_CASE("glass that brightens the light going through it") {
+TEST_CASE("glass that brightens light") {
     Scene scene;
     scene.camera = {{0, -6, 2}, {0, 0, 0}, {0, 0, -1}, 20, {}};
     scene.lights = {{{0, 0, 5}, {1, 1, 1}}};
@@ -89,7 +89,7 @@ TEST_CASE("glass that brightens the light going through it") {
     CHECK(std::isinf(counts.lost()));
 }
 
-TEST_CASE("a larger error allows fewer rays, and none allows all") {
+TEST_CASE("a larger error needs fewer rays, and error 0 traces all") {
     const Scene scene = facing_mirrors();
     const View view = view_of(scene, 20);
     Tracer tracer(scene, Precision::float64);

@@ -47,7 +47,7 @@ bool holds(const Node& node, int child, const ItemBox& box, float margin) {
 
 }  // namespace
 
-TEST_CASE("every item is in one leaf, and every box around it holds it and the margin") {
+TEST_CASE("every item is in one leaf, and all boxes around it contain it with the margin") {
     for (const int count : {1, 2, 17, 300, 60000}) {
         const std::vector<ItemBox> boxes = clustered_boxes(count);
         const float margin = .25f;
@@ -98,7 +98,7 @@ TEST_CASE("the hierarchy does not depend on the number of threads") {
     }
 }
 
-TEST_CASE("duplicates are what was declared before, and nothing else") {
+TEST_CASE("duplicates are exactly the bodies that were declared before") {
     using Ball = Item<SphereKernel>::Of<float>;
     std::mt19937 random(3);
     std::vector<Ball> balls(20000);

@@ -130,7 +130,7 @@ TEST_CASE("scenes made by hand") {
     conclude(tally);
 }
 
-TEST_CASE("scenes made by chance") {
+TEST_CASE("random scenes") {
     std::array<Tally, 3> tally;
     for (int seed = 0; seed < random_scenes; ++seed) {
         CAPTURE(seed);

@@ -47,7 +47,7 @@ double largest_difference(const Scene& scene, Precision precision) {
 
 }  // namespace
 
-TEST_CASE("pictures are the same with and without knowing what each body can be met from") {
+TEST_CASE("light culling does not change pictures") {
     int index = 0, seen = 0;
     for (const std::string& name : scene_names()) {
         if (index++ % every) continue;
@@ -60,7 +60,7 @@ TEST_CASE("pictures are the same with and without knowing what each body can be 
     CHECK(seen >= 50 / every);
 }
 
-TEST_CASE("the same of random scenes") {
+TEST_CASE("light culling does not change pictures of random scenes") {
     for (int seed = 0; seed < random_scenes; ++seed) {
         CAPTURE(seed);
         const RandomScene what{.transparent = seed % 3 != 0, .camera_inside = seed % 5 == 4};
@@ -68,7 +68,7 @@ TEST_CASE("the same of random scenes") {
     }
 }
 
-TEST_CASE("what is between a point of a body and a light is among its occluders, and in its cone") {
+TEST_CASE("bodies between a body and a light are among its occluders, and in its cone") {
     std::mt19937 engine(7);
     const auto dice = [&](double low, double high) { return low + (high - low) * engine() * 0x1p-32; };
     const auto place = [&](double size) { return DVec3(dice(-size, size), dice(-size, size), dice(-size, size)); };
@@ -120,7 +120,7 @@ TEST_CASE("what is between a point of a body and a light is among its occluders,
     CHECK(outside_cone > 100000);
 }
 
-TEST_CASE("a body is isolated if nothing reaches into it") {
+TEST_CASE("a body is isolated if no other body reaches into it") {
     const auto ball = [](const DVec3& centre, double radius) {
         return BoundingVolume{{centre - radius, centre + radius}, {centre, radius}};
     };

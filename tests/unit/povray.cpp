@@ -42,7 +42,7 @@ std::string output_of(const std::string& command) {
 
 }  // namespace
 
-TEST_CASE("every scene's picture is POV-Ray's") {
+TEST_CASE("every scene's picture agrees with POV-Ray's") {
     const std::vector<std::string> names = scene_names();
     const auto table = allowed_table();
     std::atomic<std::size_t> next = 0;
@@ -70,7 +70,7 @@ TEST_CASE("every scene's picture is POV-Ray's") {
     CHECK_MESSAGE(faults.empty(), faults);
 }
 
-TEST_CASE("povray runs an emitted .ini as it stands, without a warning, and makes the picture that strahl makes") {
+TEST_CASE("povray renders an emitted .ini without warnings, to Strahl's picture") {
     const Scratch scratch;
     for (const char* name : {"crosscheck/total_reflection", "crosscheck/linear_light", "crosscheck/camera_inside"}) {
         CAPTURE(name);
@@ -119,7 +119,7 @@ TEST_CASE("an animation of ten frames agrees frame by frame") {
     }
 }
 
-TEST_CASE("without povray there is a message that helps") {
+TEST_CASE("without povray the message says what to install") {
     const Scene scene = read_scene("crosscheck/ambient");
     const std::string path = std::getenv("PATH");
     setenv("PATH", "/nowhere", 1);

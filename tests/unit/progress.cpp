@@ -14,7 +14,7 @@
 namespace strahl {
 namespace {
 
-TEST_CASE("what the line says") {
+TEST_CASE("the text of the progress line") {
     CHECK(progress_text(0, 0) == "  0 %");
     CHECK(progress_text(0, 100) == "  0 %");
     CHECK(progress_text(.5, .1) == " 50 %");  // too early to tell the rest
@@ -59,18 +59,18 @@ void work(bool quiet) {
     progress.advance(250, 1000);  // late news of what is long done
 }
 
-TEST_CASE("on a terminal the line never runs backwards and is erased at the end") {
+TEST_CASE("on a terminal progress never decreases, and the line is erased at the end") {
     const std::string text = on_terminal([] { work(false); });
     CHECK(text.find("\rframe 2  99 %") != std::string::npos);
     CHECK(text.find("25 %") == std::string::npos);
     CHECK(text.substr(text.size() - 5) == "\r\033[K.");
 }
 
-TEST_CASE("quiet is silent") {
+TEST_CASE("--quiet writes nothing") {
     CHECK(on_terminal([] { work(true); }) == ".");
 }
 
-TEST_CASE("whoever reads a pipe sees nothing") {
+TEST_CASE("nothing is written to a pipe") {
     std::array<int, 2> pipe;
     REQUIRE(::pipe(pipe.data()) == 0);
     const int saved = ::dup(STDERR_FILENO);

@@ -23,7 +23,7 @@ void visit(const Lattice& lattice, const auto& pixel) {
 
 }  // namespace
 
-TEST_CASE("a level and the passes after it meet every pixel exactly once") {
+TEST_CASE("a level and the passes after it contain every pixel exactly once") {
     for (const auto& [width, height] : sizes)
         for (int first = 0; first <= finest_level; ++first) {
             std::vector<int> met(width * height);
@@ -49,7 +49,7 @@ TEST_CASE("every level has twice the pixels of the one before, from every 16th t
         CHECK(count(pixels_of(level, 64, 48)) == 2 * count(pixels_of(level - 1, 64, 48)));
 }
 
-TEST_CASE("blocks never cover a pixel that is traced already, and leave nothing uncovered") {
+TEST_CASE("blocks never cover a traced pixel, and leave no pixel uncovered") {
     const int width = 37, height = 29;
     Image whole;
     whole.resize(width, height);
@@ -114,7 +114,7 @@ TEST_CASE("tiles are stored where their pixels belong") {
     CHECK(level.rgba[2 * 4 + 1] == 0);
 }
 
-TEST_CASE("the tabulated transfer curve is the curve") {
+TEST_CASE("the tabulated transfer curve equals quantise") {
     for (const bool linear : {false, true}) {
         const TransferTable table(linear);
         const auto check = [&](float v) { CHECK(table(v) == quantise(v, linear, 255)); };
@@ -151,7 +151,7 @@ std::vector<int> run(Resolution& resolution, int pictures, double seconds_per_pi
 
 }  // namespace
 
-TEST_CASE("resolution while moving settles where the budget lies, and stays there") {
+TEST_CASE("the resolution settles at the budget and stays there") {
     Resolution resolution;
     const double all = 640 * 480, budget = 0.010;
     CHECK(run(resolution, 100, 0.5 * budget / all, budget).back() == finest_level);
@@ -169,7 +169,7 @@ TEST_CASE("resolution while moving settles where the budget lies, and stays ther
     CHECK(run(resolution, 100, 1e-12, budget, 3).back() == 3);
 }
 
-TEST_CASE("a hiccup of one or two pictures changes nothing") {
+TEST_CASE("one or two slow pictures change nothing") {
     Resolution resolution;
     const double cost = 0.5 * 0.010 / (640 * 480);
     run(resolution, 100, cost, 0.010);

@@ -174,7 +174,7 @@ TEST_CASE("scenes of this project") {
     }
 }
 
-TEST_CASE("what is written is what a person would write") {
+TEST_CASE("written text looks hand-written") {
     Scene scene;
     scene.camera = {{0, -9, .1}, {0, 0, 0}, {0, 0, -1}, 25, {}};
     scene.settings.linear = true;
@@ -226,7 +226,7 @@ sphere { <4, 0, 1>, 1e-07  scale 2  scale <1, 2, 3> }
 )");
 }
 
-TEST_CASE("many materials do not take forever, and are numbered in the order of use") {
+TEST_CASE("many materials are fast, and numbered in the order of use") {
     std::string text = "camera { position <0,-9,0> look_at <0,0,0> up <0,0,-1> fov 25 }\n";
     constexpr int count = 20000;
     for (int i = 0; i < 2 * count; ++i)

@@ -58,7 +58,7 @@ TEST_CASE("transformations apply in the order written") {
     CHECK(apply({Rotate{{0, 0, 90}}, Translate{{1, 0, 0}}}, {1, 0, 0}) == DVec3(1, 1, 0));
 }
 
-TEST_CASE("similarity is the factor of lengths, or 0 where shapes are bent out of shape") {
+TEST_CASE("similarity is the factor of lengths, or 0 where angles change") {
     CHECK(similarity(Steps{}) == 1);
     CHECK(similarity(Steps{Rotate{{10, 20, 30}}, Translate{{1, 2, 3}}}) == 1);
     CHECK(similarity(Steps{Scale{{2, 2, 2}}, Rotate{{10, 20, 30}}, Scale{{-3, 3, 3}}}) == 6);
@@ -76,7 +76,7 @@ TEST_CASE("the article's camera looks at +y with +x to the right of the picture"
     CHECK(frame_of({{0, -20, 0}, {0, 0, 0}, {0, 0, -1}, 45, 2}, 4. / 3).tan_y == .5);  // its own aspectratio goes first
 }
 
-TEST_CASE("camera axes are orthonormal and right-handed wherever the camera stands") {
+TEST_CASE("camera axes are orthonormal and right-handed at any position") {
     for (const Camera& camera :
          {Camera{{5, -20, 18}, {0, 0, 0}, {0, 0, -1}, 25, {}}, Camera{{1, 2, 3}, {-7, 1e6, .5}, {1, 2, 3}, 80, {}},
           Camera{{1e-200, 0, 0}, {0, 1e-200, 3e-200}, {1e-310, 1e-310, 5e-310}, 25, {}},
@@ -95,7 +95,7 @@ TEST_CASE("camera axes are orthonormal and right-handed wherever the camera stan
     }
 }
 
-TEST_CASE("a camera that spans no picture says why") {
+TEST_CASE("a degenerate camera is reported with its reason") {
     CHECK(std::string(degenerate({{1, 2, 3}, {1, 2, 3}, {0, 0, -1}, 25, {}})) ==
           "position and look_at are the same point");
     CHECK(std::string(degenerate({{1, 2, 3}, {1, 2, 9}, {0, 0, 5}, 25, {}})).starts_with("up is parallel"));
@@ -106,7 +106,7 @@ TEST_CASE("a camera that spans no picture says why") {
     CHECK(degenerate({{1, 2, 3}, {1, 2, 9}, {0, 1e-9, 1}, 25, {}}) == nullptr);
 }
 
-TEST_CASE("at its keys a flythrough is exactly at them, before and after it stays") {
+TEST_CASE("a flythrough passes exactly through its keys and waits before and after") {
     const Flythrough path{10,
                           false,
                           {{1, {0, 0, 0}, {0, 5, 0}, {}, {}},
@@ -144,7 +144,7 @@ TEST_CASE("evenly spaced keys on a line give even motion; two keys give a straig
     CHECK(camera_at(two, scene_camera, 1).look_at == DVec3(0, 9, 0));
 }
 
-TEST_CASE("the curve is the centripetal one: knots lie the square root of a chord apart") {
+TEST_CASE("the curve is centripetal: knots are the square root of a chord apart") {
     // Chords of 1, 4 and 1 have knots 1, 2 and 1 apart; with keys at those times, time is the knot. The values are
     // those of Barry and Goldman's pyramid at the middle of the second stretch.
     const DVec3 p[] = {{0, 1, 0}, {0, 0, 0}, {4, 0, 0}, {4, 1, 0}};
@@ -174,7 +174,7 @@ double greatest_jolt(const Flythrough& path, double start, double step, int coun
 
 }  // namespace
 
-TEST_CASE("velocity has no jumps, neither at keys with uneven times nor at the seam of a loop") {
+TEST_CASE("velocity is continuous, at keys with uneven times and at the seam of a loop") {
     Flythrough path{10,
                     true,
                     {{0, {0, 0, 0}, {0, 50, 0}, {}, {}},
@@ -231,7 +231,7 @@ TEST_CASE("a pause between equal keys stands still, and fov and up never oversho
     CHECK((halfway.x > .1 && halfway.z < -.1));
 }
 
-TEST_CASE("where the curves would leave no picture the camera looks as it does a moment before or after") {
+TEST_CASE("where the curves give a degenerate camera, axes come from a moment nearby") {
     // Over the top, looking straight down along `up`, at t = 1.
     const Flythrough over{2, false, {{0, {-4, 0, 6}, {0, 0, 0}, {}, {}}, {2, {4, 0, 6}, {0, 0, 0}, {}, {}}}};
     const Camera top = camera_at(over, scene_camera, 1);
@@ -252,7 +252,7 @@ TEST_CASE("where the curves would leave no picture the camera looks as it does a
     for (double t = 0; t <= 2; t += .125) CHECK(degenerate(camera_at(flip, scene_camera, t)) == nullptr);
 }
 
-TEST_CASE("extreme times and distances give no nonsense") {
+TEST_CASE("extreme times and distances give finite cameras") {
     for (const double tiny : {5e-324, 1e-300, 1e-12})
         for (const double huge : {1., 1e15}) {
             const Flythrough path{huge,

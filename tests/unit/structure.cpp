@@ -81,7 +81,7 @@ bool own(const std::string& symbol, const std::string& level) {
 
 }  // namespace
 
-TEST_CASE("the rules for includes find wrong ones") {
+TEST_CASE("the include rules reject wrong includes") {
     CHECK(fault("scene", "#include \"trace/tracer.h\"") != "");
     CHECK(fault("trace", "#include \"text/parse.h\"") != "");
     CHECK(fault("text", "#include \"image/picture.h\"") != "");
@@ -116,7 +116,7 @@ TEST_CASE("includes point one way, and libraries stay in their modules") {
 
 // A function that two levels both offer under one name would be kept once, and an older processor could be sent into
 // instructions it does not have.
-TEST_CASE("a kernel's functions carry the name of its instruction set") {
+TEST_CASE("the functions of a kernel are in the namespace of its SIMD level") {
     CHECK(own("_ZN6strahl2v34spanEv", "v3"));
     CHECK(!own("_ZN6strahl2v34spanEv", "v4"));
     CHECK(!own("_ZSt4sqrtf", "v3"));

@@ -165,7 +165,7 @@ TEST_CASE_TEMPLATE("what is left out of a pixel depends on that pixel alone, not
     }
 }
 
-TEST_CASE("an empty lattice is no work") {
+TEST_CASE("an empty lattice traces nothing") {
     const Scene scene = busy();
     Tracer tracer(scene, Precision::float64);
     Canvas canvas(8, 8);
@@ -189,7 +189,7 @@ TEST_CASE_TEMPLATE("a picture does not depend on the views before it, nor on the
     CHECK(canvas.rgb == render(scene, near, P::precision, 1).rgb);
 }
 
-TEST_CASE("tracing stops when told to, and what it hands over is whole") {
+TEST_CASE("tracing can be stopped, and delivered tiles are complete") {
     const Scene scene = busy();
     const View view = view_of(scene, 800 / coarse, 600 / coarse, 6);
     const Lattice whole{0, 0, view.width, view.height};
