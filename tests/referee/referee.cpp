@@ -1,5 +1,4 @@
-// The referee's recursion. Every formula is written as the article and scene language state it, none as the engine
-// does.
+// The referee. Every formula is written as the article and the scene language state it, and none as the tracer has it.
 #include "tests/referee/referee.h"
 
 #include <quadmath.h>
@@ -45,7 +44,7 @@ struct Line {
     int body = -1, face = -1;  // the surface that the line starts on
 };
 
-/// A point where a line passes through a face, with the face's normal out of the body (of any length).
+/// A point where a line crosses a face, with the outward normal (of any length).
 template <class R>
 struct Crossing {
     R t;
@@ -61,7 +60,7 @@ struct Crossings {
     auto end() const { return list.begin() + count; }
 };
 
-/// The roots of a t^2 + 2 b t + c; of a line that starts on the surface one is 0, and only the other is given.
+/// The roots of a t^2 + 2 b t + c. If the line starts on the surface one root is 0, and only the other one is used.
 template <class R, class Use>
 void roots(R a, R b, R c, bool starts_here, const Use& use) {
     if (!(a > 0)) return;
@@ -133,7 +132,8 @@ bool contains(const Cylinder& cylinder, const Vector<R>& p) {
     return along > 0 && along < dot(axis, whole) && dot(across, across) < R(cylinder.radius) * R(cylinder.radius);
 }
 
-/// A primitive with the way into its own space: local = rows * (world - offset), normal' = transposed rows * normal.
+/// A primitive with the transformation into its own space: local = rows * (world - offset), normal' = transposed rows *
+/// normal.
 template <class R>
 struct Body {
     Shape shape;
@@ -235,7 +235,7 @@ struct Referee<R>::World {
         return share;
     }
 
-    /// The ratio n1/n2 at a surface of `body`, and the bodies that the ray is in behind it, by POV-Ray's rule.
+    /// The ratio n1/n2 at a surface of `body`, and the medium stack behind it, by POV-Ray's rule.
     std::pair<R, std::vector<int>> pass(int body, std::vector<int> inside) const {
         const auto ior = [&](int i) { return R(bodies[i].material.ior); };
         const R here = inside.empty() ? R(1) : ior(inside.back());

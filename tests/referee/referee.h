@@ -1,6 +1,6 @@
-// The referee: the plainest Whitted tracer there is, against which every picture of the engine is held.
+// The referee: the simplest possible Whitted ray tracer, with which all pictures of the tracer are compared.
 //
-// It shares no code with the engine: it takes the plain values of a Scene and answers for one point of the picture at a
+// It shares no code with the tracer: it takes the plain values of a Scene and computes one point of the picture at a
 // time, by recursion, with intersection formulas of its own. R is long double, or __float128 for tiny pictures.
 #pragma once
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace strahl {
 
-/// What the tracer saw: linear values, and a hash of every decision on the way (which faces were hit, which lights
+/// The value of one point, and a hash of every decision on the way (which faces were hit, which lights
 /// reached the point through which bodies, where a ray was reflected totally or missed). Two samples with different
 /// signatures have an edge between them.
 struct Sample {

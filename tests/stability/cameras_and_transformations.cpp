@@ -1,4 +1,4 @@
-// Cameras and transformations that are none, and those that only just are.
+// Cameras and transformations that are invalid, and some that are just valid.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ using namespace strahl::stability;
 
 namespace {
 
-/// What parse_scene says against a text, or "".
+/// The error message of parse_scene for a text, or "".
 std::string fault(const std::string& text) {
     try {
         parse_scene(text, "scene.rt");

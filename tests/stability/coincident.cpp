@@ -1,4 +1,4 @@
-// Surfaces in the same place: the one declared first is seen, always.
+// Coincident surfaces: the one declared first is always visible.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 
 const Color red{1, 0, 0}, blue{0, 0, 1};
 
-/// `pairs` balls, each there twice; in the first declared of a pair `first` shows.
+/// `pairs` balls, each twice in the same place; the first declared of a pair has the colour `first`.
 Scene doubled(int pairs, const Color& first, const Color& second, bool far_apart) {
     Stage stage;
     std::vector<std::pair<Sphere, Color>> balls;
@@ -52,7 +52,7 @@ TEST_CASE("equal balls: of two, and of many in a hierarchy, with any threads and
 }
 
 TEST_CASE("taking the last of equal bodies, or the first in the hierarchy, gives other pictures") {
-    // What the rule saves from: the nearest by `<=` is the last declared.
+    // Without the rule: the nearest by `<=` is the last declared.
     const SphereKernel<float> ball{{0, 0, 0}, 1};
     const Ray<float> ray{{.3f, .2f, -5}, {0, 0, 1}, -1};
     float best = INFINITY;
@@ -78,7 +78,7 @@ TEST_CASE("equal planes and cylinders, and the same ball written in three ways")
                  .put(Sphere{{0, 0, 0}, 1}, glow(red))
                  .put(Sphere{{0, 0, 0}, .5}, glow(blue), {Scale{DVec3(2)}})
                  .put(Sphere{{0, 0, 0}, 1}, glow(blue), {Rotate{{10, 20, 30}}}));
-    // The end of a can in the face of a plane.
+    // The end of a cylinder lies in a plane.
     only_red(Stage()
                  .look({0, 0, -6}, {0, 0, 0}, 20, {0, 1, 0})
                  .put(Cylinder{{.1, .2, 0}, {.1, .2, 1}, 1}, glow(red))
@@ -87,7 +87,7 @@ TEST_CASE("equal planes and cylinders, and the same ball written in three ways")
 }
 
 TEST_CASE("of two bodies in one place, light and reflected rays see only the first") {
-    // Its double, a rounding error before or behind, would be in the way of every second ray.
+    // Its duplicate, a rounding error in front or behind, would block every second ray.
     Material shiny = paint({.8, .6, .4});
     shiny.reflection = .5, shiny.specular = .5;
     const Sphere ball{{-1, .3, .1}, .9};

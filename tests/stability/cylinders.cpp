@@ -13,7 +13,7 @@ using namespace strahl::stability;
 
 namespace {
 
-/// The endless unit cylinder about z, (-b -+ sqrt(b^2 - a c)) / a, and what of it lies between z = 0 and 1.
+/// The infinite unit cylinder about z, (-b -+ sqrt(b^2 - a c)) / a, between z = 0 and 1.
 template <class T>
 T naive_cylinder(const Vec3<T>& o, const Vec3<T>& d) {
     const T a = d.x * d.x + d.y * d.y, b = o.x * d.x + o.y * d.y, c = o.x * o.x + o.y * o.y - 1;

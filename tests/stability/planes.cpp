@@ -13,7 +13,7 @@ using namespace strahl;
 using namespace strahl::stability;
 
 TEST_CASE("a hit at a grazing angle lies on the plane") {
-    // A pattern asks on which side of the plane a point is: o + t d is now above it, now below.
+    // A pattern depends on the side of the plane that a point is on: o + t d is sometimes above, sometimes below.
     Dice dice;
     const float height = .3f;
     int naive_off = 0, our_off = 0;
@@ -40,7 +40,8 @@ TEST_CASE("a hit at a grazing angle lies on the plane") {
 }
 
 TEST_CASE("a plane reaches to the horizon") {
-    // Half a picture of 2e-7 degrees: the plane is first met 5e8 away. A rule like "t > 1e7 is none" loses all of it.
+    // Half of a picture 2e-7 degrees wide: the plane is hit 5e8 away at the nearest. A limit of t < 1e7 loses all of
+    // it.
     Stage stage;
     stage.look({0, 0, 1}, {0, 1, 1}, 1e-7).background({0, 0, 1});
     stage.put(Plane{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, glow({1, 1, 0}));
@@ -61,11 +62,11 @@ TEST_CASE("a ray within a plane does not hit it") {
             CHECK(!std::isfinite(naive_t));
             CHECK(!plane.span(Ray<double>{{1, 2, height}, {1, 0, slope}, -1}, -1.).hit);
         }
-    CHECK(std::isnan((0 - 0.) / 0.));  // what the naive way goes on with
+    CHECK(std::isnan((0 - 0.) / 0.));  // the naive method continues with this
 }
 
 TEST_CASE("an eye in a plane sees through it, without NaN") {
-    // The middle row looks along the plane exactly.
+    // The middle row looks exactly along the plane.
     for (const bool tilted : {false, true}) {
         const DVec3 side = tilted ? DVec3{3, 0, 4} : DVec3{1, 0, 0};
         Stage stage;

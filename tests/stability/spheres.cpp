@@ -14,7 +14,7 @@ using namespace strahl::stability;
 
 namespace {
 
-/// The engine's answer for one ray.
+/// Strahl's answer for one ray.
 template <class T>
 Span<T> ours(const Vec3<T>& o, const Vec3<T>& d, const Vec3<T>& centre, T radius) {
     return SphereKernel<T>{centre, radius}.span(Ray<T>{o, d, T(-1)}, T(-1));
@@ -28,7 +28,7 @@ struct Ball {
     Vec3<float> o, d;
     float radius;
 };
-/// Radius about 1, 1e3 to 1e5 away, aimed at its outline's surroundings; the centre is 0.
+/// A ball of radius about 1 around 0, and a ray from 1e3 to 1e5 away that passes near its outline.
 Ball far_ball(Dice& dice) {
     const DVec3 o = dice.direction() * std::pow(10, dice(3, 5));
     const DVec3 aim = dice.direction() * dice(0, 1.5) - o;
@@ -36,7 +36,7 @@ Ball far_ball(Dice& dice) {
 }
 
 struct Wrong {
-    int hits = 0;      // hit and miss confused
+    int hits = 0;      // misclassified rays
     double error = 0;  // largest relative error of t
 };
 template <class T, class Method>
@@ -110,7 +110,7 @@ TEST_CASE("rays one ulp outside a ball miss, one ulp inside they hit, from any d
 }
 
 TEST_CASE("the ground is a ball as large as the earth") {
-    // Straight down from 1 above radius 1e7; and 1.5 above radius 1e6, down a slope of 1 in 100.
+    // Straight down from 1 above a ball of radius 1e7; and 1.5 above radius 1e6, down a slope of 1 in 100.
     CHECK(std::abs(naive::stable_sphere<float>({0, 1, 0}, {0, -1, 0}, {0, -1e7f, 0}, 1e7f).near - 1) > .1);
     CHECK(ours<double>({0, 1, 0}, {0, -1, 0}, {0, -1e7, 0}, 1e7).near == doctest::Approx(1).epsilon(1e-9));
     const DVec3 o{0, 1.5, 0}, slope = unit<double>({1, -.01, 0});
@@ -144,7 +144,7 @@ TEST_CASE("balls of radius 1e-6 through a narrow lens") {
         const double distance = radius > 1e-6 ? 1 : 1e-3;
         Stage stage;
         stage.look({0, -distance, 0}, {0, 0, 0}, .001).put(Sphere{{0, 0, 0}, radius}, glow({1, 1, 1}));
-        int right = 0, naive_count = 0;  // naive: half chords below 1e-5 are none
+        int right = 0, naive_count = 0;  // naive: half chords below 1e-5 are ignored
         for (int y = 0; y < height; ++y)
             for (int x = 0; x < width; ++x) {
                 const double l = distance * per_pixel * std::hypot(x - width / 2 + .5, y - height / 2 + .5);

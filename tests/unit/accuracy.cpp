@@ -1,4 +1,4 @@
-// The one knob: pictures stay within the error asked for, off the edges, and larger errors cost less.
+// --error: off the edges, pictures stay within the error allowed, and larger errors cost less.
 #include "trace/accuracy.h"
 
 #include <doctest/doctest.h>
@@ -35,7 +35,7 @@ double apart(const Frame& a, const Frame& b, int pixel) {
 
 }  // namespace
 
-// Of the scene's depth: the exact picture of unlimited depth can't be had, and what is past the depth is tested in
+// At the scene's depth: there is no exact picture of unlimited depth. Light past the depth limit is tested in
 // bound.cpp.
 TEST_CASE("off the edges no picture exceeds the error allowed") {
     ThreadPool pool(2), alone(1);
@@ -55,9 +55,9 @@ TEST_CASE("off the edges no picture exceeds the error allowed") {
             allowed.depth = accuracy.depth, allowed.error = accuracy.dropped;
             Tracer tracer(scene, accuracy.precision);
             const Counts counts = tracer.trace(allowed, {.columns = columns, .rows = rows}, pool, [](const Tile&) {});
-            if (fewest > 0) CHECK(counts.total() <= fewest + fewest / 50);  // edges fall this way or that
+            if (fewest > 0) CHECK(counts.total() <= fewest + fewest / 50);  // pixels on edges vary
             fewest = counts.total();
-            CHECK(counts.dropped <= accuracy.dropped * (1 + 1e-6));  // they are added up in float
+            CHECK(counts.dropped <= accuracy.dropped * (1 + 1e-6));  // summed in float
             const Frame frame = render(scene, allowed, accuracy.precision, 2);
             Tracer exactly(scene, Precision::float64);
             for (int p = 0; p < columns * rows; ++p)

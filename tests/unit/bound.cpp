@@ -1,4 +1,4 @@
-// The bound on what rays can still add: what it promises is held against pictures with and without those rays.
+// The bound on what rays can still contribute, compared with pictures with and without those rays.
 #include "trace/bound.h"
 
 #include <doctest/doctest.h>
@@ -29,7 +29,7 @@ double difference(const Frame& a, const Frame& b) {
     for (std::size_t i = 0; i < a.rgb.size(); ++i) most = std::max(most, std::abs(a.rgb[i] - b.rgb[i]));
     return most;
 }
-/// Rounding is not the bound's business.
+/// The bound does not include rounding.
 constexpr double rounding = 1e-9;
 
 struct Traced {
@@ -50,7 +50,7 @@ void hold(const Scene& scene, int depth) {
     const auto [all, everything] = trace(scene, depth);
     const Frame deeper = trace(scene, depth + 3).frame;
     CHECK(brightest(all) <= bound_for(scene, depth).brightest.back() + rounding);
-    const double past = everything.lost();  // nothing else is left out then
+    const double past = everything.lost();  // nothing else is omitted then
     CHECK(difference(deeper, all) <= past + rounding);
     for (const double error : {1e-1, 1e-2, 1e-3, 1e-4}) {
         CAPTURE(error);

@@ -1,4 +1,4 @@
-// The comparison of pictures: every figure against one worked out by hand.
+// The comparison of pictures: every figure is compared with one computed by hand.
 #include "image/compare.h"
 
 #include <doctest/doctest.h>

@@ -53,7 +53,7 @@ TEST_CASE("turning keeps the position, the distance to look_at, and a level hori
     CHECK(dot_product(after.forward, before.right) > 0.01);
     CHECK(after.forward.z > before.forward.z + 0.03);
     CHECK(std::abs(std::asin(after.forward.z) - std::asin(before.forward.z) - 0.05) < 1e-9);
-    // Straight up is never reached, and back is the way that it came.
+    // Straight up is never reached, and the way back is the same.
     Camera up = camera;
     for (int i = 0; i < 100; ++i) up = fly(up, {.upwards = 0.1});
     CHECK(degenerate(up) == nullptr);
@@ -74,7 +74,7 @@ TEST_CASE("orbiting keeps look_at, and the distance unless pushed") {
     Camera all_around = camera;
     for (int i = 0; i < 8; ++i) all_around = orbit(all_around, {.right = std::numbers::pi / 4});
     CHECK(distance(all_around.position, camera.position) < 1e-9);
-    // However near: a picture remains.
+    // At any distance the camera stays valid.
     Camera nearest = camera;
     for (int i = 0; i < 1000; ++i) nearest = orbit(nearest, {.push = {0, 0, 1}});
     CHECK(degenerate(nearest) == nullptr);

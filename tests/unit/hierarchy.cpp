@@ -1,4 +1,4 @@
-// The hierarchy of many bodies, and bodies declared twice: made by any number of threads, and by the plain way.
+// The hierarchy of many bodies, and duplicates: built by any number of threads, and compared with a plain search.
 #include "trace/hierarchy.h"
 
 #include <doctest/doctest.h>
@@ -18,7 +18,7 @@ using namespace strahl;
 
 namespace {
 
-/// Large enough for all threads to share the topmost nodes, and clustered: some cuts are lopsided, some boxes equal.
+/// Large enough for all threads to share the topmost nodes, and clustered: some splits are lopsided, some boxes equal.
 std::vector<ItemBox> clustered_boxes(int count) {
     std::mt19937 random(7);
     std::vector<ItemBox> boxes(count);

@@ -1,4 +1,4 @@
-// The engine against the referee: every precision on every instruction set, on scenes made by hand and by chance.
+// Comparison with the referee: every precision and SIMD level, on scenes made by hand and random ones.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -16,16 +16,16 @@ using namespace strahl;
 
 namespace {
 
-// Odd, so that a middle row and column look exactly along axes where the camera does (of 11 rows the middle one is a
-// last bit beside it in double, and where it is the horizon of a plane, rounding decides all of it).
+// Odd, so that the middle row and column look exactly along axes if the camera does (of 11 rows, the middle one is off
+// by a last bit in double, and if the horizon of a plane is there, rounding decides the whole row).
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr int columns = 17, rows = 9, random_scenes = 8;
 #else
 constexpr int columns = 49, rows = 37, random_scenes = 120;
 #endif
 
-/// A value may be off by `tolerance`. A pixel that is off by more must be one that a shift by `reach` pixels explains:
-/// an edge, or a place where the picture varies so fast; and only `share` of the pixels may need that excuse.
+/// A value may be off by `tolerance`. A pixel that is off by more must be explained by a shift of `reach` pixels: an
+/// edge, or a place where the picture changes fast. Only `share` of the pixels may need this explanation.
 struct Bounds {
     double tolerance, reach, share;
 };
@@ -48,7 +48,7 @@ Pixels pixels(const Referee<long double>& referee) {
     return list;
 }
 
-/// How a frame fares before the referee.
+/// Comparison of a frame with the referee.
 struct Verdict {
     int excused = 0, wrong = 0;
     std::string first;  // of the wrong ones
@@ -84,7 +84,7 @@ std::vector<Simd> levels() {
 struct Tally {
     long pixels = 0, excused = 0;
 };
-/// All paths through the engine on one scene; scalar, v3 and v4 must give the same bits.
+/// Traces one scene in every way; scalar, v3 and v4 must give the same bits.
 void hold(const Scene& scene, int depth, std::array<Tally, 3>& tally) {
     const Referee<long double> referee(scene, scene.camera, columns, rows, depth);
     const Pixels truth = pixels(referee);

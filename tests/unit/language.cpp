@@ -1,4 +1,4 @@
-// The scene language: what may be written, and what is said about everything else, with its place.
+// The scene language: valid scenes, and the messages and places of errors.
 #include <doctest/doctest.h>
 #include <unistd.h>
 
@@ -45,7 +45,7 @@ std::vector<std::string> lines(const std::string& text) {
             result.back() += c;
     return result;
 }
-/// The lines of a message that name a place: without the quoted lines and carets.
+/// The lines of a message that name a place, without quoted lines and carets.
 std::vector<std::string> faults(const std::string& text) {
     std::vector<std::string> result;
     for (const std::string& line : lines(message(text)))
@@ -54,7 +54,7 @@ std::vector<std::string> faults(const std::string& text) {
 }
 using Faults = std::vector<std::string>;
 
-/// Checks the one fault of `text`, which follows a good camera of one line.
+/// Checks the only error of `text`, which follows a valid camera of one line.
 void check_fault(const std::string& text, const std::string& fault) {
     CAPTURE(text);
     CHECK(faults(eye + text) == Faults{"x.rt:" + fault});
@@ -184,14 +184,14 @@ TEST_CASE("an error is quoted with a caret under it") {
           "x.rt:3:1: unknown word 'shpere'; did you mean 'sphere'?\n"
           "    shpere { <0,0,0>, 1 }\n"
           "    ^~~~~~");
-    // Columns count characters; the caret minds tabs, wide letters and combining marks.
+    // Columns count characters; the caret is right after tabs, wide letters and combining marks.
     CHECK(message(eye + "/* \xC3\xA4\xE6\x97\xA5"
                         "a\xCC\x88 */\tsphere { <0,0,0>, -1 }") ==
           "x.rt:2:30: 'radius' of 'sphere' must be greater than 0 (at least 2.3e-308) and at most 1e15, not '-1'\n"
           "    /* \xC3\xA4\xE6\x97\xA5"
           "a\xCC\x88 */    sphere { <0,0,0>, -1 }\n"
           "                                    ^~");
-    // Nothing that steers a terminal gets through.
+    // No control character reaches the terminal.
     CHECK(
         message(eye + "/*\x1B[31m\xC2\x9B\xE2\x80\xAE*/ x\r\n") ==
         "x.rt:2:13: unknown word 'x'; known here: camera, light, sphere, plane, cylinder, defaultmaterial, background, "
@@ -330,7 +330,7 @@ TEST_CASE("values out of range") {
     CHECK(faults("camera { position <0,0,0> look_at <0,1,0> up <0,0,-1> fov 1 aspectratio 0 }") ==
           Faults{"x.rt:1:73: 'aspectratio' of 'camera' must be from 1e-9 to 1e9, not '0'"});
     CHECK(parse("camera { position <0,0,0> look_at <0,1,0> up <0,0,-1> fov 89.99999999999999 }").camera.fov < 90);
-    // A wrong value does not hide what is missing.
+    // A wrong value does not hide a missing parameter.
     CHECK(faults("camera { position <0,0,0> look_at <0,1,0> fov 95 }") ==
           Faults{"x.rt:1:1: 'camera' lacks 'up' (or 'sky')",
                  "x.rt:1:47: 'fov' of 'camera' must be greater than 0 and less than 90 degrees, not '95'"});
@@ -450,7 +450,7 @@ TEST_CASE("files that are not text") {
 }
 
 TEST_CASE("hostile text is rejected quickly") {
-    // Depth, repetition, and one long anything cost no more than reading them.
+    // Nesting, repetition, and long words or numbers take no longer than reading them.
     for (const std::string piece :
          {"{", "}", "<", "sphere {", "/*/", "//", "camera", "a", "9", "-", ".", ",", "material {", "key {"}) {
         std::string text = "sphere { <0,0,0>, 1 ";

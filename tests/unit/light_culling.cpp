@@ -1,4 +1,4 @@
-// Bodies left out because they can't be met never change a picture.
+// Culling of bodies that can't be hit never changes a picture.
 #include "trace/light_culling.h"
 
 #include <doctest/doctest.h>
@@ -23,8 +23,8 @@ constexpr int columns = 10, rows = 8, every = 9, random_scenes = 8;
 constexpr int columns = 40, rows = 30, every = 1, random_scenes = 120;
 #endif
 
-/// The same scene with so many bodies more, far away and black inside a black ball, that it gets hierarchies and
-/// nothing is known of single bodies.
+/// The same scene with so many more bodies, far away and black inside a black ball, that it has a hierarchy instead of
+/// culling.
 Scene crowded(Scene scene) {
     scene.materials.push_back({.rgb = Color(0), .reflection = 0, .diffuse = 0, .specular = 0});
     const int black = static_cast<int>(scene.materials.size()) - 1;
@@ -116,7 +116,7 @@ TEST_CASE("bodies between a body and a light are among its occluders, and in its
     }
     MESSAGE(between << " between, " << left_out << " left out, " << outside_cone << " outside their cones");
     CHECK(between > 10000);
-    CHECK(left_out > 100000);  // or nothing is gained
+    CHECK(left_out > 100000);  // else culling gains nothing
     CHECK(outside_cone > 100000);
 }
 
@@ -126,7 +126,7 @@ TEST_CASE("a body is isolated if no other body reaches into it") {
     };
     const BoundingVolume floor{{}, {}, true, {0, 0, 1}, 0}, glass = ball({0, 0, 2}, 1);
     CHECK(isolated({glass, floor, ball({3, 0, 2}, 1)}, 0, 1e-6));
-    CHECK_FALSE(isolated({floor, glass}, 0, 1e-6));                 // a plane has no end
+    CHECK_FALSE(isolated({floor, glass}, 0, 1e-6));                 // planes are infinite
     CHECK_FALSE(isolated({glass, ball({1.9, 0, 2}, 1)}, 0, 1e-6));  // overlapping
     CHECK_FALSE(isolated({glass, ball({0, 0, 2}, .5)}, 0, 1e-6));   // something inside
     CHECK_FALSE(isolated({glass, ball({0, 0, 2}, 5)}, 0, 1e-6));    // inside something

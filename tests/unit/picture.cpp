@@ -1,4 +1,4 @@
-// Pictures: what is written is read back to the last bit, and faulty files are told apart.
+// Picture files: written values are read back to the last bit, and broken files are reported.
 #include "image/picture.h"
 
 #include <doctest/doctest.h>
@@ -15,8 +15,8 @@
 #include "scratch.h"
 #include "text/file.h"
 
-// OpenImageIO loses one string when libpng jumps out of it at a truncated file; a leak checker knows whose it is only
-// if it follows the whole stack.
+// OpenImageIO leaks one string when libpng longjmps at a truncated file; a leak checker can attribute it only with the
+// whole stack.
 extern "C" const char* __asan_default_options() { return "fast_unwind_on_malloc=0"; }
 extern "C" const char* __lsan_default_suppressions() { return "leak:PngReadCallback"; }
 
@@ -197,7 +197,7 @@ TEST_CASE("broken files are reported with name and reason") {
     CHECK(says(reading("empty.png"), "empty.png"));
     write_file(folder / "deep.ppm", std::string("P6 1 1 65535\n\xff\xff\xff\xff\xff\xff", 19));
     CHECK(says(reading("deep.ppm"), "16-bit PNM"));
-    // A header that promises 10 thousand million pixels.
+    // A header that promises 10 billion pixels.
     write_picture(noise(2, 2), folder / "huge.bmp", {});
     std::string bytes = bytes_of(folder / "huge.bmp");
     const std::int32_t size = 100000;

@@ -1,4 +1,4 @@
-// POV-Ray itself, run on every scene there is.
+// Runs POV-Ray on every scene.
 #include <doctest/doctest.h>
 
 #include <atomic>
@@ -18,7 +18,7 @@ using namespace strahl;
 
 namespace {
 
-/// What is wrong with the agreement in this scene, or "".
+/// Why the pictures of this scene disagree, or "".
 std::string check(const std::string& name, const Allowed& allowed, int width, int height) {
     const Scene scene = read_scene(name);
     const View view{.camera = scene.camera, .width = width, .height = height, .depth = scene.settings.max_trace_level};
@@ -29,7 +29,7 @@ std::string check(const std::string& name, const Allowed& allowed, int width, in
     return disagreement + (theirs.warnings.empty() ? "" : "povray warns: " + theirs.warnings);
 }
 
-/// Runs a command line, and returns all it prints.
+/// Runs a command line and returns its output.
 std::string output_of(const std::string& command) {
     std::FILE* pipe = popen((command + " 2>&1").c_str(), "r");
     REQUIRE(pipe);
@@ -79,7 +79,7 @@ TEST_CASE("povray renders an emitted .ini without warnings, to Strahl's picture"
                              .output = pov,
                              .width = 64,
                              .height = 48}) == 0);
-        // As the .ini itself tells.
+        // As a comment of the .ini says.
         std::ifstream ini(scratch / "it's a scene.ini");
         std::string command;
         while (std::getline(ini, command) && !command.starts_with(";   povray ")) {

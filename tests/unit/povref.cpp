@@ -1,4 +1,4 @@
-// The converter's text, and strahl's pictures against POV-Ray's stored ones.
+// The converted scenes, and Strahl's pictures compared with stored ones of POV-Ray.
 #include <doctest/doctest.h>
 
 #include <cmath>

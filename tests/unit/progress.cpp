@@ -17,7 +17,7 @@ namespace {
 TEST_CASE("the text of the progress line") {
     CHECK(progress_text(0, 0) == "  0 %");
     CHECK(progress_text(0, 100) == "  0 %");
-    CHECK(progress_text(.5, .1) == " 50 %");  // too early to tell the rest
+    CHECK(progress_text(.5, .1) == " 50 %");  // too early to estimate
     CHECK(progress_text(.25, 10) == " 25 %, 0:30 left");
     CHECK(progress_text(.999999, 65) == " 99 %, 0:01 left");
     CHECK(progress_text(.5, 65) == " 50 %, 1:05 left");
@@ -27,7 +27,7 @@ TEST_CASE("the text of the progress line") {
     CHECK(progress_text(1.5, 10) == "100 %");
 }
 
-/// What goes to standard error, as to a terminal, while `act` runs.
+/// What is written to standard error, a terminal here, while `act` runs.
 template <class Act>
 std::string on_terminal(Act act) {
     const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY);
@@ -56,7 +56,7 @@ void work(bool quiet) {
         });
     threads.clear();
     std::this_thread::sleep_for(std::chrono::milliseconds(120));
-    progress.advance(250, 1000);  // late news of what is long done
+    progress.advance(250, 1000);  // reported late
 }
 
 TEST_CASE("on a terminal progress never decreases, and the line is erased at the end") {

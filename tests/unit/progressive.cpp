@@ -1,4 +1,4 @@
-// How pictures become sharp: passes, resolution while moving, and what the screen gets.
+// Progressive refinement: passes, the resolution in motion, and the pixels of the screen.
 #include "show/progressive.h"
 
 #include <doctest/doctest.h>
@@ -34,7 +34,7 @@ TEST_CASE("a level and the passes after it contain every pixel exactly once") {
             visit(pixels_of(first, width, height), count);
             for (int level = first + 1; level <= finest_level; ++level) {
                 visit(new_pixels_of(level, width, height), count);
-                // What is known by now is just this level.
+                // The pixels known so far are exactly this level.
                 visit(pixels_of(level, width, height), [&](int x, int y) { CHECK(met[y * width + x] == 1); });
             }
             for (const int times : met) CHECK(times == 1);
@@ -136,7 +136,7 @@ TEST_CASE("the tabulated transfer curve equals quantise") {
 
 namespace {
 
-/// Pictures of a scene where a pixel costs so much, one after the other.
+/// Several pictures of a scene whose pixels have this cost.
 std::vector<int> run(Resolution& resolution, int pictures, double seconds_per_pixel, double budget,
                      int finest = finest_level) {
     std::vector<int> levels;
@@ -155,14 +155,14 @@ TEST_CASE("the resolution settles at the budget and stays there") {
     Resolution resolution;
     const double all = 640 * 480, budget = 0.010;
     CHECK(run(resolution, 100, 0.5 * budget / all, budget).back() == finest_level);
-    // Now four times dearer: within a few pictures coarser, and from then on the same.
+    // Now four times slower: coarser within a few pictures, and then stable.
     const std::vector<int> levels = run(resolution, 100, 2 * budget / all, budget);
     CHECK(levels[4] < finest_level);
     for (int i = 5; i < 100; ++i) CHECK(levels[i] == levels[4]);
     CHECK(2 * budget / all * count(pixels_of(levels[4], 640, 480)) <= budget);
-    // Finer only with room to spare: a level that would take 0.9 of the budget is not tried ...
+    // Finer only with headroom: a level that would take 0.9 of the budget is not tried ...
     CHECK(run(resolution, 100, 0.9 * budget / all, budget).back() == finest_level - 1);
-    // ... and is kept where it is already.
+    // ... but is kept if it is in use.
     run(resolution, 100, 0.5 * budget / all, budget);
     CHECK(run(resolution, 100, 0.9 * budget / all, budget).back() == finest_level);
     CHECK(run(resolution, 100, 1e-3, budget).back() == 0);

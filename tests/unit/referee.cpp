@@ -1,4 +1,4 @@
-// The referee itself, against pixels that can be worked out on paper, and against its own twin of 113 bits.
+// The referee, compared with pixels computed on paper, and with itself in 113 bits.
 #include "tests/referee/referee.h"
 
 #include <doctest/doctest.h>
@@ -12,7 +12,7 @@ using namespace strahl;
 
 namespace {
 
-/// Only what is named shines: every coefficient is 0 until a test sets it.
+/// All coefficients are 0 until a test sets them.
 constexpr Material dull{.rgb = {.5, .25, 1},
                         .reflection = 0,
                         .refraction = 0,
@@ -32,7 +32,7 @@ Scene scene_of(std::initializer_list<std::pair<Shape, Material>> bodies) {
     }
     return scene;
 }
-/// The light that comes to the eye from straight ahead.
+/// The light that reaches the eye from straight ahead.
 std::array<long double, 3> ahead(const Scene& scene, int depth = 20) {
     return Referee<long double>(scene, scene.camera, 2, 2, depth).at(1, 1).rgb;
 }

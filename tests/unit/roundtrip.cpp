@@ -1,4 +1,4 @@
-// Scenes written as text and parsed again are the same scenes.
+// A scene written as text and parsed again is the same scene.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ using namespace strahl;
 
 namespace {
 
-/// Scenes of everything the language has, with plain, odd and extreme values.
+/// Random scenes with everything in the language, and plain, odd and extreme values.
 class RandomScenes {
   public:
     explicit RandomScenes(unsigned seed) : random(seed) {}
@@ -42,7 +42,7 @@ class RandomScenes {
     int below(int n) { return std::uniform_int_distribution(0, n - 1)(random); }
     bool chance(int one_in) { return below(one_in) == 0; }
     double uniform(double low, double high) { return std::uniform_real_distribution(low, high)(random); }
-    /// Now short, now with all digits.
+    /// Sometimes short, sometimes with all digits.
     double number(double reach) { return chance(2) ? std::round(uniform(-reach, reach)) / 4 : uniform(-reach, reach); }
 
     DVec3 position() {
@@ -154,7 +154,7 @@ TEST_CASE("random scenes") {
             CHECK(write_scene(again) == text);
             ++whole;
         } catch (const FileError& error) {
-            // Transformed to where no shape may be: nothing else may be wrong with what was written.
+            // A body transformed out of range; the text must have no other error.
             const std::string message = error.what();
             CHECK_MESSAGE(message.find("up to here the transformations") != message.npos, message);
         }

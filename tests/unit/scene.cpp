@@ -63,7 +63,7 @@ TEST_CASE("similarity is the factor of lengths, or 0 where angles change") {
     CHECK(similarity(Steps{Rotate{{10, 20, 30}}, Translate{{1, 2, 3}}}) == 1);
     CHECK(similarity(Steps{Scale{{2, 2, 2}}, Rotate{{10, 20, 30}}, Scale{{-3, 3, 3}}}) == 6);
     CHECK(similarity(Steps{Scale{{1, 1, 2}}}) == 0);
-    CHECK(similarity(Steps{Scale{{1, 1, 2}}, Scale{{2, 2, 1}}}) == 0);  // no proof is sought that steps cancel
+    CHECK(similarity(Steps{Scale{{1, 1, 2}}, Scale{{2, 2, 1}}}) == 0);  // whether steps cancel is not examined
 }
 
 TEST_CASE("the article's camera looks at +y with +x to the right of the picture") {
@@ -73,7 +73,8 @@ TEST_CASE("the article's camera looks at +y with +x to the right of the picture"
     CHECK(frame.down == DVec3(0, 0, -1));
     CHECK(frame.tan_x == 1);  // fov is half of the opening angle
     CHECK(frame.tan_y == .75);
-    CHECK(frame_of({{0, -20, 0}, {0, 0, 0}, {0, 0, -1}, 45, 2}, 4. / 3).tan_y == .5);  // its own aspectratio goes first
+    CHECK(frame_of({{0, -20, 0}, {0, 0, 0}, {0, 0, -1}, 45, 2}, 4. / 3).tan_y ==
+          .5);  // its own aspectratio has priority
 }
 
 TEST_CASE("camera axes are orthonormal and right-handed at any position") {
@@ -146,7 +147,7 @@ TEST_CASE("evenly spaced keys on a line give even motion; two keys give a straig
 
 TEST_CASE("the curve is centripetal: knots are the square root of a chord apart") {
     // Chords of 1, 4 and 1 have knots 1, 2 and 1 apart; with keys at those times, time is the knot. The values are
-    // those of Barry and Goldman's pyramid at the middle of the second stretch.
+    // those of Barry and Goldman's pyramid at the middle of the second interval.
     const DVec3 p[] = {{0, 1, 0}, {0, 0, 0}, {4, 0, 0}, {4, 1, 0}};
     const double knot[] = {0, 1, 3, 4};
     Flythrough path{4, false, {}};
@@ -162,7 +163,7 @@ TEST_CASE("the curve is centripetal: knots are the square root of a chord apart"
 
 namespace {
 
-/// The greatest change of velocity over one step of time, along `count` steps from `start`.
+/// The largest change of velocity in one step of time, over `count` steps from `start`.
 double greatest_jolt(const Flythrough& path, double start, double step, int count) {
     double greatest = 0;
     for (int i = 0; i < count; ++i) {
@@ -181,12 +182,12 @@ TEST_CASE("velocity is continuous, at keys with uneven times and at the seam of 
                      {1, {5, 1, 0}, {1, 50, 0}, {}, {}},
                      {4, {6, 7, 2}, {2, 50, 1}, {}, {}},
                      {8, {0, 8, 1}, {3, 50, 2}, {}, {}}}};
-    // A jump of the velocity would not get smaller with the step.
+    // A jump of the velocity would not shrink with the step.
     CHECK(greatest_jolt(path, -1, .001, 12000) < .05);
     CHECK(greatest_jolt(path, 9.99, .0001, 200) < .005);
     path.loop = false;
     CHECK(greatest_jolt(path, .5, .001, 7000) < .05);
-    CHECK(greatest_jolt(path, -.01, .001, 20) > 1);  // an open path starts at full speed: the measure sees a jump
+    CHECK(greatest_jolt(path, -.01, .001, 20) > 1);  // an open path starts at full speed, a jump that is measured
 }
 
 TEST_CASE("a loop repeats every duration; a last key at its end is the first again") {
@@ -203,7 +204,7 @@ TEST_CASE("a loop repeats every duration; a last key at its end is the first aga
     const Flythrough said_twice{8, true, {a, b, c, again}};
     for (double t = 0; t < 8; t += .25)
         CHECK(camera_at(said_twice, scene_camera, t) == camera_at(path, scene_camera, t));
-    // A path whose first key comes late is on its way to it before.
+    // A loop whose first key is late is on its way there before.
     const Flythrough late{8, true, {{3, b.position, b.look_at, {}, {}}, {5, c.position, c.look_at, {}, {}}}};
     CHECK(camera_at(late, scene_camera, 3) == camera_of(late.keys[0], scene_camera));
     check_near(camera_at(late, scene_camera, 2.999).position, b.position, .01);
@@ -240,7 +241,7 @@ TEST_CASE("where the curves give a degenerate camera, axes come from a moment ne
     const CameraFrame here = frame_of(top, 1), before = frame_of(camera_at(over, scene_camera, 1 - 1e-5), 1);
     check_near(here.down, before.down, 1e-4);
     check_near(here.forward, before.forward, 1e-4);
-    // Through the very point looked at.
+    // Through look_at.
     const Flythrough through{2, false, {{0, {0, -3, 0}, {0, 0, 0}, {}, {}}, {2, {0, 3, 0}, {0, 0, 0}, {}, {}}}};
     const Camera middle = camera_at(through, scene_camera, 1);
     CHECK(middle.position == DVec3(0, 0, 0));

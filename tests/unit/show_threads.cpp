@@ -1,4 +1,4 @@
-// The window's threads: tracing with the newest view first, stills in the background, the scene file read again.
+// The window's threads: tracing of the newest view, stills in the background, reloading of the scene file.
 #include <doctest/doctest.h>
 
 #include <chrono>
@@ -36,12 +36,12 @@ Order order_of(std::uint64_t number, std::shared_ptr<const Scene> scene, int wid
     return order;
 }
 
-/// What the window sees of a tracing thread.
+/// Watches a tracing thread as the window does.
 class Watcher {
   public:
     explicit Watcher(int threads = 2) : tracing(threads, [this] { hear(); }) {}
 
-    /// Takes what comes until `enough`; false after ten seconds without anything new.
+    /// Takes updates until `enough`; false after ten seconds without one.
     bool watch(const std::function<bool(const Refinement&)>& enough) {
         while (true) {
             {
@@ -59,7 +59,7 @@ class Watcher {
     }
 
     Refinement state;
-    Image screen;  // with only those rows copied that were said to be new
+    Image screen;  // only rows that were reported as new are copied
     Steps steps;
     int whole_images = 0;
 
@@ -188,7 +188,7 @@ TEST_CASE("tracing can be stopped at any time") {
 
 namespace {
 
-/// Waits for something that another thread does.
+/// Waits for another thread.
 bool soon(const std::function<bool()>& done) {
     for (int i = 0; i < 1000; ++i) {
         if (done()) return true;

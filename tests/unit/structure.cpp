@@ -1,5 +1,5 @@
-// The shape of the source tree: which module may include which, where each library stays, and that the kernels of
-// different instruction sets can't be mixed up by the linker.
+// The structure of the source tree: which module may include which, where each library is used, and that the linker
+// can't confuse the kernels of different SIMD levels.
 #include <doctest/doctest.h>
 
 #include <cstdio>
@@ -28,7 +28,7 @@ const std::map<std::string, std::set<std::string>> modules{
     {"show", {"num", "scene", "text", "trace", "image"}},
     {"main", {"num", "scene", "text", "trace", "image", "povref", "show"}},
 };
-/// Headers of libraries, and the one module that may include them.
+/// Headers of libraries, and the only module that may include them.
 const std::vector<std::pair<std::regex, std::string>> libraries{
     {std::regex("OpenImageIO/.*"), "image"},
     {std::regex("(GLFW|GL|GLES[0-9]*|EGL)/.*|imgui.*"), "show"},
@@ -36,7 +36,7 @@ const std::vector<std::pair<std::regex, std::string>> libraries{
     {std::regex("[a-z0-9]*intrin\\.h|experimental/simd"), "num"},
 };
 
-/// What is wrong with this line in a file of `module`, or "".
+/// Why this line is not allowed in a file of `module`, or "".
 std::string fault(const std::string& module, const std::string& line) {
     static const std::regex include(R"re(\s*#\s*include\s*([<"])([^>"]+)[>"].*)re");
     std::smatch match;
@@ -59,7 +59,7 @@ std::vector<fs::path> files_under(const fs::path& folder, const std::regex& name
     return files;
 }
 
-/// The names of the functions that an object file offers to the linker.
+/// The functions that an object file exports to the linker.
 std::vector<std::string> functions_of(const fs::path& object) {
     std::vector<std::string> names;
     std::FILE* pipe = popen(("nm --defined-only --extern-only '" + object.string() + "'").c_str(), "r");
@@ -114,8 +114,8 @@ TEST_CASE("includes point one way, and libraries stay in their modules") {
     CHECK(seen > 20);
 }
 
-// A function that two levels both offer under one name would be kept once, and an older processor could be sent into
-// instructions it does not have.
+// If two levels exported a function of the same name, the linker would keep one, and an older processor could be given
+// instructions that it lacks.
 TEST_CASE("the functions of a kernel are in the namespace of its SIMD level") {
     CHECK(own("_ZN6strahl2v34spanEv", "v3"));
     CHECK(!own("_ZN6strahl2v34spanEv", "v4"));

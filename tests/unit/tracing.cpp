@@ -1,4 +1,4 @@
-// What a picture must not depend on: threads, crops, passes, and what was traced before. And how tracing stops.
+// What a picture must not depend on: threads, crops, passes, and earlier pictures. And stopping.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -31,13 +31,13 @@ using Single = As<Precision::float32>;
 using Twice = As<Precision::float64>;
 using Extended = As<Precision::extended>;
 
-/// A scene with all there is in it.
+/// A scene with every feature.
 Scene busy() { return random_scene(17, {.camera_inside = true}); }
 View view_of(const Scene& scene, int width, int height, int depth = 4) {
     return {.camera = scene.camera, .width = width, .height = height, .depth = depth};
 }
 
-/// A picture that tiles are put into; each pixel may come once.
+/// Collects tiles; each pixel may come only once.
 struct Canvas {
     int width, height;
     std::vector<double> rgb;
@@ -216,7 +216,7 @@ TEST_CASE("tracing can be stopped, and delivered tiles are complete") {
     CHECK(some.count(0) + some.count(1) == pixels);
     CHECK(some.count(1) < pixels);
 
-    // Whole tiles hold the pixels of the picture that is traced to the end, afterwards, by the same tracer.
+    // Complete tiles hold the same pixels as the whole picture, traced afterwards by the same tracer.
     stop = false;
     Canvas all(view.width, view.height);
     tracer.trace(
