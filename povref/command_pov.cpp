@@ -15,7 +15,7 @@ namespace {
 std::vector<Camera> frames(const Scene& scene, double fps) {
     const Flythrough& path = *scene.flythrough;
     const double last = path.duration * fps;
-    if (!(last < 1e5)) throw UsageError("that would be more than 100000 frames; choose a smaller --fps");
+    if (!(last < 1e5)) throw UsageError("these are more than 100000 frames; choose a smaller --fps");
     std::vector<Camera> cameras;
     for (int n = 0; path.loop ? n < last - 1e-9 : n <= last + 1e-9; ++n)
         cameras.push_back(camera_at(path, scene.camera, n / fps));
@@ -23,7 +23,7 @@ std::vector<Camera> frames(const Scene& scene, double fps) {
 }
 
 void check(const PovOptions& options) {
-    if (options.output.empty()) throw UsageError("where should the scene go? Add -o FILE.pov");
+    if (options.output.empty()) throw UsageError("no output file. Add -o FILE.pov");
     if (std::filesystem::path(options.output).extension() != ".pov")
         throw UsageError("'" + options.output + "' should end in .pov; the .ini is written beside it");
     if (options.animation && options.time) throw UsageError("--animation and --time exclude each other");

@@ -23,6 +23,6 @@ expect 0 "bounds       <8, -2, -2> to <12, 2, 2>" check moved.rt
 echo 'camera { position <0,-9,0> look_at <0,0,0> up <0,0,-1> fov 25 }' >empty.rt
 expect 0 "no bodies" check empty.rt
 
-# Checking must start at once: the picture library is not linked.
+# check must start at once: the picture library is not linked.
 if ldd "$strahl" | grep -q OpenImageIO; then fault "strahl links OpenImageIO"; fi
 finish

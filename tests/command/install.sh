@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The installed program works on its own, from wherever it was put.
+# The installed program works on its own, in any folder.
 set -uo pipefail
 source "$(dirname "$0")/expect.sh"
 

@@ -1,6 +1,5 @@
 #!/usr/bin/env bash
-# The README: its scene renders to its picture, its error message is the real one, and the links of all pages lead
-# somewhere.
+# The README: its scene renders to its picture, its error message is current, and no page has a broken link.
 set -uo pipefail
 source "$(dirname "$0")/expect.sh"
 
@@ -13,7 +12,7 @@ sed 's/^sphere { <-1/shpere { <-1/' balls.rt >wrong.rt
 told=$("$strahl" check wrong.rt 2>&1 | sed s/wrong.rt/balls.rt/)
 [[ $(<"$source_folder/README.md") == *"$told"* ]] || fault "the README quotes another message than: $told"
 
-# Links of every page, relative to its folder; anchors are not looked for.
+# Links of every page, relative to its folder; anchors are not checked.
 while read -r page; do
     while read -r link; do
         [[ -e $(dirname "$page")/${link%%#*} ]] || fault "$page points to $link, which is not there"

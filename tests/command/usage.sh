@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Wrong command lines: exit status 2 and a line that helps; and what --help and --version say.
+# Wrong command lines: exit status 2 and a helpful message; --help and --version.
 set -uo pipefail
 source "$(dirname "$0")/expect.sh"
 
