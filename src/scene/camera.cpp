@@ -5,7 +5,8 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <numbers>
+
+#include "scene/tangent.h"
 
 namespace strahl {
 namespace {
@@ -168,8 +169,7 @@ CameraFrame frame_of(const Camera& camera, double aspect) {
     const DVec3 across = unit(cross(unit(camera.up), forward));
     const DVec3 right = unit(across - glm::dot(across, forward) * forward);
     const DVec3 down = cross(forward, right);
-    // In long double, so that 45 degrees give exactly 1.
-    const double tan_x = static_cast<double>(std::tan(camera.fov * (std::numbers::pi_v<long double> / 180)));
+    const double tan_x = tangent(camera.fov);
     return {right, down, forward, tan_x, tan_x / camera.aspectratio.value_or(aspect)};
 }
 
