@@ -38,10 +38,15 @@ void add_render(CLI::App& app, Action& action) {
         command, "--precision", o->precision,
         {{"float", Precision::float32}, {"double", Precision::float64}, {"extended", Precision::extended}},
         "float, double or extended; by default double, or what --error needs", "KIND");
-    add_choice<Simd>(
-        command, "--simd", o->simd,
-        {{"auto", Simd::automatic}, {"scalar", Simd::scalar}, {"v2", Simd::v2}, {"v3", Simd::v3}, {"v4", Simd::v4}},
-        "Vector instructions: auto (default), scalar, or v2, v3, v4 for the levels of x86-64", "LEVEL");
+    add_choice<Simd>(command, "--simd", o->simd,
+                     {{"auto", Simd::automatic},
+                      {"scalar", Simd::scalar},
+                      {"v2", Simd::v2},
+                      {"v3", Simd::v3},
+                      {"v4", Simd::v4},
+                      {"neon", Simd::neon}},
+                     "Vector instructions: auto (default), scalar, v2, v3 or v4 for the levels of x86-64, or neon",
+                     "LEVEL");
     add_threads(command, o->threads);
     add_bits(command, o->bits, {8, 16, 32}, "Bits per channel: 8, or 16 for .png (.exr always holds 32-bit floats)");
     add_choice<std::string>(command, "--format", o->format, {{"bmp", "bmp"}, {"png", "png"}, {"exr", "exr"}},

@@ -83,13 +83,12 @@ STRAHL_INLINE void add_lanes(Element<S>* to, const S& index, int lanes, const Ve
     using T = Element<S>;
     alignas(64) T at[width<S>];
     store_lanes(at, index);
-    if constexpr (width < S >> 1)
-        if constexpr (interleaves<T>) {
-            alignas(64) T fours[4 * width<S>];
-            interleave(fours, v.x, v.y, v.z);
-            for (int k = 0; k < lanes; ++k) add_four(to + 4 * static_cast<int>(at[k]), fours + 4 * interleaved(k));
-            return;
-        }
+    if constexpr (interleaves<S>) {
+        alignas(64) T fours[4 * width<S>];
+        interleave(fours, v.x, v.y, v.z);
+        for (int k = 0; k < lanes; ++k) add_four(to + 4 * static_cast<int>(at[k]), fours + 4 * interleaved(k));
+        return;
+    }
     alignas(64) T terms[3][width<S>];
     for (int c = 0; c < 3; ++c) store_lanes(terms[c], v[c]);
     for (int k = 0; k < lanes; ++k)

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "num/vec_math.h"
+#include "scene/tangent.h"
 
 namespace strahl {
 namespace {
@@ -158,8 +158,7 @@ CameraFrame frame_of(const Camera& camera, double aspect) {
     const DVec3 across = normalize(cross_product(normalize(camera.up), forward));
     const DVec3 right = normalize(across - dot_product(across, forward) * forward);
     const DVec3 down = cross_product(forward, right);
-    // In long double, so that 45 degrees give exactly 1.
-    const double tan_x = static_cast<double>(std::tan(camera.fov * (std::numbers::pi_v<long double> / 180)));
+    const double tan_x = tangent(camera.fov);
     return {right, down, forward, tan_x, tan_x / camera.aspectratio.value_or(aspect)};
 }
 

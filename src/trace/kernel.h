@@ -121,5 +121,9 @@ inline namespace v4 {
 Kernel<float> kernel_float();
 Kernel<double> kernel_double();
 }  // namespace v4
+inline namespace neon {
+Kernel<float> kernel_float();
+Kernel<double> kernel_double();
+}  // namespace neon
 
 }  // namespace strahl

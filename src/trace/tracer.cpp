@@ -60,6 +60,9 @@ Kernel<T> kernel_for(Simd simd) {
                 return pick(v3::kernel_float, v3::kernel_double);
             case Simd::v4:
                 return pick(v4::kernel_float, v4::kernel_double);
+#elif defined(__aarch64__)
+            case Simd::neon:
+                return pick(neon::kernel_float, neon::kernel_double);
 #endif
             default:
                 return pick(scalar::kernel_float, scalar::kernel_double);

@@ -1,18 +1,11 @@
 // The referee. Every formula is written as the article and the scene language state it, and none as the tracer has it.
 #include "tests/referee/referee.h"
 
-#include <quadmath.h>
-
 #include <cmath>
 #include <vector>
 
 namespace strahl {
 namespace {
-
-long double root(long double a) { return std::sqrt(a); }
-__float128 root(__float128 a) { return sqrtq(a); }
-long double power(long double a, long double b) { return std::pow(a, b); }
-__float128 power(__float128 a, __float128 b) { return powq(a, b); }
 
 template <class R>
 struct Vector {
@@ -298,6 +291,8 @@ bool Referee<R>::explains(int i, int j, const double* rgb, double tolerance, dou
 }
 
 template class Referee<long double>;
-template class Referee<__float128>;
+#if LDBL_MANT_DIG < 113
+template class Referee<Quadruple>;
+#endif
 
 }  // namespace strahl

@@ -7,6 +7,7 @@
 
 #include "tests/stability/naive.h"
 #include "tests/stability/stage.h"
+#include "tests/unit/levels.h"
 #include "trace/thread_pool.h"
 
 using namespace strahl;
@@ -203,6 +204,5 @@ TEST_CASE("a ray's hit does not depend on its neighbours in the pack") {
     const Scene scene = still_life();
     const Frame whole = shoot(scene, Precision::float32, {64, 48, 3});
     const View view{.camera = scene.camera, .width = 64, .height = 48, .depth = 3};
-    for (const Simd simd : {Simd::scalar, Simd::v3, Simd::v4})
-        if (supported(simd)) CHECK(render(scene, view, Precision::float32, 1, simd) == whole);
+    for (const Simd simd : fused_levels()) CHECK(render(scene, view, Precision::float32, 1, simd) == whole);
 }

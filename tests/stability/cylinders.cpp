@@ -27,11 +27,11 @@ Span<T> ours(const Vec3<T>& o, const Vec3<T>& d) {
 }
 /// In 113 bits: where the ray enters the unit cylinder, or NaN.
 double exact(const DVec3& o, const DVec3& d) {
-    using Q = __float128;
+    using Q = Quadruple;
     const Q a = Q(d.x) * d.x + Q(d.y) * d.y, b = Q(o.x) * d.x + Q(o.y) * d.y, c = Q(o.x) * o.x + Q(o.y) * o.y - 1;
     const Q discriminant = b * b - a * c;
     if (discriminant <= 0) return NAN;
-    const Q s = sqrtq(discriminant), low = -Q(o.z) / d.z, high = (1 - Q(o.z)) / d.z;
+    const Q s = root(discriminant), low = -Q(o.z) / d.z, high = (1 - Q(o.z)) / d.z;
     const Q near = std::max<Q>((-b - s) / a, std::min(low, high)), far = std::min<Q>((-b + s) / a, std::max(low, high));
     return near < far ? static_cast<double>(near) : NAN;
 }

@@ -35,7 +35,7 @@ TEST_CASE("total reflection at its threshold") {
     for (int i = -2000; i <= 2000; ++i) {
         const float cosine = static_cast<float>(std::sqrt(5. / 9)) + static_cast<float>(i) * 6e-8f;
         const float k = 1 - 1.5f * 1.5f * (1 - cosine * cosine);
-        const __float128 exact = 1 - __float128(2.25) * (1 - __float128(cosine) * cosine);
+        const Quadruple exact = 1 - Quadruple(2.25) * (1 - Quadruple(cosine) * cosine);
         naive_nan += std::isnan(std::sqrt(k));
         naive_wrong += (k < 0) != (exact < 0);
     }

@@ -1,21 +1,10 @@
-// The methods that fail, and an exact one to compare with: textbook formulas for any number type, __float128 included.
+// The methods that fail, and an exact one to compare with: textbook formulas for any number type, Quadruple included.
 #pragma once
-#include <quadmath.h>
-
-#include <cmath>
-#include <type_traits>
-
 #include "num/vec.h"
+#include "tests/referee/quadruple.h"
 
 namespace strahl::naive {
 
-template <class T>
-T root(T x) {
-    if constexpr (std::is_same_v<T, __float128>)
-        return sqrtq(x);
-    else
-        return std::sqrt(x);
-}
 template <class T>
 T times(const Vec3<T>& a, const Vec3<T>& b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;
@@ -35,7 +24,7 @@ struct Roots {
     T near = 0, far = 0;
     bool hit = false;
 };
-/// The formula of 1999: b^2 - 4ac. In __float128 it is exact enough to judge float and double.
+/// The formula of 1999: b^2 - 4ac. In Quadruple it is exact enough to judge float and double.
 template <class T>
 Roots<T> sphere(const Vec3<T>& o, const Vec3<T>& d, const Vec3<T>& centre, T radius) {
     const Vec3<T> f = o - centre;

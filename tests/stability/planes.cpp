@@ -27,7 +27,7 @@ TEST_CASE("a hit at a grazing angle lies on the plane") {
         const PlaneKernel<float> flat{{0, 0, 1}, height};
         const Span<float> span = flat.span(ray, -1.f);
         REQUIRE(span.hit);
-        using Q = __float128;
+        using Q = Quadruple;
         const Q t = (Q(height) - Q(ray.origin.z)) / Q(ray.direction.z);
         our_error = std::max(our_error, std::abs(static_cast<float>((span.near - t) / t)));
         naive_off += ray.origin.z + span.near * ray.direction.z != height;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "tests/stability/stage.h"
+#include "tests/unit/levels.h"
 
 using namespace strahl;
 using namespace strahl::stability;
@@ -99,8 +100,7 @@ TEST_CASE("the number of threads and lanes does not matter") {
         const Frame frame = shoot(scene, precision, {.threads = 1, .simd = Simd::scalar});
         for (const int threads : {2, 3, 5})
             CHECK(shoot(scene, precision, {.threads = threads, .simd = Simd::scalar}) == frame);
-        for (const Simd simd : {Simd::v3, Simd::v4})
-            if (supported(simd)) CHECK(shoot(scene, precision, {.simd = simd}) == frame);
+        for (const Simd simd : fused_levels()) CHECK(shoot(scene, precision, {.simd = simd}) == frame);
     }
 }
 

@@ -45,7 +45,7 @@ Wrong wrong_answers(int rays, const Method& method) {
     Wrong wrong;
     for (int i = 0; i < rays; ++i) {
         const Ball ball = far_ball(dice);
-        using Q = __float128;
+        using Q = Quadruple;
         const auto exact = naive::sphere<Q>(naive::to<Q>(ball.o), naive::to<Q>(ball.d), Vec3<Q>(Q(0)), ball.radius);
         const auto [near, far, hit] =
             method(naive::to<T>(ball.o), naive::to<T>(ball.d), Vec3<T>(T(0)), static_cast<T>(ball.radius));
@@ -117,7 +117,7 @@ TEST_CASE("the ground is a ball as large as the earth") {
     const double naive_t = naive::sphere<float>(naive::to<float>(o), naive::to<float>(slope), {0, -1e6f, 0}, 1e6f).near;
     CHECK(std::abs(naive_t - 151.149755) > .1);
     const Span<double> span = ours(o, slope, {0, -1e6, 0}, 1e6);
-    using Q = __float128;
+    using Q = Quadruple;
     const auto exact = naive::sphere<Q>(naive::to<Q>(o), naive::to<Q>(slope), {0, Q(-1e6), 0}, Q(1e6));
     CHECK(span.near == doctest::Approx(151.149755).epsilon(1e-8));
     CHECK(std::abs(span.near - static_cast<double>(exact.near)) < 1e-6);

@@ -10,6 +10,7 @@
 #include "tests/referee/examples.h"
 #include "tests/referee/random_scene.h"
 #include "tests/referee/referee.h"
+#include "tests/unit/levels.h"
 #include "trace/tracer.h"
 
 using namespace strahl;
@@ -74,17 +75,10 @@ Verdict judge(const Frame& frame, const Referee<long double>& referee, const Pix
     return verdict;
 }
 
-std::vector<Simd> levels() {
-    std::vector<Simd> list{Simd::scalar};
-    for (const Simd simd : {Simd::v2, Simd::v3, Simd::v4})
-        if (supported(simd)) list.push_back(simd);
-    return list;
-}
-
 struct Tally {
     long pixels = 0, excused = 0;
 };
-/// Traces one scene in every way; scalar, v3 and v4 must give the same bits.
+/// Traces one scene in every way; those of fused_levels() must give the same bits.
 void hold(const Scene& scene, int depth, std::array<Tally, 3>& tally) {
     const Referee<long double> referee(scene, scene.camera, columns, rows, depth);
     const Pixels truth = pixels(referee);
@@ -92,14 +86,14 @@ void hold(const Scene& scene, int depth, std::array<Tally, 3>& tally) {
     for (const Precision precision : {Precision::float32, Precision::float64, Precision::extended}) {
         const Bounds allowed = bounds(precision);
         Frame scalar;
-        for (const Simd simd : levels()) {
+        for (const Simd simd : all_levels()) {
             if (precision == Precision::extended && simd != Simd::scalar) continue;
             CAPTURE(std::string(name(precision)));
             CAPTURE(std::string(name(simd)));
             const Frame frame = render(scene, view, precision, 2, simd);
             REQUIRE(frame.rgb.size() == 3u * columns * rows);
             if (simd == Simd::scalar) scalar = frame;
-            if (simd == Simd::v3 || simd == Simd::v4) {
+            if (simd != Simd::scalar && simd != Simd::v2) {
                 CHECK(std::memcmp(frame.rgb.data(), scalar.rgb.data(), 8 * frame.rgb.size()) == 0);
                 continue;
             }

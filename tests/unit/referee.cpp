@@ -178,7 +178,7 @@ TEST_CASE("long double and 113 bits agree on random scenes") {
     for (std::uint64_t seed = 0; seed < 6; ++seed) {
         const Scene scene = random_scene(seed, {.camera_inside = seed % 3 == 2});
         const Referee<long double> extended(scene, scene.camera, 8, 6, 5);
-        const Referee<__float128> quad(scene, scene.camera, 8, 6, 5);
+        const Referee<Quadruple> quad(scene, scene.camera, 8, 6, 5);
         for (int j = 0; j < 6; ++j)
             for (int i = 0; i < 8; ++i) {
                 const Sample a = extended.at(i + .5, j + .5), b = quad.at(i + .5, j + .5);

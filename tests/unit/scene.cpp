@@ -2,12 +2,14 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <string>
 #include <vector>
 
 #include "num/vec_math.h"
 #include "scene/camera.h"
+#include "scene/tangent.h"
 #include "scene/transformation.h"
 
 using namespace strahl;
@@ -75,6 +77,20 @@ TEST_CASE("the article's camera looks at +y with +x to the right of the picture"
     CHECK(frame.tan_y == .75);
     CHECK(frame_of({{0, -20, 0}, {0, 0, 0}, {0, 0, -1}, 45, 2}, 4. / 3).tan_y ==
           .5);  // its own aspectratio has priority
+}
+
+TEST_CASE("tangents are right to the last bit") {
+    CHECK(tangent(0) == 0);
+    CHECK(tangent(45) == 1);
+    // Where the C library of x86-64 takes the neighbour.
+    CHECK(tangent(35.1) == 0.7028117712403573746701);
+    CHECK(tangent(58.37) == 1.6235713841211499852100);
+    CHECK(tangent(89.71) == 197.56996633889131866304);
+    for (double degrees = 1e-12; degrees < 90; degrees *= 1.001) {
+        CAPTURE(degrees);
+        const long double exact = std::tan(degrees * (std::numbers::pi_v<long double> / 180));
+        CHECK(std::fabs(tangent(degrees) - exact) < .501L * exact * std::numeric_limits<double>::epsilon());
+    }
 }
 
 TEST_CASE("camera axes are orthonormal and right-handed at any position") {

@@ -9,6 +9,7 @@
 #include "tests/referee/examples.h"
 #include "tests/referee/random_scene.h"
 #include "tests/referee/referee.h"
+#include "tests/unit/levels.h"
 #include "tests/unit/scenes.h"
 #include "trace/thread_pool.h"
 #include "trace/tracer.h"
@@ -151,8 +152,7 @@ TEST_CASE_TEMPLATE("what is left out of a pixel depends on that pixel alone, not
             CHECK(counts.total() < all);
             all = counts.total();
             CHECK(counts.lost() > 0);
-            for (const Simd simd : {Simd::scalar, Simd::v3, Simd::v4})
-                if (supported(simd)) CHECK(render(scene, view, P::precision, 1, simd) == expected);
+            for (const Simd simd : fused_levels()) CHECK(render(scene, view, P::precision, 1, simd) == expected);
             Tracer tracer(scene, P::precision);
             Canvas canvas(view.width, view.height);
             Counts sum;
@@ -245,8 +245,7 @@ TEST_CASE("a shifted view samples beside the pixels' centres") {
 
 TEST_CASE_TEMPLATE("no pixel is ever without a number", P, Single, Twice, Extended) {
     const auto finite = [](const Scene& scene, int width, int height) {
-        for (const Simd simd : {Simd::scalar, Simd::v2, Simd::v3, Simd::v4}) {
-            if (!supported(simd)) continue;
+        for (const Simd simd : all_levels()) {
             CAPTURE(std::string(name(simd)));
             const Frame frame = render(scene, view_of(scene, width, height, 6), P::precision, 1, simd);
             CHECK(std::all_of(frame.rgb.begin(), frame.rgb.end(), [](double v) { return std::abs(v) < 100; }));
