@@ -4,7 +4,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
-#include <stdexcept>
 
 #include "image/compare.h"
 #include "image/transfer.h"
@@ -18,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The tracer's picture, and how long it took.
+/// Strahl's picture, and the time for tracing it.
 struct OurRun {
     Frame frame;
     double seconds;
@@ -38,7 +37,7 @@ OurRun trace(Tracer& tracer, const View& view, int threads) {
     return run;
 }
 
-/// What a screen shows of linear light, or of values that go straight to it.
+/// The values as a screen shows them.
 Picture for_screen(Picture picture, bool linear) {
     for (double& v : picture.values) v = quantise(v, linear, 65535) / 65535.;
     return picture;
@@ -86,7 +85,7 @@ bool check(const CrosscheckOptions& options, const std::string& path) {
     print_row(path, verdict, ours.seconds, theirs.seconds);
     if (!theirs.warnings.empty()) std::cerr << path << ": povray warns:\n" << theirs.warnings;
     if (verdict.beyond_off_edges > 0)
-        std::cerr << path << ": worst off the edges at x " << verdict.x << ", y " << verdict.y << '\n';
+        std::cerr << path << ": largest difference off the edges at x " << verdict.x << ", y " << verdict.y << '\n';
     if (!options.sheet.empty())
         write_sheet(sheet_path(options, path), ours.frame, theirs.picture, scene.settings.linear);
     return verdict.beyond_off_edges == 0 && verdict.beyond_on_edges * 1000 <= verdict.pixels;
@@ -96,8 +95,8 @@ bool check(const CrosscheckOptions& options, const std::string& path) {
 
 int crosscheck_command(const CrosscheckOptions& options) {
     if (const std::string fault = options.sheet.empty() ? "" : format_fault(options.sheet, 0); !fault.empty())
-        throw std::invalid_argument(fault);
-    // Largest difference and pixels beyond one are in steps of 1/65535; times are for tracing alone.
+        throw UsageError(fault);
+    // Differences are in steps of 1/65535; times are for tracing alone.
     std::printf(
         "| %-36s | %7s | %9s | %10s | %8s | %8s | %9s |\n|%s|\n", "scene", "pixels", "worst off", "beyond off",
         "on edges", "strahl s", "povray s",

@@ -1,4 +1,4 @@
-// strahl crosscheck: scenes rendered by strahl and by POV-Ray, compared.
+// strahl crosscheck: renders scenes with Strahl and POV-Ray and compares.
 #pragma once
 #include <optional>
 #include <string>
@@ -8,10 +8,10 @@ namespace strahl {
 
 struct CrosscheckOptions {
     std::vector<std::string> scenes;
-    std::string sheet;  // a picture of ours, theirs and the difference; with several scenes their names go in
+    std::string sheet;  // a picture of both and their difference; with several scenes its name includes theirs
     int width = 320, height = 240;
-    std::optional<int> depth;  // 1 to 256; the scene's max_trace_level if not given
-    int threads = 0;           // of each of both programs; 0 takes all
+    std::optional<int> depth;  // 1 to 256; by default the scene's max_trace_level
+    int threads = 0;           // of each program; 0: all processors
 };
 
 /// Prints a table, in Markdown, to standard output. Returns the exit status: 0 if no scene has a pixel off the edges

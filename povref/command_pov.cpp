@@ -3,7 +3,6 @@
 #include <cmath>
 #include <filesystem>
 #include <iostream>
-#include <stdexcept>
 
 #include "povref/pov_scene.h"
 #include "text/file.h"
@@ -16,7 +15,7 @@ namespace {
 std::vector<Camera> frames(const Scene& scene, double fps) {
     const Flythrough& path = *scene.flythrough;
     const double last = path.duration * fps;
-    if (!(last < 1e5)) throw std::invalid_argument("that would be more than 100000 frames; choose a smaller --fps");
+    if (!(last < 1e5)) throw UsageError("these are more than 100000 frames; choose a smaller --fps");
     std::vector<Camera> cameras;
     for (int n = 0; path.loop ? n < last - 1e-9 : n <= last + 1e-9; ++n)
         cameras.push_back(camera_at(path, scene.camera, n / fps));
@@ -24,10 +23,10 @@ std::vector<Camera> frames(const Scene& scene, double fps) {
 }
 
 void check(const PovOptions& options) {
-    if (options.output.empty()) throw std::invalid_argument("where should the scene go? Add -o FILE.pov");
+    if (options.output.empty()) throw UsageError("no output file. Add -o FILE.pov");
     if (std::filesystem::path(options.output).extension() != ".pov")
-        throw std::invalid_argument("'" + options.output + "' should end in .pov; the .ini is written beside it");
-    if (options.animation && options.time) throw std::invalid_argument("--animation and --time exclude each other");
+        throw UsageError("'" + options.output + "' should end in .pov; the .ini is written beside it");
+    if (options.animation && options.time) throw UsageError("--animation and --time exclude each other");
 }
 
 }  // namespace
@@ -38,8 +37,7 @@ int pov_command(const PovOptions& options) {
     const bool piped = options.scene == "-";
     const Scene scene = parse_scene(read_text(options.scene), piped ? "standard input" : options.scene);
     if ((options.animation || options.time) && !scene.flythrough)
-        throw std::invalid_argument("'" + options.scene +
-                                    "' has no flythrough, so there is no --time and no --animation");
+        throw UsageError("'" + options.scene + "' has no flythrough, so there is no --time and no --animation");
     PovRequest request{.title = piped ? "A scene" : fs::path(options.scene).filename().string(),
                        .pov_path = options.output,
                        .picture_path = fs::path(options.output).replace_extension(".png").string(),

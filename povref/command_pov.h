@@ -1,4 +1,4 @@
-// strahl pov: a scene becomes a POV-Ray scene.
+// strahl pov: converts a scene for POV-Ray.
 #pragma once
 #include <optional>
 #include <string>
@@ -9,15 +9,14 @@ struct PovOptions {
     std::string scene;             // a file, or "-" for standard input
     std::string output;            // the .pov file; the .ini is written beside it
     std::optional<double> time{};  // seconds into the flythrough
-    bool animation = false;        // all of the flythrough as one scene
+    bool animation = false;        // the whole flythrough as one scene
     double fps = 25;               // its frames per second
     int width = 640, height = 480;
-    std::optional<int> depth{};  // 1 to 256; the scene's max_trace_level if not given
+    std::optional<int> depth{};  // 1 to 256; by default the scene's max_trace_level
     int bits = 16;               // of POV-Ray's picture, 8 or 16
 };
 
-/// Returns the exit status. Throws FileError for faults in files, and std::invalid_argument for options that make no
-/// sense.
+/// Returns the exit status. Throws FileError and UsageError.
 int pov_command(const PovOptions& options);
 
 }  // namespace strahl

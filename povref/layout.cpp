@@ -21,7 +21,7 @@ std::string comment(const std::string& text, const std::string& mark) {
     for (std::size_t start = 0; start < text.size();) {
         const std::size_t end = std::min(text.find(' ', start), text.size());
         if (line.size() + 1 + end - start > columns) lines += line + "\n", line = mark;
-        line += " " + text.substr(start, end - start);
+        line.append(" ").append(text, start, end - start);
         start = end + 1;
     }
     return lines + line + "\n";

@@ -1,4 +1,4 @@
-// How POV-Ray text is laid out: blocks, comments, headings.
+// The layout of POV-Ray text: blocks, comments, headings.
 #pragma once
 #include <string>
 #include <vector>

@@ -6,7 +6,7 @@
 namespace strahl {
 namespace {
 
-/// The everyday name of a colour.
+/// The common name of a colour.
 std::string name_of(const Color& c) {
     const double high = std::max({c.x, c.y, c.z}), low = std::min({c.x, c.y, c.z}), span = high - low;
     if (span < 0.25 * high || high == 0)

@@ -3,18 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "num/decimal.h"
 #include "povref/layout.h"
 #include "povref/material_names.h"
-#include "povref/numbers.h"
 
 namespace strahl {
 namespace {
 
-/// What of a scene decides how its materials must be written.
+/// Properties of the scene that affect how materials are written.
 struct Circumstances {
     bool bends = false;        // some ior is not 1: there may be total reflection
     bool lights = false;       // there may be shadows
-    bool depth_shows = false;  // the last generation's rays still carry light that a 16-bit picture shows
+    bool depth_shows = false;  // the last generation still carries light that a 16-bit picture shows
 };
 
 Circumstances circumstances_of(const Scene& scene, int depth) {
@@ -29,14 +29,14 @@ Circumstances circumstances_of(const Scene& scene, int depth) {
     return all;
 }
 
-/// A transparent body's share of light that goes on, Kr + Kt. POV-Ray keeps it in single precision; so may the text.
+/// The share of light that continues from a transparent body, Kr + Kt. POV-Ray keeps it in single precision.
 std::string weight(const Material& m) {
     char digits[32];
     return {digits, std::to_chars(digits, digits + sizeof digits, static_cast<float>(m.reflection + m.refraction)).ptr};
 }
 
-/// The terms of a finish. POV-Ray dims ambient and diffuse light by a pigment's opacity, which is divided out
-/// (`opacity` is a text, "" for 1).
+/// The terms of a finish. POV-Ray multiplies ambient and diffuse light by the opacity of the pigment, so they are
+/// divided by it. `opacity` is text, "" for 1.
 std::vector<std::string> finish(const Material& m, const std::string& opacity, bool keyword) {
     const auto lit = [&](double k) { return text_of(k) + (k == 0 || opacity.empty() ? "" : "/" + opacity); };
     std::vector<std::string> terms{"ambient " + lit(m.ambient), "diffuse " + lit(m.diffuse)};
@@ -51,7 +51,8 @@ std::string texture(const std::string& pigment, const std::vector<std::string>& 
            block("  finish {", finish, indent + "  ") + indent + "}";
 }
 
-/// The share of what goes on that is transmitted, as a pigment dims it; the keyword dims what is totally reflected too.
+/// The transmitted share as the pigment has it; with the keyword, which also applies to total reflection, relative to
+/// Kr + Kt.
 double transmitted(const Material& m, bool keyword) {
     return keyword ? m.refraction / (m.reflection + m.refraction) : m.refraction;
 }
@@ -60,7 +61,7 @@ std::string transmitted_text(const Material& m, bool keyword) {
     return m.reflection == 0 ? "1" : text_of(m.refraction) + "/" + weight(m);
 }
 
-/// Nothing of a pigment that is (almost) wholly clear can be lit.
+/// A pigment that is (almost) clear can't be lit.
 bool needs_layers(const Material& m, bool keyword) {
     return transmitted(m, keyword) > 0.95 && (m.ambient > 0 || m.diffuse > 0);
 }
@@ -82,12 +83,12 @@ PovMaterial describe(const Material& m, const std::string& name, const Circumsta
             "#declare " + name + " = " + texture("rgb " + text_of(m.rgb), finish(m, "", false), "") + "\n";
         return pov;
     }
-    // Total reflection carries Kr + Kt here and 1 in POV-Ray, where the old keyword `refraction` can change it.
+    // Total reflection has the share Kr + Kt here, and 1 in POV-Ray unless the old keyword `refraction` changes it.
     pov.keyword = scene.bends && std::fabs(m.reflection + m.refraction - 1) > 1e-9;
     pov.layered = needs_layers(m, pov.keyword);
     pov.own_shadow = scene.lights && (pov.keyword || m.rgb != Color(1));
     pov.near_one = m.ior == 1 && scene.depth_shows;
-    // POV-Ray keeps an ior in single precision; this is the number after 1.
+    // POV-Ray keeps the ior in single precision; this is the next number after 1.
     const std::string ior = pov.near_one ? "1.00000012" : text_of(m.ior);
     pov.declaration = "#declare " + name + " = material {\n  " + seen_through(m, pov.keyword) + "\n  interior { ior " +
                       ior + " }\n}\n";

@@ -1,4 +1,4 @@
-// The illumination equation's coefficients as POV-Ray textures.
+// The coefficients of the illumination equation as POV-Ray textures.
 #pragma once
 #include <string>
 #include <vector>
@@ -7,17 +7,17 @@
 
 namespace strahl {
 
-/// A material as POV-Ray statements. An opaque one is a `texture` of that name. A transparent one is a `material`, and
-/// if its shadows are coloured while the view through it is not, there is also a texture NAME_Shadow for a copy of the
-/// body that does nothing but cast them: POV-Ray knows one colour for both.
+/// A material as POV-Ray statements. An opaque one is a `texture` of that name, a transparent one a `material`. If its
+/// shadow is coloured while the view through it is not, there is also a texture NAME_Shadow, for a copy of the body
+/// that only casts the shadow: POV-Ray has one colour for both.
 struct PovMaterial {
     std::string name;
     std::string declaration{};
     bool transparent = false;
-    bool own_shadow = false;  // needs the copy
+    bool own_shadow = false;  // needs that copy
     bool keyword = false;     // uses the finish keyword `refraction`, about which POV-Ray warns
     bool layered = false;     // has two layers of texture
-    bool near_one = false;    // ior 1 is written as the next greater number
+    bool near_one = false;    // an ior of 1 is written as the next larger number
 };
 
 /// In the order of scene.materials. `depth` is the number of generations of rays.

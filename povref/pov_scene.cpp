@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
 #include <map>
 
+#include "num/decimal.h"
+#include "num/vec_math.h"
 #include "povref/layout.h"
 #include "povref/materials.h"
-#include "povref/numbers.h"
 #include "povref/sentences.h"
 #include "povref/unit.h"
 #include "scene/overlap.h"
@@ -15,7 +16,7 @@
 namespace strahl {
 namespace {
 
-/// What is said to those who read the file or run the program, and what decides how things are written.
+/// What decides how the scene is written, and which comments and warnings it gets.
 struct Plan {
     Unit unit;
     std::vector<PovMaterial> materials;
@@ -24,11 +25,11 @@ struct Plan {
     bool keyword = false;         // some material uses `refraction`
     bool shadow_copies = false;   // some body has a copy that casts its shadow
     bool bodies_overlap = false;  // transparent ones share space
-    bool near_one = false;        // some ior of 1 is not written so
+    bool near_one = false;        // some ior of 1 is written as a larger number
 };
 
 bool contains(const Primitive& primitive, const DVec3& p) {
-    const DVec3 local(glm::inverse(matrix(primitive.transformations)) * glm::dvec4(p, 1));
+    const DVec3 local = transform_point(glm::inverse(matrix(primitive.transformations)), p);
     return std::visit([&](const auto& shape) { return shape.contains(local); }, primitive.shape);
 }
 
@@ -154,7 +155,7 @@ std::string material_section(const Plan& plan) {
 }
 
 std::string step_text(const Transformation& step) {
-    // POV-Ray takes factors this small for 0, and 0 for 1.
+    // POV-Ray treats smaller factors as 0, and 0 as 1.
     constexpr double least = 1e-9;
     struct {
         std::string operator()(const Rotate& r) const { return "rotate " + text_of(r.degrees); }
@@ -177,8 +178,8 @@ std::vector<std::string> placement(const Primitive& primitive, const Plan& plan)
     return items;
 }
 
-/// Everything but the transparent bodies that need a copy. Opaque ones come first: POV-Ray lists the bodies around the
-/// camera in this order, and the last listed is the medium that rays start in.
+/// All bodies. Opaque ones come first: POV-Ray lists the bodies around the camera in this order, and rays start in the
+/// last one listed.
 std::string body_sections(const Scene& scene, const Plan& plan) {
     std::string solid, clear, declared, shadows, seen;
     std::map<std::string, int> count;
@@ -220,7 +221,7 @@ std::string quoted_path(const std::string& path) {
     return path.find_first_of(" ;#'") == std::string::npos ? path : "\"" + path + "\"";
 }
 
-/// What to type in a shell to run POV-Ray, which splits its arguments at spaces once more.
+/// The shell command that runs POV-Ray, which splits its arguments at spaces again.
 std::string command(const std::string& ini_path) {
     const std::string quoted = quoted_path(ini_path);
     if (quoted == ini_path) return "povray " + quoted;

@@ -1,4 +1,4 @@
-// Scene -> POV-Ray scene and the .ini that renders it.
+// Converts a scene to a POV-Ray scene, and an .ini file that renders it.
 #pragma once
 #include <string>
 #include <vector>
@@ -8,8 +8,8 @@
 namespace strahl {
 
 struct PovRequest {
-    std::string title{};            // what the scene is called, for the comment at the top
-    std::string pov_path{};         // of the scene file, as the .ini shall name it
+    std::string title{};            // for the comment at the top
+    std::string pov_path{};         // of the scene file, as the .ini names it
     std::string picture_path{};     // a .png
     std::vector<Camera> cameras{};  // one for a still; one per frame for an animation
     double fps = 0;                 // of the animation
@@ -18,14 +18,14 @@ struct PovRequest {
     int bits = 16;   // per channel, 8 or 16
 };
 
-/// Both files, and in `warnings` what POV-Ray can't express exactly (also told in the scene's own comments).
+/// Both files, and warnings of what POV-Ray can't express exactly, which are also in the scene's comments.
 struct PovFiles {
     std::string pov, ini;
     std::vector<std::string> warnings;
 };
 
-/// The picture that POV-Ray 3.7 makes of these is the one that strahl makes, up to rounding: term by term, with the
-/// camera's axes written out, so that it doesn't matter which way round the world's axes are.
+/// POV-Ray 3.7 renders these to the same picture as Strahl, up to rounding. The scene is equal term by term, and its
+/// camera's axes are written out, so that the handedness of the world does not matter.
 PovFiles write_pov(const Scene& scene, const PovRequest& request);
 
 }  // namespace strahl

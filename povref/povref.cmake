@@ -1,2 +1,2 @@
-# POV-Ray as the referee: scenes for it, and the two programs' pictures against each other.
+# Conversion to POV-Ray, and comparison of the two programs' pictures.
 strahl_module(povref povref strahl_scene strahl_text strahl_trace strahl_image)

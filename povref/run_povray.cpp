@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder that goes with all that is in it.
+/// A temporary folder, removed with its content.
 class Scratch {
   public:
     Scratch() {
@@ -40,7 +40,8 @@ class Scratch {
     fs::path folder;
 };
 
-/// Runs `words`, with all output in the file `log`. Returns the exit status, or -1 if there is no such program.
+/// Runs the command `words` with its output in the file `log`. Returns the exit status, or -1 if the program is
+/// missing.
 int run(std::vector<std::string> words, const std::string& log) {
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());
@@ -65,7 +66,7 @@ std::string content(const std::string& path) {
     return text.str();
 }
 
-/// Each message that POV-Ray marks as a warning, with the lines that go on with it.
+/// All warnings of POV-Ray with their continuation lines, except the one about the keyword `refraction`.
 std::string warnings_in(const std::string& log) {
     std::string found, message;
     const auto keep = [&] {
@@ -96,14 +97,13 @@ PovRun run_povray(const Scene& scene, PovRequest request, int threads) {
     write_file(request.pov_path, files.pov);
     write_file(scratch.path("scene.ini"), files.ini);
     std::vector<std::string> words{"povray", scratch.path("scene.ini"), "Warning_Console=On", "Verbose=Off"};
-    // Linear values are compared as they are, so that no curve comes between.
+    // Linear values are compared without a transfer curve.
     if (scene.settings.linear) words.push_back("File_Gamma=1.0");
     if (threads > 0) words.push_back("Work_Threads=" + std::to_string(threads));
     const std::string log_path = scratch.path("log");
     const int status = run(words, log_path);
     if (status == -1 || status == 127)
-        throw std::runtime_error(
-            "povray, the other program to check against, is not installed; on Debian: apt install povray");
+        throw std::runtime_error("povray is not installed; on Debian: apt install povray");
     const std::string log = content(log_path);
     if (status != 0)
         throw std::runtime_error("povray failed:\n" + log.substr(log.size() < 1500 ? 0 : log.size() - 1500));

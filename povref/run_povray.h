@@ -1,4 +1,4 @@
-// Running POV-Ray.
+// Runs POV-Ray.
 #pragma once
 #include <string>
 
@@ -8,13 +8,13 @@
 namespace strahl {
 
 struct PovRun {
-    Picture picture;       // the computed values, clamped, in 16 bits
-    double seconds = 0;    // its own "Trace Time"
-    std::string warnings;  // what it had to say, but for the keyword `refraction`
+    Picture picture;       // values clamped, in 16 bits
+    double seconds = 0;    // its "Trace Time"
+    std::string warnings;  // its warnings, except about the keyword `refraction`
 };
 
-/// Renders the one camera of `request`; paths in it are ignored. `threads` 0 takes all. Throws std::runtime_error,
-/// with advice, if povray is not installed, and with its own words if it fails.
+/// Renders the one camera of `request`, whose paths are ignored. `threads` 0: all processors. Throws std::runtime_error
+/// with advice if povray is not installed, or with its messages if it fails.
 PovRun run_povray(const Scene& scene, PovRequest request, int threads);
 
 }  // namespace strahl

@@ -2,7 +2,7 @@
 #pragma once
 #include <string>
 
-#include "povref/numbers.h"
+#include "num/decimal.h"
 #include "scene/kinds.h"
 
 namespace strahl {

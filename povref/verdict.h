@@ -1,4 +1,4 @@
-// Strahl's picture against POV-Ray's: which pixels differ, and whether rounding alone decides them.
+// Compares Strahl's picture with POV-Ray's: which pixels differ, and whether they are on an edge.
 #pragma once
 #include <cstddef>
 #include <vector>
@@ -17,11 +17,10 @@ struct Verdict {
     int x = -1, y = -1;                // of the worst pixel off the edges, if it is beyond one step
 };
 
-/// So near to an edge, in pixels, it may be decided otherwise by POV-Ray, whose lengths below 1e-4 and 1e-3 do not
-/// count.
+/// A pixel this near to an edge may differ, because POV-Ray ignores lengths below 1e-4 and 1e-3.
 inline constexpr double edge_radius = 0.01;
 
-/// `theirs` is POV-Ray's picture of the view; `ours` the tracer's.
+/// `theirs` is POV-Ray's picture of the view, `ours` the tracer's.
 Verdict judge(Tracer& tracer, const View& view, const Frame& ours, const Picture& theirs);
 
 }  // namespace strahl

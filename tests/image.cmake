@@ -1,4 +1,4 @@
-# Files, pictures and their comparison; and the parts of the commands that need nothing else.
+# Files, pictures and their comparison, and the parts of the commands that need nothing else.
 strahl_test(file strahl_text)
 strahl_test(picture strahl_image)
 strahl_test(compare strahl_image)

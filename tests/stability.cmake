@@ -1,4 +1,4 @@
-# The stability suite: where methods of ray tracing fail, and that the engine holds. See tests/stability/README.md.
+# The stability suite: where methods of ray tracing fail, and that Strahl does not. See tests/stability/README.md.
 set(stability ${CMAKE_SOURCE_DIR}/tests/stability)
 add_library(strahl_stage STATIC ${stability}/stage.cpp)
 target_link_libraries(strahl_stage PUBLIC strahl_trace strahl_referee)

@@ -1,4 +1,4 @@
-// Two pictures against each other.
+// Comparison of two pictures.
 #include "image/compare.h"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ std::string size_of(const Picture& picture) {
     return std::to_string(picture.width) + "x" + std::to_string(picture.height);
 }
 
-/// The number of channels that both have, less an alpha that only one has.
+/// The number of channels that both have, without an alpha channel that only one has.
 int common_channels(const Picture& a, const Picture& b) {
     if (a.width != b.width || a.height != b.height)
         throw FileError("pictures of different sizes cannot be compared: " + size_of(a) + " and " + size_of(b));
@@ -33,7 +33,7 @@ double distance(double a, double b) {
     return std::isnan(a) || std::isnan(b) ? std::numeric_limits<double>::infinity() : std::abs(a - b);
 }
 
-/// Neighbouring codes k/255 and (k+1)/255 are 1/255 apart but for rounding, which must not count as more.
+/// Neighbouring codes k/255 and (k+1)/255 are 1/255 apart up to rounding, which must not count as more.
 bool beyond(double difference, double tolerance) { return difference > tolerance * (1 + 1e-9); }
 
 std::array<double, 3> heat(double difference) {

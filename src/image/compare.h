@@ -1,4 +1,4 @@
-// Two pictures against each other: figures, a map of where they differ, and pictures beside each other.
+// Comparison of two pictures: figures, a heat map, and pictures side by side.
 #pragma once
 #include <cstddef>
 #include <string>
@@ -15,7 +15,7 @@ struct Difference {
     double psnr = 0;                // decibels below 1, the brightest a screen shows; infinite if equal
     double share_beyond_8bit = 0;   // of the pixels with a channel that differs by more than 1/255
     double share_beyond = 0;        // of the pixels with a channel that differs by more than the tolerance
-    int x = 0, y = 0, channel = 0;  // of the (first) greatest difference
+    int x = 0, y = 0, channel = 0;  // of the first largest difference
     double value_a = 0, value_b = 0;
 };
 
@@ -23,11 +23,12 @@ struct Difference {
 /// or the other channels do not match.
 Difference compare(const Picture& a, const Picture& b, double tolerance);
 
-/// The figures as a few lines for people.
+/// The figures as a few lines of text.
 std::string report(const Difference& difference, double tolerance);
 
-/// Each pixel's greatest difference as a colour: black where equal, then from blue through red and yellow to white on
-/// a logarithmic scale from 1/65535 to 1. The values are meant for the screen as they are. Throws as compare does.
+/// Each pixel's largest difference as a colour: black where equal, then from blue through red and yellow to white on a
+/// logarithmic scale from 1/65535 to 1. The values are not linear light but meant for the screen. Throws as compare
+/// does.
 Picture heatmap(const Picture& a, const Picture& b);
 
 /// All pictures in a row with `gap` grey pixels between them, aligned at the top, as red, green and blue.

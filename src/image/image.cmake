@@ -1,14 +1,14 @@
-# Pictures: the plain part, and a module with OpenImageIO in it that is loaded only when a picture file is needed.
+# Pictures, and a module with OpenImageIO that is loaded only when a picture file is read or written.
 strahl_module(image src/image strahl_text)
 target_link_libraries(strahl_image PRIVATE ${CMAKE_DL_LIBS})
 
-# Not find_package(OpenImageIO): Debian 12's own is broken (it asks for a missing iconvert).
+# Not find_package(OpenImageIO): that of Debian 12 is broken (it requires a missing iconvert).
 pkg_check_modules(OIIO REQUIRED IMPORTED_TARGET OpenImageIO>=2.4)
 add_library(strahl_picture_module MODULE src/image/oiio/oiio_module.cpp)
 target_link_libraries(strahl_picture_module PRIVATE strahl_flags PkgConfig::OIIO)
-# In the build folder it lies where it lies when installed, seen from programs at the top and one folder down.
+# Its place relative to the programs is the same in the build folder as when installed.
 set_target_properties(strahl_picture_module PROPERTIES OUTPUT_NAME strahl_image CXX_VISIBILITY_PRESET hidden
                       LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/lib/strahl)
-# Whatever links the plain part can be run as soon as it is built.
+# So that a program that links strahl_image can be run as soon as it is built.
 add_dependencies(strahl_image strahl_picture_module)
 install(TARGETS strahl_picture_module LIBRARY DESTINATION lib/strahl)

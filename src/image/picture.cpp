@@ -1,4 +1,4 @@
-// Pictures: endings, quantising, and the way to the module that encodes and decodes files.
+// Picture files: endings, quantisation, and loading of the module that encodes and decodes.
 #include "image/picture.h"
 
 #include <dlfcn.h>
@@ -28,8 +28,8 @@ struct Library {
     decltype(&strahl_decode_picture) decode;
 };
 
-/// The module lies in lib/strahl: of the build folder, whose programs stand at its top or one folder down, or of the
-/// prefix it was installed to, whose programs stand in bin.
+/// The module is in lib/strahl: either of the build folder, whose programs are at its top or one folder down, or of the
+/// prefix that it was installed to, whose programs are in bin.
 Library load_library() {
     std::error_code error;
     const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
@@ -43,15 +43,15 @@ Library load_library() {
     if (!handle)
         throw FileError(std::string("the part of strahl that reads and writes pictures does not load: ") + ::dlerror());
 #if defined(__SANITIZE_ADDRESS__)
-    // One of these libraries ends threads of its own at exit, and the search for leaks stumbles over threads that are
-    // just ending. This comes before.
+    // One of these libraries ends its threads at exit, and the leak check fails on threads that are just ending. So
+    // check before.
     std::atexit(__lsan_do_leak_check);
 #endif
     return {reinterpret_cast<decltype(&strahl_encode_picture)>(::dlsym(handle, "strahl_encode_picture")),
             reinterpret_cast<decltype(&strahl_decode_picture)>(::dlsym(handle, "strahl_decode_picture"))};
 }
 
-/// Loaded once per process, by whoever asks first.
+/// Loaded once per process, on first use.
 const Library& library() {
     static const Library loaded = load_library();
     return loaded;
@@ -79,8 +79,7 @@ std::vector<T> quantised(const Picture& picture, bool linear) {
 
 double half_step(FileFormat format) {
     if (format.bits > 16) return 0;
-    constexpr double steepest = 12.92;  // of the curve that encodes linear light
-    return .5 / (format.bits == 16 ? 65535 : 255) / (format.linear ? steepest : 1);
+    return .5 / (format.bits == 16 ? 65535 : 255) / (format.linear ? steepest_srgb : 1);
 }
 
 std::string format_fault(const std::string& path, int bits) {
@@ -133,7 +132,7 @@ std::future<void> preload_picture_library() {
         try {
             library();
         } catch (const FileError&) {
-            // Told by whoever needs the library: it tries again.
+            // Whoever needs the library tries again and reports the error.
         }
     });
 }

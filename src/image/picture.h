@@ -1,4 +1,4 @@
-// Pictures: files in and out. No caller needs to know which library does it.
+// Reading and writing picture files. Callers need not know the library behind it.
 #pragma once
 #include <future>
 #include <string>
@@ -20,24 +20,24 @@ struct FileFormat {
     bool linear = false;  // the scene's `assumed_gamma 1`: 8- and 16-bit files are sRGB-encoded
 };
 
-/// Is this an ending that write_picture knows (.bmp .png .exr), with these bits? Else a message that says what to do.
-/// `bits` 0 means the ending's default. `path` may be the ending alone.
+/// Empty if write_picture can write this ending (.bmp .png .exr) with these bits, else a message that says what to do.
+/// `bits` 0 means the default of the ending. `path` may be the ending alone.
 std::string format_fault(const std::string& path, int bits);
 
-/// What can't be seen in such a file: half a step of its values (0 for floats), before they are encoded.
+/// The largest error that such a file can't show: half a step of its values before encoding (0 for floats).
 double half_step(FileFormat format);
 
-/// Writes atomically: a temporary file beside `path`, then rename. "-" is standard output, for which `ending`
-/// (".png", say) chooses the format. Throws OutputError.
+/// Writes atomically: to a temporary file beside `path`, which is then renamed. "-" is standard output, for which
+/// `ending` (such as ".png") chooses the format. Throws OutputError.
 void write_picture(const Picture& picture, const std::string& path, FileFormat format, const std::string& ending = "");
 
-/// Any format that OpenImageIO reads, but 16-bit PNM, which it reads wrong by one. No colours are converted. Throws
-/// FileError.
+/// Reads any format that OpenImageIO does, except 16-bit PNM, whose values it gets wrong by one. Colours are not
+/// converted. Throws FileError.
 Picture read_picture(const std::string& path);
 
-/// Starts loading the picture library in the background, so that write_picture need not wait (it costs 0.2 s). Keep
+/// Starts loading the picture library in the background, which takes 0.2 s, so that write_picture need not wait. Keep
 /// the future until the end of main: its destructor waits for the loading, and a program that ends meanwhile can crash
-/// in the library's own start-up. A failure is told by the read or write that follows.
+/// in the library's start-up. A failure is reported by the next read or write.
 [[nodiscard]] std::future<void> preload_picture_library();
 
 }  // namespace strahl

@@ -1,4 +1,4 @@
-// From computed values to what a screen or an 8- or 16-bit file holds: the only place for the transfer curve.
+// From computed values to what a screen or an 8- or 16-bit file holds. The window tabulates it (show/image.h).
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,11 @@
 
 namespace strahl {
 
+/// The slope of the sRGB encoding where it is steepest, at 0.
+inline constexpr double steepest_srgb = 12.92;
+
 /// The sRGB encoding of linear light (IEC 61966-2-1), 0 <= v <= 1.
-inline double srgb(double v) { return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055; }
+inline double srgb(double v) { return v <= 0.0031308 ? steepest_srgb * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055; }
 
 /// round(steps * clamp(v, 0, 1)), halves up; sRGB-encoded first where the scene declares linear light. NaN becomes 0.
 inline std::uint16_t quantise(double v, bool linear, int steps) {

@@ -1,4 +1,4 @@
-// strahl check: a scene in a few lines.
+// strahl check: a summary of a scene in a few lines.
 #include "main/command_check.h"
 
 #include <algorithm>
@@ -6,9 +6,8 @@
 #include <sstream>
 #include <utility>
 
-#include "main/errors.h"
+#include "main/exit_status.h"
 #include "scene/overlap.h"
-#include "scene/scene.h"
 #include "text/file.h"
 #include "text/parse.h"
 #include "text/write.h"
@@ -37,22 +36,21 @@ std::string kinds_in_words(const std::vector<Primitive>& primitives, std::varian
     return words;
 }
 
-/// Of all bodies that end somewhere.
+/// The box around all bounded bodies.
 std::string bounds_in_words(const Scene& scene) {
     Box box;
-    bool endless = false;
+    bool unbounded = false;
     for (const Primitive& primitive : scene.primitives) {
-        const Box own = world_bounds(primitive);
-        if (own.finite())
+        if (const Box own = world_bounds(primitive); own.finite())
             box.add(own);
         else
-            endless = true;
+            unbounded = true;
     }
     std::ostringstream words;
     if (box.empty())
-        words << (endless ? "endless" : "nothing to see");
+        words << (unbounded ? "infinite" : "no bodies");
     else
-        words << box.low << " to " << box.high << (endless ? ", and what is endless" : "");
+        words << box.low << " to " << box.high << (unbounded ? ", and unbounded bodies" : "");
     return words.str();
 }
 
@@ -87,7 +85,7 @@ std::string summary(const Scene& scene) {
 int check_command(const CheckOptions& options) {
     const std::string file = options.scene == "-" ? "standard input" : options.scene;
     const Scene scene = parse_scene(read_text(options.scene), file);
-    write_file("-", options.print ? write_scene(scene) : file + ": no faults\n" + summary(scene));
+    write_file("-", options.print ? write_scene(scene) : file + ": no errors\n" + summary(scene));
     return exit_status::done;
 }
 

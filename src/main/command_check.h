@@ -1,4 +1,4 @@
-// strahl check: reads a scene and says what is in it, or prints it back.
+// strahl check: reads a scene and lists what is in it, or prints it as text.
 #pragma once
 #include <string>
 
@@ -6,10 +6,10 @@ namespace strahl {
 
 struct CheckOptions {
     std::string scene;   // a file, or "-" for standard input
-    bool print = false;  // the scene itself, as `strahl` writes it, instead of the summary
+    bool print = false;  // the scene as text instead of the summary
 };
 
-/// Returns the exit status. Throws FileError with the scene's faults, or OutputError.
+/// Returns the exit status. Throws FileError for errors in the scene, or OutputError.
 int check_command(const CheckOptions& options);
 
 }  // namespace strahl

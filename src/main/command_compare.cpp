@@ -1,4 +1,4 @@
-// `strahl compare`: how much two pictures differ, and where.
+// strahl compare: how much two pictures differ, and where.
 #include "main/command_compare.h"
 
 #include <cstdio>
@@ -8,7 +8,7 @@
 namespace strahl {
 namespace {
 
-Picture read_and_tell(const std::string& path, std::FILE* out) {
+Picture read_and_describe(const std::string& path, std::FILE* out) {
     Picture picture = read_picture(path);
     std::fprintf(out, "%s: %dx%d, %d channel%s, %d bits\n", path.c_str(), picture.width, picture.height,
                  picture.channels, picture.channels == 1 ? "" : "s", picture.bits);
@@ -20,9 +20,9 @@ Picture read_and_tell(const std::string& path, std::FILE* out) {
 int compare_command(const CompareOptions& options) {
     if (!options.heatmap.empty() && options.heatmap != "-")
         if (const std::string fault = format_fault(options.heatmap, 0); !fault.empty()) throw FileError(fault);
-    // A heat map on standard output leaves no room for text there.
+    // If the heat map goes to standard output, the text can't.
     std::FILE* const out = options.heatmap == "-" ? stderr : stdout;
-    const Picture a = read_and_tell(options.a, out), b = read_and_tell(options.b, out);
+    const Picture a = read_and_describe(options.a, out), b = read_and_describe(options.b, out);
     const Difference difference = compare(a, b, options.tolerance);
     std::fputs(report(difference, options.tolerance).c_str(), out);
     if (!options.heatmap.empty()) write_picture(heatmap(a, b), options.heatmap, {}, ".png");

@@ -1,16 +1,17 @@
-// `strahl compare`: how much two pictures differ, and where.
+// strahl compare: how much two pictures differ, and where.
 #pragma once
 #include <string>
 
 namespace strahl {
 
 struct CompareOptions {
-    std::string a, b;      // picture files of any format that the library knows
+    std::string a, b;      // picture files of any format that OpenImageIO reads
     std::string heatmap;   // where to write the map of differences (.bmp .png .exr), or empty
-    double tolerance = 0;  // 0 or more; the greatest difference that still counts as equal
+    double tolerance = 0;  // 0 or more; the largest difference that counts as equal
 };
 
-/// Prints the figures to standard output; 0 if all differences are within the tolerance, else 1. Throws FileError.
+/// Prints the figures to standard output. Returns 0 if all differences are within the tolerance, else 1. Throws
+/// FileError.
 int compare_command(const CompareOptions& options);
 
 }  // namespace strahl

@@ -1,4 +1,4 @@
-// strahl render: parse, trace, write; frame by frame, and tidily when interrupted.
+// strahl render: parses, traces and writes, frame by frame; keeps the finished part when interrupted.
 #include "main/command_render.h"
 
 #include <unistd.h>
@@ -11,7 +11,8 @@
 #include <utility>
 
 #include "image/picture.h"
-#include "main/errors.h"
+#include "image/transfer.h"
+#include "main/exit_status.h"
 #include "main/interrupt.h"
 #include "main/memory.h"
 #include "main/progress.h"
@@ -36,7 +37,7 @@ class Stopwatch {
     std::chrono::steady_clock::time_point last = std::chrono::steady_clock::now();
 };
 
-/// Fails now rather than after hours of tracing.
+/// Fails before tracing rather than after hours of it.
 void require_writable(const std::string& path) {
     namespace fs = std::filesystem;
     if (path == "-") return;
@@ -46,22 +47,21 @@ void require_writable(const std::string& path) {
     if (fs::is_directory(path, error)) fail("it is a folder; name a file in it");
     if (!fs::exists(folder, error)) fail("its folder does not exist; make that first");
     if (!fs::is_directory(folder, error)) fail("'" + folder.string() + "' is not a folder");
-    if (access(folder.c_str(), W_OK) != 0) fail("you may not write in its folder");
+    if (access(folder.c_str(), W_OK) != 0) fail("no permission to write to its folder");
 }
 
-/// What can be said against the options before the scene is known. Returns the ending that chooses the format.
+/// Checks the options that do not depend on the scene. Returns the ending that chooses the format.
 std::string check(const RenderOptions& options) {
-    if (options.output.empty())
-        throw UsageError("where should the picture go? Add -o FILE, with an ending .bmp, .png or .exr");
+    if (options.output.empty()) throw UsageError("no output file. Add -o FILE, which ends in .bmp, .png or .exr");
     const bool to_stdout = options.output == "-";
     if (to_stdout && options.format.empty())
-        throw UsageError("-o - writes the picture to standard output; say in which format: --format bmp, png or exr");
+        throw UsageError("-o - writes the picture to standard output and needs its format: --format bmp, png or exr");
     if (!to_stdout && !options.format.empty())
-        throw UsageError("--format is for standard output (-o -); a file's ending chooses its format");
+        throw UsageError("--format is for standard output (-o -); otherwise the file's ending chooses its format");
     if (to_stdout && options.frames)
-        throw UsageError("--frames writes numbered files; give -o a file name, such as film-%04d.png");
+        throw UsageError("--frames writes numbered files; -o needs a file name such as film-%04d.png");
     if (to_stdout && options.stats == "-")
-        throw UsageError("picture and statistics can't both go to standard output; give one of them a file");
+        throw UsageError("picture and statistics can't both go to standard output; write one of them to a file");
     if (options.frames && options.time) throw UsageError("--frames and --time exclude each other");
     if (options.resume && !options.frames) throw UsageError("--resume goes with --frames");
     const std::string ending =
@@ -69,24 +69,24 @@ std::string check(const RenderOptions& options) {
     if (const std::string fault = format_fault(to_stdout ? ending : options.output, options.bits); !fault.empty())
         throw UsageError(fault);
     if (!supported(options.simd))
-        throw UsageError("this processor has no " + std::string(name(options.simd)) + "; --simd auto takes " +
+        throw UsageError("this processor does not support " + std::string(name(options.simd)) + "; --simd auto uses " +
                          name(best_simd()));
     if (options.crop) require_within(*options.crop, options.size);
     return ending;
 }
 
-/// Refuses what the format or the memory of this machine can't hold.
+/// Refuses pictures that the format or the memory of this machine can't hold.
 void check_size(const Lattice& part, const std::string& ending) {
     const std::string size = std::to_string(part.columns) + "x" + std::to_string(part.rows);
     const double pixels = double(part.columns) * part.rows;
     if (ending == ".bmp" && 3 * pixels + 4. * part.rows > 2e9)
         throw UsageError(size + " pixels are too many for a .bmp file (2 GB); choose .png or .exr");
-    // Values in double, the same as float, and the encoded file.
+    // The values in double, the same in float, and the encoded file.
     const double needed = 48 * pixels, available = available_memory();
     if (needed > available)
         throw UsageError("a picture of " + size + " pixels needs " + bytes_in_words(needed) + " of memory, and " +
                          bytes_in_words(available) +
-                         " are free; choose a smaller --size, or make it in parts with --crop");
+                         " are free; choose a smaller --size, or render it in parts with --crop");
 }
 
 Camera camera_of(const Scene& scene, std::optional<double> time) {
@@ -95,7 +95,7 @@ Camera camera_of(const Scene& scene, std::optional<double> time) {
 
 class Renderer {
   public:
-    /// `camera` is the first frame's.
+    /// `camera` is that of the first frame.
     Renderer(const RenderOptions& o, Scene scene, const Camera& camera, const Lattice& lattice, FileFormat file_format,
              Stats& sums)
         : options(o),
@@ -115,8 +115,8 @@ class Renderer {
 
     const Scene& scene() const { return tracer.scene(); }
 
-    /// Traces and writes one picture. False if it was interrupted: then the finished part of it is in a file of its
-    /// own.
+    /// Traces and writes one picture. If interrupted, writes the finished part to a file of its own and returns
+    /// false.
     bool render(const Camera& camera, const std::string& path, const std::string& ending, const std::string& label) {
         Picture picture{part.columns, part.rows, 3, std::vector<double>(3 * pixels())};
         watch.lap();
@@ -140,11 +140,11 @@ class Renderer {
     }
 
   private:
-    /// Without --error nothing that the file could show is left out, and depth and precision are the usual ones.
+    /// Without --error only light that the file can't show is pruned, and depth and precision are the defaults.
     Accuracy choose(const Scene& scene, const Camera& camera) {
         const double unseen = half_step(format);
-        // Values of linear light are encoded by a curve that is up to 12.92 times as steep.
-        const double steepest = format.linear && format.bits != 32 ? 12.92 : 1;
+        // The curve that encodes linear light enlarges errors where it is steep.
+        const double steepest = format.linear && format.bits != 32 ? steepest_srgb : 1;
         if (!options.error) {
             stats.error = unseen * steepest;
             return {.precision = options.precision.value_or(Precision::float64),
@@ -164,7 +164,7 @@ class Renderer {
     }
     std::uint64_t pixels() const { return std::uint64_t(part.columns) * part.rows; }
 
-    /// Returns the number of pixels that are finished; the others stay black.
+    /// Returns the number of finished pixels; the others stay black.
     std::uint64_t trace(const Camera& camera, Picture& picture, const std::string& label) {
         Progress progress(options.quiet, label);
         std::atomic<std::uint64_t> done = 0;
@@ -183,7 +183,7 @@ class Renderer {
     Stats& stats;
     Stopwatch watch;
     ThreadPool pool;
-    // After the pool: threads can't be started while the library loads, they would wait for it.
+    // After the pool: starting a thread waits until the library has loaded.
     std::future<void> loading;
     const Accuracy accuracy;
     Tracer tracer;
@@ -197,7 +197,7 @@ bool render_frames(const RenderOptions& options, Renderer& renderer, const std::
         if (options.resume && std::filesystem::exists(path)) continue;
         const std::string label = "frame " + std::to_string(frame) + " of " + std::to_string(last) + " ";
         if (!renderer.render(camera_of(renderer.scene(), frame / options.fps), path, ending, label)) {
-            std::cerr << "strahl: the same command with --resume goes on from there\n";
+            std::cerr << "strahl: the same command with --resume continues from there\n";
             return false;
         }
     }

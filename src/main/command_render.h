@@ -1,4 +1,4 @@
-// strahl render: a scene becomes a picture file, or a flythrough a row of them.
+// strahl render: a scene becomes a picture file, a flythrough a sequence of them.
 #pragma once
 #include <optional>
 #include <string>
@@ -13,17 +13,17 @@ struct RenderOptions {
     std::string output;  // a file, or "-" for standard output
     std::string format;  // "bmp", "png" or "exr", for standard output only
     int bits = 0;        // per channel; 0 is the format's default
-    Size size;           // of the whole picture, also if a crop of it is made
+    Size size;           // of the whole picture, even if only a crop of it is rendered
     std::optional<Lattice> crop;
-    std::optional<int> depth;            // 1 to 256; if not given the scene's max_trace_level, or what `error` needs
-    std::optional<Precision> precision;  // if not given, double, or what `error` needs
-    std::optional<double> error;         // that the file's values may have; half a step of an 8-bit file if not given
+    std::optional<int> depth;            // 1 to 256; by default the scene's max_trace_level, or what `error` needs
+    std::optional<Precision> precision;  // by default double, or what `error` needs
+    std::optional<double> error;         // largest error of the file's values; see --error
     Simd simd = Simd::automatic;
-    int threads = 0;             // 0 takes all
+    int threads = 0;             // 0: all processors
     std::optional<double> time;  // seconds into the flythrough
     std::optional<FrameRange> frames;
     double fps = 25;
-    bool resume = false;  // leaves out frames whose file is there
+    bool resume = false;  // skips frames whose files exist
     std::string stats;    // a JSON file, or empty
     bool quiet = false;
 };

@@ -1,4 +1,4 @@
-// strahl stability: the picture in float, double and long double, and where they part.
+// strahl stability: renders in float, double and long double, and shows where they disagree.
 #include "main/command_stability.h"
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 #include "image/picture.h"
 #include "image/transfer.h"
-#include "main/errors.h"
+#include "main/exit_status.h"
 #include "text/parse.h"
 #include "trace/agreement.h"
 
@@ -19,7 +19,7 @@ namespace {
 
 constexpr int float_differs = 1, double_differs = 2;  // of Agreement
 
-// Grey as it is, orange, and red.
+// None (grey is used), orange, and red.
 constexpr std::array<std::array<double, 3>, 3> colors{{{}, {1, .6, 0}, {1, 0, .1}}};
 
 void write_map(const std::string& path, const View& view, const std::vector<double>& shown,
@@ -35,7 +35,7 @@ void write_map(const std::string& path, const View& view, const std::vector<doub
     write_picture(map, path, {});
 }
 
-/// Pixels that part, by the depth of the rays at which they do so first.
+/// Counts pixels that disagree, by the smallest depth at which they do.
 std::vector<std::array<std::size_t, 3>> by_depth(Agreements& agreements, View view,
                                                  const std::vector<Agreement>& parts) {
     std::vector<std::array<std::size_t, 3>> counts(view.depth + 1);
@@ -75,8 +75,8 @@ int stability_command(const StabilityOptions& options) {
                     percent * static_cast<double>(count[double_differs]));
     };
     std::printf(
-        "Pixels, of %zu, whose 8-bit colour is not that of long double, by the depth of rays at which that is so "
-        "first.\n\n"
+        "Pixels, of %zu, whose 8-bit colour differs from that of long double, by the smallest depth at which it "
+        "does.\n\n"
         "| depth | float only |            | double too |            |\n"
         "|------:|----------:|-----------:|-----------:|-----------:|\n",
         map.size());

@@ -1,4 +1,4 @@
-// Signal handling: a handler can only reach what is static, so the flag is, in this file alone.
+// Signal handling. A handler can only reach static data, so the flag is static, in this file alone.
 #include "main/interrupt.h"
 
 namespace strahl {

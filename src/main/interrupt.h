@@ -1,12 +1,12 @@
-// Ctrl-C while a picture is being traced: the program stops tidily, and at once the second time.
+// Ctrl-C while a picture is traced: the program saves what is finished; a second one ends it at once.
 #pragma once
 #include <atomic>
 #include <csignal>
 
 namespace strahl {
 
-/// While one of these lives, SIGINT and SIGTERM set a flag instead of ending the program; after the first of them the
-/// next one ends it as usual. A signal that was ignored when the program started (as under nohup) stays ignored.
+/// While an object lives, the first SIGINT or SIGTERM sets a flag instead of ending the program; the next one ends it
+/// as usual. A signal that was ignored when the program started (as under nohup) stays ignored.
 class Interrupt {
   public:
     Interrupt();

@@ -1,4 +1,4 @@
-# The program: one thin file per command, and main.cpp, which knows their options.
+# The program: main.cpp with the options of all commands, and a file for the work of each.
 file(GLOB sources CONFIGURE_DEPENDS src/main/*.cpp)
 add_executable(strahl ${sources})
 target_link_libraries(strahl PRIVATE strahl_text strahl_image strahl_trace strahl_povref)

@@ -1,4 +1,4 @@
-// The program: its commands and their options. A command is one block here and one thin file beside this one.
+// The program: its commands and their options. Each command has one function here and one file with its work.
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
@@ -8,7 +8,7 @@
 #include "main/command_compare.h"
 #include "main/command_render.h"
 #include "main/command_stability.h"
-#include "main/errors.h"
+#include "main/exit_status.h"
 #include "main/options.h"
 #include "povref/command_crosscheck.h"
 #include "povref/command_pov.h"
@@ -19,51 +19,57 @@ namespace strahl {
 namespace {
 
 void add_render(CLI::App& app, Action& action) {
-    auto [command, o] = add_command(app, action, "render", "Trace a scene into a picture file", render_command);
+    auto [command, o] = add_command(app, action, "render", "Render a scene to a picture file", render_command);
     add_scene(command, o->scene);
     add_file(command, "-o,--output", o->output, "The picture: .bmp, .png or .exr; - is standard output");
     add_parsed(command, "--size", o->size, parse_size, "Size of the picture in pixels, 640x480 by default", "WxH");
-    add_parsed(command, "--crop", o->crop, parse_crop, "Only this part of it, counted from its top left corner",
+    add_parsed(command, "--crop", o->crop, parse_crop, "Only this part of it; X and Y count from its top left corner",
                "X,Y,W,H");
     add_depth(command, o->depth);
     command
         ->add_option(
             "--error", o->error,
-            "How far each channel, of 0 to 1, may be off the exact picture; the program does no more work than "
-            "that needs, and --stats says what. 0: nothing is left out. By default half a step of the file's "
-            "values, of the picture that --depth and --precision define")
+            "Largest error allowed in each channel, whose values are from 0 to 1. Precision and rays are chosen to "
+            "match; --stats reports how. 0: no pruning. Without this option only light that can't change the file "
+            "by half a step is pruned")
         ->check(numbers(0, 1e9))
         ->type_name("E");
     add_choice<std::optional<Precision>>(
         command, "--precision", o->precision,
         {{"float", Precision::float32}, {"double", Precision::float64}, {"extended", Precision::extended}},
-        "float, double or extended; double by default, or what --error needs", "KIND");
-    add_choice<Simd>(
-        command, "--simd", o->simd,
-        {{"auto", Simd::automatic}, {"scalar", Simd::scalar}, {"v2", Simd::v2}, {"v3", Simd::v3}, {"v4", Simd::v4}},
-        "Vector instructions: auto (default), scalar, or x86-64-v2, v3, v4", "LEVEL");
+        "float, double or extended; by default double, or what --error needs", "KIND");
+    add_choice<Simd>(command, "--simd", o->simd,
+                     {{"auto", Simd::automatic},
+                      {"scalar", Simd::scalar},
+                      {"v2", Simd::v2},
+                      {"v3", Simd::v3},
+                      {"v4", Simd::v4},
+                      {"neon", Simd::neon}},
+                     "Vector instructions: auto (default), scalar, v2, v3 or v4 for the levels of x86-64, or neon",
+                     "LEVEL");
     add_threads(command, o->threads);
     add_bits(command, o->bits, {8, 16, 32}, "Bits per channel: 8, or 16 for .png (.exr always holds 32-bit floats)");
     add_choice<std::string>(command, "--format", o->format, {{"bmp", "bmp"}, {"png", "png"}, {"exr", "exr"}},
                             "Format for standard output: bmp, png or exr", "KIND");
     add_time(command, o->time);
-    add_parsed(command, "--frames", o->frames, parse_frames,
-               "Frames of the flythrough, as numbered files: FILE holds %04d, or the number goes before its ending",
-               "A-B");
+    add_parsed(
+        command, "--frames", o->frames, parse_frames,
+        "Frames of the flythrough, as numbered files: %04d in FILE becomes the number; else it goes before the ending",
+        "A-B");
     add_fps(command, o->fps, "Frames per second of the flythrough, 25 by default; frame N is at N/F seconds");
-    command->add_flag("--resume", o->resume, "Leave out the frames whose files are already there");
-    add_file(command, "--stats", o->stats, "Write seconds and rays to this JSON file");
-    command->add_flag("--quiet", o->quiet, "No progress on the terminal");
+    command->add_flag("--resume", o->resume, "Skip frames whose files already exist");
+    add_file(command, "--stats", o->stats, "Write times, rays and errors to this JSON file");
+    command->add_flag("--quiet", o->quiet, "Show no progress");
     command->footer(
         "A still:           strahl render scenes/article.rt -o article.png --size 1920x1080\n"
-        "A flight:          strahl render SCENE -o film-%04d.png --frames 0-99 --fps 25\n"
+        "A film:            strahl render SCENE -o film-%04d.png --frames 0-99 --fps 25\n"
         "From and to pipes: strahl render - -o - --format png < SCENE | ...\n"
-        "Ctrl-C saves what is finished as NAME.part.ENDING; a second one stops at once.");
+        "Ctrl-C saves the finished part as NAME.part.ENDING; a second Ctrl-C stops at once.");
 }
 
 PixelSize parse_window_size(std::string_view text) {
     const Size size = parse_size(text);
-    if (size.width > 16384 || size.height > 16384) throw UsageError("the window's pictures have sides of 1 to 16384");
+    if (size.width > 16384 || size.height > 16384) throw UsageError("each side of the window is 1 to 16384 pixels");
     return {size.width, size.height};
 }
 
@@ -71,77 +77,78 @@ void add_view(CLI::App& app, Action& action) {
     auto [command, o] = add_command(app, action, "view", "Fly through a scene in a window", view_command);
     add_scene(command, o->scene);
     add_parsed(command, "--size", o->size, parse_window_size, "Size of the window in pixels", "WxH");
-    command->add_flag("--fullscreen", o->full_screen, "Fill the screen (as F11 does)");
-    command->add_flag("--fly", o->fly, "Fly along the scene's flythrough, or around what it shows, from the start");
+    command->add_flag("--fullscreen", o->full_screen, "Start in full screen (F11)");
+    command->add_flag("--fly", o->fly, "Start flying: along the scene's flythrough, or else around the scene");
     add_time(command, o->time);
-    add_fps(command, o->fps, "Pictures per second while moving, 60 by default; resolution follows from it")
+    add_fps(command, o->fps, "Pictures per second in motion, 60 by default; the resolution adapts to it")
         ->check(numbers(1, 1000));
     add_depth(command, o->depth);
     add_threads(command, o->threads);
     add_parsed(command, "--still-size", o->still_size, parse_window_size,
-               "Size of the stills that the key S writes, the window's by default", "WxH");
-    command->add_flag("--verbose", o->verbose, "Say on standard output what happens");
+               "Size of stills (key S); by default that of the window", "WxH");
+    command->add_flag("--verbose", o->verbose, "Log events to standard output");
     command->footer(
-        "H shows the keys. The scene is read again whenever its file changes; another one can be\n"
-        "dropped on the window. The same without the word view: strahl scenes/article.rt --fly");
+        "H lists the keys. The scene is read again whenever its file changes; drop another file on the\n"
+        "window to open it. The word view may be omitted: strahl scenes/article.rt --fly");
 }
 
 void add_check(CLI::App& app, Action& action) {
     auto [command, o] =
-        add_command(app, action, "check", "Look for faults in a scene and say what is in it", check_command);
+        add_command(app, action, "check", "Report errors in a scene, or list what is in it", check_command);
     add_scene(command, o->scene);
-    command->add_flag("--print", o->print, "Print the scene as strahl reads it");
+    command->add_flag("--print", o->print, "Print the scene as text instead");
 }
 
 void add_compare(CLI::App& app, Action& action) {
     auto [command, o] =
-        add_command(app, action, "compare", "Say how far two pictures are apart; exit status 0 or 1", compare_command);
+        add_command(app, action, "compare", "Report how much two pictures differ; exit status 0 or 1", compare_command);
     add_argument(command, "A", o->a, "A picture file");
-    add_argument(command, "B", o->b, "Another one of the same size");
-    command->add_option("--tolerance", o->tolerance, "Difference per channel that is still equal, 0 by default")
+    add_argument(command, "B", o->b, "Another picture of the same size");
+    command->add_option("--tolerance", o->tolerance, "Difference per channel that counts as equal, 0 by default")
         ->check(numbers(0, 1e9))
         ->type_name("T");
-    add_file(command, "--heatmap", o->heatmap, "Write where they differ as a picture");
+    add_file(command, "--heatmap", o->heatmap, "Write a picture of the differences");
 }
 
 void add_pov(CLI::App& app, Action& action) {
-    auto [command, o] = add_command(app, action, "pov", "Write a scene as a POV-Ray scene", pov_command);
+    auto [command, o] = add_command(app, action, "pov", "Convert a scene for POV-Ray", pov_command);
     add_scene(command, o->scene);
-    add_file(command, "-o,--output", o->output, "The .pov file; an .ini that renders it is written beside it");
+    add_file(command, "-o,--output", o->output, "The .pov file; an .ini file to render it is written beside it");
     add_size(command, o->width, o->height);
     add_depth(command, o->depth);
     add_bits(command, o->bits, {8, 16}, "Bits per channel of POV-Ray's picture: 8, or 16 (default)");
     add_time(command, o->time);
-    command->add_flag("--animation", o->animation, "All of the scene's flythrough, driven by POV-Ray's frame_number");
+    command->add_flag("--animation", o->animation, "The whole flythrough, driven by POV-Ray's frame_number");
     add_fps(command, o->fps, "Frames per second of the animation, 25 by default");
 }
 
 void add_crosscheck(CLI::App& app, Action& action) {
     auto [command, o] =
-        add_command(app, action, "crosscheck", "Render scenes with POV-Ray too and compare; exit status 0 or 1",
+        add_command(app, action, "crosscheck", "Render scenes with Strahl and POV-Ray and compare; exit status 0 or 1",
                     crosscheck_command);
     add_argument(command, "SCENE", o->scenes, "The scenes, .rt files")
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     add_size(command, o->width, o->height);
     add_depth(command, o->depth);
     add_threads(command, o->threads);
-    add_file(command, "--sheet", o->sheet, "Write the picture, POV-Ray's and the difference side by side");
+    add_file(command, "--sheet", o->sheet, "Write both pictures and their difference side by side");
     command->footer(
-        "Worst off: the largest difference, in steps of 1/65535, of pixels that are not on an edge.\n"
-        "Beyond off, on edges: how many differ by more than one step. Needs povray. See povref/README.md.");
+        "Worst off: largest difference, in steps of 1/65535, of pixels that are not on an edge.\n"
+        "Beyond off, on edges: number of pixels that differ by more than one step, off and on edges.\n"
+        "Needs povray. See povref/README.md.");
 }
 
 void add_stability(CLI::App& app, Action& action) {
     auto [command, o] =
-        add_command(app, action, "stability", "Trace a scene in float, double and long double; show where they part",
-                    stability_command);
+        add_command(app, action, "stability",
+                    "Render a scene in float, double and long double; show where they disagree", stability_command);
     add_scene(command, o->scene);
     add_file(command, "-o,--output", o->output,
-             "A map: grey where all agree, orange where float differs, red: double too");
+             "A map: grey where all agree, orange where float differs, red where double does too");
     add_parsed(command, "--size", o->size, parse_size, "Size of the picture in pixels, 640x480 by default", "WxH");
     add_depth(command, o->depth);
     add_threads(command, o->threads);
-    command->footer("Differences are those of 8-bit colours. Long double has no SIMD: this takes a while.");
+    command->footer("Compares 8-bit colours. Long double has no SIMD, so this is slow.");
 }
 
 /// "strahl 0.1.0 (x86-64-v4, 16 float lanes, 8 double)"
@@ -166,7 +173,7 @@ std::vector<char*> with_command(const CLI::App& app, int argc, char** argv) {
     return arguments;
 }
 
-/// CLI11 would speak of unexpected arguments.
+/// Better than CLI11's message about unexpected arguments.
 void require_known_command(const CLI::App& app, std::string_view word) {
     if (word.starts_with('-')) return;
     std::vector<std::string_view> known;
@@ -179,7 +186,7 @@ void require_known_command(const CLI::App& app, std::string_view word) {
     else
         for (const auto name : known) (advice += advice.empty() ? "; the commands are " : ", ") += name;
     throw UsageError("there is no command " + strahl::quoted(word) + advice +
-                     "\nTo make a picture of a scene: strahl render SCENE -o FILE");
+                     "\nTo render a scene: strahl render SCENE -o FILE");
 }
 
 /// "; did you mean '--size'?" for an argument that looks like an option of the command, or nothing.
@@ -191,11 +198,11 @@ std::string nearest_option(const CLI::App& command, const std::string& argument)
     return meant.empty() ? "" : "; did you mean '" + meant + "'?";
 }
 
-[[noreturn]] void tell_usage(const CLI::App& app, const CLI::ParseError& error) {
+[[noreturn]] void report_usage(const CLI::App& app, const CLI::ParseError& error) {
     const auto chosen = app.get_subcommands();
     const CLI::App& command = chosen.empty() ? app : *chosen[0];
     std::string message = error.what();
-    // Left over is `--sizes 640x480` in any order: the option is what is wrong.
+    // Of leftovers such as `--sizes 640x480`, in any order, the option is what is wrong.
     auto left = command.remaining();
     std::ranges::stable_partition(left, [](const std::string& argument) { return argument.starts_with('-'); });
     if (!left.empty()) message = strahl::quoted(left[0]) + " is not expected here" + nearest_option(command, left[0]);
@@ -203,9 +210,9 @@ std::string nearest_option(const CLI::App& command, const std::string& argument)
 }
 
 int run(int argc, char** argv) {
-    CLI::App app{"Strahl traces rays: scenes become pictures, fast and exactly.", "strahl"};
-    app.set_version_flag("--version", version, "Print the version and the vector instructions in use");
-    app.set_help_flag("-h,--help", "Print this help; `strahl COMMAND --help` tells of a command");
+    CLI::App app{"Strahl, a fast and exact ray tracer.", "strahl"};
+    app.set_version_flag("--version", version, "Print the version and the SIMD level in use");
+    app.set_help_flag("-h,--help", "Print this help; strahl COMMAND --help describes a command");
     app.require_subcommand(1);
     app.get_formatter()->column_width(26);
     Action action;
@@ -217,9 +224,9 @@ int run(int argc, char** argv) {
     add_crosscheck(app, action);
     add_stability(app, action);
     app.footer(
-        "Exit status: 0 done, 1 failed, 2 wrong usage, 3 faults in a file, 130 interrupted.\n"
-        "A first picture: strahl render scenes/article.rt -o article.bmp");
-    if (argc < 2) throw UsageError("what is to be done?\n" + app.help());
+        "Exit status: 0 done, 1 failed, 2 wrong usage, 3 error in a file, 130 interrupted.\n"
+        "Example: strahl render scenes/article.rt -o article.bmp");
+    if (argc < 2) throw UsageError("no command given\n" + app.help());
     std::vector<char*> arguments = with_command(app, argc, argv);
     require_known_command(app, arguments[1]);
     try {
@@ -227,7 +234,7 @@ int run(int argc, char** argv) {
     } catch (const CLI::Success& wanted) {  // --help and --version
         return app.exit(wanted);
     } catch (const CLI::ParseError& error) {
-        tell_usage(app, error);
+        report_usage(app, error);
     }
     return action();
 }
@@ -244,7 +251,7 @@ int main(int argc, char** argv) {
     using namespace strahl;
     try {
         return run(argc, argv);
-    } catch (const std::invalid_argument& error) {
+    } catch (const UsageError& error) {
         return fail(error, exit_status::usage);
     } catch (const OutputError& error) {
         return fail(error, exit_status::failed);

@@ -1,4 +1,4 @@
-// Available memory, as Linux tells it.
+// Available memory, as reported by Linux.
 #include "main/memory.h"
 
 #include <sys/resource.h>
@@ -13,7 +13,7 @@ namespace {
 
 constexpr double unknown = std::numeric_limits<double>::infinity();
 
-double kernel_says() {
+double available_to_all() {
     std::ifstream file("/proc/meminfo");
     std::string word;
     while (file >> word)
@@ -22,13 +22,13 @@ double kernel_says() {
 }
 
 /// The file holds "max" where there is no limit.
-double container_says() {
+double container_limit() {
     std::ifstream file("/sys/fs/cgroup/memory.max");
     double bytes;
     return file >> bytes ? bytes : unknown;
 }
 
-double limit_says() {
+double address_space_limit() {
     rlimit limit{};
     return getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY ? static_cast<double>(limit.rlim_cur)
                                                                                 : unknown;
@@ -36,6 +36,6 @@ double limit_says() {
 
 }  // namespace
 
-double available_memory() { return std::min({kernel_says(), container_says(), limit_says()}); }
+double available_memory() { return std::min({available_to_all(), container_limit(), address_space_limit()}); }
 
 }  // namespace strahl

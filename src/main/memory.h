@@ -1,10 +1,10 @@
-// How much memory there is, so that a picture too large for it is refused before hours are spent on it.
+// How much memory is available, so that a picture that needs more is refused before it is traced.
 #pragma once
 
 namespace strahl {
 
-/// Bytes that this process can still have without swapping: the least of what the kernel calls available, the limit of
-/// the container, and the limit of the address space. Infinity where nothing is known.
+/// Bytes that this process can still use without swapping: the least of the available memory, the limit of the
+/// container and the limit of the address space. Infinity if unknown.
 double available_memory();
 
 }  // namespace strahl

@@ -1,4 +1,5 @@
-// Words for options, so that main.cpp reads as a list of them. Only main.cpp may include this: CLI11 takes long.
+// Helpers that add options, so that main.cpp reads as a list of them. Only main.cpp may include this: CLI11 compiles
+// slowly.
 #pragma once
 #include <CLI/CLI.hpp>
 #include <functional>
@@ -14,10 +15,10 @@
 
 namespace strahl {
 
-/// What the command line asks for; empty until a command was found in it.
+/// What the command line asks for; empty until a command has been parsed.
 using Action = std::function<int()>;
 
-/// A command whose options are a struct, and whose work is a function of it.
+/// A command: a struct of options, and the function that does the work.
 template <class Options>
 std::pair<CLI::App*, std::shared_ptr<Options>> add_command(CLI::App& app, Action& action, const char* name,
                                                            const char* help, int (*work)(const Options&)) {
@@ -29,13 +30,13 @@ std::pair<CLI::App*, std::shared_ptr<Options>> add_command(CLI::App& app, Action
     return {command, options};
 }
 
-/// An argument that must be there.
+/// A required argument.
 template <class Value>
 CLI::Option* add_argument(CLI::App* command, const char* name, Value& value, const char* help) {
     return command->add_option(name, value, help)->required()->type_name(" ");
 }
 
-/// An option whose text is read by `parse`, which throws UsageError.
+/// An option whose value is read by `parse`, which throws UsageError.
 template <class Value, class Parsed>
 CLI::Option* add_parsed(CLI::App* command, const char* name, Value& value, Parsed (*parse)(std::string_view),
                         const char* help, const char* form) {
@@ -45,7 +46,7 @@ CLI::Option* add_parsed(CLI::App* command, const char* name, Value& value, Parse
         ->type_name(form);
 }
 
-/// An option that is one of some words, each for a value.
+/// An option whose value is one of some words.
 template <class Value>
 CLI::Option* add_choice(CLI::App* command, const char* name, Value& value,
                         std::vector<std::pair<std::string, Value>> words, const char* help, const char* form) {
@@ -63,20 +64,20 @@ CLI::Option* add_choice(CLI::App* command, const char* name, Value& value,
         ->type_name(form);
 }
 
-/// Real numbers from `low` to `high`; unlike CLI11's own Range it also keeps out nan.
+/// Real numbers from `low` to `high`; unlike CLI11's Range it also rejects NaN.
 inline CLI::Validator numbers(double low, double high) {
     return CLI::Validator(
         [=](std::string& text) {
             double value = 0;
             if (CLI::detail::lexical_cast(text, value) && value >= low && value <= high) return std::string();
-            return strahl::quoted(text) + " is no number from " + CLI::detail::to_string(low) + " to " +
+            return strahl::quoted(text) + " is not a number from " + CLI::detail::to_string(low) + " to " +
                    CLI::detail::to_string(high);
         },
         "");
 }
 
 inline CLI::Option* add_scene(CLI::App* command, std::string& value) {
-    return add_argument(command, "SCENE", value, "The scene, a .rt file; - is standard input");
+    return add_argument(command, "SCENE", value, "The scene, an .rt file; - is standard input");
 }
 inline CLI::Option* add_file(CLI::App* command, const char* name, std::string& value, const char* help) {
     return command->add_option(name, value, help)->type_name("FILE");
@@ -99,7 +100,7 @@ inline CLI::Option* add_depth(CLI::App* command, std::optional<int>& value) {
         ->type_name("N");
 }
 inline CLI::Option* add_threads(CLI::App* command, int& value) {
-    return command->add_option("--threads", value, "Threads that trace; all processors by default")
+    return command->add_option("--threads", value, "Number of threads; by default one for each processor")
         ->check(CLI::Range(1, 1024).description(""))
         ->type_name("N");
 }
@@ -107,7 +108,7 @@ inline CLI::Option* add_bits(CLI::App* command, int& value, const std::vector<in
     return command->add_option("--bits", value, help)->check(CLI::IsMember(choices).description(""))->type_name("N");
 }
 inline CLI::Option* add_time(CLI::App* command, std::optional<double>& value) {
-    return command->add_option("--time", value, "The moment of the scene's flythrough, in seconds")
+    return command->add_option("--time", value, "A moment of the scene's flythrough, in seconds")
         ->check(numbers(0, 1e9))
         ->type_name("T");
 }

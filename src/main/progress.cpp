@@ -14,15 +14,15 @@ namespace strahl {
 std::string progress_text(double share, double seconds) {
     share = std::clamp(share, 0., 1.);
     std::array<char, 64> text;
-    // 100 % is said only of what is done.
+    // 100 % is shown only when all is done.
     int length = std::snprintf(text.data(), text.size(), "%3d %%", static_cast<int>(share * 100));
     const double left = share > 0 ? std::ceil(seconds * (1 - share) / share) : INFINITY;
     if (seconds < .5 || left > 359999 || share == 1) return {text.data(), static_cast<std::size_t>(length)};
     const int s = static_cast<int>(left), h = s / 3600, m = s / 60 % 60;
     char* const end = text.data() + length;
-    const std::size_t room = text.size() - static_cast<std::size_t>(length);
-    length += h ? std::snprintf(end, room, ", %d:%02d:%02d left", h, m, s % 60)
-                : std::snprintf(end, room, ", %d:%02d left", m, s % 60);
+    const std::size_t space = text.size() - static_cast<std::size_t>(length);
+    length += h ? std::snprintf(end, space, ", %d:%02d:%02d left", h, m, s % 60)
+                : std::snprintf(end, space, ", %d:%02d left", m, s % 60);
     return {text.data(), static_cast<std::size_t>(length)};
 }
 
@@ -34,11 +34,11 @@ Progress::~Progress() {
 
 void Progress::advance(std::uint64_t done, std::uint64_t total) {
     if (!shown) return;
-    // Workers never wait for the terminal: while one writes, the others pass by.
+    // Workers never wait for the terminal: while one writes, the others skip it.
     const std::unique_lock lock(mutex, std::try_to_lock);
     if (!lock.owns_lock()) return;
     const auto now = Clock::now();
-    // Threads may overtake each other on the way here; the line never runs backwards.
+    // Threads may overtake each other on the way here; progress must not go backwards.
     furthest = std::max(furthest, done);
     if (now - last < std::chrono::milliseconds(100)) return;
     last = now;

@@ -7,20 +7,20 @@
 
 namespace strahl {
 
-/// "  42 %, 1:05 left" for `share` (0 to 1) done after `seconds`; the rest is left out until it can be told.
+/// "  42 %, 1:05 left" for `share` (0 to 1) done after `seconds`; without the time left until it can be estimated.
 std::string progress_text(double share, double seconds);
 
-/// A line on standard error that is rewritten in place, at most ten times a second, and erased at the end. Silent if
-/// `quiet` or if standard error is no terminal.
+/// A line on standard error that is rewritten in place, at most ten times a second, and erased at the end. Nothing is
+/// written if `quiet`, or if standard error is not a terminal.
 class Progress {
   public:
-    /// `label` stands before the percentage, as "frame 3 of 90 ".
+    /// `label` precedes the percentage, such as "frame 3 of 90 ".
     explicit Progress(bool quiet, std::string label = "");
     ~Progress();
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    /// From any thread; `total` above 0.
+    /// May be called from any thread; `total` is above 0.
     void advance(std::uint64_t done, std::uint64_t total);
 
   private:

@@ -1,4 +1,4 @@
-// Statistics as JSON. No value needs escaping: all are numbers or words of our own.
+// Statistics as JSON. No string needs escaping: all are our own words.
 #include "main/stats.h"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// What a rendering cost, as a JSON file.
+// Times, rays and errors of a rendering, as a JSON file.
 #pragma once
 #include <optional>
 #include <string>
@@ -9,10 +9,10 @@
 
 namespace strahl {
 
-/// Seconds are wall time. Of several frames they and the rays are sums; skipped frames don't count.
+/// Seconds are wall time. For several frames, times and rays are sums; skipped frames don't count.
 struct Stats {
     double parse_seconds = 0;  // reading and parsing the scene
-    double build_seconds = 0;  // making it ready for tracing
+    double build_seconds = 0;  // building worlds
     double trace_seconds = 0;  // tracing alone
     double write_seconds = 0;  // encoding and writing, and waiting for the picture library if it was not loaded yet
     Counts rays;
@@ -20,7 +20,7 @@ struct Stats {
     std::optional<Lattice> crop;
     int frames = 0, threads = 0, lanes = 0;
     double error = 0;   // allowed
-    Accuracy accuracy;  // what it was shared out to
+    Accuracy accuracy;  // precision, depth and pruning chosen for it
     Simd simd = Simd::automatic;
     bool finished = false;
 };

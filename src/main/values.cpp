@@ -1,4 +1,4 @@
-// Option values: text to numbers, with messages that show what was meant.
+// Option values: from text to numbers, with error messages that show an example.
 #include "main/values.h"
 
 #include <array>
@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "main/errors.h"
+#include "scene/error.h"
 
 namespace strahl {
 namespace {

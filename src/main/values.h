@@ -1,4 +1,4 @@
-// Option values that people write: sizes, crops, frame ranges, numbered files.
+// Option values: sizes, crops, frame ranges, numbered files.
 #pragma once
 #include <string>
 #include <string_view>
@@ -14,9 +14,9 @@ struct FrameRange {
     int first = 0, last = 0;
 };
 
-/// "640x480". Sides are 1 to 1000000. These throw UsageError with an example of what is meant.
+/// "640x480". Sides are 1 to 1000000. These functions throw UsageError with an example of a valid value.
 Size parse_size(std::string_view text);
-/// "X,Y,W,H": a part of the whole picture. Whether it lies within the picture is for `within` to say.
+/// "X,Y,W,H": a part of the whole picture. `require_within` checks that it lies in the picture.
 Lattice parse_crop(std::string_view text);
 /// "A-B", or "A" for one frame: 0 <= A <= B < 10^9.
 FrameRange parse_frames(std::string_view text);
@@ -24,14 +24,14 @@ FrameRange parse_frames(std::string_view text);
 /// Throws UsageError unless all of `crop` lies in the picture.
 void require_within(const Lattice& crop, Size picture);
 
-/// The file of a frame: `path` with its one "%d", "%4d" or "%04d" replaced (always filled up with zeros), or with
-/// "-0042" put before the ending if it has none.
+/// The file of a frame: `path` with its "%d", "%4d" or "%04d" replaced by the number (padded with zeros), or, if it has
+/// none, with "-0042" inserted before the ending.
 std::string numbered(const std::string& path, int frame);
 
-/// `path` with `insertion` put before its ending.
+/// `path` with `insertion` inserted before its ending.
 std::string before_ending(const std::string& path, std::string_view insertion);
 
-/// A number of bytes for people: "1.5 GB".
+/// A number of bytes for messages: "1.5 GB".
 std::string bytes_in_words(double bytes);
 
 }  // namespace strahl

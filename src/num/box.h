@@ -1,4 +1,4 @@
-// Axis-aligned boxes and balls in double, as bounds of shapes.
+// Bounding boxes and bounding spheres in double.
 #pragma once
 #include <algorithm>
 #include <limits>
@@ -7,7 +7,7 @@
 
 namespace strahl {
 
-/// Empty when default-made; unbounded shapes have infinite corners.
+/// A default box is empty; the box of an unbounded body has infinite corners.
 struct Box {
     DVec3 low{std::numeric_limits<double>::infinity()};
     DVec3 high{-std::numeric_limits<double>::infinity()};
@@ -26,7 +26,7 @@ struct Box {
     }
 };
 
-/// A ball around a shape.
+/// A bounding sphere.
 struct Ball {
     DVec3 centre{0};
     double radius = 0;

@@ -18,8 +18,8 @@ struct FreeBuffer {
 template <class I>
 using Buffer = std::unique_ptr<I[], FreeBuffer>;
 
-/// A buffer for `count` values that are yet to be written. Zeros would be written by one thread, and memory is slow
-/// when first touched. Large ones ask for huge pages (fewer TLB misses).
+/// A buffer for `count` values, not initialized: one thread would write the zeros, and first touches of memory are
+/// slow. Large buffers ask for huge pages, which cause fewer TLB misses.
 template <class I>
 Buffer<I> uninitialized_buffer(std::size_t count) {
     static_assert(std::is_trivially_copyable_v<I> && std::is_trivially_destructible_v<I>);

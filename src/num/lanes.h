@@ -1,8 +1,8 @@
-// The words every kernel is written in: the same text runs on one number or on a pack of SIMD lanes.
+// The SIMD and vector operations that kernels are written in. The same code runs on a scalar or on a pack of lanes.
 //
-// A scalar type S (float, double, long double, or Pack<T>) knows: + - * /, comparisons giving Mask<S>, and the free
-// functions below. Fused multiply-adds are written by hand as fma(a, b, c) and contraction is off, so that scalar,
-// AVX2 and AVX-512 instances give the same bits; x86-64-v2 has no fma and may differ in the last ones.
+// The type S is float, double, long double or Pack<T>. It has + - * /, comparisons that give Mask<S>, and the functions
+// below. Fused multiply-adds are written out as fma(a, b, c) and the compiler may not fuse on its own, so that scalar,
+// AVX2 and AVX-512 code give the same bits. x86-64-v2 has no fma and may differ in the last bits.
 #pragma once
 #include <cmath>
 #include <type_traits>
@@ -29,7 +29,7 @@ concept Scalar = std::is_floating_point_v<S>;
 
 #define STRAHL_INLINE [[gnu::always_inline]] inline
 
-/// Long double has no such instruction, only a library call a hundred times as slow, and bits enough without.
+/// Long double has no such instruction, only a library function a hundred times as slow, and does not need it.
 template <Scalar S>
 STRAHL_INLINE S fma(S a, S b, S c) {
     if constexpr (std::is_same_v<S, long double>) return a * b + c;
@@ -58,7 +58,7 @@ STRAHL_INLINE S select(bool mask, S yes, S no) {
 STRAHL_INLINE bool any(bool mask) { return mask; }
 STRAHL_INLINE bool all(bool mask) { return mask; }
 STRAHL_INLINE bool none(bool mask) { return !mask; }
-/// Masks combine with & | !, on one number and on a pack.
+// Masks combine with & | !, those of scalars and of packs.
 template <class S>
 STRAHL_INLINE S dot(const Vec3<S>& a, const Vec3<S>& b) {
     return fma(a.x, b.x, fma(a.y, b.y, a.z * b.z));

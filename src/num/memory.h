@@ -1,4 +1,4 @@
-// Lanes from and to memory: consecutive, scattered by index, packed together by mask. The same words for one number.
+// Loads and stores of lanes: consecutive, gathered by index, compressed by mask. The same functions for scalars.
 #pragma once
 #include <array>
 #include <bit>
@@ -54,7 +54,7 @@ STRAHL_INLINE S gather(const Element<S>* base, const int* index) {
         return load_lanes<S>(lanes);
     }
 }
-/// items[index[lane]] for a struct I that is made of elements only: R is the same struct of packs.
+/// items[index[lane]] for a struct I of elements; R is the same struct of packs.
 template <class R, class S, class I>
 STRAHL_INLINE R gather_items(const I* items, const int* index) {
     using T = Element<S>;
@@ -69,27 +69,26 @@ STRAHL_INLINE R gather_items(const I* items, const int* index) {
     for (int f = 0; f < fields; ++f) packs[f] = load_lanes<S>(lanes[f]);
     return std::bit_cast<R>(packs);
 }
-/// Items [first, first + width) of which field f is in column f: columns + f * stride.
+/// Items [first, first + width), stored by columns: field f begins at columns + f * stride.
 template <class R, class S>
 STRAHL_INLINE R load_items(const Element<S>* columns, std::size_t stride, int first) {
     std::array<S, sizeof(R) / sizeof(S)> packs;
     for (std::size_t f = 0; f < packs.size(); ++f) packs[f] = load_lanes<S>(columns + f * stride + first);
     return std::bit_cast<R>(packs);
 }
-/// to[4 * index + c] += v[c] lane after lane, for the first `lanes`: equal indices add up in the order of the lanes.
-/// What is in to[4 * index + 3] stays.
+/// to[4 * index + c] += v[c] for the first `lanes`, one lane after the other: equal indices add up in this order.
+/// to[4 * index + 3] is unchanged.
 template <class S>
 STRAHL_INLINE void add_lanes(Element<S>* to, const S& index, int lanes, const Vec3<S>& v) {
     using T = Element<S>;
     alignas(64) T at[width<S>];
     store_lanes(at, index);
-    if constexpr (width < S >> 1)
-        if constexpr (interleaves<T>) {
-            alignas(64) T fours[4 * width<S>];
-            interleave(fours, v.x, v.y, v.z);
-            for (int k = 0; k < lanes; ++k) add_four(to + 4 * static_cast<int>(at[k]), fours + 4 * interleaved(k));
-            return;
-        }
+    if constexpr (interleaves<S>) {
+        alignas(64) T fours[4 * width<S>];
+        interleave(fours, v.x, v.y, v.z);
+        for (int k = 0; k < lanes; ++k) add_four(to + 4 * static_cast<int>(at[k]), fours + 4 * interleaved(k));
+        return;
+    }
     alignas(64) T terms[3][width<S>];
     for (int c = 0; c < 3; ++c) store_lanes(terms[c], v[c]);
     for (int k = 0; k < lanes; ++k)
@@ -105,7 +104,7 @@ STRAHL_INLINE R splat_item(const I& item) {
     for (int f = 0; f < fields; ++f) packs[f] = S(values[f]);
     return std::bit_cast<R>(packs);
 }
-/// Stores the lanes set in the mask one after the other. Up to a whole pack is written, so leave room behind.
+/// Stores the lanes set in the mask without gaps. Up to a whole pack is written, so leave space behind.
 template <Scalar S>
 STRAHL_INLINE void compress(S* to, S value, bool mask) {
     if (mask) *to = value;

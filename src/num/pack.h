@@ -1,18 +1,24 @@
-// Pack: as many numbers as one SIMD register holds, with the words of lanes.h. This is the only file with intrinsics.
+// Pack: as many numbers as one SIMD register holds, with the words of lanes.h. What a processor says in instructions of
+// its own stands in pack_x86.h and pack_neon.h; on any other processor only the scalar kernel is built.
 //
-// It is compiled once per instruction set, inside an inline namespace named by STRAHL_LEVEL (v2, v3, v4), so that
+// It is compiled once per instruction set, inside an inline namespace named by STRAHL_LEVEL (v2, v3, v4, neon), so that
 // packs of different width are different types and never merge at link time. The wrapper around std::experimental::simd
 // exists because numeric_limits must be specialised for vectors of packs, which std forbids for its own type, and
 // because g++ 12 turns the standard's fma of 16 floats into scalar calls.
 #pragma once
-#include <immintrin.h>
-
 #include <array>
 #include <bit>
 #include <cstring>
 #include <experimental/simd>
 
 #include "num/lanes.h"
+#if defined(__x86_64__)
+#include "num/pack_x86.h"
+#elif defined(__aarch64__)
+#include "num/pack_neon.h"
+#else
+#include "num/pack_plain.h"
+#endif
 
 namespace strahl::inline STRAHL_LEVEL {
 
@@ -52,62 +58,18 @@ struct Pack {
 
 namespace strahl {
 
-// One register, one instruction.
-STRAHL_INLINE __m128 minimum(__m128 a, __m128 b) { return _mm_min_ps(a, b); }
-STRAHL_INLINE __m128d minimum(__m128d a, __m128d b) { return _mm_min_pd(a, b); }
-STRAHL_INLINE __m128 maximum(__m128 a, __m128 b) { return _mm_max_ps(a, b); }
-STRAHL_INLINE __m128d maximum(__m128d a, __m128d b) { return _mm_max_pd(a, b); }
-#if defined(__FMA__)
-STRAHL_INLINE __m256 minimum(__m256 a, __m256 b) { return _mm256_min_ps(a, b); }
-STRAHL_INLINE __m256d minimum(__m256d a, __m256d b) { return _mm256_min_pd(a, b); }
-STRAHL_INLINE __m256 maximum(__m256 a, __m256 b) { return _mm256_max_ps(a, b); }
-STRAHL_INLINE __m256d maximum(__m256d a, __m256d b) { return _mm256_max_pd(a, b); }
-STRAHL_INLINE __m256 fused(__m256 a, __m256 b, __m256 c) { return _mm256_fmadd_ps(a, b, c); }
-STRAHL_INLINE __m256d fused(__m256d a, __m256d b, __m256d c) { return _mm256_fmadd_pd(a, b, c); }
-#endif
-#if defined(__AVX512F__)
-STRAHL_INLINE __m512 minimum(__m512 a, __m512 b) { return _mm512_min_ps(a, b); }
-STRAHL_INLINE __m512d minimum(__m512d a, __m512d b) { return _mm512_min_pd(a, b); }
-STRAHL_INLINE __m512 maximum(__m512 a, __m512 b) { return _mm512_max_ps(a, b); }
-STRAHL_INLINE __m512d maximum(__m512d a, __m512d b) { return _mm512_max_pd(a, b); }
-STRAHL_INLINE __m512 fused(__m512 a, __m512 b, __m512 c) { return _mm512_fmadd_ps(a, b, c); }
-STRAHL_INLINE __m512d fused(__m512d a, __m512d b, __m512d c) { return _mm512_fmadd_pd(a, b, c); }
-STRAHL_INLINE __m512 chosen(unsigned mask, __m512 yes, __m512 no) {
-    return _mm512_mask_mov_ps(no, static_cast<__mmask16>(mask), yes);
-}
-STRAHL_INLINE __m512d chosen(unsigned mask, __m512d yes, __m512d no) {
-    return _mm512_mask_mov_pd(no, static_cast<__mmask8>(mask), yes);
-}
-STRAHL_INLINE float least_of(__m512 a) { return _mm512_reduce_min_ps(a); }
-STRAHL_INLINE double least_of(__m512d a) { return _mm512_reduce_min_pd(a); }
-#endif
+/// The register as intrinsics take it.
 template <class T>
 STRAHL_INLINE auto raw(Pack<T> a) {
-    constexpr int bytes = sizeof(Pack<T>);
-    if constexpr (std::is_same_v<T, float>) {
-        if constexpr (bytes == 16)
-            return static_cast<__m128>(a.v);
-        else if constexpr (bytes == 32)
-            return static_cast<__m256>(a.v);
-        else
-            return static_cast<__m512>(a.v);
-    } else {
-        if constexpr (bytes == 16)
-            return static_cast<__m128d>(a.v);
-        else if constexpr (bytes == 32)
-            return static_cast<__m256d>(a.v);
-        else
-            return static_cast<__m512d>(a.v);
-    }
+    return static_cast<typename Native<T, sizeof(Pack<T>)>::Register>(a.v);
 }
 
 template <class T>
 STRAHL_INLINE Pack<T> fma(Pack<T> a, Pack<T> b, Pack<T> c) {
-#if defined(__FMA__)
-    return Pack<T>(typename Pack<T>::Register(fused(raw(a), raw(b), raw(c))));
-#else
-    return a * b + c;
-#endif
+    if constexpr (has_fma)
+        return Pack<T>(typename Pack<T>::Register(fused(raw(a), raw(b), raw(c))));
+    else
+        return a * b + c;
 }
 template <class T>
 STRAHL_INLINE Pack<T> sqrt(Pack<T> a) {
@@ -120,18 +82,18 @@ STRAHL_INLINE unsigned bits(PackMask<T> mask) {
 }
 template <class T>
 STRAHL_INLINE Pack<T> select(PackMask<T> mask, Pack<T> yes, Pack<T> no) {
-#if defined(__AVX512F__)  // the standard's way keeps g++ 12 from putting it into the instruction before
-    return Pack<T>(typename Pack<T>::Register(chosen(bits(mask), raw(yes), raw(no))));
-#else
-    std::experimental::where(mask.m, no.v) = yes.v;
-    return no;
-#endif
+    if constexpr (has_mask_registers) {  // the standard's way keeps g++ 12 from putting it into the instruction before
+        return Pack<T>(typename Pack<T>::Register(chosen(bits(mask), raw(yes), raw(no))));
+    } else {
+        std::experimental::where(mask.m, no.v) = yes.v;
+        return no;
+    }
 }
 template <class T>
 STRAHL_INLINE Pack<T> abs(Pack<T> a) {
     return Pack<T>(std::experimental::abs(a.v));
 }
-// In NaN and signed zeros the instructions' answer is their second operand: as in the scalar functions.
+// Of NaN and of signed zeros the second operand is the answer: as in the scalar functions.
 template <class T>
 STRAHL_INLINE Pack<T> min(Pack<T> a, Pack<T> b) {
     return Pack<T>(typename Pack<T>::Register(minimum(raw(b), raw(a))));
@@ -179,54 +141,34 @@ STRAHL_INLINE Pack<T> with_lane(Pack<T> a, int i, T value) {  // a whole pack re
 /// The smallest of the lanes.
 template <class T>
 STRAHL_INLINE T least(Pack<T> a) {
-#if defined(__AVX512F__)
-    return least_of(raw(a));
-#else
-    return std::experimental::hmin(a.v);
-#endif
+    if constexpr (has_mask_registers)
+        return least_of(raw(a));
+    else
+        return std::experimental::hmin(a.v);
 }
 template <class T>
 STRAHL_INLINE void compress(T* to, Pack<T> value, PackMask<T> mask) {
-    constexpr int n = Pack<T>::size;
-#if defined(__AVX512F__)
-    // Compressing in the register and storing whole: vcompress to memory is slow microcode on some processors.
-    if constexpr (std::is_same_v<T, float> && n == 16) {
-        return _mm512_storeu_ps(to, _mm512_maskz_compress_ps(static_cast<__mmask16>(bits(mask)), raw(value)));
-    } else if constexpr (std::is_same_v<T, double> && n == 8) {
-        return _mm512_storeu_pd(to, _mm512_maskz_compress_pd(static_cast<__mmask8>(bits(mask)), raw(value)));
-    }
-#endif
-    for (int i = 0; i < n; ++i) {
-        *to = value.v[i];
-        to += mask.m[i];
+    if constexpr (has_mask_registers) {
+        store_compressed(to, bits(mask), raw(value));
+    } else {
+        for (int i = 0; i < Pack<T>::size; ++i) {
+            *to = value.v[i];
+            to += mask.m[i];
+        }
     }
 }
 
-/// (x, y, z, 0) of lane k from 4 * interleaved(k) on: then one addition serves all three.
+/// Is there an interleave()?
+template <class S>
+inline constexpr bool interleaves = false;
+template <>
+inline constexpr bool interleaves<Pack<float>> = has_mask_registers;
+/// Writes (x, y, z, 0) of lane k from 4 * interleaved(k) on: then one add_four serves all three.
 template <class T>
-inline constexpr bool interleaves =
-#if defined(__AVX512F__)
-    std::is_same_v<T, float>&& Pack<T>::size == 16;
-#else
-    false;
-#endif
+STRAHL_INLINE void interleave(T* to, Pack<T> x, Pack<T> y, Pack<T> z) {
+    interleave(to, raw(x), raw(y), raw(z));
+}
 constexpr int interleaved(int k) { return 4 * (k % 4) + k / 4; }
-#if defined(__AVX512F__)
-STRAHL_INLINE void interleave(float* to, Pack<float> x, Pack<float> y, Pack<float> z) {
-    const __m512 none = _mm512_setzero_ps();
-    const __m512d low_xy = _mm512_castps_pd(_mm512_unpacklo_ps(raw(x), raw(y)));
-    const __m512d high_xy = _mm512_castps_pd(_mm512_unpackhi_ps(raw(x), raw(y)));
-    const __m512d low_z = _mm512_castps_pd(_mm512_unpacklo_ps(raw(z), none));
-    const __m512d high_z = _mm512_castps_pd(_mm512_unpackhi_ps(raw(z), none));
-    _mm512_store_ps(to, _mm512_castpd_ps(_mm512_unpacklo_pd(low_xy, low_z)));
-    _mm512_store_ps(to + 16, _mm512_castpd_ps(_mm512_unpackhi_pd(low_xy, low_z)));
-    _mm512_store_ps(to + 32, _mm512_castpd_ps(_mm512_unpacklo_pd(high_xy, high_z)));
-    _mm512_store_ps(to + 48, _mm512_castpd_ps(_mm512_unpackhi_pd(high_xy, high_z)));
-}
-STRAHL_INLINE void add_four(float* to, const float* from) {
-    _mm_storeu_ps(to, _mm_add_ps(_mm_loadu_ps(to), _mm_load_ps(from)));
-}
-#endif
 
 template <class T>
 struct LaneTraits<Pack<T>> {

@@ -1,4 +1,4 @@
-// Vectors of three: positions, directions and colours for any scalar or pack of lanes.
+// Vectors of three components, of scalars or packs: positions, directions and colours.
 #pragma once
 #include <glm/vec3.hpp>
 

@@ -1,4 +1,4 @@
-// The eye: where it stands, what it looks at, how wide it sees, and how it moves along a path.
+// The camera: position, direction, angle of view, and its path.
 #pragma once
 #include <optional>
 #include <vector>
@@ -28,10 +28,10 @@ struct CameraFrame {
 /// to the viewing direction (see `degenerate`).
 CameraFrame frame_of(const Camera& camera, double aspect);
 
-/// Why the camera spans no picture ("position equals look_at", "up is parallel to ..."), or nullptr if it does.
+/// Why the camera is degenerate ("position equals look_at", "up is parallel to ..."), or nullptr if it is not.
 const char* degenerate(const Camera& camera);
 
-/// A moment of a flythrough: seconds, and what differs from the scene's camera.
+/// A key of a flythrough: a time in seconds and the camera there. What is not given is as in the scene's camera.
 struct Keyframe {
     double time = 0;
     DVec3 position{0};
@@ -41,21 +41,21 @@ struct Keyframe {
     bool operator==(const Keyframe&) const = default;
 };
 
-/// What the camera is at a key; `scene_camera` gives what the key leaves open.
+/// The camera at a key; `scene_camera` supplies what the key does not give.
 Camera camera_of(const Keyframe& key, const Camera& scene_camera);
 
-/// A path through the keys on a centripetal Catmull-Rom curve; times rise strictly.
+/// A path through keys on a centripetal Catmull-Rom spline; times rise strictly.
 struct Flythrough {
     double duration = 0;  // seconds, at least the last key's time
-    bool loop = false;    // after `duration` the path goes on at its first key, on a closed curve
+    bool loop = false;    // the path is a closed curve that returns to its first key after `duration`
     std::vector<Keyframe> keys;
     bool operator==(const Flythrough&) const = default;
 };
 
-/// The camera at `time` seconds: before the first key the first key's, past the last one the last's. A path that loops
-/// repeats itself every `duration`, also before its first key. At the keys' times it is exactly the keys' camera.
-/// Between them position and look_at are smooth curves, fov and up never leave what neighbouring keys say, and where
-/// that would span no picture (see `degenerate`) it looks as it does a moment before or after.
+/// The camera at `time` seconds: before the first key that of the first key, after the last one that of the last. A
+/// path that loops repeats every `duration`, also before its first key. At the time of a key it is exactly the key's
+/// camera. Between keys position and look_at follow smooth curves, fov and up stay between the values of the two keys,
+/// and where the result would be degenerate it takes its axes from a moment before or after.
 Camera camera_at(const Flythrough& path, const Camera& scene_camera, double time);
 
 }  // namespace strahl

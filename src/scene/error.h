@@ -1,19 +1,23 @@
-// Errors in a file that a person wrote, or wants written.
+// Errors that a user can correct: in a command line, in a file, or in writing one.
 #pragma once
 #include <stdexcept>
 #include <string>
 
 namespace strahl {
 
-/// A fault in a scene or picture file, with a message that says where and what to do. Thrown in text and image, caught
-/// in main, where it becomes exit status 3.
+/// An error in a scene or picture file; the message says where it is and what to do. main ends with exit status 3.
 struct FileError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// A file that can't be written; in main exit status 1.
+/// A file that can't be written; exit status 1.
 struct OutputError : FileError {
     using FileError::FileError;
+};
+
+/// A command line that makes no sense, or not on this machine; exit status 2.
+struct UsageError : std::runtime_error {
+    using std::runtime_error::runtime_error;
 };
 
 }  // namespace strahl

@@ -1,5 +1,5 @@
-// The field table of a kind: what its parameters are called, what they mean, which values they may take.
-// Parser, writer, manual and tests walk these tables, so a kind is described in one place.
+// The field table of a kind of body or of the material: what its parameters are called, what they mean, which values
+// they may have. The parser, the writer, the tables of the manual and the random scenes of the tests derive from it.
 #pragma once
 #include "num/vec.h"
 
@@ -7,7 +7,7 @@ namespace strahl {
 
 enum class Range { any, positive, zero_or_more, zero_to_one };
 
-/// One parameter of type V (double, DVec3, ...) in a struct C. `name` is how error messages and the manual call it.
+/// One parameter of type V (double, DVec3, ...) in a struct C. `name` is its name in messages and in the manual.
 template <class C, class V>
 struct Field {
     const char* name;

@@ -1,4 +1,4 @@
-// What a surface does with light: the coefficients of the article's illumination equation.
+// The material of a body: the coefficients of the article's illumination equation.
 #pragma once
 #include <tuple>
 
@@ -6,7 +6,7 @@
 
 namespace strahl {
 
-/// The defaults are those of the article's own `defaultmaterial` listing.
+/// The default values are those of the article's `defaultmaterial` listing.
 struct Material {
     Color rgb{.5, .5, .5};   // Of
     double reflection = .5;  // Kr
@@ -20,13 +20,16 @@ struct Material {
     bool operator==(const Material&) const = default;
 
     static constexpr auto fields = std::make_tuple(
-        Field{"rgb", &Material::rgb, "colour of the body, per channel", Range::zero_or_more},
-        Field{"reflection", &Material::reflection, "share of mirrored light, Kr", Range::zero_to_one},
-        Field{"refraction", &Material::refraction, "share of transmitted light, Kt", Range::zero_to_one},
-        Field{"diffuse", &Material::diffuse, "share of diffusely scattered light, Kd", Range::zero_or_more},
-        Field{"ambient", &Material::ambient, "share of ambient light, Ka", Range::zero_or_more},
-        Field{"specular", &Material::specular, "strength of the highlight, Ks", Range::zero_or_more},
-        Field{"pow", &Material::pow, "exponent of the highlight", Range::zero_or_more},
+        Field{"rgb", &Material::rgb, "colour of the body", Range::zero_or_more},
+        Field{"reflection", &Material::reflection, "share of the light that is reflected, Kr", Range::zero_to_one},
+        Field{"refraction", &Material::refraction,
+              "share of the light that is transmitted, Kt; above 0 the body is transparent", Range::zero_to_one},
+        Field{"diffuse", &Material::diffuse, "share of the light that is scattered diffusely, Kd", Range::zero_or_more},
+        Field{"ambient", &Material::ambient, "share of the ambient light, Ka", Range::zero_or_more},
+        Field{"specular", &Material::specular, "strength of the highlight, Ks; it has the colour of the light",
+              Range::zero_or_more},
+        Field{"pow", &Material::pow, "exponent of the highlight: the larger, the smaller the highlight",
+              Range::zero_or_more},
         Field{"ior", &Material::ior, "index of refraction", Range::positive});
 };
 

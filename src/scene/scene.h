@@ -1,4 +1,4 @@
-// A scene as a plain value: what a .rt file says, in double, comparable with ==.
+// A scene as a plain value: the content of an .rt file, in double.
 #pragma once
 #include <optional>
 #include <vector>
@@ -26,8 +26,8 @@ struct Primitive {
 
 struct Settings {
     Color ambient_light{1};    // Ia
-    int max_trace_level = 20;  // generations of rays, the primary ray being the first; 1 to 256
-    bool linear = false;       // `assumed_gamma 1`: values are linear light, shown sRGB-encoded; else straight as in 1999
+    int max_trace_level = 20;  // generations of rays, camera rays being the first; 1 to 256
+    bool linear = false;  // `assumed_gamma 1`: values are linear light, shown sRGB-encoded; otherwise shown as they are
     bool operator==(const Settings&) const = default;
 };
 
@@ -36,8 +36,8 @@ struct Scene {
     Settings settings;
     Color background{0};
     std::vector<Light> lights;
-    std::vector<Material> materials;    // each once, in the order of first use by a primitive
-    std::vector<Primitive> primitives;  // in the order declared: where two coincide the first wins
+    std::vector<Material> materials;    // no duplicates, in the order of first use by a primitive
+    std::vector<Primitive> primitives;  // in the order declared: of coincident surfaces the first wins
     std::optional<Flythrough> flythrough;
     bool operator==(const Scene&) const = default;
 };

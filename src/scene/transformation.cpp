@@ -11,7 +11,7 @@ struct SinCos {
     double sin, cos;
 };
 
-/// The angle is reduced in degrees, where that is exact: 90 degrees have the cosine 0 and not 6e-17.
+/// Reduces the angle in degrees, which is exact: the cosine of 90 degrees is 0 and not 6e-17.
 SinCos sin_cos(double degrees) {
     int quarters = 0;
     const double rest = std::remquo(degrees, 90.0, &quarters) * (std::numbers::pi / 180);
@@ -28,7 +28,7 @@ SinCos sin_cos(double degrees) {
     }
 }
 
-/// The turn by which axis `from` goes towards axis `to`.
+/// The rotation that turns axis `from` towards axis `to`.
 glm::dmat4 turn(int from, int to, double degrees) {
     const SinCos a = sin_cos(degrees);
     glm::dmat4 m{1};  // m[column][row]

@@ -27,7 +27,7 @@ using Transformation = std::variant<Rotate, Translate, Scale>;
 /// The product of all steps: column vectors, world = matrix * (local, 1). Multiples of 90 degrees are exact.
 glm::dmat4 matrix(std::span<const Transformation> steps);
 
-/// The factor by which lengths grow if all steps keep shapes similar (|x| = |y| = |z| in every Scale), else 0.
+/// The factor by which lengths grow if all steps keep angles (|x| = |y| = |z| in every Scale), else 0.
 double similarity(std::span<const Transformation> steps);
 
 }  // namespace strahl

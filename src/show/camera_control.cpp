@@ -5,23 +5,20 @@
 #include <cmath>
 #include <numbers>
 
-#include "num/lanes.h"
+#include "num/vec_math.h"
 
 namespace strahl {
 namespace {
 
-double length(const DVec3& v) { return std::hypot(v.x, v.y, v.z); }
-DVec3 unit(const DVec3& v) { return v / length(v); }
-
 struct Axes {
-    DVec3 forward, level, right, up;  // `level` is forward without its rise
+    DVec3 forward, level, right, up;  // `level` is the horizontal part of forward
     double elevation;                 // radians
 };
 Axes axes_of(const Camera& camera) {
-    const DVec3 up = DVec3(0) - unit(camera.up);
+    const DVec3 up = DVec3(0) - normalize(camera.up);
     const DVec3 forward = frame_of(camera, 1).forward;
     const DVec3 right = frame_of(camera, 1).right;
-    return {forward, cross(up, right), right, up, std::asin(std::clamp(dot(forward, up), -1., 1.))};
+    return {forward, cross_product(up, right), right, up, std::asin(std::clamp(dot_product(forward, up), -1., 1.))};
 }
 
 /// The viewing direction after a turn.
@@ -32,7 +29,7 @@ DVec3 turned(const Axes& axes, double right, double upwards) {
     return level * std::cos(rise) + axes.up * std::sin(rise);
 }
 
-/// `moved`, unless it is too far from the origin, or too near to look_at, to span a picture.
+/// `moved`, or `camera` if `moved` is degenerate, too far from the origin or too near to look_at.
 Camera checked(const Camera& moved, const Camera& camera) {
     const double reach = std::max(length(moved.position), length(moved.look_at));
     const bool sound = reach < 1e12 && length(moved.look_at - moved.position) > 1e-9 * reach && !degenerate(moved);
@@ -41,30 +38,30 @@ Camera checked(const Camera& moved, const Camera& camera) {
 
 }  // namespace
 
-Camera fly(const Camera& camera, const Hands& hands) {
-    if (hands == Hands{}) return camera;
+Camera fly(const Camera& camera, const CameraInput& input) {
+    if (input == CameraInput{}) return camera;
     const Axes axes = axes_of(camera);
-    const DVec3 way = axes.right * hands.push.x + axes.up * hands.push.y + axes.forward * hands.push.z;
+    const DVec3 step = axes.right * input.push.x + axes.up * input.push.y + axes.forward * input.push.z;
     Camera moved = camera;
-    moved.position += way;
-    // Without a turn nothing of the direction is lost to rounding.
+    moved.position += step;
+    // Without a turn the direction is kept exactly.
     moved.look_at =
-        hands.right == 0 && hands.upwards == 0
-            ? camera.look_at + way
-            : moved.position + turned(axes, hands.right, hands.upwards) * length(camera.look_at - camera.position);
+        input.right == 0 && input.upwards == 0
+            ? camera.look_at + step
+            : moved.position + turned(axes, input.right, input.upwards) * length(camera.look_at - camera.position);
     return checked(moved, camera);
 }
 
-Camera orbit(const Camera& camera, const Hands& hands) {
-    if (hands == Hands{}) return camera;
+Camera orbit(const Camera& camera, const CameraInput& input) {
+    if (input == CameraInput{}) return camera;
     const Axes axes = axes_of(camera);
-    const double distance = length(camera.look_at - camera.position) * std::exp(-hands.push.z);
+    const double distance = length(camera.look_at - camera.position) * std::exp(-input.push.z);
     Camera moved = camera;
-    // To go to the right around a point is to turn to the left.
-    moved.position = camera.look_at - turned(axes, hands.right - hands.push.x, hands.upwards - hands.push.y) * distance;
+    // Moving to the right around a point turns the view to the left.
+    moved.position = camera.look_at - turned(axes, input.right - input.push.x, input.upwards - input.push.y) * distance;
     return checked(moved, camera);
 }
 
-double natural_speed(const Camera& camera) { return length(camera.look_at - camera.position) / 3; }
+double default_speed(const Camera& camera) { return length(camera.look_at - camera.position) / 3; }
 
 }  // namespace strahl

@@ -1,24 +1,24 @@
-// Hands on the camera: flying and orbiting, as functions from camera to camera.
+// Flying and orbiting, as functions from camera to camera.
 #pragma once
 #include "scene/camera.h"
 
 namespace strahl {
 
-/// What the hands want of the camera in one moment.
-struct Hands {
+/// What the user asks of the camera at one moment.
+struct CameraInput {
     DVec3 push{0};                  // to the right of the picture, up, and into it
     double right = 0, upwards = 0;  // turns in radians
-    bool operator==(const Hands&) const = default;
+    bool operator==(const CameraInput&) const = default;
 };
 
-/// Position and look_at go together; `push` is in units of the scene, `up` the axis of turns to the right. It never
-/// looks steeper than 89 degrees (or than it did).
-Camera fly(const Camera& camera, const Hands& hands);
+/// Moves position and look_at together. `push` is in units of the scene; turns to the right are about `up`. The view is
+/// never steeper than 89 degrees (or than it was).
+Camera fly(const Camera& camera, const CameraInput& input);
 
-/// Goes around look_at: `push` to the right and up are radians too, into the picture is a share of the way there.
-Camera orbit(const Camera& camera, const Hands& hands);
+/// Moves around look_at. `push` to the right and up is in radians, too; into the picture it is a share of the distance.
+Camera orbit(const Camera& camera, const CameraInput& input);
 
-/// A speed in units per second that suits the scene: what is looked at is reached in three seconds.
-double natural_speed(const Camera& camera);
+/// A speed in units per second that suits the scene: it reaches look_at in three seconds.
+double default_speed(const Camera& camera);
 
 }  // namespace strahl

@@ -1,7 +1,5 @@
-// The window's command: reads the scene, opens the window.
+// strahl view: reads the scene and opens the window.
 #include "show/command_view.h"
-
-#include <iostream>
 
 #include "show/viewer.h"
 #include "text/parse.h"
@@ -13,10 +11,8 @@ int view_command(const ViewOptions& options) {
     std::string text = read_text(options.scene);
     const auto scene =
         std::make_shared<const Scene>(parse_scene(text, options.scene == "-" ? "standard input" : options.scene));
-    if (options.time && !scene->flythrough) {
-        std::cerr << "strahl: --time needs a scene with a flythrough { }, and " << options.scene << " has none\n";
-        return 2;
-    }
+    if (options.time && !scene->flythrough)
+        throw UsageError("--time needs a scene with a flythrough { }, and " + options.scene + " has none");
     Viewer(options, scene, std::move(text), began).run();
     return 0;
 }

@@ -1,4 +1,4 @@
-// Hands on keys and mouse.
+// Input from keys and mouse.
 #include "show/controls.h"
 
 #include <algorithm>
@@ -7,9 +7,9 @@
 namespace strahl {
 namespace {
 
-constexpr double tap = 0.2;    // seconds that a tap lasts at most
-constexpr double still = 0.1;  // seconds without a move of the mouse after which a drag rests
-constexpr double fast = 4;     // times faster with Shift
+constexpr double tap = 0.2;    // longest tap, in seconds
+constexpr double still = 0.1;  // seconds without mouse movement after which a drag is at rest
+constexpr double fast = 4;     // factor of speed with Shift
 int number(Push key) { return static_cast<int>(key); }
 
 }  // namespace
@@ -45,16 +45,16 @@ bool Controls::active(double now) const {
            std::ranges::any_of(held, [](const Held& h) { return h.down || h.fresh; });
 }
 
-Hands Controls::take(double seconds, double now) {
+CameraInput Controls::take(double seconds, double now) {
     const auto push = [&](Push there, Push back) {
         return (pushes(there, now) ? 1. : 0.) - (pushes(back, now) ? 1. : 0.);
     };
-    Hands hands{{push(Push::right, Push::left), push(Push::up, Push::down), push(Push::forward, Push::back)},
-                std::exchange(right, 0),
-                std::exchange(upwards, 0)};
-    hands.push *= seconds * (faster ? fast : 1);
+    CameraInput input{{push(Push::right, Push::left), push(Push::up, Push::down), push(Push::forward, Push::back)},
+                      std::exchange(right, 0),
+                      std::exchange(upwards, 0)};
+    input.push *= seconds * (faster ? fast : 1);
     for (Held& h : held) h.fresh = false;
-    return hands;
+    return input;
 }
 
 }  // namespace strahl

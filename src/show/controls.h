@@ -1,4 +1,4 @@
-// Keys held and mouse dragged, until the camera takes them.
+// Collects input from keys and mouse until the camera takes it.
 #pragma once
 #include <array>
 
@@ -10,15 +10,15 @@ namespace strahl {
 class Controls {
   public:
     void press(Push key, double now);
-    /// True if the key back was only tapped, which does not push: it has another meaning then.
+    /// True if the key `back` was only tapped. Then it does not move the camera but has its other meaning.
     bool release(Push key, double now);
     void drag(double right, double upwards, double now);
     bool faster = false;
 
-    /// Should the camera be asked to move again soon?
+    /// Will there be more input soon?
     bool active(double now) const;
-    /// What has come together; `seconds` is the time since the last call. Pushes are in seconds.
-    Hands take(double seconds, double now);
+    /// The input since the last call, `seconds` ago. Pushes are in seconds.
+    CameraInput take(double seconds, double now);
 
   private:
     struct Held {

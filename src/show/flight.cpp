@@ -1,4 +1,4 @@
-// Paths that no file has: orbits, and recorded ones.
+// Paths that are not in a file: orbits and recorded ones.
 #include "show/flight.h"
 
 #include <numbers>

@@ -1,4 +1,4 @@
-// Flights along a path: a clock that can be held, paths to fly where the scene has none, and paths recorded by hand.
+// Flights: a clock that can be paused, an orbit for scenes without a path, and recorded paths.
 #pragma once
 #include "scene/camera.h"
 
@@ -21,8 +21,8 @@ class FlightClock {
 /// A slow orbit from where the camera is around what the scene's camera looks at.
 Flythrough orbit_path(const Camera& camera, const Camera& scene_camera);
 
-/// `path` with the camera as its next key, `seconds` after the last one. What the key shares with the scene's camera
-/// is left out of it. A path that comes back to its first key loops.
+/// `path` with the camera added as a key, `seconds` after the last one. The key omits values that equal those of the
+/// scene's camera. A path that returns to its first key loops.
 Flythrough with_key(Flythrough path, const Camera& camera, const Camera& scene_camera, double seconds);
 
 }  // namespace strahl

@@ -1,4 +1,4 @@
-// From traced values to pictures for the screen.
+// From traced values to pixels of the screen.
 #include "show/image.h"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ std::uint32_t blend(std::uint32_t a, std::uint32_t b, std::uint32_t weight, int 
     return low | high << 8;
 }
 
-/// One row of a level as wide as the picture.
+/// Widens one row of a level to the width of the picture.
 void widen(const std::uint32_t* row, int columns, int step, std::vector<std::uint32_t>& wide) {
     const int shift = std::countr_zero(static_cast<unsigned>(step));
     for (int x = 0; x < static_cast<int>(wide.size()); ++x) {
@@ -30,7 +30,7 @@ void widen(const std::uint32_t* row, int columns, int step, std::vector<std::uin
 
 }  // namespace
 
-Codes::Codes(bool linear) {
+TransferTable::TransferTable(bool linear) {
     least[0] = 0;
     for (int code = 1; code < 256; ++code) {
         // Positive floats are ordered as their bits are.
@@ -48,19 +48,19 @@ Codes::Codes(bool linear) {
     }
 }
 
-void encode(const Tile& tile, const Codes& codes, std::uint32_t* rgba) {
+void encode(const Tile& tile, const TransferTable& table, std::uint32_t* rgba) {
     const auto values = std::get<std::span<const float>>(tile.rgb);
     for (std::size_t i = 0; i < values.size(); i += 3)
-        *rgba++ = codes(values[i]) | codes(values[i + 1]) << 8 | codes(values[i + 2]) << 16 | 0xff000000u;
+        *rgba++ = table(values[i]) | table(values[i + 1]) << 8 | table(values[i + 2]) << 16 | 0xff000000u;
 }
 
-void store(const Tile& tile, const Codes& codes, Steps steps, Image& level) {
+void store(const Tile& tile, const TransferTable& table, Steps steps, Image& level) {
     const Lattice& part = tile.lattice;
     const auto values = std::get<std::span<const float>>(tile.rgb);
     for (int row = 0; row < part.rows; ++row) {
         const Tile line{{.columns = part.columns, .rows = 1},
                         values.subspan(std::size_t(3) * row * part.columns, std::size_t(3) * part.columns)};
-        encode(line, codes, &level.rgba[std::size_t(part.y / steps.y + row) * level.width + part.x / steps.x]);
+        encode(line, table, &level.rgba[std::size_t(part.y / steps.y + row) * level.width + part.x / steps.x]);
     }
 }
 

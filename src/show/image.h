@@ -1,4 +1,4 @@
-// Pictures as the screen takes them, and the ways values get into them.
+// Pictures for the screen, and storing of traced values in them.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -18,11 +18,10 @@ struct Image {
     }
 };
 
-/// The transfer curve for single precision, tabulated: gives for every float exactly what quantise(v, linear, 255)
-/// gives, without the power function.
-class Codes {
+/// The transfer curve as a table: gives exactly quantise(v, linear, 255) for every float, without the power function.
+class TransferTable {
   public:
-    explicit Codes(bool linear);
+    explicit TransferTable(bool linear);
     std::uint32_t operator()(float v) const {
         if (!(v > 0)) return 0;
         if (v >= 1) return 255;
@@ -37,17 +36,17 @@ class Codes {
     std::array<std::uint8_t, bins + 1> start;  // the code at the lower end of each bin
 };
 
-/// The pixels of a tile (of single precision), row by row, ready for the screen.
-void encode(const Tile& tile, const Codes& codes, std::uint32_t* rgba);
+/// The pixels of a float tile as 8-bit colours, row by row.
+void encode(const Tile& tile, const TransferTable& table, std::uint32_t* rgba);
 
-/// Puts a tile into the coarse image of a level: pixel (x, y) goes to column x / steps.x, row y / steps.y.
-void store(const Tile& tile, const Codes& codes, Steps steps, Image& level);
+/// Stores a tile in the coarse image of a level: pixel (x, y) goes to column x / steps.x, row y / steps.y.
+void store(const Tile& tile, const TransferTable& table, Steps steps, Image& level);
 
-/// Puts a tile's pixels into the whole picture as blocks that hold only pixels of later passes: each is as large as
-/// the steps of the tile's level.
+/// Stores a tile's pixels in the whole picture as blocks, each as large as the steps of the tile's level. A block
+/// covers only pixels of later passes.
 void store_blocks(const Lattice& tile, const std::uint32_t* rgba, Steps steps, Image& whole);
 
-/// The coarse image of a level made as large as the picture: known pixels exactly, between them a smooth transition.
+/// Enlarges the coarse image of a level to the whole picture: known pixels are exact, those between are interpolated.
 void expand(const Image& level, Steps steps, Image& whole);
 
 }  // namespace strahl

@@ -1,4 +1,4 @@
-// From GLFW's keys to what they mean.
+// Maps GLFW's keys to commands.
 #include "show/keys.h"
 
 #include <GLFW/glfw3.h>
@@ -6,7 +6,7 @@
 namespace strahl {
 namespace {
 
-/// The letter that is printed on the key, as a capital; where the layout has no Latin letters, the one at its place.
+/// The letter that is printed on the key, as a capital; if the layout has no Latin letters, the US letter at its place.
 char letter_of(int key, int scancode) {
     const char* const name = glfwGetKeyName(key, scancode);
     if (name && name[0] >= 'a' && name[0] <= 'z' && name[1] == 0) return static_cast<char>(name[0] - 'a' + 'A');

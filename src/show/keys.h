@@ -1,4 +1,4 @@
-// What keys mean.
+// The keys and their commands.
 #pragma once
 #include <array>
 #include <optional>
@@ -27,17 +27,17 @@ enum class Action {
 };
 struct Command {
     Action action;
-    int number = 0;  // of the camera that is recalled or stored, 1 to 9
+    int number = 0;  // of the camera to recall or store, 1 to 9
     bool operator==(const Command&) const = default;
 };
 
-/// A key that was pressed, as GLFW numbers keys and modifiers. Letters go by what is printed on the key, digits by
-/// their place. `third_level`: AltGr is down, and a character will follow.
+/// The command of a key press; numbers are GLFW's. Letters are identified by what is printed on the key, digits by
+/// their place. `third_level`: AltGr is down, and a character follows.
 std::optional<Command> command_of_key(int key, int scancode, int modifiers, bool third_level);
-/// Brackets, comma and full stop, wherever a keyboard has them.
+/// Brackets, comma and full stop, wherever the keyboard has them.
 std::optional<Command> command_of_character(unsigned character);
 
-/// The keys that push the camera, by their place.
+/// The keys that move the camera, by their place.
 enum class Push { forward, back, left, right, down, up };
 std::optional<Push> push_of_key(int key);
 
@@ -50,18 +50,18 @@ inline constexpr std::array key_help{
     KeyHelp{"Q E", "down, up"},
     KeyHelp{"Shift", "faster"},
     KeyHelp{"mouse", "drag: look around; wheel: speed"},
-    KeyHelp{"Tab", "fly, or orbit what you look at"},
+    KeyHelp{"Tab", "switch between flying and orbiting"},
     KeyHelp{"R", "back to the scene's camera"},
     KeyHelp{"1-9", "recall a camera; Shift: store it"},
     KeyHelp{"Flight", ""},
-    KeyHelp{"F", "along the scene's path, or around it"},
-    KeyHelp{"Space", "pause, and go on"},
+    KeyHelp{"F", "fly along the scene's path, or around it"},
+    KeyHelp{"Space", "pause, continue"},
     KeyHelp{"P", "add the camera to a path and print it"},
     KeyHelp{"C", "print the camera"},
     KeyHelp{"Picture", ""},
-    KeyHelp{"S, Ctrl+S", "a still to a file (S: tap it)"},
-    KeyHelp{"[ ]", "depth: reflections of reflections"},
-    KeyHelp{", .", "resolution cap while moving"},
+    KeyHelp{"S, Ctrl+S", "save a still (S: tap it)"},
+    KeyHelp{"[ ]", "depth: fewer, more reflections"},
+    KeyHelp{", .", "lower, higher resolution in motion"},
     KeyHelp{"F11", "full screen"},
     KeyHelp{"X", "mark pixels that rounding decides"},
     KeyHelp{"I  H", "information; this help"},

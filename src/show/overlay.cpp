@@ -1,4 +1,4 @@
-// The overlay's panels, in ImGui's words.
+// The panels of the overlay, with ImGui.
 #include "show/overlay.h"
 
 #include <imgui.h>
@@ -63,7 +63,7 @@ void draw_info(const Overlay& overlay) {
 void draw_fault(const std::string& fault) {
     panel("fault", 0.5f, 1, [&] {
         ImGui::PushStyleColor(ImGuiCol_Text, alarm);
-        ImGui::TextUnformatted("The scene file has a fault; this is the picture from before");
+        ImGui::TextUnformatted("The scene file has an error; this is the previous picture");
         ImGui::PopStyleColor();
         ImGui::Spacing();
         ImGui::TextUnformatted(fault.c_str());
@@ -80,7 +80,7 @@ void draw_notes(const Overlay& overlay) {
     });
 }
 
-/// Each a little cross, since a pixel alone would be hard to see: orange where float differs, red where double does.
+/// Small crosses, since single pixels are hard to see: orange where float differs, red where double does.
 void draw_marks(const Overlay& overlay) {
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     const float reach = ImGui::GetFontSize() / 5;

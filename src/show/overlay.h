@@ -1,4 +1,4 @@
-// What is written over the picture.
+// The text over the picture.
 #pragma once
 #include <string>
 #include <utility>
@@ -10,11 +10,11 @@ namespace strahl {
 
 struct Overlay {
     bool help = false;
-    std::vector<std::pair<std::string, std::string>> info;  // names and values; none, no panel
-    double share = 1;                                       // of the pixels that are traced, for the panel
-    std::string fault;                                      // of the scene file, as FileError tells it
-    std::vector<std::string> notes;                         // short ones, the oldest first
-    double still_share = -1;                                // of the still in work, or negative
+    std::vector<std::pair<std::string, std::string>> info;  // names and values; if empty, no panel
+    double share = 1;                                       // of the pixels that are traced
+    std::string fault;                                      // message of the scene file's error
+    std::vector<std::string> notes;                         // the oldest first
+    double still_share = -1;                                // of the still being rendered, or negative
     std::string still_text;
     std::vector<Mark> marks;    // of pixels, on the picture
     int width = 1, height = 1;  // of that picture

@@ -1,4 +1,4 @@
-// Coarse levels of a picture and the passes between them.
+// Resolution levels and passes.
 #include "show/progressive.h"
 
 #include <algorithm>

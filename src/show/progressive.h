@@ -1,24 +1,25 @@
-// The order in which a picture becomes sharp: coarse levels, and the passes that lead from one to the next.
+// Progressive refinement: resolution levels, and the passes between them.
 #pragma once
 #include "trace/tracer.h"
 
 namespace strahl {
 
-/// Distances between neighbouring pixels that are known, powers of two.
+/// Distances between traced pixels, powers of two.
 struct Steps {
     int x = 1, y = 1;
     bool operator==(const Steps&) const = default;
 };
 
 /// Each level has twice the pixels of the one before: every 16th in both directions, then every 8th column of every
-/// 16th row, every 8th, ... and at last all. It is the scheme of the interlaced PNG ("Adam7"), with two levels before.
+/// 16th row, every 8th, ... and finally all. This is the scheme of interlaced PNG ("Adam7") with two more levels
+/// before.
 inline constexpr int finest_level = 8;
 Steps steps_of(int level);
 
 /// All pixels of a level, 0 <= level <= finest_level.
 Lattice pixels_of(int level, int width, int height);
 
-/// The pixels that `level` (not 0) has and the level before has not. Without columns or rows if there are none.
+/// The pixels of `level` (not 0) that the level before lacks. Without columns or rows if there are none.
 Lattice new_pixels_of(int level, int width, int height);
 
 inline double count(const Lattice& lattice) { return double(lattice.columns) * lattice.rows; }

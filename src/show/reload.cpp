@@ -1,4 +1,4 @@
-// Watching the scene file.
+// Watches the scene file.
 #include "show/reload.h"
 
 #include <sys/stat.h>
@@ -11,7 +11,7 @@
 namespace strahl {
 namespace {
 
-/// What tells a file from itself after a change; all zero if there is none.
+/// Identifies a version of a file; all zero if there is none.
 struct Stamp {
     dev_t device = 0;
     ino_t number = 0;
@@ -32,17 +32,17 @@ Loaded load(const std::string& path, const std::string& text) try {
     return {path, nullptr, error.what(), false};
 }
 
-/// Empty if it can't be read now: editors take files away for a moment.
+/// Empty if the file can't be read now: editors remove files for a moment.
 std::optional<std::string> text_of(const std::string& path) try { return read_text(path); } catch (const FileError&) {
     return std::nullopt;
 }
 
 }  // namespace
 
-Reload::Reload(std::string path_now, std::string text_now, std::function<void()> news_function)
+Reload::Reload(std::string path_now, std::string text_now, std::function<void()> notify_function)
     : path(std::move(path_now)),
       text(std::move(text_now)),
-      news(std::move(news_function)),
+      notify(std::move(notify_function)),
       thread([this](std::stop_token quit) { loop(quit); }) {}
 
 Reload::~Reload() = default;
@@ -65,11 +65,11 @@ void Reload::tell(Loaded loaded) {
         std::lock_guard lock(mutex);
         result = std::move(loaded);
     }
-    news();
+    notify();
 }
 
 void Reload::loop(std::stop_token quit) {
-    // What was read may be older than what is there by now: the first look compares the text.
+    // The file may have changed since it was read: the first check compares the text.
     Stamp known, before;
     while (!quit.stop_requested()) {
         std::optional<std::string> other;

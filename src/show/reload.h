@@ -1,4 +1,4 @@
-// The scene file: read again whenever it changes on disk.
+// Reads the scene file again whenever it changes on disk.
 #pragma once
 #include <condition_variable>
 #include <functional>
@@ -12,22 +12,22 @@
 
 namespace strahl {
 
-/// What became of reading a scene file.
+/// The result of reading a scene file.
 struct Loaded {
     std::string path;
-    std::shared_ptr<const Scene> scene;  // null if there is a fault in it
-    std::string fault;                   // as FileError tells it
-    bool opened = false;                 // another file than before
+    std::shared_ptr<const Scene> scene;  // null if it has an error
+    std::string fault;                   // the message of the error
+    bool opened = false;                 // it is another file than before
 };
 
-/// Looks at the file a few times a second, in a thread of its own; a file that is still being written is waited for.
+/// Checks the file a few times a second, in a thread of its own. Waits until a file is completely written.
 class Reload {
   public:
-    /// Watches `path`, whose content now is `text`; "-" is not watched. `news` is called from another thread.
-    Reload(std::string path, std::string text, std::function<void()> news);
+    /// Watches `path`, whose content now is `text`; "-" is not watched. `notify` is called from another thread.
+    Reload(std::string path, std::string text, std::function<void()> notify);
     ~Reload();
 
-    /// Reads this file instead, and watches it if it is a good scene.
+    /// Reads this file instead, and watches it if it is a valid scene.
     void open(std::string path);
     std::optional<Loaded> take();
 
@@ -40,7 +40,7 @@ class Reload {
     std::optional<std::string> to_open;
     std::optional<Loaded> result;
     std::string path, text;  // of the thread alone
-    const std::function<void()> news;
+    const std::function<void()> notify;
     std::jthread thread;
 };
 

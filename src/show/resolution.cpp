@@ -1,4 +1,4 @@
-// Resolution from the times of the last pictures.
+// Chooses the resolution by the times of the last pictures.
 #include "show/resolution.h"
 
 #include <algorithm>
@@ -8,8 +8,8 @@
 namespace strahl {
 namespace {
 
-constexpr double room = 0.75;  // share of the budget that a finer level may need
-constexpr int patience = 6;    // observations before it is tried
+constexpr double headroom = 0.75;  // share of the budget that a finer level may need
+constexpr int patience = 6;        // observations before it is tried
 
 }  // namespace
 
@@ -31,7 +31,7 @@ int Resolution::choose(int new_width, int new_height, double budget, int finest)
     width = new_width, height = new_height;
     if (observed == 0) return std::min(level, finest);
     for (; level > 0 && seconds_for(level) > budget; --level) since = 0;
-    if (since >= patience && level < finest_level && seconds_for(level + 1) < room * budget) ++level, since = 0;
+    if (since >= patience && level < finest_level && seconds_for(level + 1) < headroom * budget) ++level, since = 0;
     return std::min(level, finest);
 }
 

@@ -1,15 +1,15 @@
-// How fine a picture may be while everything moves, so that the rate of pictures holds.
+// Adapts the resolution in motion so that the frame rate holds.
 #pragma once
 #include <array>
 
 namespace strahl {
 
-/// Learns what a pixel costs and chooses the level (see progressive.h) that can be traced in the time there is. It
-/// goes coarser when most of the last pictures took too long, and finer only after a while, with room to spare and
-/// level by level, so that it does not flap. A single hiccup of the machine changes nothing.
+/// Learns the cost of a pixel and chooses the resolution level (see progressive.h) that fits into the time available.
+/// The level falls when most of the last pictures took too long. It rises only after a while, one level at a time and
+/// with headroom, so that it does not oscillate. A single slow picture changes nothing.
 class Resolution {
   public:
-    /// Something was traced: so many pixels in so many seconds.
+    /// Reports that `pixels` were traced in `seconds`.
     void observe(double pixels, double seconds);
 
     /// The level for the next picture, at most `finest`. `budget` is the time for it in seconds.

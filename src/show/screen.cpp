@@ -16,11 +16,11 @@ namespace {
 [[noreturn]] void fail(const std::string& why) {
     const char* reason = nullptr;
     glfwGetError(&reason);
-    throw std::runtime_error("no window can be opened: " + why + (reason ? std::string(" (") + reason + ")" : "") +
-                             "\nPictures need no window: strahl render SCENE -o picture.png");
+    throw std::runtime_error("cannot open a window: " + why + (reason ? std::string(" (") + reason + ")" : "") +
+                             "\nTo render without a window: strahl render SCENE -o picture.png");
 }
 
-/// One clear font for all, where the system has it; else the one that comes with ImGui.
+/// DejaVu or Liberation Mono if the system has it, else the font of ImGui.
 void load_font(float scale) {
     ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
     fonts.Clear();
@@ -56,14 +56,14 @@ void set_style(float scale) {
 
 }  // namespace
 
-/// Asked of GLFW, so that the program itself need not be linked with OpenGL.
+/// Loaded through GLFW, so that the program need not be linked with OpenGL.
 struct Screen::Functions {
     struct Found {
         const char* name;
         template <class F>
         operator F*() const {
             const auto function = reinterpret_cast<F*>(glfwGetProcAddress(name));
-            if (!function) fail(std::string("its OpenGL has no ") + name);
+            if (!function) fail(std::string("its OpenGL lacks ") + name);
             return function;
         }
     };
@@ -78,7 +78,7 @@ struct Screen::Functions {
 };
 
 Screen::Screen(const std::string& title, int width, int height, bool default_size, bool full) {
-    if (!glfwInit()) fail("there is no display here");
+    if (!glfwInit()) fail("no display");
     try {
         make_window(title, width, height, default_size, full);
         start_drawing();
@@ -97,13 +97,13 @@ void Screen::make_window(const std::string& title, int width, int height, bool d
     glfwWindowHint(GLFW_DEPTH_BITS, 0);
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
     glfw = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
-    if (!glfw) fail("there is no OpenGL here");
+    if (!glfw) fail("no OpenGL");
     glfwMakeContextCurrent(glfw);
     gl = std::make_unique<Functions>();
     const auto* version = reinterpret_cast<const char*>(gl->GetString(GL_VERSION));
     int major = 0;
     if (!version || std::sscanf(version, "%d", &major) != 1 || major < 3)
-        fail("OpenGL 3.0 is needed, and this is " + std::string(version ? version : "none"));
+        fail("OpenGL 3.0 is required, and this is " + std::string(version ? version : "none"));
     glfwSwapInterval(1);
     if (full) toggle_full_screen();
 }
@@ -176,7 +176,7 @@ void Screen::draw(const std::function<void()>& overlay) {
     if (columns == 0 || rows == 0) return;
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = {static_cast<float>(columns), static_cast<float>(rows)};
-    // In a small window the panels shrink before they lie on each other.
+    // In a small window the panels shrink before they overlap.
     io.FontGlobalScale = std::clamp(std::min(io.DisplaySize.x / 760, io.DisplaySize.y / 430) / scale, 0.6f, 1.f);
     ImGui_ImplOpenGL3_NewFrame();
     if (!io.Fonts->TexID) ImGui_ImplOpenGL3_CreateFontsTexture();
@@ -198,7 +198,7 @@ void Screen::toggle_full_screen() {
     }
     glfwGetWindowPos(glfw, &old_x, &old_y);
     glfwGetWindowSize(glfw, &old_width, &old_height);
-    // The monitor with the window's middle on it, or the first one.
+    // The monitor that shows the middle of the window, or the first one.
     int count = 0;
     GLFWmonitor* const* const monitors = glfwGetMonitors(&count);
     if (count == 0) return;

@@ -1,4 +1,4 @@
-// The window as a surface: one picture and an overlay on it. All of GLFW's, OpenGL's and ImGui's start and end is here.
+// The window as a surface for one picture and an overlay. GLFW, OpenGL and ImGui are initialised and ended here.
 #pragma once
 #include <functional>
 #include <memory>
@@ -13,7 +13,7 @@ namespace strahl {
 class Screen {
   public:
     /// Size in pixels; a default size grows with the monitor's scale. Throws std::runtime_error with advice if there is
-    /// no display or no fit OpenGL. One at a time.
+    /// no display or no suitable OpenGL. Only one at a time.
     Screen(const std::string& title, int width, int height, bool default_size, bool full);
     ~Screen();
     Screen(const Screen&) = delete;
@@ -25,7 +25,7 @@ class Screen {
     int height() const;
 
     void upload(const Fresh& fresh);
-    /// Shows the picture that was uploaded, with what `overlay` draws (in ImGui's words) on it.
+    /// Shows the uploaded picture, and on it what `overlay` draws with ImGui.
     void draw(const std::function<void()>& overlay);
     void toggle_full_screen();
 
@@ -39,7 +39,7 @@ class Screen {
     unsigned texture = 0;
     int texture_width = 0, texture_height = 0;
     float left = 0, top = 0, right = 1, bottom = 1;           // of the part of the texture that is shown
-    float scale = 0;                                          // of the overlay: 1 on a monitor of the usual fineness
+    float scale = 0;                                          // of the overlay: 1 at a usual pixel density
     int old_x = 0, old_y = 0, old_width = 0, old_height = 0;  // before full screen
 };
 

@@ -1,11 +1,11 @@
-// Commands, and what they do to the camera and its flight.
+// The effect of commands on the camera and its flight.
 #include "show/session.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <utility>
 
+#include "num/decimal.h"
 #include "text/write.h"
 
 namespace strahl {
@@ -13,25 +13,19 @@ namespace {
 
 constexpr double seconds_per_key = 3;  // of recorded paths
 
-/// The shortest digits that give the same number.
-std::string text_of(double v) {
-    char digits[32];
-    return {digits, std::to_chars(digits, digits + sizeof digits, v).ptr};
-}
-
 }  // namespace
 
 Session::Session(std::shared_ptr<const Scene> first_scene, std::optional<int> depth)
-    : scene(std::move(first_scene)), camera(scene->camera), speed(natural_speed(camera)), own_depth(depth) {}
+    : scene(std::move(first_scene)), camera(scene->camera), speed(default_speed(camera)), own_depth(depth) {}
 
 void Session::replace(std::shared_ptr<const Scene> newer, bool opened) {
     const bool moved = opened || newer->camera != scene->camera;
     const bool on_scene_path = path && scene->flythrough && *path == *scene->flythrough;
-    if (newer->flythrough != scene->flythrough) recorded = {};  // most likely it was pasted
+    if (newer->flythrough != scene->flythrough) recorded = {};  // probably pasted into the file
     scene = std::move(newer);
     if (on_scene_path || opened) path = scene->flythrough && !opened ? scene->flythrough : std::nullopt;
     if (opened) recorded = {}, cameras = {}, clock = {};
-    if (moved && !path) camera = scene->camera, speed = natural_speed(camera);
+    if (moved && !path) camera = scene->camera, speed = default_speed(camera);
 }
 
 Answer Session::perform(Command command, double now) {
@@ -44,10 +38,10 @@ Answer Session::perform(Command command, double now) {
             return record();
         case Action::change_style:
             orbiting = !orbiting;
-            return {orbiting ? "orbiting what you look at" : "flying freely", ""};
+            return {orbiting ? "orbiting" : "flying freely", ""};
         case Action::reset:
             stop(now);
-            camera = scene->camera, speed = natural_speed(camera);
+            camera = scene->camera, speed = default_speed(camera);
             return {"the scene's camera", ""};
         case Action::deeper:
         case Action::shallower:
@@ -56,7 +50,7 @@ Answer Session::perform(Command command, double now) {
         case Action::finer:
         case Action::coarser:
             finest = std::clamp(finest + (command.action == Action::finer ? 1 : -1), 0, finest_level);
-            return {"while moving at most " + resolution_text(finest), ""};
+            return {"in motion at most " + resolution_text(finest), ""};
         case Action::store:
             cameras[command.number - 1] = camera;
             return {"camera " + std::to_string(command.number) + " stored", ""};
@@ -71,7 +65,7 @@ Answer Session::perform(Command command, double now) {
 }
 
 Answer Session::play(double now) {
-    if (flying()) return stop(now), Answer{"flight left", ""};
+    if (flying()) return stop(now), Answer{"flight ended", ""};
     if (recorded.keys.size() >= 2 || scene->flythrough)
         path = recorded.keys.size() >= 2 ? recorded : *scene->flythrough;
     else
@@ -84,12 +78,12 @@ Answer Session::play(double now) {
 
 Answer Session::pause(double now) {
     if (!flying()) return play(now);
-    if (!clock.running()) return clock.run(now), Answer{"flying on", ""};
+    if (!clock.running()) return clock.run(now), Answer{"flight continues", ""};
     clock.hold(now);
     follow(now);
     double seconds = clock.at(now);
     if (path->loop && path->duration > 0) seconds -= path->duration * std::floor(seconds / path->duration);
-    seconds = std::round(1000 * seconds) / 1000;  // so that it can be told, and asked of `render --time`
+    seconds = std::round(1000 * seconds) / 1000;  // so that `render --time` can be given the same moment
     clock.set(seconds, now);
     follow(now);
     return {"paused at " + text_of(seconds) + " s", ""};
@@ -98,7 +92,7 @@ Answer Session::pause(double now) {
 Answer Session::record() {
     recorded = with_key(std::move(recorded), camera, scene->camera, seconds_per_key);
     const std::size_t keys = recorded.keys.size();
-    return {"key " + std::to_string(keys) + " added" + (keys < 2 ? "; the next one makes it a path" : ""),
+    return {"key " + std::to_string(keys) + " added" + (keys < 2 ? "; a path needs two" : ""),
             keys < 2 ? "" : write_flythrough(recorded)};
 }
 
@@ -125,11 +119,11 @@ bool Session::go_to(double seconds, double now) {
     return true;
 }
 
-void Session::steer(const Hands& hands, double now) {
+void Session::steer(const CameraInput& input, double now) {
     stop(now);
-    Hands scaled = hands;
+    CameraInput scaled = input;
     // In orbit a push turns by a radian per second.
-    scaled.push *= orbiting ? DVec3(speed / natural_speed(scene->camera)) : DVec3(speed);
+    scaled.push *= orbiting ? DVec3(speed / default_speed(scene->camera)) : DVec3(speed);
     camera = orbiting ? orbit(camera, scaled) : fly(camera, scaled);
 }
 
@@ -139,7 +133,7 @@ std::optional<Answer> Session::follow(double now) {
     camera = camera_at(*path, scene->camera, seconds);
     if (path->loop || seconds < path->duration || !clock.running()) return std::nullopt;
     stop(now);
-    return Answer{"the flight is over", ""};
+    return Answer{"end of the flight", ""};
 }
 
 std::string resolution_text(int level) {

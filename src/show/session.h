@@ -1,4 +1,4 @@
-// What the person at the window has made of the scene: camera, flight, depth. Knows nothing of windows or threads.
+// The state that the user controls: camera, flight, depth. Independent of windows and threads.
 #pragma once
 #include <array>
 #include <memory>
@@ -13,7 +13,7 @@
 
 namespace strahl {
 
-/// What to tell: a short note in the window and a line for the log, and text for standard output to be pasted.
+/// The response to a command: a short note for the window and the log, and scene text for standard output.
 struct Answer {
     std::string note, print;
 };
@@ -23,19 +23,20 @@ class Session {
     /// `depth` is used instead of the scene's. All times named `now` are seconds of one steady clock.
     explicit Session(std::shared_ptr<const Scene> scene, std::optional<int> depth = {});
 
-    /// The file changed, or (`opened`) it is another one. The camera stays unless the file's camera is another one.
+    /// To be called when the file has changed or, if `opened`, is another one. The camera stays unless it changed in
+    /// the file.
     void replace(std::shared_ptr<const Scene> scene, bool opened);
 
-    /// Commands for the window alone (quit, still, full screen, help, info) do nothing here.
+    /// Commands that concern only the window (quit, still, full screen, help, info) have no effect here.
     Answer perform(Command command, double now);
 
-    /// To a moment of the scene's flythrough, if it has one; the flight is paused there.
+    /// Moves to a moment of the scene's flythrough, if it has one, and pauses there.
     bool go_to(double seconds, double now);
 
-    /// Hands on the camera end a flight. `push` in units of seconds at the present speed.
-    void steer(const Hands& hands, double now);
+    /// Moves the camera; ends a flight. `push` is in seconds at the current speed.
+    void steer(const CameraInput& input, double now);
     void change_speed(double factor) { speed *= factor; }
-    /// Follows the flight to this moment. Says so if it ended.
+    /// Moves the camera along the flight to this moment. Returns a response if the flight has ended.
     std::optional<Answer> follow(double now);
 
     bool flying() const { return path.has_value(); }
@@ -60,7 +61,7 @@ class Session {
 
     std::optional<int> own_depth;
     std::optional<Flythrough> path;  // on which the camera flies now
-    FlightClock clock;               // on the scene's path also while nobody flies it
+    FlightClock clock;               // also runs for the scene's path while no flight is under way
     Flythrough recorded;
     std::array<std::optional<Camera>, 9> cameras;
 };

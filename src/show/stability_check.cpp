@@ -1,4 +1,4 @@
-// The three pictures, and the pixels in which they part.
+// Renders in three precisions and lists the pixels that differ.
 #include "show/stability_check.h"
 
 #include <utility>
@@ -8,8 +8,8 @@
 
 namespace strahl {
 
-StabilityCheck::StabilityCheck(int thread_count, std::function<void()> news_function)
-    : threads(thread_count), news(std::move(news_function)) {}
+StabilityCheck::StabilityCheck(int thread_count, std::function<void()> notify_function)
+    : threads(thread_count), notify(std::move(notify_function)) {}
 
 StabilityCheck::~StabilityCheck() { cancel(); }
 
@@ -23,7 +23,7 @@ void StabilityCheck::start(std::shared_ptr<const Scene> scene, const View& view)
             if (map[i] != Agreement::all)
                 marks.push_back({int(i) % view.width, int(i) / view.width, map[i] == Agreement::not_float64});
         ready = true;
-        news();
+        notify();
     });
 }
 

@@ -1,4 +1,4 @@
-// What float decides otherwise than long double in the picture on show, found out in the background.
+// Finds in the background the pixels whose colour in float or double differs from that in long double.
 #pragma once
 #include <atomic>
 #include <functional>
@@ -11,29 +11,29 @@
 
 namespace strahl {
 
-/// A pixel whose 8-bit colour is not that of long double.
+/// A pixel whose 8-bit colour differs from that of long double.
 struct Mark {
     int x = 0, y = 0;
-    bool in_double = false;  // in double, too
+    bool in_double = false;  // in double too
 };
 
 class StabilityCheck {
   public:
-    /// `news` is called from another thread when the marks are there.
-    StabilityCheck(int threads, std::function<void()> news);
+    /// `notify` is called from another thread when the marks are ready.
+    StabilityCheck(int threads, std::function<void()> notify);
     ~StabilityCheck();
 
-    /// Begins anew, with the view in all three precisions.
+    /// Starts, after cancelling what is under way.
     void start(std::shared_ptr<const Scene> scene, const View& view);
-    /// Ends what is under way, within a tile of long double.
+    /// Ends what is under way; takes at most one tile in long double.
     void cancel();
     bool under_way() const { return thread.joinable() && !ready; }
-    /// The marks, once, when they are there.
+    /// The marks, once, when they are ready.
     std::optional<std::vector<Mark>> take();
 
   private:
     const int threads;
-    const std::function<void()> news;
+    const std::function<void()> notify;
     std::atomic<bool> stop = false, ready = false;
     std::vector<Mark> marks;
     std::thread thread;

@@ -17,8 +17,8 @@
 
 namespace strahl {
 
-Stills::Stills(int threads, std::function<void()> news_function)
-    : news(std::move(news_function)), thread([this, threads](std::stop_token quit) { loop(quit, threads); }) {}
+Stills::Stills(int threads, std::function<void()> notify_function)
+    : notify(std::move(notify_function)), thread([this, threads](std::stop_token quit) { loop(quit, threads); }) {}
 
 Stills::~Stills() { drop(); }
 
@@ -54,7 +54,7 @@ std::vector<Stills::Outcome> Stills::outcomes() {
 }
 
 void Stills::loop(std::stop_token quit, int threads) {
-    // On Linux priority is a thread's own, and the threads that it starts have it too.
+    // On Linux priority belongs to a thread and is inherited by the threads that it starts.
     static_cast<void>(::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), 10));
     std::unique_ptr<ThreadPool> pool;
     while (true) {
@@ -70,7 +70,7 @@ void Stills::loop(std::stop_token quit, int threads) {
         queue.pop_front();
         share = 0;
         lock.unlock();
-        news();
+        notify();
     }
 }
 
@@ -84,7 +84,7 @@ Stills::Outcome Stills::make(const Still& still, ThreadPool& pool) try {
         place(tile, whole, picture.values);
         const int size = tile.lattice.columns * tile.lattice.rows, before = pixels.fetch_add(size);
         share = (before + size) / all;
-        if (int(100 * before / all) != int(100 * (before + size) / all)) news();
+        if (int(100 * before / all) != int(100 * (before + size) / all)) notify();
     };
     Tracer tracer(*still.scene, Precision::float64);
     tracer.trace(view, whole, pool, keep, &stop);

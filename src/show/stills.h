@@ -1,4 +1,4 @@
-// Stills of full quality, traced in the background while the flight goes on.
+// Stills: pictures in full quality, rendered in the background.
 #pragma once
 #include <atomic>
 #include <condition_variable>
@@ -17,27 +17,27 @@ namespace strahl {
 struct Still {
     std::shared_ptr<const Scene> scene;
     View view;
-    std::string name;  // of the file, without ending; "-2", "-3", ... is added where there is one already
+    std::string name;  // of the file, without ending; "-2", "-3", ... is added if that exists
 };
 
-/// A queue of stills. They are traced in double precision on all threads, but with low priority: they take the
-/// processor time that the window leaves.
+/// A queue of stills. They are traced in double on all threads, at low priority: they use the processor time that the
+/// window leaves.
 class Stills {
   public:
-    /// `news` is called from another thread when there is something to hear or the progress has changed visibly.
-    Stills(int threads, std::function<void()> news);
-    /// Drops what is not finished.
+    /// `notify` is called from another thread when a still is finished or its progress has visibly changed.
+    Stills(int threads, std::function<void()> notify);
+    /// Drops unfinished stills.
     ~Stills();
 
     void add(Still still);
-    /// How many are not written yet.
+    /// Number of stills that are not written yet.
     int pending() const;
-    /// Of the one that is being traced.
+    /// Of the still being traced, 0 to 1.
     double progress() const { return share; }
-    /// Ends at once; the names of those that were not written.
+    /// Stops at once. Returns the names of the stills that were not written.
     std::vector<std::string> drop();
 
-    /// What happened since the last call: a file written, or why it could not be.
+    /// The results since the last call: the file written, or the reason why not.
     struct Outcome {
         std::string path, fault;
     };
@@ -50,16 +50,15 @@ class Stills {
 
     mutable std::mutex mutex;
     std::condition_variable_any wake;
-    std::deque<Still> queue;  // the front one is in work
+    std::deque<Still> queue;  // the front one is being traced
     std::vector<Outcome> finished;
     std::atomic<double> share = 0;
     std::atomic<bool> stop = false;
-    const std::function<void()> news;
+    const std::function<void()> notify;
     std::jthread thread;
 };
 
-/// Makes a new, empty file `name`.bmp, or `name`-2.bmp, ... if that is there already; it is the caller's to fill.
-/// Throws FileError.
+/// Creates an empty file `name`.bmp, or `name`-2.bmp, ... if that exists. The caller fills it. Throws FileError.
 std::string reserve_file(const std::string& name, const std::string& ending);
 
 /// "article-20260131-235959" for a scene file and this moment.

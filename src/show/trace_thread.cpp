@@ -1,4 +1,4 @@
-// Tracing for the window.
+// Traces for the window.
 #include "show/trace_thread.h"
 
 #include <algorithm>
@@ -13,8 +13,8 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 
 }  // namespace
 
-TraceThread::TraceThread(int threads, std::function<void()> news_function)
-    : news(std::move(news_function)), pool(threads), thread([this](std::stop_token quit) { loop(quit); }) {}
+TraceThread::TraceThread(int threads, std::function<void()> notify_function)
+    : notify(std::move(notify_function)), pool(threads), thread([this](std::stop_token quit) { loop(quit); }) {}
 
 TraceThread::~TraceThread() {
     {
@@ -25,8 +25,8 @@ TraceThread::~TraceThread() {
     thread.join();
 }
 
-/// Should what is in work make room for `newer`? A coarse picture is finished first, or fast moves would show nothing
-/// at all; unless nobody can use it any more, or it takes far longer than it should and a coarser one would not.
+/// Should the picture in work be abandoned for `newer`? A coarse picture is finished first, or nothing would be shown
+/// in fast motion; unless it is useless now, or takes far longer than planned and a coarser one would not.
 bool TraceThread::outdated(const Order& newer) const {
     if (work == Work::none) return false;
     if (work == Work::refining) return newer.number != state.number;
@@ -57,7 +57,7 @@ void TraceThread::loop(std::stop_token quit) {
     while (accept(quit)) done < 0 ? first_picture() : refine();
 }
 
-/// Waits for work; false at the end.
+/// Waits for work. Returns false when the thread should end.
 bool TraceThread::accept(std::stop_token quit) {
     std::unique_lock lock(mutex);
     work = Work::none;
@@ -66,7 +66,7 @@ bool TraceThread::accept(std::stop_token quit) {
         wake.wait(lock, quit, [&] { return next || (order.number > 0 && unfinished()); });
         if (quit.stop_requested()) return false;
         if (!next) break;
-        if (next->scene != order.scene) tracer.reset(), codes.emplace(next->scene->settings.linear);
+        if (next->scene != order.scene) tracer.reset(), table.emplace(next->scene->settings.linear);
         if (next->number != order.number) done = -1;
         order = *std::exchange(next, std::nullopt);
     } while (!unfinished());
@@ -82,11 +82,11 @@ bool TraceThread::accept(std::stop_token quit) {
 void TraceThread::announce(std::unique_lock<std::mutex>& lock) {
     const bool told = fresh.exchange(true);
     lock.unlock();
-    if (!told) news();
+    if (!told) notify();
 }
 
 void TraceThread::first_picture() {
-    // Here, not when the scene arrives: the window must not wait for it.
+    // Built here and not when the scene arrives, because the window must not wait for it.
     const bool built = tracer.has_value();
     if (!built) tracer.emplace(*order.scene, Precision::float32);
     const View& view = order.view;
@@ -96,9 +96,9 @@ void TraceThread::first_picture() {
     spare.resize(pixels.columns, pixels.rows);
     const auto start = Clock::now();
     const Counts rays = tracer->trace(
-        view, pixels, pool, [&](const Tile& tile) { store(tile, *codes, steps, spare); }, &stop);
+        view, pixels, pool, [&](const Tile& tile) { store(tile, *table, steps, spare); }, &stop);
     const double seconds = seconds_since(start);
-    if (built) resolution.observe(count(pixels), seconds);  // if it was stopped, it would have taken even longer
+    if (built) resolution.observe(count(pixels), seconds);  // a stopped one would have taken even longer
     if (stop) return;
     done = level, coarse = level < finest_level, traced = count(pixels);
     std::unique_lock lock(mutex);
@@ -110,7 +110,7 @@ void TraceThread::first_picture() {
     announce(lock);
 }
 
-/// From the image of a level to the whole picture, into which further passes go tile by tile.
+/// Enlarges the image of a level to the whole picture; further passes write into it tile by tile.
 void TraceThread::begin_refining() {
     spare.resize(order.view.width, order.view.height);
     expand(shown, shown_steps, spare);  // only this thread writes to `shown`
@@ -129,7 +129,7 @@ void TraceThread::refine() {
     const double all = double(view.width) * view.height;
     const auto keep = [&](const Tile& tile) {
         std::array<std::uint32_t, 1024> rgba;
-        encode(tile, *codes, rgba.data());
+        encode(tile, *table, rgba.data());
         std::unique_lock lock(mutex);
         const Lattice& part = tile.lattice;
         store_blocks(part, rgba.data(), steps, shown);

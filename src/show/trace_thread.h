@@ -1,4 +1,4 @@
-// The thread that traces for the window: the newest view wins, coarse at first, then sharper.
+// The thread that traces for the window: always the newest view, coarse at first, then refined.
 #pragma once
 #include <atomic>
 #include <chrono>
@@ -16,52 +16,52 @@
 
 namespace strahl {
 
-/// What the window wants to see.
+/// A picture that the window asks for.
 struct Order {
-    std::uint64_t number = 0;  // of the picture: the same number, the same scene and view
+    std::uint64_t number = 0;  // the same number means the same scene and view
     std::shared_ptr<const Scene> scene;
     View view;
-    bool moving = false;        // then the picture is not refined: the next one comes soon
+    bool moving = false;        // in motion pictures are not refined, as the next one comes soon
     double budget = 0.01;       // seconds for the first, coarse picture
     int finest = finest_level;  // of the first picture, while moving
 };
 
-/// How far the picture on show is.
+/// Progress of the picture on the screen.
 struct Refinement {
     std::uint64_t number = 0;  // of the order; 0 before the first
     int width = 0, height = 0;
-    int level = 0;       // the finest that is complete
+    int level = 0;       // the finest complete one
     double share = 0;    // of the pixels that are traced
-    double seconds = 0;  // spent on tracing them
+    double seconds = 0;  // spent tracing them
     Counts rays;
     bool finished() const { return number > 0 && level == finest_level; }
 };
 
-/// What of the picture on show is new: rows of an image that stands for `width` x `height` pixels.
+/// New rows of the picture on the screen: of an image that represents `width` x `height` pixels.
 struct Fresh {
     const Image& image;
-    Steps steps;  // of the level that the image is; 1 for the whole picture
+    Steps steps;  // of the image's level; 1 for the whole picture
     int width, height;
     int first_row, rows;
 };
 
 class TraceThread {
   public:
-    /// `news` is called from other threads when there is something to take; once, until it is taken.
-    TraceThread(int threads, std::function<void()> news);
+    /// `notify` is called from other threads when there is something to take, once until it is taken.
+    TraceThread(int threads, std::function<void()> notify);
     ~TraceThread();
 
-    /// Replaces what was wanted before. Never waits for the tracing.
+    /// Replaces the last order. Never waits for tracing.
     void want(Order order);
 
-    /// Hands what is new since the last call to `upload` and returns how far it is; nothing if nothing is new. `upload`
-    /// should be brief: finished tiles wait for it.
+    /// Passes what is new since the last call to `upload` and returns the progress; nothing if nothing is new. `upload`
+    /// should be brief, because finished tiles wait for it.
     using Upload = std::function<void(const Fresh&)>;
     std::optional<Refinement> take(const Upload& upload);
 
     /// Is there something to take?
-    bool has_news() const { return fresh; }
-    /// Is what was wanted last traced to the end?
+    bool has_update() const { return fresh; }
+    /// Is the last order finished?
     bool finished() const { return complete; }
     int threads() const { return pool.size(); }
 
@@ -77,17 +77,17 @@ class TraceThread {
     void announce(std::unique_lock<std::mutex>& lock);
     bool outdated(const Order& order) const;
 
-    // Of the thread alone.
+    // Used by the thread alone.
     Order order;
     std::optional<Tracer> tracer;
-    std::optional<Codes> codes;
+    std::optional<TransferTable> table;
     Resolution resolution;
-    Image spare;          // pictures are made here and then change places with the one on show
+    Image spare;          // pictures are made here and then swapped with the one on the screen
     int done = -1;        // the finest level of `order` that is complete
-    bool coarse = false;  // the image on show is that of a level, not the whole picture
+    bool coarse = false;  // the image on the screen is that of a level, not the whole picture
     double traced = 0;    // pixels of `order`
 
-    // Between the threads.
+    // Shared between threads.
     std::mutex mutex;
     std::condition_variable_any wake;
     std::optional<Order> next;
@@ -104,7 +104,7 @@ class TraceThread {
     std::atomic<bool> fresh = false, complete = false;
     Refinement state;
 
-    const std::function<void()> news;
+    const std::function<void()> notify;
     ThreadPool pool;
     std::jthread thread;
 };

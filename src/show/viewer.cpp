@@ -1,4 +1,4 @@
-// The window's loop.
+// The main loop of the window.
 #include "show/viewer.h"
 
 #include <GLFW/glfw3.h>
@@ -19,7 +19,7 @@ namespace {
 
 constexpr double forever = std::numeric_limits<double>::infinity();
 constexpr double note_seconds = 3;
-constexpr double rest_interval = 0.05;  // between drawings while a resting picture becomes sharper
+constexpr double rest_interval = 0.05;  // seconds between drawings while a resting picture is refined
 
 std::string title_of(const std::string& path) {
     const std::string name = path == "-" ? "standard input" : std::filesystem::path(path).filename().string();
@@ -64,7 +64,7 @@ void Viewer::connect() {
         viewer_of(w).on_key(key, scancode, action, modifiers);
     });
     glfwSetCharCallback(window, [](GLFWwindow* w, unsigned character) {
-        // On other layouts a key that moves the camera may have one of these characters printed on it.
+        // On some layouts a key that moves the camera has one of these characters printed on it.
         if (viewer_of(w).pushing) return;
         if (const auto command = command_of_character(character)) viewer_of(w).perform(*command);
     });
@@ -112,7 +112,7 @@ void Viewer::on_key(int key, int scancode, int action, int modifiers) {
 void Viewer::on_cursor(double x, double y) {
     const double right = x - std::exchange(cursor_x, x), down = y - std::exchange(cursor_y, y);
     if (!dragging) return;
-    // As many degrees as the mouse passes over in the picture.
+    // The view turns by the angle that the mouse crosses in the picture.
     int width = 1;
     glfwGetWindowSize(screen.window(), &width, nullptr);
     const double angle = 2 * session.camera.fov * std::numbers::pi / 180 / std::max(width, 1);
@@ -162,14 +162,14 @@ void Viewer::add_still() {
     still_told = now(), draws_due = 2;
 }
 
-void Viewer::hear_of_scene() {
+void Viewer::handle_reload() {
     const auto loaded = reload.take();
     if (!loaded) return;
     draws_due = 2;
     fault = loaded->fault;
     if (!loaded->scene) {
         fault_until = loaded->opened ? now() + 10 : forever;
-        log_line("the scene has a fault; the picture stays\n" + fault);
+        log_line("the scene has an error; the picture stays\n" + fault);
         return;
     }
     session.replace(loaded->scene, loaded->opened);
@@ -178,7 +178,7 @@ void Viewer::hear_of_scene() {
     log_line((loaded->opened ? "opened " : "read again: ") + path);
 }
 
-/// Marks belong to a picture at rest: they go when it does.
+/// Marks belong to a picture at rest and are removed when it moves.
 void Viewer::toggle_stability() {
     stability.cancel();
     marks.clear(), draws_due = 2;
@@ -187,10 +187,10 @@ void Viewer::toggle_stability() {
     View view = wanted.view;
     view.error = 0;
     stability.start(wanted.scene, view);
-    note("tracing this view in float, double and long double");
+    note("rendering this view in float, double and long double");
 }
 
-void Viewer::hear_of_stability() {
+void Viewer::handle_stability() {
     auto found = stability.take();
     if (!found) return;
     marks = std::move(*found);
@@ -199,7 +199,7 @@ void Viewer::hear_of_stability() {
          " in double");
 }
 
-void Viewer::hear_of_stills() {
+void Viewer::handle_stills() {
     for (const Stills::Outcome& outcome : stills.outcomes()) {
         const std::string text = outcome.fault.empty() ? "still saved: " + outcome.path : outcome.fault;
         log_line(text);
@@ -210,7 +210,7 @@ void Viewer::hear_of_stills() {
     if (pending > 0 && now() - still_told > 2) {
         still_told = now();
         log_line("still: " + std::to_string(int(100 * stills.progress())) + " %, " + std::to_string(pending) +
-                 " to do");
+                 " waiting");
     }
     if (quitting && pending == 0) closed = true;
 }
@@ -230,11 +230,11 @@ void Viewer::tell(const Answer& answer) {
 
 bool Viewer::in_motion() const { return session.under_way() || controls.active(now()); }
 
-/// When to draw next; infinite if nothing is to be drawn.
+/// The time of the next drawing; infinite if there is nothing to draw.
 double Viewer::next_draw() const {
     const double frame = 1 / options.fps;
     double at = forever;
-    if (draws_due > 0 || tracing.has_news())
+    if (draws_due > 0 || tracing.has_update())
         at = last_draw + (moving || draws_due > 0 || tracing.finished() ? 0.9 * frame : rest_interval);
     for (const Note& n : notes) at = std::min(at, n.until);
     if (!fault.empty()) at = std::min(at, fault_until);
@@ -263,13 +263,13 @@ void Viewer::move() {
         motion.begin(moment);
         next_move = moment, last_move = moment - frame;
     }
-    // A picture that is about to be drawn makes room for the next one first: it is traced while the old one is drawn.
-    if (!moving || moment < next_move - (tracing.has_news() ? 0.5 * frame : 0)) return;
+    // Before a picture is drawn, the next one is ordered, so that it is traced in the meantime.
+    if (!moving || moment < next_move - (tracing.has_update() ? 0.5 * frame : 0)) return;
     next_move = std::max(next_move + frame, moment);
-    // A machine that could not keep up does not jump; a flight follows the clock in any case.
+    // If the machine can't keep up, the camera slows down instead of jumping; a flight follows the clock in any case.
     const double passed = std::min(moment - std::exchange(last_move, moment), 0.1);
-    const Hands hands = controls.take(passed, moment);
-    if (!(hands == Hands{})) session.steer(hands, moment);
+    const CameraInput input = controls.take(passed, moment);
+    if (!(input == CameraInput{})) session.steer(input, moment);
     if (const auto ended = session.follow(moment)) tell(*ended);
     if (in_motion()) return;
     moving = false;
@@ -277,7 +277,7 @@ void Viewer::move() {
     if (options.verbose) log_line("rest after " + motion.report(moment));
 }
 
-/// Asks for the picture that should be seen.
+/// Orders the picture that should be on the screen.
 void Viewer::order() {
     const int width = screen.width(), height = screen.height();
     if (width == 0 || height == 0) return;
@@ -300,22 +300,22 @@ void Viewer::draw() {
     std::erase_if(notes, [&](const Note& n) { return n.until <= moment; });
     if (fault_until <= moment) fault.clear();
     const std::uint64_t before = state.number;
-    const auto news = tracing.take([this](const Fresh& fresh) { screen.upload(fresh); });
-    if (news) state = *news;
+    const auto update = tracing.take([this](const Fresh& fresh) { screen.upload(fresh); });
+    if (update) state = *update;
     const Overlay over = overlay();
     screen.draw([&] { draw_overlay(over); });
     last_draw = moment;
     if (draws_due > 0) --draws_due;
     motion.drawn(now() - moment);
     if (moving && state.number != before) motion.picture(now(), state.level);
-    if (options.verbose && news && before == 0) {
+    if (options.verbose && update && before == 0) {
         char text[80];
         std::snprintf(text, sizeof text, "first picture after %.3f s, %s", now(), resolution_text(state.level).c_str());
         log_line(text);
     }
 }
 
-/// Once a rest; the picture may have been finished before the rest began.
+/// Once per rest; the picture may have been finished before the rest began.
 void Viewer::log_finished() {
     if (moving || !state.finished() || state.number != wanted.number || state.number == told) return;
     told = state.number;
@@ -332,9 +332,9 @@ void Viewer::run() {
         draw();
         if (options.verbose) log_finished();
         wait();
-        hear_of_scene();
-        hear_of_stills();
-        hear_of_stability();
+        handle_reload();
+        handle_stills();
+        handle_stability();
     }
     if (options.verbose) log_line("quit");
 }

@@ -1,4 +1,4 @@
-// The window at work: events to the session, its views to the tracing thread, pictures to the screen.
+// The window: passes events to the session, its views to the tracing thread, and pictures to the screen.
 #pragma once
 #include <chrono>
 #include <deque>
@@ -21,26 +21,26 @@ namespace strahl {
 class Viewer {
   public:
     using Clock = std::chrono::steady_clock;
-    /// `text` is what the scene was read from; `began` is when the person asked for the window.
+    /// `text` is the text of the scene; `began` is when the user started the program.
     Viewer(const ViewOptions& options, std::shared_ptr<const Scene> scene, std::string text, Clock::time_point began);
     ~Viewer();
-    /// Until the person quits.
+    /// Runs until the user quits.
     void run();
 
   private:
-    // What comes in
+    // Input
     void connect();
     void on_key(int key, int scancode, int action, int modifiers);
     void on_cursor(double x, double y);
     void perform(Command command);
     void quit();
     void add_still();
-    void hear_of_scene();
-    void hear_of_stills();
-    void hear_of_stability();
+    void handle_reload();
+    void handle_stills();
+    void handle_stability();
     void toggle_stability();
 
-    // What goes on (all times are seconds since `start`)
+    // The loop. All times are seconds since `start`.
     double now() const;
     bool in_motion() const;
     double next_draw() const;
@@ -50,7 +50,7 @@ class Viewer {
     void draw();
     void log_finished();
 
-    // What is told
+    // Output
     Overlay overlay();
     std::vector<std::pair<std::string, std::string>> info() const;
     void note(const std::string& text);
@@ -69,24 +69,24 @@ class Viewer {
 
     bool quitting = false, closed = false;
     bool help = false, with_info = false;
-    std::vector<Mark> marks;  // of the picture on show
-    bool marked = false;      // they are wanted, or there
+    std::vector<Mark> marks;  // of the picture on the screen
+    bool marked = false;      // marks are shown or being computed
     std::string fault;
-    double fault_until = 0;  // infinite for the scene that is watched
+    double fault_until = 0;  // infinite for the watched scene
     struct Note {
         std::string text;
         double until;
     };
     std::deque<Note> notes;
 
-    bool pushing = false;  // by the key whose character comes next
+    bool pushing = false;  // the character that follows belongs to a key that moves the camera
     bool dragging = false;
     double cursor_x = 0, cursor_y = 0;
     double still_told = 0;
 
     Order wanted;
     Refinement state;
-    std::uint64_t told = 0;  // the picture that was told to be finished
+    std::uint64_t told = 0;  // the last picture logged as finished
     int draws_due = 0;
     double next_move = 0, last_move = 0;  // of the camera
     double last_draw = -1;

@@ -1,4 +1,4 @@
-// What the window's overlay says.
+// The text of the window's overlay.
 #include <cmath>
 #include <cstdio>
 
@@ -21,7 +21,7 @@ std::string text_of(const DVec3& v) { return format("<%.5g, %.5g, %.5g>", v.x, v
 std::vector<std::pair<std::string, std::string>> Viewer::info() const {
     std::vector<std::pair<std::string, std::string>> lines;
     const auto add = [&](const char* name, std::string value) { lines.emplace_back(name, std::move(value)); };
-    add("rate", moving ? format("%.0f pictures/s, aiming at %.0f", motion.rate(now()), options.fps) : "at rest");
+    add("rate", moving ? format("%.0f pictures/s of %.0f", motion.rate(now()), options.fps) : "at rest");
     add("picture", format("%dx%d, ", state.width, state.height) + resolution_text(state.level));
     add("traced in", format("%.1f ms, %.0f %% refined", 1000 * state.seconds,
                             state.finished() ? 100 : std::floor(99.9 * state.share)));
@@ -30,7 +30,7 @@ std::vector<std::pair<std::string, std::string>> Viewer::info() const {
     };
     add("Mrays/s",
         rays(state.rays.total()) + "  camera " + rays(state.rays.camera) + ", shadow " + rays(state.rays.shadow));
-    add("", "mirrored " + rays(state.rays.reflected) + ", refracted " + rays(state.rays.refracted));
+    add("", "reflected " + rays(state.rays.reflected) + ", refracted " + rays(state.rays.refracted));
     add("depth", std::to_string(session.depth()));
     add("precision", format("%s, %d lanes (%s)", name(Precision::float32), lanes(Precision::float32, best_simd()),
                             name(best_simd())));

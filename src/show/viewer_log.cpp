@@ -1,4 +1,4 @@
-// What the window tells.
+// The log of the window.
 #include "show/viewer_log.h"
 
 #include <algorithm>

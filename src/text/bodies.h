@@ -1,4 +1,4 @@
-// Is a shape, where its transformations take it, still a body that numbers can tell?
+// Checks that a transformed body can still be represented in double.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -7,28 +7,26 @@
 #include <tuple>
 #include <type_traits>
 
+#include "num/vec_math.h"
 #include "scene/transformation.h"
 #include "text/reader.h"
 
 namespace strahl {
 
-/// How much more the linear part of a transformation shrinks one direction than another, at most (in Frobenius norms:
-/// up to three times too much). Its largest entry should be about 1.
+/// The condition number of the linear part of a transformation, in Frobenius norms (at most three times too large): how
+/// much more it shrinks one direction than another. Its largest entry should be about 1.
 inline double condition(const glm::dmat4& m) {
     const DVec3 a(m[0]), b(m[1]), c(m[2]);
-    const auto cross = [](const DVec3& u, const DVec3& v) {
-        return DVec3(u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x);
-    };
     const auto norm = [](const DVec3& u, const DVec3& v, const DVec3& w) {
-        return std::hypot(std::hypot(u.x, u.y, u.z), std::hypot(v.x, v.y, v.z), std::hypot(w.x, w.y, w.z));
+        return std::hypot(length(u), length(v), length(w));
     };
-    const DVec3 bc = cross(b, c), ca = cross(c, a), ab = cross(a, b);
-    const double determinant = a.x * bc.x + a.y * bc.y + a.z * bc.z;
+    const DVec3 bc = cross_product(b, c), ca = cross_product(c, a), ab = cross_product(a, b);
+    const double determinant = dot_product(a, bc);
     return norm(a, b, c) * norm(bc, ca, ab) / std::fabs(determinant);
 }
 
-/// What the transformations do to a good shape that may not be done, or "". Vectors among a shape's arguments are
-/// taken for points, numbers for lengths.
+/// Why the transformations are not allowed for a valid shape, or "". Among the arguments of a shape, vectors are taken
+/// for points and numbers for lengths.
 template <class Kind>
 std::string transformed_fault(const Kind& shape, std::span<const Transformation> steps) {
     glm::dmat4 m = matrix(steps);
@@ -41,7 +39,7 @@ std::string transformed_fault(const Kind& shape, std::span<const Transformation>
     bool inside = true;
     const auto move = [&](auto& value) {
         if constexpr (std::is_same_v<decltype(value), DVec3&>) {
-            value = DVec3(m * glm::dvec4(value, 1));
+            value = transform_point(m, value);
             for (int i = 0; i < 3; ++i) inside &= coordinates.contains(value[i]);
         } else {
             value *= largest;

@@ -15,23 +15,22 @@ class CameraBlocks {
 
     void camera(std::string_view word);
     void flythrough(std::string_view word);
-    /// At the end of the text: is there a camera, and do the keys of the flythrough go with it?
+    /// To be called at the end of the text: is there a camera, and is it valid at the keys of the flythrough?
     void check(std::string_view end_of_text);
 
     Camera the_camera;
     std::optional<Flythrough> path;
 
   private:
-    struct Eye;
     struct KeyPlace {
-        std::string_view key, time;  // these words of a key
+        std::string_view key, time;  // where these words of a key are
     };
     void key(std::string_view word, Flythrough& read_path, std::vector<KeyPlace>& places, Block& outer);
     void check_times(const Flythrough& read_path, std::span<const KeyPlace> places, std::string_view duration);
 
     Reader& reader;
     const TextLimits& limits;
-    std::string_view camera_at, path_at;  // where these blocks stand
+    std::string_view camera_at, path_at;  // where these blocks are
     bool camera_good = false;
     std::vector<KeyPlace> key_places;
 };

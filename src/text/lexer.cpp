@@ -1,4 +1,4 @@
-// Words, numbers, comments.
+// Reads words, numbers and comments.
 #include "text/lexer.h"
 
 #include <algorithm>
@@ -31,7 +31,7 @@ bool Lexer::skip_comment() {
         const std::string_view opening(next, 2);
         next = end;
         diagnostics.add(opening, "this comment is never closed: '*/' missing");
-        diagnostics.check();  // all that follows is comment: nothing more can be said about this text
+        diagnostics.check();  // all that follows is comment, so there are no further errors to find
     }
     next += 2 + close + 2;
     return true;
@@ -52,7 +52,7 @@ bool Lexer::read_number(Number& number) {
     skip_space();
     const char* p = next;
     if (p < end && *p == '+') ++p;
-    // from_chars also reads "inf" and "nan", and would take a second sign.
+    // from_chars also accepts "inf" and "nan", and a second sign.
     const char* const digits = p < end && *p == '-' && p == next ? p + 1 : p;
     if (digits == end || !(is_digit(*digits) || (*digits == '.' && digits + 1 < end && is_digit(digits[1]))))
         return false;

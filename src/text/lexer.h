@@ -1,4 +1,4 @@
-// The letters of scene text: words, numbers, signs, and what stands between them.
+// The lexer of scene text: words, numbers, signs, white space and comments.
 #pragma once
 #include <span>
 #include <string>
@@ -8,16 +8,16 @@
 
 namespace strahl {
 
-/// Thrown after a fault was noted at which the text can't be followed; caught where parsing can go on.
+/// Thrown after an error at which parsing can't continue; caught where it can.
 struct ParseAbort {};
 
-/// A number and the slice of text it was read from.
+/// A number and the slice of text that it was read from.
 struct Number {
     double value;
     std::string_view at;
 };
 
-/// Walks over a text. Every function first steps over white space and comments.
+/// Reads a text from start to end. Every function first skips white space and comments.
 class Lexer {
   public:
     Lexer(std::string_view text, Diagnostics& diagnostics)
@@ -37,24 +37,24 @@ class Lexer {
         skip_space();
         return next == end;
     }
-    /// A word, or an empty slice if none comes.
+    /// The next word, or an empty slice if something else comes.
     std::string_view word();
-    /// `name` and `block` say in messages what the number is for.
+    /// `name` and `block` are for messages.
     Number number(std::string_view name, std::string_view block) {
         Number result;
         if (!read_number(result)) fail("a number expected for " + quoted(name) + " of " + quoted(block));
         return result;
     }
-    /// What comes next, for messages: a word, a number, or one sign.
+    /// The next token, for messages: a word, a number, or one sign.
     std::string_view token();
-    /// Back to a slice that was read.
+    /// Goes back to a slice that was read.
     void rewind(std::string_view to) { next = to.data(); }
 
-    /// Notes "`message`, but here comes ..." at the next token, and throws ParseAbort.
+    /// Adds the error "`message`, but here comes ..." at the next token and throws ParseAbort.
     [[noreturn]] void fail(const std::string& message);
 
-    /// Goes on to the next of `words` (to any word, if there are none) or to the closing brace of the block we are in,
-    /// over whole blocks that stand in between, but not over the start of a block of the top level.
+    /// Skips to the next of `words` (if there are none: to any word) or to the closing brace of the current block.
+    /// Skips whole blocks on the way, but not the start of a top-level block.
     void skip_to(std::span<const std::string_view> words, std::span<const std::string_view> blocks);
 
   private:

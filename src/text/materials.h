@@ -1,4 +1,4 @@
-// Materials, each listed once.
+// Materials without duplicates.
 #pragma once
 #include <bit>
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace strahl {
 
-/// Mixes the fields of a material.
+/// Hashes the fields of a material.
 struct MaterialHash {
     std::size_t operator()(const Material& material) const {
         std::size_t hash = 0;
@@ -26,7 +26,7 @@ struct MaterialHash {
         return hash;
     }
     static void add(std::size_t& hash, double v) {
-        hash = (hash ^ std::bit_cast<std::uint64_t>(v + 0.0)) * 0x9E3779B97F4A7C15u;  // -0, which equals 0, becomes 0
+        hash = (hash ^ std::bit_cast<std::uint64_t>(v + 0.0)) * 0x9E3779B97F4A7C15u;  // -0 becomes 0, which equals it
         hash ^= hash >> 29;
     }
 };

@@ -1,4 +1,4 @@
-// Faults, and how they are told.
+// Collects errors and formats their messages.
 #include "text/messages.h"
 
 #include <algorithm>
@@ -11,9 +11,9 @@
 namespace strahl {
 namespace {
 
-constexpr int line_width = 100, before_fault = 60;  // characters shown of a long line
+constexpr int line_width = 100, before_fault = 60;  // characters of a long line that are shown
 
-/// Insertions, deletions, replacements and swaps of neighbours that lead from a to b; capitals count as small letters.
+/// The number of insertions, deletions, replacements and swaps of neighbours from a to b, regardless of case.
 std::size_t distance(std::string_view a, std::string_view b) {
     const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
     std::vector<std::size_t> before(b.size() + 1), above(b.size() + 1), row(b.size() + 1);
@@ -59,7 +59,7 @@ std::string Diagnostics::line(std::string_view at) const {
 
 std::string Diagnostics::tell(const Fault& fault) const {
     std::size_t at = fault.at.data() - text.data();
-    if (at == text.size()) at = text.find_last_not_of(" \t\r\n") + 1;  // where the text ends for a reader
+    if (at == text.size()) at = text.find_last_not_of(" \t\r\n") + 1;  // where the text visibly ends
     const std::size_t newline = at == 0 ? text.npos : text.rfind('\n', at - 1);
     const std::size_t start = newline == text.npos ? 0 : newline + 1;
     const std::size_t end = std::min({text.find('\n', at), text.find('\r', at), text.size()});
@@ -67,7 +67,7 @@ std::string Diagnostics::tell(const Fault& fault) const {
     const auto line_number = 1 + std::count(text.begin(), text.begin() + start, '\n');
     const auto column =
         1 + std::count_if(text.begin() + start, text.begin() + at, [](char c) { return !continues(c); });
-    // Of a long line, what is around the fault; where one side is short the other gets its room.
+    // Of a long line only the part around the error; where one side is short the other gets its space.
     const std::size_t reach = forth(text, at, end, line_width - before_fault);
     const auto right_of_fault = static_cast<int>(reach < end ? line_width - before_fault : reach - at);
     const std::size_t from = back(text, at, start, line_width - right_of_fault);
@@ -89,7 +89,7 @@ std::string_view nearest(std::string_view word, std::span<const std::string_view
     for (const std::string_view candidate : known)
         if (const std::size_t d = distance(word, candidate); d < best_distance) best_distance = d, best = candidate;
     if (!best.empty() || word.size() < 3) return best;
-    for (const std::string_view candidate : known)  // cut short, or with an ending: "trans", "light_source"
+    for (const std::string_view candidate : known)  // abbreviated or extended: "trans", "light_source"
         if (candidate.starts_with(word) || (candidate.size() >= 3 && word.starts_with(candidate))) return candidate;
     return {};
 }

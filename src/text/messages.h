@@ -1,4 +1,4 @@
-// What is wrong with a text: faults with their places, told so that a person finds and mends them.
+// The errors of a text, with their places and messages.
 #pragma once
 #include <cstddef>
 #include <span>
@@ -8,20 +8,21 @@
 
 namespace strahl {
 
-/// Collects the faults of one text. A place is a slice of that text (empty at its end).
+/// Collects the errors of one text. A place is a slice of that text, empty at its end.
 class Diagnostics {
   public:
     static constexpr std::size_t most = 10;
 
     Diagnostics(std::string_view text, std::string_view file) : text(text), file(file) {}
 
-    /// Throws FileError with all faults once there are `most`. Of several faults at one place only the first counts.
+    /// Adds an error. Throws FileError with all errors once there are `most`. Of several errors at one place only the
+    /// first counts.
     void add(std::string_view at, std::string message);
     /// Throws FileError if there are any.
     void check() const;
     bool any() const { return !faults.empty(); }
 
-    /// "line 7", for a message that points to a second place.
+    /// "line 7", for a message that refers to a second place.
     std::string line(std::string_view at) const;
 
   private:
@@ -35,13 +36,13 @@ class Diagnostics {
     std::vector<Fault> faults;
 };
 
-/// The word most like `word`, or an empty one if none is much like it.
+/// The known word most similar to `word`, or an empty one if none is similar enough.
 std::string_view nearest(std::string_view word, std::span<const std::string_view> known);
 
-/// "unknown word 'x'; did you mean 'y'?", or, if no known word is near, a list of them.
+/// "unknown word 'x'; did you mean 'y'?", or, if no known word is similar, a list of them.
 std::string unknown_word(std::string_view word, std::span<const std::string_view> known, const std::string& where);
 
-/// A slice in quotes, shortened if it is long, safe to print.
+/// A slice in quotes, shortened if long, safe to print.
 std::string quoted(std::string_view slice);
 
 }  // namespace strahl

@@ -1,4 +1,4 @@
-// Scene text in, Scene out.
+// From scene text to Scene.
 #pragma once
 #include <string>
 #include <string_view>
@@ -8,7 +8,7 @@
 
 namespace strahl {
 
-/// How much one text may ask for; more is a fault. The text's own size bounds the rest.
+/// Limits for one text; more is an error. Everything else is limited by the size of the text.
 struct TextLimits {
     std::size_t primitives = 5'000'000;  // a float can number 2^24 surfaces, and a body has up to three
     std::size_t transformations = 1000;  // of one primitive
@@ -17,7 +17,7 @@ struct TextLimits {
 };
 
 /// Parses scene text (UTF-8). `file` is only the name used in messages. Throws FileError whose what() lists up to 10
-/// faults, each as "file:line:column: message", the line itself, and a caret under the fault. Columns count characters.
+/// errors, each as "file:line:column: message", the line itself, and a caret under the error. Columns count characters.
 Scene parse_scene(std::string_view text, std::string_view file, const TextLimits& limits = {});
 
 /// Reads a whole file, or standard input for "-". Throws FileError if it can't be read or is larger than `limit` bytes.

@@ -1,8 +1,9 @@
-// The blocks of the scene language.
+// The parser: the blocks of the scene language.
 #include <array>
 #include <cmath>
 #include <utility>
 
+#include "text/blocks.h"
 #include "text/bodies.h"
 #include "text/camera_blocks.h"
 #include "text/materials.h"
@@ -54,7 +55,7 @@ class Parser {
     Scene scene;
     Materials materials;
     Material default_material;
-    std::string_view background_at, settings_at;  // where these once-only blocks stand
+    std::string_view background_at, settings_at;  // where these blocks are, of which a scene has one
 };
 
 Scene Parser::parse() {
@@ -64,7 +65,7 @@ Scene Parser::parse() {
         try {
             if (!word.empty())
                 top_block(word);
-            else if (!(diagnostics.any() && lexer.accept('}')))  // one too many may be our own misunderstanding
+            else if (!(diagnostics.any() && lexer.accept('}')))  // one too many may follow from an earlier error
                 lexer.fail("a block expected, such as 'sphere { ... }'");
         } catch (const ParseAbort&) {
             const bool inside = lexer.accept('{');
@@ -105,45 +106,37 @@ void Parser::light(std::string_view word) {
     limit(scene.lights.size(), limits.lights, word, "lights");
     Light light;
     Block block{word};
-    std::array parameters{Parameter{"position", &light.position, coordinates},
-                          Parameter{"color", &light.color, not_negative}};
+    auto parameters = light_parameters(light);
     reader.block(block, parameters);
-    reader.require(block, {{parameters[0].given(), "'position'"}, {parameters[1].given(), "'color'"}});
+    reader.require(block, parameters);
     scene.lights.push_back(light);
 }
 
 void Parser::background(std::string_view word) {
     reader.once(background_at, word);
     Block block{word};
-    std::array parameters{Parameter{"color", &scene.background, not_negative}};
+    auto parameters = background_parameters(scene.background);
     reader.block(block, parameters);
-    reader.require(block, {{parameters[0].given(), "'color'"}});
+    reader.require(block, parameters);
 }
 
 void Parser::global_settings(std::string_view word) {
     reader.once(settings_at, word);
     Block block{word};
-    double level = scene.settings.max_trace_level, gamma = 1;
-    std::array parameters{
-        Parameter{"ambient_light", &scene.settings.ambient_light, not_negative},
-        Parameter{"max_trace_level", &level, {1, 256, "a whole number from 1 to 256"}},
-        Parameter{
-            "assumed_gamma", &gamma, {1, 1, "1, the only one known (leave it out for values shown as they are)"}}};
+    SettingsText settings;
+    auto parameters = settings_parameters(settings);
     reader.block(block, parameters);
-    if (block.good() && level != std::floor(level))
-        diagnostics.add(parameters[1].at, "'max_trace_level' must be a whole number from 1 to 256");
-    if (block.good()) scene.settings.max_trace_level = static_cast<int>(level);
-    scene.settings.linear = parameters[2].given();
+    if (!block.good()) return;
+    const double depth = settings.max_trace_level;
+    if (depth != std::floor(depth))
+        diagnostics.add(parameters[1].at, std::string("'max_trace_level' must be ") + depths.words);
+    scene.settings = {settings.ambient_light, static_cast<int>(depth), settings.assumed_gamma.has_value()};
 }
 
-/// Overrides what the block names.
+/// Changes the parameters that the block names.
 Block Parser::material(std::string_view word, Material& target) {
     Block block{word};
-    auto parameters = std::apply(
-        [&](const auto&... field) {
-            return std::array{Parameter{field.name, &(target.*field.member), bounds_of(field.range)}...};
-        },
-        Material::fields);
+    auto parameters = material_parameters(target);
     reader.block(block, parameters);
     return block;
 }
@@ -165,7 +158,7 @@ Transformation Parser::transformation(std::string_view word, Block& block) {
     return Scale{v};
 }
 
-/// A shape's block: the arguments that its field table lists, then materials and transformations in any order.
+/// The block of a body: the arguments that its field table lists, then material and transformations in any order.
 template <class Kind>
 bool Parser::shape(std::string_view word) {
     limit(scene.primitives.size(), limits.primitives, word, "primitives");
@@ -203,7 +196,7 @@ bool Parser::shape(std::string_view word) {
     return true;
 }
 
-/// Notes a body that is none: by its own arguments, or by its transformations, of which `last` is the last one's place.
+/// Reports a body that is invalid by its arguments or by its transformations, the last of which is at `last`.
 template <class Kind>
 void Parser::check(const Kind& shape, const Primitive& primitive, std::string_view word, std::string_view last) {
     const std::string name(word);

@@ -1,4 +1,4 @@
-// Files as text.
+// Reads whole files.
 #include <cerrno>
 #include <cstdio>
 #include <cstring>

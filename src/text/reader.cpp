@@ -1,4 +1,4 @@
-// Values, and the frame of a block: braces, words, what to do when they are wrong.
+// Reads values and blocks, and recovers from errors.
 #include "text/reader.h"
 
 namespace strahl {
@@ -24,33 +24,51 @@ void Reader::read(DVec3& value, const Bounds& bounds, std::string_view name, Blo
 void Reader::read(Parameter& parameter, std::string_view word, Block& block) {
     const bool first = once(parameter.at, word);
     if (!first) block.bad = true;
-    std::visit(
-        [&](auto* target) {
-            if constexpr (std::is_same_v<decltype(target), bool*>) {
-                *target = true;
-            } else {
-                auto value = *target;
-                read(value, parameter.bounds, parameter.name, block);
-                if (first) *target = value;
-            }
-        },
-        parameter.value);
+    const auto read_as = [&](auto value, auto& target) {
+        read(value, parameter.bounds, parameter.name, block);
+        if (first) target = value;
+    };
+    struct {
+        decltype(read_as)& read;
+        void operator()(bool* target) const { *target = true; }
+        void operator()(double* target) const { read(*target, *target); }
+        void operator()(DVec3* target) const { read(*target, *target); }
+        void operator()(std::optional<double>* target) const { read(double(), *target); }
+        void operator()(std::optional<DVec3>* target) const { read(DVec3(), *target); }
+    } visitor{read_as};
+    std::visit(visitor, parameter.value);
 }
 
-void Reader::require(Block& block, std::initializer_list<Need> needs) {
+void Reader::require(Block& block, std::span<const Parameter> parameters, std::initializer_list<Need> needs) {
     std::string lacking;
+    const auto lack = [&](const std::string& what) { lacking += (lacking.empty() ? "" : ", ") + what; };
+    for (const Parameter& parameter : parameters) {
+        const auto other = std::ranges::find(parameters, parameter.alternative, &Parameter::name);
+        const bool has_other = other != parameters.end(), other_given = has_other && other->given();
+        if (parameter.given() && other_given) repeats(block, parameter, *other);
+        if (parameter.otherwise == required && !parameter.given() && !other_given)
+            lack(quoted(parameter.name) + (has_other ? " (or " + quoted(other->name) + ")" : ""));
+    }
     for (const Need& need : needs)
-        if (!need.given) lacking += (lacking.empty() ? "" : ", ") + std::string(need.name);
+        if (!need.given) lack(need.name);
     if (lacking.empty()) return;
     block.bad = true;
     if (!block.lost) diagnostics.add(block.name, quoted(block.name) + " lacks " + lacking);
+}
+
+void Reader::repeats(Block& block, const Parameter& a, const Parameter& b) {
+    const auto& [first, second] =
+        std::minmax(a, b, [](const Parameter& p, const Parameter& q) { return p.at.data() < q.at.data(); });
+    diagnostics.add(second.at, quoted(second.name) + " says again what " + quoted(first.name) + " in " +
+                                   diagnostics.line(first.at) + " says; only one of them may stand");
+    block.bad = true;
 }
 
 void Reader::open(const Block& block) {
     if (!lexer.accept('{')) lexer.fail("'{' expected after " + quoted(block.name));
 }
 
-/// Is the block at its end? Else `word` is the next word in it, or empty if something else came and was noted.
+/// Is the block at its end? If not, `word` is the next word in it, or empty if something else came and was reported.
 bool Reader::closed(Block& block, std::span<const std::string_view> words, std::string_view& word) {
     if (lexer.accept('}')) return true;
     if (lexer.at_end()) {
@@ -62,7 +80,7 @@ bool Reader::closed(Block& block, std::span<const std::string_view> words, std::
         guard(block, words, [&] { lexer.fail("a word or '}' expected in " + quoted(block.name)); });
         return false;
     }
-    // A block of the top level inside of another: its closing brace is missing.
+    // A top-level block inside another block: a closing brace is missing.
     if (contains(words, word) || !contains(blocks, word) || lexer.peek() != '{') return false;
     if (!block.lost)
         diagnostics.add(

@@ -1,4 +1,4 @@
-// Strict UTF-8, and what of it a terminal may be shown.
+// Strict UTF-8, and its safe display on a terminal.
 #include "text/utf8.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// UTF-8: is it, where do its characters begin, and how do they look in a line.
+// UTF-8: validity, the start of characters, and display.
 #pragma once
 #include <cstddef>
 #include <string>
@@ -6,17 +6,17 @@
 
 namespace strahl {
 
-/// Is it any but the first byte of a character?
+/// Is this any byte of a character but the first?
 inline bool continues(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
 
-/// The first byte that is not UTF-8, or is 0; or npos.
+/// The position of the first byte that is not UTF-8, or is 0; or npos.
 std::size_t find_invalid(std::string_view text);
 
-/// Moves `i` in text by `count` characters back, or forth, but not past `end`.
+/// Moves `i` back or forth by `count` characters, but not past `end`.
 std::size_t back(std::string_view text, std::size_t i, std::size_t end, int count);
 std::size_t forth(std::string_view text, std::size_t i, std::size_t end, int count);
 
-/// A stretch of a line, safe to print (tabs become four spaces), and the columns it takes on a terminal.
+/// Part of a line, safe to print (tabs become four spaces), and the columns it takes on a terminal.
 struct Shown {
     std::string text;
     int width = 0;

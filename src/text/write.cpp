@@ -1,23 +1,15 @@
-// Scenes as text, such as a person would write it.
+// Writes scenes as text, in the form a person would write.
 #include "text/write.h"
 
-#include <charconv>
 #include <tuple>
 #include <vector>
+
+#include "num/decimal.h"
 
 namespace strahl {
 namespace {
 
-/// Shortest digits that read back as the same number.
-std::string text_of(double v) {
-    char digits[32];
-    return {digits, std::to_chars(digits, digits + sizeof digits, v).ptr};
-}
-std::string text_of(const DVec3& v) {
-    return std::string("<") + text_of(v.x) + ", " + text_of(v.y) + ", " + text_of(v.z) + ">";
-}
-
-/// The parameters of `material`; only those that differ from `base`, if there is one.
+/// The parameters of `material`; if there is a `base`, only those that differ from it.
 std::string parameters(const Material& material, const Material* base, const char* separator) {
     std::string text;
     const auto add = [&](const auto& field) {
@@ -28,7 +20,7 @@ std::string parameters(const Material& material, const Material* base, const cha
     return text;
 }
 
-std::string text_of(const Transformation& step) {
+std::string transformation_text(const Transformation& step) {
     struct {
         std::string operator()(const Rotate& r) const { return "rotate " + text_of(r.degrees); }
         std::string operator()(const Translate& t) const { return "translate " + text_of(t.by); }
@@ -39,8 +31,8 @@ std::string text_of(const Transformation& step) {
     return std::visit(words, step);
 }
 
-/// `base` is the default material in force, or nullptr if the primitive has just that one.
-std::string text_of(const Primitive& primitive, const Material& own, const Material* base) {
+/// `base` is the default material in force, or nullptr if the primitive has that one.
+std::string primitive_text(const Primitive& primitive, const Material& own, const Material* base) {
     std::string text = std::visit(
         [](const auto& shape) {
             using Kind = std::decay_t<decltype(shape)>;
@@ -53,7 +45,7 @@ std::string text_of(const Primitive& primitive, const Material& own, const Mater
         },
         primitive.shape);
     std::vector<std::string> items;
-    for (const Transformation& step : primitive.transformations) items.push_back(text_of(step));
+    for (const Transformation& step : primitive.transformations) items.push_back(transformation_text(step));
     if (base) items.push_back("material { " + parameters(own, base, "  ") + " }");
     std::size_t length = text.size();
     for (const std::string& item : items) length += 2 + item.size();
@@ -62,7 +54,7 @@ std::string text_of(const Primitive& primitive, const Material& own, const Mater
     return text + (lines ? "\n}\n" : " }\n");
 }
 
-std::string text_of(const Settings& settings) {
+std::string settings_text(const Settings& settings) {
     const Settings usual;
     std::string text;
     if (settings.ambient_light != usual.ambient_light)
@@ -73,19 +65,19 @@ std::string text_of(const Settings& settings) {
     return text.empty() ? text : "global_settings {\n" + text + "}\n";
 }
 
-std::string text_of(const std::vector<Primitive>& primitives, const std::vector<Material>& materials) {
+std::string primitives_text(const std::vector<Primitive>& primitives, const std::vector<Material>& materials) {
     std::string text;
     Material in_force;
     for (std::size_t i = 0; i < primitives.size(); ++i) {
         const Material& own = materials[primitives[i].material];
-        // One that differs among its neighbours has a material of its own; where several follow, the default changes.
+        // A single primitive that differs gets a material of its own; for a run of them the default changes.
         const bool same = own == in_force;
         const bool alone = i + 1 == primitives.size() || materials[primitives[i + 1].material] != own;
         if (!same && !alone) {
             text += "\ndefaultmaterial {\n  " + parameters(own, nullptr, "\n  ") + "\n}\n";
             in_force = own;
         }
-        text += text_of(primitives[i], own, own == in_force ? nullptr : &in_force);
+        text += primitive_text(primitives[i], own, own == in_force ? nullptr : &in_force);
     }
     return text;
 }
@@ -113,12 +105,12 @@ std::string write_flythrough(const Flythrough& path) {
 }
 
 std::string write_scene(const Scene& scene) {
-    std::string text = write_camera(scene.camera) + text_of(scene.settings);
+    std::string text = write_camera(scene.camera) + settings_text(scene.settings);
     if (scene.background != Color(0)) text += "background { color " + text_of(scene.background) + " }\n";
     if (!scene.lights.empty()) text += "\n";
     for (const Light& light : scene.lights)
         text += "light { position " + text_of(light.position) + "  color " + text_of(light.color) + " }\n";
-    if (!scene.primitives.empty()) text.append("\n").append(text_of(scene.primitives, scene.materials));
+    if (!scene.primitives.empty()) text.append("\n").append(primitives_text(scene.primitives, scene.materials));
     if (scene.flythrough) text.append("\n").append(write_flythrough(*scene.flythrough));
     return text;
 }

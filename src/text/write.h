@@ -1,4 +1,4 @@
-// Scene in, scene text out.
+// From Scene to scene text.
 #pragma once
 #include <string>
 
@@ -6,10 +6,10 @@
 
 namespace strahl {
 
-/// Text that parses to an equal Scene (numbers in their shortest exact form).
+/// Text that parses to an equal Scene, with numbers in their shortest exact form.
 std::string write_scene(const Scene& scene);
 
-/// Only the `camera { ... }` or `flythrough { ... }` block, as the window prints them for pasting.
+/// Only the `camera { ... }` or `flythrough { ... }` block; the window prints these for pasting.
 std::string write_camera(const Camera& camera);
 std::string write_flythrough(const Flythrough& path);
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <numeric>
 
-#include "num/pack.h"
+#include "num/quad.h"
 #include "trace/thread_pool.h"
 
 namespace strahl {
@@ -23,17 +23,15 @@ constexpr int chunk_items = 8192;    // a thread's piece of such work
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-/// Coordinates x, y, z, and something that does not matter.
-using Quad = __m128;
-using WholeQuad = std::int32_t __attribute__((vector_size(16)));
+using WholeQuad [[gnu::vector_size(16)]] = std::int32_t;
 
 struct Bounds {
-    Quad low, high;
+    Quad low, high;  // coordinates x, y, z, and something that does not matter
 
     void add(const Bounds& b) { low = minimum(low, b.low), high = maximum(high, b.high); }
     void add(Quad point) { low = minimum(low, point), high = maximum(high, point); }
     float half_area() const {
-        const Quad size = maximum(high - low, Quad{}), area = size * __builtin_shuffle(size, WholeQuad{1, 2, 0, 3});
+        const Quad size = maximum(high - low, Quad{}), area = size * __builtin_shufflevector(size, size, 1, 2, 0, 3);
         return area[0] + area[1] + area[2];
     }
     /// Twice the centre.

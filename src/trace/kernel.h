@@ -130,5 +130,9 @@ inline namespace v4 {
 template <class T>
 Kernel<T> kernel();
 }
+inline namespace neon {
+template <class T>
+Kernel<T> kernel();
+}
 
 }  // namespace strahl

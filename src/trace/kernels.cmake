@@ -50,4 +50,6 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
   strahl_kernel(v3 "float;double" -march=x86-64-v3)
   # g++ 12 warns of an "uninitialized" operand inside its own AVX-512 header.
   strahl_kernel(v4 "float;double" -march=x86-64-v4 -mprefer-vector-width=512 -Wno-uninitialized -Wno-maybe-uninitialized)
+elseif(CMAKE_SYSTEM_PROCESSOR MATCHES "aarch64|arm64")
+  strahl_kernel(neon "float;double" -Wno-psabi)  # g++ notes that packs were passed otherwise before its version 10
 endif()

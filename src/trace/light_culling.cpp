@@ -2,11 +2,10 @@
 
 #include <cmath>
 
+#include "num/vec_math.h"
+
 namespace strahl {
 namespace {
-
-double dot_product(const DVec3& a, const DVec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-double length(const DVec3& v) { return std::hypot(v.x, v.y, v.z); }
 
 /// How far in front of a plane a point is.
 double height(const BoundingVolume& plane, const DVec3& point) {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "num/vec_math.h"
 #include "scene/overlap.h"
 #include "trace/build.h"
 
@@ -18,10 +19,7 @@ Extent extent_of(const Scene& scene) {
         for (int c = 0; c < 3; ++c) along[c].push_back(centre[c]);
         sizes.push_back(std::max({size.x, size.y, size.z}));
     }
-    if (sizes.empty())
-        return {scene.camera.look_at, std::hypot(scene.camera.position.x - scene.camera.look_at.x,
-                                                 scene.camera.position.y - scene.camera.look_at.y,
-                                                 scene.camera.position.z - scene.camera.look_at.z)};
+    if (sizes.empty()) return {scene.camera.look_at, length(scene.camera.position - scene.camera.look_at)};
     const auto quantile = [](std::vector<double>& values, int quarters) {
         const auto nth = values.begin() + (values.size() - 1) * quarters / 4;
         std::nth_element(values.begin(), nth, values.end());

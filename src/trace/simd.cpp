@@ -25,8 +25,10 @@ const char* name(Simd simd) {
             return "x86-64-v2";
         case Simd::v3:
             return "x86-64-v3";
-        default:
+        case Simd::v4:
             return "x86-64-v4";
+        default:
+            return "neon";
     }
 }
 
@@ -42,6 +44,9 @@ bool supported(Simd simd) {
             return __builtin_cpu_supports("x86-64-v3");
         case Simd::v4:
             return __builtin_cpu_supports("x86-64-v4");
+#elif defined(__aarch64__)
+        case Simd::neon:
+            return true;
 #endif
         default:
             return false;
@@ -49,7 +54,7 @@ bool supported(Simd simd) {
 }
 
 Simd best_simd() {
-    for (const Simd simd : {Simd::v4, Simd::v3, Simd::v2})
+    for (const Simd simd : {Simd::v4, Simd::v3, Simd::v2, Simd::neon})
         if (supported(simd)) return simd;
     return Simd::scalar;
 }
@@ -57,7 +62,7 @@ Simd best_simd() {
 int lanes(Precision precision, Simd simd) {
     if (simd == Simd::automatic) simd = best_simd();
     if (precision == Precision::extended || simd == Simd::scalar) return 1;
-    const int bytes = simd == Simd::v2 ? 16 : simd == Simd::v3 ? 32 : 64;
+    const int bytes = simd == Simd::v4 ? 64 : simd == Simd::v3 ? 32 : 16;
     return bytes / (precision == Precision::float32 ? 4 : 8);
 }
 

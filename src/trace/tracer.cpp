@@ -46,6 +46,9 @@ Kernel<T> kernel_for(Simd simd) {
                 return v3::kernel<T>();
             case Simd::v4:
                 return v4::kernel<T>();
+#elif defined(__aarch64__)
+            case Simd::neon:
+                return neon::kernel<T>();
 #endif
             default:
                 break;

@@ -20,7 +20,8 @@ namespace strahl {
 class ThreadPool;
 
 enum class Precision { float32, float64, extended };
-enum class Simd { automatic, scalar, v2, v3, v4 };  // x86-64 level of the lanes; scalar is one lane without SIMD
+/// Instruction sets of the lanes: levels of x86-64, or NEON of aarch64; scalar is one lane without SIMD.
+enum class Simd { automatic, scalar, v2, v3, v4, neon };
 
 const char* name(Precision precision);  // "float", "double", "extended"
 const char* name(Simd simd);            // "scalar", "x86-64-v2", ...

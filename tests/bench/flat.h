@@ -1,10 +1,10 @@
 // A scene's bodies in world coordinates, for programs that know no transformations.
 #pragma once
 #include <cmath>
-#include <glm/glm.hpp>
 #include <stdexcept>
 #include <vector>
 
+#include "num/vec_math.h"
 #include "scene/scene.h"
 
 namespace strahl::bench {
@@ -28,7 +28,7 @@ inline FlatScene flatten(const Scene& scene) {
         const glm::dmat4 m = matrix(primitive.transformations);
         const double factor = similarity(primitive.transformations);
         if (factor == 0) throw std::invalid_argument("a body is stretched: the other programs can't show that");
-        const auto moved = [&](const DVec3& p) { return DVec3(m * glm::dvec4(p, 1)); };
+        const auto moved = [&](const DVec3& p) { return transform_point(m, p); };
         const int material = primitive.material;
         if (const auto* s = std::get_if<Sphere>(&primitive.shape))
             flat.spheres.push_back({{moved(s->centre), s->radius * factor}, material});

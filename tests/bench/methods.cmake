@@ -2,7 +2,7 @@
 set(methods ${CMAKE_SOURCE_DIR}/tests/bench/methods)
 add_executable(strahl_methods EXCLUDE_FROM_ALL ${methods}/main.cpp ${methods}/inputs.cpp
                                                ${CMAKE_SOURCE_DIR}/tests/stability/stage.cpp)
-target_link_libraries(strahl_methods PRIVATE strahl_trace quadmath)
+target_link_libraries(strahl_methods PRIVATE strahl_trace)
 function(strahl_methods_level level)
   add_library(methods_${level} OBJECT EXCLUDE_FROM_ALL ${methods}/lanes.cpp)
   target_link_libraries(methods_${level} PRIVATE strahl_flags)

@@ -7,7 +7,7 @@ set format x "%.0s%c"
 if (strstrt(data, 'plot-threads')) set logscale x 2
 set format y "%g"
 set xlabel system("head -n 1 '" . data . "' | cut -d ' ' -f 1 | tr _ ' '")
-set ylabel "seconds, hierarchy and tracing"
+set ylabel "seconds for hierarchy and tracing"
 set grid lw 0.5 lc rgb "#cccccc"
 set key outside right top autotitle columnhead
 set offsets graph 0.03, graph 0.03, 0, 0

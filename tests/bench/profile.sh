@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Where the time goes: share of the samples of `perf` by stage of the kernel.
+# Where the time goes: the share of each stage of the tracing kernel in the samples of `perf`.
 #
 #   tests/bench/profile.sh build/release/strahl scenes/article.rt [STRAHL-RENDER-OPTION...]
 set -euo pipefail
@@ -12,11 +12,13 @@ perf record -q -o "$work/data" "$strahl" render "$scene" -o "$work/picture.bmp" 
     --size 1920x1080 --error 0 "$@" 2>/dev/null
 perf report -i "$work/data" --stdio --no-children -F overhead,symbol 2>/dev/null | awk '
     !/strahl::/ { next }
-    /visibility<|pass_below</ { stage = "blocked (shadow rays against bodies)" }
-    /::(find|nearest_below)</ { stage = "find (nearest bodies, sorting by body)" }
-    /shade</ { stage = "shade and spawn (light, new rays)" }
-    /::(step|append|aim|trace)</ { stage = "aim, append" }
-    /Builder|BuiltWorld|build_hierarchy|share_out|doubles/ { stage = "build" }
+    /visibility<|pass_below<|occlude/ { stage = "shadow rays" }
+    /::(find|intersect)<|nearest/ { stage = "intersect: nearest hits, sorting them by body" }
+    /shade|scatter/ { stage = "shade: light, reflected and refracted rays" }
+    /::(step|aim|append|trace|trace_generation|trace_in_parts|generate_camera_rays)</ {
+        stage = "camera rays, copying between queues"
+    }
+    /Builder|BuiltWorld|WorldArrays|build_hierarchy|share_out|duplicates/ { stage = "build" }
     /quantise|deliver|Renderer|write_picture|copy/ { stage = "write" }
     stage { sum[stage] += $1; all += $1; stage = "" }
     END { for (s in sum) printf "%5.1f %%  %s\n", 100 * sum[s] / all, s }' | sort -rn

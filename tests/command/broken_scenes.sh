@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# A dozen and more broken scenes: exit status 3, the place, the line, a caret, and never a crash.
+# Scenes with errors: exit status 3, place, line and caret, and never a crash.
 set -uo pipefail
 source "$(dirname "$0")/expect.sh"
 
 camera='camera { position <0,-9,0> look_at <0,0,0> up <0,0,-1> fov 25 }'
-# broken PLACE TEXT SCENE: the message begins with the place, quotes the line, points at it, and says the text.
+# broken PLACE TEXT SCENE: the message begins with the place, quotes the line, has a caret, and contains the text.
 broken() {
     printf '%b' "$3" >broken.rt
     local said
@@ -36,12 +36,12 @@ broken 2:1 "key" "$camera\nflythrough { duration 1 }"
 broken 2:1 "" "$camera\n\xff\xfe"
 broken 2:1 "" "$camera\n\x00"
 
-# Up to ten faults at once.
+# Up to ten errors at once.
 for ((i = 0; i < 30; ++i)); do echo "sphere { <0,0,0>, -1 }"; done >many.rt
 count=$("$strahl" check many.rt 2>&1 | grep -c 'many.rt:[0-9]*:[0-9]*: ')
-((count == 10)) || fault "$count faults told at once instead of 10"
+((count == 10)) || fault "$count errors reported at once instead of 10"
 
-# Hostile ones: neither a crash nor a hang nor unbounded memory (exit status 124 is the time limit).
+# Hostile files: no crash, no hang, no unbounded memory (exit status 124 is the time limit).
 hostile() {
     timeout 60 "$strahl" check hostile.rt >/dev/null 2>said
     (($? == 3)) || fault "$1: $(head -c 300 said)"

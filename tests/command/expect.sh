@@ -1,5 +1,5 @@
 # shellcheck shell=bash
-# What the tests of the command share: a folder to work in, and expectations that tell what was run.
+# Shared by the tests of the commands: a temporary folder, and expectations.
 # A test is started as: bash TEST.sh STRAHL SOURCE-FOLDER BUILD-FOLDER
 
 strahl=$1
@@ -17,7 +17,7 @@ fault() {
     ((++faults))
 }
 
-# expect STATUS TEXT ARGUMENT...: strahl with these arguments ends with the status, and says the text somewhere.
+# expect STATUS TEXT ARGUMENT...: strahl with these arguments ends with the status, and its output contains the text.
 expect() {
     local status=$1 text=$2 said
     shift 2
@@ -27,14 +27,14 @@ expect() {
     [[ $said == *"$text"* ]] || fault "strahl $*: does not say '$text' but: $said"
 }
 
-# expect_same A B: two files with the same bytes.
+# expect_same A B: two files have the same bytes.
 expect_same() { cmp "$1" "$2" || fault "$1 and $2 differ"; }
-# expect_other A B: two files with other bytes.
+# expect_other A B: two files have different bytes.
 expect_other() { ! cmp -s "$1" "$2" || fault "$1 and $2 are the same"; }
 expect_file() { [[ -s $1 ]] || fault "there is no file $1"; }
 expect_no_file() { [[ ! -e $1 ]] || fault "there is a file $1"; }
 
-# Nothing but the named files is left in the folder: no temporary ones.
+# expect_only FILE...: the folder holds only these files, no temporary ones.
 expect_only() {
     local found
     found=$(find . -mindepth 1 -printf '%P\n' | sort | tr '\n' ' ')
@@ -46,7 +46,7 @@ finish() {
     echo "as expected"
 }
 
-# A small world with all that costs: mirrors, glass, shadows, a flight.
+# A small scene with mirrors, glass, shadows and a flythrough.
 cat >scene.rt <<'SCENE'
 camera { position <5, -20, 18>  look_at <0, 0, 0>  up <0, 0, -1>  fov 10 }
 light { position <-5, 0, 10>  color <.9, .9, .9> }

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Files that can't be read or written: exit status 3 and 1; and what was there before a failure is there after it.
+# Files that can't be read or written: exit status 3 and 1; existing files survive a failure.
 set -uo pipefail
 source "$(dirname "$0")/expect.sh"
 
@@ -23,7 +23,7 @@ grep -q "standard output" said || fault "of a full disk it said: $(<said)"
 (($? == 1)) || fault "a full disk went unnoticed: $(<said)"
 rm said
 
-# Root may write everywhere: then someone else tries.
+# Root may write everywhere, so another user tries.
 mkdir sealed
 make 0 "" scene.rt sealed/x.bmp
 chmod 555 sealed
@@ -41,7 +41,7 @@ fi
 chmod 755 sealed
 rm -r sealed
 
-# A failure leaves the older picture alone.
+# A failure keeps the older picture.
 echo "an older picture" >x.bmp
 cp x.bmp older
 echo "sphere { oops" >broken.rt
@@ -52,7 +52,7 @@ expect_same x.bmp older
 make 0 "" scene.rt x.bmp
 expect_other x.bmp older
 
-# Names that need care, and a link that stays one.
+# Unusual names, and a symbolic link that stays one.
 ln -s x.bmp link.bmp
 cp older x.bmp
 make 0 "" scene.rt link.bmp

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# strahl render --frames: numbered files, their moments, and going on after a stop.
+# strahl render --frames: numbered files, their times, and --resume.
 set -uo pipefail
 source "$(dirname "$0")/expect.sh"
 
@@ -12,7 +12,7 @@ for moment in 0=0 3=1.5 8=4; do
 done
 expect_other film-0000.png film-0003.png
 
-# Only what is missing is made again.
+# Only missing frames are rendered.
 cp film-0003.png good.png
 rm film-0003.png
 echo "not a picture" >film-0004.png
@@ -22,14 +22,14 @@ expect_same film-0003.png good.png
 expect 0 '"frames": 0,' render scene.rt -o 'film-%04d.png' --frames 0-8 "${options[@]}" --resume --stats -
 expect 0 '"frames": 9,' render scene.rt -o 'film-%04d.png' --frames 0-8 "${options[@]}" --stats -
 
-# Other ways to write the number.
+# Other forms of the number.
 rm -f ./*.png
 expect 0 "" render scene.rt -o x.bmp --frames 7 "${options[@]}"
 expect 0 "" render scene.rt -o 'a%db.bmp' --frames 9-10 "${options[@]}"
 expect 0 "" render scene.rt -o '50%-%3d%s.bmp' --frames 12345-12345 "${options[@]}"
 expect 0 "" render scene.rt -o '%03d.bmp' --frames 7 "${options[@]}"
 expect_only scene.rt x-0007.bmp a9b.bmp a10b.bmp '50%-12345%s.bmp' 007.bmp
-# Without --frames a name is only a name.
+# Without --frames a % in the name has no meaning.
 expect 0 "" render scene.rt -o '%04d.bmp' --size 4x3
 expect_file '%04d.bmp'
 finish

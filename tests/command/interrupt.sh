@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Ctrl-C: the finished part is kept in a file of its own, exit status 130, and nothing finished is lost.
+# Ctrl-C: the finished part is saved to a file of its own, and the exit status is 130.
 set -uo pipefail
 source "$(dirname "$0")/expect.sh"
 set -m # a shell without job control starts what it puts into the background with SIGINT ignored
@@ -14,7 +14,7 @@ flythrough { duration 9  key { time 0  position <0, 0, 0>  look_at <0, 1, 0> }
                          key { time 9  position <0, 1, 0>  look_at <0, 2, 0> } }
 SCENE
 
-# stop SIGNAL ARGUMENT...: starts a rendering that would take minutes, and stops it once some of it is done.
+# stop SIGNAL ARGUMENT...: starts a rendering that would take minutes, and interrupts it when some of it is done.
 stop() {
     local signal=$1 delay pid status
     shift
@@ -25,7 +25,7 @@ stop() {
         kill -s "$signal" "$pid"
         wait "$pid"
         status=$?
-        # It may be too early for anything to be finished, or even for the signal to be handled.
+        # It may be too early: nothing is finished, or signals are not yet handled.
         [[ -s said ]] || continue
         ((status == 130)) || fault "exit status $status after SIG$signal; it said: $(<said)"
         grep -q "before anything" said || return
@@ -44,9 +44,9 @@ for signal in INT TERM; do
     rm picture.* stats.json
 done
 
-# Of several frames, the finished ones stay, and --resume goes on.
+# Of several frames the finished ones stay, and --resume continues.
 expect 0 "" render long.rt -o film.bmp --frames 0-1 --size 4x3
 stop INT -o film.bmp --frames 0-9 --size 2000x1500 --resume
-grep -q "with --resume goes on" said || fault "it said: $(<said)"
+grep -q "with --resume continues" said || fault "it said: $(<said)"
 expect_only long.rt scene.rt said film-0000.bmp film-0001.bmp film-0002.part.bmp
 finish

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# The launcher, with stand-ins for the package manager and the compiler: what it installs, when it builds, how it starts
+# The launcher, with mocks of the package manager and the compiler: what it installs, when it builds, and how it starts
 # the program.
 set -uo pipefail
 source "$(dirname "$0")/expect.sh"
 
-# A tree with the launcher in it, in a folder with a space, and stand-ins that write down how they were called.
+# A source tree with the launcher, in a folder with a space, and mocks that log their calls.
 root="$work/a tree"
 tools="$work/tools"
 export LOG="$work/log" MISSING=''
@@ -47,7 +47,7 @@ fi
 TOOL
 export PATH="$tools:$PATH"
 
-# launch STATUS LOG ARGUMENT...: in another folder; the stand-ins were called so (none if empty).
+# launch STATUS LOG ARGUMENT...: starts it in another folder; LOG are the expected calls of the mocks.
 launch() {
     local status=$1 log=$2
     shift 2
@@ -68,7 +68,7 @@ launch 7 "$first" render "a b" '*'
 says "in $work/elsewhere: render a b *"
 warns "building"
 
-# The second time nothing is done and nothing is said; standard input is the program's.
+# The second start does and prints nothing; the program gets standard input.
 launch 7 "" -
 says "in $work/elsewhere: -
 a scene"
@@ -77,7 +77,7 @@ ln -s "../a tree/strahl" "$work/elsewhere/link"
 by=./link launch 7 "" hello
 says "in $work/elsewhere: hello"
 
-# Changed, new and removed sources are built; a failed build is told, and tried again.
+# Changed, new and removed sources cause a build; a failed build is reported, and tried again.
 again="build $root/build/release --target strahl*"
 sleep 0.02
 touch "$root/src/a.cpp"
@@ -94,7 +94,7 @@ says ""
 launch 7 "$again"
 launch 7 ""
 
-# Two at once: one builds, the other waits.
+# Two at the same time: one builds, the other waits.
 sleep 0.02
 touch "$root/src/a.cpp"
 rm -f "$LOG"
@@ -103,13 +103,13 @@ wait
 [[ $(grep -c build "$LOG") == 1 ]] || fault "two at once: $(<"$LOG")"
 [[ $(<"$work/out1") == *": 1" && $(<"$work/out2") == *": 2" ]] || fault "two at once: $(cat "$work"/out?)"
 
-# A copy of the tree does not go on with the other one's build.
+# A copy of the tree does not use the build of the original.
 cp -a "$root" "$work/copy"
 root="$work/copy" launch 7 "configure --preset release -DSTRAHL_TESTS=OFF
 build $work/copy/build/release --target strahl*"
 rm -r "$work/copy"
 
-# Missing packages are named, then installed; a package list that can't be renewed is no reason to stop.
+# Missing packages are named, then installed, even if the package list can't be updated.
 rm -r "$root/build"
 packages="apt-get -q -y * update
 apt-get -q -y * install --no-install-recommends cmake libimgui-dev"
@@ -127,7 +127,7 @@ rm -r "$root/build"
 FAILING=install launch 1 "*install --no-install-recommends cmake libimgui-dev"
 warns "could not install them; try it by hand"
 
-# Without root and without sudo it says what to do.
+# Without root and sudo it prints what to do.
 rm -rf "$tools/sudo" "$root/build" "$LOG"
 mkdir "$work/bin"
 for program in bash cat chmod dirname env find flock grep mkdir mv readlink rm sed setpriv sleep tail touch; do
@@ -142,7 +142,7 @@ PATH="$tools:$work/bin"
 "${as_user[@]}" "$root/strahl" 2>"$work/stderr" && fault "went on without the packages"
 warns "only root (or sudo) can install them: apt-get install --no-install-recommends cmake libimgui-dev"
 
-# A system without Debian's packages is told what is needed, and the build is tried.
+# On other systems it prints what is needed, and tries to build.
 rm "$tools/dpkg-query"
 launch 7 "$first"
 warns "not a Debian system"

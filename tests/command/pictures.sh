@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# strahl render: every option that has a say in the picture, crops, pipes, formats.
+# strahl render: all options that affect the picture, crops, pipes, formats.
 set -uo pipefail
 source "$(dirname "$0")/expect.sh"
 
@@ -20,13 +20,13 @@ equal whole.png whole16.png 0.00393 # and half a one that is left out
 expect 0 "whole.exr: 64x48, 3 channels, 32 bits" compare whole.exr whole.exr
 expect 0 "whole16.png: 64x48, 3 channels, 16 bits" compare whole16.png whole16.png
 
-# The default size is 640x480, and the crop of it is a crop of that.
+# The default size is 640x480, also with a crop.
 expect 0 "" render scene.rt -o default.png --crop 300,200,9,7
 expect 0 "" render scene.rt -o same.png --size 640x480 --crop 300,200,9,7
 expect_same default.png same.png
 expect 0 "default.png: 9x7" compare default.png same.png
 
-# A crop is the same pixels as the whole picture's region, at corners and edges too.
+# A crop has the same pixels as the whole picture, at corners and edges too.
 for crop in 0,0,64,48 0,0,1,1 63,47,1,1 5,7,20,10 40,0,24,48 0,33,64,1; do
     IFS=, read -r x y w h <<<"$crop"
     make crop.png --bits 16 --crop "$crop"
@@ -48,11 +48,11 @@ expect 0 "" render shallow.rt -o shallow.exr "${size[@]}"
 equal shallow.exr depth1.exr
 
 make scalar.exr --simd scalar
-for simd in auto v2 v3 v4; do
+for simd in auto v2 v3 v4 neon; do
     said=$("$strahl" render scene.rt -o "$simd.exr" "${size[@]}" --simd "$simd" 2>&1)
     case $?/$said in
     0/) if [[ $simd == v2 ]]; then equal v2.exr scalar.exr 1e-6; else equal "$simd.exr" scalar.exr; fi ;;
-    2/*"this processor has no"*) ;; # an older machine
+    2/*"this processor does not support"*) ;; # an older machine, or another kind
     *) fault "--simd $simd: $said" ;;
     esac
 done
@@ -62,7 +62,7 @@ make extended.exr --precision extended
 expect_same double.exr whole.exr
 equal extended.exr whole.exr 1e-6
 unequal float.exr whole.exr
-# Pixels on an edge may fall on the other side of it; there are few.
+# A few pixels on edges may differ.
 said=$("$strahl" compare float.exr whole.exr --tolerance 1e-4)
 beyond=$(sed -n 's/^pixels beyond the tolerance.*: \([0-9]*\) of 3072.*/\1/p' <<<"$said")
 ((${beyond:-9999} < 20)) || fault "float is far from double: $said"
@@ -75,7 +75,7 @@ make end.exr --time 4
 make after.exr --time 1e9
 equal end.exr after.exr
 
-# From and to pipes; whatever else is said does not get between.
+# From and to pipes; messages do not mix with the picture.
 for format in bmp png; do
     "$strahl" render - -o - --format "$format" "${size[@]}" <scene.rt >"piped.$format" 2>said || fault "a pipe: $(<said)"
     expect_same "piped.$format" "whole.$format"
@@ -84,7 +84,7 @@ done
 "$strahl" render scene.rt -o - --format exr "${size[@]}" >piped.exr || fault "an exr to a pipe"
 equal piped.exr whole.exr
 
-# Linear light is encoded for 8 and 16 bits, and left alone in float.
+# Linear light is encoded in 8 and 16 bits, and unchanged in float.
 sed '1i global_settings { assumed_gamma 1 }' scene.rt >linear.rt
 expect 0 "" render linear.rt -o linear.exr "${size[@]}"
 expect 0 "" render linear.rt -o linear.png "${size[@]}"

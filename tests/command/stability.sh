@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# Where float, double and long double part.
+# Where float, double and long double disagree.
 set -uo pipefail
 source "$(dirname "$0")/expect.sh"
 
 expect 0 "|   all |" stability scene.rt --size 32x24 --depth 2 -o map.png
 picture=$(oiiotool --info map.png) && [[ $picture == *"32 x"*24* ]] || fault "the map is $picture"
 
-# A ball seen from ten million radii away: float sees another one.
+# A ball ten million radii away: float renders another picture.
 cat >far.rt <<'RT'
 camera { position <0, 0, 0> look_at <0, 0, 1> up <0, -1, 0> fov 0.00001 }
 light { position <-1e7, 1e7, -1e7> color <1, 1, 1> }

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The statistics are JSON that says what was done.
+# The statistics: valid JSON with the right values.
 set -uo pipefail
 source "$(dirname "$0")/expect.sh"
 
@@ -38,7 +38,7 @@ is 0 rays refracted
 is double precision
 [[ $(value error allowed) == 0.00196* ]] || fault "error allowed is $(value error allowed)"
 
-# The one knob: a larger error, less work.
+# --error: a larger error needs fewer rays.
 expect 0 "" render scene.rt -o x.bmp --size 64x48 --error 1e-1 --stats stats.json
 is float precision
 awk "BEGIN { exit !(0 < $(value error dropped) && $(value error dropped) < .0501) }" || fault "dropped in $(<stats.json)"

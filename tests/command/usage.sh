@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Wrong command lines: exit status 2 and a line that helps; and what --help and --version say.
+# Wrong command lines: exit status 2 and a helpful message; --help and --version.
 set -uo pipefail
 source "$(dirname "$0")/expect.sh"
 
@@ -25,7 +25,7 @@ refuse "Add -o FILE"
 refuse ".bmp, .png or .exr" -o x.jpg
 refuse ".bmp, .png or .exr" -o x
 refuse "--format bmp, png or exr" -o -
-refuse "a file's ending chooses its format" -o x.png --format png
+refuse "the file's ending chooses its format" -o x.png --format png
 refuse "--format" -o - --format jpg
 refuse "choose .png for 16" -o x.bmp --bits 16
 refuse "float" -o x.exr --bits 16
@@ -39,7 +39,7 @@ done
 for depth in 0 257 x 1.5 -1; do refuse "--depth" -o x.bmp --depth "$depth"; done
 for threads in 0 -1 x 1000000; do refuse "--threads" -o x.bmp --threads "$threads"; done
 refuse "{float,double,extended}" -o x.bmp --precision half
-refuse "{auto,scalar,v2,v3,v4}" -o x.bmp --simd v5
+refuse "{auto,scalar,v2,v3,v4,neon}" -o x.bmp --simd v5
 for time in -1 nan inf x; do refuse "--time" -o x.bmp --time "$time"; done
 for fps in 0 -1 nan inf x; do refuse "--fps" -o x.bmp --frames 0-1 --fps "$fps"; done
 for frames in 5-2 1- -1 x 1-2-3 0-9999999999; do refuse "--frames" -o x.bmp "--frames=$frames"; done

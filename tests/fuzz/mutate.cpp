@@ -1,8 +1,8 @@
-// A driver for fuzz targets where there is no libFuzzer: seeds are mutated, inputs follow from a number alone.
+// Drives fuzz targets without libFuzzer: mutates seed files. Each input follows from one number.
 //
 // fuzz_parser [--seconds S] [--seed N] [FILE or FOLDER of seeds ...]
-// While it runs, and after a crash, the file fuzz-seed in the working directory holds the number of the input: give it
-// as --seed to get the crash again at once.
+// While it runs, and after a crash, the file fuzz-seed in the working directory holds the number of the input: pass it
+// as --seed to reproduce the crash.
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 using Seeds = std::vector<std::string>;
 
-/// One scene of all there is, so that mutations reach everything; and pieces, to be put in anywhere.
+/// A scene with everything in the language, so that mutations reach everything; and pieces to insert anywhere.
 const Seeds whole_scenes{
     "camera { position <5.0,-20.0,18.0> look_at <0,0,0> up <0,0,-1> fov 25.0 aspectratio 1.333333 }\n"
     "light { position <-5,0,10> color <.5,.5,.5> }\nbackground { color <.1,.2,.3> }\n"
@@ -164,7 +164,7 @@ class Mutator {
   public:
     Mutator(const Seeds& seeds, std::uint64_t number) : seeds(seeds), random(number) {}
 
-    /// Half of the inputs keep the form of a scene and mostly parse; the others need not.
+    /// Half of the inputs keep the form of a scene and mostly parse; the others usually do not.
     std::string input() {
         text = any(seeds);
         const bool keep_form = below(2) == 0;

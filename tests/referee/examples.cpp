@@ -1,4 +1,4 @@
-// The hand-made scenes. All but a few are seen by the same camera, from the front and a little above.
+// Scenes made by hand. Most use the same camera, in front and a little above.
 #include "tests/referee/examples.h"
 
 #include <utility>

@@ -1,4 +1,4 @@
-// Small scenes made by hand, each for one thing that a tracer can get wrong.
+// Small scenes made by hand, each for one possible error of a ray tracer.
 #pragma once
 #include <vector>
 
@@ -13,7 +13,7 @@ struct Example {
 };
 std::vector<Example> examples();
 
-/// Two mirrors that face each other with a ball between them: every generation of rays shows.
+/// Two mirrors that face each other with a ball between them, so that every generation of rays is visible.
 Scene facing_mirrors();
 
 }  // namespace strahl

@@ -1,4 +1,4 @@
-// Random scenes. Only the generator's raw bits are used, since the standard's distributions differ between libraries.
+// Random scenes. They use only the generator's raw bits, because the standard's distributions differ between libraries.
 #include "tests/referee/random_scene.h"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Small random scenes, each wholly determined by its seed.
+// Small random scenes, each determined by its seed.
 #pragma once
 #include <cstdint>
 
@@ -7,8 +7,8 @@
 namespace strahl {
 
 struct RandomScene {
-    bool transparent = true;     // bodies of glass, which may overlap and lie in each other
-    bool transformed = true;     // primitives turned, moved, scaled unevenly and mirrored
+    bool transparent = true;     // glass bodies, which may overlap or be nested
+    bool transformed = true;     // primitives rotated, moved, scaled unevenly and mirrored
     bool camera_inside = false;  // the eye is in at least one transparent body
 };
 

@@ -1,19 +1,11 @@
-// The referee's recursion. Every formula is written as the article and scene language state it, none as the engine
-// does.
+// The referee. Every formula is written as the article and the scene language state it, and none as the tracer has it.
 #include "tests/referee/referee.h"
-
-#include <quadmath.h>
 
 #include <cmath>
 #include <vector>
 
 namespace strahl {
 namespace {
-
-long double root(long double a) { return std::sqrt(a); }
-__float128 root(__float128 a) { return sqrtq(a); }
-long double power(long double a, long double b) { return std::pow(a, b); }
-__float128 power(__float128 a, __float128 b) { return powq(a, b); }
 
 template <class R>
 struct Vector {
@@ -45,7 +37,7 @@ struct Line {
     int body = -1, face = -1;  // the surface that the line starts on
 };
 
-/// A point where a line passes through a face, with the face's normal out of the body (of any length).
+/// A point where a line crosses a face, with the outward normal (of any length).
 template <class R>
 struct Crossing {
     R t;
@@ -61,7 +53,7 @@ struct Crossings {
     auto end() const { return list.begin() + count; }
 };
 
-/// The roots of a t^2 + 2 b t + c; of a line that starts on the surface one is 0, and only the other is given.
+/// The roots of a t^2 + 2 b t + c. If the line starts on the surface one root is 0, and only the other one is used.
 template <class R, class Use>
 void roots(R a, R b, R c, bool starts_here, const Use& use) {
     if (!(a > 0)) return;
@@ -133,7 +125,8 @@ bool contains(const Cylinder& cylinder, const Vector<R>& p) {
     return along > 0 && along < dot(axis, whole) && dot(across, across) < R(cylinder.radius) * R(cylinder.radius);
 }
 
-/// A primitive with the way into its own space: local = rows * (world - offset), normal' = transposed rows * normal.
+/// A primitive with the transformation into its own space: local = rows * (world - offset), normal' = transposed rows *
+/// normal.
 template <class R>
 struct Body {
     Shape shape;
@@ -235,7 +228,7 @@ struct Referee<R>::World {
         return share;
     }
 
-    /// The ratio n1/n2 at a surface of `body`, and the bodies that the ray is in behind it, by POV-Ray's rule.
+    /// The ratio n1/n2 at a surface of `body`, and the medium stack behind it, by POV-Ray's rule.
     std::pair<R, std::vector<int>> pass(int body, std::vector<int> inside) const {
         const auto ior = [&](int i) { return R(bodies[i].material.ior); };
         const R here = inside.empty() ? R(1) : ior(inside.back());
@@ -298,6 +291,8 @@ bool Referee<R>::explains(int i, int j, const double* rgb, double tolerance, dou
 }
 
 template class Referee<long double>;
-template class Referee<__float128>;
+#if LDBL_MANT_DIG < 113
+template class Referee<Quadruple>;
+#endif
 
 }  // namespace strahl

@@ -1,17 +1,18 @@
-// The referee: the plainest Whitted tracer there is, against which every picture of the engine is held.
+// The referee: the simplest possible Whitted ray tracer, with which all pictures of the tracer are compared.
 //
-// It shares no code with the engine: it takes the plain values of a Scene and answers for one point of the picture at a
-// time, by recursion, with intersection formulas of its own. R is long double, or __float128 for tiny pictures.
+// It shares no code with the tracer: it takes the plain values of a Scene and computes one point of the picture at a
+// time, by recursion, with intersection formulas of its own. R is long double, or Quadruple for tiny pictures.
 #pragma once
 #include <array>
 #include <cstdint>
 #include <memory>
 
 #include "scene/scene.h"
+#include "tests/referee/quadruple.h"
 
 namespace strahl {
 
-/// What the tracer saw: linear values, and a hash of every decision on the way (which faces were hit, which lights
+/// The value of one point, and a hash of every decision on the way (which faces were hit, which lights
 /// reached the point through which bodies, where a ray was reflected totally or missed). Two samples with different
 /// signatures have an edge between them.
 struct Sample {
@@ -40,6 +41,8 @@ class Referee {
 };
 
 extern template class Referee<long double>;
-extern template class Referee<__float128>;
+#if LDBL_MANT_DIG < 113
+extern template class Referee<Quadruple>;
+#endif
 
 }  // namespace strahl

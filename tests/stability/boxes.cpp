@@ -1,4 +1,5 @@
-// Boxes of the hierarchy: rays along axes, with zeros of either sign, in the boxes' faces, and boxes without thickness.
+// Boxes of the hierarchy: rays along axes, with zeros of either sign, in the faces of boxes, and boxes without
+// thickness.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -6,6 +7,7 @@
 
 #include "tests/stability/naive.h"
 #include "tests/stability/stage.h"
+#include "tests/unit/levels.h"
 #include "trace/thread_pool.h"
 
 using namespace strahl;
@@ -13,8 +15,8 @@ using namespace strahl::stability;
 
 namespace {
 
-/// One ray at a time: what is in the middle of the view. The eye's place and the ray's direction are exact where these
-/// are exact in few bits, and `up` chooses the signs of the direction's zeros.
+/// Traces one ray: the middle of the view. Position and direction are exact if they have few bits, and `up` chooses the
+/// signs of the direction's zeros.
 class Shooter {
   public:
     Shooter(const Scene& scene, Precision precision) : tracer(scene, precision) {}
@@ -65,11 +67,11 @@ TEST_CASE("the textbooks' slab test loses rays with a zero in their direction") 
                     missed += !naive_slab(box, Vec3<float>{x, y, -1}, Vec3<float>{zero_x, zero_y, 1});
     MESSAGE("naive: misses " << missed << " of 36 rays in or on the box");
     CHECK(missed >= 20);
-    CHECK(!naive_slab(box, Vec3<float>{.5f, .5f, -1}, Vec3<float>{-0.f, 0, 1}));  // through its very middle
+    CHECK(!naive_slab(box, Vec3<float>{.5f, .5f, -1}, Vec3<float>{-0.f, 0, 1}));  // through its centre
 }
 
-TEST_CASE("rays along an axis meet what they should, down to the last bit of the outline, in a hierarchy too") {
-    // Balls and cans side by side: the boxes' faces lie in common planes, in which some of the rays run.
+TEST_CASE("rays along an axis hit correctly to the last bit of the outline, also in a hierarchy") {
+    // Balls and cylinders side by side: faces of boxes lie in common planes, and some rays run in these.
     constexpr double radius = 1, pitch = 2;
     const double inside = std::nextafter(1.f, 0.f), outside = std::nextafter(1.f, 2.f);
     for (const int axis : {0, 1, 2}) {
@@ -90,18 +92,18 @@ TEST_CASE("rays along an axis meet what they should, down to the last bit of the
                                 return shoot(turned({x, y, way > 0 ? -8 : 16}, axis + 1),
                                              turned({x, y, way > 0 ? -7 : 15}, axis + 1), up);
                             };
-                            // Along +z the ball is in front, against it the can.
+                            // Along +z the ball is in front, along -z the cylinder.
                             const double seen = way > 0 ? 1 : .5;
                             CHECK(see(cell, 0) == seen);
                             CHECK(see(cell + .5, cell) == seen);
-                            if (cell == 0) {  // where places as fine as this are exact
+                            if (cell == 0) {  // where such fine positions are exact
                                 CHECK(see(inside, 0) == seen);
                                 CHECK(see(0, -inside) == seen);
                                 // 0 less 0 is 0, but -0 less 0 is -0.
                                 CHECK(shoot(turned({0, 0, way > 0 ? -8 : 16}, axis + 1),
                                             turned({-0., -0., way > 0 ? -7 : 15}, axis + 1), up) == seen);
                             }
-                            // In the common face of four boxes, and in an outer one, is nothing.
+                            // Nothing is in the common face of four boxes, or in an outer one.
                             CHECK(see(cell + 1, cell + 1) == 0);
                             if (cell == 4) CHECK(see(4 + outside, 0) == 0);
                         }
@@ -110,7 +112,7 @@ TEST_CASE("rays along an axis meet what they should, down to the last bit of the
 }
 
 TEST_CASE("discs thinner than the last bit of where they are hit") {
-    // Entry and exit are the same number: who asks for near < far sees holes. And their boxes have no thickness.
+    // Entry and exit are the same number: a test for near < far gives holes. And their boxes have no thickness.
     Stage stage;
     std::vector<Cylinder> discs;
     Dice dice;
@@ -144,7 +146,7 @@ TEST_CASE("discs thinner than the last bit of where they are hit") {
     }
 }
 
-TEST_CASE("dust: balls no larger than the last bits of their places") {
+TEST_CASE("dust: balls no larger than the last bits of their positions") {
     // Boxes are kept in float; unless rounded outwards they cut off half of such a ball.
     Stage stage;
     Dice dice;
@@ -164,8 +166,8 @@ TEST_CASE("dust: balls no larger than the last bits of their places") {
         }
 }
 
-TEST_CASE("a hierarchy of cans on a grid, looked at along every axis, shows what a plain loop shows") {
-    // The faces of their boxes are all in a few planes, in which rays run.
+TEST_CASE("a hierarchy of cylinders on a grid, seen along every axis, equals a plain loop") {
+    // The faces of their boxes lie in a few planes, in which rays run.
     for (const int axis : {0, 1, 2}) {
         DVec3 along(0), up(0);
         along[axis] = 1, up[(axis + 1) % 3] = -1;
@@ -178,7 +180,7 @@ TEST_CASE("a hierarchy of cans on a grid, looked at along every axis, shows what
             all.look(along * (6. * side), {0, 0, 0}, 25, up).background({0, 0, 1});
             for (const Precision precision : precisions) {
                 const Frame frame = shoot(all.scene, precision, {33, 33, 1});
-                // The same, nine cans at a time: no hierarchy. What is nearer wins, by depth of layers along the axis.
+                // The same with nine cylinders at a time, without a hierarchy. The nearest layer along the axis wins.
                 Frame plain = frame;
                 std::fill(plain.rgb.begin(), plain.rgb.end(), -1.);
                 for (int layer = 0; layer < 3; ++layer) {
@@ -198,10 +200,9 @@ TEST_CASE("a hierarchy of cans on a grid, looked at along every axis, shows what
     }
 }
 
-TEST_CASE("neighbours in a pack do not decide what a ray finds") {
+TEST_CASE("a ray's hit does not depend on its neighbours in the pack") {
     const Scene scene = still_life();
     const Frame whole = shoot(scene, Precision::float32, {64, 48, 3});
     const View view{.camera = scene.camera, .width = 64, .height = 48, .depth = 3};
-    for (const Simd simd : {Simd::scalar, Simd::v3, Simd::v4})
-        if (supported(simd)) CHECK(render(scene, view, Precision::float32, 1, simd) == whole);
+    for (const Simd simd : fused_levels()) CHECK(render(scene, view, Precision::float32, 1, simd) == whole);
 }

@@ -1,4 +1,4 @@
-// Cameras and transformations that are none, and those that only just are.
+// Cameras and transformations that are invalid, and some that are just valid.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ using namespace strahl::stability;
 
 namespace {
 
-/// What parse_scene says against a text, or "".
+/// The error message of parse_scene for a text, or "".
 std::string fault(const std::string& text) {
     try {
         parse_scene(text, "scene.rt");
@@ -28,7 +28,7 @@ const std::string camera = "camera { position <0,-6,0> look_at <0,0,0> sky <0,0,
 
 }  // namespace
 
-TEST_CASE("a camera that spans no picture is a fault with its line, not a frame of NaN") {
+TEST_CASE("a degenerate camera is an error with its line, not a frame of NaN") {
     const DVec3 none = DVec3(0) / std::sqrt(naive::times(DVec3(0), DVec3(0)));
     CHECK(std::isnan(none.x));  // up x forward, normalised
     for (const char* text : {
@@ -49,7 +49,7 @@ TEST_CASE("a camera that spans no picture is a fault with its line, not a frame 
     }
 }
 
-TEST_CASE("bodies and transformations that are none are faults with their line") {
+TEST_CASE("invalid bodies and transformations are errors with their line") {
     CHECK(fault(camera) == "");
     for (const char* text : {
              "sphere { <0,0,0>, 0 }",
@@ -71,7 +71,7 @@ TEST_CASE("bodies and transformations that are none are faults with their line")
     }
 }
 
-TEST_CASE("axes stay at right angles for any camera that a file may hold") {
+TEST_CASE("axes stay at right angles for any camera that a file may contain") {
     Dice dice;
     for (int i = 0; i < 2000; ++i) {
         const double far = std::pow(10, dice(-12, 14));
@@ -89,7 +89,7 @@ TEST_CASE("axes stay at right angles for any camera that a file may hold") {
     }
 }
 
-TEST_CASE("a lens of almost 90 degrees, and one of almost none") {
+TEST_CASE("a lens of almost 90 degrees, and one of almost 0") {
     for (const double fov : {89.999999, 1e-9}) {
         Scene scene = still_life();
         scene.camera.fov = fov;
@@ -97,7 +97,7 @@ TEST_CASE("a lens of almost 90 degrees, and one of almost none") {
     }
 }
 
-TEST_CASE("how fine directions are: neighbours of a narrow lens are different rays in double") {
+TEST_CASE("neighbouring pixels of a narrow lens have different rays in double") {
     // 1920 pixels over .001 degrees, askew: float has no such directions.
     const DVec3 view{.36, .48, .8};
     const auto distinct = [&](auto zero, double fov) {
@@ -119,7 +119,7 @@ TEST_CASE("how fine directions are: neighbours of a narrow lens are different ra
     CHECK(distinct(0., 1e-9) > 60);
 }
 
-TEST_CASE("transformations that cancel leave bodies where they were") {
+TEST_CASE("transformations that cancel do not move bodies") {
     const Scene plain = still_life();
     Scene turned = plain;
     for (Primitive& primitive : turned.primitives)

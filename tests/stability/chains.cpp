@@ -1,4 +1,4 @@
-// Mirrors that face each other: errors grow from bounce to bounce as theory says, no faster, and start at the last bit.
+// Mirrors that face each other: errors grow from bounce to bounce as in theory, not faster, and start at the last bit.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -15,10 +15,10 @@ using namespace strahl::stability;
 namespace {
 
 /// Growth of a small error per bounce between two spheres of radius 1 with this gap: the larger eigenvalue of
-/// [[1, t], [2/r, 1 + 2t/r]], which takes (place, direction) from bounce to bounce.
+/// [[1, t], [2/r, 1 + 2t/r]], which maps (position, direction) from bounce to bounce.
 double growth(double gap) { return 1 + gap + std::sqrt((1 + gap) * (1 + gap) - 1); }
 
-/// Two unit balls on an axis that no coordinate favours, and a ray from one to the other's middle.
+/// Two unit balls on an axis that is not aligned with a coordinate, and a ray from one to the centre of the other.
 template <class T>
 struct Pair {
     Vec3<T> axis, centre[2], o, d;
@@ -33,7 +33,7 @@ struct Pair {
 };
 constexpr int most = 100;
 
-/// How far from the axis each bounce is, until the ray leaves.
+/// The distance of each bounce from the axis, until the ray leaves.
 template <class T>
 std::vector<double> bounces(double distance, double tilt) {
     Pair<T> pair(distance, tilt);
@@ -51,7 +51,7 @@ std::vector<double> bounces(double distance, double tilt) {
     }
     return offsets;
 }
-/// The same by the formula of 1999, with rays that start 1e-4 ahead.
+/// The same by the formula of 1999, with rays that start 1e-4 further on.
 std::size_t naive_bounces(double distance) {
     Pair<float> pair(distance, 0);
     for (int i = 0; i < most; ++i) {
@@ -85,11 +85,11 @@ TEST_CASE("the growth per bounce between two mirror balls, measured beside theor
         CAPTURE(distance);
         const double theory = growth(distance - 2), per_bit = std::log(2) / std::log(theory);
         const auto tilted = bounces<long double>(distance, 1e-12);
-        // Where it has settled, and is not yet so large that spheres are more than their curvature.
+        // After it has settled, and before it is so large that more than the curvature of the spheres matters.
         std::size_t from = 2, to = from;
         while (to + 1 < tilted.size() && tilted[to + 1] < .01) ++to;
         const double measured = std::pow(tilted[to] / tilted[from], 1. / double(to - from));
-        // A ray along the axis would stay for ever: rounding alone drives it out, after (bits) / log2(growth) bounces.
+        // A ray along the axis would stay for ever. Only rounding makes it leave, after (bits) / log2(growth) bounces.
         const auto single = bounces<float>(distance, 0).size(), twice = bounces<double>(distance, 0).size(),
                    extended = bounces<long double>(distance, 0).size(), naive_single = naive_bounces(distance);
         MESSAGE("distance " << distance << ": growth " << measured << ", in theory " << theory

@@ -1,4 +1,4 @@
-// Surfaces in the same place: the one declared first is seen, always.
+// Coincident surfaces: the one declared first is always visible.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 
 const Color red{1, 0, 0}, blue{0, 0, 1};
 
-/// `pairs` balls, each there twice; in the first declared of a pair `first` shows.
+/// `pairs` balls, each twice in the same place; the first declared of a pair has the colour `first`.
 Scene doubled(int pairs, const Color& first, const Color& second, bool far_apart) {
     Stage stage;
     std::vector<std::pair<Sphere, Color>> balls;
@@ -51,8 +51,8 @@ TEST_CASE("equal balls: of two, and of many in a hierarchy, with any threads and
             }
 }
 
-TEST_CASE("taking the last of equals instead, or whichever a hierarchy meets first, is not the same") {
-    // What the rule saves from: the nearest by `<=` is the last declared.
+TEST_CASE("taking the last of equal bodies, or the first in the hierarchy, gives other pictures") {
+    // Without the rule: the nearest by `<=` is the last declared.
     const SphereKernel<float> ball{{0, 0, 0}, 1};
     const Ray<float> ray{{.3f, .2f, -5}, {0, 0, 1}, -1};
     float best = INFINITY;
@@ -62,7 +62,7 @@ TEST_CASE("taking the last of equals instead, or whichever a hierarchy meets fir
     CHECK(naive == 1);
 }
 
-TEST_CASE("equal planes and cans, and the same ball written in three ways") {
+TEST_CASE("equal planes and cylinders, and the same ball written in three ways") {
     const auto only_red = [](const Stage& stage) {
         for (const Precision precision : precisions) {
             const Frame frame = shoot(stage.scene, precision);
@@ -78,7 +78,7 @@ TEST_CASE("equal planes and cans, and the same ball written in three ways") {
                  .put(Sphere{{0, 0, 0}, 1}, glow(red))
                  .put(Sphere{{0, 0, 0}, .5}, glow(blue), {Scale{DVec3(2)}})
                  .put(Sphere{{0, 0, 0}, 1}, glow(blue), {Rotate{{10, 20, 30}}}));
-    // The end of a can in the face of a plane.
+    // The end of a cylinder lies in a plane.
     only_red(Stage()
                  .look({0, 0, -6}, {0, 0, 0}, 20, {0, 1, 0})
                  .put(Cylinder{{.1, .2, 0}, {.1, .2, 1}, 1}, glow(red))
@@ -86,8 +86,8 @@ TEST_CASE("equal planes and cans, and the same ball written in three ways") {
                  .put(Cylinder{{-.1, .2, 0}, {-.1, .2, 2}, .5}, glow(blue)));
 }
 
-TEST_CASE("of two bodies in the same place light and mirrored rays see the first alone") {
-    // Its double, a rounding error before or behind, would be in the way of every second ray.
+TEST_CASE("of two bodies in one place, light and reflected rays see only the first") {
+    // Its duplicate, a rounding error in front or behind, would block every second ray.
     Material shiny = paint({.8, .6, .4});
     shiny.reflection = .5, shiny.specular = .5;
     const Sphere ball{{-1, .3, .1}, .9};
@@ -108,7 +108,7 @@ TEST_CASE("of two bodies in the same place light and mirrored rays see the first
     }
 }
 
-TEST_CASE("glass with water: the wall in common, whichever is declared first, is the same from run to run") {
+TEST_CASE("glass with water: their common surface is the same in every run") {
     for (const bool water_first : {false, true}) {
         Stage stage;
         stage.background({.25, .5, .75}).light({-3, -5, 6});

@@ -13,7 +13,7 @@ using namespace strahl::stability;
 
 namespace {
 
-/// The endless unit cylinder about z, (-b -+ sqrt(b^2 - a c)) / a, and what of it lies between z = 0 and 1.
+/// The infinite unit cylinder about z, (-b -+ sqrt(b^2 - a c)) / a, between z = 0 and 1.
 template <class T>
 T naive_cylinder(const Vec3<T>& o, const Vec3<T>& d) {
     const T a = d.x * d.x + d.y * d.y, b = o.x * d.x + o.y * d.y, c = o.x * o.x + o.y * o.y - 1;
@@ -27,18 +27,18 @@ Span<T> ours(const Vec3<T>& o, const Vec3<T>& d) {
 }
 /// In 113 bits: where the ray enters the unit cylinder, or NaN.
 double exact(const DVec3& o, const DVec3& d) {
-    using Q = __float128;
+    using Q = Quadruple;
     const Q a = Q(d.x) * d.x + Q(d.y) * d.y, b = Q(o.x) * d.x + Q(o.y) * d.y, c = Q(o.x) * o.x + Q(o.y) * o.y - 1;
     const Q discriminant = b * b - a * c;
     if (discriminant <= 0) return NAN;
-    const Q s = sqrtq(discriminant), low = -Q(o.z) / d.z, high = (1 - Q(o.z)) / d.z;
+    const Q s = root(discriminant), low = -Q(o.z) / d.z, high = (1 - Q(o.z)) / d.z;
     const Q near = std::max<Q>((-b - s) / a, std::min(low, high)), far = std::min<Q>((-b + s) / a, std::max(low, high));
     return near < far ? static_cast<double>(near) : NAN;
 }
 
 }  // namespace
 
-TEST_CASE("along the axis the answer is the end, whatever the last bits of the direction") {
+TEST_CASE("a ray along the axis hits the end, whatever the last bits of its direction") {
     int naive_wrong = 0;
     for (const float slip : {0.f, -0.f, 1e-45f, 1e-38f, 1e-30f, 1e-24f, 1e-20f, 1e-15f, 1e-12f, 1e-9f, 1e-7f, 1e-6f})
         for (const float sign : {1.f, -1.f})
@@ -60,7 +60,7 @@ TEST_CASE("along the axis the answer is the end, whatever the last bits of the d
     CHECK(naive_wrong > 0);
 }
 
-TEST_CASE("rays that start on an end, go along the axis, and meet the other end") {
+TEST_CASE("rays that start on an end and go along the axis hit the other end") {
     const CylinderKernel<float> can{{0, 0, 0}, {0, 0, 1}, 1, 1};
     for (const float slip : {0.f, 1e-30f, 1e-12f, 1e-7f}) {
         const Span<float> inwards = can.span(Ray<float>{{.5f, 0, 0}, {slip, 0, 1}, 1}, 1.f);
@@ -85,7 +85,7 @@ TEST_CASE("across the axis, also in the plane of an end") {
     for (const double z : {-1e-300, 1 + 0x1p-52, 2.}) CHECK(!ours<double>({-5, 0, z}, {1, 0, 0}).hit);
 }
 
-TEST_CASE("far cans: hit or miss, and where") {
+TEST_CASE("hit or miss at far cylinders, and where") {
     Dice dice;
     constexpr int rays = 20000;
     int naive_wrong = 0, our_wrong = 0, hits = 0;
@@ -108,7 +108,7 @@ TEST_CASE("far cans: hit or miss, and where") {
     CHECK(our_error < 1e-4);
 }
 
-TEST_CASE("pictures along the axis: a tube's end is round, and there is no number that is none") {
+TEST_CASE("pictures along the axis: a tube's end is round, without NaN") {
     for (const double length : {1e-6, 1., 1e6}) {
         CAPTURE(length);
         Stage stage;

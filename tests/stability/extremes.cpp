@@ -1,4 +1,4 @@
-// Numbers at the ends of what a scene may say: no picture ever holds one that is none.
+// Values at the limits of the scene language: no picture ever contains NaN or infinity.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -22,8 +22,8 @@ void finite_in_all(const Scene& scene, const Shot& shot = {33, 25, 5}) {
 
 }  // namespace
 
-TEST_CASE("a light on, in and within a hair of a surface") {
-    // l is 0 / 0 in the point itself.
+TEST_CASE("a light on, inside and very near to a surface") {
+    // At the light itself l is 0 / 0.
     for (const double x : {0., -1., -1 + 1e-16, -1 - 1e-16, -1 - 1e-300, -.5}) {
         Stage stage;
         Material shiny = paint({1, 1, 1});
@@ -36,18 +36,18 @@ TEST_CASE("a light on, in and within a hair of a surface") {
     }
 }
 
-TEST_CASE("a light in the very point that a ray meets") {
+TEST_CASE("a light exactly at a hit point") {
     Material shiny = paint({1, 1, 1});
     shiny.specular = 1, shiny.pow = 2, shiny.reflection = .5;
     Stage stage;
     stage.light({0, -1, 0}).put(Sphere{{0, 0, 0}, 1}, shiny).look({0, -6, 0}, {0, 0, 0}, 20);
-    // By half a pixel's shift one of the rays goes along the axis exactly, its neighbours in the pack do not.
+    // Shifted by half a pixel, one ray goes exactly along the axis; its neighbours in the pack do not.
     const View view{.camera = stage.scene.camera, .width = 16, .height = 16, .depth = 5, .shift_x = .5, .shift_y = .5};
     for (const Precision precision : precisions) CHECK(not_finite(render(stage.scene, view, precision, 1)) == 0);
 }
 
 TEST_CASE("highlights of every exponent") {
-    CHECK(std::isnan(std::pow(-1e-8, 20.5)));      // the naive way, without a clamp
+    CHECK(std::isnan(std::pow(-1e-8, 20.5)));      // naive: not clamped
     CHECK(std::isinf(std::pow(1.000001f, 1e9f)));  // and with cosines a rounding error above 1
     for (const double pow : {0., 1e-300, .5, 1., 20.5, 1024., 1025., 1e6, 1e9, 1e15}) {
         CAPTURE(pow);
@@ -59,7 +59,7 @@ TEST_CASE("highlights of every exponent") {
             const Frame frame = shoot(stage.scene, precision, {65, 49});
             CHECK(not_finite(frame) == 0);
             for (const double v : frame.rgb) CHECK_UNARY(v >= 0 && v <= 2 * 1.5 + 1e-6);
-            // A highlight adds light, also where the mirrored ray goes away from the lamp.
+            // A highlight never removes light, even where the reflected ray points away from the light.
             Scene dull = stage.scene;
             dull.materials[0].specular = 0;
             const Frame without = shoot(dull, precision, {65, 49});
@@ -70,8 +70,8 @@ TEST_CASE("highlights of every exponent") {
     }
 }
 
-TEST_CASE("a mirrored ray that goes straight into the lamp") {
-    // Its cosine is 1 but for rounding, and 1.0000001 to the power of 1e9 is no highlight any more.
+TEST_CASE("a reflected ray that hits a light") {
+    // Its cosine is 1 up to rounding, and 1.0000001 to the power of 1e9 is not a highlight.
     Dice dice;
     for (int i = 0; i < 100; ++i) {
         const DVec3 eye = dice.direction() * 6.;
@@ -88,7 +88,7 @@ TEST_CASE("sizes and places from the smallest to the largest number a scene may 
         CAPTURE(size);
         Stage stage;
         stage.background({.25, .25, .25});
-        // The camera where it was: the body is a dot or all around.
+        // The camera stays: the body is a dot, or all around.
         Material shiny = paint({.5, .5, .5});
         shiny.reflection = .5, shiny.specular = .5;
         stage.light({-4, -5, 6}).put(Sphere{{0, 0, 0}, size}, shiny).put(Sphere{{.5, 1, 0}, 1}, glass(1.5, .5));
@@ -97,12 +97,12 @@ TEST_CASE("sizes and places from the smallest to the largest number a scene may 
         stage.put(Plane{{0, 0, -size}, {size, 0, -size}, {0, size, -size}}, shiny);
         stage.light({size, size, size}).light({0, -size, 0});
         finite_in_all(stage.scene);
-        // All of it that size, the camera with it.
+        // Everything scaled, the camera included.
         if (size > 1e-300 && size < 1e14) finite_in_all(placed(still_life(), size));
     }
 }
 
-TEST_CASE("everything at one place") {
+TEST_CASE("all bodies at one place") {
     for (const double place : {0., 1e-300, 1., 1e15}) {
         Stage stage;
         stage.look({place, place, place}, {place, place + std::max(1., place), place}, 45);
@@ -112,7 +112,7 @@ TEST_CASE("everything at one place") {
     }
 }
 
-TEST_CASE("stretched out of all proportion") {
+TEST_CASE("extreme scaling") {
     for (const double stretch : {1e-12, 1e-6, 1e6, 1e12})
         for (const int axis : {0, 1, 2}) {
             CAPTURE(stretch);
@@ -130,8 +130,8 @@ TEST_CASE("stretched out of all proportion") {
         }
 }
 
-TEST_CASE("the brightest a file may ask for is still a number, in every precision") {
-    // Products of three: a light, a share and a colour. In float 3.4e38 is the end.
+TEST_CASE("the brightest scene allowed gives finite values in every precision") {
+    // Products of three: a light, a share and a colour. Float ends at 3.4e38.
     const std::string largest = "1e308";
     const auto text = [](const std::string& bright) {
         return "camera { position <0,-6,0> look_at <0,0,0> sky <0,0,1> fov 20 }\n"
@@ -152,7 +152,7 @@ TEST_CASE("the brightest a file may ask for is still a number, in every precisio
     finite_in_all(parse_scene(text("1e9"), "bright.rt"));
 }
 
-TEST_CASE("the largest and smallest index of refraction of a file") {
+TEST_CASE("the largest and smallest index of refraction allowed") {
     const auto text = [](const std::string& ior) {
         return "camera { position <0,-6,0> look_at <0,0,0> sky <0,0,1> fov 20 }\n"
                "sphere { <0,0,0>, 1 material { refraction 1 ior " +
@@ -163,7 +163,7 @@ TEST_CASE("the largest and smallest index of refraction of a file") {
 }
 
 TEST_CASE("glass brighter than white, and total reflection without loss, in float too") {
-    // Naive: products grow past the last number, and infinity times 0 is none.
+    // Naive: products overflow, and infinity times 0 is NaN.
     for (const double bright : {2., 1e9}) {
         Stage stack;
         Material tinted = glass(1);

@@ -1,4 +1,4 @@
-// Glass: nested bodies, bubbles, and total reflection at its very threshold.
+// Glass: nested bodies, bubbles, and the threshold of total reflection.
 #include <doctest/doctest.h>
 
 #include <array>
@@ -29,13 +29,13 @@ Scene under_glass(double angle, double fov) {
 }  // namespace
 
 TEST_CASE("total reflection at its threshold") {
-    // cos = sqrt(5/9), where k = 1 - n^2 (1 - cos^2) is 0: in rounding below, above, or 0.
-    const double critical = std::asin(std::sqrt(5. / 9)) / degree;  // of the ray's rise above the horizon
+    // cos = sqrt(5/9), where k = 1 - n^2 (1 - cos^2) is 0: rounding makes it negative, positive or 0.
+    const double critical = std::asin(std::sqrt(5. / 9)) / degree;  // of the ray above the horizon
     int naive_nan = 0, naive_wrong = 0;
     for (int i = -2000; i <= 2000; ++i) {
         const float cosine = static_cast<float>(std::sqrt(5. / 9)) + static_cast<float>(i) * 6e-8f;
         const float k = 1 - 1.5f * 1.5f * (1 - cosine * cosine);
-        const __float128 exact = 1 - __float128(2.25) * (1 - __float128(cosine) * cosine);
+        const Quadruple exact = 1 - Quadruple(2.25) * (1 - Quadruple(cosine) * cosine);
         naive_nan += std::isnan(std::sqrt(k));
         naive_wrong += (k < 0) != (exact < 0);
     }
@@ -46,17 +46,17 @@ TEST_CASE("total reflection at its threshold") {
             CAPTURE(fov);
             const Frame frame = shoot(under_glass(critical, fov), precision, {65, 49});
             CHECK(not_finite(frame) == 0);
-            // Every pixel is one or the other, no light is lost or doubled.
+            // Every pixel is one or the other; no light is lost or counted twice.
             CHECK(count(frame, {1, 1, 1}) + count(frame, {1, 0, 0}) == 65 * 49);
-            // As narrow as double tells angles apart the threshold is in the middle row.
+            // As long as double resolves the angles, the threshold is in the middle row.
             if (precision == Precision::float32 || fov < 1e-9 || fov > 1) continue;
             CHECK(pixel(frame, 32, 21) == Color(1, 1, 1));
             CHECK(pixel(frame, 32, 27) == Color(1, 0, 0));
         }
 }
 
-TEST_CASE("the last rays that pass glass leave along it") {
-    // Just above the threshold the ray leaves at a grazing angle and must not meet the glass again.
+TEST_CASE("rays at the threshold of total reflection leave along the surface") {
+    // Just above the threshold the ray leaves at a grazing angle and must not hit the glass again.
     const double critical = std::asin(std::sqrt(5. / 9)) / degree;
     for (const double above : {1e-3, 1e-6, 1e-9, 1e-12})
         for (const Precision precision : precisions) {
@@ -67,15 +67,15 @@ TEST_CASE("the last rays that pass glass leave along it") {
 }
 
 TEST_CASE("a bubble of air in glass of water") {
-    // Naive: a surface met from outside is entered from air. Through a ball of index 1.5 with one of 1.2 inside, the
-    // bend at the inner surface is 1.5 / 1.2, not 1 / 1.2.
+    // Naive: a surface hit from outside is entered from air. In a ball of index 1.5 with one of 1.2 inside, the ratio
+    // at the inner surface is 1.5 / 1.2, not 1 / 1.2.
     Stage stage;
     stage.background({.1, .2, .3}).light({-4, -5, 6});
     stage.put(Sphere{{0, 0, 0}, 1}, glass(1.5, .95)).put(Sphere{{.1, -.2, .1}, .6}, glass(1.2, .95));
     stage.put(Sphere{{.2, -.1, .1}, .2}, glass(1., .95)).put(Sphere{{.4, 3, .2}, 1}, paint({.9, .3, .1}));
     stage.put(Plane{{0, 0, -1.5}, {1, 0, -1.5}, {0, 1, -1.5}}, paint({.3, .6, .3}));
     const Referee<long double> exact(stage.scene, stage.scene.camera, 32, 24, 10);
-    // The naive picture: what glass looks like whose inner bodies have the index seen from air, 1.2 * 1.5 and 1.5.
+    // The naive picture equals that of glass whose inner bodies have the indices 1.2 * 1.5 and 1.5.
     Scene naive_scene = stage.scene;
     naive_scene.materials[naive_scene.primitives[1].material].ior = 1.5 * 1.2;
     naive_scene.materials[naive_scene.primitives[2].material].ior = 1.5 * 1.2;
@@ -92,7 +92,7 @@ TEST_CASE("a bubble of air in glass of water") {
     }
 }
 
-TEST_CASE("glass of index 1, or as good as none, bends nothing") {
+TEST_CASE("glass of index 1, or almost 1, does not refract") {
     for (const double ior : {1., 1 + 0x1p-52, 1 - 0x1p-53}) {
         Stage stage;
         stage.background({.5, .5, .5}).put(Sphere{{.3, 3, .2}, .8}, glow({1, .5, .25}));

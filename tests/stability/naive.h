@@ -1,21 +1,10 @@
-// The methods that fail, and an exact one to judge by: textbook formulas for any kind of number, __float128 included.
+// The methods that fail, and an exact one to compare with: textbook formulas for any number type, Quadruple included.
 #pragma once
-#include <quadmath.h>
-
-#include <cmath>
-#include <type_traits>
-
 #include "num/vec.h"
+#include "tests/referee/quadruple.h"
 
 namespace strahl::naive {
 
-template <class T>
-T root(T x) {
-    if constexpr (std::is_same_v<T, __float128>)
-        return sqrtq(x);
-    else
-        return std::sqrt(x);
-}
 template <class T>
 T times(const Vec3<T>& a, const Vec3<T>& b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;
@@ -35,7 +24,7 @@ struct Roots {
     T near = 0, far = 0;
     bool hit = false;
 };
-/// The way of 1999: b^2 - 4ac. In __float128 it has digits enough to be the exact answer to float and double questions.
+/// The formula of 1999: b^2 - 4ac. In Quadruple it is exact enough to judge float and double.
 template <class T>
 Roots<T> sphere(const Vec3<T>& o, const Vec3<T>& d, const Vec3<T>& centre, T radius) {
     const Vec3<T> f = o - centre;
@@ -44,7 +33,7 @@ Roots<T> sphere(const Vec3<T>& o, const Vec3<T>& d, const Vec3<T>& centre, T rad
     const T s = root(discriminant);
     return {(-b - s) / (2 * a), (-b + s) / (2 * a), true};
 }
-/// The same without the second cancellation: the larger root first, the other one from their product.
+/// The same without the second cancellation: the larger root first, the other from their product.
 template <class T>
 Roots<T> stable_sphere(const Vec3<T>& o, const Vec3<T>& d, const Vec3<T>& centre, T radius) {
     const Vec3<T> f = o - centre;
@@ -54,7 +43,7 @@ Roots<T> stable_sphere(const Vec3<T>& o, const Vec3<T>& d, const Vec3<T>& centre
     const T x = q / a, y = c / q;
     return x < y ? Roots<T>{x, y, true} : Roots<T>{y, x, true};
 }
-/// "Geometric", as in the books of the nineties: half the chord from r^2 - (l^2 - d^2).
+/// The "geometric" formula of books of the nineties: half the chord from r^2 - (l^2 - d^2).
 template <class T>
 Roots<T> geometric_sphere(const Vec3<T>& o, const Vec3<T>& d, const Vec3<T>& centre, T radius) {
     const Vec3<T> l = centre - o;
@@ -63,7 +52,7 @@ Roots<T> geometric_sphere(const Vec3<T>& o, const Vec3<T>& d, const Vec3<T>& cen
     return {along - root(half), along + root(half), true};
 }
 
-/// Mirrors d at a surface of normal n.
+/// Reflects d at a surface of normal n.
 template <class T>
 Vec3<T> mirrored(const Vec3<T>& d, const Vec3<T>& n) {
     return d - n * (2 * times(d, n));

@@ -1,4 +1,4 @@
-// The pictures of README.md: at the left what the naive method makes of a scene, at the right what the engine does.
+// The pictures of README.md: the naive method on the left, Strahl on the right.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr int width = 240, height = 180, gap = 4;
 
-/// What is no number is magenta.
+/// NaN is shown in magenta.
 void paste(const Frame& frame, Picture& picture, int at) {
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
@@ -30,7 +30,7 @@ void paste(const Frame& frame, Picture& picture, int at) {
 struct Pair {
     const char* name;
     Scene scene;
-    Precision precision = Precision::float32;  // of ours
+    Precision precision = Precision::float32;  // of Strahl's
     naive::Habits habits{};
     int depth = 6;
 };

@@ -13,7 +13,7 @@ using namespace strahl;
 using namespace strahl::stability;
 
 TEST_CASE("a hit at a grazing angle lies on the plane") {
-    // A pattern asks on which side of the plane a point is: o + t d is now above it, now below.
+    // A pattern depends on the side of the plane that a point is on: o + t d is sometimes above, sometimes below.
     Dice dice;
     const float height = .3f;
     int naive_off = 0, our_off = 0;
@@ -27,7 +27,7 @@ TEST_CASE("a hit at a grazing angle lies on the plane") {
         const PlaneKernel<float> flat{{0, 0, 1}, height};
         const Span<float> span = flat.span(ray, -1.f);
         REQUIRE(span.hit);
-        using Q = __float128;
+        using Q = Quadruple;
         const Q t = (Q(height) - Q(ray.origin.z)) / Q(ray.direction.z);
         our_error = std::max(our_error, std::abs(static_cast<float>((span.near - t) / t)));
         naive_off += ray.origin.z + span.near * ray.direction.z != height;
@@ -40,7 +40,8 @@ TEST_CASE("a hit at a grazing angle lies on the plane") {
 }
 
 TEST_CASE("a plane reaches to the horizon") {
-    // Half a picture of 2e-7 degrees: the plane is first met 5e8 away. A rule like "t > 1e7 is none" loses all of it.
+    // Half of a picture 2e-7 degrees wide: the plane is hit 5e8 away at the nearest. A limit of t < 1e7 loses all of
+    // it.
     Stage stage;
     stage.look({0, 0, 1}, {0, 1, 1}, 1e-7).background({0, 0, 1});
     stage.put(Plane{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, glow({1, 1, 0}));
@@ -53,7 +54,7 @@ TEST_CASE("a plane reaches to the horizon") {
     }
 }
 
-TEST_CASE("a ray within a plane does not meet it") {
+TEST_CASE("a ray within a plane does not hit it") {
     const PlaneKernel<double> plane{{0, 0, 1}, 0};
     for (const double height : {0., -0., 1., -1.})
         for (const double slope : {0., -0.}) {
@@ -61,11 +62,11 @@ TEST_CASE("a ray within a plane does not meet it") {
             CHECK(!std::isfinite(naive_t));
             CHECK(!plane.span(Ray<double>{{1, 2, height}, {1, 0, slope}, -1}, -1.).hit);
         }
-    CHECK(std::isnan((0 - 0.) / 0.));  // what the naive way goes on with
+    CHECK(std::isnan((0 - 0.) / 0.));  // the naive method continues with this
 }
 
-TEST_CASE("an eye in a plane sees through it, and nothing that is no number") {
-    // The middle row looks along the plane exactly.
+TEST_CASE("an eye in a plane sees through it, without NaN") {
+    // The middle row looks exactly along the plane.
     for (const bool tilted : {false, true}) {
         const DVec3 side = tilted ? DVec3{3, 0, 4} : DVec3{1, 0, 0};
         Stage stage;
@@ -85,7 +86,7 @@ TEST_CASE("an eye in a plane sees through it, and nothing that is no number") {
     }
 }
 
-TEST_CASE("a grazing plane far off, in double, is the exact one") {
+TEST_CASE("a far plane at a grazing angle is exact in double") {
     for (const double shift : {1e4, 1e6, 1e8}) {
         CAPTURE(shift);
         Stage stage;

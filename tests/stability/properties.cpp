@@ -1,10 +1,11 @@
-// What a picture must not depend on: the unit of length, where the origin is, left and right, order, lanes, threads.
+// What a picture must not depend on: the unit of length, the origin, mirroring, order, lanes, threads.
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "tests/stability/stage.h"
+#include "tests/unit/levels.h"
 
 using namespace strahl;
 using namespace strahl::stability;
@@ -41,7 +42,7 @@ TEST_CASE("any power of two as the unit of length gives the same bits") {
     }
 }
 
-TEST_CASE("a unit that is no power of two, and the origin anywhere: within the rounding of the scene's own numbers") {
+TEST_CASE("any other unit of length, and any origin: equal up to the rounding of the scene's numbers") {
     const Scene scene = still_life();
     for (const Precision precision : precisions) {
         const Frame frame = shoot(scene, precision);
@@ -50,25 +51,25 @@ TEST_CASE("a unit that is no power of two, and the origin anywhere: within the r
             CAPTURE(factor);
             CHECK(share_apart(shoot(placed(scene, factor), precision), frame, 1e4 * epsilon) < .01);
         }
-        // Numbers of the scene with 2^-6 as their last digit are exact 1e12 away, and so the picture is the same.
+        // Numbers that are multiples of 2^-6 are exact at 1e12, and so the picture is the same.
         for (const DVec3& by : {DVec3{64, 0, 0}, {-4096, 1024, 64}, {1 << 20, 0, -(1 << 20)}, {0x1p40, 0x1p40, 0x1p40}})
             CHECK(shoot(placed(scene, 1, by), precision) == frame);
         for (const double far : {1e4, 1e6, 1e8}) {
             CAPTURE(far);
             const Frame moved = shoot(placed(scene, 1, {far, -far, far}), precision);
             CHECK(not_finite(moved) == 0);
-            // The grid of origins may fall another way, and with it the last bits; 1e8 itself is exact.
+            // Another point of the grid may become the origin, which changes the last bits; 1e8 itself is exact.
             CHECK(share_apart(moved, frame, 1e4 * epsilon) < .01);
         }
     }
 }
 
-TEST_CASE("the naive way: coordinates as they are, in float, 1e6 from the origin, are off by a sixteenth") {
+TEST_CASE("naive: untransformed float coordinates 1e6 from the origin are off by a sixteenth") {
     const float there = 1e6f + .03f;
     CHECK(std::abs((there - 1e6f) - .03f) > .01f);
 }
 
-TEST_CASE("left and right") {
+TEST_CASE("mirror images") {
     const Scene scene = still_life();
     for (const Precision precision : precisions) {
         const Frame frame = shoot(scene, precision, {65, 48}), other = shoot(mirrored(scene), precision, {65, 48});
@@ -77,21 +78,21 @@ TEST_CASE("left and right") {
     }
 }
 
-TEST_CASE("the order of bodies that do not coincide does not matter, nor, but for the last bits, that of lights") {
+TEST_CASE("the order of separate bodies does not matter, nor, except for the last bits, that of lights") {
     const Scene scene = still_life();
     Scene reversed = scene, lights = scene;
     std::ranges::reverse(reversed.primitives);
     std::ranges::reverse(lights.lights);
     for (const Precision precision : precisions) {
         const Frame frame = shoot(scene, precision);
-        // Bodies of one kind keep the order of the products of light that they let through.
+        // Bodies of one kind keep the order in which the light that they transmit is multiplied.
         CHECK(share_apart(shoot(reversed, precision), frame, precision == Precision::float32 ? 1e-6 : 1e-14) == 0);
         CHECK(share_apart(shoot(lights, precision), frame, precision == Precision::float32 ? 1e-6 : 1e-14) == 0);
     }
 }
 
-TEST_CASE("threads, lanes") {
-    // Products of round numbers are exact, and whether they are fused with a sum would not be seen.
+TEST_CASE("the number of threads and lanes does not matter") {
+    // Products of round numbers are exact, and would not show whether they are fused with a sum.
     Scene scene = still_life();
     for (Material& m : scene.materials) m.reflection *= .7, m.refraction *= .9, m.rgb *= .83, m.ior *= 1.01;
     for (Primitive& primitive : scene.primitives) primitive.transformations.push_back(Rotate{{1, 2, 3}});
@@ -99,12 +100,11 @@ TEST_CASE("threads, lanes") {
         const Frame frame = shoot(scene, precision, {.threads = 1, .simd = Simd::scalar});
         for (const int threads : {2, 3, 5})
             CHECK(shoot(scene, precision, {.threads = threads, .simd = Simd::scalar}) == frame);
-        for (const Simd simd : {Simd::v3, Simd::v4})
-            if (supported(simd)) CHECK(shoot(scene, precision, {.simd = simd}) == frame);
+        for (const Simd simd : fused_levels()) CHECK(shoot(scene, precision, {.simd = simd}) == frame);
     }
 }
 
-TEST_CASE("turning the scene and the camera together by a quarter") {
+TEST_CASE("turning scene and camera together by 90 degrees") {
     const Scene scene = still_life();
     Scene turned = scene;
     const auto turn = [](DVec3& p) { p = {-p.y, p.x, p.z}; };
@@ -116,8 +116,8 @@ TEST_CASE("turning the scene and the camera together by a quarter") {
                           precision == Precision::float32 ? 1e-4 : 1e-11) < .005);
 }
 
-TEST_CASE("a scene is as precise as its camera is near") {
-    // In float, at coordinates of 1e4 to 1e8, where the plain way has wrong pixels by the percent.
+TEST_CASE("precision depends on the distance from the camera, not from the origin") {
+    // In float at coordinates of 1e4 to 1e8, where untransformed coordinates give whole percents of wrong pixels.
     const Scene scene = still_life();
     for (const double far : {1e4, 1e6, 1e8}) {
         CAPTURE(far);

@@ -14,7 +14,7 @@ using namespace strahl::stability;
 
 namespace {
 
-/// The engine's answer for one ray.
+/// Strahl's answer for one ray.
 template <class T>
 Span<T> ours(const Vec3<T>& o, const Vec3<T>& d, const Vec3<T>& centre, T radius) {
     return SphereKernel<T>{centre, radius}.span(Ray<T>{o, d, T(-1)}, T(-1));
@@ -28,7 +28,7 @@ struct Ball {
     Vec3<float> o, d;
     float radius;
 };
-/// Radius about 1, 1e3 to 1e5 away, aimed at its outline's surroundings; the centre is 0.
+/// A ball of radius about 1 around 0, and a ray from 1e3 to 1e5 away that passes near its outline.
 Ball far_ball(Dice& dice) {
     const DVec3 o = dice.direction() * std::pow(10, dice(3, 5));
     const DVec3 aim = dice.direction() * dice(0, 1.5) - o;
@@ -36,7 +36,7 @@ Ball far_ball(Dice& dice) {
 }
 
 struct Wrong {
-    int hits = 0;      // hit and miss confused
+    int hits = 0;      // misclassified rays
     double error = 0;  // largest relative error of t
 };
 template <class T, class Method>
@@ -45,7 +45,7 @@ Wrong wrong_answers(int rays, const Method& method) {
     Wrong wrong;
     for (int i = 0; i < rays; ++i) {
         const Ball ball = far_ball(dice);
-        using Q = __float128;
+        using Q = Quadruple;
         const auto exact = naive::sphere<Q>(naive::to<Q>(ball.o), naive::to<Q>(ball.d), Vec3<Q>(Q(0)), ball.radius);
         const auto [near, far, hit] =
             method(naive::to<T>(ball.o), naive::to<T>(ball.d), Vec3<T>(T(0)), static_cast<T>(ball.radius));
@@ -77,7 +77,7 @@ TEST_CASE("the outline of a ball 4096 radii away, in float") {
     CHECK(!ours(outside, z, centre, 1.f).hit);
 }
 
-TEST_CASE("hit or miss, of far balls by chance") {
+TEST_CASE("hit or miss at random far balls") {
     constexpr int rays = 20000;
     const Wrong naive_float = wrong_answers<float>(rays, naive::sphere<float>);
     const Wrong our_float = wrong_answers<float>(rays, ours<float>);
@@ -109,21 +109,21 @@ TEST_CASE("rays one ulp outside a ball miss, one ulp inside they hit, from any d
     CHECK(our_wrong == 0);
 }
 
-TEST_CASE("a ball as large as the earth as the ground") {
-    // Straight down from 1 above radius 1e7; and 1.5 above radius 1e6, down a slope of 1 in 100.
+TEST_CASE("the ground is a ball as large as the earth") {
+    // Straight down from 1 above a ball of radius 1e7; and 1.5 above radius 1e6, down a slope of 1 in 100.
     CHECK(std::abs(naive::stable_sphere<float>({0, 1, 0}, {0, -1, 0}, {0, -1e7f, 0}, 1e7f).near - 1) > .1);
     CHECK(ours<double>({0, 1, 0}, {0, -1, 0}, {0, -1e7, 0}, 1e7).near == doctest::Approx(1).epsilon(1e-9));
     const DVec3 o{0, 1.5, 0}, slope = unit<double>({1, -.01, 0});
     const double naive_t = naive::sphere<float>(naive::to<float>(o), naive::to<float>(slope), {0, -1e6f, 0}, 1e6f).near;
     CHECK(std::abs(naive_t - 151.149755) > .1);
     const Span<double> span = ours(o, slope, {0, -1e6, 0}, 1e6);
-    using Q = __float128;
+    using Q = Quadruple;
     const auto exact = naive::sphere<Q>(naive::to<Q>(o), naive::to<Q>(slope), {0, Q(-1e6), 0}, Q(1e6));
     CHECK(span.near == doctest::Approx(151.149755).epsilon(1e-8));
     CHECK(std::abs(span.near - static_cast<double>(exact.near)) < 1e-6);
 }
 
-TEST_CASE("the picture of a world on a huge ball, in double") {
+TEST_CASE("a picture of a scene on a huge ball, in double") {
     Stage stage;
     stage.look({0, -6, 1}, {0, 0, 0}, 30).light({-5, -5, 9}).background({.2, .3, .5});
     stage.put(Sphere{{0, 0, -1e7 - 1}, 1e7}, paint({.5, .6, .4}));
@@ -136,7 +136,7 @@ TEST_CASE("the picture of a world on a huge ball, in double") {
     CHECK(share_apart(twice, extended, 1e-6) == 0);
 }
 
-TEST_CASE("balls of a millionth, seen through a lens as narrow") {
+TEST_CASE("balls of radius 1e-6 through a narrow lens") {
     constexpr int width = 160, height = 120;
     const double reach = std::tan(.001 * std::numbers::pi / 180), per_pixel = 2 * reach / width;
     for (const double radius : {8e-6, 1.1e-5, 8e-9}) {
@@ -144,7 +144,7 @@ TEST_CASE("balls of a millionth, seen through a lens as narrow") {
         const double distance = radius > 1e-6 ? 1 : 1e-3;
         Stage stage;
         stage.look({0, -distance, 0}, {0, 0, 0}, .001).put(Sphere{{0, 0, 0}, radius}, glow({1, 1, 1}));
-        int right = 0, naive_count = 0;  // naive: half chords below 1e-5 are none
+        int right = 0, naive_count = 0;  // naive: half chords below 1e-5 are ignored
         for (int y = 0; y < height; ++y)
             for (int x = 0; x < width; ++x) {
                 const double l = distance * per_pixel * std::hypot(x - width / 2 + .5, y - height / 2 + .5);

@@ -1,4 +1,4 @@
-// Scenes for the stability suite, and what is asked of their pictures.
+// Scenes for the stability suite, and measures of their pictures.
 #pragma once
 #include <cstdint>
 #include <random>
@@ -10,10 +10,10 @@
 
 namespace strahl::stability {
 
-Material paint(const Color& rgb);              // dull
-Material glow(const Color& rgb);               // shows `rgb` and nothing else, lit or not
-Material mirror(double share);                 // black but for what it mirrors
-Material glass(double ior, double share = 1);  // black but for what passes, filtered by nothing
+Material paint(const Color& rgb);              // matt
+Material glow(const Color& rgb);               // always has the colour `rgb`
+Material mirror(double share);                 // only reflects
+Material glass(double ior, double share = 1);  // only transmits, without colour
 
 /// A scene under construction: eye at (0, -6, 0) looking along +y, z up, no lights, black background.
 struct Stage {
@@ -34,18 +34,18 @@ Frame shoot(const Scene& scene, Precision precision, const Shot& shot = {});
 inline constexpr Precision precisions[]{Precision::float32, Precision::float64, Precision::extended};
 
 Color pixel(const Frame& frame, int x, int y);
-/// How many pixels are exactly of this colour.
+/// The number of pixels of exactly this colour.
 int count(const Frame& frame, const Color& color);
-/// How many channels are NaN or infinite. There may never be any.
+/// The number of channels that are NaN or infinite. It must be 0.
 int not_finite(const Frame& frame);
 /// Share of pixels with a channel that differs by more than `tolerance`.
 double share_apart(const Frame& a, const Frame& b, double tolerance);
 double largest_difference(const Frame& a, const Frame& b);
 
-/// All lengths and places of a scene times `factor`, then moved.
+/// A scene with all lengths and positions multiplied by `factor`, then moved.
 Scene placed(Scene scene, double factor, const DVec3& by = DVec3(0));
 
-/// Many kinds of bodies, materials and lights, at places that are exact in few bits.
+/// Many kinds of bodies, materials and lights, at positions that are exact in few bits.
 Scene still_life();
 
 /// The same numbers on every machine.

@@ -1,4 +1,4 @@
-// Rays that start on surfaces: no ray meets the surface it leaves, none misses what lies close by, at any size.
+// Rays that start on surfaces: at any size none hits the surface it leaves, and none misses what is near.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -15,14 +15,14 @@ using namespace strahl::stability;
 namespace {
 
 struct Wrong {
-    int self = 0, lost = 0;  // mirrored rays that meet the sphere again; refracted ones that miss its far side
+    int self = 0, lost = 0;  // reflected rays that hit the sphere again; refracted ones that miss its far side
 };
 struct Comparison {
     Wrong naive, ours;
-    double chord = 0;  // largest error of our chords, in radii
+    double chord = 0;  // largest error of Strahl's chords, in radii
 };
 
-/// Rays onto a sphere, and on from there: mirrored, and straight on through the inside. Naive: t > 1e-4 counts.
+/// Rays that hit a sphere, and from there a reflected one and one straight through the inside. Naive: t > 1e-4 counts.
 Comparison compare(float size, float shift, int rays) {
     using S = float;
     Dice dice;
@@ -56,12 +56,12 @@ Comparison compare(float size, float shift, int rays) {
 
 }  // namespace
 
-TEST_CASE("a ray leaves the sphere it starts on, and crosses it inside, at every size and far from the origin") {
+TEST_CASE("a ray leaves the sphere it starts on, and crosses it inside, at any size and far from the origin") {
     constexpr int rays = 10000;
     struct {
         float size, shift;
         bool naive_meets_itself, naive_is_lost;
-        double chord;  // our bound: the point's rounding, 6e-8 of its coordinates, in radii
+        double chord;  // bound: the point's rounding, 6e-8 of its coordinates, in radii
     } const cases[]{{1, 0, false, false, 2e-6},    {1, 1e5, true, false, .05},  {1e-6f, 0, false, true, 2e-6},
                     {1e-4f, 0, false, true, 2e-6}, {1e3, 0, true, false, 2e-6}, {1e6, 0, true, false, 2e-6},
                     {1e3, 1e8, true, false, .05}};
@@ -81,7 +81,7 @@ TEST_CASE("a ray leaves the sphere it starts on, and crosses it inside, at every
 }
 
 TEST_CASE("a point of a sphere is not in the sphere's own shadow") {
-    // In the light nothing but the cosine dims a surface: black spots would be the surface's own shadow.
+    // Only the cosine dims a lit surface: black spots would be shadows of the surface on itself.
     for (const double size : {1e-6, 1e-3, 1., 1e3, 1e6})
         for (const double shift : {0., 1e4, 1e8}) {
             CAPTURE(size);
@@ -91,7 +91,7 @@ TEST_CASE("a point of a sphere is not in the sphere's own shadow") {
             const Scene scene = placed(stage.scene, size, DVec3(shift * size));
             for (const Precision precision : precisions) {
                 const Frame frame = shoot(scene, precision);
-                // Light and eye are one: all that is seen is lit, by n.l, down to the outline.
+                // Light and eye are in one place: all that is visible is lit, by n.l, up to the outline.
                 int dark = 0;
                 for (int y = 20; y < 28; ++y)
                     for (int x = 28; x < 36; ++x) dark += !(pixel(frame, x, y).x > .9);
@@ -102,7 +102,7 @@ TEST_CASE("a point of a sphere is not in the sphere's own shadow") {
         }
 }
 
-TEST_CASE("a mirror ball, a glass ball and a can look the same at any size") {
+TEST_CASE("a mirror ball, a glass ball and a cylinder look the same at any size") {
     Stage stage;
     stage.background({.5, .25, .125}).light({-4, -5, 6});
     stage.put(Sphere{{-1.25, 0, 0}, 1}, mirror(.5)).put(Sphere{{1, 0, .25}, .75}, glass(1.5, .75));
@@ -117,16 +117,16 @@ TEST_CASE("a mirror ball, a glass ball and a can look the same at any size") {
     }
 }
 
-TEST_CASE("contact shadows: a thing just above the ground darkens it, however small the gap") {
-    // A flat can over a plane, light straight above. Naive: obstacles nearer than 1e-3 cast none.
+TEST_CASE("contact shadows: a body just above the ground darkens it, at any gap") {
+    // A flat cylinder above a plane, the light straight above. Naive: occluders nearer than 1e-3 cast no shadow.
     for (const double gap : {9e-4, 5e-4, 1e-6, 1e-9}) {
         CAPTURE(gap);
         Stage stage;
         stage.look({0, -.02, .01}, {0, 0, 0}, 12).light({0, 0, 1}).background({0, 0, 1});
         stage.put(Plane{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, paint({1, 1, 1}));
-        stage.put(Cylinder{{0, 0, gap}, {0, 0, gap + 1e-5}, 2e-3}, glass(1, .5));  // seen through, and half a shadow
+        stage.put(Cylinder{{0, 0, gap}, {0, 0, gap + 1e-5}, 2e-3}, glass(1, .5));  // transparent, with half a shadow
         const Frame frame = shoot(stage.scene, Precision::float64, {160, 120});
-        // The eye looks through the can at the plane, and both ways each surface keeps half of the light.
+        // The eye sees the plane through the cylinder; each surface transmits half of the light, in both directions.
         int shadow = 0;
         for (int y = 0; y < 120; ++y)
             for (int x = 0; x < 160; ++x) shadow += std::abs(pixel(frame, x, y).x - 1. / 16) < 1e-3;
@@ -135,9 +135,9 @@ TEST_CASE("contact shadows: a thing just above the ground darkens it, however sm
     }
 }
 
-TEST_CASE("bodies that touch: light in the gap goes as far as it should") {
-    // A ball that lies on a plane and one whose lowest point is 1e-9 above: the point of contact is dark, all else the
-    // light reaches, is lit.
+TEST_CASE("bodies that touch: light enters the gap correctly") {
+    // A ball that lies on a plane, and one whose lowest point is 1e-9 above it: the point of contact is dark, and all
+    // else that the light reaches is lit.
     for (const double gap : {0., 1e-9, 1e-6}) {
         Stage stage;
         stage.look({0, -6, .05}, {0, 0, 0}, 12).light({0, -8, .001});
@@ -146,7 +146,7 @@ TEST_CASE("bodies that touch: light in the gap goes as far as it should") {
         for (const Precision precision : {Precision::float64, Precision::extended}) {
             const Frame frame = shoot(stage.scene, precision, {65, 49});
             CHECK(not_finite(frame) == 0);
-            CHECK(pixel(frame, 32, 40).x > 0);  // the plane before the ball
+            CHECK(pixel(frame, 32, 40).x > 0);  // the plane in front of the ball
         }
         CHECK(share_apart(shoot(stage.scene, Precision::float64), shoot(stage.scene, Precision::extended), 1e-9) <
               .002);

@@ -1,4 +1,4 @@
-// Whitted's tracer as one writes it the first time: textbook formulas, an epsilon, coordinates as they come.
+// Whitted's ray tracer as one writes it the first time: textbook formulas, an epsilon, untransformed coordinates.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -11,11 +11,11 @@
 
 namespace strahl::naive {
 
-/// What this tracer can be told to do better, one thing at a time.
+/// Single improvements of this ray tracer.
 struct Habits {
-    double epsilon = 1e-4;  // rays meet nothing nearer than this
+    double epsilon = 1e-4;  // nearer hits do not count
     int depth = 6;
-    bool asks_for_total_reflection = true;  // before it takes the root
+    bool asks_for_total_reflection = true;  // before the root is taken
 };
 
 template <class T>
@@ -77,7 +77,7 @@ class Whitted {
     std::optional<Hit> nearest(const Vec3<T>& o, const Vec3<T>& d) const {
         Hit best{std::numeric_limits<T>::infinity(), {}, nullptr};
         for (const Primitive& primitive : scene.primitives) {
-            T k = 1;  // the only transformation it knows
+            T k = 1;  // the only transformation supported
             for (const Transformation& step : primitive.transformations)
                 if (const auto* by = std::get_if<Scale>(&step)) k *= static_cast<T>(by->by.x);
             Hit hit = std::visit([&](const auto& shape) { return meet(shape, o / k, d); }, primitive.shape);

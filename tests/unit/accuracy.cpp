@@ -1,4 +1,4 @@
-// The one knob: pictures stay within the error asked for, off the edges, and larger errors cost less.
+// --error: off the edges, pictures stay within the error allowed, and larger errors cost less.
 #include "trace/accuracy.h"
 
 #include <doctest/doctest.h>
@@ -35,9 +35,9 @@ double apart(const Frame& a, const Frame& b, int pixel) {
 
 }  // namespace
 
-// Of the scene's depth: the exact picture of unlimited depth can't be had, and what is past the depth is tested in
+// At the scene's depth: there is no exact picture of unlimited depth. Light past the depth limit is tested in
 // bound.cpp.
-TEST_CASE("no picture is farther from the exact one than was allowed, off the edges") {
+TEST_CASE("off the edges no picture exceeds the error allowed") {
     ThreadPool pool(2), alone(1);
     const std::vector<std::string> paths = scene_names();
     REQUIRE(paths.size() > 50);
@@ -55,9 +55,9 @@ TEST_CASE("no picture is farther from the exact one than was allowed, off the ed
             allowed.depth = accuracy.depth, allowed.error = accuracy.dropped;
             Tracer tracer(scene, accuracy.precision);
             const Counts counts = tracer.trace(allowed, {.columns = columns, .rows = rows}, pool, [](const Tile&) {});
-            if (fewest > 0) CHECK(counts.total() <= fewest + fewest / 50);  // edges fall this way or that
+            if (fewest > 0) CHECK(counts.total() <= fewest + fewest / 50);  // pixels on edges vary
             fewest = counts.total();
-            CHECK(counts.dropped <= accuracy.dropped * (1 + 1e-6));  // they are added up in float
+            CHECK(counts.dropped <= accuracy.dropped * (1 + 1e-6));  // summed in float
             const Frame frame = render(scene, allowed, accuracy.precision, 2);
             Tracer exactly(scene, Precision::float64);
             for (int p = 0; p < columns * rows; ++p)
@@ -68,7 +68,7 @@ TEST_CASE("no picture is farther from the exact one than was allowed, off the ed
     }
 }
 
-TEST_CASE("precision and depth follow from the error, unless they are given") {
+TEST_CASE("precision and depth follow from the error unless given") {
     ThreadPool pool(2);
     const Scene scene = read_scene("article");
     const View view{.camera = scene.camera, .width = 64, .height = 48};
@@ -96,7 +96,7 @@ TEST_CASE("pictures of any size can be sampled") {
     }
 }
 
-TEST_CASE("an edge is a jump, however far from it light changes") {
+TEST_CASE("an edge is a jump, not a gradual change") {
     ThreadPool pool(1);
     const Scene scene = read_scene("crosscheck/highlights");
     const View view{.camera = scene.camera, .width = columns, .height = rows};

@@ -1,4 +1,4 @@
-// Scenes, and how far strahl may be from POV-Ray in each.
+// The scenes, and how far Strahl may differ from POV-Ray in each.
 #pragma once
 #include <fstream>
 #include <map>
@@ -32,7 +32,7 @@ inline std::map<std::string, Allowed> allowed_table() {
     return table;
 }
 
-/// What is wrong with a verdict, or "".
+/// Why a verdict fails, or "".
 inline std::string fault(const Verdict& verdict, const Allowed& allowed) {
     std::ostringstream text;
     if (verdict.worst_off_edges > allowed.steps)
@@ -40,7 +40,7 @@ inline std::string fault(const Verdict& verdict, const Allowed& allowed) {
              << ", y " << verdict.y << "), allowed are " << allowed.steps << "; ";
     if (double(verdict.beyond_off_edges) > allowed.share * double(verdict.pixels))
         text << verdict.beyond_off_edges << " pixels off the edges differ by more than a step; ";
-    // Of a small picture, one pixel may be more than a thousandth.
+    // In a small picture, one pixel may be more than a thousandth.
     if (double(verdict.beyond_on_edges) > std::max(2., 0.001 * double(verdict.pixels)))
         text << verdict.beyond_on_edges << " pixels on edges differ; ";
     return text.str();

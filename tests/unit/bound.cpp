@@ -1,4 +1,4 @@
-// The bound on what rays can still add: what it promises is held against pictures with and without those rays.
+// The bound on what rays can still contribute, compared with pictures with and without those rays.
 #include "trace/bound.h"
 
 #include <doctest/doctest.h>
@@ -29,7 +29,7 @@ double difference(const Frame& a, const Frame& b) {
     for (std::size_t i = 0; i < a.rgb.size(); ++i) most = std::max(most, std::abs(a.rgb[i] - b.rgb[i]));
     return most;
 }
-/// Rounding is not the bound's business.
+/// The bound does not include rounding.
 constexpr double rounding = 1e-9;
 
 struct Traced {
@@ -50,7 +50,7 @@ void hold(const Scene& scene, int depth) {
     const auto [all, everything] = trace(scene, depth);
     const Frame deeper = trace(scene, depth + 3).frame;
     CHECK(brightest(all) <= bound_for(scene, depth).brightest.back() + rounding);
-    const double past = everything.lost();  // nothing else is left out then
+    const double past = everything.lost();  // nothing else is omitted then
     CHECK(difference(deeper, all) <= past + rounding);
     for (const double error : {1e-1, 1e-2, 1e-3, 1e-4}) {
         CAPTURE(error);
@@ -64,7 +64,7 @@ void hold(const Scene& scene, int depth) {
 
 }  // namespace
 
-TEST_CASE("no more light is missing than the bound says") {
+TEST_CASE("no more radiance is lost than the bound says") {
     for (int seed = 0; seed < 40; ++seed) {
         CAPTURE(seed);
         hold(random_scene(seed, {.camera_inside = seed % 4 == 3}), 1 + seed % 5);
@@ -75,7 +75,7 @@ TEST_CASE("no more light is missing than the bound says") {
     }
 }
 
-TEST_CASE("glass that brightens the light going through it") {
+TEST_CASE("glass that brightens light") {
     Scene scene;
     scene.camera = {{0, -6, 2}, {0, 0, 0}, {0, 0, -1}, 20, {}};
     scene.lights = {{{0, 0, 5}, {1, 1, 1}}};
@@ -89,7 +89,7 @@ TEST_CASE("glass that brightens the light going through it") {
     CHECK(std::isinf(counts.lost()));
 }
 
-TEST_CASE("a larger error allows fewer rays, and none allows all") {
+TEST_CASE("a larger error needs fewer rays, and error 0 traces all") {
     const Scene scene = facing_mirrors();
     const View view = view_of(scene, 20);
     Tracer tracer(scene, Precision::float64);

@@ -1,4 +1,4 @@
-// The comparison of pictures: every figure against one worked out by hand.
+// The comparison of pictures: every figure is compared with one computed by hand.
 #include "image/compare.h"
 
 #include <doctest/doctest.h>
@@ -63,7 +63,7 @@ TEST_CASE("neighbouring 8-bit codes are never beyond 1/255") {
     CHECK(compare(a, c, 0).share_beyond_8bit == 1);
 }
 
-TEST_CASE("not a number is infinitely far from every number") {
+TEST_CASE("NaN differs infinitely from every number") {
     const Picture a = flat(2, 1, 3, .5);
     Picture b = a;
     b.values[4] = nan;
@@ -91,7 +91,7 @@ TEST_CASE("alpha counts only if both have it") {
     CHECK_THROWS_AS(heatmap(rgb, flat(3, 2, 3, .5)), FileError);
 }
 
-TEST_CASE("the heat map grows brighter with the difference") {
+TEST_CASE("the heat map is brighter for larger differences") {
     const std::vector<double> differences{1e-9, 1 / 65535., 1e-3, .01, .1, 1, 7};
     Picture a = flat(7, 1, 1, 0), b = a;
     b.values = differences;

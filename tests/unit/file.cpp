@@ -50,7 +50,7 @@ class FileSizeLimit {
     void (*old_action)(int) = SIG_DFL;
 };
 
-TEST_CASE("a file holds the bytes, and nothing else is left in the folder") {
+TEST_CASE("a file holds the bytes, and no other file is left in the folder") {
     const Scratch folder;
     const std::string bytes("a\0b\n\xff", 5);
     write_file(folder / "new", "older and longer");
@@ -61,7 +61,7 @@ TEST_CASE("a file holds the bytes, and nothing else is left in the folder") {
     CHECK(folder.files() == 2);
 }
 
-TEST_CASE("an older file survives a write that fails half-way") {
+TEST_CASE("an older file survives a write that fails halfway") {
     const Scratch folder;
     write_file(folder / "file", "old");
     std::string fault;
@@ -75,7 +75,7 @@ TEST_CASE("an older file survives a write that fails half-way") {
     CHECK(folder.files() == 1);
 }
 
-TEST_CASE("permissions: the umask's for a new file, its own for an old one, and none is overruled") {
+TEST_CASE("permissions: the umask's for a new file, unchanged for an old one, and respected") {
     const Scratch folder;
     const mode_t umask = ::umask(027);
     write_file(folder / "new", "x");
@@ -113,7 +113,7 @@ TEST_CASE("devices and pipes are written to, not replaced") {
     CHECK(std::filesystem::is_character_file("/dev/full"));
 }
 
-TEST_CASE("impossible places are named, with advice") {
+TEST_CASE("impossible paths are reported with advice") {
     const Scratch folder;
     CHECK(says(fault_of(folder / "no/file"), "folder does not exist"));
     CHECK(says(fault_of(folder / ""), "it is a folder"));

@@ -1,10 +1,10 @@
-// Camera, hands, flights and commands, without a window.
+// Camera, input, flights and commands, without a window.
 #include <doctest/doctest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "num/lanes.h"
+#include "num/vec_math.h"
 #include "show/controls.h"
 #include "show/session.h"
 #include "text/parse.h"
@@ -16,7 +16,6 @@ namespace {
 
 const Camera camera{{5, -20, 18}, {0, 0, 0}, {0, 0, -1}, 25, {}};
 
-double length(const DVec3& v) { return std::hypot(v.x, v.y, v.z); }
 double distance(const DVec3& a, const DVec3& b) { return length(a - b); }
 const DVec3 sky{0, 0, 1};
 
@@ -33,9 +32,9 @@ const std::string path_text =
 TEST_CASE("flying keeps the direction, and goes where the picture's axes point") {
     const CameraFrame frame = frame_of(camera, 1);
     for (int axis = 0; axis < 3; ++axis) {
-        Hands hands;
-        hands.push[axis] = 2;
-        const Camera moved = fly(camera, hands);
+        CameraInput input;
+        input.push[axis] = 2;
+        const Camera moved = fly(camera, input);
         const DVec3 way = moved.position - camera.position;
         const DVec3 expected = axis == 0 ? frame.right : axis == 1 ? sky : frame.forward;
         CHECK(distance(way, expected * 2.) < 1e-12);
@@ -44,17 +43,17 @@ TEST_CASE("flying keeps the direction, and goes where the picture's axes point")
     CHECK(fly(camera, {}) == camera);
 }
 
-TEST_CASE("turning keeps the position, the distance looked over, and a level horizon") {
+TEST_CASE("turning keeps the position, the distance to look_at, and a level horizon") {
     const CameraFrame before = frame_of(camera, 1);
     const Camera turned = fly(camera, {.right = 0.1, .upwards = 0.05});
     const CameraFrame after = frame_of(turned, 1);
     CHECK(turned.position == camera.position);
     CHECK(turned.up == camera.up);
     CHECK(std::abs(distance(turned.position, turned.look_at) - distance(camera.position, camera.look_at)) < 1e-9);
-    CHECK(dot(after.forward, before.right) > 0.01);
+    CHECK(dot_product(after.forward, before.right) > 0.01);
     CHECK(after.forward.z > before.forward.z + 0.03);
     CHECK(std::abs(std::asin(after.forward.z) - std::asin(before.forward.z) - 0.05) < 1e-9);
-    // Straight up is never reached, and back is the way that it came.
+    // Straight up is never reached, and the way back is the same.
     Camera up = camera;
     for (int i = 0; i < 100; ++i) up = fly(up, {.upwards = 0.1});
     CHECK(degenerate(up) == nullptr);
@@ -62,12 +61,12 @@ TEST_CASE("turning keeps the position, the distance looked over, and a level hor
     CHECK(distance(fly(turned, {.right = -0.1, .upwards = -0.05}).look_at, camera.look_at) < 1e-9);
 }
 
-TEST_CASE("orbiting keeps what is looked at, and the distance but for pushes") {
+TEST_CASE("orbiting keeps look_at, and the distance unless pushed") {
     const double away = distance(camera.position, camera.look_at);
     const CameraFrame frame = frame_of(camera, 1);
     const Camera right = orbit(camera, {.push = {0.1, 0, 0}});
     CHECK(right.look_at == camera.look_at);
-    CHECK(dot(right.position - camera.position, frame.right) > 0.5);
+    CHECK(dot_product(right.position - camera.position, frame.right) > 0.5);
     CHECK(std::abs(distance(right.position, right.look_at) - away) < 1e-9);
     CHECK(orbit(camera, {.push = {0, 0.1, 0}}).position.z > camera.position.z + 0.5);
     const Camera near = orbit(camera, {.push = {0, 0, std::log(2)}});
@@ -75,13 +74,13 @@ TEST_CASE("orbiting keeps what is looked at, and the distance but for pushes") {
     Camera all_around = camera;
     for (int i = 0; i < 8; ++i) all_around = orbit(all_around, {.right = std::numbers::pi / 4});
     CHECK(distance(all_around.position, camera.position) < 1e-9);
-    // However near: a picture remains.
+    // At any distance the camera stays valid.
     Camera nearest = camera;
     for (int i = 0; i < 1000; ++i) nearest = orbit(nearest, {.push = {0, 0, 1}});
     CHECK(degenerate(nearest) == nullptr);
 }
 
-TEST_CASE("keys push while they are down, and a tap for one moment") {
+TEST_CASE("keys push while they are down; a tap pushes once") {
     Controls controls;
     CHECK(!controls.active(0));
     controls.press(Push::forward, 1);
@@ -89,7 +88,7 @@ TEST_CASE("keys push while they are down, and a tap for one moment") {
     CHECK(controls.active(1.02));
     CHECK(controls.take(0.02, 1.02).push == DVec3(0, 0, 0.02));
     CHECK(!controls.active(1.03));
-    CHECK(controls.take(0.02, 1.04) == Hands{});
+    CHECK(controls.take(0.02, 1.04) == CameraInput{});
 
     controls.press(Push::left, 2);
     controls.press(Push::up, 2);
@@ -99,12 +98,12 @@ TEST_CASE("keys push while they are down, and a tap for one moment") {
     CHECK(controls.take(0.02, 2.5).push.x == 0);
 }
 
-TEST_CASE("the key back is a tap or a push, never both") {
+TEST_CASE("the key back is either a tap or a push") {
     Controls controls;
     controls.press(Push::back, 1);
-    CHECK(controls.take(0.02, 1.1) == Hands{});
+    CHECK(controls.take(0.02, 1.1) == CameraInput{});
     CHECK(controls.release(Push::back, 1.15));
-    CHECK(controls.take(0.02, 1.16) == Hands{});
+    CHECK(controls.take(0.02, 1.16) == CameraInput{});
     CHECK(!controls.active(1.16));
 
     controls.press(Push::back, 2);
@@ -118,17 +117,17 @@ TEST_CASE("the key back is a tap or a push, never both") {
     CHECK(!controls.release(Push::back, 3.03));  // was not down
 }
 
-TEST_CASE("what the mouse has turned is taken once") {
+TEST_CASE("a turn of the mouse is taken once") {
     Controls controls;
     controls.drag(0.1, -0.2, 1);
     controls.drag(0.1, 0, 1.01);
     CHECK(controls.active(1.05));
-    CHECK(controls.take(0.02, 1.05) == Hands{.right = 0.2, .upwards = -0.2});
-    CHECK(controls.take(0.02, 1.06) == Hands{});
+    CHECK(controls.take(0.02, 1.05) == CameraInput{.right = 0.2, .upwards = -0.2});
+    CHECK(controls.take(0.02, 1.06) == CameraInput{});
     CHECK(!controls.active(1.2));
 }
 
-TEST_CASE("a flight follows the clock, whatever the rate, and can be held") {
+TEST_CASE("a flight follows the clock at any frame rate and can be paused") {
     Session session(scene_of(path_text));
     session.perform({Action::play}, 10);
     CHECK(session.under_way());
@@ -153,7 +152,7 @@ TEST_CASE("a flight follows the clock, whatever the rate, and can be held") {
     CHECK(session.flight_time(50) == 0.5);
 }
 
-TEST_CASE("a flight can begin at any time") {
+TEST_CASE("a flight can start at any moment") {
     Session session(scene_of(path_text));
     CHECK(session.go_to(2.5, 7));
     CHECK(session.paused());
@@ -161,7 +160,7 @@ TEST_CASE("a flight can begin at any time") {
     CHECK(!Session(scene_of("")).go_to(1, 0));
 }
 
-TEST_CASE("without a flythrough it goes around what the scene shows") {
+TEST_CASE("without a flythrough the flight orbits the scene") {
     Session session(scene_of(""));
     session.perform({Action::play}, 0);
     CHECK(distance(session.camera.position, camera.position) < 1e-9);
@@ -179,7 +178,7 @@ TEST_CASE("without a flythrough it goes around what the scene shows") {
     CHECK(distance(session.camera.position, camera.position) < 1e-6);
 }
 
-TEST_CASE("recorded keys make a path that can be pasted, and flown") {
+TEST_CASE("recorded keys make a path that can be pasted and flown") {
     Session session(scene_of(""));
     CHECK(session.perform({Action::record}, 0).print == "");
     session.steer({.push = {0, 0, 0.1}}, 1);
@@ -208,7 +207,7 @@ TEST_CASE("cameras are stored, recalled and printed") {
     CHECK(session.camera == camera);
 }
 
-TEST_CASE("depth and resolution stay within their bounds") {
+TEST_CASE("depth and resolution stay within their limits") {
     Session session(scene_of("global_settings { max_trace_level 2 }"));
     CHECK(session.depth() == 2);
     for (int i = 0; i < 5; ++i) session.perform({Action::shallower}, 0);
@@ -220,7 +219,7 @@ TEST_CASE("depth and resolution stay within their bounds") {
     CHECK(session.finest == finest_level);
 }
 
-TEST_CASE("a changed file keeps the camera that was flown to, unless its own camera changed") {
+TEST_CASE("after a change of the file the camera stays, unless the file's camera changed") {
     Session session(scene_of(""));
     session.steer({.push = {1, 0, 0}}, 0);
     const Camera there = session.camera;
@@ -236,7 +235,7 @@ TEST_CASE("a changed file keeps the camera that was flown to, unless its own cam
     CHECK(session.camera == camera);
 }
 
-TEST_CASE("a flight goes on along the changed path") {
+TEST_CASE("a flight continues along the changed path") {
     Session session(scene_of(path_text));
     session.perform({Action::play}, 0);
     auto other = std::make_shared<Scene>(*session.scene);
@@ -249,14 +248,14 @@ TEST_CASE("a flight goes on along the changed path") {
     CHECK(!session.flying());
 }
 
-TEST_CASE("a pause is at a moment that can be told") {
+TEST_CASE("a pause is at a time with few digits") {
     Session session(scene_of(path_text));
     session.perform({Action::play}, 0);
     CHECK(session.perform({Action::pause}, 1.23456).note == "paused at 1.235 s");
     CHECK(session.camera == camera_at(*session.scene->flythrough, session.scene->camera, 1.235));
 }
 
-TEST_CASE("a recorded path makes room for one that was pasted into the file") {
+TEST_CASE("a recorded path is dropped when one is pasted into the file") {
     Session session(scene_of(""));
     for (int i = 0; i < 2; ++i) {
         session.perform({Action::record}, i);

@@ -1,4 +1,4 @@
-// The hierarchy of many bodies, and bodies declared twice: made by any number of threads, and by the plain way.
+// The hierarchy of many bodies, and duplicates: built by any number of threads, and compared with a plain search.
 #include "trace/hierarchy.h"
 
 #include <doctest/doctest.h>
@@ -18,7 +18,7 @@ using namespace strahl;
 
 namespace {
 
-/// Large enough for all threads to share the topmost nodes, and clustered: some cuts are lopsided, some boxes equal.
+/// Large enough for all threads to share the topmost nodes, and clustered: some splits are lopsided, some boxes equal.
 std::vector<ItemBox> clustered_boxes(int count) {
     std::mt19937 random(7);
     std::vector<ItemBox> boxes(count);
@@ -48,7 +48,7 @@ bool holds(const Node& node, int child, const ItemBox& box, float margin) {
 
 }  // namespace
 
-TEST_CASE("every item is in one leaf of items of its form, and every box around it holds it and the margin") {
+TEST_CASE("every item is in one leaf of items of its form, and all boxes around it contain it with the margin") {
     for (const int count : {1, 2, 17, 300, 60000}) {
         const std::vector<ItemBox> boxes = clustered_boxes(count);
         const float margin = .25f;
@@ -101,7 +101,7 @@ TEST_CASE("the hierarchy does not depend on the number of threads") {
     }
 }
 
-TEST_CASE("duplicates are what was declared before, and nothing else") {
+TEST_CASE("duplicates are exactly the bodies that were declared before") {
     using Ball = Item<Form<Sphere, 0>, float>;
     std::mt19937 random(3);
     std::vector<Ball> balls(20000);

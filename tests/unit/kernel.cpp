@@ -1,4 +1,4 @@
-// The engine against the referee: every precision on every instruction set, on scenes made by hand and by chance.
+// Comparison with the referee: every precision and SIMD level, on scenes made by hand and random ones.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -10,22 +10,23 @@
 #include "tests/referee/examples.h"
 #include "tests/referee/random_scene.h"
 #include "tests/referee/referee.h"
+#include "tests/unit/levels.h"
 #include "trace/tracer.h"
 
 using namespace strahl;
 
 namespace {
 
-// Odd, so that a middle row and column look exactly along axes where the camera does (of 11 rows the middle one is a
-// last bit beside it in double, and where it is the horizon of a plane, rounding decides all of it).
+// Odd, so that the middle row and column look exactly along axes if the camera does (of 11 rows, the middle one is off
+// by a last bit in double, and if the horizon of a plane is there, rounding decides the whole row).
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr int columns = 17, rows = 9, random_scenes = 8;
 #else
 constexpr int columns = 49, rows = 37, random_scenes = 120;
 #endif
 
-/// A value may be off by `tolerance`. A pixel that is off by more must be one that a shift by `reach` pixels explains:
-/// an edge, or a place where the picture varies so fast; and only `share` of the pixels may need that excuse.
+/// A value may be off by `tolerance`. A pixel that is off by more must be explained by a shift of `reach` pixels: an
+/// edge, or a place where the picture changes fast. Only `share` of the pixels may need this explanation.
 struct Bounds {
     double tolerance, reach, share;
 };
@@ -48,7 +49,7 @@ Pixels pixels(const Referee<long double>& referee) {
     return list;
 }
 
-/// How a frame fares before the referee.
+/// Comparison of a frame with the referee.
 struct Verdict {
     int excused = 0, wrong = 0;
     std::string first;  // of the wrong ones
@@ -74,17 +75,10 @@ Verdict judge(const Frame& frame, const Referee<long double>& referee, const Pix
     return verdict;
 }
 
-std::vector<Simd> levels() {
-    std::vector<Simd> list{Simd::scalar};
-    for (const Simd simd : {Simd::v2, Simd::v3, Simd::v4})
-        if (supported(simd)) list.push_back(simd);
-    return list;
-}
-
 struct Tally {
     long pixels = 0, excused = 0;
 };
-/// All paths through the engine on one scene; scalar, v3 and v4 must give the same bits.
+/// Traces one scene in every way; those of fused_levels() must give the same bits.
 void hold(const Scene& scene, int depth, std::array<Tally, 3>& tally) {
     const Referee<long double> referee(scene, scene.camera, columns, rows, depth);
     const Pixels truth = pixels(referee);
@@ -92,14 +86,14 @@ void hold(const Scene& scene, int depth, std::array<Tally, 3>& tally) {
     for (const Precision precision : {Precision::float32, Precision::float64, Precision::extended}) {
         const Bounds allowed = bounds(precision);
         Frame scalar;
-        for (const Simd simd : levels()) {
+        for (const Simd simd : all_levels()) {
             if (precision == Precision::extended && simd != Simd::scalar) continue;
             CAPTURE(std::string(name(precision)));
             CAPTURE(std::string(name(simd)));
             const Frame frame = render(scene, view, precision, 2, simd);
             REQUIRE(frame.rgb.size() == 3u * columns * rows);
             if (simd == Simd::scalar) scalar = frame;
-            if (simd == Simd::v3 || simd == Simd::v4) {
+            if (simd != Simd::scalar && simd != Simd::v2) {
                 CHECK(std::memcmp(frame.rgb.data(), scalar.rgb.data(), 8 * frame.rgb.size()) == 0);
                 continue;
             }
@@ -130,7 +124,7 @@ TEST_CASE("scenes made by hand") {
     conclude(tally);
 }
 
-TEST_CASE("scenes made by chance") {
+TEST_CASE("random scenes") {
     std::array<Tally, 3> tally;
     for (int seed = 0; seed < random_scenes; ++seed) {
         CAPTURE(seed);

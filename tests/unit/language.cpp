@@ -1,4 +1,4 @@
-// The scene language: what may be written, and what is said about everything else, with its place.
+// The scene language: valid scenes, and the messages and places of errors.
 #include <doctest/doctest.h>
 #include <unistd.h>
 
@@ -45,7 +45,7 @@ std::vector<std::string> lines(const std::string& text) {
             result.back() += c;
     return result;
 }
-/// The lines of a message that name a place: without the quoted lines and carets.
+/// The lines of a message that name a place, without quoted lines and carets.
 std::vector<std::string> faults(const std::string& text) {
     std::vector<std::string> result;
     for (const std::string& line : lines(message(text)))
@@ -54,7 +54,7 @@ std::vector<std::string> faults(const std::string& text) {
 }
 using Faults = std::vector<std::string>;
 
-/// Checks the one fault of `text`, which follows a good camera of one line.
+/// Checks the only error of `text`, which follows a valid camera of one line.
 void check_fault(const std::string& text, const std::string& fault) {
     CAPTURE(text);
     CHECK(faults(eye + text) == Faults{"x.rt:" + fault});
@@ -113,7 +113,7 @@ plane
     CHECK(!scene.flythrough);
 }
 
-TEST_CASE("everything beyond the article") {
+TEST_CASE("everything that the article does not have") {
     const Scene scene = parse(R"(
         background { color <.1, .2, .3> }
         global_settings { ambient_light <1, 2, 3> max_trace_level 256 assumed_gamma 1 }
@@ -131,7 +131,7 @@ TEST_CASE("everything beyond the article") {
         Flythrough{12, true, {{0, {0, -9, 0}, {0, 0, 0}, {}, {}}, {4, {1, -9, 0}, {0, 0, 1}, 45., DVec3(-1, 0, -1)}}});
 }
 
-TEST_CASE("materials start from the default in force, and are listed once in the order of use") {
+TEST_CASE("materials start from the default in force; no duplicates, in the order of use") {
     const Scene scene = with_eye(R"(
         sphere { <0,0,0>, 1 }
         defaultmaterial { diffuse .1 ior 2 }
@@ -151,7 +151,7 @@ TEST_CASE("materials start from the default in force, and are listed once in the
     CHECK(scene.materials.size() == 4);
 }
 
-TEST_CASE("transformations keep their order, also with a material between") {
+TEST_CASE("transformations keep their order, even with a material between them") {
     const Scene scene =
         with_eye("sphere { <0,0,0>, 1 scale 2 rotate <1,2,3> material { } translate <4,5,6> scale <1,2,-3> }");
     CHECK(scene.primitives[0].transformations ==
@@ -179,19 +179,19 @@ TEST_CASE("numbers as in C, commas, comments and white space") {
     CHECK(parse("\xEF\xBB\xBF" + eye).lights.empty());  // a byte order mark
 }
 
-TEST_CASE("a fault is quoted with a caret under it") {
+TEST_CASE("an error is quoted with a caret under it") {
     CHECK(message(eye + "sphere { <0,0,0>, 1 }\nshpere { <0,0,0>, 1 }\n") ==
           "x.rt:3:1: unknown word 'shpere'; did you mean 'sphere'?\n"
           "    shpere { <0,0,0>, 1 }\n"
           "    ^~~~~~");
-    // Columns count characters; the caret minds tabs, wide letters and combining marks.
+    // Columns count characters; the caret is right after tabs, wide letters and combining marks.
     CHECK(message(eye + "/* \xC3\xA4\xE6\x97\xA5"
                         "a\xCC\x88 */\tsphere { <0,0,0>, -1 }") ==
           "x.rt:2:30: 'radius' of 'sphere' must be greater than 0 (at least 2.3e-308) and at most 1e15, not '-1'\n"
           "    /* \xC3\xA4\xE6\x97\xA5"
           "a\xCC\x88 */    sphere { <0,0,0>, -1 }\n"
           "                                    ^~");
-    // Nothing that steers a terminal gets through.
+    // No control character reaches the terminal.
     CHECK(
         message(eye + "/*\x1B[31m\xC2\x9B\xE2\x80\xAE*/ x\r\n") ==
         "x.rt:2:13: unknown word 'x'; known here: camera, light, sphere, plane, cylinder, defaultmaterial, background, "
@@ -200,7 +200,7 @@ TEST_CASE("a fault is quoted with a caret under it") {
         "                ^");
 }
 
-TEST_CASE("long lines are shown around the fault") {
+TEST_CASE("long lines are shown around the error") {
     const std::string spheres(7000, ' ');
     const std::vector<std::string> told = lines(message(eye + spheres + "shpere" + spheres));
     REQUIRE(told.size() == 3);
@@ -230,7 +230,7 @@ TEST_CASE("the nearest known word is offered") {
                 "2:21: unknown word 'pigment' in 'sphere'; known here: material, rotate, translate, scale");
 }
 
-TEST_CASE("what is missing") {
+TEST_CASE("missing parameters") {
     CHECK(faults("") == Faults{"x.rt:1:1: no camera: a scene needs one 'camera { ... }'"});
     CHECK(message("sphere { <0,0,0>, 1 }\n\n") ==
           "x.rt:1:22: no camera: a scene needs one 'camera { ... }'\n"
@@ -256,7 +256,7 @@ TEST_CASE("what is missing") {
                 "2:18: a vector <x, y, z> expected for 'position' of 'light', but here comes '5'");
 }
 
-TEST_CASE("what is not well-formed") {
+TEST_CASE("syntax errors") {
     check_fault("sphere <0,0,0>, 1", "2:8: '{' expected after 'sphere', but here comes '<'");
     check_fault("sphere { <0 0,0>, 1 }",
                 "2:13: ',' expected between the three numbers of a vector, but here comes '0'");
@@ -290,7 +290,7 @@ TEST_CASE("what is not well-formed") {
     check_fault("sphere", "2:7: '{' expected after 'sphere', but the text ends");
 }
 
-TEST_CASE("what is out of range") {
+TEST_CASE("values out of range") {
     check_fault("sphere { <0,0,0>, 0 }",
                 "2:19: 'radius' of 'sphere' must be greater than 0 (at least 2.3e-308) and at most 1e15, not '0'");
     check_fault("sphere { <0,0,0>, 1e-310 }",
@@ -330,13 +330,13 @@ TEST_CASE("what is out of range") {
     CHECK(faults("camera { position <0,0,0> look_at <0,1,0> up <0,0,-1> fov 1 aspectratio 0 }") ==
           Faults{"x.rt:1:73: 'aspectratio' of 'camera' must be from 1e-9 to 1e9, not '0'"});
     CHECK(parse("camera { position <0,0,0> look_at <0,1,0> up <0,0,-1> fov 89.99999999999999 }").camera.fov < 90);
-    // A wrong value does not hide what is missing.
+    // A wrong value does not hide a missing parameter.
     CHECK(faults("camera { position <0,0,0> look_at <0,1,0> fov 95 }") ==
           Faults{"x.rt:1:1: 'camera' lacks 'up' (or 'sky')",
                  "x.rt:1:47: 'fov' of 'camera' must be greater than 0 and less than 90 degrees, not '95'"});
 }
 
-TEST_CASE("what is said twice") {
+TEST_CASE("repeated words") {
     check_fault(eye, "2:1: a second 'camera'; the first is in line 1");
     check_fault("background { color <0,0,0> }\n\nbackground { color <0,0,0> }",
                 "4:1: a second 'background'; the first is in line 2");
@@ -358,7 +358,7 @@ TEST_CASE("what is said twice") {
                  "x.rt:2:13: 'angle' says again what 'fov' in line 1 says; only one of them may stand"});
 }
 
-TEST_CASE("bodies and cameras that are none") {
+TEST_CASE("invalid bodies and cameras") {
     check_fault("plane { <0,0,0>, <1,1,1>, <3,3,3> }", "2:1: this plane is none: the three points lie on one line");
     check_fault("cylinder { <1,2,3>, <1,2,3>, 1 }", "2:1: this cylinder is none: base and cap are the same point");
     check_fault("sphere { <0,0,0>, 1 scale 0 }",
@@ -388,7 +388,7 @@ TEST_CASE("bodies and cameras that are none") {
           Faults{"x.rt:1:1: this camera sees nothing: up is parallel to the direction from position to look_at"});
 }
 
-TEST_CASE("flythroughs that can't be flown") {
+TEST_CASE("invalid flythroughs") {
     const auto path = [](const std::string& head, const std::string& first, const std::string& second) {
         return "flythrough { " + head + "\nkey { position <0,0,0> look_at <1,0,0> time " + first +
                " }\nkey { position <0,0,0> look_at <1,1,0> time " + second + " } }";
@@ -416,7 +416,7 @@ TEST_CASE("flythroughs that can't be flown") {
             "x.rt:3:1: the camera sees nothing at this key: up is parallel to the direction from position to look_at"});
 }
 
-TEST_CASE("several faults are told at once, each once, in the order of the text") {
+TEST_CASE("several errors are reported at once, each once, in the order of the text") {
     CHECK(faults("camera { positon <0,-9,0> lok_at <0,0,0> up <0,0,-1> fov 25 }\n"
                  "shpere { <0,0,0>, 1 }\n"
                  "palne { <0,0,0>, { } }\n"
@@ -440,7 +440,7 @@ TEST_CASE("several faults are told at once, each once, in the order of the text"
     CHECK(told[10] == "x.rt: there may be more; these are the first 10");
 }
 
-TEST_CASE("text that is no text") {
+TEST_CASE("files that are not text") {
     CHECK(faults("// \xE4\n") == Faults{"x.rt:1:4: not UTF-8; save the file in that encoding"});
     CHECK(faults(std::string("camera \0{", 9)) == Faults{"x.rt:1:8: a byte 0 in the text; is this a scene file?"});
     for (const char* const bytes : {"\xFF\xFE", "\x80", "\xC0\x80", "\xC3", "\xE0\x80\x80", "\xED\xA0\x80",
@@ -449,8 +449,8 @@ TEST_CASE("text that is no text") {
     CHECK(parse(eye + "// \xC2\x80 \xE2\x82\xAC \xEF\xBF\xBF \xF0\x9F\x98\x80 \xF4\x8F\xBF\xBF").lights.empty());
 }
 
-TEST_CASE("hostile text is answered, not obeyed") {
-    // Depth, repetition, and one long anything cost no more than reading them.
+TEST_CASE("hostile text is rejected quickly") {
+    // Nesting, repetition, and long words or numbers take no longer than reading them.
     for (const std::string piece :
          {"{", "}", "<", "sphere {", "/*/", "//", "camera", "a", "9", "-", ".", ",", "material {", "key {"}) {
         std::string text = "sphere { <0,0,0>, 1 ";

@@ -1,4 +1,4 @@
-// Bodies left out because they can't be met never change a picture.
+// Culling of bodies that can't be hit never changes a picture.
 #include "trace/light_culling.h"
 
 #include <doctest/doctest.h>
@@ -23,8 +23,8 @@ constexpr int columns = 10, rows = 8, every = 9, random_scenes = 8;
 constexpr int columns = 40, rows = 30, every = 1, random_scenes = 120;
 #endif
 
-/// The same scene with so many bodies more, far away and black inside a black ball, that it gets hierarchies and
-/// nothing is known of single bodies.
+/// The same scene with so many more bodies, far away and black inside a black ball, that it has a hierarchy instead of
+/// culling.
 Scene crowded(Scene scene) {
     scene.materials.push_back({.rgb = Color(0), .reflection = 0, .diffuse = 0, .specular = 0});
     const int black = static_cast<int>(scene.materials.size()) - 1;
@@ -47,7 +47,7 @@ double largest_difference(const Scene& scene, Precision precision) {
 
 }  // namespace
 
-TEST_CASE("pictures are the same with and without knowing what each body can be met from") {
+TEST_CASE("light culling does not change pictures") {
     int index = 0, seen = 0;
     for (const std::string& name : scene_names()) {
         if (index++ % every) continue;
@@ -60,7 +60,7 @@ TEST_CASE("pictures are the same with and without knowing what each body can be 
     CHECK(seen >= 50 / every);
 }
 
-TEST_CASE("the same of random scenes") {
+TEST_CASE("light culling does not change pictures of random scenes") {
     for (int seed = 0; seed < random_scenes; ++seed) {
         CAPTURE(seed);
         const RandomScene what{.transparent = seed % 3 != 0, .camera_inside = seed % 5 == 4};
@@ -68,7 +68,7 @@ TEST_CASE("the same of random scenes") {
     }
 }
 
-TEST_CASE("what is between a point of a body and a light is among its occluders, and in its cone") {
+TEST_CASE("bodies between a body and a light are among its occluders, and in its cone") {
     std::mt19937 engine(7);
     const auto dice = [&](double low, double high) { return low + (high - low) * engine() * 0x1p-32; };
     const auto place = [&](double size) { return DVec3(dice(-size, size), dice(-size, size), dice(-size, size)); };
@@ -116,17 +116,17 @@ TEST_CASE("what is between a point of a body and a light is among its occluders,
     }
     MESSAGE(between << " between, " << left_out << " left out, " << outside_cone << " outside their cones");
     CHECK(between > 10000);
-    CHECK(left_out > 100000);  // or nothing is gained
+    CHECK(left_out > 100000);  // else culling gains nothing
     CHECK(outside_cone > 100000);
 }
 
-TEST_CASE("a body is isolated if nothing reaches into it") {
+TEST_CASE("a body is isolated if no other body reaches into it") {
     const auto ball = [](const DVec3& centre, double radius) {
         return BoundingVolume{{centre - radius, centre + radius}, {centre, radius}};
     };
     const BoundingVolume floor{{}, {}, true, {0, 0, 1}, 0}, glass = ball({0, 0, 2}, 1);
     CHECK(isolated({glass, floor, ball({3, 0, 2}, 1)}, 0, 1e-6));
-    CHECK_FALSE(isolated({floor, glass}, 0, 1e-6));                 // a plane has no end
+    CHECK_FALSE(isolated({floor, glass}, 0, 1e-6));                 // planes are infinite
     CHECK_FALSE(isolated({glass, ball({1.9, 0, 2}, 1)}, 0, 1e-6));  // overlapping
     CHECK_FALSE(isolated({glass, ball({0, 0, 2}, .5)}, 0, 1e-6));   // something inside
     CHECK_FALSE(isolated({glass, ball({0, 0, 2}, 5)}, 0, 1e-6));    // inside something

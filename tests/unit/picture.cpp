@@ -1,4 +1,4 @@
-// Pictures: what is written is read back to the last bit, and faulty files are told apart.
+// Picture files: written values are read back to the last bit, and broken files are reported.
 #include "image/picture.h"
 
 #include <doctest/doctest.h>
@@ -15,8 +15,8 @@
 #include "scratch.h"
 #include "text/file.h"
 
-// OpenImageIO loses one string when libpng jumps out of it at a truncated file; a leak checker knows whose it is only
-// if it follows the whole stack.
+// OpenImageIO leaks one string when libpng longjmps at a truncated file; a leak checker can attribute it only with the
+// whole stack.
 extern "C" const char* __asan_default_options() { return "fast_unwind_on_malloc=0"; }
 extern "C" const char* __lsan_default_suppressions() { return "leak:PngReadCallback"; }
 
@@ -74,7 +74,7 @@ TEST_CASE("8- and 16-bit files hold the quantised values exactly") {
             }
 }
 
-TEST_CASE("every 16-bit code survives") {
+TEST_CASE("every 16-bit value is written and read back") {
     const Scratch folder;
     Picture picture{256, 256, 1, {}, 16};
     for (int code = 0; code < 65536; ++code) picture.values.push_back(code / 65535.);
@@ -96,7 +96,7 @@ TEST_CASE("float files hold the values themselves") {
         CHECK(back.values[i] == static_cast<double>(static_cast<float>(picture.values[i])));
 }
 
-TEST_CASE("not a number is black in 8 and 16 bits, infinities are the ends") {
+TEST_CASE("NaN is black in 8 and 16 bits, infinities are clamped") {
     const Scratch folder;
     const Picture picture{1, 1, 3, {nan, inf, -inf}, 32};
     for (const char* name : {"a.bmp", "a.png"}) {
@@ -141,7 +141,7 @@ TEST_CASE("a BMP is 24 bits a pixel, bottom-up, rows padded to 4 bytes") {
     CHECK(bytes.substr(54) == std::string("\xff\0\0\0\0\0\xff\0", 8));
 }
 
-TEST_CASE("a PNG says that it is sRGB, and the same picture makes the same file") {
+TEST_CASE("a PNG is marked as sRGB, and equal pictures make equal files") {
     const Scratch folder;
     for (const bool linear : {false, true})
         for (const int bits : {8, 16}) {
@@ -157,7 +157,7 @@ TEST_CASE("a PNG says that it is sRGB, and the same picture makes the same file"
     CHECK_FALSE(says(bytes_of(folder / "a.exr"), today.data()));
 }
 
-TEST_CASE("endings in any case, and what they can hold") {
+TEST_CASE("file endings in upper and lower case, and their formats") {
     const Scratch folder;
     write_picture(noise(2, 2), folder / "A.PNG", {});
     CHECK(bytes_of(folder / "A.PNG").substr(1, 3) == "PNG");
@@ -171,7 +171,7 @@ TEST_CASE("endings in any case, and what they can hold") {
     CHECK(format_fault("a.png", 7) != "");
 }
 
-TEST_CASE("an older picture survives a faulty request") {
+TEST_CASE("an older picture survives a failed write") {
     const Scratch folder;
     write_file(folder / "a.jpg", "old");
     CHECK(says(fault_of([&] { write_picture(noise(2, 2), folder / "a.jpg", {}); }), ".bmp, .png or .exr"));
@@ -180,7 +180,7 @@ TEST_CASE("an older picture survives a faulty request") {
     CHECK(folder.files() == 1);
 }
 
-TEST_CASE("broken files are told with name and reason") {
+TEST_CASE("broken files are reported with name and reason") {
     const Scratch folder;
     const auto reading = [&](const std::string& name) { return fault_of([&] { read_picture(folder / name); }); };
     CHECK(says(reading("none.png"), "no such file"));
@@ -197,7 +197,7 @@ TEST_CASE("broken files are told with name and reason") {
     CHECK(says(reading("empty.png"), "empty.png"));
     write_file(folder / "deep.ppm", std::string("P6 1 1 65535\n\xff\xff\xff\xff\xff\xff", 19));
     CHECK(says(reading("deep.ppm"), "16-bit PNM"));
-    // A header that promises 10 thousand million pixels.
+    // A header that promises 10 billion pixels.
     write_picture(noise(2, 2), folder / "huge.bmp", {});
     std::string bytes = bytes_of(folder / "huge.bmp");
     const std::int32_t size = 100000;
@@ -206,7 +206,7 @@ TEST_CASE("broken files are told with name and reason") {
     CHECK(says(reading("huge.bmp"), "huge.bmp"));
 }
 
-TEST_CASE("the library may be loaded ahead, twice even") {
+TEST_CASE("the library may be preloaded, even twice") {
     const auto one = preload_picture_library(), two = preload_picture_library();
     one.wait(), two.wait();
     const Scratch folder;
@@ -219,7 +219,7 @@ TEST_CASE("run away from its module" * doctest::skip()) {
     CHECK(says(fault_of([] { read_picture("/dev/null"); }), "libstrahl_image.so"));
 }
 
-TEST_CASE("a program without its module says what is missing") {
+TEST_CASE("a program without its picture module reports what is missing") {
     const Scratch folder;
     std::filesystem::copy("/proc/self/exe", folder / "program");
     const std::string command =

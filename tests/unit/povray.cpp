@@ -1,4 +1,4 @@
-// POV-Ray itself, run on every scene there is.
+// Runs POV-Ray on every scene.
 #include <doctest/doctest.h>
 
 #include <atomic>
@@ -18,7 +18,7 @@ using namespace strahl;
 
 namespace {
 
-/// What is wrong with the agreement in this scene, or "".
+/// Why the pictures of this scene disagree, or "".
 std::string check(const std::string& name, const Allowed& allowed, int width, int height) {
     const Scene scene = read_scene(name);
     const View view{.camera = scene.camera, .width = width, .height = height, .depth = scene.settings.max_trace_level};
@@ -29,7 +29,7 @@ std::string check(const std::string& name, const Allowed& allowed, int width, in
     return disagreement + (theirs.warnings.empty() ? "" : "povray warns: " + theirs.warnings);
 }
 
-/// Runs a command line, and returns all it prints.
+/// Runs a command line and returns its output.
 std::string output_of(const std::string& command) {
     std::FILE* pipe = popen((command + " 2>&1").c_str(), "r");
     REQUIRE(pipe);
@@ -42,7 +42,7 @@ std::string output_of(const std::string& command) {
 
 }  // namespace
 
-TEST_CASE("every scene's picture is POV-Ray's") {
+TEST_CASE("every scene's picture agrees with POV-Ray's") {
     const std::vector<std::string> names = scene_names();
     const auto table = allowed_table();
     std::atomic<std::size_t> next = 0;
@@ -70,7 +70,7 @@ TEST_CASE("every scene's picture is POV-Ray's") {
     CHECK_MESSAGE(faults.empty(), faults);
 }
 
-TEST_CASE("povray runs an emitted .ini as it stands, without a warning, and makes the picture that strahl makes") {
+TEST_CASE("povray renders an emitted .ini without warnings, to Strahl's picture") {
     const Scratch scratch;
     for (const char* name : {"crosscheck/total_reflection", "crosscheck/linear_light", "crosscheck/camera_inside"}) {
         CAPTURE(name);
@@ -79,7 +79,7 @@ TEST_CASE("povray runs an emitted .ini as it stands, without a warning, and make
                              .output = pov,
                              .width = 64,
                              .height = 48}) == 0);
-        // As the .ini itself tells.
+        // As a comment of the .ini says.
         std::ifstream ini(scratch / "it's a scene.ini");
         std::string command;
         while (std::getline(ini, command) && !command.starts_with(";   povray ")) {
@@ -119,7 +119,7 @@ TEST_CASE("an animation of ten frames agrees frame by frame") {
     }
 }
 
-TEST_CASE("without povray there is a message that helps") {
+TEST_CASE("without povray the message says what to install") {
     const Scene scene = read_scene("crosscheck/ambient");
     const std::string path = std::getenv("PATH");
     setenv("PATH", "/nowhere", 1);

@@ -1,4 +1,4 @@
-// The converter's text, and strahl's pictures against POV-Ray's stored ones.
+// The converted scenes, and Strahl's pictures compared with stored ones of POV-Ray.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -54,7 +54,7 @@ const std::string light = "light { position <-4, -6, 8> color <1, 1, 1> }\n";
 
 }  // namespace
 
-TEST_CASE("the camera's vectors span the picture that strahl sees") {
+TEST_CASE("the camera's vectors span Strahl's picture") {
     const PovFiles files = convert(
         "camera { position <1, 2, 3> look_at <1, 5, 3> sky <0, 0, 1> angle 90 aspectratio 2 }\n"
         "sphere { <1, 5, 3>, 1 }");
@@ -69,14 +69,14 @@ TEST_CASE("the camera's vectors span the picture that strahl sees") {
     CHECK_FALSE(has(files.pov, "look_at"));
 }
 
-TEST_CASE("values go straight to the file, or are linear light") {
+TEST_CASE("values are written as they are, or as linear light") {
     const std::string body = "sphere { <0, 0, 1>, 1 }";
     CHECK(has(convert(camera + body).pov, "assumed_gamma srgb"));
     CHECK(has(convert(camera + "global_settings { assumed_gamma 1 }" + body).pov, "assumed_gamma 1.0"));
     CHECK(has(convert(camera + body).ini, "File_Gamma=srgb\n"));
 }
 
-TEST_CASE("transformations stay as they are, or become a matrix where POV-Ray would change them") {
+TEST_CASE("transformations are kept, or become a matrix where POV-Ray would change them") {
     const std::string text =
         convert(camera + "sphere { <0, 0, 1>, 1 rotate <10, 20, 30> translate <1, 2, 3> scale <1, 2, -3> }").pov;
     CHECK(has(text, "rotate <10, 20, 30>"));
@@ -99,7 +99,7 @@ TEST_CASE("coloured shadows need a copy of the body, white ones and lightless sc
     CHECK(count(convert(camera + glass("<1, 0.5, 0.5>")).pov, "no_image") == 0);
 }
 
-TEST_CASE("the old keyword is used only where total reflection would weigh otherwise") {
+TEST_CASE("the old keyword `refraction` is used only where total reflection needs it") {
     const auto glass = [](const char* how) {
         return camera + light + "sphere { <0, 0, 1>, 1 material { " + how + " } }";
     };
@@ -124,7 +124,7 @@ TEST_CASE("an ior of 1 is written as another number only where the depth limit c
     CHECK(has(panes("0.9").pov, "// Not exact: POV-Ray does not count"));
 }
 
-TEST_CASE("transparent bodies that may share space are told of") {
+TEST_CASE("transparent bodies that may overlap cause a warning") {
     const std::string glass = "material { reflection 0 refraction 0.9 ior 1.5 } }\n";
     const auto two = [&](const char* x) {
         return convert(camera + light + "sphere { <0, 0, 1>, 1 " + glass + "sphere { <" + x + ", 0, 1>, 1 " + glass);
@@ -139,7 +139,7 @@ TEST_CASE("with the camera in glass, bodies are listed in the file's order") {
     CHECK_FALSE(has(convert(camera + light + "sphere { <0, 0, 1>, 1 material { refraction 0.5 } }").ini, "Bounding"));
 }
 
-TEST_CASE("small and large scenes are built in other units") {
+TEST_CASE("small and large scenes are scaled") {
     const auto unit = [](double size) {
         Scene scene;
         scene.camera.position = {0, -9 * size, 3 * size};
@@ -168,7 +168,7 @@ TEST_CASE("small and large scenes are built in other units") {
     CHECK(unit_for(wide, {wide.camera}).fault != "");
 }
 
-TEST_CASE("materials get different names that say what they are") {
+TEST_CASE("materials get different, descriptive names") {
     Material red{.rgb = {0.9, 0.1, 0.1}, .reflection = 0, .specular = 0};
     Material glass{.rgb = {1, 1, 1}, .refraction = 0.8};
     Material mirror{.rgb = {0.1, 0.2, 0.8}, .reflection = 0.8, .ambient = 0.1};
@@ -188,7 +188,7 @@ TEST_CASE("an animation holds every frame's camera") {
     CHECK(has(files.ini, "Initial_Frame=0\nFinal_Frame=9\n"));
 }
 
-TEST_CASE("references are there for every scene, and made from what the converter writes") {
+TEST_CASE("every scene has a current reference picture") {
     std::map<std::string, std::string> sums;
     std::ifstream list(STRAHL_SOURCE "/povref/reference/emitted.sha256");
     for (std::string sum, file; list >> sum >> file;) sums[file] = sum;
@@ -205,7 +205,7 @@ TEST_CASE("references are there for every scene, and made from what the converte
     CHECK_MESSAGE(sums.empty(), "references without a scene, run povref/make_references");
 }
 
-TEST_CASE("strahl's pictures are POV-Ray's stored ones") {
+TEST_CASE("Strahl's pictures agree with the stored ones of POV-Ray") {
     const auto table = allowed_table();
     std::set<std::string> unknown;
     for (const auto& [name, allowed] : table) unknown.insert(name);
@@ -227,7 +227,7 @@ TEST_CASE("strahl's pictures are POV-Ray's stored ones") {
     CHECK_MESSAGE(unknown.empty(), "povref/allowed.txt speaks of a scene that is not there: ", *unknown.begin());
 }
 
-TEST_CASE("a pixel is on an edge where the picture jumps, and not where it only changes fast") {
+TEST_CASE("a pixel is on an edge where the picture jumps, not where it only changes fast") {
     Scene scene;
     scene.camera = {.position = {0, -9, 0}, .look_at = {0, 0, 0}, .up = {0, 0, -1}, .fov = 20, .aspectratio = 1};
     scene.lights.push_back({{-3, -9, 4}, Color(1)});
@@ -254,7 +254,7 @@ TEST_CASE("a pixel is on an edge where the picture jumps, and not where it only 
         for (int x = 35; x < 65; ++x) CHECK_FALSE(on_edge(tracer, view, pool, x, y, edge_radius, 1. / 65535));
 }
 
-TEST_CASE("a verdict finds differences, and says on which side of the edges they are") {
+TEST_CASE("a verdict counts differences on and off edges") {
     const Scene scene = read_scene("crosscheck/ambient");
     const View view{.camera = scene.camera, .width = 40, .height = 30};
     Tracer tracer(scene, Precision::float64);

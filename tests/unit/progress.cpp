@@ -14,10 +14,10 @@
 namespace strahl {
 namespace {
 
-TEST_CASE("what the line says") {
+TEST_CASE("the text of the progress line") {
     CHECK(progress_text(0, 0) == "  0 %");
     CHECK(progress_text(0, 100) == "  0 %");
-    CHECK(progress_text(.5, .1) == " 50 %");  // too early to tell the rest
+    CHECK(progress_text(.5, .1) == " 50 %");  // too early to estimate
     CHECK(progress_text(.25, 10) == " 25 %, 0:30 left");
     CHECK(progress_text(.999999, 65) == " 99 %, 0:01 left");
     CHECK(progress_text(.5, 65) == " 50 %, 1:05 left");
@@ -27,7 +27,7 @@ TEST_CASE("what the line says") {
     CHECK(progress_text(1.5, 10) == "100 %");
 }
 
-/// What goes to standard error, as to a terminal, while `act` runs.
+/// What is written to standard error, a terminal here, while `act` runs.
 template <class Act>
 std::string on_terminal(Act act) {
     const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY);
@@ -56,21 +56,21 @@ void work(bool quiet) {
         });
     threads.clear();
     std::this_thread::sleep_for(std::chrono::milliseconds(120));
-    progress.advance(250, 1000);  // late news of what is long done
+    progress.advance(250, 1000);  // reported late
 }
 
-TEST_CASE("on a terminal the line never runs backwards and is erased at the end") {
+TEST_CASE("on a terminal progress never decreases, and the line is erased at the end") {
     const std::string text = on_terminal([] { work(false); });
     CHECK(text.find("\rframe 2  99 %") != std::string::npos);
     CHECK(text.find("25 %") == std::string::npos);
     CHECK(text.substr(text.size() - 5) == "\r\033[K.");
 }
 
-TEST_CASE("quiet is silent") {
+TEST_CASE("--quiet writes nothing") {
     CHECK(on_terminal([] { work(true); }) == ".");
 }
 
-TEST_CASE("whoever reads a pipe sees nothing") {
+TEST_CASE("nothing is written to a pipe") {
     std::array<int, 2> pipe;
     REQUIRE(::pipe(pipe.data()) == 0);
     const int saved = ::dup(STDERR_FILENO);

@@ -1,4 +1,4 @@
-// How pictures become sharp: passes, resolution while moving, and what the screen gets.
+// Progressive refinement: passes, the resolution in motion, and the pixels of the screen.
 #include "show/progressive.h"
 
 #include <doctest/doctest.h>
@@ -23,7 +23,7 @@ void visit(const Lattice& lattice, const auto& pixel) {
 
 }  // namespace
 
-TEST_CASE("a level and the passes after it meet every pixel exactly once") {
+TEST_CASE("a level and the passes after it contain every pixel exactly once") {
     for (const auto& [width, height] : sizes)
         for (int first = 0; first <= finest_level; ++first) {
             std::vector<int> met(width * height);
@@ -34,7 +34,7 @@ TEST_CASE("a level and the passes after it meet every pixel exactly once") {
             visit(pixels_of(first, width, height), count);
             for (int level = first + 1; level <= finest_level; ++level) {
                 visit(new_pixels_of(level, width, height), count);
-                // What is known by now is just this level.
+                // The pixels known so far are exactly this level.
                 visit(pixels_of(level, width, height), [&](int x, int y) { CHECK(met[y * width + x] == 1); });
             }
             for (const int times : met) CHECK(times == 1);
@@ -49,7 +49,7 @@ TEST_CASE("every level has twice the pixels of the one before, from every 16th t
         CHECK(count(pixels_of(level, 64, 48)) == 2 * count(pixels_of(level - 1, 64, 48)));
 }
 
-TEST_CASE("blocks never cover a pixel that is traced already, and leave nothing uncovered") {
+TEST_CASE("blocks never cover a traced pixel, and leave no pixel uncovered") {
     const int width = 37, height = 29;
     Image whole;
     whole.resize(width, height);
@@ -104,20 +104,20 @@ TEST_CASE("an expanded level is exact at its pixels and between its neighbours e
 }
 
 TEST_CASE("tiles are stored where their pixels belong") {
-    const Codes codes(false);
+    const TransferTable table(false);
     const std::vector<float> rgb{0, .5f, 1, 2, -1, .25f};
     Image level;
     level.resize(4, 3);
-    store({{8, 4, 2, 1, 4, 2}, std::span<const float>(rgb)}, codes, {4, 2}, level);
+    store({{8, 4, 2, 1, 4, 2}, std::span<const float>(rgb)}, table, {4, 2}, level);
     CHECK(level.rgba[2 * 4 + 2] == (128u << 8 | 255u << 16 | 0xff000000u));
     CHECK(level.rgba[2 * 4 + 3] == (255u | 64u << 16 | 0xff000000u));
     CHECK(level.rgba[2 * 4 + 1] == 0);
 }
 
-TEST_CASE("the tabulated transfer curve is the curve") {
+TEST_CASE("the tabulated transfer curve equals quantise") {
     for (const bool linear : {false, true}) {
-        const Codes codes(linear);
-        const auto check = [&](float v) { CHECK(codes(v) == quantise(v, linear, 255)); };
+        const TransferTable table(linear);
+        const auto check = [&](float v) { CHECK(table(v) == quantise(v, linear, 255)); };
         for (const float v : {0.f, -0.f, -1.f, 1.f, 2.f, NAN, INFINITY, -INFINITY, 1e-40f, 0.99999994f}) check(v);
         for (int i = 0; i <= 100000; ++i) check(static_cast<float>(i) / 99991);
         // Around each step of the curve, float by float.
@@ -136,7 +136,7 @@ TEST_CASE("the tabulated transfer curve is the curve") {
 
 namespace {
 
-/// Pictures of a scene where a pixel costs so much, one after the other.
+/// Several pictures of a scene whose pixels have this cost.
 std::vector<int> run(Resolution& resolution, int pictures, double seconds_per_pixel, double budget,
                      int finest = finest_level) {
     std::vector<int> levels;
@@ -151,25 +151,25 @@ std::vector<int> run(Resolution& resolution, int pictures, double seconds_per_pi
 
 }  // namespace
 
-TEST_CASE("resolution while moving settles where the budget lies, and stays there") {
+TEST_CASE("the resolution settles at the budget and stays there") {
     Resolution resolution;
     const double all = 640 * 480, budget = 0.010;
     CHECK(run(resolution, 100, 0.5 * budget / all, budget).back() == finest_level);
-    // Now four times dearer: within a few pictures coarser, and from then on the same.
+    // Now four times slower: coarser within a few pictures, and then stable.
     const std::vector<int> levels = run(resolution, 100, 2 * budget / all, budget);
     CHECK(levels[4] < finest_level);
     for (int i = 5; i < 100; ++i) CHECK(levels[i] == levels[4]);
     CHECK(2 * budget / all * count(pixels_of(levels[4], 640, 480)) <= budget);
-    // Finer only with room to spare: a level that would take 0.9 of the budget is not tried ...
+    // Finer only with headroom: a level that would take 0.9 of the budget is not tried ...
     CHECK(run(resolution, 100, 0.9 * budget / all, budget).back() == finest_level - 1);
-    // ... and is kept where it is already.
+    // ... but is kept if it is in use.
     run(resolution, 100, 0.5 * budget / all, budget);
     CHECK(run(resolution, 100, 0.9 * budget / all, budget).back() == finest_level);
     CHECK(run(resolution, 100, 1e-3, budget).back() == 0);
     CHECK(run(resolution, 100, 1e-12, budget, 3).back() == 3);
 }
 
-TEST_CASE("a hiccup of one or two pictures changes nothing") {
+TEST_CASE("one or two slow pictures change nothing") {
     Resolution resolution;
     const double cost = 0.5 * 0.010 / (640 * 480);
     run(resolution, 100, cost, 0.010);

@@ -1,4 +1,4 @@
-// The referee itself, against pixels that can be worked out on paper, and against its own twin of 113 bits.
+// The referee, compared with pixels computed on paper, and with itself in 113 bits.
 #include "tests/referee/referee.h"
 
 #include <doctest/doctest.h>
@@ -12,7 +12,7 @@ using namespace strahl;
 
 namespace {
 
-/// Only what is named shines: every coefficient is 0 until a test sets it.
+/// All coefficients are 0 until a test sets them.
 constexpr Material dull{.rgb = {.5, .25, 1},
                         .reflection = 0,
                         .refraction = 0,
@@ -32,7 +32,7 @@ Scene scene_of(std::initializer_list<std::pair<Shape, Material>> bodies) {
     }
     return scene;
 }
-/// The light that comes to the eye from straight ahead.
+/// The light that reaches the eye from straight ahead.
 std::array<long double, 3> ahead(const Scene& scene, int depth = 20) {
     return Referee<long double>(scene, scene.camera, 2, 2, depth).at(1, 1).rgb;
 }
@@ -48,7 +48,7 @@ const Plane wall{{0, 0, 3}, {0, 1, 3}, {1, 0, 3}};  // faces the eye
 
 }  // namespace
 
-TEST_CASE("what a ray brings back when it hits nothing") { check(ahead(scene_of({})), {.1, .2, .3}); }
+TEST_CASE("a ray that hits nothing has the background colour") { check(ahead(scene_of({})), {.1, .2, .3}); }
 
 TEST_CASE("ambient light") {
     Scene scene = scene_of({{unit_ball, with(dull, &Material::ambient, .6)}});
@@ -72,7 +72,7 @@ TEST_CASE("the highlight follows the mirrored viewing ray and has the light's co
     check(ahead(scene), {.5 * .216, .25 * .216, .125 * .216});
 }
 
-TEST_CASE("a camera sees what its axes say") {
+TEST_CASE("a camera's axes") {
     Scene scene = scene_of({{Sphere{{-2, 1, 0}, .1}, with(dull, &Material::ambient, 1)}});
     const Referee<long double> referee(scene, scene.camera, 10, 10, 1);
     // At distance 5 the picture is 10 wide; -x is to the right here (right-handed, looking along z, y up).
@@ -81,7 +81,7 @@ TEST_CASE("a camera sees what its axes say") {
     check(referee.at(7, 6).rgb, {.1, .2, .3});
 }
 
-TEST_CASE("a mirror, and the depth at which it turns black") {
+TEST_CASE("a mirror, which is black at the depth limit") {
     const Plane behind{{0, 0, -8}, {1, 0, -8}, {0, 1, -8}};
     Material mirror = with(dull, &Material::reflection, .5);
     const Scene scene = scene_of({{wall, mirror}, {behind, with(mirror, &Material::ambient, 1)}});
@@ -92,13 +92,13 @@ TEST_CASE("a mirror, and the depth at which it turns black") {
     check(ahead(scene_of({{unit_ball, mirror}}), 2), {.05, .1, .15});
 }
 
-TEST_CASE("glass costs two levels, and lets through the uncoloured share") {
+TEST_CASE("glass takes two generations and does not colour what is seen through it") {
     const Scene scene = scene_of({{unit_ball, with(with(dull, &Material::refraction, .5), &Material::ior, 1.5)}});
     check(ahead(scene, 2), {0, 0, 0});
     check(ahead(scene, 3), {.025, .05, .075});
 }
 
-TEST_CASE("shadows: opaque bodies stop light, glass tints it at every crossing") {
+TEST_CASE("shadows: opaque bodies block light, glass colours it at every surface") {
     Scene scene = scene_of({{wall, with(dull, &Material::diffuse, 1)}, {Sphere{{2, 0, 1.5}, .5}, dull}});
     scene.lights = {{{4, 0, 0}, {1, 1, 1}}};
     check(ahead(scene), {0, 0, 0});
@@ -127,7 +127,7 @@ TEST_CASE("Snell's law: the ray through a sheet of water meets the ground where 
     }
 }
 
-TEST_CASE("total reflection hands the transmitted share to the mirrored ray") {
+TEST_CASE("total reflection adds the transmitted share to the reflected one") {
     Material water = with(with(dull, &Material::refraction, .5), &Material::ior, 4. / 3);
     water.reflection = .25;
     Scene scene = scene_of({{Plane{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, water}});
@@ -142,7 +142,7 @@ TEST_CASE("total reflection hands the transmitted share to the mirrored ray") {
     check(ahead(scene), {.375, .1875, .75});
 }
 
-TEST_CASE("the eye inside a body hits its far side, and starts with it in its list") {
+TEST_CASE("an eye inside a body hits its far side and has it on its medium stack") {
     Scene scene = scene_of({{Sphere{{0, 0, -4}, 3}, with(dull, &Material::ambient, 1)}});
     check(ahead(scene), {.5, .25, 1});
     // From the centre of a ball of glass every ray leaves straight; wrongly "entering" would total-reflect none either,
@@ -178,7 +178,7 @@ TEST_CASE("long double and 113 bits agree on random scenes") {
     for (std::uint64_t seed = 0; seed < 6; ++seed) {
         const Scene scene = random_scene(seed, {.camera_inside = seed % 3 == 2});
         const Referee<long double> extended(scene, scene.camera, 8, 6, 5);
-        const Referee<__float128> quad(scene, scene.camera, 8, 6, 5);
+        const Referee<Quadruple> quad(scene, scene.camera, 8, 6, 5);
         for (int j = 0; j < 6; ++j)
             for (int i = 0; i < 8; ++i) {
                 const Sample a = extended.at(i + .5, j + .5), b = quad.at(i + .5, j + .5);
@@ -188,7 +188,7 @@ TEST_CASE("long double and 113 bits agree on random scenes") {
     }
 }
 
-TEST_CASE("a shift explains an edge, and nothing else") {
+TEST_CASE("a shift explains only edges") {
     Scene scene =
         scene_of({{Plane{{-5. / 64, 0, 0}, {-5. / 64, 1, 0}, {-5. / 64, 0, 1}}, with(dull, &Material::ambient, 1)}});
     const Referee<long double> referee(scene, scene.camera, 64, 64, 1);

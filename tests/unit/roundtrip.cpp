@@ -1,4 +1,4 @@
-// Scenes written as text and parsed again are the same scenes.
+// A scene written as text and parsed again is the same scene.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ using namespace strahl;
 
 namespace {
 
-/// Scenes of everything the language has, with plain, odd and extreme values.
+/// Random scenes with everything in the language, and plain, odd and extreme values.
 class RandomScenes {
   public:
     explicit RandomScenes(unsigned seed) : random(seed) {}
@@ -42,7 +42,7 @@ class RandomScenes {
     int below(int n) { return std::uniform_int_distribution(0, n - 1)(random); }
     bool chance(int one_in) { return below(one_in) == 0; }
     double uniform(double low, double high) { return std::uniform_real_distribution(low, high)(random); }
-    /// Now short, now with all digits.
+    /// Sometimes short, sometimes with all digits.
     double number(double reach) { return chance(2) ? std::round(uniform(-reach, reach)) / 4 : uniform(-reach, reach); }
 
     DVec3 position() {
@@ -154,7 +154,7 @@ TEST_CASE("random scenes") {
             CHECK(write_scene(again) == text);
             ++whole;
         } catch (const FileError& error) {
-            // Transformed to where no shape may be: nothing else may be wrong with what was written.
+            // A body transformed out of range; the text must have no other error.
             const std::string message = error.what();
             CHECK_MESSAGE(message.find("up to here the transformations") != message.npos, message);
         }
@@ -174,7 +174,7 @@ TEST_CASE("scenes of this project") {
     }
 }
 
-TEST_CASE("what is written is what a person would write") {
+TEST_CASE("written text looks hand-written") {
     Scene scene;
     scene.camera = {{0, -9, .1}, {0, 0, 0}, {0, 0, -1}, 25, {}};
     scene.settings.linear = true;
@@ -226,7 +226,7 @@ sphere { <4, 0, 1>, 1e-07  scale 2  scale <1, 2, 3> }
 )");
 }
 
-TEST_CASE("many materials do not take forever, and are numbered in the order of use") {
+TEST_CASE("many materials are fast, and numbered in the order of use") {
     std::string text = "camera { position <0,-9,0> look_at <0,0,0> up <0,0,-1> fov 25 }\n";
     constexpr int count = 20000;
     for (int i = 0; i < 2 * count; ++i)
@@ -236,17 +236,4 @@ TEST_CASE("many materials do not take forever, and are numbered in the order of 
     for (int i = 0; i < 2 * count; ++i) REQUIRE(scene.primitives[i].material == i % count);
     CHECK(scene.materials[count - 1].pow == count - 1);
     CHECK(reparsed(scene) == scene);
-}
-
-TEST_CASE("the manual names every parameter of every kind") {
-    const std::string manual = read_text(STRAHL_SOURCE "/src/text/README.md");
-    const auto named = [&](const char* word) {
-        CHECK_MESSAGE(manual.find("`" + std::string(word) + "`") != manual.npos, word);
-    };
-    const auto fields = [&](const auto&... field) { (named(field.name), ...); };
-    std::apply(fields, Material::fields);
-    const auto kinds = [&]<class... Kinds>(std::type_identity<std::variant<Kinds...>>) {
-        ((named(Kinds::name), std::apply(fields, Kinds::fields)), ...);
-    };
-    kinds(std::type_identity<Shape>{});
 }

@@ -1,4 +1,4 @@
-// The scenes that come with strahl.
+// The scenes of the project.
 #pragma once
 #include <algorithm>
 #include <filesystem>

@@ -1,4 +1,4 @@
-// A folder of a test's own, gone at its end.
+// A temporary folder for a test, removed at its end.
 #pragma once
 #include <stdlib.h>
 
@@ -25,7 +25,7 @@ class Scratch {
     Scratch& operator=(const Scratch&) = delete;
 
     std::string operator/(const std::string& name) const { return folder / name; }
-    /// How many files lie in it.
+    /// The number of files in it.
     std::ptrdiff_t files() const {
         return std::distance(std::filesystem::directory_iterator(folder), std::filesystem::directory_iterator());
     }

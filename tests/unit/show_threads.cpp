@@ -1,4 +1,4 @@
-// The window's threads: tracing with the newest view first, stills in the background, the scene file read again.
+// The window's threads: tracing of the newest view, stills in the background, reloading of the scene file.
 #include <doctest/doctest.h>
 
 #include <chrono>
@@ -36,12 +36,12 @@ Order order_of(std::uint64_t number, std::shared_ptr<const Scene> scene, int wid
     return order;
 }
 
-/// What the window sees of a tracing thread.
+/// Watches a tracing thread as the window does.
 class Watcher {
   public:
     explicit Watcher(int threads = 2) : tracing(threads, [this] { hear(); }) {}
 
-    /// Takes what comes until `enough`; false after ten seconds without anything new.
+    /// Takes updates until `enough`; false after ten seconds without one.
     bool watch(const std::function<bool(const Refinement&)>& enough) {
         while (true) {
             {
@@ -49,9 +49,9 @@ class Watcher {
                 if (!wake.wait_for(lock, std::chrono::seconds(10), [this] { return heard; })) return false;
                 heard = false;
             }
-            const auto news = tracing.take([this](const Fresh& fresh) { copy(fresh); });
-            if (news) state = *news;
-            if (news && enough(state)) return true;
+            const auto notify = tracing.take([this](const Fresh& fresh) { copy(fresh); });
+            if (notify) state = *notify;
+            if (notify && enough(state)) return true;
         }
     }
     bool finish(std::uint64_t number) {
@@ -59,7 +59,7 @@ class Watcher {
     }
 
     Refinement state;
-    Image screen;  // with only those rows copied that were said to be new
+    Image screen;  // only rows that were reported as new are copied
     Steps steps;
     int whole_images = 0;
 
@@ -104,7 +104,7 @@ Image exact(const Order& order) {
 
 }  // namespace
 
-TEST_CASE("the finished window holds what a still in single precision holds, and traces each pixel once") {
+TEST_CASE("the finished picture equals one rendered in float, and each pixel is traced once") {
     for (const char* more : {"", "global_settings { assumed_gamma 1 }"})
         for (const auto& [width, height] : {std::pair{64, 48}, {77, 35}, {5, 3}}) {
             Watcher watcher;
@@ -131,7 +131,7 @@ TEST_CASE("the newest view wins") {
     CHECK(watcher.tracing.finished());
 }
 
-TEST_CASE("while moving, a picture is not refined; at rest it goes on where it was") {
+TEST_CASE("in motion a picture is not refined; at rest refinement continues") {
     Watcher watcher;
     Order order = order_of(1, scene_of(), 64, 48);
     order.moving = true, order.finest = 3;
@@ -148,7 +148,7 @@ TEST_CASE("while moving, a picture is not refined; at rest it goes on where it w
     CHECK(watcher.screen.rgba == exact(order).rgba);
 }
 
-TEST_CASE("resolution follows the budget, below the cap") {
+TEST_CASE("the resolution follows the budget, up to the limit") {
     Watcher watcher;
     const auto scene = scene_of();
     for (const auto& [budget, finest, level] : {std::tuple{1e9, 5, 5}, {1e9, finest_level, finest_level}, {1e-9, 8, 0}})
@@ -176,7 +176,7 @@ TEST_CASE("another scene, another depth, another size") {
     CHECK(watcher.screen.rgba == exact(order).rgba);
 }
 
-TEST_CASE("it can be ended at any time") {
+TEST_CASE("tracing can be stopped at any time") {
     const auto scene = scene_of();
     for (int i = 0; i < 30; ++i) {
         TraceThread tracing(2, [] {});
@@ -188,7 +188,7 @@ TEST_CASE("it can be ended at any time") {
 
 namespace {
 
-/// Waits for something that another thread does.
+/// Waits for another thread.
 bool soon(const std::function<bool()>& done) {
     for (int i = 0; i < 1000; ++i) {
         if (done()) return true;
@@ -199,7 +199,7 @@ bool soon(const std::function<bool()>& done) {
 
 }  // namespace
 
-TEST_CASE("stills are the pictures that render makes, and replace no file") {
+TEST_CASE("stills equal rendered pictures and replace no file") {
     const Scratch folder;
     const auto scene = scene_of();
     const View view{.camera = scene->camera, .width = 20, .height = 15, .depth = 5};
@@ -224,7 +224,7 @@ TEST_CASE("stills are the pictures that render makes, and replace no file") {
     CHECK(bytes_of(folder / "still-2.bmp") == bytes_of(folder / "reference.bmp"));
 }
 
-TEST_CASE("stills that are not finished are dropped by name, and leave no file") {
+TEST_CASE("unfinished stills are dropped by name and leave no file") {
     const Scratch folder;
     const auto scene = scene_of();
     Stills stills(2, [] {});
@@ -234,7 +234,7 @@ TEST_CASE("stills that are not finished are dropped by name, and leave no file")
     CHECK(folder.files() == 0);
 }
 
-TEST_CASE("a still that can't be written says why") {
+TEST_CASE("a still that can't be written reports the reason") {
     const Scratch folder;
     const auto scene = scene_of();
     Stills stills(1, [] {});
@@ -245,14 +245,14 @@ TEST_CASE("a still that can't be written says why") {
     CHECK(outcomes[0].fault.find("missing/still.bmp") != std::string::npos);
 }
 
-TEST_CASE("a still is named after its scene and this moment") {
+TEST_CASE("a still is named after its scene and the time") {
     const std::string name = still_name("some/where/article.rt");
     CHECK(name.starts_with("article-20"));
     CHECK(name.size() == std::string("article-20260131-235959").size());
     CHECK(still_name("-").starts_with("scene-"));
 }
 
-TEST_CASE("a changed scene file is read again; a broken one says why; a touched one is left alone") {
+TEST_CASE("a changed scene file is read again, a broken one reported, a touched one ignored") {
     const Scratch folder;
     const std::string path = folder / "scene.rt";
     const auto put = [&](const std::string& content) {

@@ -1,4 +1,4 @@
-// What a picture must not depend on: threads, crops, passes, and what was traced before. And how tracing stops.
+// What a picture must not depend on: threads, crops, passes, and earlier pictures. And stopping.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -9,6 +9,7 @@
 #include "tests/referee/examples.h"
 #include "tests/referee/random_scene.h"
 #include "tests/referee/referee.h"
+#include "tests/unit/levels.h"
 #include "tests/unit/scenes.h"
 #include "trace/thread_pool.h"
 #include "trace/tracer.h"
@@ -31,13 +32,13 @@ using Single = As<Precision::float32>;
 using Twice = As<Precision::float64>;
 using Extended = As<Precision::extended>;
 
-/// A scene with all there is in it.
+/// A scene with every feature.
 Scene busy() { return random_scene(17, {.camera_inside = true}); }
 View view_of(const Scene& scene, int width, int height, int depth = 4) {
     return {.camera = scene.camera, .width = width, .height = height, .depth = depth};
 }
 
-/// A picture that tiles are put into; each pixel may come once.
+/// Collects tiles; each pixel may come only once.
 struct Canvas {
     int width, height;
     std::vector<double> rgb;
@@ -151,8 +152,7 @@ TEST_CASE_TEMPLATE("what is left out of a pixel depends on that pixel alone, not
             CHECK(counts.total() < all);
             all = counts.total();
             CHECK(counts.lost() > 0);
-            for (const Simd simd : {Simd::scalar, Simd::v3, Simd::v4})
-                if (supported(simd)) CHECK(render(scene, view, P::precision, 1, simd) == expected);
+            for (const Simd simd : fused_levels()) CHECK(render(scene, view, P::precision, 1, simd) == expected);
             Tracer tracer(scene, P::precision);
             Canvas canvas(view.width, view.height);
             Counts sum;
@@ -165,7 +165,7 @@ TEST_CASE_TEMPLATE("what is left out of a pixel depends on that pixel alone, not
     }
 }
 
-TEST_CASE("an empty lattice is no work") {
+TEST_CASE("an empty lattice traces nothing") {
     const Scene scene = busy();
     Tracer tracer(scene, Precision::float64);
     Canvas canvas(8, 8);
@@ -189,7 +189,7 @@ TEST_CASE_TEMPLATE("a picture does not depend on the views before it, nor on the
     CHECK(canvas.rgb == render(scene, near, P::precision, 1).rgb);
 }
 
-TEST_CASE("tracing stops when told to, and what it hands over is whole") {
+TEST_CASE("tracing can be stopped, and delivered tiles are complete") {
     const Scene scene = busy();
     const View view = view_of(scene, 800 / coarse, 600 / coarse, 6);
     const Lattice whole{0, 0, view.width, view.height};
@@ -216,7 +216,7 @@ TEST_CASE("tracing stops when told to, and what it hands over is whole") {
     CHECK(some.count(0) + some.count(1) == pixels);
     CHECK(some.count(1) < pixels);
 
-    // Whole tiles hold the pixels of the picture that is traced to the end, afterwards, by the same tracer.
+    // Complete tiles hold the same pixels as the whole picture, traced afterwards by the same tracer.
     stop = false;
     Canvas all(view.width, view.height);
     tracer.trace(
@@ -245,8 +245,7 @@ TEST_CASE("a shifted view samples beside the pixels' centres") {
 
 TEST_CASE_TEMPLATE("no pixel is ever without a number", P, Single, Twice, Extended) {
     const auto finite = [](const Scene& scene, int width, int height) {
-        for (const Simd simd : {Simd::scalar, Simd::v2, Simd::v3, Simd::v4}) {
-            if (!supported(simd)) continue;
+        for (const Simd simd : all_levels()) {
             CAPTURE(std::string(name(simd)));
             const Frame frame = render(scene, view_of(scene, width, height, 6), P::precision, 1, simd);
             CHECK(std::all_of(frame.rgb.begin(), frame.rgb.end(), [](double v) { return std::abs(v) < 100; }));

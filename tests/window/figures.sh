@@ -7,10 +7,10 @@
 set -uo pipefail
 
 strahl=$(readlink -f -- "$1") size=${2-960x720} runs=5
-if [[ -z ${STRAHL_OWN_DISPLAY-} ]]; then
-    STRAHL_OWN_DISPLAY=yes exec xvfb-run -a -s "-screen 0 1280x1024x24" bash "${BASH_SOURCE[0]}" "$@"
-fi
-scenes=$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/../../scenes
+here=$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")
+source "$here/display.sh"
+own_display 1280x1024 "" "$@"
+scenes=$here/../../scenes
 work=$(mktemp -d)
 pid=
 trap '[[ -n $pid ]] && kill "$pid" 2>/dev/null; rm -rf "$work"' EXIT

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The window as a person uses it: real keys and mouse on a display of its own, with screenshots compared to pictures
-# that `strahl render` makes.
+# The window as a user sees it: real keys and mouse on a virtual display; screenshots are compared with pictures of
+# `strahl render`.
 #
 #   tests/window/run.sh STRAHL
 #
@@ -8,14 +8,8 @@
 set -uo pipefail
 
 strahl=$(readlink -f -- "$1")
-if [[ -z ${STRAHL_OWN_DISPLAY-} ]]; then
-    for tool in xvfb-run xauth xdotool import compare; do
-        command -v "$tool" >/dev/null && continue
-        echo "skipped: $tool is missing (Debian packages xvfb, xauth, xdotool, imagemagick, libgl1-mesa-dri)"
-        exit 77
-    done
-    STRAHL_OWN_DISPLAY=yes exec xvfb-run -a -s "-screen 0 1280x1024x24" bash "${BASH_SOURCE[0]}" "$strahl"
-fi
+source "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/display.sh"
+own_display 1280x1024 "import compare" "$strahl"
 
 work=$(mktemp -d)
 pid=
@@ -42,7 +36,7 @@ start() {
     xdotool mousemove --window "$id" 100 100
 }
 
-# await TEXT: a line with it comes, after those that were awaited before. In $line then.
+# await TEXT: waits for a line that contains it, after the last awaited one, and puts it into $line.
 await() {
     local i number
     for ((i = 0; i < 600; ++i)); do
@@ -61,7 +55,7 @@ await() {
 
 different_pixels() { compare -metric AE "$1" "$2" null: 2>&1; }
 
-# shows FILE: within a while (notes vanish after some seconds) the window holds exactly this picture.
+# shows FILE: after a while (notes disappear after some seconds) the window shows exactly this picture.
 shows() {
     local i
     for ((i = 0; i < 60; ++i)); do
@@ -82,7 +76,7 @@ shows_other() {
     fault "the window still shows $1"
 }
 
-# still FILE ARGUMENT...: what the window should show.
+# still FILE ARGUMENT...: renders what the window should show.
 still() { "$strahl" render scene.rt -o "$1" --precision float --quiet "${@:2}" || fault "render $*"; }
 
 quit() {
@@ -100,7 +94,7 @@ plane { <0, 0, 0>, <1, 0, 0>, <0, 1, 0> }'
 camera='camera { position <5, -20, 18>  look_at <0, 0, 0>  up <0, 0, -1>  fov 12 }'
 path='flythrough { duration 60  key { time 0  position <5, -20, 18>  look_at <0, 0, 0> }
   key { time 60  position <15, -20, 10>  look_at <0, 0, 0> } }'
-# put TEXT: the scene file's content from now on.
+# put TEXT: replaces the content of the scene file.
 put() {
     printf '%s\n' "$1" >scene.new
     mv scene.new scene.rt
@@ -199,11 +193,11 @@ put "$camera
 $world
 shpere { }
 $path"
-await 'has a fault'
+await 'has an error'
 await 'scene.rt:6:1'
 shows_other paused.png
 xdotool key space
-await 'flying on'
+await 'flight continues'
 sleep 0.3 # the flight goes on meanwhile
 xdotool key space
 await 'paused at '
@@ -251,7 +245,7 @@ count=$(grep -c 'still saved' log)
 
 echo "-- unless asked twice; and a flight from the start"
 start scene.rt --size 200x100 --still-size 8000x6000 --fly --time 5
-grep -q 'flying on' log || fault "--fly does not fly"
+grep -q 'flight continues' log || fault "--fly does not fly"
 xdotool key ctrl+s
 await 'still queued'
 xdotool key Escape

@@ -1,4 +1,4 @@
-// In place of the window, in builds that leave it out.
+// Replaces the window in builds without one.
 #include "show/command_view.h"
 
 #include <stdexcept>
@@ -7,8 +7,8 @@ namespace strahl {
 
 int view_command(const ViewOptions&) {
     throw std::runtime_error(
-        "this strahl was built without a window (cmake -D STRAHL_WINDOW=ON builds it in)\n"
-        "Pictures need no window: strahl render SCENE -o picture.png");
+        "strahl was built without the window (cmake -D STRAHL_WINDOW=ON includes it)\n"
+        "To render without a window: strahl render SCENE -o picture.png");
 }
 
 }  // namespace strahl

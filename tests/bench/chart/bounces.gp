@@ -1,9 +1,9 @@
-# Bits of a ray's place that are still right, bounce by bounce. From outside: data, picture.
+# Correct bits of a ray's position, bounce by bounce. Set by the caller: data, picture.
 set terminal svg size 760,460 font "sans,13" background "white"
 set output picture
-set title "Two mirror balls, their centres 3 radii apart: what rounding leaves"
+set title "Two mirror balls, centres 3 radii apart: bits that survive rounding"
 set xlabel "bounce"
-set ylabel "bits that are right"
+set ylabel "correct bits"
 set yrange [0:66]
 set grid lc "grey85"
 plot data using 1:2 with points pt 7 lc rgb "#d62728" title "float", "" using 1:3 with lines lc rgb "#d62728" title "theory: 24 - n log_2 3.73", \

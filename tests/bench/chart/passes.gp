@@ -1,7 +1,7 @@
-# A resting picture in the window: what is wrong with it, in time. From outside: folder, picture.
+# The error of a resting picture in the window over time. Set by the caller: folder, picture.
 set terminal svg size 760,460 font "sans,13" background "white"
 set output picture
-set title "Since the camera stopped: the window's nine passes, float"
+set title "Error after the camera stopped: the window's nine passes, float"
 set logscale xy
 set xlabel "seconds per megapixel"
 set ylabel "error"
@@ -9,7 +9,7 @@ set format x "10^{%L}"
 set format y "10^{%L}"
 set grid lc "grey85"
 set key below maxrows 2
-plot folder."/passes-glass.tsv" using 1:2 with linespoints pt 7 lc rgb "#1f77b4" title "article: pixels of another 8-bit colour", \
+plot folder."/passes-glass.tsv" using 1:2 with linespoints pt 7 lc rgb "#1f77b4" title "article: pixels with a wrong 8-bit colour", \
     "" using 1:3 with linespoints pt 6 lc rgb "#1f77b4" title "article: mean difference", \
-    folder."/passes-mirrors.tsv" using 1:2 with linespoints pt 7 lc rgb "#2ca02c" title "mirror balls: pixels of another 8-bit colour", \
+    folder."/passes-mirrors.tsv" using 1:2 with linespoints pt 7 lc rgb "#2ca02c" title "mirror balls: pixels with a wrong 8-bit colour", \
     "" using 1:3 with linespoints pt 6 lc rgb "#2ca02c" title "mirror balls: mean difference"

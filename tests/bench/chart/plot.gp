@@ -1,4 +1,4 @@
-# Time against error, a panel for each world. From outside: points, picture, col, what, least.
+# Time against error, one panel per scene. Set by the caller: points, picture, col, what, least.
 set terminal svg size 1200,780 font "sans,13" background "white"
 set output picture
 set datafile separator "\t"
@@ -11,7 +11,7 @@ set ylabel what
 set grid lc "grey85"
 set key off
 worlds = "easy mirrors glass far many"
-titles = "'easy: the matt world of the article' 'deep mirrors: four touching balls' 'glass and mirrors: the article' 'far from the origin' 'many: a flake of 7381 balls'"
+titles = "'easy: the article with matt bodies' 'deep mirrors: four touching balls' 'glass and mirrors: the article' 'far from the origin' 'many bodies: sphere flake of 7381'"
 y(v) = v < least ? least : v
 series = "float double extended SIMD --error --depth POV-Ray Tachyon"
 colours = "#d62728 #1f77b4 #111111 #bbbbbb #2ca02c #ff7f0e #9467bd #8c564b"

@@ -1,4 +1,4 @@
-// A scene in Embree's hands: balls are its sphere points, cylinders user geometry; planes stay outside, in a plain
+// A scene in Embree's input: balls are its sphere points, cylinders user geometry; planes stay outside, in a plain
 // loop.
 #pragma once
 #include <embree3/rtcore.h>
@@ -47,7 +47,7 @@ struct World {
     Vec3<float> background;
 };
 
-/// What a packet of shadow rays has left of its light; Embree hands it to the callbacks.
+/// What a packet of shadow rays has left of its light; Embree input it to the callbacks.
 struct ShadowContext {
     RTCIntersectContext embree;
     alignas(64) float share[3][lanes];

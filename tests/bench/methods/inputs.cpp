@@ -12,7 +12,7 @@ namespace strahl::bench {
 namespace {
 
 using stability::Dice;
-using Q = __float128;
+using Q = Quadruple;
 using QVec3 = Vec3<Q>;
 constexpr Q none = -7;  // a miss; rays that meet their own surface answer -1
 

@@ -35,7 +35,7 @@ std::string text(const char* format, double value) {
     std::snprintf(buffer, sizeof buffer, format, value);
     return buffer;
 }
-/// Three digits that count.
+/// Three significant digits.
 std::string digits(double value) {
     if (!(value > 0)) return "0";
     return text(value < 9.995 ? value < .9995 ? "%.3f" : "%.2f" : value < 99.95 ? "%.1f" : "%.0f", value);
@@ -46,10 +46,10 @@ const Summary* any_of_ours(const World& world) {
     return s ? s : world.find("float");
 }
 
-/// Seconds of two programs of ours, and how many times as long others take.
+/// Seconds of two of our programs, and how many times as long the others take.
 void write_overview(const std::vector<World>& worlds, const std::array<const char*, 2>& ours,
                     const std::vector<const char*>& peers) {
-    std::cout << "| World | Threads | " << title(ours[0]) << " | " << title(ours[1]) << " |";
+    std::cout << "| Scene | Threads | " << title(ours[0]) << " | " << title(ours[1]) << " |";
     for (const char* peer : peers) std::cout << ' ' << title(peer) << ": to float | to double |";
     std::cout << "\n|---|--:|--:|--:|";
     for (std::size_t i = 0; i < peers.size(); ++i) std::cout << "--:|--:|";
@@ -72,11 +72,12 @@ void write_overview(const std::vector<World>& worlds, const std::array<const cha
 
 void write_details(const World& world) {
     const Row& first = world.programs[0].row;
-    std::cout << "\n## " << world.name << "\n\n"
-              << first.width << 'x' << first.height << ", " << first.objects << " objects, " << first.lights
-              << " lights, " << world.threads << " threads\n\n"
-              << "| Program | Build s | Trace s | Rays | Mrays/s | Memory MiB | Farthest off | Pixels off by more than "
-                 "1/255 |\n|---|--:|--:|--:|--:|--:|--:|--:|\n";
+    std::cout
+        << "\n## " << world.name << "\n\n"
+        << first.width << 'x' << first.height << ", " << first.objects << " objects, " << first.lights << " lights, "
+        << world.threads << " threads\n\n"
+        << "| Program | Build s | Trace s | Rays | Mrays/s | Memory MiB | Largest difference | Pixels differing by "
+           "more than 1/255 |\n|---|--:|--:|--:|--:|--:|--:|--:|\n";
     for (const auto& [row, ratio] : world.programs) {
         std::cout << "| " << title(row.program) << " | " << digits(row.build) << " | " << digits(row.trace) << " | "
                   << (row.rays > 0 ? text("%.0f", row.rays) : "") << " | "
@@ -87,7 +88,7 @@ void write_details(const World& world) {
     }
 }
 
-/// Names and words are our own but for the machine's.
+/// All names are our own except the machine's.
 std::string quoted(const std::string& words) {
     std::string result = "\"";
     for (const char c : words) {
@@ -128,10 +129,10 @@ void write_json(const std::string& path, const std::string& machine, const std::
     if (!out.flush()) throw std::runtime_error("cannot write " + path);
 }
 
-/// `strahl render` itself would hide behind the engine, and what leaves something out is not for these plots.
+/// In a plot, `strahl render` would be hidden behind the tracer alone; and plots show no pruned pictures.
 bool shown(std::string_view program) { return !program.starts_with("render-") && !program.ends_with("-16"); }
 
-/// A line per world for which `x` is above 0, a column per program; none if that makes no line in the plot.
+/// A line per scene for which `x` is above 0, a column per program; no file if there are too few points for a line.
 void write_plot(const std::string& path, const std::string& label, const std::vector<World>& worlds,
                 const std::function<double(const World&)>& x) {
     std::vector<const World*> points;
@@ -172,15 +173,15 @@ void write_plots(const std::string& folder, const std::vector<World>& worlds) {
     write_plot(folder + "/plot-grid.dat", "objects_(balls_and_cylinders_in_rows)", worlds, of_kind("grid-", objects));
     write_plot(folder + "/plot-lights.dat", "lights", worlds,
                of_kind("lights-", [](const Row& row) { return row.lights; }));
-    write_plot(folder + "/plot-pixels.dat", "pixels_(the_article's_world)", worlds, of_kind("article-", pixels));
-    write_plot(folder + "/plot-rays.dat", "rays_(all_worlds)", worlds, [&](const World& w) {
+    write_plot(folder + "/plot-pixels.dat", "pixels_(the_article's_scene)", worlds, of_kind("article-", pixels));
+    write_plot(folder + "/plot-rays.dat", "rays_(all_scenes)", worlds, [&](const World& w) {
         const Summary* s = any_of_ours(w);
         return w.threads == threads && s ? s->row.rays : 0;
     });
     std::string varied;
     for (const World& world : worlds)
         if (world.threads != threads) varied = world.name;
-    write_plot(folder + "/plot-threads.dat", "threads_(the_article's_world)", worlds,
+    write_plot(folder + "/plot-threads.dat", "threads_(the_article's_scene)", worlds,
                [&](const World& w) { return w.name == varied ? w.threads : 0.; });
 }
 
@@ -192,16 +193,14 @@ int main(int argc, char** argv) try {
     const auto rows = read_rows(argv[1]);
     const auto worlds = summarize(rows);
     std::cout
-        << "# Strahl beside other programs\n\nMeasured by tests/bench/run on: " << argv[3]
-        << ".\n\nSeconds are wall time to make the hierarchy and to trace, without start-up, parsing and writing; "
-           "medians of all rounds.\nNumbers below a program's name say how many times as long as Strahl it takes, "
-           "in the same round.\n\n";
+        << "# Strahl compared with other programs\n\nMeasured by tests/bench/run on: " << argv[3]
+        << ".\n\nTimes are wall time for building the hierarchy and tracing, without start-up, parsing and writing; "
+           "medians of all\nrounds. Ratios say how many times as long as Strahl a program takes in the same round.\n\n";
     write_overview(worlds, {"float", "double"}, {"embree", "tachyon", "povray"});
     std::cout
-        << "\nThe same, where nothing need be traced that can't change 16 bits: Strahl leaves out light that adds up "
-           "to "
-           "less than\nhalf a step, for certain, and POV-Ray rays that weigh less than that (`adc_bailout`), which is "
-           "no such promise.\n\n";
+        << "\nThe same for a picture of 16 bits. Strahl omits light that adds up to less than half a step, which is "
+           "guaranteed.\nPOV-Ray drops rays that weigh less than half a step (`adc_bailout`), which guarantees nothing "
+           "for their sum.\n\n";
     write_overview(worlds, {"float-16", "double-16"}, {"povray-16", "povray"});
     for (const World& world : worlds) write_details(world);
     write_json(folder + "/results.json", argv[3], rows, worlds);

@@ -39,6 +39,17 @@ void cylinder(const Point& a, const Point& b, double r, const char* more = "") {
 }
 void floor_at(double z) { std::printf("plane { <0,0,%g>, <1,0,%g>, <0,1,%g> }\n", z, z, z); }
 
+/// A floor ten wide, seen from above one of its sides, under these lights.
+void floor_scene(const char* lights) {
+    std::puts(
+        "background { color <.5,.65,.85> }\n"
+        "camera { position <-1.5,-9.5,5.5> look_at <0,-1.2,0> sky <0,0,1> angle 55 }");
+    std::puts(lights);
+    std::puts(
+        "defaultmaterial { rgb <.7,.68,.62> reflection 0 refraction 0 diffuse .8 ambient .1 specular 0 pow 30 ior 1 }");
+    floor_at(0);
+}
+
 /// Nine balls, each a third as large, around every ball: six around its waist, three above. The layout of the sphere
 /// flake in E. Haines, "A Proposal for Standard Graphics Environments", 1987: the corners of a cuboctahedron but for
 /// the three that point back.
@@ -76,14 +87,10 @@ void flake_world(int count) {
 void grid_world(int count) {
     const int side = static_cast<int>(std::ceil(std::sqrt(count)));
     const double cell = 10. / side;
-    std::puts(
-        "global_settings { max_trace_level 4 }\n"
-        "background { color <.5,.65,.85> }\n"
-        "camera { position <-1.5,-9.5,5.5> look_at <0,-1.2,0> sky <0,0,1> angle 55 }\n"
+    std::puts("global_settings { max_trace_level 4 }");
+    floor_scene(
         "light { position <-8,-6,9> color <.7,.7,.65> }\n"
-        "light { position <6,-9,12> color <.35,.35,.4> }\n"
-        "defaultmaterial { rgb <.7,.68,.62> reflection 0 refraction 0 diffuse .8 ambient .1 specular 0 pow 30 ior 1 }");
-    floor_at(0);
+        "light { position <6,-9,12> color <.35,.35,.4> }");
     const char* const colours[] = {"<.85,.25,.2>", "<.25,.6,.3>", "<.25,.35,.8>", "<.9,.75,.3>", "<.8,.8,.85>"};
     Chance chance;
     for (int band = 0; band < 5; ++band) {
@@ -158,12 +165,7 @@ void lights_world(int count) {
 void plain_world(int count) {
     const int side = static_cast<int>(std::ceil(std::sqrt(count)));
     const double cell = 10. / side;
-    std::puts(
-        "background { color <.5,.65,.85> }\n"
-        "camera { position <-1.5,-9.5,5.5> look_at <0,-1.2,0> sky <0,0,1> angle 55 }\n"
-        "light { position <-8,-6,9> color <.9,.9,.85> }\n"
-        "defaultmaterial { rgb <.7,.68,.62> reflection 0 refraction 0 diffuse .8 ambient .1 specular 0 pow 30 ior 1 }");
-    floor_at(0);
+    floor_scene("light { position <-8,-6,9> color <.9,.9,.85> }");
     std::puts("defaultmaterial { rgb <.85,.35,.25> specular .4 }");
     Chance chance;
     for (int i = 0; i < count; ++i) {

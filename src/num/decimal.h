@@ -1,4 +1,4 @@
-// Numbers and vectors as POV-Ray reads them.
+// Numbers and vectors as text that reads back as the same numbers.
 #pragma once
 #include <charconv>
 #include <string>
@@ -13,7 +13,7 @@ inline std::string text_of(double v) {
     return {digits, std::to_chars(digits, digits + sizeof digits, v == 0 ? 0 : v).ptr};
 }
 inline std::string text_of(const DVec3& v) {
-    return "<" + text_of(v.x) + ", " + text_of(v.y) + ", " + text_of(v.z) + ">";
+    return std::string("<") + text_of(v.x) + ", " + text_of(v.y) + ", " + text_of(v.z) + ">";
 }
 
 }  // namespace strahl

@@ -1,21 +1,15 @@
 #!/usr/bin/env bash
-# Random keys, mouse moves, sizes and changes of the file for a while; worth most with a sanitized build.
+# Random keys, mouse moves, window sizes and file changes for a while; most useful with a sanitized build.
 #
-#   tests/window/monkey.sh STRAHL SECONDS [SEED]
+#   tests/window/random_input.sh STRAHL SECONDS [SEED]
 #
-# Exit status: 0 if the window lived and ended without a report, 1 if not, 77 a tool is missing.
+# Exit status: 0 the window survived and the sanitizers reported nothing, 1 otherwise, 77 a tool is missing.
 set -uo pipefail
 
 strahl=$(readlink -f -- "$1") seconds=$2 seed=${3-1}
 here=$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")
-if [[ -z ${STRAHL_OWN_DISPLAY-} ]]; then
-    for tool in xvfb-run xauth xdotool cc; do
-        command -v "$tool" >/dev/null && continue
-        echo "skipped: $tool is missing (Debian packages xvfb, xauth, xdotool, libgl1-mesa-dri)"
-        exit 77
-    done
-    STRAHL_OWN_DISPLAY=yes exec xvfb-run -a -s "-screen 0 800x600x24" bash "${BASH_SOURCE[0]}" "$@"
-fi
+source "$here/display.sh"
+own_display 800x600 cc "$@"
 work=$(mktemp -d)
 pid=
 trap '[[ -n $pid ]] && kill -9 "$pid" 2>/dev/null; rm -rf "$work"' EXIT
@@ -25,7 +19,7 @@ cp "$here/../../scenes/article.rt" other.rt
 cp good.rt scene.rt
 sed 's/{/{ {/' good.rt >broken.rt
 
-# What an OpenGL driver keeps until the end looks lost once its library is gone; so libraries stay.
+# Memory that an OpenGL driver keeps until the end looks leaked once its library is unloaded; so libraries stay loaded.
 echo 'int dlclose(void *library) { return !library; }' | cc -shared -fPIC -x c - -o keep.so || exit 77
 export ASAN_OPTIONS=verify_asan_link_order=0:log_path=$work/report UBSAN_OPTIONS=print_stacktrace=1:log_path=$work/report
 export TSAN_OPTIONS=log_path=$work/report:print_suppressions=0:suppressions=$here/races.txt
@@ -81,7 +75,7 @@ status=$?
 pid=
 count() { grep -c "$1" log; }
 echo "$actions actions in $seconds s, seed $seed: $(count 'rest after') motions, $(count 'read again') files read," \
-    "$(count 'has a fault') faulty ones, $(count 'still saved') stills; exit status $status"
+    "$(count 'has an error') faulty ones, $(count 'still saved') stills; exit status $status"
 ((status == 0)) && ! compgen -G 'report*' >/dev/null && exit 0
 tail -n 3 log
 cat report* | head -n 200

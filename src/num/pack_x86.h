@@ -1,0 +1,82 @@
+// What Pack needs of the instructions of x86-64: SSE2, AVX with fused multiply-adds, AVX-512. Only for pack.h.
+#pragma once
+#include <immintrin.h>
+
+#include "num/quad.h"
+
+namespace strahl::inline STRAHL_LEVEL {
+
+#if defined(__FMA__)
+inline constexpr bool has_fma = true;
+#else
+inline constexpr bool has_fma = false;
+#endif
+#if defined(__AVX512F__)
+inline constexpr bool has_mask_registers = true;
+#else
+inline constexpr bool has_mask_registers = false;
+#endif
+
+}  // namespace strahl::inline STRAHL_LEVEL
+
+namespace strahl {
+
+/// __m128, __m256d and so on.
+template <class T, int bytes>
+struct Native {
+    using Register [[gnu::vector_size(bytes)]] = T;
+};
+
+// One register, one instruction; of four floats in quad.h.
+STRAHL_INLINE __m128d minimum(__m128d a, __m128d b) { return _mm_min_pd(a, b); }
+STRAHL_INLINE __m128d maximum(__m128d a, __m128d b) { return _mm_max_pd(a, b); }
+#if defined(__FMA__)
+STRAHL_INLINE __m256 minimum(__m256 a, __m256 b) { return _mm256_min_ps(a, b); }
+STRAHL_INLINE __m256d minimum(__m256d a, __m256d b) { return _mm256_min_pd(a, b); }
+STRAHL_INLINE __m256 maximum(__m256 a, __m256 b) { return _mm256_max_ps(a, b); }
+STRAHL_INLINE __m256d maximum(__m256d a, __m256d b) { return _mm256_max_pd(a, b); }
+STRAHL_INLINE __m256 fused(__m256 a, __m256 b, __m256 c) { return _mm256_fmadd_ps(a, b, c); }
+STRAHL_INLINE __m256d fused(__m256d a, __m256d b, __m256d c) { return _mm256_fmadd_pd(a, b, c); }
+#endif
+#if defined(__AVX512F__)
+STRAHL_INLINE __m512 minimum(__m512 a, __m512 b) { return _mm512_min_ps(a, b); }
+STRAHL_INLINE __m512d minimum(__m512d a, __m512d b) { return _mm512_min_pd(a, b); }
+STRAHL_INLINE __m512 maximum(__m512 a, __m512 b) { return _mm512_max_ps(a, b); }
+STRAHL_INLINE __m512d maximum(__m512d a, __m512d b) { return _mm512_max_pd(a, b); }
+STRAHL_INLINE __m512 fused(__m512 a, __m512 b, __m512 c) { return _mm512_fmadd_ps(a, b, c); }
+STRAHL_INLINE __m512d fused(__m512d a, __m512d b, __m512d c) { return _mm512_fmadd_pd(a, b, c); }
+STRAHL_INLINE __m512 chosen(unsigned mask, __m512 yes, __m512 no) {
+    return _mm512_mask_mov_ps(no, static_cast<__mmask16>(mask), yes);
+}
+STRAHL_INLINE __m512d chosen(unsigned mask, __m512d yes, __m512d no) {
+    return _mm512_mask_mov_pd(no, static_cast<__mmask8>(mask), yes);
+}
+STRAHL_INLINE float least_of(__m512 a) { return _mm512_reduce_min_ps(a); }
+STRAHL_INLINE double least_of(__m512d a) { return _mm512_reduce_min_pd(a); }
+
+// Compressing in the register and storing whole: vcompress to memory is slow microcode on some processors.
+STRAHL_INLINE void store_compressed(float* to, __mmask16 mask, __m512 value) {
+    _mm512_storeu_ps(to, _mm512_maskz_compress_ps(mask, value));
+}
+STRAHL_INLINE void store_compressed(double* to, __mmask8 mask, __m512d value) {
+    _mm512_storeu_pd(to, _mm512_maskz_compress_pd(mask, value));
+}
+
+/// See interleaved() in pack.h.
+STRAHL_INLINE void interleave(float* to, __m512 x, __m512 y, __m512 z) {
+    const __m512 none = _mm512_setzero_ps();
+    const __m512d low_xy = _mm512_castps_pd(_mm512_unpacklo_ps(x, y));
+    const __m512d high_xy = _mm512_castps_pd(_mm512_unpackhi_ps(x, y));
+    const __m512d low_z = _mm512_castps_pd(_mm512_unpacklo_ps(z, none));
+    const __m512d high_z = _mm512_castps_pd(_mm512_unpackhi_ps(z, none));
+    _mm512_store_ps(to, _mm512_castpd_ps(_mm512_unpacklo_pd(low_xy, low_z)));
+    _mm512_store_ps(to + 16, _mm512_castpd_ps(_mm512_unpackhi_pd(low_xy, low_z)));
+    _mm512_store_ps(to + 32, _mm512_castpd_ps(_mm512_unpacklo_pd(high_xy, high_z)));
+    _mm512_store_ps(to + 48, _mm512_castpd_ps(_mm512_unpackhi_pd(high_xy, high_z)));
+}
+STRAHL_INLINE void add_four(float* to, const float* from) {
+    _mm_storeu_ps(to, _mm_add_ps(_mm_loadu_ps(to), _mm_load_ps(from)));
+}
+#endif
+
+}  // namespace strahl

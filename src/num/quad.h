@@ -1,0 +1,21 @@
+// Quad: four floats, one register of any processor, with + - * / and comparisons.
+#pragma once
+#include "num/lanes.h"
+#if defined(__x86_64__)
+#include <xmmintrin.h>
+#endif
+
+namespace strahl {
+
+// Of NaN and of signed zeros the second operand is the answer, as x86 has it in one instruction.
+#if defined(__x86_64__)
+using Quad = __m128;
+STRAHL_INLINE Quad minimum(Quad a, Quad b) { return _mm_min_ps(a, b); }
+STRAHL_INLINE Quad maximum(Quad a, Quad b) { return _mm_max_ps(a, b); }
+#else
+using Quad [[gnu::vector_size(16)]] = float;
+STRAHL_INLINE Quad minimum(Quad a, Quad b) { return a < b ? a : b; }
+STRAHL_INLINE Quad maximum(Quad a, Quad b) { return a > b ? a : b; }
+#endif
+
+}  // namespace strahl

@@ -1,0 +1,32 @@
+// Vector arithmetic in double, for everything but the kernels.
+//
+// `dot` and `cross` of lanes.h fuse multiplications and additions; these round every step. The names differ so that
+// neither replaces the other by accident, which would change the last bits of pictures.
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <glm/mat4x4.hpp>
+
+#include "num/vec.h"
+
+namespace strahl {
+
+inline double dot_product(const DVec3& a, const DVec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline DVec3 cross_product(const DVec3& a, const DVec3& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+/// Squares neither overflow nor underflow.
+inline double length(const DVec3& v) { return std::hypot(v.x, v.y, v.z); }
+
+/// Length 1; not finite if `v` is zero. The largest component is divided out first, or denormal vectors would lose
+/// their direction.
+inline DVec3 normalize(const DVec3& v) {
+    const double largest = std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
+    const DVec3 w = v / largest;
+    return w / length(w);
+}
+
+/// The point `p` under an affine transformation.
+inline DVec3 transform_point(const glm::dmat4& m, const DVec3& p) { return DVec3(m * glm::dvec4(p, 1)); }
+
+}  // namespace strahl

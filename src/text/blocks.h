@@ -1,0 +1,85 @@
+// The parameters of each block. The parser reads by these lists, and the manual's tables are made from them.
+#pragma once
+#include <algorithm>
+#include <array>
+#include <tuple>
+
+#include "scene/scene.h"
+#include "text/parameter.h"
+
+namespace strahl {
+
+template <std::size_t n, std::size_t m>
+std::array<Parameter, n + m> joined(const std::array<Parameter, n>& first, const std::array<Parameter, m>& second) {
+    std::array<Parameter, n + m> all;
+    std::copy(second.begin(), second.end(), std::copy(first.begin(), first.end(), all.begin()));
+    return all;
+}
+
+/// What `camera` and `key` have in common, with both ways to say which way is up and how wide the view is.
+struct EyeText {
+    DVec3 position{0}, look_at{0};
+    std::optional<DVec3> up, sky;
+    std::optional<double> fov, angle;
+
+    std::optional<DVec3> down() const { return sky ? std::optional(DVec3(0) - *sky) : up; }
+    std::optional<double> half_angle() const { return angle ? std::optional(*angle / 2) : fov; }
+};
+/// `otherwise` says what holds for directions and angles that are not given.
+inline std::array<Parameter, 6> eye_parameters(EyeText& eye, std::string_view otherwise) {
+    return {{{"position", &eye.position, coordinates, "where the eye is", required},
+             {"look_at", &eye.look_at, coordinates, "the point in the middle of the picture", required},
+             {"up", &eye.up, coordinates, "the direction that points *down* the picture: `<0, 0, -1>` where z is up",
+              otherwise, "sky"},
+             {"sky", &eye.sky, coordinates, "the direction that points up the picture"},
+             {"fov", &eye.fov, half_angles, "the angle between the middle of the picture and its left or right edge",
+              otherwise, "angle"},
+             {"angle", &eye.angle, angles, "the angle between its left and right edges: twice `fov`"}}};
+}
+inline std::array<Parameter, 7> camera_parameters(EyeText& eye, std::optional<double>& aspectratio) {
+    return joined(eye_parameters(eye, required),
+                  std::array{Parameter{"aspectratio", &aspectratio, positive, "width / height of what the camera sees",
+                                       "the picture's"}});
+}
+inline std::array<Parameter, 7> key_parameters(double& time, EyeText& eye) {
+    return joined(std::array{Parameter{"time", &time, seconds, "when the camera passes, in seconds", required}},
+                  eye_parameters(eye, "the camera's"));
+}
+inline std::array<Parameter, 2> flythrough_parameters(Flythrough& path) {
+    return {
+        {{"duration", &path.duration, lengths, "how long the flight takes, in seconds", required},
+         {"loop", &path.loop, {}, "closes the path: from the last key it continues to the first", "the path ends"}}};
+}
+
+inline std::array<Parameter, 2> light_parameters(Light& light) {
+    return {{{"position", &light.position, coordinates, "where the light is", required},
+             {"color", &light.color, not_negative, "its colour and strength", required}}};
+}
+inline std::array<Parameter, 1> background_parameters(Color& color) {
+    return {{{"color", &color, not_negative, "the colour of rays that hit nothing", required}}};
+}
+
+/// The numbers of `global_settings` before they are checked.
+struct SettingsText {
+    Color ambient_light = Settings{}.ambient_light;
+    double max_trace_level = Settings{}.max_trace_level;
+    std::optional<double> assumed_gamma;
+};
+inline std::array<Parameter, 3> settings_parameters(SettingsText& settings) {
+    return {{{"ambient_light", &settings.ambient_light, not_negative, "the ambient light, the same everywhere"},
+             {"max_trace_level", &settings.max_trace_level, depths,
+              "how many generations of rays are traced; camera rays are the first"},
+             {"assumed_gamma", &settings.assumed_gamma, only_one,
+              "declares that values are linear light: the window and 8- and 16-bit files are then sRGB-encoded",
+              "values are shown as they are"}}};
+}
+
+inline auto material_parameters(Material& material) {
+    return std::apply(
+        [&](const auto&... field) {
+            return std::array{Parameter{field.name, &(material.*field.member), bounds_of(field.range), field.help}...};
+        },
+        Material::fields);
+}
+
+}  // namespace strahl

@@ -1,0 +1,99 @@
+// Tables in Markdown from field tables and parameter lists.
+#include "text/manual.h"
+
+#include <map>
+#include <span>
+#include <stdexcept>
+#include <type_traits>
+
+#include "num/decimal.h"
+#include "text/blocks.h"
+
+namespace strahl {
+namespace {
+
+std::string code(std::string_view word) { return std::string("`").append(word).append("`"); }
+
+/// What holds where the parameter is not given; `instead_of` is the parameter that it can replace, or empty.
+std::string default_of(const Parameter& parameter, std::string_view instead_of) {
+    if (!instead_of.empty()) return "in place of " + code(instead_of);
+    if (!parameter.otherwise.empty()) return std::string(parameter.otherwise);
+    return std::visit(
+        [](const auto* value) -> std::string {
+            if constexpr (requires { text_of(*value); })
+                return code(text_of(*value));
+            else
+                return "none";
+        },
+        parameter.value);
+}
+
+std::string parameter_table(std::span<const Parameter> parameters) {
+    std::string table = "| parameter | default | values | meaning |\n|---|---|---|---|\n";
+    std::string_view before, offers;  // the parameter above and its alternative
+    for (const Parameter& p : parameters) {
+        const bool word_alone = std::holds_alternative<bool*>(p.value);
+        table += "| " + code(p.name) + " | " + default_of(p, p.name == offers ? before : "") + " | " +
+                 (word_alone ? "the word alone" : p.bounds.words) + " | " + p.help + " |\n";
+        before = p.name, offers = p.alternative;
+    }
+    return table;
+}
+
+template <class Kind>
+std::string body_rows() {
+    std::string rows, name = code(Kind::name);
+    const auto add = [&](const auto& field) {
+        rows +=
+            "| " + name + " | " + field.name + " | " + argument_bounds(field.range).words + " | " + field.help + " |\n";
+        name = "";
+    };
+    std::apply([&](const auto&... field) { (add(field), ...); }, Kind::fields);
+    return rows;
+}
+template <class... Kinds>
+std::string body_table(std::type_identity<std::variant<Kinds...>>) {
+    return "| body | arguments | values | meaning |\n|---|---|---|---|\n" + (body_rows<Kinds>() + ...);
+}
+
+std::map<std::string, std::string> all_tables() {
+    EyeText eye;
+    std::optional<double> aspectratio;
+    double time = 0;
+    Flythrough path;
+    Light light;
+    Color background{0};
+    SettingsText settings;
+    Material material;
+    return {{"bodies", body_table(std::type_identity<Shape>{})},
+            {"material", parameter_table(material_parameters(material))},
+            {"light", parameter_table(light_parameters(light))},
+            {"camera", parameter_table(camera_parameters(eye, aspectratio))},
+            {"background", parameter_table(background_parameters(background))},
+            {"global_settings", parameter_table(settings_parameters(settings))},
+            {"flythrough", parameter_table(flythrough_parameters(path))},
+            {"key", parameter_table(key_parameters(time, eye))}};
+}
+
+}  // namespace
+
+std::string with_current_tables(const std::string& page) {
+    const std::string begin = "<!-- table: ", begin_end = " -->\n", end = "<!-- end of table -->";
+    std::map<std::string, std::string> tables = all_tables();
+    std::string text;
+    std::size_t at = 0;
+    for (std::size_t start; (start = page.find(begin, at)) != page.npos;) {
+        const std::size_t name = start + begin.size(), name_end = page.find(begin_end, name);
+        const std::size_t close = page.find(end, name);
+        if (name_end == page.npos || close == page.npos || close < name_end)
+            throw std::runtime_error("a table of the manual has no '" + end + "'");
+        const auto table = tables.extract(page.substr(name, name_end - name));
+        if (!table) throw std::runtime_error("unknown or second table: " + page.substr(name, name_end - name));
+        text += page.substr(at, name_end + begin_end.size() - at) + table.mapped();
+        at = close;
+    }
+    if (!tables.empty()) throw std::runtime_error("the manual lacks the table '" + tables.begin()->first + "'");
+    return text + page.substr(at);
+}
+
+}  // namespace strahl

@@ -1,0 +1,32 @@
+// Quadruple: numbers of 113 bits, to judge by. On aarch64 that is long double; on x86-64 a type of the compiler's, for
+// which the C library has functions.
+#pragma once
+#include <cfloat>
+#include <cmath>
+#include <concepts>
+
+#if LDBL_MANT_DIG < 113
+// <cmath> declares them for g++ only.
+extern "C" __float128 sqrtf128(__float128) noexcept;
+extern "C" __float128 powf128(__float128, __float128) noexcept;
+#endif
+
+namespace strahl {
+
+#if LDBL_MANT_DIG < 113
+using Quadruple = __float128;
+inline Quadruple root(Quadruple a) { return sqrtf128(a); }
+inline Quadruple power(Quadruple a, Quadruple b) { return powf128(a, b); }
+#else
+using Quadruple = long double;
+#endif
+template <std::floating_point R>
+R root(R a) {
+    return std::sqrt(a);
+}
+template <std::floating_point R>
+R power(R a, R b) {
+    return std::pow(a, b);
+}
+
+}  // namespace strahl

@@ -1,0 +1,52 @@
+// The manual's tables are those of the field tables and parameter lists that the parser reads by.
+#include "text/manual.h"
+
+#include <doctest/doctest.h>
+
+#include <stdexcept>
+#include <string>
+#include <tuple>
+#include <type_traits>
+
+#include "scene/scene.h"
+#include "text/parse.h"
+
+using namespace strahl;
+
+namespace {
+
+const std::string page = read_text(STRAHL_SOURCE "/src/text/README.md");
+
+std::string replaced(std::string text, const std::string& old, const std::string& by) {
+    const std::size_t at = text.find(old);
+    REQUIRE(at != text.npos);
+    return text.replace(at, old.size(), by);
+}
+
+}  // namespace
+
+TEST_CASE("the manual's tables are current") {
+    CHECK_MESSAGE(with_current_tables(page) == page,
+                  "stale: run `cmake --build --preset release --target manual` and commit src/text/README.md");
+}
+
+TEST_CASE("every body has its rows, and a stale table is made anew") {
+    const auto check = [&]<class... Kinds>(std::type_identity<std::variant<Kinds...>>) {
+        const auto row = [&](const char* body, const auto& field) {
+            CHECK_MESSAGE(page.find("| `" + std::string(body) + "` | " + field.name + " |") != page.npos, body);
+        };
+        (row(Kinds::name, std::get<0>(Kinds::fields)), ...);
+    };
+    check(std::type_identity<Shape>{});
+    CHECK(with_current_tables(replaced(page, "| `ior` | `1` |", "| `ior` | `2` |")) == page);
+    CHECK(with_current_tables(replaced(page, "| `sphere` | centre", "| `ball` | middle")) == page);
+    CHECK(with_current_tables(replaced(page, "`fov` | required", "`fov` | `25`")) == page);
+}
+
+TEST_CASE("a page with a missing, unknown, doubled or open table is refused") {
+    CHECK_THROWS_AS(with_current_tables(""), std::runtime_error);
+    CHECK_THROWS_AS(with_current_tables(replaced(page, "<!-- table: light -->", "")), std::runtime_error);
+    CHECK_THROWS_AS(with_current_tables(replaced(page, "table: light", "table: lamp")), std::runtime_error);
+    CHECK_THROWS_AS(with_current_tables(page + "<!-- table: light -->\n<!-- end of table -->"), std::runtime_error);
+    CHECK_THROWS_AS(with_current_tables(page + "<!-- table: light -->\n"), std::runtime_error);
+}
