@@ -127,7 +127,7 @@ struct Cylinder {
     template <class T, class Emit>
     void emit(const WorldTransform& to_world, const Emit& emit) const {
         const DVec3 rise = cap - base;
-        const double height = std::sqrt(rise.x * rise.x + rise.y * rise.y + rise.z * rise.z);
+        const double height = std::sqrt(dot_product(rise, rise));
         if (to_world.similar())
             emit(CylinderKernel<T>{cast<T>(to_world.point(base)), cast<T>(to_world.direction(axis())),
                                    static_cast<T>(to_world.length(radius)), static_cast<T>(to_world.length(height))});

@@ -15,8 +15,6 @@ struct Body {
     double distance = 0;             // of the half-space normal . x < distance
 };
 
-double dot_product(const DVec3& a, const DVec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-
 Body body_of(const Primitive& primitive) {
     Body body{.box = world_bounds(primitive)};
     body.space = half_space(primitive);

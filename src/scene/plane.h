@@ -66,12 +66,12 @@ struct Plane {
     }
     HalfSpace half_space(const glm::dmat4& m) const {
         const DVec3 n = glm::transpose(glm::inverse(glm::dmat3(m))) * normal();
-        return {transform_point(m, a), n / std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z)};
+        return {transform_point(m, a), n / std::sqrt(dot_product(n, n))};
     }
     /// POV-Ray's inside is normal . p < distance: the half-space behind the normal, as here.
     auto pov() const {
         const DVec3 n = normal();
-        return std::tuple("plane", n, n.x * a.x + n.y * a.y + n.z * a.z);
+        return std::tuple("plane", n, dot_product(n, a));
     }
 
     template <class T>
@@ -80,7 +80,7 @@ struct Plane {
     void emit(const WorldTransform& to_world, const Emit& emit) const {
         const HalfSpace body = half_space(to_world.matrix);
         const DVec3 n = body.normal, p = to_world.place(body.point);
-        emit(PlaneKernel<T>{cast<T>(n), static_cast<T>(n.x * p.x + n.y * p.y + n.z * p.z)});
+        emit(PlaneKernel<T>{cast<T>(n), static_cast<T>(dot_product(n, p))});
     }
 };
 

@@ -5,10 +5,9 @@
 #include <glm/matrix.hpp>
 
 #include "num/box.h"
+#include "num/vec_math.h"
 
 namespace strahl {
-
-inline DVec3 transform_point(const glm::dmat4& m, const DVec3& p) { return DVec3(m * glm::dvec4(p, 1)); }
 
 /// The box around a transformed box.
 inline Box transformed(const Box& local, const glm::dmat4& m) {
@@ -39,7 +38,7 @@ struct WorldTransform {
     /// The unit vector along a transformed direction.
     DVec3 direction(const DVec3& v) const {
         const DVec3 turned = glm::dmat3(matrix) * v;
-        return turned / std::sqrt(turned.x * turned.x + turned.y * turned.y + turned.z * turned.z);
+        return turned / std::sqrt(dot_product(turned, turned));
     }
 };
 
