@@ -18,6 +18,7 @@
 #include "main/stats.h"
 #include "text/file.h"
 #include "text/parse.h"
+#include "text/utf8.h"
 #include "trace/accuracy.h"
 #include "trace/thread_pool.h"
 
@@ -114,6 +115,7 @@ class Renderer {
     }
 
     const Scene& scene() const { return tracer.scene(); }
+    bool interrupted() const { return *interrupt.flag(); }
 
     /// Traces and writes one picture. False if it was interrupted: then the finished part of it is in a file of its
     /// own.
@@ -126,7 +128,7 @@ class Renderer {
         stats.trace_seconds += watch.lap();
         const bool whole = done == pixels();
         if (done == 0) {
-            std::cerr << "strahl: interrupted before anything of '" << path << "' was finished\n";
+            std::cerr << "strahl: interrupted before anything of '" << printable(path) << "' was finished\n";
             return false;
         }
         const std::string file = whole || path == "-" ? path : before_ending(path, ".part");
@@ -135,7 +137,8 @@ class Renderer {
         stats.frames += whole;
         if (!whole)
             std::cerr << "strahl: interrupted; the finished part (" << 100 * done / pixels() << " %) is in "
-                      << (file == "-" ? "standard output" : "'" + file + "'") << '\n';
+                      << (file == "-" ? "standard output" : std::string("'").append(printable(file)).append("'"))
+                      << '\n';
         return whole;
     }
 
@@ -190,11 +193,28 @@ class Renderer {
     Interrupt interrupt;
 };
 
-bool render_frames(const RenderOptions& options, Renderer& renderer, const std::string& ending) {
+/// Is there a file that holds the whole picture? One that was cut off is told and made again; one of another film is
+/// not ours to overwrite.
+bool is_finished(const std::string& path, const Lattice& part) {
+    if (!std::filesystem::exists(path)) return false;
+    try {
+        const Picture picture = read_picture(path);
+        if (picture.width == part.columns && picture.height == part.rows) return true;
+        const auto size = [](int width, int height) { return std::to_string(width) + "x" + std::to_string(height); };
+        throw UsageError("'" + path + "' is a picture of " + size(picture.width, picture.height) + " pixels and not " +
+                         size(part.columns, part.rows) +
+                         "; give --resume the size that the film was begun with, or another -o");
+    } catch (const FileError& error) {
+        std::cerr << "strahl: " << printable(error.what()) << "; this frame is made again\n";
+        return false;
+    }
+}
+
+bool render_frames(const RenderOptions& options, const Lattice& part, Renderer& renderer, const std::string& ending) {
     const auto [first, last] = *options.frames;
     for (int frame = first; frame <= last; ++frame) {
         const std::string path = numbered(options.output, frame);
-        if (options.resume && std::filesystem::exists(path)) continue;
+        if (options.resume && !renderer.interrupted() && is_finished(path, part)) continue;
         const std::string label = "frame " + std::to_string(frame) + " of " + std::to_string(last) + " ";
         if (!renderer.render(camera_of(renderer.scene(), frame / options.fps), path, ending, label)) {
             std::cerr << "strahl: the same command with --resume goes on from there\n";
@@ -227,8 +247,8 @@ int render_command(const RenderOptions& options) {
     const Camera camera =
         camera_of(scene, options.frames ? std::optional(options.frames->first / options.fps) : options.time);
     Renderer renderer(options, std::move(scene), camera, part, format, stats);
-    stats.finished =
-        options.frames ? render_frames(options, renderer, ending) : renderer.render(camera, options.output, ending, "");
+    stats.finished = options.frames ? render_frames(options, part, renderer, ending)
+                                    : renderer.render(camera, options.output, ending, "");
     if (!options.stats.empty()) write_file(options.stats, to_json(stats));
     return stats.finished ? exit_status::done : exit_status::interrupted;
 }

@@ -23,7 +23,7 @@ struct RenderOptions {
     std::optional<double> time;  // seconds into the flythrough
     std::optional<FrameRange> frames;
     double fps = 25;
-    bool resume = false;  // leaves out frames whose file is there
+    bool resume = false;  // leaves out frames whose file is there, and whole
     std::string stats;    // a JSON file, or empty
     bool quiet = false;
 };
