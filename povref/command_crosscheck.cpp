@@ -11,6 +11,7 @@
 #include "povref/run_povray.h"
 #include "povref/verdict.h"
 #include "text/parse.h"
+#include "text/utf8.h"
 #include "trace/thread_pool.h"
 
 namespace strahl {
@@ -60,7 +61,7 @@ std::string sheet_path(const CrosscheckOptions& options, const std::string& scen
 }
 
 void print_row(const std::string& path, const Verdict& verdict, double ours, double theirs) {
-    const std::string scene = path.ends_with(".rt") ? path.substr(0, path.size() - 3) : path;
+    const std::string scene = show(path.ends_with(".rt") ? path.substr(0, path.size() - 3) : path).text;
     std::printf("| %-36s | %7zu | %9d | %10zu | %8zu | %8.3f | %9.3f |\n", scene.c_str(), verdict.pixels,
                 verdict.worst_off_edges, verdict.beyond_off_edges, verdict.beyond_on_edges, ours, theirs);
     std::fflush(stdout);
@@ -84,9 +85,9 @@ bool check(const CrosscheckOptions& options, const std::string& path) {
     const OurRun ours = trace(tracer, view, options.threads);
     const Verdict verdict = judge(tracer, view, ours.frame, theirs.picture);
     print_row(path, verdict, ours.seconds, theirs.seconds);
-    if (!theirs.warnings.empty()) std::cerr << path << ": povray warns:\n" << theirs.warnings;
+    if (!theirs.warnings.empty()) std::cerr << show(path).text << ": povray warns:\n" << printable(theirs.warnings);
     if (verdict.beyond_off_edges > 0)
-        std::cerr << path << ": worst off the edges at x " << verdict.x << ", y " << verdict.y << '\n';
+        std::cerr << show(path).text << ": worst off the edges at x " << verdict.x << ", y " << verdict.y << '\n';
     if (!options.sheet.empty())
         write_sheet(sheet_path(options, path), ours.frame, theirs.picture, scene.settings.linear);
     return verdict.beyond_off_edges == 0 && verdict.beyond_on_edges * 1000 <= verdict.pixels;

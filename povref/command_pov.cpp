@@ -8,6 +8,7 @@
 #include "povref/pov_scene.h"
 #include "text/file.h"
 #include "text/parse.h"
+#include "text/utf8.h"
 
 namespace strahl {
 namespace {
@@ -56,7 +57,7 @@ int pov_command(const PovOptions& options) {
     const PovFiles files = write_pov(scene, request);
     write_file(options.output, files.pov);
     write_file(fs::path(options.output).replace_extension(".ini").string(), files.ini);
-    for (const std::string& warning : files.warnings) std::cerr << "strahl: warning: " << warning << '\n';
+    for (const std::string& warning : files.warnings) std::cerr << "strahl: warning: " << printable(warning) << '\n';
     return 0;
 }
 

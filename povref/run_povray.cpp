@@ -40,13 +40,15 @@ class Scratch {
     fs::path folder;
 };
 
-/// Runs `words`, with all output in the file `log`. Returns the exit status, or -1 if there is no such program.
-int run(std::vector<std::string> words, const std::string& log) {
+/// Runs `words` in `folder`, with all output in the file `log`. Returns the exit status, or -1 if there is no such
+/// program.
+int run(std::vector<std::string> words, const std::string& folder, const std::string& log) {
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);
     posix_spawn_file_actions_t files;
     posix_spawn_file_actions_init(&files);
+    posix_spawn_file_actions_addchdir_np(&files, folder.c_str());
     posix_spawn_file_actions_addopen(&files, 0, "/dev/null", O_RDONLY, 0);
     posix_spawn_file_actions_addopen(&files, 1, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
     posix_spawn_file_actions_adddup2(&files, 1, 2);
@@ -89,25 +91,26 @@ std::string warnings_in(const std::string& log) {
 
 PovRun run_povray(const Scene& scene, PovRequest request, int threads) {
     const Scratch scratch;
-    request.pov_path = scratch.path("scene.pov");
-    request.picture_path = scratch.path("scene.png");
+    // It runs in that folder: no .ini file need hold the folder's name, whatever characters are in it.
+    request.pov_path = "scene.pov";
+    request.picture_path = "scene.png";
     request.bits = 16;
     const PovFiles files = write_pov(scene, request);
-    write_file(request.pov_path, files.pov);
+    write_file(scratch.path("scene.pov"), files.pov);
     write_file(scratch.path("scene.ini"), files.ini);
-    std::vector<std::string> words{"povray", scratch.path("scene.ini"), "Warning_Console=On", "Verbose=Off"};
+    std::vector<std::string> words{"povray", "scene.ini", "Warning_Console=On", "Verbose=Off"};
     // Linear values are compared as they are, so that no curve comes between.
     if (scene.settings.linear) words.push_back("File_Gamma=1.0");
     if (threads > 0) words.push_back("Work_Threads=" + std::to_string(threads));
     const std::string log_path = scratch.path("log");
-    const int status = run(words, log_path);
+    const int status = run(words, scratch.path("."), log_path);
     if (status == -1 || status == 127)
         throw std::runtime_error(
             "povray, the other program to check against, is not installed; on Debian: apt install povray");
     const std::string log = content(log_path);
     if (status != 0)
         throw std::runtime_error("povray failed:\n" + log.substr(log.size() < 1500 ? 0 : log.size() - 1500));
-    PovRun result{read_picture(request.picture_path), 0, warnings_in(log)};
+    PovRun result{read_picture(scratch.path("scene.png")), 0, warnings_in(log)};
     std::smatch match;
     if (std::regex_search(log, match, std::regex(R"(Trace Time:[^\n]*\(([0-9.]+) seconds\))")))
         result.seconds = std::stod(match[1]);

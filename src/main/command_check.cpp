@@ -10,6 +10,7 @@
 #include "scene/scene.h"
 #include "text/file.h"
 #include "text/parse.h"
+#include "text/utf8.h"
 #include "text/write.h"
 
 namespace strahl {
@@ -96,7 +97,7 @@ std::string summary(const Scene& scene) {
 int check_command(const CheckOptions& options) {
     const std::string file = options.scene == "-" ? "standard input" : options.scene;
     const Scene scene = parse_scene(read_text(options.scene), file);
-    write_file("-", options.print ? write_scene(scene) : file + ": no faults\n" + summary(scene));
+    write_file("-", options.print ? write_scene(scene) : show(file).text + ": no faults\n" + summary(scene));
     return exit_status::done;
 }
 

@@ -4,13 +4,14 @@
 #include <cstdio>
 
 #include "image/compare.h"
+#include "text/utf8.h"
 
 namespace strahl {
 namespace {
 
 Picture read_and_tell(const std::string& path, std::FILE* out) {
     Picture picture = read_picture(path);
-    std::fprintf(out, "%s: %dx%d, %d channel%s, %d bits\n", path.c_str(), picture.width, picture.height,
+    std::fprintf(out, "%s: %dx%d, %d channel%s, %d bits\n", show(path).text.c_str(), picture.width, picture.height,
                  picture.channels, picture.channels == 1 ? "" : "s", picture.bits);
     return picture;
 }

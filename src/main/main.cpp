@@ -14,6 +14,7 @@
 #include "povref/command_pov.h"
 #include "scene/error.h"
 #include "show/command_view.h"
+#include "text/utf8.h"
 
 namespace strahl {
 namespace {
@@ -51,7 +52,7 @@ void add_render(CLI::App& app, Action& action) {
                "Frames of the flythrough, as numbered files: FILE holds %04d, or the number goes before its ending",
                "A-B");
     add_fps(command, o->fps, "Frames per second of the flythrough, 25 by default; frame N is at N/F seconds");
-    command->add_flag("--resume", o->resume, "Leave out the frames whose files are already there");
+    command->add_flag("--resume", o->resume, "Leave out the frames whose files are already there, and whole");
     add_file(command, "--stats", o->stats, "Write seconds and rays to this JSON file");
     command->add_flag("--quiet", o->quiet, "No progress on the terminal");
     command->footer(
@@ -233,7 +234,7 @@ int run(int argc, char** argv) {
 }
 
 int fail(const std::exception& error, int status, const char* prefix = "strahl: ") {
-    std::cerr << prefix << error.what() << '\n';
+    std::cerr << prefix << printable(error.what()) << '\n';
     return status;
 }
 

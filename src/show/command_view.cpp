@@ -5,6 +5,7 @@
 
 #include "show/viewer.h"
 #include "text/parse.h"
+#include "text/utf8.h"
 
 namespace strahl {
 
@@ -14,7 +15,8 @@ int view_command(const ViewOptions& options) {
     const auto scene =
         std::make_shared<const Scene>(parse_scene(text, options.scene == "-" ? "standard input" : options.scene));
     if (options.time && !scene->flythrough) {
-        std::cerr << "strahl: --time needs a scene with a flythrough { }, and " << options.scene << " has none\n";
+        std::cerr << "strahl: --time needs a scene with a flythrough { }, and " << printable(options.scene)
+                  << " has none\n";
         return 2;
     }
     Viewer(options, scene, std::move(text), began).run();

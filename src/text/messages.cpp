@@ -48,8 +48,7 @@ void Diagnostics::check() const {
     std::string all;
     for (const Fault& fault : sorted) all.append(all.empty() ? "" : "\n").append(tell(fault));
     if (sorted.size() == most)
-        all +=
-            std::string("\n") + std::string(file) + ": there may be more; these are the first " + std::to_string(most);
+        all += "\n" + show(file).text + ": there may be more; these are the first " + std::to_string(most);
     throw FileError(all);
 }
 
@@ -77,7 +76,7 @@ std::string Diagnostics::tell(const Fault& fault) const {
     const Shown before = show(text.substr(from, at - from)), marked = show(text.substr(at, fault_end - at));
     const Shown after = show(text.substr(fault_end, to - fault_end));
     const std::string left = from > start ? "..." : "", right = to < end ? "..." : "";
-    return std::string(file) + ":" + std::to_string(line_number) + ":" + std::to_string(column) + ": " + fault.message +
+    return show(file).text + ":" + std::to_string(line_number) + ":" + std::to_string(column) + ": " + fault.message +
            "\n    " + left + before.text + marked.text + after.text + right + "\n    " +
            std::string(left.size() + before.width, ' ') + "^" + std::string(std::max(0, marked.width - 1), '~');
 }

@@ -41,6 +41,22 @@ fi
 chmod 755 sealed
 rm -r sealed
 
+# What a name holds does not steer the terminal.
+steering=$'red\e[31m\u009b2J.rt'
+cp scene.rt "$steering"
+"$strahl" render scene.rt -o $'\e[1m.png' --size 8x6
+for words in "check $steering" "check no$steering" "render $steering -o no/$steering.png" "render -o $steering $steering" \
+    "compare "$'\e[1m.png '$'\e[1m.png' "compare $steering $steering" "pov $steering -o x$steering.pov" "$steering$steering" \
+    "render $steering -o x.png --$steering"; do
+    # shellcheck disable=SC2086  # the words are arguments
+    said=$("$strahl" $words 2>&1)
+    [[ -n $said && $said != *[$'\e\u009b']* ]] || fault "strahl $words: $(od -c <<<"$said" | head -5)"
+done
+cat scene.rt >"$steering"
+echo "sphere {" >>"$steering"
+"$strahl" check "$steering" 2>&1 | grep -q $'\e' && fault "a fault's place steers the terminal"
+rm -f -- red* xred* $'\e[1m.png'
+
 # A failure leaves the older picture alone.
 echo "an older picture" >x.bmp
 cp x.bmp older
