@@ -98,6 +98,7 @@ bool check(const CrosscheckOptions& options, const std::string& path) {
 int crosscheck_command(const CrosscheckOptions& options) {
     if (const std::string fault = options.sheet.empty() ? "" : format_fault(options.sheet, 0); !fault.empty())
         throw std::invalid_argument(fault);
+    require_picture_library();
     // Largest difference and pixels beyond one are in steps of 1/65535; times are for tracing alone.
     std::printf(
         "| %-36s | %7s | %9s | %10s | %8s | %8s | %9s |\n|%s|\n", "scene", "pixels", "worst off", "beyond off",

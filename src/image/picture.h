@@ -1,5 +1,7 @@
 // Pictures: files in and out. No caller needs to know which library does it.
 #pragma once
+#include <cstdint>
+#include <functional>
 #include <future>
 #include <string>
 #include <vector>
@@ -31,13 +33,20 @@ double half_step(FileFormat format);
 /// (".png", say) chooses the format. Throws OutputError.
 void write_picture(const Picture& picture, const std::string& path, FileFormat format, const std::string& ending = "");
 
-/// Any format that OpenImageIO reads, but 16-bit PNM, which it reads wrong by one. No colours are converted. Throws
-/// FileError.
-Picture read_picture(const std::string& path);
+/// What a picture may cost to read, unless it is known to be larger: 2 GiB of doubles.
+inline constexpr std::uint64_t most_values_read = std::uint64_t(1) << 28;
+
+/// A .bmp, .png or .exr file, which its first bytes tell and not its ending; no colours are converted. Throws
+/// FileError, also if the picture has more than `most` values or more than there is memory for.
+Picture read_picture(const std::string& path, std::uint64_t most = most_values_read);
 
 /// Starts loading the picture library in the background, so that write_picture need not wait (it costs 0.2 s). Keep
 /// the future until the end of main: its destructor waits for the loading, and a program that ends meanwhile can crash
-/// in the library's own start-up. A failure is told by the read or write that follows.
-[[nodiscard]] std::future<void> preload_picture_library();
+/// in the library's own start-up. If it is missing or does not load, `failed` is called at once, the future throws
+/// OutputError, and so does every read and write that follows.
+[[nodiscard]] std::future<void> preload_picture_library(std::function<void()> failed = {});
+
+/// The same in the foreground, before work whose result would be lost without the library. Throws OutputError.
+void require_picture_library();
 
 }  // namespace strahl

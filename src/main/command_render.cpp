@@ -10,10 +10,10 @@
 #include <iostream>
 #include <utility>
 
+#include "image/memory.h"
 #include "image/picture.h"
 #include "main/errors.h"
 #include "main/interrupt.h"
-#include "main/memory.h"
 #include "main/progress.h"
 #include "main/stats.h"
 #include "text/file.h"
@@ -104,7 +104,7 @@ class Renderer {
           part(lattice),
           stats(sums),
           pool(o.threads),
-          loading(preload_picture_library()),
+          loading(preload_picture_library(Interrupt::ask)),
           accuracy(choose(scene, camera)),
           tracer(std::move(scene), accuracy.precision, o.simd) {
         stats.accuracy = accuracy;
@@ -127,6 +127,9 @@ class Renderer {
         const std::uint64_t done = trace(camera, picture, label);
         stats.trace_seconds += watch.lap();
         const bool whole = done == pixels();
+        using namespace std::chrono_literals;
+        // Without the library nothing of it could be written. It was asked once before: then all is well.
+        if (!whole && loading.valid() && loading.wait_for(0s) == std::future_status::ready) loading.get();
         if (done == 0) {
             std::cerr << "strahl: interrupted before anything of '" << printable(path) << "' was finished\n";
             return false;
@@ -198,7 +201,7 @@ class Renderer {
 bool is_finished(const std::string& path, const Lattice& part) {
     if (!std::filesystem::exists(path)) return false;
     try {
-        const Picture picture = read_picture(path);
+        const Picture picture = read_picture(path, 3 * std::uint64_t(part.columns) * part.rows);
         if (picture.width == part.columns && picture.height == part.rows) return true;
         const auto size = [](int width, int height) { return std::to_string(width) + "x" + std::to_string(height); };
         throw UsageError("'" + path + "' is a picture of " + size(picture.width, picture.height) + " pixels and not " +

@@ -24,7 +24,6 @@ void handle(int signal, struct sigaction& old) {
 }  // namespace
 
 Interrupt::Interrupt() {
-    was_asked = false;
     handle(SIGINT, old_interrupt);
     handle(SIGTERM, old_terminate);
 }
@@ -32,8 +31,11 @@ Interrupt::Interrupt() {
 Interrupt::~Interrupt() {
     sigaction(SIGINT, &old_interrupt, nullptr);
     sigaction(SIGTERM, &old_terminate, nullptr);
+    was_asked = false;
 }
 
 const std::atomic<bool>* Interrupt::flag() const { return &was_asked; }
+
+void Interrupt::ask() { was_asked = true; }
 
 }  // namespace strahl

@@ -16,6 +16,9 @@ class Interrupt {
 
     const std::atomic<bool>* flag() const;
 
+    /// Sets the flag as a signal would, for whoever finds out that going on makes no sense.
+    static void ask();
+
   private:
     struct sigaction old_interrupt, old_terminate;
 };

@@ -97,7 +97,7 @@ void add_check(CLI::App& app, Action& action) {
 void add_compare(CLI::App& app, Action& action) {
     auto [command, o] =
         add_command(app, action, "compare", "Say how far two pictures are apart; exit status 0 or 1", compare_command);
-    add_argument(command, "A", o->a, "A picture file");
+    add_argument(command, "A", o->a, "A picture file: .bmp, .png or .exr");
     add_argument(command, "B", o->b, "Another one of the same size");
     command->add_option("--tolerance", o->tolerance, "Difference per channel that is still equal, 0 by default")
         ->check(numbers(0, 1e9))

@@ -1,5 +1,5 @@
 // Available memory, as Linux tells it.
-#include "main/memory.h"
+#include "image/memory.h"
 
 #include <sys/resource.h>
 
