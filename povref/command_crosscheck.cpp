@@ -10,6 +10,7 @@
 #include "image/transfer.h"
 #include "povref/run_povray.h"
 #include "povref/verdict.h"
+#include "text/file.h"
 #include "text/parse.h"
 #include "text/utf8.h"
 #include "trace/thread_pool.h"
@@ -98,6 +99,15 @@ bool check(const CrosscheckOptions& options, const std::string& path) {
 int crosscheck_command(const CrosscheckOptions& options) {
     if (const std::string fault = options.sheet.empty() ? "" : format_fault(options.sheet, 0); !fault.empty())
         throw std::invalid_argument(fault);
+    for (const std::string& scene : options.scenes) {
+        if (options.sheet.empty()) break;
+        const std::string sheet = sheet_path(options, scene);
+        for (const std::string& other : options.scenes) {
+            refuse_overwriting("--sheet", sheet, "a scene", other);
+            if (&other < &scene)
+                refuse_overwriting("--sheet", sheet, "that of another scene", sheet_path(options, other));
+        }
+    }
     require_picture_library();
     // Largest difference and pixels beyond one are in steps of 1/65535; times are for tracing alone.
     std::printf(

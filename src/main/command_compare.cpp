@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "image/compare.h"
+#include "text/file.h"
 #include "text/utf8.h"
 
 namespace strahl {
@@ -21,6 +22,8 @@ Picture read_and_tell(const std::string& path, std::FILE* out) {
 int compare_command(const CompareOptions& options) {
     if (!options.heatmap.empty() && options.heatmap != "-")
         if (const std::string fault = format_fault(options.heatmap, 0); !fault.empty()) throw FileError(fault);
+    for (const std::string& picture : {options.a, options.b})
+        refuse_overwriting("--heatmap", options.heatmap, "a picture that is compared", picture);
     // A heat map on standard output leaves no room for text there.
     std::FILE* const out = options.heatmap == "-" ? stderr : stdout;
     const Picture a = read_and_tell(options.a, out), b = read_and_tell(options.b, out);

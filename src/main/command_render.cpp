@@ -50,6 +50,32 @@ void require_writable(const std::string& path) {
     if (access(folder.c_str(), W_OK) != 0) fail("you may not write in its folder");
 }
 
+/// Would `path` be overwritten by one of the pictures?
+bool is_picture(const RenderOptions& options, const std::string& path) {
+    if (!options.frames) return same_file(options.output, path);
+    const auto [first, last] = *options.frames;
+    const auto digit = [&](std::size_t i) { return path[i] >= '0' && path[i] <= '9'; };
+    // Only a number that is in the name can be its frame's.
+    for (std::size_t start = 0; start < path.size(); ++start) {
+        std::int64_t frame = 0;
+        for (std::size_t i = start; i < path.size() && digit(i) && frame <= last; ++i) {
+            frame = 10 * frame + (path[i] - '0');
+            if (frame < first || frame > last) continue;
+            if (same_file(numbered(options.output, static_cast<int>(frame)), path)) return true;
+        }
+    }
+    return false;
+}
+
+/// Nothing that was asked for, and not the scene, may be overwritten by something else.
+void require_different_files(const RenderOptions& options) {
+    if (is_picture(options, options.scene))
+        throw UsageError("-o would overwrite the scene '" + options.scene + "'; give it another name");
+    refuse_overwriting("--stats", options.stats, "the scene", options.scene);
+    if (is_picture(options, options.stats))
+        throw UsageError("--stats '" + options.stats + "' would overwrite the picture; give it another name");
+}
+
 /// What can be said against the options before the scene is known. Returns the ending that chooses the format.
 std::string check(const RenderOptions& options) {
     if (options.output.empty())
@@ -235,6 +261,7 @@ int render_command(const RenderOptions& options) {
     check_size(part, ending);
     require_writable(options.frames ? numbered(options.output, options.frames->first) : options.output);
     if (!options.stats.empty()) require_writable(options.stats);
+    require_different_files(options);
 
     Stats stats;
     stats.size = options.size;

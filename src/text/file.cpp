@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <ctime>
 #include <filesystem>
+#include <stdexcept>
 #include <system_error>
 
 namespace strahl {
@@ -203,6 +204,22 @@ void write_file(const std::string& path, std::string_view bytes) {
     }
     if (!error) error = sync_folder(target.parent_path());
     if (error) fail(path, error);
+}
+
+bool same_file(const std::string& a, const std::string& b) {
+    if (a.empty() || b.empty() || a == "-" || b == "-") return false;
+    std::error_code error;
+    const fs::path target_a = follow_links(a), target_b = follow_links(b);
+    if (fs::exists(target_a, error) && fs::exists(target_b, error))
+        return fs::equivalent(target_a, target_b, error) && fs::is_regular_file(target_a, error);
+    const auto canonical = [&](const fs::path& path) { return fs::weakly_canonical(fs::absolute(path, error), error); };
+    return canonical(target_a) == canonical(target_b);
+}
+
+void refuse_overwriting(const std::string& option, const std::string& written, const std::string& what,
+                        const std::string& kept) {
+    if (same_file(written, kept))
+        throw std::invalid_argument(option + " '" + written + "' would overwrite " + what + "; give it another name");
 }
 
 }  // namespace strahl

@@ -15,4 +15,11 @@ namespace strahl {
 /// written to directly. Throws OutputError.
 void write_file(const std::string& path, std::string_view bytes);
 
+/// Would bytes written to one of these paths be in the way of the other's? Not of "-", devices and pipes.
+bool same_file(const std::string& a, const std::string& b);
+
+/// Throws std::invalid_argument if `written`, which `option` names, is the same file as `kept`, which is `what`.
+void refuse_overwriting(const std::string& option, const std::string& written, const std::string& what,
+                        const std::string& kept);
+
 }  // namespace strahl
