@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <cstdint>
 #include <cstdlib>
@@ -16,6 +17,7 @@
 #include <limits>
 #include <string_view>
 #include <system_error>
+#include <thread>
 
 #include "image/memory.h"
 #include "image/oiio/module.h"
@@ -36,6 +38,28 @@ struct Library {
     decltype(&strahl_decode_picture) decode;
 };
 
+[[noreturn]] void tell_threads() {
+    throw OutputError(
+        "the part of strahl that reads and writes pictures can't start its threads here; let more processes run "
+        "(ulimit -u), or ask for fewer with --threads");
+}
+
+/// Some of the libraries behind the module start threads while they load, a few for each processor at most, and where
+/// they can't they end the program. So as many are tried first.
+void require_threads() {
+    std::atomic<bool> tried = false;
+    std::vector<std::jthread> threads;
+    const auto let_go = [&] { tried = true, tried.notify_all(); };
+    try {
+        for (unsigned i = 0; i < 4 + 2 * std::thread::hardware_concurrency(); ++i)
+            threads.emplace_back([&] { tried.wait(false); });
+    } catch (const std::system_error&) {
+        let_go();
+        tell_threads();
+    }
+    let_go();
+}
+
 /// The module lies in lib/strahl: of the build folder, whose programs stand at its top or one folder down, or of the
 /// prefix it was installed to, whose programs stand in bin.
 Library load_library() {
@@ -46,6 +70,7 @@ Library load_library() {
     if (!fs::exists(path, error))
         throw OutputError("the part of strahl that reads and writes pictures is missing: there is no '" +
                           path.string() + "'; build or install strahl again");
+    require_threads();
     // Never closed: the libraries behind it do not all survive being unloaded.
     void* const handle = ::dlopen(path.c_str(), RTLD_LAZY | RTLD_LOCAL);
     if (!handle)
@@ -175,7 +200,7 @@ Picture read_picture(const std::string& path, std::uint64_t most) {
     return picture;
 }
 
-std::future<void> preload_picture_library(std::function<void()> failed) {
+std::future<void> preload_picture_library(std::function<void()> failed) try {
     return std::async(std::launch::async, [failed = std::move(failed)] {
         try {
             library();
@@ -184,6 +209,8 @@ std::future<void> preload_picture_library(std::function<void()> failed) {
             throw;
         }
     });
+} catch (const std::system_error&) {
+    tell_threads();
 }
 
 void require_picture_library() { library(); }
