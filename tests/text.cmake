@@ -1,5 +1,6 @@
 # The scene as a value, and its text.
 strahl_test(scene strahl_scene)
+strahl_test(overlap strahl_scene)
 strahl_test(language strahl_text)
 strahl_test(roundtrip strahl_text)
 
