@@ -78,8 +78,8 @@ int stability_command(const StabilityOptions& options) {
                     percent * static_cast<double>(count[double_differs]));
     };
     std::printf(
-        "Pixels, of %zu, whose 8-bit colour is not that of long double, by the depth of rays at which that is so "
-        "first.\n\n"
+        "Pixels, of %zu, whose 8-bit colour is not that of long double, and not for a rounding tie alone, by the depth "
+        "of rays at which that is so first.\n\n"
         "| depth | float only |            | double too |            |\n"
         "|------:|----------:|-----------:|-----------:|-----------:|\n",
         map.size());

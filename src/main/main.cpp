@@ -142,7 +142,8 @@ void add_stability(CLI::App& app, Action& action) {
     add_parsed(command, "--size", o->size, parse_size, "Size of the picture in pixels, 640x480 by default", "WxH");
     add_depth(command, o->depth);
     add_threads(command, o->threads);
-    command->footer("Differences are those of 8-bit colours. Long double has no SIMD: this takes a while.");
+    command->footer(
+        "Differences are those of 8-bit colours, but for rounding ties. Long double has no SIMD: this takes a while.");
 }
 
 /// "strahl 0.1.0 (x86-64-v4, 16 float lanes, 8 double)"
@@ -252,7 +253,8 @@ int main(int argc, char** argv) {
     } catch (const FileError& error) {
         return fail(error, exit_status::bad_file, "");
     } catch (const std::bad_alloc&) {
-        return fail(std::runtime_error("out of memory"), exit_status::failed);
+        return fail(std::runtime_error("out of memory; a smaller picture, or fewer --threads, need less"),
+                    exit_status::failed);
     } catch (const std::exception& error) {
         return fail(error, exit_status::failed);
     }
