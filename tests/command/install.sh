@@ -12,6 +12,14 @@ expect_file x.png
 expect_file moved/share/doc/strahl/LICENSE
 for scene in moved/share/strahl/scenes/*.rt; do expect 0 "no faults" check "$scene"; done
 
+# Where HOME can't be written, ccache has no place for its cache; the build goes on without it.
+unwritable=(env -u CCACHE_DIR -u XDG_CACHE_HOME HOME=/dev/null/none)
+object=CMakeFiles/strahl_scene.dir/src/scene/transformation.cpp.o
+"${unwritable[@]}" cmake -S "$source_folder" -B homeless -G Ninja -DSTRAHL_TESTS=OFF -DSTRAHL_WINDOW=OFF >log 2>&1 ||
+    fault "configuring without a HOME: $(tail -5 log)"
+"${unwritable[@]}" cmake --build homeless --target "$object" >log 2>&1 || fault "building without a HOME: $(tail -5 log)"
+rm -rf homeless
+
 # Without the part that writes pictures, or with a broken one, that is told at once and not after hours of tracing.
 cat >long.rt <<'SCENE'
 camera { position <0, 0, 0>  look_at <0, 1, 0>  up <0, 0, -1>  fov 40 }
