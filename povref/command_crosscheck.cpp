@@ -25,17 +25,19 @@ struct OurRun {
     Frame frame;
     double seconds;
 };
-OurRun trace(Tracer& tracer, const View& view, int threads) {
+OurRun trace(Tracer& tracer, const View& view, int threads, const std::atomic<bool>* stop) {
     ThreadPool pool(threads);
     OurRun run{{view.width, view.height, std::vector<double>(std::size_t(3) * view.width * view.height)}, 0};
     const auto start = std::chrono::steady_clock::now();
-    tracer.trace(view, {.columns = view.width, .rows = view.height}, pool, [&](const Tile& tile) {
+    const auto keep = [&](const Tile& tile) {
         const Lattice& part = tile.lattice;
         const auto& rgb = std::get<std::span<const double>>(tile.rgb);
         for (int row = 0; row < part.rows; ++row)
             std::copy_n(rgb.begin() + std::ptrdiff_t(3) * row * part.columns, 3 * part.columns,
                         run.frame.rgb.begin() + std::ptrdiff_t(3) * ((part.y + row) * view.width + part.x));
-    });
+    };
+    tracer.trace(view, {.columns = view.width, .rows = view.height}, pool, keep, stop);
+    if (stop && *stop) throw Stopped{};
     run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return run;
 }
@@ -69,7 +71,7 @@ void print_row(const std::string& path, const Verdict& verdict, double ours, dou
 }
 
 /// Returns whether the two pictures agree.
-bool check(const CrosscheckOptions& options, const std::string& path) {
+bool check(const CrosscheckOptions& options, const std::string& path, const std::atomic<bool>* stop) {
     const Scene scene = parse_scene(read_text(path), path);
     const View view{.camera = scene.camera,
                     .width = options.width,
@@ -81,9 +83,9 @@ bool check(const CrosscheckOptions& options, const std::string& path) {
                                       .width = view.width,
                                       .height = view.height,
                                       .depth = view.depth},
-                                     options.threads);
+                                     options.threads, stop);
     Tracer tracer(scene, Precision::float64);
-    const OurRun ours = trace(tracer, view, options.threads);
+    const OurRun ours = trace(tracer, view, options.threads, stop);
     const Verdict verdict = judge(tracer, view, ours.frame, theirs.picture);
     print_row(path, verdict, ours.seconds, theirs.seconds);
     if (!theirs.warnings.empty()) std::cerr << show(path).text << ": povray warns:\n" << printable(theirs.warnings);
@@ -96,7 +98,7 @@ bool check(const CrosscheckOptions& options, const std::string& path) {
 
 }  // namespace
 
-int crosscheck_command(const CrosscheckOptions& options) {
+int crosscheck_command(const CrosscheckOptions& options, const std::atomic<bool>* stop) try {
     if (const std::string fault = options.sheet.empty() ? "" : format_fault(options.sheet, 0); !fault.empty())
         throw std::invalid_argument(fault);
     for (const std::string& scene : options.scenes) {
@@ -115,8 +117,11 @@ int crosscheck_command(const CrosscheckOptions& options) {
         "on edges", "strahl s", "povray s",
         "--------------------------------------|--------:|----------:|-----------:|---------:|---------:|----------:");
     bool agree = true;
-    for (const std::string& scene : options.scenes) agree &= check(options, scene);
+    for (const std::string& scene : options.scenes) agree &= check(options, scene, stop);
     return agree ? 0 : 1;
+} catch (const Stopped&) {
+    std::cerr << "strahl: interrupted\n";
+    return 130;
 }
 
 }  // namespace strahl

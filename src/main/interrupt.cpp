@@ -11,6 +11,7 @@ extern "C" void strahl_interrupted(int) {
     was_asked = true;
     std::signal(SIGINT, SIG_DFL);
     std::signal(SIGTERM, SIG_DFL);
+    std::signal(SIGHUP, SIG_DFL);
 }
 
 void handle(int signal, struct sigaction& old) {
@@ -26,11 +27,13 @@ void handle(int signal, struct sigaction& old) {
 Interrupt::Interrupt() {
     handle(SIGINT, old_interrupt);
     handle(SIGTERM, old_terminate);
+    handle(SIGHUP, old_hang_up);
 }
 
 Interrupt::~Interrupt() {
     sigaction(SIGINT, &old_interrupt, nullptr);
     sigaction(SIGTERM, &old_terminate, nullptr);
+    sigaction(SIGHUP, &old_hang_up, nullptr);
     was_asked = false;
 }
 

@@ -5,8 +5,9 @@
 
 namespace strahl {
 
-/// While one of these lives, SIGINT and SIGTERM set a flag instead of ending the program; after the first of them the
-/// next one ends it as usual. A signal that was ignored when the program started (as under nohup) stays ignored.
+/// While one of these lives, SIGINT, SIGTERM and SIGHUP (the terminal was closed) set a flag instead of ending the
+/// program; after the first of them the next one ends it as usual. A signal that was ignored when the program started
+/// (as under nohup) stays ignored.
 class Interrupt {
   public:
     Interrupt();
@@ -20,7 +21,7 @@ class Interrupt {
     static void ask();
 
   private:
-    struct sigaction old_interrupt, old_terminate;
+    struct sigaction old_interrupt, old_terminate, old_hang_up;
 };
 
 }  // namespace strahl

@@ -9,6 +9,7 @@
 #include "main/command_render.h"
 #include "main/command_stability.h"
 #include "main/errors.h"
+#include "main/interrupt.h"
 #include "main/options.h"
 #include "povref/command_crosscheck.h"
 #include "povref/command_pov.h"
@@ -117,10 +118,15 @@ void add_pov(CLI::App& app, Action& action) {
     add_fps(command, o->fps, "Frames per second of the animation, 25 by default");
 }
 
+int crosscheck_until_interrupted(const CrosscheckOptions& options) {
+    const Interrupt interrupt;
+    return crosscheck_command(options, interrupt.flag());
+}
+
 void add_crosscheck(CLI::App& app, Action& action) {
     auto [command, o] =
         add_command(app, action, "crosscheck", "Render scenes with POV-Ray too and compare; exit status 0 or 1",
-                    crosscheck_command);
+                    crosscheck_until_interrupted);
     add_argument(command, "SCENE", o->scenes, "The scenes, .rt files")
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     add_size(command, o->width, o->height);
