@@ -170,7 +170,7 @@ class TracerOf : public AnyTracer {
         const int tiles = columns * ((lattice.rows + tile_size - 1) / tile_size);
         std::atomic<int> next{0};
         std::vector<KernelCounts> counts(pool.size());
-        pool.run([&](int thread) {
+        const auto work = [&](int thread) {
             Workspace<T>& workspace = *workspaces[thread];
             Eye<T> own = eye;
             KernelCounts counted;  // its own memory: threads that count beside each other wait for each other
@@ -189,6 +189,14 @@ class TracerOf : public AnyTracer {
                 deliver(workspace, tile, sink);
             }
             counts[thread] = counted;
+        };
+        pool.run([&](int thread) {
+            try {
+                work(thread);
+            } catch (...) {
+                next = tiles;  // the other threads need not go on
+                throw;
+            }
         });
         Counts sum;
         for (const KernelCounts& c : counts)
