@@ -68,6 +68,17 @@ build_preset() {
     if (($#)) || [[ ! -f $folder/build.ninja ]]; then
         logged "$folder/configure.log" cmake -S "$root" --preset "$preset" "$@"
     fi
+    run_build "$folder" "$target" && return
+    # What keeps ninja from even planning is no fault of the sources: a build.ninja that was cut off, say.
+    cmake --build "$folder" --target "$target" -- -n >/dev/null 2>&1 </dev/null && return 1
+    say "the build folder is damaged; configuring it anew"
+    rm -f "$folder/build.ninja" "$folder/.ninja_deps" "$folder/.ninja_log"
+    logged "$folder/configure.log" cmake -S "$root" --preset "$preset" "$@" || return
+    run_build "$folder" "$target"
+}
+
+run_build() {
+    local folder=$1 target=$2
     if [[ -t 2 ]]; then # a terminal sees the compiler get on
         cmake --build "$folder" --target "$target" >&2 </dev/null
     else

@@ -9,7 +9,9 @@
 #include "image/transfer.h"
 #include "povref/run_povray.h"
 #include "povref/verdict.h"
+#include "text/file.h"
 #include "text/parse.h"
+#include "text/utf8.h"
 #include "trace/thread_pool.h"
 
 namespace strahl {
@@ -22,17 +24,19 @@ struct OurRun {
     Frame frame;
     double seconds;
 };
-OurRun trace(Tracer& tracer, const View& view, int threads) {
+OurRun trace(Tracer& tracer, const View& view, int threads, const std::atomic<bool>* stop) {
     ThreadPool pool(threads);
     OurRun run{{view.width, view.height, std::vector<double>(std::size_t(3) * view.width * view.height)}, 0};
     const auto start = std::chrono::steady_clock::now();
-    tracer.trace(view, {.columns = view.width, .rows = view.height}, pool, [&](const Tile& tile) {
+    const auto keep = [&](const Tile& tile) {
         const Lattice& part = tile.lattice;
         const auto& rgb = std::get<std::span<const double>>(tile.rgb);
         for (int row = 0; row < part.rows; ++row)
             std::copy_n(rgb.begin() + std::ptrdiff_t(3) * row * part.columns, 3 * part.columns,
                         run.frame.rgb.begin() + std::ptrdiff_t(3) * ((part.y + row) * view.width + part.x));
-    });
+    };
+    tracer.trace(view, {.columns = view.width, .rows = view.height}, pool, keep, stop);
+    if (stop && *stop) throw Stopped{};
     run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return run;
 }
@@ -59,14 +63,14 @@ std::string sheet_path(const CrosscheckOptions& options, const std::string& scen
 }
 
 void print_row(const std::string& path, const Verdict& verdict, double ours, double theirs) {
-    const std::string scene = path.ends_with(".rt") ? path.substr(0, path.size() - 3) : path;
+    const std::string scene = show(path.ends_with(".rt") ? path.substr(0, path.size() - 3) : path).text;
     std::printf("| %-36s | %7zu | %9d | %10zu | %8zu | %8.3f | %9.3f |\n", scene.c_str(), verdict.pixels,
                 verdict.worst_off_edges, verdict.beyond_off_edges, verdict.beyond_on_edges, ours, theirs);
     std::fflush(stdout);
 }
 
 /// Returns whether the two pictures agree.
-bool check(const CrosscheckOptions& options, const std::string& path) {
+bool check(const CrosscheckOptions& options, const std::string& path, const std::atomic<bool>* stop) {
     const Scene scene = parse_scene(read_text(path), path);
     const View view{.camera = scene.camera,
                     .width = options.width,
@@ -78,14 +82,15 @@ bool check(const CrosscheckOptions& options, const std::string& path) {
                                       .width = view.width,
                                       .height = view.height,
                                       .depth = view.depth},
-                                     options.threads);
+                                     options.threads, stop);
     Tracer tracer(scene, Precision::float64);
-    const OurRun ours = trace(tracer, view, options.threads);
+    const OurRun ours = trace(tracer, view, options.threads, stop);
     const Verdict verdict = judge(tracer, view, ours.frame, theirs.picture);
     print_row(path, verdict, ours.seconds, theirs.seconds);
-    if (!theirs.warnings.empty()) std::cerr << path << ": povray warns:\n" << theirs.warnings;
+    if (!theirs.warnings.empty()) std::cerr << show(path).text << ": povray warns:\n" << printable(theirs.warnings);
     if (verdict.beyond_off_edges > 0)
-        std::cerr << path << ": largest difference off the edges at x " << verdict.x << ", y " << verdict.y << '\n';
+        std::cerr << show(path).text << ": largest difference off the edges at x " << verdict.x << ", y " << verdict.y
+                  << '\n';
     if (!options.sheet.empty())
         write_sheet(sheet_path(options, path), ours.frame, theirs.picture, scene.settings.linear);
     return verdict.beyond_off_edges == 0 && verdict.beyond_on_edges * 1000 <= verdict.pixels;
@@ -93,17 +98,30 @@ bool check(const CrosscheckOptions& options, const std::string& path) {
 
 }  // namespace
 
-int crosscheck_command(const CrosscheckOptions& options) {
+int crosscheck_command(const CrosscheckOptions& options, const std::atomic<bool>* stop) try {
     if (const std::string fault = options.sheet.empty() ? "" : format_fault(options.sheet, 0); !fault.empty())
         throw UsageError(fault);
+    for (const std::string& scene : options.scenes) {
+        if (options.sheet.empty()) break;
+        const std::string sheet = sheet_path(options, scene);
+        for (const std::string& other : options.scenes) {
+            refuse_overwriting("--sheet", sheet, "a scene", other);
+            if (&other < &scene)
+                refuse_overwriting("--sheet", sheet, "that of another scene", sheet_path(options, other));
+        }
+    }
+    require_picture_library();
     // Differences are in steps of 1/65535; times are for tracing alone.
     std::printf(
         "| %-36s | %7s | %9s | %10s | %8s | %8s | %9s |\n|%s|\n", "scene", "pixels", "worst off", "beyond off",
         "on edges", "strahl s", "povray s",
         "--------------------------------------|--------:|----------:|-----------:|---------:|---------:|----------:");
     bool agree = true;
-    for (const std::string& scene : options.scenes) agree &= check(options, scene);
+    for (const std::string& scene : options.scenes) agree &= check(options, scene, stop);
     return agree ? 0 : 1;
+} catch (const Stopped&) {
+    std::cerr << "strahl: interrupted\n";
+    return 130;
 }
 
 }  // namespace strahl

@@ -1,5 +1,6 @@
 // strahl crosscheck: renders scenes with Strahl and POV-Ray and compares.
 #pragma once
+#include <atomic>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,8 +16,8 @@ struct CrosscheckOptions {
 };
 
 /// Prints a table, in Markdown, to standard output. Returns the exit status: 0 if no scene has a pixel off the edges
-/// that differs by more than 1/65535, nor more than a thousandth of its pixels on edges; else 1. Throws FileError, and
-/// std::runtime_error if POV-Ray is missing or fails.
-int crosscheck_command(const CrosscheckOptions& options);
+/// that differs by more than 1/65535, nor more than a thousandth of its pixels on edges; else 1; and 130 if `stop`
+/// became true. Throws FileError, and std::runtime_error if POV-Ray is missing or fails.
+int crosscheck_command(const CrosscheckOptions& options, const std::atomic<bool>* stop = nullptr);
 
 }  // namespace strahl

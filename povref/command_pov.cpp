@@ -7,6 +7,7 @@
 #include "povref/pov_scene.h"
 #include "text/file.h"
 #include "text/parse.h"
+#include "text/utf8.h"
 
 namespace strahl {
 namespace {
@@ -22,10 +23,16 @@ std::vector<Camera> frames(const Scene& scene, double fps) {
     return cameras;
 }
 
+std::string ini_path(const PovOptions& options) {
+    return std::filesystem::path(options.output).replace_extension(".ini").string();
+}
+
 void check(const PovOptions& options) {
     if (options.output.empty()) throw UsageError("no output file. Add -o FILE.pov");
     if (std::filesystem::path(options.output).extension() != ".pov")
         throw UsageError("'" + options.output + "' should end in .pov; the .ini is written beside it");
+    refuse_overwriting("-o", options.output, "the scene", options.scene);
+    refuse_overwriting("The .ini beside -o", ini_path(options), "the scene", options.scene);
     if (options.animation && options.time) throw UsageError("--animation and --time exclude each other");
 }
 
@@ -53,8 +60,8 @@ int pov_command(const PovOptions& options) {
     }
     const PovFiles files = write_pov(scene, request);
     write_file(options.output, files.pov);
-    write_file(fs::path(options.output).replace_extension(".ini").string(), files.ini);
-    for (const std::string& warning : files.warnings) std::cerr << "strahl: warning: " << warning << '\n';
+    write_file(ini_path(options), files.ini);
+    for (const std::string& warning : files.warnings) std::cerr << "strahl: warning: " << printable(warning) << '\n';
     return 0;
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "text/utf8.h"
+
 namespace strahl {
 namespace {
 constexpr std::size_t columns = 100;
@@ -16,7 +18,8 @@ std::string block(const std::string& head, const std::vector<std::string>& items
     return text + (broken ? "\n" + indent + "}\n" : " }\n");
 }
 
-std::string comment(const std::string& text, const std::string& mark) {
+std::string comment(const std::string& words, const std::string& mark) {
+    const std::string text = show(words).text;  // a line break in it would end the comment
     std::string lines, line = mark;
     for (std::size_t start = 0; start < text.size();) {
         const std::size_t end = std::min(text.find(' ', start), text.size());

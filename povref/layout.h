@@ -9,8 +9,8 @@ namespace strahl {
 /// `indent`.
 std::string block(const std::string& head, const std::vector<std::string>& items, const std::string& indent = "");
 
-/// `text` as comment lines that begin with `mark`.
-std::string comment(const std::string& text, const std::string& mark = "//");
+/// `words` as comment lines that begin with `mark`; no line break in them ends the comment.
+std::string comment(const std::string& words, const std::string& mark = "//");
 
 std::string heading(const std::string& text);
 

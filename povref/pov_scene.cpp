@@ -11,7 +11,9 @@
 #include "povref/materials.h"
 #include "povref/sentences.h"
 #include "povref/unit.h"
+#include "scene/error.h"
 #include "scene/overlap.h"
+#include "text/messages.h"
 
 namespace strahl {
 namespace {
@@ -217,8 +219,16 @@ std::string body_sections(const Scene& scene, const Plan& plan) {
     return text;
 }
 
+/// A path as an .ini holds it. There is no way to escape a character in it.
 std::string quoted_path(const std::string& path) {
-    return path.find_first_of(" ;#'") == std::string::npos ? path : "\"" + path + "\"";
+    const auto has = [&](const char* text) { return path.find(text) != path.npos; };
+    const bool steers = std::ranges::any_of(path, [](unsigned char c) { return c < ' ' || c == 0x7F; });
+    if (steers || (has("\"") && has("'")) || has("\\\"") || has("\\'"))
+        throw UsageError("POV-Ray's .ini files can't hold the name " + quoted(path) +
+                         "; choose one without line breaks and quotes");
+    if (path.find_first_of(" ;#'\"") == path.npos) return path;
+    const std::string quote(path.find('"') == path.npos ? "\"" : "'");
+    return quote + path + quote;
 }
 
 /// The shell command that runs POV-Ray, which splits its arguments at spaces again.

@@ -4,12 +4,16 @@
 #include <spawn.h>
 #include <sys/wait.h>
 
+#include <charconv>
+#include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <regex>
 #include <sstream>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 #include "text/file.h"
@@ -40,14 +44,16 @@ class Scratch {
     fs::path folder;
 };
 
-/// Runs the command `words` with its output in the file `log`. Returns the exit status, or -1 if the program is
-/// missing.
-int run(std::vector<std::string> words, const std::string& log) {
+/// Runs `words` in `folder`, with all output in the file `log`. Returns the exit status, or -1 if there is no such
+/// program.
+int run(std::vector<std::string> words, const std::string& folder, const std::string& log,
+        const std::atomic<bool>* stop) {
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);
     posix_spawn_file_actions_t files;
     posix_spawn_file_actions_init(&files);
+    posix_spawn_file_actions_addchdir_np(&files, folder.c_str());
     posix_spawn_file_actions_addopen(&files, 0, "/dev/null", O_RDONLY, 0);
     posix_spawn_file_actions_addopen(&files, 1, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
     posix_spawn_file_actions_adddup2(&files, 1, 2);
@@ -56,7 +62,16 @@ int run(std::vector<std::string> words, const std::string& log) {
     posix_spawn_file_actions_destroy(&files);
     if (failed) return -1;
     int status = 0;
-    waitpid(child, &status, 0);
+    // A signal may reach any thread, so that it need not end a wait in this one.
+    while (waitpid(child, &status, WNOHANG) == 0) {
+        if (stop && *stop) {
+            kill(child, SIGKILL);
+            waitpid(child, &status, 0);
+            break;
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    if (stop && *stop) throw Stopped{};
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128;
 }
 
@@ -86,32 +101,51 @@ std::string warnings_in(const std::string& log) {
     return found;
 }
 
+/// What its log calls "Trace Time", or 0.
+double trace_seconds(const std::string& log) {
+    std::smatch match;
+    double seconds = 0;
+    if (std::regex_search(log, match, std::regex(R"(Trace Time:[^\n]*\(([0-9.]+) seconds\))"))) {
+        const std::string digits = match[1];
+        std::from_chars(digits.data(), digits.data() + digits.size(), seconds);
+    }
+    return seconds;
+}
+
+Picture picture_of(const std::string& path, const PovRequest& request) try {
+    Picture picture = read_picture(path);
+    if (picture.width != request.width || picture.height != request.height || picture.channels != 3)
+        throw FileError("it is " + std::to_string(picture.width) + "x" + std::to_string(picture.height) +
+                        " pixels of " + std::to_string(picture.channels) + " channels");
+    return picture;
+} catch (const FileError& error) {
+    throw std::runtime_error(std::string("povray ended well, but not with the picture that was asked for: ") +
+                             error.what());
+}
+
 }  // namespace
 
-PovRun run_povray(const Scene& scene, PovRequest request, int threads) {
+PovRun run_povray(const Scene& scene, PovRequest request, int threads, const std::atomic<bool>* stop) {
     const Scratch scratch;
-    request.pov_path = scratch.path("scene.pov");
-    request.picture_path = scratch.path("scene.png");
+    // It runs in that folder: no .ini file need hold the folder's name, whatever characters are in it.
+    request.pov_path = "scene.pov";
+    request.picture_path = "scene.png";
     request.bits = 16;
     const PovFiles files = write_pov(scene, request);
-    write_file(request.pov_path, files.pov);
+    write_file(scratch.path("scene.pov"), files.pov);
     write_file(scratch.path("scene.ini"), files.ini);
-    std::vector<std::string> words{"povray", scratch.path("scene.ini"), "Warning_Console=On", "Verbose=Off"};
+    std::vector<std::string> words{"povray", "scene.ini", "Warning_Console=On", "Verbose=Off"};
     // Linear values are compared without a transfer curve.
     if (scene.settings.linear) words.push_back("File_Gamma=1.0");
     if (threads > 0) words.push_back("Work_Threads=" + std::to_string(threads));
     const std::string log_path = scratch.path("log");
-    const int status = run(words, log_path);
+    const int status = run(words, scratch.path("."), log_path, stop);
     if (status == -1 || status == 127)
         throw std::runtime_error("povray is not installed; on Debian: apt install povray");
     const std::string log = content(log_path);
     if (status != 0)
         throw std::runtime_error("povray failed:\n" + log.substr(log.size() < 1500 ? 0 : log.size() - 1500));
-    PovRun result{read_picture(request.picture_path), 0, warnings_in(log)};
-    std::smatch match;
-    if (std::regex_search(log, match, std::regex(R"(Trace Time:[^\n]*\(([0-9.]+) seconds\))")))
-        result.seconds = std::stod(match[1]);
-    return result;
+    return {picture_of(scratch.path("scene.png"), request), trace_seconds(log), warnings_in(log)};
 }
 
 }  // namespace strahl

@@ -1,5 +1,6 @@
 # Scenes as values and as text.
 strahl_test(scene strahl_scene)
+strahl_test(overlap strahl_scene)
 strahl_test(language strahl_text)
 strahl_test(roundtrip strahl_text)
 

@@ -2,14 +2,24 @@
 #include "image/picture.h"
 
 #include <dlfcn.h>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <atomic>
+#include <cerrno>
 #include <cstdint>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <limits>
+#include <string_view>
 #include <system_error>
+#include <thread>
 
+#include "image/memory.h"
 #include "image/oiio/module.h"
 #include "image/transfer.h"
 #include "text/file.h"
@@ -28,6 +38,28 @@ struct Library {
     decltype(&strahl_decode_picture) decode;
 };
 
+[[noreturn]] void tell_threads() {
+    throw OutputError(
+        "the part of strahl that reads and writes pictures can't start its threads here; let more processes run "
+        "(ulimit -u), or ask for fewer with --threads");
+}
+
+/// Some of the libraries behind the module start threads while they load, a few for each processor at most, and where
+/// they can't they end the program. So as many are tried first.
+void require_threads() {
+    std::atomic<bool> tried = false;
+    std::vector<std::jthread> threads;
+    const auto let_go = [&] { tried = true, tried.notify_all(); };
+    try {
+        for (unsigned i = 0; i < 4 + 2 * std::thread::hardware_concurrency(); ++i)
+            threads.emplace_back([&] { tried.wait(false); });
+    } catch (const std::system_error&) {
+        let_go();
+        tell_threads();
+    }
+    let_go();
+}
+
 /// The module is in lib/strahl: either of the build folder, whose programs are at its top or one folder down, or of the
 /// prefix that it was installed to, whose programs are in bin.
 Library load_library() {
@@ -36,12 +68,14 @@ Library load_library() {
     fs::path path = folder / "lib/strahl/libstrahl_image.so";
     if (!fs::exists(path, error)) path = folder.parent_path() / "lib/strahl/libstrahl_image.so";
     if (!fs::exists(path, error))
-        throw FileError("the part of strahl that reads and writes pictures is missing: there is no '" + path.string() +
-                        "'; build or install strahl again");
+        throw OutputError("the part of strahl that reads and writes pictures is missing: there is no '" +
+                          path.string() + "'; build or install strahl again");
+    require_threads();
     // Never closed: the libraries behind it do not all survive being unloaded.
     void* const handle = ::dlopen(path.c_str(), RTLD_LAZY | RTLD_LOCAL);
     if (!handle)
-        throw FileError(std::string("the part of strahl that reads and writes pictures does not load: ") + ::dlerror());
+        throw OutputError(std::string("the part of strahl that reads and writes pictures does not load: ") +
+                          ::dlerror());
 #if defined(__SANITIZE_ADDRESS__)
     // One of these libraries ends its threads at exit, and the leak check fails on threads that are just ending. So
     // check before.
@@ -73,6 +107,47 @@ std::vector<T> quantised(const Picture& picture, bool linear) {
     std::transform(picture.values.begin(), picture.values.end(), codes.begin(),
                    [=](double v) { return static_cast<T>(quantise(v, linear, std::numeric_limits<T>::max())); });
     return codes;
+}
+
+struct Recognised {
+    const char* format;      // as OpenImageIO calls it
+    std::uint64_t most = 0;  // values that a file of this many bytes can hold
+};
+
+/// The pixels that the header of a .bmp promises. OpenImageIO unpacks run lengths while it opens the file, before it
+/// could be asked.
+std::uint64_t bmp_pixels(std::string_view header) {
+    std::array<std::int32_t, 2> size{};
+    if (header.size() == 26) std::memcpy(size.data(), &header[18], sizeof size);
+    return std::uint64_t(std::abs(std::int64_t(size[0]))) * std::uint64_t(std::abs(std::int64_t(size[1])));
+}
+
+/// Only these formats, whatever the ending says: OpenImageIO has readers that forged files bring down. And no devices
+/// or pipes, which need have no end.
+Recognised recognised(const std::string& path) {
+    const auto fail = [&](const std::string& why) { throw FileError("cannot read '" + path + "': " + why); };
+    const int file = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+    if (file < 0) fail(errno == ENOENT ? "there is no such file" : std::generic_category().message(errno));
+    struct stat status {};
+    ::fstat(file, &status);
+    std::array<char, 26> first{};
+    const bool is_file = S_ISREG(status.st_mode);
+    const ssize_t count = is_file ? ::pread(file, first.data(), first.size(), 0) : 0;
+    ::close(file);
+    if (S_ISDIR(status.st_mode)) fail("it is a folder");
+    if (!is_file) fail("it is no regular file");
+    const std::string_view start(first.data(), count > 0 ? static_cast<std::size_t>(count) : 0);
+    const auto size = static_cast<std::uint64_t>(status.st_size);
+    if (start.starts_with("BM")) {
+        const std::uint64_t most = size << 9;  // run lengths make 255 of two bytes, a palette three of each
+        const bool narrow = count > 14 && start[14] == 12;  // the oldest header holds sizes in 16 bits
+        if (!narrow && bmp_pixels(start) > most) fail("it promises more pixels than fit into such a file");
+        return {"bmp", most};
+    }
+    const std::uint64_t most = size << 15;  // deflate makes 1032 of one byte, a palette 24 values of each
+    if (start.starts_with("\x89PNG\r\n\x1a\n")) return {"png", most};
+    if (start.starts_with("\x76\x2f\x31\x01")) return {"openexr", most};
+    throw FileError("cannot read '" + path + "' as a picture: it is no .bmp, .png or .exr file");
 }
 
 }  // namespace
@@ -115,26 +190,28 @@ void write_picture(const Picture& picture, const std::string& path, FileFormat f
     write_file(path, result);
 }
 
-Picture read_picture(const std::string& path) {
-    std::error_code error;
-    const fs::file_status status = fs::status(path, error);
-    if (!fs::exists(status)) throw FileError("cannot read '" + path + "': there is no such file");
-    if (fs::is_directory(status)) throw FileError("cannot read '" + path + "': it is a folder");
+Picture read_picture(const std::string& path, std::uint64_t most) {
+    const auto [format, possible] = recognised(path);
     Picture picture;
     std::string reason;
-    if (!library().decode(path, picture, reason))
+    if (!library().decode({path, format, std::min(most, possible), available_memory()}, picture, reason))
         throw FileError("cannot read '" + path + "' as a picture: " + reason.substr(0, reason.find('\n')));
     return picture;
 }
 
-std::future<void> preload_picture_library() {
-    return std::async(std::launch::async, [] {
+std::future<void> preload_picture_library(std::function<void()> failed) try {
+    return std::async(std::launch::async, [failed = std::move(failed)] {
         try {
             library();
-        } catch (const FileError&) {
-            // Whoever needs the library tries again and reports the error.
+        } catch (...) {
+            if (failed) failed();
+            throw;
         }
     });
+} catch (const std::system_error&) {
+    tell_threads();
 }
+
+void require_picture_library() { library(); }
 
 }  // namespace strahl

@@ -1,5 +1,7 @@
 // Reading and writing picture files. Callers need not know the library behind it.
 #pragma once
+#include <cstdint>
+#include <functional>
 #include <future>
 #include <string>
 #include <vector>
@@ -31,13 +33,20 @@ double half_step(FileFormat format);
 /// `ending` (such as ".png") chooses the format. Throws OutputError.
 void write_picture(const Picture& picture, const std::string& path, FileFormat format, const std::string& ending = "");
 
-/// Reads any format that OpenImageIO does, except 16-bit PNM, whose values it gets wrong by one. Colours are not
-/// converted. Throws FileError.
-Picture read_picture(const std::string& path);
+/// What a picture may cost to read, unless it is known to be larger: 2 GiB of doubles.
+inline constexpr std::uint64_t most_values_read = std::uint64_t(1) << 28;
+
+/// A .bmp, .png or .exr file, which its first bytes tell and not its ending; no colours are converted. Throws
+/// FileError, also if the picture has more than `most` values or more than there is memory for.
+Picture read_picture(const std::string& path, std::uint64_t most = most_values_read);
 
 /// Starts loading the picture library in the background, which takes 0.2 s, so that write_picture need not wait. Keep
 /// the future until the end of main: its destructor waits for the loading, and a program that ends meanwhile can crash
-/// in the library's start-up. A failure is reported by the next read or write.
-[[nodiscard]] std::future<void> preload_picture_library();
+/// in the library's own start-up. If it is missing or does not load, `failed` is called at once, the future throws
+/// OutputError, and so does every read and write that follows.
+[[nodiscard]] std::future<void> preload_picture_library(std::function<void()> failed = {});
+
+/// The same in the foreground, before work whose result would be lost without the library. Throws OutputError.
+void require_picture_library();
 
 }  // namespace strahl

@@ -10,6 +10,7 @@
 #include "scene/overlap.h"
 #include "text/file.h"
 #include "text/parse.h"
+#include "text/utf8.h"
 #include "text/write.h"
 
 namespace strahl {
@@ -85,7 +86,7 @@ std::string summary(const Scene& scene) {
 int check_command(const CheckOptions& options) {
     const std::string file = options.scene == "-" ? "standard input" : options.scene;
     const Scene scene = parse_scene(read_text(options.scene), file);
-    write_file("-", options.print ? write_scene(scene) : file + ": no errors\n" + summary(scene));
+    write_file("-", options.print ? write_scene(scene) : show(file).text + ": no errors\n" + summary(scene));
     return exit_status::done;
 }
 

@@ -4,13 +4,15 @@
 #include <cstdio>
 
 #include "image/compare.h"
+#include "text/file.h"
+#include "text/utf8.h"
 
 namespace strahl {
 namespace {
 
 Picture read_and_describe(const std::string& path, std::FILE* out) {
     Picture picture = read_picture(path);
-    std::fprintf(out, "%s: %dx%d, %d channel%s, %d bits\n", path.c_str(), picture.width, picture.height,
+    std::fprintf(out, "%s: %dx%d, %d channel%s, %d bits\n", show(path).text.c_str(), picture.width, picture.height,
                  picture.channels, picture.channels == 1 ? "" : "s", picture.bits);
     return picture;
 }
@@ -20,6 +22,8 @@ Picture read_and_describe(const std::string& path, std::FILE* out) {
 int compare_command(const CompareOptions& options) {
     if (!options.heatmap.empty() && options.heatmap != "-")
         if (const std::string fault = format_fault(options.heatmap, 0); !fault.empty()) throw FileError(fault);
+    for (const std::string& picture : {options.a, options.b})
+        refuse_overwriting("--heatmap", options.heatmap, "a picture that is compared", picture);
     // If the heat map goes to standard output, the text can't.
     std::FILE* const out = options.heatmap == "-" ? stderr : stdout;
     const Picture a = read_and_describe(options.a, out), b = read_and_describe(options.b, out);

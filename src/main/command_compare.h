@@ -5,7 +5,7 @@
 namespace strahl {
 
 struct CompareOptions {
-    std::string a, b;      // picture files of any format that OpenImageIO reads
+    std::string a, b;      // .bmp, .png or .exr files
     std::string heatmap;   // where to write the map of differences (.bmp .png .exr), or empty
     double tolerance = 0;  // 0 or more; the largest difference that counts as equal
 };

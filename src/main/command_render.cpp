@@ -10,15 +10,16 @@
 #include <iostream>
 #include <utility>
 
+#include "image/memory.h"
 #include "image/picture.h"
 #include "image/transfer.h"
 #include "main/exit_status.h"
 #include "main/interrupt.h"
-#include "main/memory.h"
 #include "main/progress.h"
 #include "main/stats.h"
 #include "text/file.h"
 #include "text/parse.h"
+#include "text/utf8.h"
 #include "trace/accuracy.h"
 #include "trace/thread_pool.h"
 
@@ -48,6 +49,32 @@ void require_writable(const std::string& path) {
     if (!fs::exists(folder, error)) fail("its folder does not exist; make that first");
     if (!fs::is_directory(folder, error)) fail("'" + folder.string() + "' is not a folder");
     if (access(folder.c_str(), W_OK) != 0) fail("no permission to write to its folder");
+}
+
+/// Would `path` be overwritten by one of the pictures?
+bool is_picture(const RenderOptions& options, const std::string& path) {
+    if (!options.frames) return same_file(options.output, path);
+    const auto [first, last] = *options.frames;
+    const auto digit = [&](std::size_t i) { return path[i] >= '0' && path[i] <= '9'; };
+    // Only a number that is in the name can be its frame's.
+    for (std::size_t start = 0; start < path.size(); ++start) {
+        std::int64_t frame = 0;
+        for (std::size_t i = start; i < path.size() && digit(i) && frame <= last; ++i) {
+            frame = 10 * frame + (path[i] - '0');
+            if (frame < first || frame > last) continue;
+            if (same_file(numbered(options.output, static_cast<int>(frame)), path)) return true;
+        }
+    }
+    return false;
+}
+
+/// Nothing that was asked for, and not the scene, may be overwritten by something else.
+void require_different_files(const RenderOptions& options) {
+    if (is_picture(options, options.scene))
+        throw UsageError("-o would overwrite the scene '" + options.scene + "'; give it another name");
+    refuse_overwriting("--stats", options.stats, "the scene", options.scene);
+    if (is_picture(options, options.stats))
+        throw UsageError("--stats '" + options.stats + "' would overwrite the picture; give it another name");
 }
 
 /// Checks the options that do not depend on the scene. Returns the ending that chooses the format.
@@ -103,7 +130,7 @@ class Renderer {
           part(lattice),
           stats(sums),
           pool(o.threads),
-          loading(preload_picture_library()),
+          loading(preload_picture_library(Interrupt::ask)),
           accuracy(choose(scene, camera)),
           tracer(std::move(scene), accuracy.precision, o.simd) {
         stats.accuracy = accuracy;
@@ -114,6 +141,7 @@ class Renderer {
     }
 
     const Scene& scene() const { return tracer.scene(); }
+    bool interrupted() const { return *interrupt.flag(); }
 
     /// Traces and writes one picture. If interrupted, writes the finished part to a file of its own and returns
     /// false.
@@ -125,8 +153,11 @@ class Renderer {
         const std::uint64_t done = trace(camera, picture, label);
         stats.trace_seconds += watch.lap();
         const bool whole = done == pixels();
+        using namespace std::chrono_literals;
+        // Without the library nothing of it could be written. It was asked once before: then all is well.
+        if (!whole && loading.valid() && loading.wait_for(0s) == std::future_status::ready) loading.get();
         if (done == 0) {
-            std::cerr << "strahl: interrupted before anything of '" << path << "' was finished\n";
+            std::cerr << "strahl: interrupted before anything of '" << printable(path) << "' was finished\n";
             return false;
         }
         const std::string file = whole || path == "-" ? path : before_ending(path, ".part");
@@ -135,7 +166,8 @@ class Renderer {
         stats.frames += whole;
         if (!whole)
             std::cerr << "strahl: interrupted; the finished part (" << 100 * done / pixels() << " %) is in "
-                      << (file == "-" ? "standard output" : "'" + file + "'") << '\n';
+                      << (file == "-" ? "standard output" : std::string("'").append(printable(file)).append("'"))
+                      << '\n';
         return whole;
     }
 
@@ -190,11 +222,28 @@ class Renderer {
     Interrupt interrupt;
 };
 
-bool render_frames(const RenderOptions& options, Renderer& renderer, const std::string& ending) {
+/// Is there a file that holds the whole picture? One that was cut off is told and made again; one of another film is
+/// not ours to overwrite.
+bool is_finished(const std::string& path, const Lattice& part) {
+    if (!std::filesystem::exists(path)) return false;
+    try {
+        const Picture picture = read_picture(path, 3 * std::uint64_t(part.columns) * part.rows);
+        if (picture.width == part.columns && picture.height == part.rows) return true;
+        const auto size = [](int width, int height) { return std::to_string(width) + "x" + std::to_string(height); };
+        throw UsageError("'" + path + "' is a picture of " + size(picture.width, picture.height) + " pixels and not " +
+                         size(part.columns, part.rows) +
+                         "; give --resume the size that the film was begun with, or another -o");
+    } catch (const FileError& error) {
+        std::cerr << "strahl: " << printable(error.what()) << "; this frame is made again\n";
+        return false;
+    }
+}
+
+bool render_frames(const RenderOptions& options, const Lattice& part, Renderer& renderer, const std::string& ending) {
     const auto [first, last] = *options.frames;
     for (int frame = first; frame <= last; ++frame) {
         const std::string path = numbered(options.output, frame);
-        if (options.resume && std::filesystem::exists(path)) continue;
+        if (options.resume && !renderer.interrupted() && is_finished(path, part)) continue;
         const std::string label = "frame " + std::to_string(frame) + " of " + std::to_string(last) + " ";
         if (!renderer.render(camera_of(renderer.scene(), frame / options.fps), path, ending, label)) {
             std::cerr << "strahl: the same command with --resume continues from there\n";
@@ -212,6 +261,7 @@ int render_command(const RenderOptions& options) {
     check_size(part, ending);
     require_writable(options.frames ? numbered(options.output, options.frames->first) : options.output);
     if (!options.stats.empty()) require_writable(options.stats);
+    require_different_files(options);
 
     Stats stats;
     stats.size = options.size;
@@ -227,8 +277,8 @@ int render_command(const RenderOptions& options) {
     const Camera camera =
         camera_of(scene, options.frames ? std::optional(options.frames->first / options.fps) : options.time);
     Renderer renderer(options, std::move(scene), camera, part, format, stats);
-    stats.finished =
-        options.frames ? render_frames(options, renderer, ending) : renderer.render(camera, options.output, ending, "");
+    stats.finished = options.frames ? render_frames(options, part, renderer, ending)
+                                    : renderer.render(camera, options.output, ending, "");
     if (!options.stats.empty()) write_file(options.stats, to_json(stats));
     return stats.finished ? exit_status::done : exit_status::interrupted;
 }

@@ -23,7 +23,7 @@ struct RenderOptions {
     std::optional<double> time;  // seconds into the flythrough
     std::optional<FrameRange> frames;
     double fps = 25;
-    bool resume = false;  // skips frames whose files exist
+    bool resume = false;  // skips frames whose files exist, and whole
     std::string stats;    // a JSON file, or empty
     bool quiet = false;
 };

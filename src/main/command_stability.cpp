@@ -11,6 +11,7 @@
 #include "image/picture.h"
 #include "image/transfer.h"
 #include "main/exit_status.h"
+#include "text/file.h"
 #include "text/parse.h"
 #include "trace/agreement.h"
 
@@ -55,6 +56,8 @@ std::vector<std::array<std::size_t, 3>> by_depth(Agreements& agreements, View vi
 int stability_command(const StabilityOptions& options) {
     if (!options.output.empty())
         if (const std::string fault = format_fault(options.output, 0); !fault.empty()) throw UsageError(fault);
+    refuse_overwriting("-o", options.output, "the scene", options.scene);
+    if (!options.output.empty()) require_picture_library();
     const Scene scene = parse_scene(read_text(options.scene), options.scene == "-" ? "standard input" : options.scene);
     const View view{.camera = scene.camera,
                     .width = options.size.width,
@@ -75,8 +78,8 @@ int stability_command(const StabilityOptions& options) {
                     percent * static_cast<double>(count[double_differs]));
     };
     std::printf(
-        "Pixels, of %zu, whose 8-bit colour differs from that of long double, by the smallest depth at which it "
-        "does.\n\n"
+        "Pixels, of %zu, whose 8-bit colour is not that of long double, and not for a rounding tie alone, by the depth "
+        "of rays at which that is so first.\n\n"
         "| depth | float only |            | double too |            |\n"
         "|------:|----------:|-----------:|-----------:|-----------:|\n",
         map.size());

@@ -11,6 +11,7 @@ extern "C" void strahl_interrupted(int) {
     was_asked = true;
     std::signal(SIGINT, SIG_DFL);
     std::signal(SIGTERM, SIG_DFL);
+    std::signal(SIGHUP, SIG_DFL);
 }
 
 void handle(int signal, struct sigaction& old) {
@@ -24,16 +25,20 @@ void handle(int signal, struct sigaction& old) {
 }  // namespace
 
 Interrupt::Interrupt() {
-    was_asked = false;
     handle(SIGINT, old_interrupt);
     handle(SIGTERM, old_terminate);
+    handle(SIGHUP, old_hang_up);
 }
 
 Interrupt::~Interrupt() {
     sigaction(SIGINT, &old_interrupt, nullptr);
     sigaction(SIGTERM, &old_terminate, nullptr);
+    sigaction(SIGHUP, &old_hang_up, nullptr);
+    was_asked = false;
 }
 
 const std::atomic<bool>* Interrupt::flag() const { return &was_asked; }
+
+void Interrupt::ask() { was_asked = true; }
 
 }  // namespace strahl

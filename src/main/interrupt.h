@@ -5,8 +5,9 @@
 
 namespace strahl {
 
-/// While an object lives, the first SIGINT or SIGTERM sets a flag instead of ending the program; the next one ends it
-/// as usual. A signal that was ignored when the program started (as under nohup) stays ignored.
+/// While one of these lives, SIGINT, SIGTERM and SIGHUP (the terminal was closed) set a flag instead of ending the
+/// program; after the first of them the next one ends it as usual. A signal that was ignored when the program started
+/// (as under nohup) stays ignored.
 class Interrupt {
   public:
     Interrupt();
@@ -16,8 +17,11 @@ class Interrupt {
 
     const std::atomic<bool>* flag() const;
 
+    /// Sets the flag as a signal would, for whoever finds out that going on makes no sense.
+    static void ask();
+
   private:
-    struct sigaction old_interrupt, old_terminate;
+    struct sigaction old_interrupt, old_terminate, old_hang_up;
 };
 
 }  // namespace strahl

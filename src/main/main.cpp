@@ -9,11 +9,13 @@
 #include "main/command_render.h"
 #include "main/command_stability.h"
 #include "main/exit_status.h"
+#include "main/interrupt.h"
 #include "main/options.h"
 #include "povref/command_crosscheck.h"
 #include "povref/command_pov.h"
 #include "scene/error.h"
 #include "show/command_view.h"
+#include "text/utf8.h"
 
 namespace strahl {
 namespace {
@@ -57,7 +59,7 @@ void add_render(CLI::App& app, Action& action) {
         "Frames of the flythrough, as numbered files: %04d in FILE becomes the number; else it goes before the ending",
         "A-B");
     add_fps(command, o->fps, "Frames per second of the flythrough, 25 by default; frame N is at N/F seconds");
-    command->add_flag("--resume", o->resume, "Skip frames whose files already exist");
+    command->add_flag("--resume", o->resume, "Leave out the frames whose files are already there, and whole");
     add_file(command, "--stats", o->stats, "Write times, rays and errors to this JSON file");
     command->add_flag("--quiet", o->quiet, "Show no progress");
     command->footer(
@@ -102,7 +104,7 @@ void add_check(CLI::App& app, Action& action) {
 void add_compare(CLI::App& app, Action& action) {
     auto [command, o] =
         add_command(app, action, "compare", "Report how much two pictures differ; exit status 0 or 1", compare_command);
-    add_argument(command, "A", o->a, "A picture file");
+    add_argument(command, "A", o->a, "A picture file: .bmp, .png or .exr");
     add_argument(command, "B", o->b, "Another picture of the same size");
     command->add_option("--tolerance", o->tolerance, "Difference per channel that counts as equal, 0 by default")
         ->check(numbers(0, 1e9))
@@ -122,10 +124,15 @@ void add_pov(CLI::App& app, Action& action) {
     add_fps(command, o->fps, "Frames per second of the animation, 25 by default");
 }
 
+int crosscheck_until_interrupted(const CrosscheckOptions& options) {
+    const Interrupt interrupt;
+    return crosscheck_command(options, interrupt.flag());
+}
+
 void add_crosscheck(CLI::App& app, Action& action) {
     auto [command, o] =
         add_command(app, action, "crosscheck", "Render scenes with Strahl and POV-Ray and compare; exit status 0 or 1",
-                    crosscheck_command);
+                    crosscheck_until_interrupted);
     add_argument(command, "SCENE", o->scenes, "The scenes, .rt files")
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     add_size(command, o->width, o->height);
@@ -148,7 +155,8 @@ void add_stability(CLI::App& app, Action& action) {
     add_parsed(command, "--size", o->size, parse_size, "Size of the picture in pixels, 640x480 by default", "WxH");
     add_depth(command, o->depth);
     add_threads(command, o->threads);
-    command->footer("Compares 8-bit colours. Long double has no SIMD, so this is slow.");
+    command->footer(
+        "Differences are those of 8-bit colours, but for rounding ties. Long double has no SIMD: this takes a while.");
 }
 
 /// "strahl 0.1.0 (x86-64-v4, 16 float lanes, 8 double)"
@@ -240,7 +248,7 @@ int run(int argc, char** argv) {
 }
 
 int fail(const std::exception& error, int status, const char* prefix = "strahl: ") {
-    std::cerr << prefix << error.what() << '\n';
+    std::cerr << prefix << printable(error.what()) << '\n';
     return status;
 }
 
@@ -258,7 +266,8 @@ int main(int argc, char** argv) {
     } catch (const FileError& error) {
         return fail(error, exit_status::bad_file, "");
     } catch (const std::bad_alloc&) {
-        return fail(std::runtime_error("out of memory"), exit_status::failed);
+        return fail(std::runtime_error("out of memory; a smaller picture, or fewer --threads, need less"),
+                    exit_status::failed);
     } catch (const std::exception& error) {
         return fail(error, exit_status::failed);
     }

@@ -10,7 +10,7 @@ struct FileError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// A file that can't be written; exit status 1.
+/// A file that can't be written, or the part of the program that would; in main exit status 1.
 struct OutputError : FileError {
     using FileError::FileError;
 };

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
+#include <cstddef>
 #include <optional>
+#include <vector>
 
 namespace strahl {
 namespace {
@@ -74,6 +77,70 @@ std::optional<HalfSpace> half_space(const Primitive& primitive) {
         primitive.shape);
 }
 
+namespace {
+
+bool apart(const Box& a, const Box& b) {
+    for (int c = 0; c < 3; ++c)
+        if (a.high[c] <= b.low[c] || b.high[c] <= a.low[c]) return true;
+    return false;
+}
+
+/// Bodies halved down to single ones, with a box around each half. Two halves are compared only where their boxes meet:
+/// where few do, n bodies take time n log n however they lie, and where many do, a pair that overlaps is soon found.
+class OverlapTree {
+  public:
+    explicit OverlapTree(std::vector<Body>& all) : bodies(all), boxes(4 * all.size() + 1) { build(root()); }
+    bool any() const { return within(root()); }
+
+  private:
+    struct Node {
+        std::size_t index, first, count;  // its box and its bodies
+        Node lower() const { return {2 * index + 1, first, count / 2}; }
+        Node upper() const { return {2 * index + 2, first + count / 2, count - count / 2}; }
+    };
+    Node root() const { return {0, 0, bodies.size()}; }
+
+    void build(const Node& node) {
+        Box& box = boxes[node.index];
+        if (node.count == 1) box = bodies[node.first].box;
+        if (node.count < 2) return;
+        halve(node);
+        build(node.lower());
+        build(node.upper());
+        box.add(boxes[node.lower().index]);
+        box.add(boxes[node.upper().index]);
+    }
+
+    /// By the lower ends along the axis on which they are spread the furthest.
+    void halve(const Node& node) {
+        const auto begin = bodies.begin() + std::ptrdiff_t(node.first);
+        const auto end = begin + std::ptrdiff_t(node.count);
+        Box lows;
+        for (auto body = begin; body != end; ++body) lows.add(body->box.low);
+        const DVec3 spread = lows.size();
+        const int axis = spread.x >= spread.y && spread.x >= spread.z ? 0 : spread.y >= spread.z ? 1 : 2;
+        std::nth_element(begin, begin + std::ptrdiff_t(node.count / 2), end, [axis](const Body& a, const Body& b) {
+            return std::strong_order(a.box.low[axis], b.box.low[axis]) < 0;
+        });
+    }
+
+    bool within(const Node& node) const {
+        if (node.count < 2) return false;
+        return within(node.lower()) || within(node.upper()) || between(node.lower(), node.upper());
+    }
+    bool between(const Node& a, const Node& b) const {
+        if (apart(boxes[a.index], boxes[b.index])) return false;
+        if (a.count == 1 && b.count == 1) return may_overlap(bodies[a.first], bodies[b.first]);
+        if (a.count < b.count) return between(a, b.lower()) || between(a, b.upper());
+        return between(a.lower(), b) || between(a.upper(), b);
+    }
+
+    std::vector<Body>& bodies;
+    std::vector<Box> boxes;
+};
+
+}  // namespace
+
 bool transparent_bodies_overlap(const Scene& scene) {
     std::vector<Body> planes, bodies;
     for (const Primitive& primitive : scene.primitives)
@@ -86,16 +153,7 @@ bool transparent_bodies_overlap(const Scene& scene) {
     for (const Body& plane : planes)
         for (const Body& body : bodies)
             if (may_overlap(plane, body)) return true;
-    // Sweep along x: only bodies whose boxes overlap there are compared.
-    std::sort(bodies.begin(), bodies.end(), [](const Body& a, const Body& b) { return a.box.low.x < b.box.low.x; });
-    std::vector<const Body*> open;
-    for (const Body& body : bodies) {
-        std::erase_if(open, [&](const Body* other) { return other->box.high.x <= body.box.low.x; });
-        for (const Body* other : open)
-            if (may_overlap(*other, body)) return true;
-        open.push_back(&body);
-    }
-    return false;
+    return OverlapTree(bodies).any();
 }
 
 }  // namespace strahl

@@ -6,10 +6,11 @@
 #include <iostream>
 
 #include "show/session.h"
+#include "text/utf8.h"
 
 namespace strahl {
 
-void log_line(const std::string& text) { std::cout << "// " << text << std::endl; }
+void log_line(const std::string& text) { std::cout << "// " << show(text).text << std::endl; }
 
 void Motion::begin(double now) { *this = {}, start = now; }
 

@@ -8,9 +8,18 @@
 namespace strahl {
 
 /// Makes `bytes` the content of the file `path`; "-" is standard output. A temporary file in the same folder is
-/// renamed over `path` at the end, so that an older file stays as it was until then and if anything fails. Symbolic
-/// links stay links, an existing file keeps its permissions, and devices and pipes are written to directly.
-/// Throws OutputError.
+/// renamed over `path` once it is on the disk, so that an older file stays as it was until then and if anything fails,
+/// a power cut included. When this returns, the name is on the disk too. Symbolic links stay links. A file with several
+/// names keeps them: it is overwritten in place, with a copy beside it meanwhile. An existing file keeps its
+/// permissions, but for set-user-ID and set-group-ID, and its owner where we may give it away. Devices and pipes are
+/// written to directly. Throws OutputError.
 void write_file(const std::string& path, std::string_view bytes);
+
+/// Would bytes written to one of these paths be in the way of the other's? Not of "-", devices and pipes.
+bool same_file(const std::string& a, const std::string& b);
+
+/// Throws UsageError if `written`, which `option` names, is the same file as `kept`, which is `what`.
+void refuse_overwriting(const std::string& option, const std::string& written, const std::string& what,
+                        const std::string& kept);
 
 }  // namespace strahl

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cstring>
 
 namespace strahl {
 namespace {
@@ -20,8 +19,7 @@ bool contains(std::span<const std::string_view> words, std::string_view word) {
 bool Lexer::skip_comment() {
     if (end - next < 2) return false;
     if (next[1] == '/') {
-        const void* const newline = std::memchr(next, '\n', end - next);
-        next = newline ? static_cast<const char*>(newline) : end;
+        next = std::find_if(next, end, [](char c) { return c == '\n' || c == '\r'; });
         return true;
     }
     if (next[1] != '*') return false;

@@ -31,6 +31,14 @@ std::size_t distance(std::string_view a, std::string_view b) {
     return row[b.size()];
 }
 
+/// Counted from 1. Lines end in a line feed, a carriage return, or both.
+std::size_t line_number(std::string_view text, std::size_t at) {
+    std::size_t line = 1;
+    for (std::size_t i = 0; i < at; ++i)
+        line += text[i] == '\n' || (text[i] == '\r' && (i + 1 == text.size() || text[i + 1] != '\n'));
+    return line;
+}
+
 }  // namespace
 
 void Diagnostics::add(std::string_view at, std::string message) {
@@ -48,23 +56,21 @@ void Diagnostics::check() const {
     std::string all;
     for (const Fault& fault : sorted) all.append(all.empty() ? "" : "\n").append(tell(fault));
     if (sorted.size() == most)
-        all +=
-            std::string("\n") + std::string(file) + ": there may be more; these are the first " + std::to_string(most);
+        all += "\n" + show(file).text + ": there may be more; these are the first " + std::to_string(most);
     throw FileError(all);
 }
 
 std::string Diagnostics::line(std::string_view at) const {
-    return "line " + std::to_string(1 + std::count(text.data(), at.data(), '\n'));
+    return "line " + std::to_string(line_number(text, static_cast<std::size_t>(at.data() - text.data())));
 }
 
 std::string Diagnostics::tell(const Fault& fault) const {
     std::size_t at = fault.at.data() - text.data();
     if (at == text.size()) at = text.find_last_not_of(" \t\r\n") + 1;  // where the text visibly ends
-    const std::size_t newline = at == 0 ? text.npos : text.rfind('\n', at - 1);
+    const std::size_t newline = at == 0 ? text.npos : text.find_last_of("\r\n", at - 1);
     const std::size_t start = newline == text.npos ? 0 : newline + 1;
     const std::size_t end = std::min({text.find('\n', at), text.find('\r', at), text.size()});
 
-    const auto line_number = 1 + std::count(text.begin(), text.begin() + start, '\n');
     const auto column =
         1 + std::count_if(text.begin() + start, text.begin() + at, [](char c) { return !continues(c); });
     // Of a long line only the part around the error; where one side is short the other gets its space.
@@ -77,8 +83,8 @@ std::string Diagnostics::tell(const Fault& fault) const {
     const Shown before = show(text.substr(from, at - from)), marked = show(text.substr(at, fault_end - at));
     const Shown after = show(text.substr(fault_end, to - fault_end));
     const std::string left = from > start ? "..." : "", right = to < end ? "..." : "";
-    return std::string(file) + ":" + std::to_string(line_number) + ":" + std::to_string(column) + ": " + fault.message +
-           "\n    " + left + before.text + marked.text + after.text + right + "\n    " +
+    return show(file).text + ":" + std::to_string(line_number(text, start)) + ":" + std::to_string(column) + ": " +
+           fault.message + "\n    " + left + before.text + marked.text + after.text + right + "\n    " +
            std::string(left.size() + before.width, ' ') + "^" + std::string(std::max(0, marked.width - 1), '~');
 }
 

@@ -72,6 +72,17 @@ Shown show(std::string_view slice) {
     return shown;
 }
 
+std::string printable(std::string_view text) {
+    std::string result;
+    while (true) {
+        const std::size_t end = text.find('\n');
+        result += show(text.substr(0, end)).text;
+        if (end == text.npos) return result;
+        result += '\n';
+        text.remove_prefix(end + 1);
+    }
+}
+
 /// Moves `i` in text by `count` characters, but not past `end`.
 std::size_t back(std::string_view text, std::size_t i, std::size_t end, int count) {
     while (count-- > 0 && i > end) do

@@ -23,4 +23,7 @@ struct Shown {
 };
 Shown show(std::string_view slice);
 
+/// A text of several lines, safe to print.
+std::string printable(std::string_view text);
+
 }  // namespace strahl

@@ -1,6 +1,7 @@
 #include "trace/agreement.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace strahl {
@@ -23,7 +24,9 @@ Agreements::Agreements(const Scene& scene, int threads, std::function<int(double
       alone(1) {}
 
 bool Agreements::same(const double* a, const double* b) const {
-    return code(a[0]) == code(b[0]) && code(a[1]) == code(b[1]) && code(a[2]) == code(b[2]);
+    for (int c = 0; c < 3; ++c)
+        if (code(a[c]) != code(b[c]) && !(std::abs(a[c] - b[c]) <= rounding_tie)) return false;
+    return true;
 }
 
 std::vector<Agreement> Agreements::of(const View& view, const Lattice& lattice, std::vector<double>* shown,

@@ -9,8 +9,12 @@
 
 namespace strahl {
 
-/// Of a pixel: traced in float, double and long double, its codes are the same; or float's differ from long double's;
-/// or even double's do.
+/// Values no farther apart than this agree whatever their codes are: a background of .7 is 178.5 steps of an 8-bit
+/// file, and which way that is rounded says nothing about how a picture was traced. A 257th of such a step.
+inline constexpr double rounding_tie = 1. / 65535;
+
+/// Of a pixel: traced in float, double and long double, its codes are the same, or differ by a rounding tie; or float's
+/// differ from long double's; or even double's do.
 enum class Agreement { all, not_float32, not_float64 };
 
 /// A scene in all three precisions.

@@ -1,12 +1,21 @@
 #include "trace/thread_pool.h"
 
 #include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+#include <utility>
 
 namespace strahl {
 
 ThreadPool::ThreadPool(int threads) {
     if (threads <= 0) threads = std::max(1u, std::thread::hardware_concurrency());
-    for (int i = 1; i < threads; ++i) workers.emplace_back([this, i](std::stop_token stop) { loop(i, stop); });
+    try {
+        for (int i = 1; i < threads; ++i) workers.emplace_back([this, i](std::stop_token stop) { loop(i, stop); });
+    } catch (const std::system_error&) {
+        throw std::runtime_error("of " + std::to_string(threads) + " threads only " + std::to_string(size()) +
+                                 " can be started here; ask for fewer with --threads");
+    }
 }
 
 ThreadPool::~ThreadPool() {
@@ -22,10 +31,20 @@ void ThreadPool::run(const std::function<void(int)>& work) {
         ++generation;
     }
     wake.notify_all();
-    work(0);
+    work_on(work, 0);
     std::unique_lock lock(mutex);
     done.wait(lock, [this] { return busy == 0; });
     job = nullptr;
+    if (failure) std::rethrow_exception(std::exchange(failure, nullptr));
+}
+
+void ThreadPool::work_on(const std::function<void(int)>& work, int thread) {
+    try {
+        work(thread);
+    } catch (...) {
+        std::lock_guard lock(mutex);
+        if (!failure) failure = std::current_exception();
+    }
 }
 
 void ThreadPool::loop(int thread, std::stop_token stop) {
@@ -38,7 +57,7 @@ void ThreadPool::loop(int thread, std::stop_token stop) {
             seen = generation;
             work = job;
         }
-        (*work)(thread);
+        work_on(*work, thread);
         std::lock_guard lock(mutex);
         if (--busy == 0) done.notify_one();
     }

@@ -160,7 +160,7 @@ class TracerOf : public AnyTracer {
         const int tiles = columns * ((lattice.rows + tile_size - 1) / tile_size);
         std::atomic<int> next{0};
         std::vector<Counts> counts(pool.size());
-        pool.run([&](int thread) {
+        const auto work = [&](int thread) {
             Workspace<T>& workspace = *workspaces[thread];
             Eye<T> own = eye;
             Counts counted;  // its own memory: threads that count beside each other wait for each other
@@ -179,6 +179,14 @@ class TracerOf : public AnyTracer {
                 if (!limits.stopped()) deliver(workspace, tile, sink);
             }
             counts[thread] = counted;
+        };
+        pool.run([&](int thread) {
+            try {
+                work(thread);
+            } catch (...) {
+                next = tiles;  // the other threads need not go on
+                throw;
+            }
         });
         Counts sum;
         for (const Counts& c : counts) sum += c;

@@ -41,6 +41,52 @@ fi
 chmod 755 sealed
 rm -r sealed
 
+# Nothing that is read or written as well is overwritten, by whatever name.
+cp scene.rt kept.rt
+cp scene.rt kept.png
+cp scene.rt kept.ini
+cp scene.rt film-0007.png
+mkdir same
+ln -s ../kept.rt same/link.rt
+ln kept.rt hard.rt
+keep() { expect 2 "would overwrite" "$@"; }
+for name in kept.rt ./kept.rt same/../kept.rt same/link.rt hard.rt; do keep render kept.rt -o x.png --stats "$name"; done
+for name in x.png ./x.png same/../x.png "$PWD/x.png"; do keep render kept.rt -o x.png --stats "$name"; done
+ln -s ../x.png same/dangling
+keep render kept.rt -o x.png --stats same/dangling
+keep render kept.png -o kept.png
+keep render film-0007.png -o film-%04d.png --frames 0-99
+keep render kept.rt -o film.png --frames 0-99 --stats film-0012.png
+keep stability kept.png -o kept.png
+keep pov kept.ini -o kept.pov
+keep crosscheck kept.png --sheet kept.png
+keep crosscheck kept.rt same/kept.rt --sheet x.png
+for name in kept.rt kept.png kept.ini film-0007.png hard.rt; do expect_same scene.rt "$name"; done
+make 0 "" scene.rt one.png
+make 0 "" scene.rt two.png --depth 1
+cp two.png three.png
+keep compare one.png two.png --heatmap two.png
+keep compare one.png two.png --heatmap ./one.png
+expect_same two.png three.png
+make 0 "" scene.rt film-0012.png --stats film-12.json
+rm -r same hard.rt kept.* film-* one.png two.png three.png
+
+# What a name holds does not steer the terminal.
+steering=$'red\e[31m\u009b2J.rt'
+cp scene.rt "$steering"
+"$strahl" render scene.rt -o $'\e[1m.png' --size 8x6
+for words in "check $steering" "check no$steering" "render $steering -o no/$steering.png" "render -o $steering $steering" \
+    "compare "$'\e[1m.png '$'\e[1m.png' "compare $steering $steering" "pov $steering -o x$steering.pov" "$steering$steering" \
+    "render $steering -o x.png --$steering"; do
+    # shellcheck disable=SC2086  # the words are arguments
+    said=$("$strahl" $words 2>&1)
+    [[ -n $said && $said != *[$'\e\u009b']* ]] || fault "strahl $words: $(od -c <<<"$said" | head -5)"
+done
+cat scene.rt >"$steering"
+echo "sphere {" >>"$steering"
+"$strahl" check "$steering" 2>&1 | grep -q $'\e' && fault "a fault's place steers the terminal"
+rm -f -- red* xred* $'\e[1m.png'
+
 # A failure keeps the older picture.
 echo "an older picture" >x.bmp
 cp x.bmp older

@@ -12,13 +12,25 @@ for moment in 0=0 3=1.5 8=4; do
 done
 expect_other film-0000.png film-0003.png
 
-# Only missing frames are rendered.
+# Only what is missing, or not a whole picture, is made again.
 cp film-0003.png good.png
+mkdir good
+cp film-0004.png film-0005.png film-0006.png good
 rm film-0003.png
-echo "not a picture" >film-0004.png
-expect 0 '"frames": 1,' render scene.rt -o 'film-%04d.png' --frames 0-8 "${options[@]}" --resume --stats -
+: >film-0004.png
+head -c 400 good/film-0005.png >film-0005.png
+head -c "$(stat -c %s good/film-0006.png)" /dev/zero >film-0006.png
+touch -d yesterday film-0007.png
+date=$(stat -c %y film-0007.png)
+expect 0 '"frames": 4,' render scene.rt -o 'film-%04d.png' --frames 0-8 "${options[@]}" --resume --stats -
 expect_same film-0003.png good.png
-[[ $(<film-0004.png) == "not a picture" ]] || fault "--resume wrote a frame that was there"
+for frame in 4 5 6; do expect_same film-000$frame.png good/film-000$frame.png; done
+[[ $(stat -c %y film-0007.png) == "$date" ]] || fault "--resume wrote a frame that was there"
+: >film-0004.png
+expect 0 "film-0004.png' as a picture" render scene.rt -o 'film-%04d.png' --frames 4 "${options[@]}" --resume
+expect 2 "32x24 pixels and not 64x48" render scene.rt -o 'film-%04d.png' --frames 0-8 --size 64x48 --resume
+expect_same film-0003.png good.png
+rm -r good
 expect 0 '"frames": 0,' render scene.rt -o 'film-%04d.png' --frames 0-8 "${options[@]}" --resume --stats -
 expect 0 '"frames": 9,' render scene.rt -o 'film-%04d.png' --frames 0-8 "${options[@]}" --stats -
 

@@ -11,4 +11,36 @@ expect 0 "" render scene.rt -o x.png --size 8x6
 expect_file x.png
 expect_file moved/share/doc/strahl/LICENSE
 for scene in moved/share/strahl/scenes/*.rt; do expect 0 "no errors" check "$scene"; done
+
+# Where HOME can't be written, ccache has no place for its cache; the build goes on without it.
+unwritable=(env -u CCACHE_DIR -u XDG_CACHE_HOME HOME=/dev/null/none)
+object=CMakeFiles/strahl_scene.dir/src/scene/transformation.cpp.o
+"${unwritable[@]}" cmake -S "$source_folder" -B homeless -G Ninja -DSTRAHL_TESTS=OFF -DSTRAHL_WINDOW=OFF >log 2>&1 ||
+    fault "configuring without a HOME: $(tail -5 log)"
+"${unwritable[@]}" cmake --build homeless --target "$object" >log 2>&1 || fault "building without a HOME: $(tail -5 log)"
+rm -rf homeless
+
+# Without the part that writes pictures, or with a broken one, that is told at once and not after hours of tracing.
+cat >long.rt <<'SCENE'
+camera { position <0, 0, 0>  look_at <0, 1, 0>  up <0, 0, -1>  fov 40 }
+light { position <0, 0, .5>  color <1, 1, 1> }
+defaultmaterial { reflection .999  diffuse .1 }
+plane { <0, 3, 0>, <1, 3, 0>, <0, 3, 1> }
+plane { <0, -3, 0>, <1, -3, 0>, <0, -3, 1> }
+SCENE
+rm x.png
+long=(long.rt --size 4000x4000 --depth 256 -o x.png)
+for module in missing broken; do
+    rm -f moved/lib/strahl/libstrahl_image.so
+    [[ $module == missing ]] || echo "no library" >moved/lib/strahl/libstrahl_image.so
+    for command in "render --precision extended" stability; do
+        # shellcheck disable=SC2086  # the words are arguments
+        said=$(timeout 20 "$strahl" $command "${long[@]}" 2>&1)
+        status=$?
+        ((status == 1)) || fault "$command with a $module module: exit status $status: $said"
+        [[ $said == *"reads and writes pictures"*libstrahl_image.so* ]] || fault "$command with a $module module: $said"
+    done
+done
+expect_no_file x.png
+expect_no_file x.part.png
 finish

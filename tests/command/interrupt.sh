@@ -33,7 +33,7 @@ stop() {
     fault "nothing was finished after $delay seconds"
 }
 
-for signal in INT TERM; do
+for signal in INT TERM HUP; do
     echo "an older picture" >picture.bmp
     stop "$signal" -o picture.bmp --size 2000x1500 --stats stats.json
     grep -q "the finished part ([0-9]* %) is in 'picture.part.bmp'" said || fault "it said: $(<said)"
@@ -45,7 +45,7 @@ for signal in INT TERM; do
 done
 
 # Of several frames the finished ones stay, and --resume continues.
-expect 0 "" render long.rt -o film.bmp --frames 0-1 --size 4x3
+expect 0 "" render long.rt -o film.bmp --frames 0-1 --size 2000x1500 --depth 1
 stop INT -o film.bmp --frames 0-9 --size 2000x1500 --resume
 grep -q "with --resume continues" said || fault "it said: $(<said)"
 expect_only long.rt scene.rt said film-0000.bmp film-0001.bmp film-0002.part.bmp

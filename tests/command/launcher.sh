@@ -35,6 +35,8 @@ tool cmake <<'TOOL'
 cat >/dev/null # what reads standard input would eat the scene
 if [[ $1 == --build ]]; then
     echo "build ${*:2}" >>"$LOG"
+    [[ -s $2/build.ninja ]] || { echo "ninja: error: unknown target 'strahl'"; exit 1; }
+    [[ $* != *" -n" ]] || exit 0
     [[ -z ${BROKEN-} ]] || { echo "a.cpp:1: error: it is broken"; exit 1; }
     sleep "${SLOW-0}"
     printf '#!/bin/bash\necho "in $PWD:" "$@"\n[[ ${1-} != - ]] || cat\nexit 7\n' >"$2/strahl"
@@ -42,7 +44,7 @@ if [[ $1 == --build ]]; then
 else
     echo "configure ${*:3}" >>"$LOG"
     echo "CMAKE_HOME_DIRECTORY:INTERNAL=$2" >"$2/build/release/CMakeCache.txt"
-    touch "$2/build/release/build.ninja"
+    echo "build strahl" >"$2/build/release/build.ninja"
 fi
 TOOL
 export PATH="$tools:$PATH"
@@ -88,10 +90,26 @@ touch "$root/src/b.cpp"
 launch 7 "$again"
 sleep 0.02
 rm "$root/src/b.cpp"
-BROKEN=1 launch 1 "$again"
+BROKEN=1 launch 1 "$again
+build $root/build/release --target strahl -- -n"
 warns "it is broken"
 says ""
 launch 7 "$again"
+launch 7 ""
+
+# A program that was cut off is built again, and so is one whose build folder was.
+printf '#!/bin/bash\n' >"$root/build/release/strahl"
+launch 7 "$again"
+launch 7 ""
+[[ ! -e $root/build/release/built.new && ! -e $root/build/release/built.sized ]] || fault "a stamp is left over"
+sleep 0.02
+touch "$root/src/a.cpp"
+: >"$root/build/release/build.ninja"
+launch 7 "$again
+build $root/build/release --target strahl -- -n
+configure --preset release
+$again"
+warns "damaged"
 launch 7 ""
 
 # Two at the same time: one builds, the other waits.
@@ -130,7 +148,7 @@ warns "could not install them; try it by hand"
 # Without root and sudo it prints what to do.
 rm -rf "$tools/sudo" "$root/build" "$LOG"
 mkdir "$work/bin"
-for program in bash cat chmod dirname env find flock grep mkdir mv readlink rm sed setpriv sleep tail touch; do
+for program in bash cat chmod dirname env find flock grep mkdir mv readlink rm sed setpriv sleep stat sync tail touch; do
     ln -s "$(command -v "$program")" "$work/bin/$program"
 done
 as_user=()

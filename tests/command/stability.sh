@@ -13,6 +13,13 @@ light { position <-1e7, 1e7, -1e7> color <1, 1, 1> }
 sphere { <0, 0, 1e7>, 1 }
 RT
 expect 0 "|     1 |" stability far.rt --size 64x48
+
+# A value in the middle between two 8-bit steps is rounded one way or the other; that is no difference.
+cat >tie.rt <<'RT'
+camera { position <0, 0, 0> look_at <0, 1, 0> up <0, 0, -1> fov 25 }
+background { color <.1, .3, .7> }
+RT
+expect 0 "|   all |         0 |   0.0000 % |          0 |   0.0000 % |" stability tie.rt --size 8x6
 expect 2 "ending" stability scene.rt -o map.txt
 expect 3 "nowhere.rt" stability nowhere.rt
 finish

@@ -5,11 +5,39 @@
 #include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <csignal>
+#include <cstdio>
+#include <vector>
 
 #include "scratch.h"
+
+namespace {
+
+/// What became of files, in order: "sync 3 bytes", "rename", "sync folder"; and the number of the sync that fails.
+std::vector<std::string> events;
+int failing_sync = 0;
+bool deadly_sync = false;
+
+}  // namespace
+
+// In place of the C library's.
+extern "C" int fsync(int file) {
+    struct stat status {};
+    ::fstat(file, &status);
+    events.push_back(S_ISDIR(status.st_mode) ? "sync folder" : "sync " + std::to_string(status.st_size) + " bytes");
+    if (deadly_sync) ::raise(SIGKILL);
+    if (failing_sync > 0 && --failing_sync == 0) return errno = EIO, -1;
+    return static_cast<int>(::syscall(SYS_fsync, file));
+}
+extern "C" int rename(const char* from, const char* to) noexcept {
+    events.push_back("rename");
+    return static_cast<int>(::syscall(SYS_renameat2, AT_FDCWD, from, AT_FDCWD, to, 0));
+}
 
 namespace strahl {
 namespace {
@@ -37,17 +65,12 @@ class FileSizeLimit {
     explicit FileSizeLimit(rlim_t bytes) {
         ::getrlimit(RLIMIT_FSIZE, &old_limit);
         const rlimit limit{bytes, old_limit.rlim_max};
-        old_action = std::signal(SIGXFSZ, SIG_IGN);
         ::setrlimit(RLIMIT_FSIZE, &limit);
     }
-    ~FileSizeLimit() {
-        ::setrlimit(RLIMIT_FSIZE, &old_limit);
-        std::signal(SIGXFSZ, old_action);
-    }
+    ~FileSizeLimit() { ::setrlimit(RLIMIT_FSIZE, &old_limit); }
 
   private:
     rlimit old_limit{};
-    void (*old_action)(int) = SIG_DFL;
 };
 
 TEST_CASE("a file holds the bytes, and no other file is left in the folder") {
@@ -89,6 +112,78 @@ TEST_CASE("permissions: the umask's for a new file, unchanged for an old one, an
         CHECK(says(fault_of(folder / "new"), "Permission denied"));
         CHECK(bytes_of(folder / "new") == "y");
     }
+}
+
+TEST_CASE("bytes are on the disk before they get the name, and the name before the call returns") {
+    const Scratch folder;
+    for (const char* older : {"none", "one"}) {
+        CAPTURE(older);
+        events.clear();
+        write_file(folder / "file", "new");
+        CHECK(events == std::vector<std::string>{"sync 3 bytes", "rename", "sync folder"});
+    }
+    for (const int sync : {1, 2}) {
+        failing_sync = sync;
+        CHECK(says(fault_of(folder / "file", "newer"), "Input/output error"));
+        CHECK(failing_sync == 0);
+        CHECK(bytes_of(folder / "file") == (sync == 1 ? "new" : "newer"));
+    }
+    CHECK(folder.files() == 1);
+}
+
+TEST_CASE("a program that is killed leaves no file behind, where the file system knows files without names") {
+    const Scratch folder;
+    const int nameless = ::open((folder / "").c_str(), O_WRONLY | O_TMPFILE, 0600);
+    if (nameless < 0) return;
+    ::close(nameless);
+    write_file(folder / "file", "old");
+    const pid_t child = ::fork();
+    if (child == 0) {
+        deadly_sync = true;
+        write_file(folder / "file", "new");
+        ::_exit(0);
+    }
+    int status = 0;
+    REQUIRE(::waitpid(child, &status, 0) == child);
+    CHECK(WIFSIGNALED(status));
+    CHECK(bytes_of(folder / "file") == "old");
+    CHECK(folder.files() == 1);
+}
+
+TEST_CASE("set-user-ID is not handed on to other bytes, and the owner keeps the file") {
+    const Scratch folder;
+    write_file(folder / "file", "x");
+    const uid_t owner = ::geteuid() == 0 ? 65534 : ::geteuid();
+    REQUIRE(::chown((folder / "file").c_str(), owner, -1) == 0);
+    ::chmod((folder / "file").c_str(), 06755);
+    write_file(folder / "file", "y");
+    CHECK(mode_of(folder / "file") == 0755);
+    struct stat status {};
+    ::stat((folder / "file").c_str(), &status);
+    CHECK(status.st_uid == owner);
+}
+
+TEST_CASE("all names of a file show the new bytes, and a failure leaves it its older ones") {
+    const Scratch folder;
+    write_file(folder / "one", "old");
+    std::filesystem::create_hard_link(folder / "one", folder / "two");
+    for (const std::string bytes : {"longer than before", "less", ""}) {
+        write_file(folder / "one", bytes);
+        CHECK(bytes_of(folder / "two") == bytes);
+    }
+    write_file(folder / "one", "old");
+    CHECK(std::filesystem::hard_link_count(folder / "one") == 2);
+    {
+        const FileSizeLimit limit(1000);
+        CHECK(says(fault_of(folder / "one", std::string(100000, 'x')), "File too large"));
+    }
+    CHECK(bytes_of(folder / "two") == "old");
+    CHECK(folder.files() == 2);
+    failing_sync = 2;  // of the file in place: what it holds is no longer certain
+    const std::string fault = fault_of(folder / "one", "new");
+    CHECK(says(fault, "all of it is in '" + (folder / ".strahl-")));
+    const std::string copy = fault.substr(fault.rfind(".strahl-"), fault.rfind('\'') - fault.rfind(".strahl-"));
+    CHECK(bytes_of(folder / copy) == "new");
 }
 
 TEST_CASE("symbolic links stay links") {

@@ -473,6 +473,19 @@ TEST_CASE("hostile text is rejected quickly") {
     CHECK(message(eye + "flythrough { duration 9" + keys + "}", limits).starts_with("x.rt:5:1: more than 2 keys"));
 }
 
+TEST_CASE("lines may end in a carriage return, in a line feed, or in both") {
+    for (const std::string end : {"\r", "\n", "\r\n"}) {
+        CAPTURE(end.size());
+        std::string text = eye;
+        for (const char* line : {"// a ball", "sphere { <1,2,3>, 4 } // and another one", "sphere { <1,2,3>, 5 }"})
+            text += line + end;
+        CHECK(parse(text).primitives.size() == 2);
+        const Faults told = faults(text + "// below it" + end + "sphere { <1,2,3>, -6 }" + end);
+        REQUIRE(told.size() == 1);
+        CHECK(told[0].starts_with("x.rt:6:19: "));
+    }
+}
+
 TEST_CASE("files") {
     const std::filesystem::path path =
         std::filesystem::temp_directory_path() / ("strahl-language-test-" + std::to_string(getpid()) + ".rt");

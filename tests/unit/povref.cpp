@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <set>
+#include <stdexcept>
 
 #include "agreement.h"
 #include "image/picture.h"
@@ -252,6 +253,32 @@ TEST_CASE("a pixel is on an edge where the picture jumps, not where it only chan
     // The highlight is a few pixels wide, far from flat, and bent where it is brighter than a screen can show.
     for (int y = 22; y < 78; ++y)
         for (int x = 35; x < 65; ++x) CHECK_FALSE(on_edge(tracer, view, pool, x, y, edge_radius, 1. / 65535));
+}
+
+TEST_CASE("a scene's file name can't put lines into the files, nor can a path") {
+    const Scene scene = parse_scene(camera + light, "test");
+    PovRequest request = request_for("test", scene);
+    const PovFiles plain = write_pov(scene, request);
+    for (const std::string name :
+         {"evil\nCreate_Ini=precious.txt\n;.rt", "evil\rCreate_Ini=precious.txt", "\n#include \"precious.txt\""}) {
+        request.title = name;
+        const PovFiles files = write_pov(scene, request);
+        CHECK(count(files.ini, "\n") == count(plain.ini, "\n"));
+        CHECK(count(files.pov, "\n") == count(plain.pov, "\n"));
+        CHECK(count(files.ini + files.pov, "\r") == 0);
+    }
+    for (const std::string name :
+         {"a\nCreate_Ini=b.pov", "a\rb.pov", "a\tb.pov", "a\x1b[2Jb.pov", "\"'.pov", "a\\\" b.pov"}) {
+        request.pov_path = name;
+        CHECK_THROWS_AS(write_pov(scene, request), UsageError);
+    }
+    for (const auto& [name, held] : {std::pair{"a b.pov", "\"a b.pov\""},
+                                     {"a\"b.pov", "'a\"b.pov'"},
+                                     {"a'b.pov", "\"a'b.pov\""},
+                                     {"a.pov", "a.pov"}}) {
+        request.pov_path = name;
+        CHECK(has(write_pov(scene, request).ini, std::string("\nInput_File_Name=") + held + "\n"));
+    }
 }
 
 TEST_CASE("a verdict counts differences on and off edges") {

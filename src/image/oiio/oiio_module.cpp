@@ -5,6 +5,7 @@
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -43,18 +44,32 @@ bool read_values(ImageInput& input, TypeDesc type, double max, strahl::Picture& 
     return true;
 }
 
-bool decode(const std::string& path, strahl::Picture& picture, std::string& reason) {
+/// What speaks against reading it, or nothing; before anything is allocated for its values.
+std::string objection(const ImageSpec& spec, const strahl::Wanted& wanted) {
+    constexpr int most_channels = 64;
+    if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.deep || spec.nchannels < 1 ||
+        spec.nchannels > most_channels)
+        return "it is no flat picture of 1 to " + std::to_string(most_channels) + " channels";
+    const std::string size = std::to_string(spec.width) + "x" + std::to_string(spec.height) + " pixels";
+    const auto pixels = std::uint64_t(spec.width) * std::uint64_t(spec.height);
+    const auto channels = static_cast<unsigned>(spec.nchannels);
+    const auto tile = std::uint64_t(std::max(1, spec.tile_width)) * std::uint64_t(std::max(1, spec.tile_height));
+    if (std::max(pixels, tile) > wanted.most_values / channels)
+        return "its " + size + ", or its tiles, are more than are read or than fit into such a file";
+    const double needed = double(pixels) * channels * (sizeof(double) + spec.format.size());
+    if (needed > wanted.memory) return "there is not enough memory for its " + size;
+    return "";
+}
+
+bool decode(const strahl::Wanted& wanted, strahl::Picture& picture, std::string& reason) {
     ImageSpec as_it_is;
     as_it_is.attribute("oiio:UnassociatedAlpha", 1);
     as_it_is.attribute("oiio:RawColor", 1);
-    const auto input = ImageInput::open(path, &as_it_is);
+    const auto input = ImageInput::create(wanted.format);
     if (!input) return reason = geterror(), false;
-    const ImageSpec& spec = input->spec();
-    constexpr std::uint64_t most_values = std::uint64_t(1) << 28;  // 2 GiB of doubles: what a forged header can cost
-    if (spec.depth > 1 || spec.image_pixels() > most_values / static_cast<unsigned>(spec.nchannels))
-        return reason = "it holds more than 2^28 values, or is no flat picture", false;
-    if (spec.format == TypeDesc::UINT16 && input->format_name() == std::string("pnm"))
-        return reason = "OpenImageIO reads 16-bit PNM wrong by one; convert it to .png", false;
+    ImageSpec spec;
+    if (!input->open(wanted.path, spec, as_it_is)) return reason = input->geterror(), false;
+    if (reason = objection(spec, wanted); !reason.empty()) return false;
     picture = {spec.width, spec.height, spec.nchannels, {}, 32};
     picture.values.resize(spec.image_pixels() * static_cast<unsigned>(spec.nchannels));
     bool whole = false;
@@ -92,6 +107,6 @@ bool strahl_encode_picture(const strahl::Codes& codes, const char* ending, std::
     return guarded(result, [&] { return encode(codes, ending, result); });
 }
 
-bool strahl_decode_picture(const std::string& path, strahl::Picture& picture, std::string& reason) {
-    return guarded(reason, [&] { return decode(path, picture, reason); });
+bool strahl_decode_picture(const strahl::Wanted& wanted, strahl::Picture& picture, std::string& reason) {
+    return guarded(reason, [&] { return decode(wanted, picture, reason); });
 }

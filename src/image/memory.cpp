@@ -1,5 +1,5 @@
-// Available memory, as reported by Linux.
-#include "main/memory.h"
+// Available memory, as Linux tells it.
+#include "image/memory.h"
 
 #include <sys/resource.h>
 

@@ -1,0 +1,55 @@
+#!/usr/bin/env bash
+# strahl crosscheck with stand-ins for povray: what it makes of nonsense, and that nothing is left when it is stopped.
+set -uo pipefail
+source "$(dirname "$0")/expect.sh"
+set -m # a shell without job control starts what it puts into the background with SIGINT ignored
+
+mkdir tools tmp
+export PATH="$work/tools:$PATH" TMPDIR="$work/tmp"
+# povray LINES: the stand-in, which runs in the folder with scene.pov.
+povray() { printf '#!/bin/bash\n%s\n' "$1" >tools/povray && chmod +x tools/povray; }
+nothing_left() { [[ -z $(ls -A tmp) ]] || fault "left behind: $(ls -A tmp)"; }
+check() { expect "$1" "$2" crosscheck scene.rt --size 32x24 --depth 2; }
+
+expect 0 "" render scene.rt -o "$work/right.png" --size 32x24 --depth 2 --bits 16
+expect 0 "" render scene.rt -o "$work/wrong.png" --size 24x32 --depth 2 --bits 16
+povray "cp $work/right.png scene.png"
+check 0 " 0.000 |"
+for seconds in ...... 1.2.3 . 1e999 99999999999999999999999999999999999999999; do
+    povray "cp $work/right.png scene.png; echo 'Trace Time:   0 hours (${seconds} seconds)'"
+    check 0 "| scene "
+done
+said=$("$strahl" crosscheck scene.rt --size 32x24 --depth 2 2>&1)
+[[ $said != *stod* ]] || fault "it says: $said"
+povray ":"
+check 1 "not with the picture that was asked for"
+povray "cp $work/wrong.png scene.png"
+check 1 "24x32 pixels"
+povray "echo nonsense >scene.png"
+check 1 "no .bmp, .png or .exr"
+povray $'printf "\\e[31mred\\n"; exit 3'
+said=$("$strahl" crosscheck scene.rt 2>&1)
+[[ $said == *red* && $said != *$'\e'* ]] || fault "povray's words steer the terminal"
+nothing_left
+
+povray "echo \$\$ >'$work/started'; exec sleep 60"
+for signal in TERM INT HUP; do
+    rm -f started
+    "$strahl" crosscheck scene.rt >said 2>&1 &
+    pid=$!
+    for ((i = 0; i < 100; ++i)); do
+        [[ -s started ]] && break
+        sleep .05
+    done
+    kill -s "$signal" "$pid"
+    wait "$pid"
+    status=$?
+    ((status == 130)) || fault "exit status $status after SIG$signal: $(<said)"
+    if kill -0 "$(<started)" 2>/dev/null; then
+        fault "povray goes on after SIG$signal"
+        kill "$(<started)"
+    fi
+    nothing_left
+    rm -rf tmp/*
+done
+finish

@@ -1,0 +1,107 @@
+// Files that are made to hurt whoever reads them as pictures.
+#include <doctest/doctest.h>
+#include <sys/stat.h>
+
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+
+#include "image/picture.h"
+#include "scratch.h"
+#include "text/file.h"
+
+namespace strahl {
+namespace {
+
+Picture picture(int width, int height) {
+    return {width, height, 3, std::vector<double>(std::size_t(3) * width * height, .5), 32};
+}
+
+/// What is told of a file, or nothing if it can be read.
+std::string fault_in(const std::string& path, std::uint64_t most = most_values_read) {
+    try {
+        read_picture(path, most);
+    } catch (const FileError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+bool says(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+template <class... Values>
+std::string bytes_of_values(Values... values) {
+    std::string bytes;
+    ((bytes += std::string(reinterpret_cast<const char*>(&values), sizeof values)), ...);
+    return bytes;
+}
+
+/// A tiled .exr file of three float channels that ends after the place of its first tile.
+std::string forged_exr(int width, int height, int tile) {
+    std::string bytes = bytes_of_values(20000630, 2 | 0x200);
+    const auto add = [&](const char* name, const char* type, const std::string& value) {
+        bytes += std::string(name) + '\0' + type + '\0' + bytes_of_values(int(value.size())) + value;
+    };
+    std::string channels;
+    for (const char* channel : {"B", "G", "R"}) channels += std::string(channel) + '\0' + bytes_of_values(2, 0, 1, 1);
+    add("channels", "chlist", channels + '\0');
+    add("compression", "compression", std::string(1, '\3'));
+    add("dataWindow", "box2i", bytes_of_values(0, 0, width - 1, height - 1));
+    add("displayWindow", "box2i", bytes_of_values(0, 0, width - 1, height - 1));
+    add("lineOrder", "lineOrder", std::string(1, '\0'));
+    add("pixelAspectRatio", "float", bytes_of_values(1.f));
+    add("screenWindowCenter", "v2f", bytes_of_values(0.f, 0.f));
+    add("screenWindowWidth", "float", bytes_of_values(1.f));
+    add("tiles", "tiledesc", bytes_of_values(tile, tile) + '\0');
+    bytes += '\0';
+    return bytes + bytes_of_values(std::uint64_t(bytes.size() + 8));
+}
+
+TEST_CASE("only .bmp, .png and .exr are read, told by what is in the file") {
+    const Scratch folder;
+    const auto reading = [&](const std::string& name) { return fault_in(folder / name); };
+    write_picture(picture(4, 4), folder / "a.png", {});
+    std::filesystem::rename(folder / "a.png", folder / "a.bmp");
+    CHECK(reading("a.bmp").empty());
+    const std::string no_channels("\x01\xda\0\1\0\3\0\4\0\4\0\0", 12);  // of an SGI file
+    const std::string icon("\0\0\1\0\1\0", 6), dds("DDS \x7c\0\0\0", 8), cineon("\x80\x2a\x5f\xd7", 4);
+    for (const std::string& start : {no_channels, icon, dds, cineon, std::string("P6 1 1 255\n\1\2\3")})
+        for (const char* name : {"b.png", "b.sgi", "b.ico", "b.dds", "b.cin", "b.ppm"}) {
+            write_file(folder / name, start + std::string(2000, '\0'));
+            CHECK(says(reading(name), "no .bmp, .png or .exr"));
+        }
+}
+
+TEST_CASE("devices and pipes are not read") {
+    const Scratch folder;
+    CHECK(says(fault_in("/dev/zero"), "no regular file"));
+    REQUIRE(::mkfifo((folder / "pipe.png").c_str(), 0600) == 0);
+    CHECK(says(fault_in(folder / "pipe.png"), "no regular file"));
+}
+
+TEST_CASE("a forged header costs no memory, and a large picture no more than was allowed") {
+    const Scratch folder;
+    const auto reading = [&](const std::string& name) { return fault_in(folder / name); };
+    struct Forgery {
+        int width, height, tile;
+    };
+    for (const auto& [width, height, tile] : {Forgery{9000, 9000, 9000}, {8, 6, 8000}}) {
+        CAPTURE(width);
+        CAPTURE(tile);
+        write_file(folder / "a.exr", forged_exr(width, height, tile));
+        CHECK(says(reading("a.exr"), "than fit into such a file"));
+    }
+    std::string bmp(1100, '\0');  // run-length encoded, with the end right after the palette
+    const std::array<std::int32_t, 8> header{1078, 40, 20000, 20000, 8 << 16 | 1, 1, 0, 0};
+    bmp.replace(0, 2, "BM"), bmp[1079] = 1;
+    std::memcpy(&bmp[10], header.data(), sizeof header);
+    write_file(folder / "a.bmp", bmp);
+    CHECK(says(reading("a.bmp"), "than fit into such a file"));
+    write_picture(picture(20, 10), folder / "a.png", {});
+    CHECK(fault_in(folder / "a.png", 600).empty());
+    CHECK(says(fault_in(folder / "a.png", 599), "20x10 pixels"));
+}
+
+}  // namespace
+}  // namespace strahl

@@ -1,0 +1,64 @@
+// Which transparent bodies share space, and how long it takes to say so.
+#include "scene/overlap.h"
+
+#include <doctest/doctest.h>
+
+#include <chrono>
+#include <cmath>
+#include <random>
+
+namespace strahl {
+namespace {
+
+Scene glass() {
+    Scene scene;
+    scene.materials.push_back({.refraction = .5});
+    return scene;
+}
+
+void add_ball(Scene& scene, const DVec3& centre, double radius) {
+    scene.primitives.push_back({.shape = Sphere{centre, radius}, .material = 0, .transformations = {}});
+}
+
+TEST_CASE("bodies overlap exactly where some pair of them does") {
+    std::minstd_rand random(7);
+    int overlapping = 0;
+    for (int round = 0; round < 400; ++round) {
+        Scene scene = glass();
+        std::uniform_real_distribution<double> place(-10, 10), size(.01, round % 4 ? .8 : 2);
+        std::vector<Sphere> balls;
+        bool expected = false;
+        for (int i = 0; i < 2 + round % 37; ++i) {
+            const Sphere ball{{place(random), round % 3 ? place(random) : 0, place(random)}, size(random)};
+            for (const Sphere& other : balls) {
+                const DVec3 d = ball.centre - other.centre;
+                expected |= std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z) < ball.radius + other.radius;
+            }
+            balls.push_back(ball);
+            add_ball(scene, ball.centre, ball.radius);
+        }
+        CHECK(transparent_bodies_overlap(scene) == expected);
+        overlapping += expected;
+    }
+    CHECK(overlapping > 50);
+    CHECK(overlapping < 350);
+}
+
+TEST_CASE("a hundred thousand glass balls are looked through in no time, along whatever axis they lie") {
+    for (const DVec3 step : {DVec3(3, 0, 0), DVec3(0, 3, 0), DVec3(0, 0, 3), DVec3(0, 3, 3), DVec3(0, 0, 0)}) {
+        Scene scene = glass();
+        for (int i = 0; i < 100000; ++i)
+            if (step == DVec3(0, 0, 0))  // a block of them, each touching its neighbours
+                add_ball(scene, {3. * (i % 46), 3. * (i / 46 % 46), 3. * (i / 2116)}, 1.5);
+            else
+                add_ball(scene, double(i) * step, 1);
+        const auto start = std::chrono::steady_clock::now();
+        CHECK_FALSE(transparent_bodies_overlap(scene));
+        CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(10));
+        add_ball(scene, 99999. * step, 1);
+        CHECK(transparent_bodies_overlap(scene));
+    }
+}
+
+}  // namespace
+}  // namespace strahl
