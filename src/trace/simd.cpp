@@ -37,7 +37,12 @@ bool supported(Simd simd) {
         case Simd::automatic:
         case Simd::scalar:
             return true;
-#if defined(__x86_64__)
+#if defined(__x86_64__) && defined(__clang__)  // which knows no levels by name, and builds no v4: see kernels.cmake
+        case Simd::v2:
+            return __builtin_cpu_supports("sse4.2") && __builtin_cpu_supports("popcnt");
+        case Simd::v3:
+            return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2");
+#elif defined(__x86_64__)
         case Simd::v2:
             return __builtin_cpu_supports("x86-64-v2");
         case Simd::v3:

@@ -58,8 +58,10 @@ Kernel<T> kernel_for(Simd simd) {
                 return pick(v2::kernel_float, v2::kernel_double);
             case Simd::v3:
                 return pick(v3::kernel_float, v3::kernel_double);
+#if !defined(__clang__)
             case Simd::v4:
                 return pick(v4::kernel_float, v4::kernel_double);
+#endif
 #elif defined(__aarch64__)
             case Simd::neon:
                 return pick(neon::kernel_float, neon::kernel_double);
