@@ -141,7 +141,7 @@ STRAHL_INLINE Pack<T> with_lane(Pack<T> a, int i, T value) {  // a whole pack re
 /// The smallest of the lanes.
 template <class T>
 STRAHL_INLINE T least(Pack<T> a) {
-    if constexpr (has_mask_registers)
+    if constexpr (has_least)
         return least_of(raw(a));
     else
         return std::experimental::hmin(a.v);

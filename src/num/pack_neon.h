@@ -6,7 +6,7 @@
 
 namespace strahl::inline STRAHL_LEVEL {
 
-inline constexpr bool has_fma = true, has_mask_registers = false;
+inline constexpr bool has_fma = true, has_mask_registers = false, has_least = true;
 
 }  // namespace strahl::inline STRAHL_LEVEL
 
@@ -28,5 +28,7 @@ STRAHL_INLINE float64x2_t minimum(float64x2_t a, float64x2_t b) { return vbslq_f
 STRAHL_INLINE float64x2_t maximum(float64x2_t a, float64x2_t b) { return vbslq_f64(vcgtq_f64(a, b), a, b); }
 STRAHL_INLINE float32x4_t fused(float32x4_t a, float32x4_t b, float32x4_t c) { return vfmaq_f32(c, a, b); }
 STRAHL_INLINE float64x2_t fused(float64x2_t a, float64x2_t b, float64x2_t c) { return vfmaq_f64(c, a, b); }
+STRAHL_INLINE float least_of(float32x4_t a) { return vminvq_f32(a); }
+STRAHL_INLINE double least_of(float64x2_t a) { return vminvq_f64(a); }
 
 }  // namespace strahl

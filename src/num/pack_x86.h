@@ -12,9 +12,9 @@ inline constexpr bool has_fma = true;
 inline constexpr bool has_fma = false;
 #endif
 #if defined(__AVX512F__)
-inline constexpr bool has_mask_registers = true;
+inline constexpr bool has_mask_registers = true, has_least = true;
 #else
-inline constexpr bool has_mask_registers = false;
+inline constexpr bool has_mask_registers = false, has_least = false;
 #endif
 
 }  // namespace strahl::inline STRAHL_LEVEL

@@ -99,7 +99,7 @@ std::size_t forth(std::string_view text, std::size_t i, std::size_t end, int cou
 
 std::size_t find_invalid(std::string_view text) {
     for (std::size_t i = 0; i < text.size();) {
-        if (const char c = text[i]; c > 0) {
+        if (static_cast<signed char>(text[i]) > 0) {  // plain ones; char has no sign on some processors
             ++i;
             continue;
         }

@@ -42,14 +42,37 @@ function(strahl_kernel level elements)
     target_compile_options(kernel_${level} PRIVATE -O1)
   endif()
   target_sources(strahl_trace PRIVATE $<TARGET_OBJECTS:kernel_${level}>)
+  target_compile_definitions(strahl_trace PRIVATE STRAHL_KERNEL_${level})
+endfunction()
+
+# The levels to build: all that the compiler can, or this machine's alone, which takes a third of the time. The scalar
+# one, which traces in extended precision and for want of any other, is always built.
+set(STRAHL_LEVELS all CACHE STRING "SIMD levels to build: all, or host for this machine's alone")
+if(STRAHL_LEVELS STREQUAL host AND EXISTS /proc/cpuinfo)
+  file(STRINGS /proc/cpuinfo strahl_flags_of_cpu REGEX "^flags" LIMIT_COUNT 1)
+  set(strahl_host_level v2)
+  if(strahl_flags_of_cpu MATCHES " avx2 " AND strahl_flags_of_cpu MATCHES " fma ")
+    set(strahl_host_level v3)
+  endif()
+  if(strahl_flags_of_cpu MATCHES " avx512bw " AND strahl_flags_of_cpu MATCHES " avx512vl ")
+    set(strahl_host_level v4)
+  endif()
+endif()
+function(strahl_level level)
+  if(NOT DEFINED strahl_host_level OR level STREQUAL strahl_host_level)
+    strahl_kernel(${level} "float;double" ${ARGN})
+  endif()
 endfunction()
 
 strahl_kernel(scalar "float;double;long double" -DSTRAHL_SCALAR)
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
-  strahl_kernel(v2 "float;double" -march=x86-64-v2)
-  strahl_kernel(v3 "float;double" -march=x86-64-v3)
-  # g++ 12 warns of an "uninitialized" operand inside its own AVX-512 header.
-  strahl_kernel(v4 "float;double" -march=x86-64-v4 -mprefer-vector-width=512 -Wno-uninitialized -Wno-maybe-uninitialized)
+  strahl_level(v2 -march=x86-64-v2)
+  strahl_level(v3 -march=x86-64-v3)
+  if(NOT CMAKE_CXX_COMPILER_ID MATCHES Clang)  # clang's AVX-512 code for libstdc++ 12's packs gives wrong pictures
+    # g++ 12 warns of an "uninitialized" operand inside its own AVX-512 header.
+    strahl_level(v4 -march=x86-64-v4 -mprefer-vector-width=512 -Wno-uninitialized
+                  -Wno-maybe-uninitialized)
+  endif()
 elseif(CMAKE_SYSTEM_PROCESSOR MATCHES "aarch64|arm64")
   strahl_kernel(neon "float;double" -Wno-psabi)  # g++ notes that packs were passed otherwise before its version 10
 endif()

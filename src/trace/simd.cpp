@@ -32,19 +32,25 @@ const char* name(Simd simd) {
     }
 }
 
+// kernels.cmake defines STRAHL_KERNEL_v3 and so on for the levels that are built.
 bool supported(Simd simd) {
     switch (simd) {
         case Simd::automatic:
         case Simd::scalar:
             return true;
-#if defined(__x86_64__)
+#if defined(STRAHL_KERNEL_v2)
         case Simd::v2:
-            return __builtin_cpu_supports("x86-64-v2");
+            return __builtin_cpu_supports("sse4.2") && __builtin_cpu_supports("popcnt");
+#endif
+#if defined(STRAHL_KERNEL_v3)
         case Simd::v3:
-            return __builtin_cpu_supports("x86-64-v3");
+            return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2");
+#endif
+#if defined(STRAHL_KERNEL_v4)
         case Simd::v4:
             return __builtin_cpu_supports("x86-64-v4");
-#elif defined(__aarch64__)
+#endif
+#if defined(STRAHL_KERNEL_neon)
         case Simd::neon:
             return true;
 #endif

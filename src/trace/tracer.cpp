@@ -38,21 +38,20 @@ T upper(double value) {
 
 template <class T>
 Kernel<T> kernel_for(Simd simd) {
-    if constexpr (!std::is_same_v<T, long double>) switch (simd) {
-#if defined(__x86_64__)
-            case Simd::v2:
-                return v2::kernel<T>();
-            case Simd::v3:
-                return v3::kernel<T>();
-            case Simd::v4:
-                return v4::kernel<T>();
-#elif defined(__aarch64__)
-            case Simd::neon:
-                return neon::kernel<T>();
+    if constexpr (!std::is_same_v<T, long double>) {
+#if defined(STRAHL_KERNEL_v2)
+        if (simd == Simd::v2) return v2::kernel<T>();
 #endif
-            default:
-                break;
-        }
+#if defined(STRAHL_KERNEL_v3)
+        if (simd == Simd::v3) return v3::kernel<T>();
+#endif
+#if defined(STRAHL_KERNEL_v4)
+        if (simd == Simd::v4) return v4::kernel<T>();
+#endif
+#if defined(STRAHL_KERNEL_neon)
+        if (simd == Simd::neon) return neon::kernel<T>();
+#endif
+    }
     return scalar::kernel<T>();
 }
 
