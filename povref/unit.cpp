@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "num/vec_math.h"
 #include "scene/overlap.h"
 
 namespace strahl {
 namespace {
-
-double length(const DVec3& v) { return std::hypot(v.x, v.y, v.z); }
 
 /// The distance from `eye` of the farthest point of a body that must be within reach; of a half-space a point of it.
 double reach(const Primitive& primitive, const DVec3& eye) {
