@@ -5,7 +5,7 @@
 
 namespace strahl {
 
-enum class Range { any, positive, zero_or_more, zero_to_one };
+enum class Range { any, positive, length_or_zero, zero_or_more, zero_to_one };
 
 /// One parameter of type V (double, DVec3, ...) in a struct C. `name` is its name in messages and in the manual.
 template <class C, class V>

@@ -7,8 +7,8 @@
 #include <tuple>
 #include <type_traits>
 
-#include "num/vec_math.h"
 #include "scene/transformation.h"
+#include "scene/world_transform.h"
 #include "text/reader.h"
 
 namespace strahl {
@@ -25,8 +25,19 @@ inline double condition(const glm::dmat4& m) {
     return norm(a, b, c) * norm(bc, ca, ab) / std::fabs(determinant);
 }
 
+/// Does the transformation take opposite sides of the box to the same place?
+inline bool flattened(const Box& box, const glm::dmat4& m) {
+    for (int i = 0; i < 3; ++i) {
+        DVec3 low = box.centre(), high = low;
+        low[i] = box.low[i], high[i] = box.high[i];
+        if (transform_point(m, low) == transform_point(m, high)) return true;
+    }
+    return false;
+}
+
 /// Why the transformations are not allowed for a valid shape, or "". Among the arguments of a shape, vectors are taken
-/// for points and numbers for lengths.
+/// for points and numbers for lengths. If a kind says `arguments_move = false`, its arguments have a meaning in its own
+/// space only, and its bounds are checked instead.
 template <class Kind>
 std::string transformed_fault(const Kind& shape, std::span<const Transformation> steps) {
     glm::dmat4 m = matrix(steps);
@@ -35,22 +46,31 @@ std::string transformed_fault(const Kind& shape, std::span<const Transformation>
         for (int k = 0; k < 3; ++k) largest = std::max(largest, std::fabs(m[i][k]));
     if (!(largest >= smallest_positive && largest <= largest_number)) return "scale it out of the range of numbers";
 
-    Kind moved = shape;
     bool inside = true;
-    const auto move = [&](auto& value) {
-        if constexpr (std::is_same_v<decltype(value), DVec3&>) {
-            value = transform_point(m, value);
-            for (int i = 0; i < 3; ++i) inside &= coordinates.contains(value[i]);
-        } else {
-            value *= largest;
-            inside &= lengths.contains(value);
-        }
+    const auto look = [&](const DVec3& point) {
+        for (int i = 0; i < 3; ++i) inside &= coordinates.contains(point[i]);
     };
-    std::apply([&](const auto&... field) { (move(moved.*field.member), ...); }, Kind::fields);
+    const char* fault = nullptr;
+    if constexpr (requires { requires !Kind::arguments_move; }) {
+        const Box box = transformed(shape.bounds(), m);
+        look(box.low), look(box.high);
+        if (flattened(shape.bounds(), m)) fault = "it is flat";
+    } else {
+        Kind moved = shape;
+        const auto move = [&](auto& value, Range range) {
+            if constexpr (std::is_same_v<decltype(value), DVec3&>) {
+                look(value = transform_point(m, value));
+            } else {
+                value *= largest;
+                inside &= argument_bounds(range).contains(value);
+            }
+        };
+        std::apply([&](const auto&... field) { (move(moved.*field.member, field.range), ...); }, Kind::fields);
+        fault = moved.fault();
+    }
     if (!inside) return "make it too large, too small or too far away (coordinates go up to 1e15)";
     for (int i = 0; i < 3; ++i) m[i] /= largest;
     if (!(condition(m) < 1e12)) return "flatten it: one side shrinks more than 1e12 times as much as another";
-    const char* const fault = moved.fault();
     return fault ? std::string("leave nothing of it: ") + fault : "";
 }
 

@@ -22,6 +22,7 @@ inline constexpr double largest_coordinate = 1e15;
 inline constexpr Bounds coordinates{-largest_coordinate, largest_coordinate, "from -1e15 to 1e15"};
 inline constexpr Bounds lengths{smallest_positive, largest_coordinate,
                                 "greater than 0 (at least 2.3e-308) and at most 1e15"};
+inline constexpr Bounds lengths_or_zero{0, largest_coordinate, "from 0 to 1e15"};
 inline constexpr Bounds seconds{0, largest_coordinate, "from 0 to 1e15"};
 inline constexpr Bounds shares{0, 1, "from 0 to 1"};
 // Products of three of these are numbers in float too.
@@ -49,7 +50,10 @@ constexpr Bounds bounds_of(Range range) {
 }
 /// Those of a body's arguments, which are points and lengths.
 constexpr Bounds argument_bounds(Range range) {
-    return range == Range::positive ? lengths : range == Range::any ? coordinates : bounds_of(range);
+    return range == Range::positive         ? lengths
+           : range == Range::length_or_zero ? lengths_or_zero
+           : range == Range::any            ? coordinates
+                                            : bounds_of(range);
 }
 
 inline constexpr std::string_view required = "required";

@@ -45,7 +45,7 @@ bool clear_of_each_other(const BoundingVolume& a, const BoundingVolume& b, doubl
 }  // namespace
 
 template <class T>
-Cone<T> cone_of(const BoundingVolume& body, const DVec3& point, double margin) {
+LightCone<T> cone_of(const BoundingVolume& body, const DVec3& point, double margin) {
     const DVec3 way = body.ball.centre - point;
     const double away = length(way), radius = body.ball.radius + margin;
     if (body.plane || !(radius < .99 * away) || !std::isfinite(away)) return {};
@@ -56,9 +56,9 @@ Cone<T> cone_of(const BoundingVolume& body, const DVec3& point, double margin) {
             static_cast<T>(cosine),
             static_cast<T>((away - radius) * (1 - rounding))};
 }
-template Cone<float> cone_of(const BoundingVolume&, const DVec3&, double);
-template Cone<double> cone_of(const BoundingVolume&, const DVec3&, double);
-template Cone<long double> cone_of(const BoundingVolume&, const DVec3&, double);
+template LightCone<float> cone_of(const BoundingVolume&, const DVec3&, double);
+template LightCone<double> cone_of(const BoundingVolume&, const DVec3&, double);
+template LightCone<long double> cone_of(const BoundingVolume&, const DVec3&, double);
 
 BodySet occluders_of(const std::vector<BoundingVolume>& bodies, std::size_t body, const DVec3& light, double margin) {
     const BoundingVolume& lit = bodies[body];

@@ -18,7 +18,7 @@ struct BoundingVolume {
 
 /// The body as seen from a point. Nothing of it is outside the cone, by more than coordinates may be off (`margin`).
 template <class T>
-Cone<T> cone_of(const BoundingVolume& body, const DVec3& point, double margin);
+LightCone<T> cone_of(const BoundingVolume& body, const DVec3& point, double margin);
 
 /// The bodies that may be between a light and points of bodies[body], itself included unless it is a plane.
 BodySet occluders_of(const std::vector<BoundingVolume>& bodies, std::size_t body, const DVec3& light, double margin);

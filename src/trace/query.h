@@ -147,7 +147,7 @@ STRAHL_INLINE void occlude_in_hierarchy(const World<Element<S>>& world, const Ra
 template <class S>
 STRAHL_INLINE Mask<S> reached(const World<Element<S>>& world, int bin, const Ray<S>& ray, const S& distance,
                               Mask<S> active, const Start<S>& start) {
-    const Cone<Element<S>>& cone = world.cones[start.light * world.bins + bin];
+    const LightCone<Element<S>>& cone = world.cones[start.light * world.bins + bin];
     Mask<S> mask =
         active & (dot(splat<S>(cone.axis), ray.direction) <= S(-cone.cosine)) & (distance > S(cone.distance));
     if (bin == start.bin && (world.convex >> bin & 1)) mask = mask & !start.outside;

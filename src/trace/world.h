@@ -45,7 +45,7 @@ struct LightKernel {
 /// A body as seen from a point: around the direction `axis`, no further off than an angle with this cosine, and no
 /// nearer than `distance`. What can't be told is around (-2) and here (-infinity).
 template <class T>
-struct Cone {
+struct LightCone {
     Vec3<T> axis{0};
     T cosine = -2, distance = -std::numeric_limits<T>::infinity();
 };
@@ -118,12 +118,12 @@ struct World {
     int loop_count = 0;                // and how many such ranges
 
     // Only if there is a bin per item, by bin; the last two by light * bins + bin.
-    Vec3<const T*> centres{nullptr};     // of balls around the bodies; a pack may be read past the end
-    const T* radii = nullptr;            // of these; infinite for planes, and -infinite past the end
-    const Cone<T>* cones = nullptr;      // each body as seen from the light
-    const BodySet* occluders = nullptr;  // bodies that can keep light from this one; itself only from its inside
-    BodySet cold = 0;                    // bodies of other than hot forms
-    BodySet convex = 0;                  // bodies that never shadow their own outside
+    Vec3<const T*> centres{nullptr};      // of balls around the bodies; a pack may be read past the end
+    const T* radii = nullptr;             // of these; infinite for planes, and -infinite past the end
+    const LightCone<T>* cones = nullptr;  // each body as seen from the light
+    const BodySet* occluders = nullptr;   // bodies that can keep light from this one; itself only from its inside
+    BodySet cold = 0;                     // bodies of other than hot forms
+    BodySet convex = 0;                   // bodies that never shadow their own outside
     // Transparent convex bodies that nothing else reaches into: a ray inside meets the same body again.
     BodySet enclosed = 0;
 

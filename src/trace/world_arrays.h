@@ -94,7 +94,7 @@ struct WorldArrays {
     std::vector<BoundingVolume> volumes;  // by bin, if there is one for each item
     BodySet glass = 0;                    // of these the transparent ones
     std::vector<T> balls;
-    std::vector<Cone<T>> cones;
+    std::vector<LightCone<T>> cones;
     std::vector<BodySet> occluders;
     double reach = 0;  // the largest coordinate of a bounded body
     int surfaces = 0;

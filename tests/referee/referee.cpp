@@ -4,65 +4,12 @@
 #include <cmath>
 #include <vector>
 
+#include "tests/referee/line.h"
+
 namespace strahl {
 namespace {
 
-template <class R>
-struct Vector {
-    R x = 0, y = 0, z = 0;
-    Vector() = default;
-    Vector(R x, R y, R z) : x(x), y(y), z(z) {}
-    Vector(const DVec3& v) : x(v.x), y(v.y), z(v.z) {}
-    friend Vector operator+(const Vector& a, const Vector& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-    friend Vector operator-(const Vector& a, const Vector& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-    friend Vector operator*(const Vector& a, const Vector& b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
-    friend Vector operator*(R s, const Vector& v) { return {s * v.x, s * v.y, s * v.z}; }
-};
-template <class R>
-R dot(const Vector<R>& a, const Vector<R>& b) {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-template <class R>
-Vector<R> cross(const Vector<R>& a, const Vector<R>& b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-template <class R>
-Vector<R> unit(const Vector<R>& v) {
-    return R(1) / root(dot(v, v)) * v;
-}
-
-template <class R>
-struct Line {
-    Vector<R> origin, direction;
-    int body = -1, face = -1;  // the surface that the line starts on
-};
-
-/// A point where a line crosses a face, with the outward normal (of any length).
-template <class R>
-struct Crossing {
-    R t;
-    int face;
-    Vector<R> normal;
-};
-template <class R>
-struct Crossings {
-    std::array<Crossing<R>, 4> list;
-    int count = 0;
-    void add(R t, int face, const Vector<R>& normal) { list[count++] = {t, face, normal}; }
-    auto begin() const { return list.begin(); }
-    auto end() const { return list.begin() + count; }
-};
-
-/// The roots of a t^2 + 2 b t + c. If the line starts on the surface one root is 0, and only the other one is used.
-template <class R, class Use>
-void roots(R a, R b, R c, bool starts_here, const Use& use) {
-    if (!(a > 0)) return;
-    if (starts_here) return use(-2 * b / a);
-    const R d = b * b - a * c;
-    if (!(d > 0)) return;
-    const R q = b > 0 ? -(b + root(d)) : root(d) - b;
-    use(q / a), use(c / q);
-}
+using namespace referee;
 
 template <class R>
 Crossings<R> crossings(const Sphere& sphere, const Line<R>& line, int source) {

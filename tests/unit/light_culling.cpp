@@ -96,7 +96,7 @@ TEST_CASE("bodies between a body and a light are among its occluders, and in its
                 const double distance = length(way);
                 for (std::size_t i = 0; i < bodies.size(); ++i) {
                     if (i == lit) continue;
-                    const Cone<float> cone = cone_of<float>(bodies[i], light, margin);
+                    const LightCone<float> cone = cone_of<float>(bodies[i], light, margin);
                     const float cosine = -float(way.x / distance) * cone.axis.x -
                                          float(way.y / distance) * cone.axis.y - float(way.z / distance) * cone.axis.z;
                     const bool known = set >> i & 1, looked_at = cosine >= cone.cosine && distance > cone.distance;

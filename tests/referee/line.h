@@ -1,0 +1,69 @@
+// What the referee's formulas are made of: vectors, lines and where they cross something, for long double and
+// __float128.
+#pragma once
+#include <array>
+#include <cmath>
+
+#include "num/vec.h"
+#include "tests/referee/quadruple.h"
+
+namespace strahl::referee {
+
+template <class R>
+struct Vector {
+    R x = 0, y = 0, z = 0;
+    Vector() = default;
+    Vector(R x, R y, R z) : x(x), y(y), z(z) {}
+    Vector(const DVec3& v) : x(v.x), y(v.y), z(v.z) {}
+    friend Vector operator+(const Vector& a, const Vector& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+    friend Vector operator-(const Vector& a, const Vector& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+    friend Vector operator*(const Vector& a, const Vector& b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
+    friend Vector operator*(R s, const Vector& v) { return {s * v.x, s * v.y, s * v.z}; }
+};
+template <class R>
+R dot(const Vector<R>& a, const Vector<R>& b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+template <class R>
+Vector<R> cross(const Vector<R>& a, const Vector<R>& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+template <class R>
+Vector<R> unit(const Vector<R>& v) {
+    return R(1) / root(dot(v, v)) * v;
+}
+
+template <class R>
+struct Line {
+    Vector<R> origin, direction;
+    int body = -1, face = -1;  // the surface that the line starts on
+};
+
+/// A point where a line passes through a face, with the face's normal out of the body (of any length).
+template <class R>
+struct Crossing {
+    R t;
+    int face;
+    Vector<R> normal;
+};
+template <class R>
+struct Crossings {
+    std::array<Crossing<R>, 4> list;
+    int count = 0;
+    void add(R t, int face, const Vector<R>& normal) { list[count++] = {t, face, normal}; }
+    auto begin() const { return list.begin(); }
+    auto end() const { return list.begin() + count; }
+};
+
+/// The roots of a t^2 + 2 b t + c; of a line that starts on the surface one is 0, and only the other is given.
+template <class R, class Use>
+void roots(R a, R b, R c, bool starts_here, const Use& use) {
+    if (!(a > 0)) return;
+    if (starts_here) return use(-2 * b / a);
+    const R d = b * b - a * c;
+    if (!(d > 0)) return;
+    const R q = b > 0 ? -(b + root(d)) : root(d) - b;
+    use(q / a), use(c / q);
+}
+
+}  // namespace strahl::referee
