@@ -3,6 +3,8 @@
 
 #include <cmath>
 #include <random>
+#include <tuple>
+#include <type_traits>
 
 namespace strahl {
 namespace {
@@ -72,6 +74,39 @@ Shape plane(Dice& dice, const DVec3& eye) {
     return dice.chance(.7) ? Plane{a, a + u, a + v} : Plane{a, a + v, a + u};
 }
 
+/// Is no number 0 that must not be?
+template <class Kind>
+bool in_range(const Kind& body) {
+    const auto good = [&](const auto& field) {
+        if constexpr (std::is_same_v<std::remove_cvref_t<decltype(body.*field.member)>, double>)
+            return field.range != Range::positive || body.*field.member > 0;
+        return true;
+    };
+    return std::apply([&](const auto&... field) { return (good(field) && ...); }, Kind::fields);
+}
+/// A bounded body of any kind.
+template <class... Kinds>
+Shape any_kind(Dice& dice, std::type_identity<std::variant<Kinds...>>) {
+    const auto make = [&]<class Kind>(Kind body) -> Shape {
+        const auto fill = [&](auto& value) {
+            if constexpr (std::is_same_v<decltype(value), DVec3&>)
+                value = dice.vector(-1.6, 1.6);
+            else
+                value = dice.chance(.2) ? 0 : dice.in(.1, .9);
+        };
+        do std::apply([&](const auto&... field) { (fill(body.*field.member), ...); }, Kind::fields);
+        while (body.fault() || !in_range(body));
+        return body;
+    };
+    Shape shape;
+    do {
+        const int wanted = dice.upto(sizeof...(Kinds) - 1);
+        int number = 0;
+        ((number++ == wanted ? void(shape = make(Kinds{})) : void()), ...);
+    } while (!std::visit([](const auto& body) { return body.bounded; }, shape));
+    return shape;
+}
+
 std::vector<Transformation> steps(Dice& dice) {
     std::vector<Transformation> list;
     const auto factor = [&] { return dice.in(.6, 1.7) * (dice.chance(.2) ? -1 : 1); };
@@ -119,7 +154,8 @@ Scene random_scene(std::uint64_t seed, const RandomScene& what) {
         put(floor, dice.chance(.5) ? mirror(dice) : matt(dice), {});
     }
     for (int i = dice.upto(5); i >= -1; --i) {
-        const Shape shape = dice.chance(.55)   ? sphere(dice)
+        const Shape shape = dice.chance(.2)    ? any_kind(dice, std::type_identity<Shape>{})
+                            : dice.chance(.55) ? sphere(dice)
                             : dice.chance(.95) ? cylinder(dice)
                                                : plane(dice, scene.camera.position);
         const int kind = dice.upto(what.transparent ? 3 : 1);

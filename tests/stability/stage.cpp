@@ -6,14 +6,14 @@
 namespace strahl::stability {
 namespace {
 
-void scale_and_move(Sphere& s, double factor, const DVec3& by) {
-    s.centre = s.centre * factor + by, s.radius *= factor;
-}
-void scale_and_move(Plane& p, double factor, const DVec3& by) {
-    p.a = p.a * factor + by, p.b = p.b * factor + by, p.c = p.c * factor + by;
-}
-void scale_and_move(Cylinder& c, double factor, const DVec3& by) {
-    c.base = c.base * factor + by, c.cap = c.cap * factor + by, c.radius *= factor;
+/// Among a body's parameters vectors are points, and numbers are lengths.
+template <class Kind>
+void scale_and_move(Kind& body, double factor, const DVec3& by) {
+    const auto change = [&](auto& value) {
+        value *= factor;
+        if constexpr (std::is_same_v<decltype(value), DVec3&>) value += by;
+    };
+    std::apply([&](const auto&... field) { (change(body.*field.member), ...); }, Kind::fields);
 }
 
 }  // namespace

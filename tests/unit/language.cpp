@@ -45,6 +45,14 @@ std::vector<std::string> lines(const std::string& text) {
             result.back() += c;
     return result;
 }
+/// "unknown word 'x'; known here: ..." on the top level.
+std::string unknown(const std::string& word) {
+    const auto kinds = []<class... Kinds>(std::type_identity<std::variant<Kinds...>>) {
+        return (... + (std::string(", ") + Kinds::name));
+    };
+    return "unknown word '" + word + "'; known here: camera, light" + kinds(std::type_identity<Shape>{}) +
+           ", defaultmaterial, background, global_settings, flythrough";
+}
 /// The lines of a message that name a place, without quoted lines and carets.
 std::vector<std::string> faults(const std::string& text) {
     std::vector<std::string> result;
@@ -192,12 +200,11 @@ TEST_CASE("an error is quoted with a caret under it") {
           "a\xCC\x88 */    sphere { <0,0,0>, -1 }\n"
           "                                    ^~");
     // No control character reaches the terminal.
-    CHECK(
-        message(eye + "/*\x1B[31m\xC2\x9B\xE2\x80\xAE*/ x\r\n") ==
-        "x.rt:2:13: unknown word 'x'; known here: camera, light, sphere, plane, cylinder, defaultmaterial, background, "
-        "global_settings, flythrough\n"
-        "    /*\xEF\xBF\xBD[31m\xEF\xBF\xBD\xEF\xBF\xBD*/ x\n"
-        "                ^");
+    CHECK(message(eye + "/*\x1B[31m\xC2\x9B\xE2\x80\xAE*/ x\r\n") ==
+          "x.rt:2:13: " + unknown("x") +
+              "\n"
+              "    /*\xEF\xBF\xBD[31m\xEF\xBF\xBD\xEF\xBF\xBD*/ x\n"
+              "                ^");
 }
 
 TEST_CASE("long lines are shown around the error") {
@@ -405,9 +412,7 @@ TEST_CASE("invalid flythroughs") {
                 "4:40: at this time the loop is at its first key again: make this key the same as that in line 3, or "
                 "'duration' longer");
     check_fault(path("duration 2", "0 tmie 3", "0"), "3:47: unknown word 'tmie' in 'key'; did you mean 'time'?");
-    check_fault("key { time 1 }",
-                "2:1: unknown word 'key'; known here: camera, light, sphere, plane, cylinder, defaultmaterial, "
-                "background, global_settings, flythrough");
+    check_fault("key { time 1 }", "2:1: " + unknown("key"));
     CHECK(
         faults(eye + "flythrough { duration 2 key { time 0 position <0,0,0> look_at <0,0,0> }\nkey { time 1 position "
                      "<0,0,0> look_at <0,0,1> } }") ==
