@@ -3,6 +3,7 @@
 #pragma once
 #include <variant>
 
+#include "scene/cone.h"
 #include "scene/cylinder.h"
 #include "scene/kind.h"
 #include "scene/plane.h"
@@ -10,7 +11,7 @@
 
 namespace strahl {
 
-using Shape = std::variant<Sphere, Plane, Cylinder>;
+using Shape = std::variant<Sphere, Plane, Cylinder, Cone>;
 
 using Forms = FormsOf<Shape>::Type;
 

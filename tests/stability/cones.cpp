@@ -1,0 +1,327 @@
+// Cones: rays parallel to the side, through the apex, along the axis and past the other half of the double cone, from
+// afar and from the cone's own faces.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/cone.h"
+#include "scene/cylinder.h"
+#include "tests/referee/cone.h"
+#include "tests/stability/naive.h"
+#include "tests/stability/stage.h"
+
+using namespace strahl;
+using namespace strahl::stability;
+
+namespace {
+
+/// The double cone of apex 0 and slope 1 about z, (-b -+ sqrt(b^2 - a c)) / a, and what of it lies between z = 0 and 9.
+template <class T>
+T naive_cone(const Vec3<T>& o, const Vec3<T>& d) {
+    const T a = d.x * d.x + d.y * d.y - d.z * d.z, b = o.x * d.x + o.y * d.y - o.z * d.z;
+    const T c = o.x * o.x + o.y * o.y - o.z * o.z, s = std::sqrt(b * b - a * c);
+    T nearest = T(INFINITY);
+    for (const T t : {(-b - s) / a, (-b + s) / a})
+        if (t > 0 && o.z + t * d.z > 0 && o.z + t * d.z < 9) nearest = std::min(nearest, t);
+    if (const T t = (9 - o.z) / d.z; t > 0 && std::hypot(o.x + t * d.x, o.y + t * d.y) < 9)
+        nearest = std::min(nearest, t);
+    return nearest;
+}
+const Cone funnel{{0, 0, 0}, 0, {0, 0, 9}, 9};
+
+template <class T>
+ConeKernel<T> kernel(const Cone& cone) {
+    return ConeKernel<T>::frustum(cone.base, cone.axis(), cone.base_radius, cone.cap_radius, cone.height());
+}
+template <class T>
+Span<T> ours(const Cone& cone, const Vec3<T>& o, const Vec3<T>& d) {
+    return kernel<T>(cone).span(Ray<T>{o, d, T(-1)}, T(-1));
+}
+template <class T>
+Vec3<T> unit(const Vec3<T>& v) {
+    return v / naive::length(v);
+}
+
+/// In 113 bits: where the ray first meets the cone, or infinity.
+double exact(const Cone& cone, const DVec3& o, const DVec3& d) {
+    __float128 nearest = INFINITY;
+    for (const auto& crossing : referee::crossings<__float128>(cone, {o, d}, -1))
+        if (crossing.t > 0) nearest = std::min(nearest, crossing.t);
+    return static_cast<double>(nearest);
+}
+/// The same cone, grown by `by` on all sides.
+Cone grown(const Cone& cone, double by) {
+    const DVec3 a = cone.axis();
+    const double slope = (cone.cap_radius - cone.base_radius) / cone.height(), out = by * std::hypot(1, slope);
+    return {cone.base - by * a, std::max(0., cone.base_radius + out - by * slope), cone.cap + by * a,
+            std::max(0., cone.cap_radius + out + by * slope)};
+}
+double first_of(const Span<double>& span) { return span.near > 0 ? span.near : span.far; }
+
+Cone random_cone(Dice& dice) {
+    const DVec3 base = dice.direction() * dice(0, 2), axis = dice.direction();
+    Cone cone{base, std::exp(dice(-3, 1)), base + axis * std::exp(dice(-2, 2)), std::exp(dice(-3, 1))};
+    const double kind = dice(0, 4);
+    if (kind < 1) cone.base_radius = 0;
+    if (kind > 3) cone.cap_radius = kind > 3.5 ? 0 : cone.base_radius * (1 + std::exp(dice(-30, -10)));
+    return cone;
+}
+
+}  // namespace
+
+TEST_CASE("parallel to a line of the side, give or take the last bits, the one crossing is where it is") {
+    int naive_wrong = 0;
+    for (const double slip : {0., 1e-15, -1e-15, 1e-9, -1e-9, 1e-7, -1e-7, 1e-5, -1e-5}) {
+        CAPTURE(slip);
+        const Vec3<float> o{-3, .5, 0}, d = unit(Vec3<float>(float(1 + slip), 0, 1));
+        const double right = exact(funnel, naive::to<double>(o), naive::to<double>(d));
+        CHECK(right == doctest::Approx(2.180246).epsilon(1e-4));
+        naive_wrong += !(std::abs(naive_cone(o, d) / right - 1) < 1e-4);
+        const Span<float> single = ours(funnel, o, d);
+        CHECK(single.hit);
+        CHECK(std::abs(single.near / right - 1) < 1e-6);
+        const Span<double> twice = ours(funnel, naive::to<double>(o), naive::to<double>(d));
+        CHECK(twice.hit);
+        CHECK(std::abs(twice.near / right - 1) < 1e-14);
+    }
+    MESSAGE("naive: " << naive_wrong << " of 9 wrong");
+    CHECK(naive_wrong > 0);
+}
+
+TEST_CASE("a ray into the apex: a hit or none, but a normal of length 1") {
+    Dice dice;
+    for (int i = 0; i < 2000; ++i) {
+        const DVec3 d = i == 0 ? DVec3(0, 0, 1) : i == 1 ? DVec3(0, 0, -1) : dice.direction();
+        const auto check = [&]<class T>(T) {
+            const Ray<T> ray{naive::to<T>(d * -5.), naive::to<T>(d), T(-1)};
+            const ConeKernel<T> cone = kernel<T>(funnel);
+            const Span<T> span = cone.span(ray, T(-1));
+            CHECK(!std::isnan(span.near + span.far));
+            // Well inside the cone's angle it is hit: upwards at the apex, downwards at the cap.
+            if (d.z > .8) CHECK((span.hit && std::abs(span.near - 5) < T(1e-5)));
+            if (d.z < -.8) CHECK((span.hit && std::abs(span.far - 5) < T(1e-5)));
+            if (std::abs(d.z) < .6) CHECK(!(span.hit && span.far - span.near > T(1e-5)));
+            if (!span.hit) return;
+            const SurfacePoint<T> point = cone.at(ray, span.near, T(-1));
+            CHECK(std::abs(naive::length(point.normal) - 1) < T(1e-6));
+            CHECK(!std::isnan(point.position.x + point.position.y + point.position.z));
+        };
+        check(1.f), check(1.);
+    }
+    const SurfacePoint<float> tip = kernel<float>(funnel).at({{0, 0, -5}, {0, 0, 1}, -1}, 5.f, -1.f);
+    CHECK(tip.normal == Vec3<float>(0, 0, -1));
+}
+
+TEST_CASE("along the axis, whatever the last bits of the direction: end or side, as it should") {
+    const Cone pipe{{0, 0, 0}, 1, {0, 0, 1}, 1}, bucket{{0, 0, 0}, 1, {0, 0, 1}, 2}, needle{{0, 0, 0}, 1, {0, 0, 1}, 0};
+    for (const float slip : {0.f, -0.f, 1e-45f, 1e-38f, -1e-30f, 1e-24f, 1e-20f, -1e-15f, 1e-12f, 1e-9f, 1e-7f, 1e-6f})
+        for (const float x : {0.f, .5f, .9f, 1.1f, 1.9f, 2.1f}) {
+            CAPTURE(slip);
+            CAPTURE(x);
+            const Vec3<float> o{x, 0, -5}, d{slip, 0, 1};
+            const auto check = [&](const Cone& cone, double near, double far) {
+                const Span<float> single = ours(cone, o, d);
+                const Span<double> twice = ours(cone, naive::to<double>(o), naive::to<double>(d));
+                CHECK(single.hit == !std::isnan(near));
+                CHECK(twice.hit == !std::isnan(near));
+                if (!single.hit || !twice.hit) return;
+                CHECK(single.near == doctest::Approx(near).epsilon(2e-6));
+                CHECK(single.far == doctest::Approx(far).epsilon(2e-6));
+                CHECK(twice.near == doctest::Approx(near).epsilon(1e-5));  // the slip
+                CHECK(twice.far == doctest::Approx(far).epsilon(1e-5));
+            };
+            const double none = NAN;
+            check(pipe, x < 1 ? 5 : none, 6);
+            check(bucket, x < 1 ? 5 : x < 2 ? 4 + x : none, 6);
+            check(needle, x < 1 ? 5 : none, 6 - x);
+        }
+}
+
+TEST_CASE("the other half of the double cone is not there") {
+    Dice dice;
+    int through = 0, wrong = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const DVec3 aim = DVec3(0, 0, -3) + dice.direction() * dice(0, 2), d = dice.direction(), o = aim - d * 9.;
+        if (exact(funnel, o, d) < INFINITY) continue;
+        const double a = d.x * d.x + d.y * d.y - d.z * d.z, b = o.x * d.x + o.y * d.y - o.z * d.z;
+        through += b * b > a * (o.x * o.x + o.y * o.y - o.z * o.z);
+        const Span<double> twice = ours(funnel, o, d);
+        const Span<float> single = ours(funnel, naive::to<float>(o), naive::to<float>(d));
+        wrong += (twice.hit && twice.far > 0) + (single.hit && single.far > 0);
+    }
+    MESSAGE(through << " rays crossed the other half only");
+    CHECK(through > 5000);
+    CHECK(wrong == 0);
+}
+
+TEST_CASE("equal radii make a cylinder") {
+    Dice dice;
+    for (int i = 0; i < 5000; ++i) {
+        const DVec3 base = dice.direction(), cap = base + dice.direction() * dice(.1, 3);
+        const Cylinder can{base, cap, dice(.1, 2)};
+        const double height = std::hypot(cap.x - base.x, cap.y - base.y, cap.z - base.z);
+        const CylinderKernel<double> other{base, can.axis(), can.radius, height};
+        const Ray<double> ray{dice.direction() * 4., unit(dice.direction() * dice(0, 2) - dice.direction()), -1};
+        const Span<double> right = other.span(ray, -1.);
+        const Span<double> span = ours(Cone{base, can.radius, cap, can.radius}, ray.origin, ray.direction);
+        CHECK(span.hit == right.hit);
+        if (!span.hit) continue;
+        CHECK(span.near == doctest::Approx(right.near).epsilon(1e-9));
+        CHECK(span.far == doctest::Approx(right.far).epsilon(1e-9));
+    }
+}
+
+TEST_CASE("near and far cones of all kinds: hit or miss, and where") {
+    Dice dice;
+    constexpr int rays = 20000;
+    for (const double reach : {0., 5.}) {
+        int hits = 0, wrong = 0, off = 0;
+        for (int i = 0; i < rays; ++i) {
+            Cone cone = random_cone(dice);
+            const double size = std::max({cone.base_radius, cone.cap_radius, cone.height()});
+            const DVec3 from = dice.direction() * size * std::pow(10, dice(0, reach)) * 3.;
+            const DVec3 aim = cone.base + (cone.cap - cone.base) * dice(-.2, 1.2) + dice.direction() * dice(0, size);
+            const DVec3 d = unit(aim - from);
+            const double right = exact(cone, from, d), unsure = 0x1p-50 * (naive::length(from) + naive::length(aim));
+            const Span<double> span = ours(cone, from, d);
+            const bool hit = span.hit && span.far > 0;
+            hits += hit;
+            // Wrong is what is not even right of a cone a few bits larger or smaller.
+            if (hit != (right < INFINITY))
+                wrong += hit != (exact(grown(cone, hit ? unsure : -unsure), from, d) < INFINITY);
+            if (!hit || right == INFINITY) continue;
+            const double t = first_of(span);
+            const bool within = exact(grown(cone, unsure), from, d) <= t && t <= exact(grown(cone, -unsure), from, d);
+            off += !within && std::abs(t - right) > unsure;
+        }
+        MESSAGE("up to 10^" << reach << " sizes away, of " << rays << " rays " << hits << " hit: wrong " << wrong
+                            << ", elsewhere " << off);
+        CHECK(hits > rays / 10);
+        CHECK(wrong == 0);
+        CHECK(off == 0);
+    }
+}
+
+TEST_CASE("rays along the side, closer to it than can be told: none passes through what is a few bits smaller") {
+    Dice dice;
+    int wrong = 0, hits = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const Cone cone = random_cone(dice);
+        const DVec3 a = cone.axis(), u = unit(cross(a, dice.direction())), v = cross(a, u);
+        const double slope = (cone.cap_radius - cone.base_radius) / cone.height(), slant = std::hypot(1, slope);
+        const DVec3 line = (a + slope * u) / slant, normal = (u - slope * a) / slant;  // along the side, and off it
+        const double place = dice(0, 1), radius = cone.base_radius + (cone.cap_radius - cone.base_radius) * place;
+        const double turn = dice(0, 1) < .5 ? 0 : dice(0, 1) * std::exp(dice(-30, 0));
+        const DVec3 d = unit(line + turn * v + normal * (dice(-1, 1) * std::exp(dice(-36, -2))));
+        const DVec3 aim = cone.base + place * (cone.cap - cone.base) + radius * (1 + std::exp(dice(-36, -2))) * u;
+        const auto check = [&]<class T>(T) {
+            const Vec3<T> o = naive::to<T>(aim - d * dice(0, 5)), direction = naive::to<T>(d);
+            const DVec3 o2 = naive::to<double>(o), d2 = naive::to<double>(direction);
+            const double size = std::max({cone.base_radius, cone.cap_radius, cone.height(), naive::length(o2)});
+            const double unsure = 16 * double(std::numeric_limits<T>::epsilon()) * size;
+            const Span<T> span = ours(cone, o, direction);
+            const bool hit = span.hit && span.far > 0, right = exact(cone, o2, d2) < INFINITY;
+            hits += hit;
+            if (hit != right) wrong += hit != (exact(grown(cone, hit ? unsure : -unsure), o2, d2) < INFINITY);
+        };
+        check(1.f), check(1.);
+    }
+    CHECK(hits > 5000);
+    CHECK(wrong == 0);
+}
+
+TEST_CASE("flat as a coin: what is hit is the end that faces the ray, at the rim too") {
+    Dice dice;
+    int rim = 0, again = 0;
+    for (const double height : {1e-3, 1e-7, 1e-12})
+        for (int i = 0; i < 3000; ++i) {
+            const DVec3 a = dice.direction();
+            const ConeKernel<float> coin = ConeKernel<float>::frustum(dice.direction(), a, 1, 1 - height / 2, height);
+            const DVec3 from = dice.direction() * 4., out = unit(cross(a, dice.direction()));
+            const DVec3 aim = naive::to<double>(coin.base) + out * (i % 2 ? 1 - std::exp(dice(-20, -10)) : dice(0, .9));
+            const Ray<float> ray{naive::to<float>(from), naive::to<float>(unit(aim - from)), -1};
+            const Span<float> span = coin.span(ray, -1.f);
+            if (i % 2 == 0) REQUIRE(span.hit);
+            if (!span.hit) continue;
+            const SurfacePoint<float> point = coin.at(ray, span.near, -1.f);
+            if (i % 2 == 0) CHECK(dot(point.normal, ray.direction) <= 0);
+            const Vec3<float> d = naive::to<float>(dice.direction());
+            const Span<float> next = coin.span(Ray<float>{point.position, d, point.face}, point.face);
+            again += dot(d, point.normal) > 0 && next.hit && next.far > 0;
+            rim += i % 2;
+        }
+    CHECK(rim > 1000);
+    CHECK(again == 0);
+}
+
+TEST_CASE("rays that start on a cone: none meets it again from outside, all cross it inside") {
+    Dice dice;
+    int starts[3] = {}, self = 0, lost = 0, outside = 0;
+    for (int i = 0; i < 30000; ++i) {
+        const Cone cone = random_cone(dice);
+        const auto check = [&]<class T>(T) {
+            const ConeKernel<T> own = kernel<T>(cone);
+            const DVec3 from = cone.base + dice.direction() * 9.;
+            DVec3 aim = cone.base + (cone.cap - cone.base) * dice(0, 1) + dice.direction() * dice(0, .1);
+            if (dice(0, 1) < .1 && cone.base_radius == 0) aim = cone.base;
+            if (dice(0, 1) < .1 && cone.cap_radius == 0) aim = cone.cap;
+            const Ray<T> ray{naive::to<T>(from), naive::to<T>(unit(aim - from)), T(-1)};
+            const Span<T> span = own.span(ray, T(-1));
+            if (!span.hit || !(span.near > 0)) return;
+            const SurfacePoint<T> point = own.at(ray, span.near, T(-1));
+            ++starts[static_cast<int>(point.face)];
+            CHECK(std::abs(naive::length(point.normal) - 1) < 8 * std::numeric_limits<T>::epsilon());
+            // Any direction, or one close to the surface.
+            Vec3<T> d = naive::to<T>(dice.direction());
+            if (dice(0, 1) < .5) d = unit(d - point.normal * (dot(d, point.normal) * T(1 - std::exp(dice(-30, 0)))));
+            const Span<T> next = own.span(Ray<T>{point.position, d, point.face}, point.face);
+            CHECK(next.near == 0);
+            const T side = dot(point.normal, d);
+            self += side > 0 && next.hit && next.far > 0;
+            const double slack = 1e3 * double(std::numeric_limits<T>::epsilon()) * (cone.height() + 9);
+            const bool deep =
+                grown(cone, -slack).contains(naive::to<double>(point.position) + naive::to<double>(d) * .01);
+            lost += side < 0 && deep && !(next.hit && next.far > T(.005));
+            const DVec3 end = naive::to<double>(point.position) + naive::to<double>(d) * double(next.far);
+            outside += side < 0 && next.far > 0 && !grown(cone, slack).contains(end);
+        };
+        check(1.f), check(1.);
+    }
+    MESSAGE("starts on side, base and cap: " << starts[0] << ", " << starts[1] << ", " << starts[2]);
+    CHECK(std::min({starts[0], starts[1], starts[2]}) > 1000);
+    CHECK(self == 0);
+    CHECK(lost == 0);
+    CHECK(outside == 0);
+}
+
+TEST_CASE("box and ball of a cone: around it, and tight") {
+    Dice dice;
+    for (int i = 0; i < 300; ++i) {
+        const Cone cone = random_cone(dice);
+        const DVec3 a = cone.axis(), any = dice.direction();
+        const DVec3 u = unit(cross(a, any)), v = cross(a, u);
+        const Box box = cone.bounds();
+        const Ball ball = kernel<double>(cone).ball();
+        Box rims;
+        double reach = 0;
+        for (int k = 0; k < 720; ++k) {
+            const DVec3 out = std::cos(k / 114.59155902616465) * u + std::sin(k / 114.59155902616465) * v;
+            for (const DVec3& p : {cone.base + cone.base_radius * out, cone.cap + cone.cap_radius * out})
+                rims.add(p), reach = std::max(reach, naive::length(p - ball.centre));
+        }
+        const double size = std::max({cone.base_radius, cone.cap_radius, cone.height()});
+        CHECK(std::abs(reach - ball.radius) < 1e-12 * size);
+        for (int c = 0; c < 3; ++c) {
+            CHECK(std::abs(box.low[c] - rims.low[c]) < 2e-5 * size);
+            CHECK(std::abs(box.high[c] - rims.high[c]) < 2e-5 * size);
+            CHECK(box.low[c] <= rims.low[c] + 1e-14 * size);
+            CHECK(box.high[c] >= rims.high[c] - 1e-14 * size);
+        }
+        const DVec3 p = cone.base + dice.direction() * dice(0, 3);
+        CHECK(cone.contains(p) == referee::contains<long double>(cone, p));
+    }
+    CHECK(Cone{{0, 0, 0}, 1, {0, 0, 0}, 2}.fault() != nullptr);
+    CHECK(Cone{{0, 0, 0}, 0, {0, 0, 1}, 0}.fault() != nullptr);
+    CHECK(Cone{{0, 0, 0}, 0, {0, 0, 1}, 1}.fault() == nullptr);
+}
