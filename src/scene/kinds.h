@@ -3,6 +3,7 @@
 #pragma once
 #include <variant>
 
+#include "scene/box.h"
 #include "scene/cone.h"
 #include "scene/cylinder.h"
 #include "scene/kind.h"
@@ -11,7 +12,7 @@
 
 namespace strahl {
 
-using Shape = std::variant<Sphere, Plane, Cylinder, Cone>;
+using Shape = std::variant<Sphere, Plane, Cylinder, Cone, Cuboid>;
 
 using Forms = FormsOf<Shape>::Type;
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "tests/referee/box.h"
 #include "tests/referee/cone.h"
 #include "tests/referee/line.h"
 
