@@ -1,6 +1,7 @@
 // strahl view: reads the scene and opens the window.
 #include "show/command_view.h"
 
+#include "show/reload.h"
 #include "show/viewer.h"
 #include "text/parse.h"
 
@@ -10,7 +11,7 @@ int view_command(const ViewOptions& options) {
     const auto began = Viewer::Clock::now();
     std::string text = read_text(options.scene);
     const auto scene =
-        std::make_shared<const Scene>(parse_scene(text, options.scene == "-" ? "standard input" : options.scene));
+        std::make_shared<const Scene>(scene_for_window(text, options.scene == "-" ? "standard input" : options.scene));
     if (options.time && !scene->flythrough)
         throw UsageError("--time needs a scene with a flythrough { }, and " + options.scene + " has none");
     Viewer(options, scene, std::move(text), began).run();

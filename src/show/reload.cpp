@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "text/parse.h"
+#include "trace/tracer.h"
 
 namespace strahl {
 namespace {
@@ -27,7 +28,7 @@ Stamp stamp_of(const std::string& path) {
 }
 
 Loaded load(const std::string& path, const std::string& text) try {
-    return {path, std::make_shared<const Scene>(parse_scene(text, path)), "", false};
+    return {path, std::make_shared<const Scene>(scene_for_window(text, path)), "", false};
 } catch (const FileError& error) {
     return {path, nullptr, error.what(), false};
 }
@@ -38,6 +39,12 @@ std::optional<std::string> text_of(const std::string& path) try { return read_te
 }
 
 }  // namespace
+
+Scene scene_for_window(const std::string& text, const std::string& path) {
+    Scene scene = parse_scene(text, path);
+    check_capacity(scene, Precision::float32);
+    return scene;
+}
 
 Reload::Reload(std::string path_now, std::string text_now, std::function<void()> notify_function)
     : path(std::move(path_now)),

@@ -12,6 +12,9 @@
 
 namespace strahl {
 
+/// A scene from its text, or a FileError: also if it is too large for float, in which the window traces.
+Scene scene_for_window(const std::string& text, const std::string& path);
+
 /// The result of reading a scene file.
 struct Loaded {
     std::string path;

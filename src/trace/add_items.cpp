@@ -49,13 +49,14 @@ void WorldArrays<T>::add_items(const Scene& scene, const Placement& placement, T
     });
     for (std::size_t i = 1; i < before.size(); ++i) before[i] += before[i - 1];
     const ItemCounts& all = before.back();
+    check_capacity<T>(all.surfaces);
     each_form([&](auto& own, auto& group, int number) {
         using Form = typename std::remove_cvref_t<decltype(own)>::Form;
         group.count = all.items[number];
         own.items = uninitialized_buffer<Item<Form, T>>(group.count + widest_pack);
         own.boxes = uninitialized_buffer<ItemBox>(group.count);
     });
-    surfaces = all.surfaces;
+    surfaces = static_cast<int>(all.surfaces);
 
     std::vector<double> reaches(before.size());
     share_out(pool, size, share_items, [&](std::int32_t first, std::int32_t last) {

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
+#include <string>
 #include <vector>
 
+#include "scene/error.h"
 #include "scene/overlap.h"
 #include "trace/bound.h"
 #include "trace/world_arrays.h"
@@ -39,7 +42,8 @@ void WorldArrays<T>::list_transparent(const Scene& scene) {
     for (const Primitive& primitive : scene.primitives) {
         const Material& material = scene.materials[primitive.material];
         if (material.refraction > 0)
-            transparent.push_back({before.surfaces, primitive.shape, glm::inverse(matrix(primitive.transformations))});
+            transparent.push_back(
+                {static_cast<int>(before.surfaces), primitive.shape, glm::inverse(matrix(primitive.transformations))});
         count_items<T>(primitive, before);
         iors.resize(before.surfaces, static_cast<T>(material.ior));
     }
@@ -119,15 +123,23 @@ std::vector<int> BuiltWorld<T>::bodies_around(const DVec3& eye) const {
     return bodies;
 }
 
-double surfaces_of(const Scene& scene) {
-    double sum = 0;
-    for (const Primitive& primitive : scene.primitives) {
-        ItemCounts own;
-        count_items<float>(primitive, own);
-        sum += own.surfaces;
-    }
-    return sum;
+std::int64_t surfaces_of(const Scene& scene) {
+    ItemCounts counts;
+    for (const Primitive& primitive : scene.primitives) count_items<float>(primitive, counts);
+    return counts.surfaces;
 }
+
+template <class T>
+void check_capacity(std::int64_t surfaces) {
+    constexpr double most = std::min<double>(World<T>::capacity, std::numeric_limits<int>::max());
+    if (static_cast<double>(surfaces) <= most) return;
+    throw FileError("this scene has " + std::to_string(surfaces) + " surfaces, and in this precision at most " +
+                    std::to_string(static_cast<std::int64_t>(most)) +
+                    " can be told apart; trace it with --precision double");
+}
+template void check_capacity<float>(std::int64_t);
+template void check_capacity<double>(std::int64_t);
+template void check_capacity<long double>(std::int64_t);
 
 template class BuiltWorld<float>;
 template class BuiltWorld<double>;

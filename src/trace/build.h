@@ -1,5 +1,6 @@
 // From Scene to World.
 #pragma once
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -28,8 +29,11 @@ Extent extent_of(const Scene& scene);
 /// The same for all cameras near the scene; for one far off it follows from the camera's position alone.
 Placement placement(const Extent& extent, const DVec3& camera);
 
-/// How many surfaces the bodies have in all; World<T>::capacity is the most.
-double surfaces_of(const Scene& scene);
+/// How many surfaces the bodies have in all.
+std::int64_t surfaces_of(const Scene& scene);
+/// Throws FileError if these are more than T can number.
+template <class T>
+void check_capacity(std::int64_t surfaces);
 
 template <class T>
 struct WorldArrays;

@@ -202,6 +202,10 @@ class TracerOf : public AnyTracer {
 
 }  // namespace
 
+void check_capacity(const Scene& scene, Precision precision) {
+    if (precision == Precision::float32) check_capacity<float>(surfaces_of(scene));
+}
+
 struct Tracer::Implementation {
     Precision precision;
     Simd simd;

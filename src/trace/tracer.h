@@ -68,6 +68,10 @@ struct View {
     double error = 0;  // a pixel may lack this much light in a channel: weak rays are left out until they add up to it
 };
 
+/// Throws FileError if the scene has more surfaces than numbers of this precision can tell apart: 2^24 in float. So
+/// does a tracer when it prepares such a scene.
+void check_capacity(const Scene& scene, Precision precision);
+
 /// A scene made ready. Pictures depend on the scene, view, precision and (x86-64-v2 and extended apart) nothing else:
 /// not on lanes, threads, tiles, crops, or the views traced before.
 class Tracer {

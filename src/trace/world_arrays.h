@@ -21,7 +21,7 @@ inline constexpr std::int32_t share_items = 4096;  // a thread's piece of work o
 /// Counts what shapes emit, by form.
 struct ItemCounts {
     std::array<int, Forms::size> items{};
-    int surfaces = 0;
+    std::int64_t surfaces = 0;
     ItemCounts& operator+=(const ItemCounts& more) {
         for (std::size_t i = 0; i < items.size(); ++i) items[i] += more.items[i];
         return surfaces += more.surfaces, *this;

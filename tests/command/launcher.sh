@@ -64,7 +64,7 @@ launch() {
 says() { [[ $said == "$1" ]] || fault "standard output is '$said' instead of '$1'"; }
 warns() { grep -qF -e "$1" "$work/stderr" || fault "standard error does not say '$1' but: $(<"$work/stderr")"; }
 
-first="configure --preset release -DSTRAHL_TESTS=OFF
+first="configure --preset release -DSTRAHL_TESTS=OFF -DSTRAHL_LEVELS=host
 build $root/build/release --target strahl*"
 launch 7 "$first" render "a b" '*'
 says "in $work/elsewhere: render a b *"
@@ -123,7 +123,7 @@ wait
 
 # A copy of the tree does not use the build of the original.
 cp -a "$root" "$work/copy"
-root="$work/copy" launch 7 "configure --preset release -DSTRAHL_TESTS=OFF
+root="$work/copy" launch 7 "configure --preset release -DSTRAHL_TESTS=OFF -DSTRAHL_LEVELS=host
 build $work/copy/build/release --target strahl*"
 rm -r "$work/copy"
 
