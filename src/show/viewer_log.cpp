@@ -10,7 +10,7 @@
 
 namespace strahl {
 
-void log_line(const std::string& text) { std::cout << "// " << show(text).text << std::endl; }
+void log_line(const std::string& text) { std::cout << "// " << printable(text) << std::endl; }
 
 void Motion::begin(double now) { *this = {}, start = now; }
 
