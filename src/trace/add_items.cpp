@@ -28,10 +28,11 @@ struct PutItems {
     template <class K>
     void operator()(const K& kernel) const {
         constexpr int number = form_number<K, T>(Forms{});
-        auto& own = arrays.forms.template get<FormAt<number, Forms>>();
-        const int item = before.items[number]++;
-        own.items[item] = {kernel, static_cast<T>(before.surfaces), material};
-        own.boxes[item] = item_box(box, number);
+        FormItems<T>& own = arrays.forms[number];
+        const int i = before.items[number]++;
+        auto* const items = reinterpret_cast<Item<FormAt<number, Forms>, T>*>(own.numbers.get());
+        items[i] = {kernel, static_cast<T>(before.surfaces), material};
+        own.boxes[i] = item_box(box, number);
         before.surfaces += faces;
     }
 };
@@ -50,12 +51,11 @@ void WorldArrays<T>::add_items(const Scene& scene, const Placement& placement, T
     for (std::size_t i = 1; i < before.size(); ++i) before[i] += before[i - 1];
     const ItemCounts& all = before.back();
     check_capacity<T>(all.surfaces);
-    each_form([&](auto& own, auto& group, int number) {
-        using Form = typename std::remove_cvref_t<decltype(own)>::Form;
-        group.count = all.items[number];
-        own.items = uninitialized_buffer<Item<Form, T>>(group.count + widest_pack);
-        own.boxes = uninitialized_buffer<ItemBox>(group.count);
-    });
+    for (int form = 0; form < Forms::size; ++form) {
+        forms[form].count = all.items[form];
+        forms[form].numbers = uninitialized_buffer<T>(std::size_t(all.items[form] + widest_pack) * traits[form].fields);
+        forms[form].boxes = uninitialized_buffer<ItemBox>(all.items[form]);
+    }
     surfaces = static_cast<int>(all.surfaces);
 
     std::vector<double> reaches(before.size());

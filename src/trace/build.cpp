@@ -21,7 +21,43 @@ T shines_from(double exponent) {
     return std::pow(std::numeric_limits<T>::epsilon() / 64, 1 / static_cast<T>(exponent));
 }
 
+/// What is around a kernel, from its box if need be, whose corners may be off by `slack`.
+template <class Kind, class K>
+BoundingVolume bounding_volume_of(const K& kernel, const ItemBox& rounded, double slack) {
+    Box box;
+    for (int c = 0; c < 3; ++c) box.low[c] = rounded.low[c] - slack, box.high[c] = rounded.high[c] + slack;
+    if constexpr (!Kind::bounded) {
+        return {box, {}, true, to_double(kernel.normal), static_cast<double>(kernel.distance)};
+    } else if constexpr (requires { kernel.ball(); }) {
+        return {box, kernel.ball()};
+    } else {
+        const DVec3 size = box.size();
+        return {box, {box.centre(), std::hypot(size.x, size.y, size.z) / 2}};
+    }
+}
+
 }  // namespace
+
+/// The kernels' view of the items, and of few items the volumes around them.
+template <class T>
+void WorldArrays<T>::fill_groups() {
+    int form = 0, bin = 0;
+    world.groups.each([&](auto& group) {
+        using Form = typename std::remove_cvref_t<decltype(group)>::Form;
+        FormItems<T>& own = forms[form++];
+        group.items = reinterpret_cast<const Item<Form, T>*>(own.numbers.get());
+        group.count = own.count, group.in_hierarchy = own.in_hierarchy;
+        group.columns = own.columns.get();
+        group.stride = own.count + widest_pack;
+        group.first_bin = bin;
+        bin += world.bin_per_item ? own.count : 1;
+        if (world.bin_per_item)
+            for (int i = 0; i < own.count; ++i)
+                volumes.push_back(
+                    bounding_volume_of<typename Form::Kind>(group.items[i].shape, own.boxes[i], reach * 0x1p-23));
+        own.boxes.reset();
+    });
+}
 
 template <class T>
 void WorldArrays<T>::add_materials(const Scene& scene) {
@@ -97,6 +133,7 @@ WorldArrays<T>::WorldArrays(const Scene& scene, const Placement& placement, Thre
 
     add_items(scene, placement, pool);
     arrange_items(pool);
+    fill_groups();
     if (world.bin_per_item) {
         bound_bodies();
         cull_for_lights();

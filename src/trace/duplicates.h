@@ -1,10 +1,10 @@
 // Bodies declared twice in the same place.
 #pragma once
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "trace/thread_pool.h"
@@ -12,14 +12,14 @@
 namespace strahl {
 
 /// Items with the numbers of an earlier one, ascending: of bodies in the same place the first declared is seen, and
-/// rays that start on it would meet its duplicate a rounding error before or behind.
+/// rays that start on it would meet its duplicate a rounding error before or behind. Item i is at items[i * stride],
+/// and its first `size` numbers count.
 ///
 /// Each item has a bit by its numbers, in a table that stays in the cache; only those that share one are compared.
-template <class T, class I>
-std::vector<std::int32_t> duplicates(const I* items, std::int32_t count, ThreadPool& pool) {
-    using Shape = decltype(I::shape);
-    using Numbers = std::array<T, sizeof(Shape) / sizeof(T)>;
-    const auto numbers = [items](std::int32_t i) { return std::bit_cast<Numbers>(items[i].shape); };
+template <class T>
+std::vector<std::int32_t> duplicates(const T* items, std::int32_t count, std::size_t stride, std::size_t size,
+                                     ThreadPool& pool) {
+    const auto numbers = [=](std::int32_t i) { return std::span<const T>(items + i * stride, size); };
     const int unused_bits = std::countl_zero(64 + 32 * static_cast<std::uint32_t>(count));
     const auto slots = std::make_unique_for_overwrite<std::uint32_t[]>(count);
     share_out(pool, count, 8192, [&](std::int32_t first, std::int32_t last) {
@@ -49,7 +49,8 @@ std::vector<std::int32_t> duplicates(const I* items, std::int32_t count, ThreadP
     std::vector<std::int32_t> kept;  // of one slot, all different
     for (const std::int32_t i : suspects) {
         if (!kept.empty() && slots[kept[0]] != slots[i]) kept.clear();
-        if (std::any_of(kept.begin(), kept.end(), [&](std::int32_t k) { return numbers(k) == numbers(i); }))
+        if (std::any_of(kept.begin(), kept.end(),
+                        [&](std::int32_t k) { return std::ranges::equal(numbers(k), numbers(i)); }))
             result.push_back(i);
         else
             kept.push_back(i);

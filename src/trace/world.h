@@ -80,7 +80,7 @@ struct Group {
     // where there is a hierarchy.
     const T* columns = nullptr;
     std::size_t stride = 0;
-    int first_bin = 0, last_bin = 0;  // bins [first, last) are this form's
+    int first_bin = 0;  // its bins are this one and, if there is a bin per item, one for each
 };
 
 template <class T, class Forms>

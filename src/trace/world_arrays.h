@@ -62,28 +62,30 @@ DVec3 to_double(const Vec3<T>& v) {
     return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
 }
 
-/// The items of a form, and what is known of each while the world is made.
-template <class F, class T>
-struct FormArrays {
-    using Form = F;
-    Buffer<Item<F, T>> items;
-    Buffer<ItemBox> boxes;
-    Buffer<T> columns;
+/// What is known of a form.
+struct FormTraits {
+    bool hot, bounded, convex;
+    int faces;   // of an item
+    int fields;  // numbers in an item, the last two being its surface and its material
 };
-template <class T, class Forms>
-struct FormArraysOf;
 template <class T, class... F>
-struct FormArraysOf<T, FormList<F...>> : FormArrays<F, T>... {
-    template <class Form>
-    FormArrays<Form, T>& get() {
-        return *this;
-    }
+constexpr std::array<FormTraits, sizeof...(F)> traits_of(FormList<F...>) {
+    return {{{F::hot, F::Kind::bounded, F::Kind::convex, F::Kind::faces, int(sizeof(Item<F, T>) / sizeof(T))}...}};
+}
+
+/// The items of a form as plain numbers, one item after the other, so that code which moves them is compiled once.
+template <class T>
+struct FormItems {
+    Buffer<T> numbers, columns;
+    Buffer<ItemBox> boxes;
+    int count = 0, in_hierarchy = 0;
 };
 
 template <class T>
 struct WorldArrays {
     World<T> world;
-    FormArraysOf<T, Forms> forms;
+    static constexpr auto traits = traits_of<T>(Forms{});
+    std::array<FormItems<T>, Forms::size> forms;
     Hierarchy hierarchy;
     Buffer<ItemReference> references;
     std::vector<SortBin> sort_bins;
@@ -112,24 +114,16 @@ struct WorldArrays {
     static double rounding(double furthest) {
         return 32 * static_cast<double>(std::numeric_limits<T>::epsilon()) * furthest;
     }
-    /// Calls visit(arrays, group, number) for each form.
-    template <class Visit>
-    void each_form(const Visit& visit) {
-        int number = 0;
-        world.groups.each([&](auto& group) {
-            using Form = typename std::remove_cvref_t<decltype(group)>::Form;
-            visit(forms.template get<Form>(), group, number++);
-        });
-    }
-
     // add_items.cpp
     void add_items(const Scene& scene, const Placement& placement, ThreadPool& pool);
     // arrange_items.cpp
     void arrange_items(ThreadPool& pool);
     void make_hierarchy(ThreadPool& pool);
+    void number_bins(ThreadPool& pool);
     // build.cpp
     void add_materials(const Scene& scene);
     void list_transparent(const Scene& scene);
+    void fill_groups();
     void bound_bodies();
     void cull_for_lights();
 };

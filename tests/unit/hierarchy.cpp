@@ -120,7 +120,7 @@ TEST_CASE("duplicates are exactly the bodies that were declared before") {
     REQUIRE(expected.size() > 1000);
     for (const int threads : {1, 3}) {
         ThreadPool pool(threads);
-        CHECK(duplicates<float>(balls.data(), static_cast<int>(balls.size()), pool) == expected);
-        CHECK(duplicates<float>(balls.data(), 0, pool).empty());
+        CHECK(duplicates(&balls[0].shape.centre.x, int(balls.size()), 6, 4, pool) == expected);
+        CHECK(duplicates(&balls[0].shape.centre.x, 0, 6, 4, pool).empty());
     }
 }
