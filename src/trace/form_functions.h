@@ -37,6 +37,12 @@ struct FormFunctions {
                             int* materials);
     /// Where rays that start on an item leave it.
     static Span<S> span(const World<T>& world, int item, const Ray<S>& ray);
+
+  private:
+    // The kernel's own code stands in each of the above if the form is hot, else only in these three.
+    static Span<S> cross_one(const Item<Form, T>& item, const Ray<S>& ray);
+    static Span<S> cross_each(const Item<Form, S>& items, const Ray<S>& ray);
+    static void hit(const Item<Form, S>& items, const Ray<S>& ray, const S& t, SurfaceHit<S>& hit);
 };
 
 /// The same, of a form that is only known by its number.

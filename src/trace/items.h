@@ -40,15 +40,18 @@ STRAHL_INLINE Mask<S> closer(const S& t, const S& surface, const S& best_t, cons
     return (t < best_t) | ((t == best_t) & (surface < best_surface));
 }
 
-/// Meets item i. The lanes in which it is the nearest so far; their bin is left to the caller.
-template <class S, class Group>
-STRAHL_INLINE Mask<S> intersect_item(const Group& group, int i, const Ray<S>& ray, Mask<S> mask, Nearest<S>& best) {
-    const auto& item = group.items[i];
-    const S surface(item.surface);
-    const Span<S> span = item.shape.span(ray, ray.source - surface);
+/// Where rays cross an item, the same for all or one in each lane.
+template <class S, class Item>
+STRAHL_INLINE Span<S> span_of(const Item& item, const Ray<S>& ray) {
+    return item.shape.span(ray, ray.source - S(item.surface));
+}
+
+/// Meets an item. The lanes in which it is the nearest so far; their bin is left to the caller.
+template <class S, class Item>
+STRAHL_INLINE Mask<S> intersect_item(const Item& item, const Span<S>& span, Mask<S> mask, Nearest<S>& best) {
     const Mask<S> hit = span.hit & mask;
     if (none(hit)) return hit;
-    const S t = first_crossing(span);
+    const S surface(item.surface), t = first_crossing(span);
     const Mask<S> better = hit & (t > S(0)) & closer(t, surface, best.t, best.surface);
     best.t = select(better, t, best.t);
     best.surface = select(better, surface, best.surface);
@@ -62,36 +65,27 @@ struct SurfaceHit {
     S body;
 };
 
-/// Where all rays first meet item i.
-template <class S, class Group>
-STRAHL_INLINE SurfaceHit<S> surface_at_item(const Group& group, int i, const Ray<S>& ray, const S& t) {
-    const auto item = splat_item<typename Group::template ItemOf<S>, S>(group.items[i]);
-    return {item.shape.at(ray, t, ray.source - item.surface), item.surface};
-}
-
 /// Does the item let light through?
-template <class T, class Group>
-STRAHL_INLINE bool transparent(const World<T>& world, const Group& group, int i) {
-    return world.transparent && world.materials[static_cast<int>(group.items[i].material)].refraction > 0;
+template <class T, class Item>
+STRAHL_INLINE bool transparent(const World<T>& world, const Item& item) {
+    return world.transparent && world.materials[static_cast<int>(item.material)].refraction > 0;
 }
-template <class T, class Group>
-STRAHL_INLINE const Vec3<T>& filter(const World<T>& world, const Group& group, int i) {
-    return world.materials[static_cast<int>(group.items[i].material)].filter;
+template <class T, class Item>
+STRAHL_INLINE const Vec3<T>& filter(const World<T>& world, const Item& item) {
+    return world.materials[static_cast<int>(item.material)].filter;
 }
 
-/// Takes from the light what item i takes. Is none left in any lane?
-template <class S, class Group>
-STRAHL_INLINE bool occlude_item(const World<Element<S>>& world, const Group& group, int i, const Ray<S>& ray,
+/// Takes from the light what an item takes. Is none left in any lane?
+template <class S, class Item>
+STRAHL_INLINE bool occlude_item(const World<Element<S>>& world, const Item& item, const Span<S>& span,
                                 const S& distance, Mask<S> mask, Transmission<S>& light) {
-    const auto& item = group.items[i];
     const S one(1);
-    const Span<S> span = item.shape.span(ray, ray.source - S(item.surface));
     const Mask<S> hit = span.hit & mask;
     if (none(hit)) return false;
     const Mask<S> enters = hit & (span.near > S(0)) & (span.near < distance);
     const Mask<S> leaves = hit & (span.far > S(0)) & (span.far < distance);
-    if (transparent(world, group, i)) {
-        const Vec3<S> f = splat<S>(filter(world, group, i));
+    if (transparent(world, item)) {
+        const Vec3<S> f = splat<S>(filter(world, item));
         for (int c = 0; c < 3; ++c)
             light.share[c] =
                 min(light.share[c] * (select(enters, f[c], one) * select(leaves, f[c], one)), S(largest_gain));

@@ -5,12 +5,37 @@
 
 namespace strahl::inline STRAHL_LEVEL {
 
+/// Calls a cold form's function, or expands a hot one's.
+template <class Form, class S, class Item>
+STRAHL_INLINE Span<S> cross(const Item& item, const Ray<S>& ray, Span<S> (*call)(const Item&, const Ray<S>&)) {
+    if constexpr (Form::hot)
+        return span_of(item, ray);
+    else
+        return call(item, ray);
+}
+template <class Form, class S>
+[[gnu::noinline]] Span<S> FormFunctions<Form, S>::cross_one(const Item<Form, T>& item, const Ray<S>& ray) {
+    return span_of(item, ray);
+}
+template <class Form, class S>
+[[gnu::noinline]] Span<S> FormFunctions<Form, S>::cross_each(const Item<Form, S>& items, const Ray<S>& ray) {
+    return span_of(items, ray);
+}
+template <class Form, class S>
+[[gnu::noinline]] void FormFunctions<Form, S>::hit(const Item<Form, S>& items, const Ray<S>& ray, const S& t,
+                                                   SurfaceHit<S>& hit) {
+    hit = {items.shape.at(ray, t, ray.source - items.surface), items.surface};
+}
+
 template <class Form, class S>
 void FormFunctions<Form, S>::intersect(const World<T>& world, int first, int count, const Ray<S>& ray, Mask<S> mask,
                                        Nearest<S>& best) {
     const auto& group = world.groups.template get<Form>();
     const S before = best.surface;
-    for (int i = first; i < first + count; ++i) intersect_item(group, i, ray, mask, best);
+    for (int i = first; i < first + count; ++i) {
+        const auto& item = group.items[i];
+        intersect_item(item, cross<Form>(item, ray, cross_one), mask, best);
+    }
     const int bin = world.bin_per_item ? group.first_bin + first : group.first_bin;
     best.bin = select(best.surface == before, best.bin, S(static_cast<T>(bin)));
 }
@@ -20,8 +45,8 @@ void FormFunctions<Form, S>::intersect_single(const World<T>& world, int first, 
     const auto& group = world.groups.template get<Form>();
     const Ray<S> ray = single.ray;
     for (int i = first; i < first + count; i += width<S>) {
-        const Item<Form, S> item = load_items<Item<Form, S>, S>(group.columns, group.stride, i);
-        const Span<S> span = item.shape.span(ray, ray.source - item.surface);
+        const auto item = load_items<Item<Form, S>, S>(group.columns, group.stride, i);
+        const Span<S> span = cross<Form>(item, ray, cross_each);
         const S t = first_crossing(span);
         Mask<S> better = span.hit & (t > S(0)) & first_lanes<S>(first + count - i);
         better = better & closer(t, item.surface, S(single.t), S(single.surface));
@@ -38,8 +63,10 @@ template <class Form, class S>
 bool FormFunctions<Form, S>::occlude(const World<T>& world, int first, int count, const Ray<S>& ray, const S& distance,
                                      Mask<S> mask, Transmission<S>& light) {
     const auto& group = world.groups.template get<Form>();
-    for (int i = first; i < first + count; ++i)
-        if (occlude_item(world, group, i, ray, distance, mask, light)) return true;
+    for (int i = first; i < first + count; ++i) {
+        const auto& item = group.items[i];
+        if (occlude_item(world, item, cross<Form>(item, ray, cross_one), distance, mask, light)) return true;
+    }
     return false;
 }
 
@@ -49,15 +76,15 @@ bool FormFunctions<Form, S>::occlude_single(const World<T>& world, int first, in
     const Ray<S> ray = single.ray;
     const S distance(single.t);
     for (int i = first; i < first + count; i += width<S>) {
-        const Item<Form, S> item = load_items<Item<Form, S>, S>(group.columns, group.stride, i);
-        const Span<S> span = item.shape.span(ray, ray.source - item.surface);
+        const auto item = load_items<Item<Form, S>, S>(group.columns, group.stride, i);
+        const Span<S> span = cross<Form>(item, ray, cross_each);
         const Mask<S> hit = span.hit & first_lanes<S>(first + count - i);
         const unsigned enters = bits(hit & (span.near > S(0)) & (span.near < distance));
         const unsigned leaves = bits(hit & (span.far > S(0)) & (span.far < distance));
         for (unsigned hits = enters | leaves; hits; hits &= hits - 1) {
             const int n = std::countr_zero(hits);
-            if (!transparent(world, group, i + n)) return true;
-            const Vec3<T> f = filter(world, group, i + n);
+            if (!transparent(world, group.items[i + n])) return true;
+            const Vec3<T> f = filter(world, group.items[i + n]);
             for (int c = 0; c < 3; ++c) {
                 const T kept = (enters >> n & 1 ? f[c] : T(1)) * (leaves >> n & 1 ? f[c] : T(1));
                 single.share[c] = min(single.share[c] * kept, T(largest_gain));
@@ -69,23 +96,21 @@ bool FormFunctions<Form, S>::occlude_single(const World<T>& world, int first, in
 
 template <class Form, class S>
 void FormFunctions<Form, S>::surface_at(const World<T>& world, int item, const Ray<S>& ray, const S& t,
-                                        SurfaceHit<S>& hit) {
-    hit = surface_at_item(world.groups.template get<Form>(), item, ray, t);
+                                        SurfaceHit<S>& found) {
+    hit(splat_item<Item<Form, S>, S>(world.groups.template get<Form>().items[item]), ray, t, found);
 }
 
 template <class Form, class S>
 void FormFunctions<Form, S>::surfaces_at(const World<T>& world, const int* items, const Ray<S>& ray, const S& t,
-                                         SurfaceHit<S>& hit, int* materials) {
+                                         SurfaceHit<S>& found, int* materials) {
     const auto& group = world.groups.template get<Form>();
-    const auto item = gather_items<Item<Form, S>, S>(group.items, items);
     for (int k = 0; k < width<S>; ++k) materials[k] = static_cast<int>(group.items[items[k]].material);
-    hit = {item.shape.at(ray, t, ray.source - item.surface), item.surface};
+    hit(gather_items<Item<Form, S>, S>(group.items, items), ray, t, found);
 }
 
 template <class Form, class S>
 Span<S> FormFunctions<Form, S>::span(const World<T>& world, int item, const Ray<S>& ray) {
-    const auto& own = world.groups.template get<Form>().items[item];
-    return own.shape.span(ray, ray.source - S(own.surface));
+    return cross_one(world.groups.template get<Form>().items[item], ray);
 }
 
 template <class S, class... F>

@@ -88,7 +88,8 @@ STRAHL_INLINE Nearest<S> nearest(const World<Element<S>>& world, const Ray<S>& r
     best.bin = S(static_cast<T>(world.bins));
     each_hot_item(
         world, set, [&](const auto& group, int i) __attribute__((always_inline)) {
-            const Mask<S> better = intersect_item(group, i, ray, active, best);
+            const auto& item = group.items[i];
+            const Mask<S> better = intersect_item(item, span_of(item, ray), active, best);
             const int bin = world.bin_per_item ? group.first_bin + i : group.first_bin;
             best.bin = select(better, S(static_cast<T>(bin)), best.bin);
             return false;
@@ -185,7 +186,8 @@ template <class S>
                 mask = reached(world, group.first_bin + i, ray, distance, active, start);
                 if (none(mask)) return false;
             }
-            return dark = occlude_item(world, group, i, ray, distance, mask, light);
+            const auto& item = group.items[i];
+            return dark = occlude_item(world, item, span_of(item, ray), distance, mask, light);
         });
     if (world.beyond_loops && !dark) {
         Transmission<S> copy = light;

@@ -48,7 +48,9 @@ template <class S>
 STRAHL_INLINE SurfaceHit<S> surface_at(const World<Element<S>>& world, const SortBin& bin, const Ray<S>& ray, S t) {
     SurfaceHit<S> hit;
     const auto inline_code = [&](const auto& group) __attribute__((always_inline)) {
-        hit = surface_at_item(group, bin.item, ray, t);
+        using Item = typename std::remove_cvref_t<decltype(group)>::template ItemOf<S>;
+        const Item item = splat_item<Item, S>(group.items[bin.item]);
+        hit = {item.shape.at(ray, t, ray.source - item.surface), item.surface};
     };
     if (!if_hot(world, bin.form, inline_code)) {
         const Ray<S> copy = ray;
