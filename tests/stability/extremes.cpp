@@ -102,6 +102,32 @@ TEST_CASE("sizes and places from the smallest to the largest number a scene may 
     }
 }
 
+TEST_CASE("a body smaller than the last bit of where it is hides nothing else") {
+    // Its box is a point, and so is the box around all bounded bodies.
+    for (const double size : {2.3e-308, 1e-100, 1e-17, 1e-16})
+        for (const DVec3& place : {DVec3(1), DVec3(0), DVec3(-3e5, 2, .1), DVec3(0, 1e15, 0)}) {
+            CAPTURE(size);
+            CAPTURE(place.x);
+            CAPTURE(place.y);
+            Stage alone;
+            alone.background({.25, .5, .75}).light({-4, -5, 6}).look({0, -6, 1}, {0, 0, 0}, 40);
+            alone.put(Plane{{0, 0, -1}, {1, 0, -1}, {0, 1, -1}}, paint({1, 1, 1}));
+            Stage dust = alone;
+            dust.put(Sphere{place, size}, paint({1, 0, 0}));
+            Stage two = dust;
+            two.put(Sphere{place, size / 2}, paint({1, 0, 0}));
+            for (const Precision precision : precisions) {
+                CAPTURE(std::string(name(precision)));
+                const Frame frame = shoot(alone.scene, precision);
+                for (const Scene& scene : {dust.scene, two.scene}) {
+                    const Frame other = shoot(scene, precision);
+                    CHECK(not_finite(other) == 0);
+                    CHECK(share_apart(other, frame, 1e-3) < .02);
+                }
+            }
+        }
+}
+
 TEST_CASE("all bodies at one place") {
     for (const double place : {0., 1e-300, 1., 1e15}) {
         Stage stage;
