@@ -15,6 +15,27 @@ STRAHL_INLINE S highlight_of(const Hit<S>& hit, const Vec3<S>& reflected, const 
     return select(shines, material.specular * power_of_shine, S(0));
 }
 
+/// Below this squares lose bits.
+template <class T>
+inline constexpr T least_square = std::numeric_limits<T>::min() / std::numeric_limits<T>::epsilon();
+
+/// The way to a light, of length 1, and how far it is: for lights so near that the square of the distance underflows.
+template <class S>
+struct WayToLight {
+    Vec3<S> l;
+    S distance, cosine;
+};
+/// A normal that is not of length 1, of a body too small or too large for this kind of number, is not lit.
+template <class S>
+[[gnu::noinline]] WayToLight<S> way_to_near_light(const Hit<S>& hit, const Vec3<S>& to_light) {
+    const S longest = max(abs(to_light.x), max(abs(to_light.y), abs(to_light.z)));
+    const Vec3<S> way(to_light.x / longest, to_light.y / longest, to_light.z / longest);
+    const S length = sqrt(dot(way, way));
+    const Vec3<S> l = scale(S(1) / length, way);
+    const S cosine = dot(hit.normal, l);
+    return {l, longest * length, select(cosine < S(2), cosine, S(0))};
+}
+
 /// Ia Ka Of + sum over lights S Il [Kd Of (n.l) + Ks (h.l)^p]; at `dim` hits without lights that bring no more than
 /// `MaterialKernel::scattered`.
 template <class S>
@@ -33,14 +54,24 @@ STRAHL_INLINE Vec3<S> illumination(const Shading<S>& shading, const Hit<S>& hit,
         const Vec3<S> to_light = splat<S>(light.position) - hit.position;
         const S facing = dot(hit.normal, to_light);
         if (none(hit.active & (facing > zero))) continue;
-        const S distance = sqrt(dot(to_light, to_light)), inverse = S(1) / distance;
-        const Vec3<S> l = scale(inverse, to_light);
+        const S squared = dot(to_light, to_light);
+        S distance = sqrt(squared);
+        const S inverse = S(1) / distance;
+        Vec3<S> l = scale(inverse, to_light);
         S cosine = facing * inverse;
         S highlight = zero;
         if (any(glossy)) highlight = highlight_of(hit, reflected, l, glossy);
         // Whether anything is between only matters where there is light to lose.
-        const Mask<S> faces = hit.active & (cosine > zero) & (fma(strongest, cosine, highlight) > faint);
+        Mask<S> faces = hit.active & (cosine > zero) & (fma(strongest, cosine, highlight) > faint);
         if (none(faces)) continue;
+        const Mask<S> lost = faces & ((squared < S(least_square<Element<S>>)) | (cosine > S(2)));
+        if (any(lost)) {
+            const WayToLight<S> way = way_to_near_light(hit, to_light);
+            distance = select(lost, way.distance, distance), l = select(lost, way.l, l);
+            cosine = select(lost, way.cosine, cosine);
+            faces = faces & (cosine > zero);
+            if (any(glossy)) highlight = highlight_of(hit, reflected, l, glossy);
+        }
         shading.counts.shadow += count(faces);
         const Vec3<S> share =
             visibility(world, Ray<S>{hit.position, l, hit.surface}, distance, faces, {i, hit.bin, hit.outside});

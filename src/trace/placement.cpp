@@ -31,7 +31,12 @@ Extent extent_of(const Scene& scene) {
         extent.centre[c] = quantile(along[c], 2);
         spread = std::max(spread, quantile(along[c], 3) - quantile(along[c], 1));
     }
-    extent.size = 2 * (spread + quantile(sizes, 2));
+    // Boxes of bodies below the last bit of where they are have no size. What is smaller than this share of the way to
+    // the scene's camera can't be seen from there, and with such a unit that way would leave the range of float.
+    constexpr double least_share = 0x1p-40;
+    const Camera& camera = scene.camera;
+    const double way = std::max(length(camera.position - extent.centre), length(camera.position - camera.look_at));
+    extent.size = std::max(2 * (spread + quantile(sizes, 2)), least_share * way);
     return extent;
 }
 

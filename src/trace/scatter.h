@@ -63,6 +63,23 @@ template <class S>
     ratio = load_lanes<S>(ratios), medium = load_lanes<S>(stacks);
 }
 
+/// From this ratio of indices on, refract_far is needed. Below it lengths are off by less than what unit() mends.
+inline constexpr float far_ratio = 16;
+
+/// Refracted directions where the ratio of indices is large, and cos^2 beyond the surface. There b^2 (1 - s^2) is all
+/// rounding, and the direction neither right nor of length 1. The sine comes from the part of the direction across the
+/// normal instead, from which what lies along the normal is taken out twice: once leaves a rounding error that the
+/// ratio magnifies (L. Giraud, J. Langou, M. Rozloznik, "The Loss of Orthogonality in the Gram-Schmidt
+/// Orthogonalization Process", 2005).
+template <class S>
+[[gnu::noinline]] Vec3<S> refract_far(const Hit<S>& hit, const S& ratio, const S& s, S& cosine_squared) {
+    Vec3<S> across = fma(s, hit.normal, hit.direction);
+    across = fma(-dot(across, hit.normal), hit.normal, across);
+    const Vec3<S> beyond = scale(ratio, across);
+    cosine_squared = S(1) - dot(beyond, beyond);
+    return fma(-sqrt(max(cosine_squared, S(0))), hit.normal, beyond);
+}
+
 /// Where rays that start on the one item of a bin leave it.
 template <class S>
 STRAHL_INLINE Span<S> span_of_item(const World<Element<S>>& world, const SortBin& bin, const Ray<S>& ray) {
@@ -120,13 +137,18 @@ STRAHL_INLINE Mask<S> scatter(const Shading<S>& shading, const Hit<S>& hit) {
     S b = select(hit.outside, S(1) / material.ior, material.ior), medium = hit.medium;
     if (world.nested) change_medium(shading, hit, glass, b, medium);
     const S s = -dot(hit.direction, hit.normal);
-    const S k = fma(b * b, fma(s, s, S(-1)), S(1));
+    S k = fma(b * b, fma(s, s, S(-1)), S(1));
+    Vec3<S> beyond = fma(fma(b, s, -sqrt(max(k, zero))), hit.normal, scale(b, hit.direction));
+    const Mask<S> far = glass & (b > S(far_ratio));
+    if (any(far)) {
+        S far_k;
+        const Vec3<S> far_beyond = refract_far(hit, b, s, far_k);
+        k = select(far, far_k, k), beyond = select(far, far_beyond, beyond);
+    }
     const Mask<S> total = glass & (k < zero);
     const S all = material.reflection + material.refraction;
     Branch<S> reflected = branch(hit, hit.active, reflect(hit), select(total, all, material.reflection), hit.medium);
-    Branch<S> refracted =
-        branch(hit, glass & !total, fma(fma(b, s, -sqrt(max(k, zero))), hit.normal, scale(b, hit.direction)),
-               material.refraction, medium);
+    Branch<S> refracted = branch(hit, glass & !total, beyond, material.refraction, medium);
     Contribution<S> reflected_part = ray(reflected), refracted_part = ray(refracted);
     prune(shading, hit.pixel, reflected_part, refracted_part, light);
     reflected.mask = reflected.mask & !reflected_part.pruned;

@@ -49,4 +49,32 @@ expect 0 "" render long.rt -o film.bmp --frames 0-1 --size 2000x1500 --depth 1
 stop INT -o film.bmp --frames 0-9 --size 2000x1500 --resume
 grep -q "with --resume continues" said || fault "it said: $(<said)"
 expect_only long.rt scene.rt said film-0000.bmp film-0001.bmp film-0002.part.bmp
+
+# Within a pixel too: between mirrors glass doubles the rays at every bounce, and none of these pixels ever ends.
+cat >pixel.rt <<'SCENE'
+camera { position <0, 0, 0>  look_at <0, 1, 0>  up <0, 0, -1>  fov 40 }
+light { position <0, 0, .5>  color <1, 1, 1> }
+defaultmaterial { reflection .999  diffuse .1 }
+plane { <0, 3, 0>, <1, 3, 0>, <0, 3, 1> }
+plane { <0, -3, 0>, <1, -3, 0>, <0, -3, 1> }
+sphere { <0, 1.5, 0>, .5 material { reflection .5  refraction .9  ior 1.5 } }
+sphere { <0, -1.5, 0>, .5 material { reflection .5  refraction .9  ior 1.5 } }
+SCENE
+for precision in float double extended; do
+    "$strahl" render pixel.rt --depth 256 --size 8x6 --precision "$precision" -o pixel.bmp 2>said &
+    pid=$!
+    sleep 1
+    kill -s INT "$pid"
+    for ((waited = 0; waited < 100; ++waited)); do
+        kill -s 0 "$pid" 2>/dev/null || break
+        sleep .1
+    done
+    if ((waited == 100)); then
+        fault "in $precision still running 10 s after SIGINT"
+        kill -s KILL "$pid"
+    fi
+    wait "$pid"
+    status=$?
+    ((status == 130)) || fault "exit status $status after SIGINT; it said: $(<said)"
+done
 finish

@@ -1,6 +1,7 @@
 // Values at the limits of the scene language: no picture ever contains NaN or infinity.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -20,6 +21,15 @@ void finite_in_all(const Scene& scene, const Shot& shot = {33, 25, 5}) {
     }
 }
 
+void finite_and_at_most_one(const Scene& scene, const Shot& shot) {
+    for (const Precision precision : precisions) {
+        CAPTURE(std::string(name(precision)));
+        const Frame frame = shoot(scene, precision, shot);
+        CHECK(not_finite(frame) == 0);
+        CHECK(*std::max_element(frame.rgb.begin(), frame.rgb.end()) < 1.00001);
+    }
+}
+
 }  // namespace
 
 TEST_CASE("a light on, inside and very near to a surface") {
@@ -33,6 +43,26 @@ TEST_CASE("a light on, inside and very near to a surface") {
         finite_in_all(stage.scene, {65, 49, 5});
         stage.light(stage.scene.camera.position);
         finite_in_all(stage.scene, {65, 49, 5});
+    }
+}
+
+TEST_CASE("a light so near, in units of the scene, that the square of its distance is not a number of this kind") {
+    // Naive: 1 / sqrt(0), and the surface is infinitely bright. A huge body makes the unit of length large.
+    const DVec3 eye{0, 0, 0};
+    Stage tube;
+    tube.look(eye, {0, 1, 0}, 1, {0, 0, 1}).light(eye).put(Cylinder{{0, 1, 0}, {0, 0, -1e15}, 1}, paint({1, 1, 1}));
+    finite_and_at_most_one(tube.scene, {19, 13});
+    for (const double off : {1e-15, 1e-14, 1e-13, 1e-9}) {
+        CAPTURE(off);
+        Stage wall;
+        Material shiny = paint({1, 1, 1});
+        shiny.specular = 1, shiny.pow = 20;
+        wall.look(eye, {1, .1, .2}, 30).light(eye).put(Plane{{off, 0, 0}, {off, 1, 0}, {off, 0, 1}}, paint({1, 1, 1}));
+        wall.put(Cylinder{{-9, 0, 0}, {-8, 0, 0}, 2e12}, shiny);
+        finite_and_at_most_one(wall.scene, {19, 13});
+        // Straight ahead the light falls in at a right angle, however near it is.
+        for (const Precision precision : precisions)
+            CHECK(pixel(shoot(wall.look(eye, {1, 0, 0}, 1).scene, precision), 32, 24).x > .9);
     }
 }
 
@@ -100,6 +130,32 @@ TEST_CASE("sizes and places from the smallest to the largest number a scene may 
         // Everything scaled, the camera included.
         if (size > 1e-300 && size < 1e14) finite_in_all(placed(still_life(), size));
     }
+}
+
+TEST_CASE("a body smaller than the last bit of where it is hides nothing else") {
+    // Its box is a point, and so is the box around all bounded bodies.
+    for (const double size : {2.3e-308, 1e-100, 1e-17, 1e-16})
+        for (const DVec3& place : {DVec3(1), DVec3(0), DVec3(-3e5, 2, .1), DVec3(0, 1e15, 0)}) {
+            CAPTURE(size);
+            CAPTURE(place.x);
+            CAPTURE(place.y);
+            Stage alone;
+            alone.background({.25, .5, .75}).light({-4, -5, 6}).look({0, -6, 1}, {0, 0, 0}, 40);
+            alone.put(Plane{{0, 0, -1}, {1, 0, -1}, {0, 1, -1}}, paint({1, 1, 1}));
+            Stage dust = alone;
+            dust.put(Sphere{place, size}, paint({1, 0, 0}));
+            Stage two = dust;
+            two.put(Sphere{place, size / 2}, paint({1, 0, 0}));
+            for (const Precision precision : precisions) {
+                CAPTURE(std::string(name(precision)));
+                const Frame frame = shoot(alone.scene, precision);
+                for (const Scene& scene : {dust.scene, two.scene}) {
+                    const Frame other = shoot(scene, precision);
+                    CHECK(not_finite(other) == 0);
+                    CHECK(share_apart(other, frame, 1e-3) < .02);
+                }
+            }
+        }
 }
 
 TEST_CASE("all bodies at one place") {

@@ -1,6 +1,7 @@
 // Glass: nested bodies, bubbles, and the threshold of total reflection.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -8,6 +9,8 @@
 #include "tests/referee/referee.h"
 #include "tests/stability/naive.h"
 #include "tests/stability/stage.h"
+#include "tests/unit/levels.h"
+#include "trace/thread_pool.h"
 
 using namespace strahl;
 using namespace strahl::stability;
@@ -24,6 +27,24 @@ Scene under_glass(double angle, double fov) {
     stage.put(Plane{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, glass(1.5));
     stage.put(Plane{{0, 0, -9}, {1, 0, -9}, {0, 1, -9}}, glow({1, 0, 0}));
     return stage.scene;
+}
+
+/// Part of a picture of 48x36 pixels, traced alone.
+std::vector<double> crop(const Scene& scene, Precision precision, const Lattice& pixels) {
+    std::vector<double> values(std::size_t(3) * pixels.columns * pixels.rows);
+    ThreadPool pool(1);
+    Tracer tracer(scene, precision);
+    tracer.trace({.camera = scene.camera, .width = 48, .height = 36, .depth = 10}, pixels, pool,
+                 [&](const Tile& tile) { place(tile, pixels, values); });
+    return values;
+}
+/// The same, of the whole picture.
+std::vector<double> part(const Frame& frame, const Lattice& pixels) {
+    std::vector<double> values;
+    for (int y = pixels.y; y < pixels.y + pixels.rows; ++y)
+        for (int x = pixels.x; x < pixels.x + pixels.columns; ++x)
+            for (int c = 0; c < 3; ++c) values.push_back(pixel(frame, x, y)[c]);
+    return values;
 }
 
 }  // namespace
@@ -100,6 +121,38 @@ TEST_CASE("glass of index 1, or almost 1, does not refract") {
         for (int i = 0; i < 4; ++i) stage.put(Sphere{{.1 * i, 0, 0}, 1}, glass(ior));
         CHECK(share_apart(shoot(stage.scene, Precision::float64, {.depth = 20}), without, 1e-9) < .003);
     }
+}
+
+TEST_CASE("indices of refraction from 1e-9 to 1e9: right, and the same with any threads, lanes and crop") {
+    // Naive: k = 1 - n^2 (1 - cos^2) is all rounding, and refracted directions are of any length.
+    const float cosine = 1 - 0x1p-24f;  // of a ray that should be totally reflected if n is above 2896
+    const float naive = 1 - 1e9f * 1e9f * (1 - cosine * cosine);
+    CHECK(std::abs(naive) > 1e10);
+    const Lattice window{.x = 8, .y = 4, .columns = 9, .rows = 7};
+    int lit = 0;
+    for (const double ior : {1e-9, 1e-4, .01, 10., 17., 100., 1e4, 1e6, 1e9})
+        for (const bool nested : {false, true}) {
+            CAPTURE(ior);
+            CAPTURE(nested);
+            Stage stage;
+            stage.look({0, 0, 2}, {1, 3, 1}, nested ? 10 : 1, {2, 3, 1}).light({2, 0, 0}, {0, 0, 1});
+            Material body = glass(ior);
+            body.rgb = {.9, .8, .7}, body.diffuse = 1;
+            stage.put(Cylinder{{0, 0, 1}, {0, 1, 0}, 3}, body);
+            if (nested) stage.put(Sphere{{0, 2, 1}, 1}, glass(1 / ior)).put(Sphere{{0, 4, 1}, 1.5}, glass(1e9));
+            const Shot shot{48, 36, 10, 1, Simd::scalar};
+            const Frame exact = shoot(stage.scene, Precision::extended, shot);
+            for (const Precision precision : {Precision::float32, Precision::float64}) {
+                const Frame frame = shoot(stage.scene, precision, shot);
+                for (const Simd simd : fused_levels())
+                    for (const int threads : {1, 3})
+                        CHECK(shoot(stage.scene, precision, {48, 36, 10, threads, simd}) == frame);
+                CHECK(crop(stage.scene, precision, window) == part(frame, window));
+                if (!nested) CHECK(share_apart(frame, exact, precision == Precision::float32 ? 1e-2 : 1e-4) < .01);
+            }
+            lit += *std::max_element(exact.rgb.begin(), exact.rgb.end()) > .1;
+        }
+    CHECK(lit > 9);
 }
 
 TEST_CASE("extreme indices of refraction") {
