@@ -14,8 +14,8 @@ struct Bound {
 /// For up to `depth` generations. Values may be infinite.
 Bound bound_for(const Scene& scene, int depth);
 
-/// By material: the most light of all lamps together that a surface sends on other than by reflection and refraction,
-/// highlights left out unless they are fainter than what it scatters.
+/// By material: the most light of all light sources together that a surface sends on other than by reflection and
+/// refraction, highlights left out unless they are fainter than what it scatters.
 std::vector<double> scattered_light(const Scene& scene);
 
 }  // namespace strahl

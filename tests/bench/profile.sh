@@ -12,10 +12,10 @@ perf record -q -o "$work/data" "$strahl" render "$scene" -o "$work/picture.bmp" 
     --size 1920x1080 --error 0 "$@" 2>/dev/null
 perf report -i "$work/data" --stdio --no-children -F overhead,symbol 2>/dev/null | awk '
     !/strahl::/ { next }
-    /visibility<|pass_below<|occlude/ { stage = "shadow rays" }
-    /::(find|intersect)<|nearest/ { stage = "intersect: nearest hits, sorting them by body" }
-    /shade|scatter/ { stage = "shade: light, reflected and refracted rays" }
-    /::(step|aim|append|trace|trace_generation|trace_in_parts|generate_camera_rays)</ {
+    /visibility<|occlude/ { stage = "shadow rays" }
+    /::intersect|nearest/ { stage = "intersect: nearest hits, sorting them by bin" }
+    /shade|scatter|surfaces?_at/ { stage = "shade: light, reflected and refracted rays" }
+    /::(append|trace|trace_generation|trace_in_parts|generate_camera_rays)</ {
         stage = "camera rays, copying between queues"
     }
     /Builder|BuiltWorld|WorldArrays|build_hierarchy|share_out|duplicates/ { stage = "build" }

@@ -9,9 +9,11 @@
 #include <tuple>
 #include <vector>
 
-#include "scene/sphere.h"
+#include "scene/error.h"
+#include "scene/scene.h"
 #include "trace/duplicates.h"
 #include "trace/thread_pool.h"
+#include "trace/tracer.h"
 #include "trace/world.h"
 
 using namespace strahl;
@@ -124,3 +126,14 @@ TEST_CASE("duplicates are exactly the bodies that were declared before") {
         CHECK(duplicates(&balls[0].shape.centre.x, 0, 6, 4, pool).empty());
     }
 }
+
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // 300 MB
+TEST_CASE("a scene of more surfaces than float can number is refused, with what to do") {
+    Scene scene;
+    scene.primitives.resize((1 << 24) / Cuboid::faces, {Cuboid{}, 0, {}});
+    CHECK_NOTHROW(check_capacity(scene, Precision::float32));
+    scene.primitives.push_back({Cuboid{}, 0, {}});
+    CHECK_THROWS_WITH_AS(check_capacity(scene, Precision::float32), doctest::Contains("--precision double"), FileError);
+    CHECK_NOTHROW(check_capacity(scene, Precision::float64));
+}
+#endif

@@ -6,7 +6,6 @@
 #include <mutex>
 #include <ostream>
 
-#include "scene/error.h"
 #include "tests/referee/examples.h"
 #include "tests/referee/random_scene.h"
 #include "tests/referee/referee.h"
@@ -292,14 +291,3 @@ TEST_CASE_TEMPLATE("no pixel is ever without a number", P, Single, Twice, Extend
     SUBCASE("an index that bends almost nothing through") { scene.materials[0].ior = 1e-3; }
     finite(scene, 33 / coarse | 1, 25 / coarse | 1);
 }
-
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // 300 MB
-TEST_CASE("a scene of more surfaces than float can number is refused, with what to do") {
-    Scene scene;
-    scene.primitives.resize((1 << 24) / Cuboid::faces, {Cuboid{}, 0, {}});
-    CHECK_NOTHROW(check_capacity(scene, Precision::float32));
-    scene.primitives.push_back({Cuboid{}, 0, {}});
-    CHECK_THROWS_WITH_AS(check_capacity(scene, Precision::float32), doctest::Contains("--precision double"), FileError);
-    CHECK_NOTHROW(check_capacity(scene, Precision::float64));
-}
-#endif
