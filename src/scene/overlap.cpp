@@ -19,7 +19,8 @@ struct Body {
 };
 
 Body body_of(const Primitive& primitive) {
-    Body body{.box = world_bounds(primitive)};
+    Body body;
+    body.box = world_bounds(primitive);
     body.space = half_space(primitive);
     if (body.space) body.distance = dot_product(body.space->normal, body.space->point);
     const glm::dmat4 m = matrix(primitive.transformations);

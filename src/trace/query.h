@@ -47,7 +47,6 @@ STRAHL_INLINE void each_cold_range(const World<T>& world, BodySet set, const Loo
 template <class S>
 STRAHL_INLINE void nearest_in_hierarchy(const World<Element<S>>& world, const Ray<S>& ray, Mask<S> active,
                                         Nearest<S>& best) {
-    using T = Element<S>;
     const TraversalRay<S> line = traversal_ray(ray);
     const auto look = [&](const Leaf& leaf, Mask<S> mask) {
         calls<S>(leaf.form()).intersect(world, leaf.first, leaf.count(), ray, mask, best);

@@ -118,7 +118,6 @@ STRAHL_INLINE Mask<S> scatter(const Shading<S>& shading, const Hit<S>& hit) {
     const MaterialKernel<S>& material = hit.material;
     const auto& [world, limits, rays, hits, batch, next, refracted_queue, workspace, counts, depth] = shading;
     const S zero(0), brightest(limits.brightest[limits.depth - depth]);
-    const auto ray = [&](const Branch<S>& b) { return Contribution<S>(b.weight * brightest, b.mask); };
     Contribution<S> light(hit.weight * material.scattered, hit.active & (material.scattered > zero));
     const Mask<S> glass = hit.active & (material.refraction > zero);
     if (none(glass | (hit.active & (material.reflection > zero)))) {
@@ -127,7 +126,7 @@ STRAHL_INLINE Mask<S> scatter(const Shading<S>& shading, const Hit<S>& hit) {
     }
     if (!world.transparent || none(glass)) {
         Branch<S> reflected = branch(hit, hit.active, reflect(hit), material.reflection, hit.medium);
-        Contribution<S> part = ray(reflected);
+        Contribution<S> part(reflected.weight * brightest, reflected.mask);
         prune(shading, hit.pixel, part, light);
         reflected.mask = reflected.mask & !part.pruned;
         counts.reflected += count(reflected.mask);
@@ -149,7 +148,8 @@ STRAHL_INLINE Mask<S> scatter(const Shading<S>& shading, const Hit<S>& hit) {
     const S all = material.reflection + material.refraction;
     Branch<S> reflected = branch(hit, hit.active, reflect(hit), select(total, all, material.reflection), hit.medium);
     Branch<S> refracted = branch(hit, glass & !total, beyond, material.refraction, medium);
-    Contribution<S> reflected_part = ray(reflected), refracted_part = ray(refracted);
+    Contribution<S> reflected_part(reflected.weight * brightest, reflected.mask);
+    Contribution<S> refracted_part(refracted.weight * brightest, refracted.mask);
     prune(shading, hit.pixel, reflected_part, refracted_part, light);
     reflected.mask = reflected.mask & !reflected_part.pruned;
     refracted.mask = refracted.mask & !refracted_part.pruned;
