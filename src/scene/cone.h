@@ -5,6 +5,7 @@
 #include <limits>
 #include <tuple>
 
+#include "num/vec_math.h"
 #include "scene/affine.h"
 #include "scene/field.h"
 
@@ -19,7 +20,8 @@ struct ConeKernel {
 
     static ConeKernel frustum(const DVec3& base, const DVec3& axis, double base_radius, double cap_radius,
                               double height) {
-        const double widening = cap_radius - base_radius, slant = std::hypot(height, widening);
+        const double widening = cap_radius - base_radius;
+        const double slant = length({height, widening, 0});  // not hypot of two, whose last bit is the processor's
         return {cast<T>(base),
                 cast<T>(axis),
                 static_cast<T>(base_radius),

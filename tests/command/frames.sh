@@ -13,6 +13,7 @@ done
 expect_other film-0000.png film-0003.png
 
 # Only what is missing, or not a whole picture, is made again.
+export LSAN_OPTIONS="suppressions=$source_folder/tests/command/leaks.txt"
 cp film-0003.png good.png
 mkdir good
 cp film-0004.png film-0005.png film-0006.png good
