@@ -13,8 +13,8 @@ class ThreadPool;
 struct LeafCode {
     static constexpr int most_items = 31;
     static constexpr int make(int form, int items) { return (most_items + 1) * form + items; }
-    static constexpr int items(int code) { return code % (most_items + 1); }
-    static constexpr int form(int code) { return code / (most_items + 1); }
+    static constexpr int items(int code) { return static_cast<int>(static_cast<unsigned>(code) % (most_items + 1)); }
+    static constexpr int form(int code) { return static_cast<int>(static_cast<unsigned>(code) / (most_items + 1)); }
 };
 
 /// Up to 16 children, their boxes side by side. Boxes are of floats for every kind of number, rounded outwards. A leaf
