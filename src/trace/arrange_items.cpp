@@ -109,15 +109,18 @@ void WorldArrays<T>::make_hierarchy(ThreadPool& pool) {
 /// Numbers the bins, and notes of each surface where its item is.
 template <class T>
 void WorldArrays<T>::number_bins(ThreadPool& pool) {
-    references = uninitialized_buffer<ItemReference>(surfaces);
-    share_out(pool, surfaces, 16 * share_items, [&](std::int32_t first, std::int32_t last) {
+    references = uninitialized_buffer<ItemReference>(surfaces + 1);
+    world.references = &references[1];
+    share_out(pool, surfaces + 1, 16 * share_items, [&](std::int32_t first, std::int32_t last) {
         std::fill(&references[first], &references[last], ItemReference{-1, -1});
     });
+    int hierarchy_forms = 0;
     for (int form = 0; form < Forms::size; ++form) {
         const FormItems<T>& own = forms[form];
         const std::size_t fields = traits[form].fields;
         const int first_bin = static_cast<int>(sort_bins.size());
         if (!world.bin_per_item) {
+            if (own.in_hierarchy > 0) hierarchy_forms += 1, world.hierarchy_bin = first_bin;
             sort_bins.push_back({form});
             if (!traits[form].hot && own.in_hierarchy < own.count)
                 loops.push_back({form, own.in_hierarchy, own.count - own.in_hierarchy});
@@ -134,13 +137,13 @@ void WorldArrays<T>::number_bins(ThreadPool& pool) {
         share_out(pool, own.count, share_items, [&](std::int32_t first, std::int32_t last) {
             for (std::int32_t i = first; i < last; ++i)
                 for (int face = 0; face < traits[form].faces; ++face)
-                    references[static_cast<int>(own.numbers[i * fields + fields - 2]) + face] = {
+                    references[1 + static_cast<int>(own.numbers[i * fields + fields - 2]) + face] = {
                         i, world.bin_per_item ? first_bin + i : first_bin};
         });
     }
-    world.references = references.get();
     world.sort_bins = sort_bins.data();
-    world.bins = static_cast<int>(sort_bins.size());
+    world.bins = references[0].bin = static_cast<int>(sort_bins.size());
+    if (hierarchy_forms > 1) world.hierarchy_bin = -1;
     world.loops = loops.data();
     world.loop_count = static_cast<int>(loops.size());
     world.beyond_loops = world.nodes || world.cold || !loops.empty();

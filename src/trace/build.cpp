@@ -153,7 +153,7 @@ template <class T>
 std::vector<int> BuiltWorld<T>::bodies_around(const DVec3& eye) const {
     std::vector<int> bodies;
     for (const auto& body : arrays->transparent)
-        if (arrays->references[body.surface].item >= 0 &&
+        if (arrays->world.references[body.surface].item >= 0 &&
             std::visit([&](const auto& shape) { return shape.contains(transform_point(body.inverse, eye)); },
                        body.shape))
             bodies.push_back(body.surface);

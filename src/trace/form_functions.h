@@ -13,7 +13,7 @@ struct SingleRay {
     using T = Element<S>;
     Ray<S> ray;
     T t;
-    T surface = -1, bin = -1;
+    T surface = -1;
     Vec3<T> share{1};
 };
 
@@ -30,11 +30,12 @@ struct FormFunctions {
                         Transmission<S>& light);
     /// The same of one ray, items side by side.
     static bool occlude_single(const World<T>& world, int first, int count, SingleRay<S>& single);
-    /// The points at which rays first meet an item, all the same one.
-    static void surface_at(const World<T>& world, int item, const Ray<S>& ray, const S& t, SurfaceHit<S>& hit);
-    /// The same of items, one in each lane, and their materials.
+    /// The points at which rays first meet items, one in each lane, and the materials of these.
     static void surfaces_at(const World<T>& world, const int* items, const Ray<S>& ray, const S& t, SurfaceHit<S>& hit,
                             int* materials);
+    // Of hot forms the two below are never called: see if_hot().
+    /// The points at which rays first meet an item, all the same one.
+    static void surface_at(const World<T>& world, int item, const Ray<S>& ray, const S& t, SurfaceHit<S>& hit);
     /// Where rays that start on an item leave it.
     static Span<S> span(const World<T>& world, int item, const Ray<S>& ray);
 
@@ -42,7 +43,7 @@ struct FormFunctions {
     // The kernel's own code stands in each of the above if the form is hot, else only in these three.
     static Span<S> cross_one(const Item<Form, T>& item, const Ray<S>& ray);
     static Span<S> cross_each(const Item<Form, S>& items, const Ray<S>& ray);
-    static void hit(const Item<Form, S>& items, const Ray<S>& ray, const S& t, SurfaceHit<S>& hit);
+    static void hit_each(const Item<Form, S>& items, const Ray<S>& ray, const S& t, SurfaceHit<S>& hit);
 };
 
 /// The same, of a form that is only known by its number.
@@ -53,9 +54,9 @@ struct FormCalls {
     void (*intersect_single)(const W&, int, int, SingleRay<S>&);
     bool (*occlude)(const W&, int, int, const Ray<S>&, const S&, Mask<S>, Transmission<S>&);
     bool (*occlude_single)(const W&, int, int, SingleRay<S>&);
-    void (*surface_at)(const W&, int, const Ray<S>&, const S&, SurfaceHit<S>&);
     void (*surfaces_at)(const W&, const int*, const Ray<S>&, const S&, SurfaceHit<S>&, int*);
-    Span<S> (*span)(const W&, int, const Ray<S>&);
+    void (*surface_at)(const W&, int, const Ray<S>&, const S&, SurfaceHit<S>&) = nullptr;
+    Span<S> (*span)(const W&, int, const Ray<S>&) = nullptr;
 };
 /// Those of a kind, in a file of its own.
 template <class Kind, class S>

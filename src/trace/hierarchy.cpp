@@ -17,7 +17,7 @@ using namespace hierarchy_cut;
 
 constexpr int leaf_items = 16;  // most items of a leaf
 static_assert(leaf_items <= LeafCode::most_items);
-constexpr float item_cost = .1f;     // of that of a binary node
+constexpr float item_cost = .25f;    // of that of a binary node
 constexpr int deepest_cut = 30;      // from this depth on, in the middle: 2^30 items have no more than 60 levels
 constexpr int shared_items = 16384;  // on more than these all threads work together
 constexpr int chunk_items = 8192;    // a thread's piece of such work

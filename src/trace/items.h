@@ -65,6 +65,12 @@ struct SurfaceHit {
     S body;
 };
 
+/// Where rays meet items, the same for all or one in each lane.
+template <class S, class Item>
+STRAHL_INLINE SurfaceHit<S> surface_hit(const Item& items, const Ray<S>& ray, const S& t) {
+    return {items.shape.at(ray, t, ray.source - items.surface), items.surface};
+}
+
 /// Does the item let light through?
 template <class T, class Item>
 STRAHL_INLINE bool transparent(const World<T>& world, const Item& item) {

@@ -22,22 +22,19 @@ template <class Form, class S>
     return span_of(items, ray);
 }
 template <class Form, class S>
-[[gnu::noinline]] void FormFunctions<Form, S>::hit(const Item<Form, S>& items, const Ray<S>& ray, const S& t,
-                                                   SurfaceHit<S>& hit) {
-    hit = {items.shape.at(ray, t, ray.source - items.surface), items.surface};
+[[gnu::noinline]] void FormFunctions<Form, S>::hit_each(const Item<Form, S>& items, const Ray<S>& ray, const S& t,
+                                                        SurfaceHit<S>& hit) {
+    hit = surface_hit(items, ray, t);
 }
 
 template <class Form, class S>
 void FormFunctions<Form, S>::intersect(const World<T>& world, int first, int count, const Ray<S>& ray, Mask<S> mask,
                                        Nearest<S>& best) {
     const auto& group = world.groups.template get<Form>();
-    const S before = best.surface;
     for (int i = first; i < first + count; ++i) {
         const auto& item = group.items[i];
         intersect_item(item, cross<Form>(item, ray, cross_one), mask, best);
     }
-    const int bin = world.bin_per_item ? group.first_bin + first : group.first_bin;
-    best.bin = select(best.surface == before, best.bin, S(static_cast<T>(bin)));
 }
 
 template <class Form, class S>
@@ -53,7 +50,6 @@ void FormFunctions<Form, S>::intersect_single(const World<T>& world, int first, 
         while (any(better)) {
             const int k = strahl::first(better);
             single.t = lane(t, k), single.surface = lane(item.surface, k);
-            single.bin = static_cast<T>(group.first_bin);
             better = better & closer(t, item.surface, S(single.t), S(single.surface));
         }
     }
@@ -97,7 +93,7 @@ bool FormFunctions<Form, S>::occlude_single(const World<T>& world, int first, in
 template <class Form, class S>
 void FormFunctions<Form, S>::surface_at(const World<T>& world, int item, const Ray<S>& ray, const S& t,
                                         SurfaceHit<S>& found) {
-    hit(splat_item<Item<Form, S>, S>(world.groups.template get<Form>().items[item]), ray, t, found);
+    hit_each(splat_item<Item<Form, S>, S>(world.groups.template get<Form>().items[item]), ray, t, found);
 }
 
 template <class Form, class S>
@@ -105,7 +101,11 @@ void FormFunctions<Form, S>::surfaces_at(const World<T>& world, const int* items
                                          SurfaceHit<S>& found, int* materials) {
     const auto& group = world.groups.template get<Form>();
     for (int k = 0; k < width<S>; ++k) materials[k] = static_cast<int>(group.items[items[k]].material);
-    hit(gather_items<Item<Form, S>, S>(group.items, items), ray, t, found);
+    const auto own = gather_items<Item<Form, S>, S>(group.items, items);
+    if constexpr (Form::hot)
+        found = surface_hit(own, ray, t);
+    else
+        hit_each(own, ray, t, found);
 }
 
 template <class Form, class S>
@@ -113,13 +113,19 @@ Span<S> FormFunctions<Form, S>::span(const World<T>& world, int item, const Ray<
     return cross_one(world.groups.template get<Form>().items[item], ray);
 }
 
+template <class Form, class S>
+constexpr FormCalls<S> calls_of() {
+    using Own = FormFunctions<Form, S>;
+    FormCalls<S> calls{&Own::intersect, &Own::intersect_single, &Own::occlude, &Own::occlude_single, &Own::surfaces_at};
+    if constexpr (!Form::hot) calls.surface_at = &Own::surface_at, calls.span = &Own::span;
+    return calls;
+}
 template <class S, class... F>
-constexpr std::array<FormCalls<S>, sizeof...(F)> calls_of(FormList<F...>) {
-    return {{{&FormFunctions<F, S>::intersect, &FormFunctions<F, S>::intersect_single, &FormFunctions<F, S>::occlude,
-              &FormFunctions<F, S>::occlude_single, &FormFunctions<F, S>::surface_at, &FormFunctions<F, S>::surfaces_at,
-              &FormFunctions<F, S>::span}...}};
+constexpr std::array<FormCalls<S>, sizeof...(F)> calls_of_all(FormList<F...>) {
+    return {{calls_of<F, S>()...}};
 }
 template <class Kind, class S>
-const std::array<FormCalls<S>, KindCalls<Kind, S>::forms> KindCalls<Kind, S>::calls = calls_of<S>(FormsOfKind<Kind>{});
+const std::array<FormCalls<S>, KindCalls<Kind, S>::forms> KindCalls<Kind, S>::calls =
+    calls_of_all<S>(FormsOfKind<Kind>{});
 
 }  // namespace strahl::inline STRAHL_LEVEL

@@ -53,7 +53,7 @@ STRAHL_INLINE void nearest_in_hierarchy(const World<Element<S>>& world, const Ra
         return false;
     };
     traverse<true>(world.nodes, line, active, best.t, look, [&](int k, const Leaf& from) {
-        SingleRay<S> single{lane_of(ray, k), lane(best.t, k), lane(best.surface, k), lane(best.bin, k)};
+        SingleRay<S> single{lane_of(ray, k), lane(best.t, k), lane(best.surface, k)};
         const auto look_single = [&](const Leaf& leaf) {
             calls<S>(leaf.form()).intersect_single(world, leaf.first, leaf.count(), single);
             return false;
@@ -64,19 +64,31 @@ STRAHL_INLINE void nearest_in_hierarchy(const World<Element<S>>& world, const Ra
             traverse_single<true>(world.nodes, from.first, lane_of(line, k), single.t, look_single);
         best.t = with_lane(best.t, k, single.t);
         best.surface = with_lane(best.surface, k, single.surface);
-        best.bin = with_lane(best.bin, k, single.bin);
     });
+}
+
+/// The bins of what was met beyond the hot loops.
+template <class S>
+STRAHL_INLINE S bins_of(const World<Element<S>>& world, const S& surface) {
+    using T = Element<S>;
+    if (world.loop_count == 0 && world.hierarchy_bin >= 0) return S(static_cast<T>(world.hierarchy_bin));
+    alignas(64) T surfaces[width<S>], bins[width<S>];
+    store_lanes(surfaces, surface);
+    for (int k = 0; k < width<S>; ++k) bins[k] = static_cast<T>(world.references[static_cast<int>(surfaces[k])].bin);
+    return load_lanes<S>(bins);
 }
 
 /// The nearest surfaces of what the hot loops leave out. Not inline: of small worlds it would be a burden.
 template <class S>
 [[gnu::noinline]] void nearest_beyond_loops(const World<Element<S>>& world, const Ray<S>& ray, Mask<S> active,
                                             BodySet set, Nearest<S>& best) {
+    const S before = best.surface;
     each_cold_range(world, set, [&](const ItemRange& items, int) {
         calls<S>(items.form).intersect(world, items.first, items.count, ray, active, best);
         return false;
     });
     if (world.nodes) nearest_in_hierarchy(world, ray, active, best);
+    best.bin = select(best.surface == before, best.bin, bins_of(world, best.surface));
 }
 
 /// The nearest surfaces; where there is a bin for each item, among the bodies of the set.
@@ -129,18 +141,13 @@ STRAHL_INLINE void occlude_in_hierarchy(const World<Element<S>>& world, const Ra
         };
         if (from.code != 0)
             look_single(from);
-        else if (world.transparent)
-            traverse_single<false>(world.nodes, from.first, lane_of(line, k), limit, look_single);
         else
-            traverse_single<true>(world.nodes, from.first, lane_of(line, k), limit, look_single);
+            traverse_single<false>(world.nodes, from.first, lane_of(line, k), limit, look_single);
         light.limit = with_lane(light.limit, k, dark ? T(-1) : limit);
         if (world.transparent)
             for (int c = 0; c < 3; ++c) light.share[c] = with_lane(light.share[c], k, one.share[c]);
     };
-    if (world.transparent)  // products must not depend on the order in which neighbours want to go
-        traverse<false>(world.nodes, line, light.limit > S(0), light.limit, look, single);
-    else
-        traverse<true>(world.nodes, line, light.limit > S(0), light.limit, look, single);
+    traverse<false>(world.nodes, line, light.limit > S(0), light.limit, look, single);
 }
 
 /// Rays that a body, by its bin, can be in the way of.

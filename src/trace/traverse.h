@@ -84,14 +84,14 @@ STRAHL_INLINE auto lane_of(const TraversalRay<S>& ray, int k) {
 template <class S, class L>
 STRAHL_INLINE Mask<S> crosses(const Vec3<S>& low, const Vec3<S>& high, const L& ray, const S& limit, S& near) {
     const S grow(1 + 8 * std::numeric_limits<Element<S>>::epsilon());
-    S far = limit;
+    S far(std::numeric_limits<Element<S>>::infinity());
     near = S(0);
     for (int i = 0; i < 3; ++i) {
         const S a = (low[i] - ray.high(i)) * ray.inverse[i], b = (high[i] - ray.low(i)) * ray.inverse[i];
         near = max(near, min(a, b));
-        far = min(far, max(a, b) * grow);
+        far = min(far, max(a, b));
     }
-    return near <= far;
+    return near <= min(far * grow, limit);
 }
 
 /// Boxes of the children from `c` on, one in each lane.
@@ -138,10 +138,10 @@ class PacketBounds {
             if (sign[i] == 0) continue;
             const F a = sign[i] > 0 ? low[i] - origin_high[i] : origin_low[i] - high[i];
             const F b = sign[i] > 0 ? high[i] - origin_low[i] : origin_high[i] - low[i];
-            near = max(near, a * inv_min[i]);       // negative ones do not matter, of whatever size, nor does how much
-            far = min(far, b * inv_max[i] * grow);  // a negative end is below 0
+            near = max(near, a * inv_min[i]);  // negative ones do not matter, of whatever size, nor does how much
+            far = min(far, b * inv_max[i]);    // a negative end is below 0
         }
-        return near <= far;
+        return near <= far * grow;
     }
 
   private:

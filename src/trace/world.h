@@ -110,10 +110,11 @@ struct World {
     GroupsOf<T, Forms> groups;
     const Node* nodes = nullptr;                // the hierarchy of all bounded items; null: few items, or unbounded
     bool beyond_loops = false;                  // there is a hierarchy, or there are items of other than hot forms
-    const ItemReference* references = nullptr;  // by surface
+    const ItemReference* references = nullptr;  // by surface, and of a miss by -1
     const SortBin* sort_bins = nullptr;         // by bin
     int bins = 0;
     bool bin_per_item = false;         // few items, up to most_item_bins: all hits of a bin are on the same item
+    int hierarchy_bin = -1;            // that of all items of the hierarchy, if they are of one form
     const ItemRange* loops = nullptr;  // where there is a hierarchy: items of other than hot forms that it lacks,
     int loop_count = 0;                // and how many such ranges
 
