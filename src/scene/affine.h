@@ -30,16 +30,16 @@ struct AffineKernel {
     STRAHL_INLINE Span<S> span(const Ray<S>& ray, S start) const {
         const Local<S> local = to_local(ray);
         const Span<S> span = shape.span(local.ray, start);
-        return {span.near / local.stretch, span.far / local.stretch, span.hit};
+        return {span.near / local.stretch, span.far / local.stretch, span.hit, span.near_face, span.far_face};
     }
     template <class S>
-    STRAHL_INLINE SurfacePoint<S> at(const Ray<S>& ray, S t, S start) const {
+    STRAHL_INLINE SurfacePoint<S> at(const Ray<S>& ray, S t, S face) const {
         const Local<S> local = to_local(ray);
-        const SurfacePoint<S> point = shape.at(local.ray, t * local.stretch, start);
+        const SurfacePoint<S> point = shape.at(local.ray, t * local.stretch, face);
         // Normals go by the transposed inverse, whose rows these are.
         const Vec3<S> n = fma(point.normal.x, splat<S>(row_x),
                               fma(point.normal.y, splat<S>(row_y), scale(point.normal.z, splat<S>(row_z))));
-        return {fma(t, ray.direction, ray.origin), scale(S(1) / sqrt(dot(n, n)), n), point.face};
+        return {fma(t, ray.direction, ray.origin), scale(S(1) / sqrt(dot(n, n)), n)};
     }
 };
 

@@ -28,16 +28,11 @@ struct BoxKernel {
         return {DVec3(centre), std::sqrt(square)};
     }
 
-    template <class S>
-    struct Crossings {
-        Span<S> span;
-        S near_face, far_face;
-    };
     /// What a pair of faces leaves of the ray p + t d. Divided by 0 in a face's own plane, which gives NaN, a face is
     /// no bound: see how max and min choose. So rays in the plane between two boxes that touch meet both of them.
     template <class S>
-    STRAHL_INLINE void clip(Crossings<S>& crossings, const Vec3<S>& row, int low_face, const Vec3<S>& p,
-                            const Vec3<S>& d, S start) const {
+    STRAHL_INLINE void clip(Span<S>& span, const Vec3<S>& row, int low_face, const Vec3<S>& p, const Vec3<S>& d,
+                            S start) const {
         using E = Element<S>;
         const S low(static_cast<E>(low_face)), high(static_cast<E>(low_face + 1)), one(1), minus(-1);
         S place = dot(row, p);
@@ -46,14 +41,13 @@ struct BoxKernel {
         const S to_low = (minus - place) * inverse, to_high = (one - place) * inverse;
         const Mask<S> rises = inverse > S(0);
         const S near = select(rises, to_low, to_high), far = select(rises, to_high, to_low);
-        auto& [span, near_face, far_face] = crossings;
-        near_face = select(span.near < near, select(rises, low, high), near_face);
-        far_face = select(far < span.far, select(rises, high, low), far_face);
+        span.near_face = select(span.near < near, select(rises, low, high), span.near_face);
+        span.far_face = select(far < span.far, select(rises, high, low), span.far_face);
         span.near = max(span.near, near);
         span.far = min(span.far, far);
     }
     template <class S>
-    STRAHL_INLINE Crossings<S> cross_faces(const Ray<S>& ray, S start) const {
+    STRAHL_INLINE Span<S> span(const Ray<S>& ray, S start) const {
         constexpr auto inf = std::numeric_limits<Element<S>>::infinity();
         const S zero(0);
         const Mask<S> starts_here = (start >= zero) & (start < S(faces));
@@ -61,11 +55,10 @@ struct BoxKernel {
         // Counted from where the ray is nearest to the centre, nothing cancels for far origins.
         const S shift = select(starts_here, zero, -dot(f, d));
         const Vec3<S> p = fma(shift, d, f);
-        Crossings<S> crossings{{S(-inf), S(inf), zero < zero}, zero, zero};
-        clip(crossings, splat<S>(row_x), 0, p, d, start);
-        clip(crossings, splat<S>(row_y), 2, p, d, start);
-        clip(crossings, splat<S>(row_z), 4, p, d, start);
-        Span<S>& span = crossings.span;
+        Span<S> span{S(-inf), S(inf), zero < zero};
+        clip(span, splat<S>(row_x), 0, p, d, start);
+        clip(span, splat<S>(row_y), 2, p, d, start);
+        clip(span, splat<S>(row_z), 4, p, d, start);
         span.hit = span.near <= span.far;
         span.near = span.near + shift;
         span.far = span.far + shift;
@@ -76,7 +69,7 @@ struct BoxKernel {
             span.near = select(starts_here, zero, span.near);
             span.far = select(starts_here & (dot(normal(start), d) >= zero), zero, span.far);
         }
-        return crossings;
+        return span;
     }
     template <class S>
     STRAHL_INLINE Vec3<S> row(S face) const {
@@ -92,18 +85,12 @@ struct BoxKernel {
         const Vec3<S> r = row(face);
         return scale(select(high(face), S(1), S(-1)) / sqrt(dot(r, r)), r);
     }
-    template <class S>
-    STRAHL_INLINE Span<S> span(const Ray<S>& ray, S start) const {
-        return cross_faces(ray, start).span;
-    }
     /// The point at `t`, put back onto the face that was hit.
     template <class S>
-    STRAHL_INLINE SurfacePoint<S> at(const Ray<S>& ray, S t, S start) const {
-        const Crossings<S> crossings = cross_faces(ray, start);
-        const S face = select(crossings.span.near > S(0), crossings.near_face, crossings.far_face);
+    STRAHL_INLINE SurfacePoint<S> at(const Ray<S>& ray, S t, S face) const {
         const Vec3<S> c = splat<S>(centre), r = row(face), f = fma(t, ray.direction, ray.origin - c);
         const S missing = (select(high(face), S(1), S(-1)) - dot(r, f)) / dot(r, r);
-        return {c + fma(missing, r, f), normal(face), face};
+        return {c + fma(missing, r, f), normal(face)};
     }
 };
 

@@ -38,19 +38,14 @@ struct ConeKernel {
     }
 
     template <class S>
-    struct Crossings {
-        Span<S> span;
-        S near_face, far_face;
-    };
-    template <class S>
-    STRAHL_INLINE Crossings<S> cross_faces(const Ray<S>& ray, S start) const {
+    STRAHL_INLINE Span<S> span(const Ray<S>& ray, S start) const {
         const S zero(0), one(1), two(2), h(height);
         const Mask<S> starts_here = (start >= zero) & (start < S(faces));
         const Vec3<S> a = splat<S>(axis), d = ray.direction, f = ray.origin - splat<S>(base);
         const S along_d = dot(d, a);
         S along_f = dot(f, a);
         Span<S> side = cross_side(f, d, along_f, along_d);
-        if (none(side.hit | starts_here)) return {{zero, zero, side.hit}, zero, zero};
+        if (none(side.hit | starts_here)) return {zero, zero, side.hit};
 
         if (any(starts_here)) {
             const S beyond = leave_side(f, d, along_f, along_d);
@@ -63,7 +58,7 @@ struct ConeKernel {
         const S ends_near = select(upwards, to_base, to_cap), ends_far = select(upwards, to_cap, to_base);
         const S near = max(side.near, ends_near), far = min(side.far, ends_far);
         // A convex body is never entered again from its own surface.
-        return {{select(starts_here, zero, near), far, Mask<S>((side.hit & (near <= far)) | starts_here)},
+        return {select(starts_here, zero, near), far, Mask<S>((side.hit & (near <= far)) | starts_here),
                 select(ends_near > side.near, select(upwards, one, two), zero),
                 select(ends_far < side.far, select(upwards, two, one), zero)};
     }
@@ -133,15 +128,9 @@ struct ConeKernel {
         const Vec3<S> normal = fma(S(cosine) / sqrt(square), out, scale(-s, a));
         return select(apex, scale(select(s > S(0), S(-1), S(1)), a), normal);
     }
-    template <class S>
-    STRAHL_INLINE Span<S> span(const Ray<S>& ray, S start) const {
-        return cross_faces(ray, start).span;
-    }
     /// The point at `t`, put back onto the face that was hit.
     template <class S>
-    STRAHL_INLINE SurfacePoint<S> at(const Ray<S>& ray, S t, S start) const {
-        const Crossings<S> crossings = cross_faces(ray, start);
-        const S face = select(crossings.span.near > S(0), crossings.near_face, crossings.far_face);
+    STRAHL_INLINE SurfacePoint<S> at(const Ray<S>& ray, S t, S face) const {
         const Vec3<S> a = splat<S>(axis), b = splat<S>(base);
         const Vec3<S> f = fma(t, ray.direction, ray.origin - b);
         const S along = dot(f, a);
@@ -154,7 +143,7 @@ struct ConeKernel {
         // The normal is that of the rounded point, from which the next ray finds out anew which way is out.
         const Vec3<S> g = position - b;
         const Vec3<S> outwards = side_normal(fma(-dot(g, a), a, g));
-        return {position, select(side, outwards, scale(select(at_base, S(-1), S(1)), a)), face};
+        return {position, select(side, outwards, scale(select(at_base, S(-1), S(1)), a))};
     }
 };
 

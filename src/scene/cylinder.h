@@ -21,12 +21,7 @@ struct CylinderKernel {
     }
 
     template <class S>
-    struct Crossings {
-        Span<S> span;
-        S near_face, far_face;
-    };
-    template <class S>
-    STRAHL_INLINE Crossings<S> cross_faces(const Ray<S>& ray, S start) const {
+    STRAHL_INLINE Span<S> span(const Ray<S>& ray, S start) const {
         using E = Element<S>;
         constexpr E inf = std::numeric_limits<E>::infinity();
         constexpr E noise = 4 * std::numeric_limits<E>::epsilon();  // of the direction's part across the axis
@@ -40,7 +35,7 @@ struct CylinderKernel {
         const Mask<S> parallel = qa < S(noise * noise), inside = dot(across_f, across_f) < r2;
         const Mask<S> crosses = (parallel & inside) | ((!parallel) & (discriminant > zero));
         const Mask<S> starts_here = (start >= zero) & (start < S(faces));
-        if (none(crosses | starts_here)) return {{zero, zero, crosses}, zero, zero};
+        if (none(crosses | starts_here)) return {zero, zero, crosses};
 
         const S s = sqrt(max(discriminant, zero)), inverse = S(1) / qa;
         S side_near = (-qb - s) * inverse, side_far = (s - qb) * inverse;
@@ -58,19 +53,12 @@ struct CylinderKernel {
         const S ends_near = select(upwards, to_base, to_cap), ends_far = select(upwards, to_cap, to_base);
         const S near = max(side_near, ends_near), far = min(side_far, ends_far);
         // A convex body is never entered again from its own surface.
-        return {
-            {select(starts_here, zero, near), far, Mask<S>((crosses | starts_here) & ((near <= far) | starts_here))},
-            select(ends_near > side_near, select(upwards, S(1), S(2)), zero),
-            select(ends_far < side_far, select(upwards, S(2), S(1)), zero)};
+        return {select(starts_here, zero, near), far, Mask<S>((crosses | starts_here) & ((near <= far) | starts_here)),
+                select(ends_near > side_near, select(upwards, S(1), S(2)), zero),
+                select(ends_far < side_far, select(upwards, S(2), S(1)), zero)};
     }
     template <class S>
-    STRAHL_INLINE Span<S> span(const Ray<S>& ray, S start) const {
-        return cross_faces(ray, start).span;
-    }
-    template <class S>
-    STRAHL_INLINE SurfacePoint<S> at(const Ray<S>& ray, S t, S start) const {
-        const Crossings<S> crossings = cross_faces(ray, start);
-        const S face = select(crossings.span.near > S(0), crossings.near_face, crossings.far_face);
+    STRAHL_INLINE SurfacePoint<S> at(const Ray<S>& ray, S t, S face) const {
         const Vec3<S> a = splat<S>(axis), b = splat<S>(base);
         const Vec3<S> f = fma(t, ray.direction, ray.origin - b);
         const S along = dot(f, a);
@@ -81,8 +69,7 @@ struct CylinderKernel {
         const Mask<S> side = face == S(0), at_base = face == S(1);
         const S end = select(at_base, S(0), S(height));
         const Vec3<S> on_side = fma(along, a, scale(S(radius), outwards)), on_end = fma(end, a, across);
-        return {b + select(side, on_side, on_end), select(side, outwards, scale(select(at_base, S(-1), S(1)), a)),
-                face};
+        return {b + select(side, on_side, on_end), select(side, outwards, scale(select(at_base, S(-1), S(1)), a))};
     }
 };
 

@@ -29,7 +29,7 @@ struct PlaneKernel {
     STRAHL_INLINE SurfacePoint<S> at(const Ray<S>& ray, S t, S) const {
         const Vec3<S> n = splat<S>(normal);
         const Vec3<S> p = fma(t, ray.direction, ray.origin);
-        return {fma(S(distance) - dot(n, p), n, p), n, S(0)};
+        return {fma(S(distance) - dot(n, p), n, p), n};
     }
 };
 

@@ -43,7 +43,7 @@ struct SphereKernel {
         const Vec3<S> c = splat<S>(centre);
         const Vec3<S> out = fma(t, ray.direction, ray.origin - c);
         const Vec3<S> normal = scale(S(1) / sqrt(dot(out, out)), out);
-        return {fma(S(radius), normal, c), normal, S(0)};
+        return {fma(S(radius), normal, c), normal};
     }
 };
 

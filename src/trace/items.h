@@ -29,11 +29,6 @@ struct Transmission {
     S limit;
 };
 
-/// The first crossing ahead; what is behind is not above 0.
-template <class S>
-STRAHL_INLINE S first_crossing(const Span<S>& span) {
-    return select(span.near > S(0), span.near, span.far);
-}
 /// Is a surface nearer than the best so far? Of equally near ones the first declared is.
 template <class S>
 STRAHL_INLINE Mask<S> closer(const S& t, const S& surface, const S& best_t, const S& best_surface) {
@@ -58,17 +53,22 @@ STRAHL_INLINE Mask<S> intersect_item(const Item& item, const Span<S>& span, Mask
     return better;
 }
 
-/// A point of a surface, and the number of its item's first surface.
+/// A point of a surface, the number of that and the number of its item's first surface.
 template <class S>
 struct SurfaceHit {
     SurfacePoint<S> point;
-    S body;
+    S surface, body;
 };
 
-/// Where rays meet items, the same for all or one in each lane.
-template <class S, class Item>
-STRAHL_INLINE SurfaceHit<S> surface_hit(const Item& items, const Ray<S>& ray, const S& t) {
-    return {items.shape.at(ray, t, ray.source - items.surface), items.surface};
+/// Where rays first meet items, one in each lane, at `t`. Which face that is the crossings tell, found once more.
+template <class S, class Item, class Cross>
+STRAHL_INLINE SurfaceHit<S> surface_hit(const Item& items, const Ray<S>& ray, S t, const Cross& cross) {
+    if constexpr (Item::faces == 1) {
+        return {items.shape.at(ray, t, S(0)), items.surface, items.surface};
+    } else {
+        const S face = first_face(cross(items, ray));
+        return {items.shape.at(ray, t, face), items.surface + face, items.surface};
+    }
 }
 
 /// Does the item let light through?

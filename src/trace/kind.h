@@ -24,7 +24,7 @@ template <class Form, class S>
 template <class Form, class S>
 [[gnu::noinline]] void FormFunctions<Form, S>::hit_each(const Item<Form, S>& items, const Ray<S>& ray, const S& t,
                                                         SurfaceHit<S>& hit) {
-    hit = surface_hit(items, ray, t);
+    hit = surface_hit(items, ray, t, cross_each);
 }
 
 template <class Form, class S>
@@ -103,7 +103,7 @@ void FormFunctions<Form, S>::surfaces_at(const World<T>& world, const int* items
     for (int k = 0; k < width<S>; ++k) materials[k] = static_cast<int>(group.items[items[k]].material);
     const auto own = gather_items<Item<Form, S>, S>(group.items, items);
     if constexpr (Form::hot)
-        found = surface_hit(own, ray, t);
+        found = surface_hit(own, ray, t, span_of<S, Item<Form, S>>);
     else
         hit_each(own, ray, t, found);
 }

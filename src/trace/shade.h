@@ -49,13 +49,13 @@ STRAHL_INLINE SurfaceHit<S> surface_at(const World<Element<S>>& world, const Sor
     SurfaceHit<S> hit;
     const auto inline_code = [&](const auto& group) __attribute__((always_inline)) {
         using Item = typename std::remove_cvref_t<decltype(group)>::template ItemOf<S>;
-        hit = surface_hit(splat_item<Item, S>(group.items[bin.item]), ray, t);
+        hit = surface_hit(splat_item<Item, S>(group.items[bin.item]), ray, t, span_of<S, Item>);
     };
     if (!if_hot(world, bin.form, inline_code)) {
         const Ray<S> copy = ray;
         SurfaceHit<S> called;
         calls<S>(bin.form).surface_at(world, bin.item, copy, S(t), called);
-        hit.point = called.point, hit.body = called.body;
+        hit.point = called.point, hit.surface = called.surface, hit.body = called.body;
     }
     return hit;
 }
@@ -94,7 +94,7 @@ STRAHL_INLINE Hit<S> make_hit(const Shading<S>& shading, int bin, const RayQueue
             hit.point.position,
             select(outside, hit.point.normal, -hit.point.normal),
             outside,
-            hit.body + hit.point.face,
+            hit.surface,
             hit.body,
             pick(from.pixel),
             pick(from.weight),

@@ -21,6 +21,7 @@ inline constexpr float faint_share = 2;
 /// in every element type (in float up to 2^24, see `World::capacity`).
 template <class Form, class T>
 struct Item {
+    static constexpr int faces = Form::Kind::faces;
     typename Form::template Kernel<T> shape;
     T surface;  // number of its first face; faces are numbered through the scene in the order declared
     T material;

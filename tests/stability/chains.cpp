@@ -43,7 +43,7 @@ std::vector<double> bounces(double distance, double tilt) {
         const Ray<T> ray{pair.o, pair.d, -1};
         const Span<T> span = ball.span(ray, T(-1));
         if (!span.hit || !(span.near > 0)) break;
-        const SurfacePoint<T> point = ball.at(ray, span.near, T(-1));
+        const SurfacePoint<T> point = ball.at(ray, span.near, T(0));
         pair.o = point.position, pair.d = naive::mirrored(pair.d, point.normal);
         pair.d = pair.d * (T(1.5) - T(.5) * naive::times(pair.d, pair.d));
         const Vec3<T> off = point.normal - pair.axis * naive::times(pair.axis, point.normal);

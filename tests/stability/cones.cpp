@@ -244,10 +244,10 @@ TEST_CASE("flat as a coin: what is hit is the end that faces the ray, at the rim
             const Span<float> span = coin.span(ray, -1.f);
             if (i % 2 == 0) REQUIRE(span.hit);
             if (!span.hit) continue;
-            const SurfacePoint<float> point = coin.at(ray, span.near, -1.f);
+            const SurfacePoint<float> point = coin.at(ray, span.near, span.near_face);
             if (i % 2 == 0) CHECK(dot(point.normal, ray.direction) <= 0);
             const Vec3<float> d = naive::to<float>(dice.direction());
-            const Span<float> next = coin.span(Ray<float>{point.position, d, point.face}, point.face);
+            const Span<float> next = coin.span(Ray<float>{point.position, d, span.near_face}, span.near_face);
             again += dot(d, point.normal) > 0 && next.hit && next.far > 0;
             rim += i % 2;
         }
@@ -269,13 +269,13 @@ TEST_CASE("rays that start on a cone: none meets it again from outside, all cros
             const Ray<T> ray{naive::to<T>(from), naive::to<T>(unit(aim - from)), T(-1)};
             const Span<T> span = own.span(ray, T(-1));
             if (!span.hit || !(span.near > 0)) return;
-            const SurfacePoint<T> point = own.at(ray, span.near, T(-1));
-            ++starts[static_cast<int>(point.face)];
+            const SurfacePoint<T> point = own.at(ray, span.near, span.near_face);
+            ++starts[static_cast<int>(span.near_face)];
             CHECK(std::abs(naive::length(point.normal) - 1) < 8 * std::numeric_limits<T>::epsilon());
             // Any direction, or one close to the surface.
             Vec3<T> d = naive::to<T>(dice.direction());
             if (dice(0, 1) < .5) d = unit(d - point.normal * (dot(d, point.normal) * T(1 - std::exp(dice(-30, 0)))));
-            const Span<T> next = own.span(Ray<T>{point.position, d, point.face}, point.face);
+            const Span<T> next = own.span(Ray<T>{point.position, d, span.near_face}, span.near_face);
             CHECK(next.near == 0);
             const T side = dot(point.normal, d);
             self += side > 0 && next.hit && next.far > 0;

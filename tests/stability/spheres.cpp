@@ -47,11 +47,11 @@ Wrong wrong_answers(int rays, const Method& method) {
         const Ball ball = far_ball(dice);
         using Q = Quadruple;
         const auto exact = naive::sphere<Q>(naive::to<Q>(ball.o), naive::to<Q>(ball.d), Vec3<Q>(Q(0)), ball.radius);
-        const auto [near, far, hit] =
+        const auto span =
             method(naive::to<T>(ball.o), naive::to<T>(ball.d), Vec3<T>(T(0)), static_cast<T>(ball.radius));
-        wrong.hits += hit != exact.hit;
-        if (hit && exact.hit)
-            wrong.error = std::max(wrong.error, std::abs(static_cast<double>((near - exact.near) / exact.near)));
+        wrong.hits += span.hit != exact.hit;
+        if (span.hit && exact.hit)
+            wrong.error = std::max(wrong.error, std::abs(static_cast<double>((span.near - exact.near) / exact.near)));
     }
     return wrong;
 }
