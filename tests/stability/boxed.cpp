@@ -124,9 +124,9 @@ TEST_CASE("near, far and thin boxes: hit or miss, where, and at which face") {
             const Exact large = exact(grown(box, unsure), from, d), small = exact(grown(box, -unsure), from, d);
             off += !(large.near <= span.near && span.far <= large.far);
             off += small.hit() && !(span.near <= small.near && small.far <= span.far);
-            const SurfacePoint<double> point = kernel<double>(box).at({from, d, -1}, span.near, -1.);
+            const SurfacePoint<double> point = kernel<double>(box).at({from, d, -1}, span.near, span.near_face);
             const int face = referee::crossings<__float128>(box, {from, d}, -1).list[0].face;
-            other_face += point.face != face && small.hit() && right.far - right.near > 1e3 * unsure;
+            other_face += span.near_face != face && small.hit() && right.far - right.near > 1e3 * unsure;
         }
         MESSAGE("up to 10^" << reach << " away, of " << rays << " rays " << hits << " hit: wrong " << wrong
                             << ", elsewhere " << off << ", other face " << other_face);
@@ -159,7 +159,7 @@ TEST_CASE("under any transformation: the parallelepiped is where its corners are
         CHECK(span.near == doctest::Approx(right.near * .25));
         CHECK(span.far == doctest::Approx(right.far * .25));
         if (!(span.near > 0)) continue;
-        const SurfacePoint<double> point = own.at(Ray<double>{world, d, -1}, span.near, -1.);
+        const SurfacePoint<double> point = own.at(Ray<double>{world, d, -1}, span.near, span.near_face);
         CHECK(naive::length(point.normal) == doctest::Approx(1));
         CHECK(naive::times(point.normal, d) < 0);
         CHECK(naive::length(point.position - world - d * span.near) < 1e-12);
@@ -182,21 +182,21 @@ TEST_CASE("rays that start on a box: none meets it again from outside, all cross
                 const Ray<T> ray{naive::to<T>(from), naive::to<T>(unit(aim - from)), T(-1)};
                 const Span<T> span = own.span(ray, T(-1));
                 if (!span.hit) return;
-                const SurfacePoint<T> point = own.at(ray, span.near, T(-1));
-                ++starts[static_cast<int>(point.face)];
+                const SurfacePoint<T> point = own.at(ray, span.near, span.near_face);
+                ++starts[static_cast<int>(span.near_face)];
                 CHECK(dot(point.normal, ray.direction) < T(1e-6));
                 // On its face, to the last bits of the point's own coordinates.
-                const Vec3<T> row = own.row(point.face);
-                const T off = dot(row, point.position - own.centre) - (own.high(point.face) ? T(1) : T(-1));
+                const Vec3<T> row = own.row(span.near_face);
+                const T off = dot(row, point.position - own.centre) - (own.high(span.near_face) ? T(1) : T(-1));
                 CHECK(std::abs(off) / naive::length(row) < 16 * std::numeric_limits<T>::epsilon());
                 Vec3<T> d = naive::to<T>(dice.direction());
                 if (dice(0, 1) < .5)
                     d = unit(d - point.normal * (dot(d, point.normal) * T(1 - std::exp(dice(-30, 0)))));
-                const Span<T> next = own.span(Ray<T>{point.position, d, point.face}, point.face);
+                const Span<T> next = own.span(Ray<T>{point.position, d, span.near_face}, span.near_face);
                 CHECK(next.near == 0);
                 const T side = dot(point.normal, d);
                 self += side > 0 && next.hit && next.far > 0;
-                if (point.face >= 4) lost += side < T(-1e-6) && !(next.hit && next.far > 0);
+                if (span.near_face >= 4) lost += side < T(-1e-6) && !(next.hit && next.far > 0);
             };
             check(1.f), check(1.);
         }

@@ -103,13 +103,15 @@ TEST_CASE("a ray into the apex: a hit or none, but a normal of length 1") {
             if (d.z < -.8) CHECK((span.hit && std::abs(span.far - 5) < T(1e-5)));
             if (std::abs(d.z) < .6) CHECK(!(span.hit && span.far - span.near > T(1e-5)));
             if (!span.hit) return;
-            const SurfacePoint<T> point = cone.at(ray, span.near, T(-1));
+            const SurfacePoint<T> point = cone.at(ray, span.near, span.near_face);
             CHECK(std::abs(naive::length(point.normal) - 1) < T(1e-6));
             CHECK(!std::isnan(point.position.x + point.position.y + point.position.z));
         };
         check(1.f), check(1.);
     }
-    const SurfacePoint<float> tip = kernel<float>(funnel).at({{0, 0, -5}, {0, 0, 1}, -1}, 5.f, -1.f);
+    const Ray<float> upwards{{0, 0, -5}, {0, 0, 1}, -1};
+    const Span<float> span = kernel<float>(funnel).span(upwards, -1.f);
+    const SurfacePoint<float> tip = kernel<float>(funnel).at(upwards, span.near, span.near_face);
     CHECK(tip.normal == Vec3<float>(0, 0, -1));
 }
 

@@ -35,7 +35,7 @@ Comparison compare(float size, float shift, int rays) {
         const Ray<S> ray{o, naive::to<S>(aim / naive::length(aim)), -1};
         const Span<S> span = sphere.span(ray, S(-1));
         if (!span.hit || !(span.near > 0)) continue;
-        const SurfacePoint<S> point = sphere.at(ray, span.near, S(-1));
+        const SurfacePoint<S> point = sphere.at(ray, span.near, S(0));
         const Vec3<S> mirrored = naive::mirrored(ray.direction, point.normal);
 
         const Vec3<S> naive_point = o + ray.direction * naive::stable_sphere(o, ray.direction, centre, size).near;
