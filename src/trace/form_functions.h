@@ -40,6 +40,11 @@ struct FormFunctions {
     static Span<S> span(const World<T>& world, int item, const Ray<S>& ray);
 
   private:
+    static Mask<S> outside(const World<T>& world, int item, const Ray<S>& ray, const Span<S>& span, Mask<S> inside);
+    static Mask<S> outside_each(const World<T>& world, int first, const Ray<S>& ray, const Span<S>& span,
+                                Mask<S> inside);
+    /// Is the eye in an item? Asked along the ray.
+    static Mask<S> holds_eye(const World<T>& world, int item, const Ray<S>& ray);
     // The kernel's own code stands in each of the above if the form is hot, else only in these three.
     static Span<S> cross_one(const Item<Form, T>& item, const Ray<S>& ray);
     static Span<S> cross_each(const Item<Form, S>& items, const Ray<S>& ray);

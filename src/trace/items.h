@@ -41,13 +41,27 @@ STRAHL_INLINE Span<S> span_of(const Item& item, const Ray<S>& ray) {
     return item.shape.span(ray, ray.source - S(item.surface));
 }
 
-/// Meets an item. The lanes in which it is the nearest so far; their bin is left to the caller.
-template <class S, class Item>
-STRAHL_INLINE Mask<S> intersect_item(const Item& item, const Span<S>& span, Mask<S> mask, Nearest<S>& best) {
+/// Does the item let light through?
+template <class T, class Item>
+STRAHL_INLINE bool transparent(const World<T>& world, const Item& item) {
+    return world.transparent && world.materials[static_cast<int>(item.material)].refraction > 0;
+}
+template <class T, class Item>
+STRAHL_INLINE const Vec3<T>& filter(const World<T>& world, const Item& item) {
+    return world.materials[static_cast<int>(item.material)].filter;
+}
+
+/// Meets an item. The lanes in which it is the nearest so far; their bin is left to the caller. Exits of an opaque
+/// convex body are shown to `outside(span, lanes)`, which tells those that are none.
+template <class S, class Item, class Outside>
+STRAHL_INLINE Mask<S> intersect_item(const World<Element<S>>& world, const Item& item, const Span<S>& span,
+                                     Mask<S> mask, Nearest<S>& best, const Outside& outside) {
     const Mask<S> hit = span.hit & mask;
     if (none(hit)) return hit;
     const S surface(item.surface), t = first_crossing(span);
-    const Mask<S> better = hit & (t > S(0)) & closer(t, surface, best.t, best.surface);
+    Mask<S> better = hit & (t > S(0)) & closer(t, surface, best.t, best.surface);
+    if constexpr (Item::has_exits)
+        if (!transparent(world, item)) better = better & !outside(span, Mask<S>(better & !(span.near > S(0))));
     best.t = select(better, t, best.t);
     best.surface = select(better, surface, best.surface);
     return better;
@@ -71,25 +85,15 @@ STRAHL_INLINE SurfaceHit<S> surface_hit(const Item& items, const Ray<S>& ray, S 
     }
 }
 
-/// Does the item let light through?
-template <class T, class Item>
-STRAHL_INLINE bool transparent(const World<T>& world, const Item& item) {
-    return world.transparent && world.materials[static_cast<int>(item.material)].refraction > 0;
-}
-template <class T, class Item>
-STRAHL_INLINE const Vec3<T>& filter(const World<T>& world, const Item& item) {
-    return world.materials[static_cast<int>(item.material)].filter;
-}
-
-/// Takes from the light what an item takes. Is none left in any lane?
-template <class S, class Item>
+/// Takes from the light what an item takes; `outside` as above. Is none left in any lane?
+template <class S, class Item, class Outside>
 STRAHL_INLINE bool occlude_item(const World<Element<S>>& world, const Item& item, const Span<S>& span,
-                                const S& distance, Mask<S> mask, Transmission<S>& light) {
+                                const S& distance, Mask<S> mask, Transmission<S>& light, const Outside& outside) {
     const S one(1);
     const Mask<S> hit = span.hit & mask;
     if (none(hit)) return false;
     const Mask<S> enters = hit & (span.near > S(0)) & (span.near < distance);
-    const Mask<S> leaves = hit & (span.far > S(0)) & (span.far < distance);
+    Mask<S> leaves = hit & (span.far > S(0)) & (span.far < distance);
     if (transparent(world, item)) {
         const Vec3<S> f = splat<S>(filter(world, item));
         for (int c = 0; c < 3; ++c)
@@ -97,6 +101,7 @@ STRAHL_INLINE bool occlude_item(const World<Element<S>>& world, const Item& item
                 min(light.share[c] * (select(enters, f[c], one) * select(leaves, f[c], one)), S(largest_gain));
         return false;
     }
+    if constexpr (Item::has_exits) leaves = leaves & !outside(span, Mask<S>(leaves & !enters));
     light.limit = select(enters | leaves, S(-1), light.limit);
     return all(light.limit < S(0));
 }

@@ -28,12 +28,45 @@ template <class Form, class S>
 }
 
 template <class Form, class S>
+[[gnu::noinline, gnu::cold]] Mask<S> FormFunctions<Form, S>::holds_eye(const World<T>& world, int item,
+                                                                       const Ray<S>& ray) {
+    const Ray<S> from_eye{splat<S>(world.eye), ray.direction, S(-1)};
+    const Span<S> span = cross<Form>(world.groups.template get<Form>().items[item], from_eye, cross_one);
+    return span.hit & (span.near <= S(0)) & (span.far > S(0));
+}
+/// Of rays that seem to start in an opaque convex body, those that do not: rays get into such a body only with the eye.
+/// If the ray is nearer to where it leaves than to where it entered, it starts on another surface that lies there but
+/// for rounding, outside, and goes away from the body.
+template <class Form, class S>
+STRAHL_INLINE Mask<S> FormFunctions<Form, S>::outside(const World<T>& world, int item, const Ray<S>& ray,
+                                                      const Span<S>& span, Mask<S> inside) {
+    const Mask<S> leaving = inside & (span.near + span.far < S(0));
+    if (none(leaving)) return leaving;
+    return leaving & !holds_eye(world, item, ray);
+}
+/// The same of items side by side, which may be transparent.
+template <class Form, class S>
+STRAHL_INLINE Mask<S> FormFunctions<Form, S>::outside_each(const World<T>& world, int first, const Ray<S>& ray,
+                                                           const Span<S>& span, Mask<S> inside) {
+    const Mask<S> leaving = inside & (span.near + span.far < S(0));
+    if (none(leaving)) return leaving;
+    T outside[width<S>] = {};
+    for (unsigned left = bits(leaving); left; left &= left - 1) {
+        const int k = std::countr_zero(left);
+        const auto& item = world.groups.template get<Form>().items[first + k];
+        if (!transparent(world, item) && none(holds_eye(world, first + k, ray))) outside[k] = 1;
+    }
+    return load_lanes<S>(outside) > S(0);
+}
+
+template <class Form, class S>
 void FormFunctions<Form, S>::intersect(const World<T>& world, int first, int count, const Ray<S>& ray, Mask<S> mask,
                                        Nearest<S>& best) {
     const auto& group = world.groups.template get<Form>();
     for (int i = first; i < first + count; ++i) {
         const auto& item = group.items[i];
-        intersect_item(item, cross<Form>(item, ray, cross_one), mask, best);
+        intersect_item(world, item, cross<Form>(item, ray, cross_one), mask, best,
+                       [&](const Span<S>& span, Mask<S> exits) { return outside(world, i, ray, span, exits); });
     }
 }
 
@@ -47,6 +80,8 @@ void FormFunctions<Form, S>::intersect_single(const World<T>& world, int first, 
         const S t = first_crossing(span);
         Mask<S> better = span.hit & (t > S(0)) & first_lanes<S>(first + count - i);
         better = better & closer(t, item.surface, S(single.t), S(single.surface));
+        if constexpr (Item<Form, T>::has_exits)
+            better = better & !outside_each(world, i, ray, span, better & !(span.near > S(0)));
         while (any(better)) {
             const int k = strahl::first(better);
             single.t = lane(t, k), single.surface = lane(item.surface, k);
@@ -61,7 +96,9 @@ bool FormFunctions<Form, S>::occlude(const World<T>& world, int first, int count
     const auto& group = world.groups.template get<Form>();
     for (int i = first; i < first + count; ++i) {
         const auto& item = group.items[i];
-        if (occlude_item(world, item, cross<Form>(item, ray, cross_one), distance, mask, light)) return true;
+        if (occlude_item(world, item, cross<Form>(item, ray, cross_one), distance, mask, light,
+                         [&](const Span<S>& span, Mask<S> exits) { return outside(world, i, ray, span, exits); }))
+            return true;
     }
     return false;
 }
@@ -76,7 +113,10 @@ bool FormFunctions<Form, S>::occlude_single(const World<T>& world, int first, in
         const Span<S> span = cross<Form>(item, ray, cross_each);
         const Mask<S> hit = span.hit & first_lanes<S>(first + count - i);
         const unsigned enters = bits(hit & (span.near > S(0)) & (span.near < distance));
-        const unsigned leaves = bits(hit & (span.far > S(0)) & (span.far < distance));
+        Mask<S> exits = hit & (span.far > S(0)) & (span.far < distance);
+        if constexpr (Item<Form, T>::has_exits)
+            exits = exits & !outside_each(world, i, ray, span, exits & !(span.near > S(0)));
+        const unsigned leaves = bits(exits);
         for (unsigned hits = enters | leaves; hits; hits &= hits - 1) {
             const int n = std::countr_zero(hits);
             if (!transparent(world, group.items[i + n])) return true;

@@ -5,6 +5,9 @@
 
 namespace strahl::inline STRAHL_LEVEL {
 
+template <class Group>
+using FormOf = typename std::remove_cvref_t<Group>::Form;
+
 /// The ray of one lane in all lanes.
 template <class S>
 STRAHL_INLINE Ray<S> lane_of(const Ray<S>& ray, int k) {
@@ -18,7 +21,7 @@ template <class T, class Look>
 STRAHL_INLINE void each_hot_item(const World<T>& world, BodySet set, const Look& look) {
     bool done = false;
     world.groups.each([&](const auto& group) __attribute__((always_inline)) {
-        if constexpr (std::remove_cvref_t<decltype(group)>::Form::hot) {
+        if constexpr (FormOf<decltype(group)>::hot) {
             if (done) return;
             if (!world.bin_per_item) {
                 for (int i = group.in_hierarchy; i < group.count; ++i)
@@ -91,20 +94,49 @@ template <class S>
     best.bin = select(best.surface == before, best.bin, bins_of(world, best.surface));
 }
 
+/// The hot loops only note the rays that seem to start in an opaque body. They look again, more closely.
+template <class S>
+[[gnu::noinline, gnu::cold]] void nearest_again(const World<Element<S>>& world, const Ray<S>& ray, Mask<S> suspects,
+                                                BodySet set, Nearest<S>& best) {
+    using T = Element<S>;
+    Nearest<S> found;
+    found.bin = S(static_cast<T>(world.bins));
+    each_hot_item(world, set, [&](const auto& group, int i) {
+        const S before = found.surface;
+        FormFunctions<FormOf<decltype(group)>, S>::intersect(world, i, 1, ray, suspects, found);
+        const int bin = world.bin_per_item ? group.first_bin + i : group.first_bin;
+        found.bin = select(found.surface == before, found.bin, S(static_cast<T>(bin)));
+        return false;
+    });
+    best.t = select(suspects, found.t, best.t);
+    best.surface = select(suspects, found.surface, best.surface);
+    best.bin = select(suspects, found.bin, best.bin);
+}
+
 /// The nearest surfaces; where there is a bin for each item, among the bodies of the set.
 template <class S>
 STRAHL_INLINE Nearest<S> nearest(const World<Element<S>>& world, const Ray<S>& ray, Mask<S> active, BodySet set) {
     using T = Element<S>;
     Nearest<S> best;
     best.bin = S(static_cast<T>(world.bins));
+    Mask<S> suspects = first_lanes<S>(0);
+    const auto note = [&](const Span<S>&, Mask<S> exits) __attribute__((always_inline)) {
+        suspects = suspects | exits;
+        return first_lanes<S>(0);
+    };
     each_hot_item(
         world, set, [&](const auto& group, int i) __attribute__((always_inline)) {
             const auto& item = group.items[i];
-            const Mask<S> better = intersect_item(item, span_of(item, ray), active, best);
+            const Mask<S> better = intersect_item(world, item, span_of(item, ray), active, best, note);
             const int bin = world.bin_per_item ? group.first_bin + i : group.first_bin;
             best.bin = select(better, S(static_cast<T>(bin)), best.bin);
             return false;
         });
+    if (any(suspects)) [[unlikely]] {
+        Nearest<S> copy = best;
+        nearest_again(world, Ray<S>(ray), suspects, set, copy);
+        best = copy;
+    }
     if (world.beyond_loops) {  // works on a copy, so that in small worlds all stays in registers
         Nearest<S> copy = best;
         nearest_beyond_loops(world, Ray<S>(ray), active, set, copy);
@@ -175,6 +207,21 @@ template <class S>
     if (world.nodes && !dark) occlude_in_hierarchy(world, ray, distance, light);
 }
 
+/// What rays that seem to start in an opaque body lose to the items of the hot loops, looked at more closely.
+template <class S>
+[[gnu::noinline, gnu::cold]] void occlude_again(const World<Element<S>>& world, const Ray<S>& ray, const S& distance,
+                                                Mask<S> suspects, const Start<S>& start, BodySet set,
+                                                Transmission<S>& light) {
+    const S one(1);
+    Transmission<S> left{{one, one, one}, select(suspects, distance, S(-1))};
+    each_hot_item(world, set, [&](const auto& group, int i) {
+        const Mask<S> mask =
+            world.bin_per_item ? reached(world, group.first_bin + i, ray, distance, suspects, start) : suspects;
+        return FormFunctions<FormOf<decltype(group)>, S>::occlude(world, i, 1, ray, distance, mask, left);
+    });
+    light = {select(suspects, left.share, light.share), select(suspects, left.limit, light.limit)};
+}
+
 /// The share of light, per channel, that comes from `distance` away along the ray: opaque bodies between take all of
 /// it, transparent ones Kt Of at each surface crossed. These are multiplied in one order for good: bodies outside the
 /// hierarchy by form and as declared, hot forms first, then those inside in the order of its leaves.
@@ -185,6 +232,11 @@ template <class S>
     Transmission<S> light{{one, one, one}, select(active, distance, S(-1))};
     const BodySet set = world.bin_per_item ? world.occluders[start.light * world.bins + start.bin] : 0;
     bool dark = false;
+    Mask<S> suspects = first_lanes<S>(0);
+    const auto note = [&](const Span<S>&, Mask<S> exits) __attribute__((always_inline)) {
+        suspects = suspects | exits;
+        return first_lanes<S>(0);
+    };
     each_hot_item(
         world, set, [&](const auto& group, int i) __attribute__((always_inline)) {
             Mask<S> mask = active;
@@ -193,8 +245,14 @@ template <class S>
                 if (none(mask)) return false;
             }
             const auto& item = group.items[i];
-            return dark = occlude_item(world, item, span_of(item, ray), distance, mask, light);
+            return dark = occlude_item(world, item, span_of(item, ray), distance, mask, light, note);
         });
+    if (any(suspects)) [[unlikely]] {
+        Transmission<S> copy = light;
+        occlude_again(world, Ray<S>(ray), S(distance), suspects, start, set, copy);
+        light = copy;
+        dark = all(light.limit < S(0));
+    }
     if (world.beyond_loops && !dark) {
         Transmission<S> copy = light;
         occlude_beyond_loops(world, ray, distance, active, start, set, copy);

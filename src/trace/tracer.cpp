@@ -149,6 +149,8 @@ class TracerOf : public AnyTracer {
         std::vector<T> brightest;
         for (const double most : bound.brightest) brightest.push_back(upper<T>(most));
         const Eye<T> eye = eye_of<T>(view, placed);
+        World<T> world = built->world();
+        world.eye = eye.position;
         const Limits<T> limits{.depth = view.depth,
                                .error = static_cast<T>(view.error),
                                .brightest = brightest.data(),
@@ -174,7 +176,7 @@ class TracerOf : public AnyTracer {
                                    std::min(tile_size, lattice.rows - y),
                                    lattice.step_x,
                                    lattice.step_y};
-                trace_tile(built->world(), kernel, own, limits, tile, workspace, counted);
+                trace_tile(world, kernel, own, limits, tile, workspace, counted);
                 if (!limits.stopped()) deliver(workspace, tile, sink);
             }
             counts[thread] = counted;

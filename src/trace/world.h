@@ -22,6 +22,7 @@ inline constexpr float faint_share = 2;
 template <class Form, class T>
 struct Item {
     static constexpr int faces = Form::Kind::faces;
+    static constexpr bool has_exits = Form::Kind::bounded && Form::Kind::convex;
     typename Form::template Kernel<T> shape;
     T surface;  // number of its first face; faces are numbered through the scene in the order declared
     T material;
@@ -129,6 +130,7 @@ struct World {
     // Transparent convex bodies that nothing else reaches into: a ray inside meets the same body again.
     BodySet enclosed = 0;
 
+    Vec3<T> eye{0};  // of the view that is traced
     const MaterialKernel<T>* materials = nullptr;
     const LightKernel<T>* lights = nullptr;
     int light_count = 0;

@@ -124,7 +124,6 @@ TEST_CASE("near, far and thin boxes: hit or miss, where, and at which face") {
             const Exact large = exact(grown(box, unsure), from, d), small = exact(grown(box, -unsure), from, d);
             off += !(large.near <= span.near && span.far <= large.far);
             off += small.hit() && !(span.near <= small.near && small.far <= span.far);
-            const SurfacePoint<double> point = kernel<double>(box).at({from, d, -1}, span.near, span.near_face);
             const int face = referee::crossings<__float128>(box, {from, d}, -1).list[0].face;
             other_face += span.near_face != face && small.hit() && right.far - right.near > 1e3 * unsure;
         }
