@@ -3,6 +3,7 @@ strahl_test(scene strahl_scene)
 strahl_test(overlap strahl_scene)
 strahl_test(language strahl_text)
 strahl_test(roundtrip strahl_text)
+strahl_test(dictionary strahl_text)
 
 # The tables of the manual: the test fails if they are stale, the target `manual` writes them.
 strahl_test(manual strahl_text)

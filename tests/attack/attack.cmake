@@ -5,6 +5,7 @@ add_custom_target(attack)
 # The parser: with a mutator of our own in every test run, and with libFuzzer in the preset `fuzz`.
 add_executable(attack_parser ${attack}/parser.cpp ${attack}/mutate.cpp)
 target_link_libraries(attack_parser PRIVATE strahl_text)
+add_dependencies(attack attack_parser)
 add_test(NAME attack_parser COMMAND attack_parser --seconds 5 ${attack}/language.dict ${attack}/seeds ${CMAKE_SOURCE_DIR}/scenes)
 if(CMAKE_CXX_COMPILER_ID MATCHES Clang)
   add_executable(attack_libfuzzer EXCLUDE_FROM_ALL ${attack}/parser.cpp)

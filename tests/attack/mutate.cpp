@@ -1,8 +1,8 @@
-// Drives fuzz targets without libFuzzer: mutates seed files. Each input follows from one number.
+// Drives the parser's attack without libFuzzer: mutates seeds. Each input follows from one number.
 //
-// fuzz_parser [--seconds S] [--seed N] [FILE or FOLDER of seeds ...]
-// While it runs, and after a crash, the file fuzz-seed in the working directory holds the number of the input: pass it
-// as --seed to reproduce the crash.
+// attack_parser [--seconds S] [--seed N] DICTIONARY.dict SEEDS...
+// While it runs, and after a crash, the file attack-parser-seed in the working directory holds the number of the input:
+// pass it as --seed to reproduce the crash.
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
@@ -22,151 +22,60 @@ namespace {
 namespace fs = std::filesystem;
 using Seeds = std::vector<std::string>;
 
-/// A scene with everything in the language, so that mutations reach everything; and pieces to insert anywhere.
-const Seeds whole_scenes{
-    "camera { position <5.0,-20.0,18.0> look_at <0,0,0> up <0,0,-1> fov 25.0 aspectratio 1.333333 }\n"
-    "light { position <-5,0,10> color <.5,.5,.5> }\nbackground { color <.1,.2,.3> }\n"
-    "global_settings { ambient_light <1,1,1> max_trace_level 20 assumed_gamma 1 }\n"
-    "defaultmaterial { rgb <.5,.5,.5> reflection .5 refraction 0 diffuse .5 ambient 0 specular 1 pow 50 ior 1 }\n"
-    "sphere { <0,0,1>, 1 material { rgb <1,0,0> ior 1.5 } rotate <10,20,30> translate <1,2,3> scale 2 }\n"
-    "plane { <0,0,0>, <1,0,0>, <0,1,0> }\ncylinder { <0,0,0>, <0,0,1>, .5 scale <1,2,3> /* */ } // end\n"
-    "flythrough { duration 12 loop key { time 0 position <9,0,1> look_at <0,0,0> fov 3 }\n"
-    "key { time 4 position <0,9,1> look_at <0,0,0> sky <0,0,1> } key { time 12 position <9,0,1> look_at <0,0,0> fov 3 "
-    "} }\n",
-    "camera { sky <0,1,0> angle 50 look_at <0,0,0> position <0,0,-9> } sphere { <0,0,0> 1 }"};
-const Seeds numbers{"0",
-                    "-0",
-                    "1",
-                    "-1",
-                    "2",
-                    ".5",
-                    "-3.25e1",
-                    "0.1",
-                    "1e-310",
-                    "5e-324",
-                    "1e-300",
-                    "1e-12",
-                    "1e15",
-                    "-1e15",
-                    "9e14",
-                    "1e16",
-                    "1e308",
-                    "1e999",
-                    "2.2250738585072014e-308",
-                    "45",
-                    "89.99999999999999",
-                    "90",
-                    "180",
-                    "360",
-                    "0.30000000000000004",
-                    "123456789.123456789"};
-const Seeds statements{"rotate <90,0,0>",
-                       "rotate <1,2,3>",
-                       "translate <1,0,0>",
-                       "scale 1e-200",
-                       "scale 1e200",
-                       "scale -1",
-                       "scale <1,1,1e-12>",
-                       "scale 3",
-                       "material { pow 3 }",
-                       "sphere { <1,2,3>, 4 }",
-                       "sphere { <1,2,3>, 4 scale .5 material { ior 3 refraction 1 } }",
-                       "plane { <0,0,0> <1,0,0> <0,0,1> }",
-                       "cylinder { <0,0,0> <1,0,0> 1 }",
-                       "defaultmaterial { rgb <1,0,0> }",
-                       "light { position <0,0,0> color <1,1,1> }",
-                       "background { color <1,1,1> }",
-                       "key { time 6 position <3,3,3> look_at <1,0,0> }",
-                       "loop",
-                       "fov 30",
-                       "angle 30",
-                       "up <0,0,-1>",
-                       "sky <1,1,1>",
-                       "aspectratio 2",
-                       "pow 1",
-                       "ior 1.3",
-                       "// x",
-                       "/* } */"};
-const Seeds pieces{"{",
-                   "}",
-                   "<",
-                   ">",
-                   ",",
-                   "<1,2,3>",
-                   "<0,0,0>",
-                   "/*",
-                   "*/",
-                   "//",
-                   "\n",
-                   "\t",
-                   "\r",
-                   " ",
-                   "camera",
-                   "light",
-                   "sphere",
-                   "plane",
-                   "cylinder",
-                   "defaultmaterial",
-                   "material",
-                   "background",
-                   "global_settings",
-                   "flythrough",
-                   "key",
-                   "loop",
-                   "time",
-                   "duration",
-                   "position",
-                   "look_at",
-                   "up",
-                   "sky",
-                   "fov",
-                   "angle",
-                   "aspectratio",
-                   "color",
-                   "rotate",
-                   "translate",
-                   "scale",
-                   "rgb",
-                   "pow",
-                   "ior",
-                   "max_trace_level",
-                   "assumed_gamma",
-                   "inf",
-                   "nan",
-                   "0x1",
-                   "1e",
-                   "\xC3\xA4",
-                   "\xF0\x9F\x98\x80",
-                   "\xEF\xBB\xBF",
-                   "\xFF",
-                   std::string(1, '\0'),
-                   std::string(300, '{')};
+/// What mutations are made of.
+struct Ingredients {
+    Seeds seeds, words, numbers, statements;
+};
 
-Seeds read_seeds(const std::vector<fs::path>& paths) {
-    Seeds seeds = whole_scenes;
+/// The content of a line of the dictionary: in quotes, with escapes \x00 to \xFF.
+std::string unquoted(const std::string& line) {
+    std::string word;
+    for (std::size_t i = 1; i + 1 < line.size(); ++i)
+        if (line.compare(i, 2, "\\x") == 0)
+            word += static_cast<char>(std::stoi(line.substr(i + 2, 2), nullptr, 16)), i += 3;
+        else
+            word += line[i];
+    return word;
+}
+
+/// Words are sorted by what they are good for: a number replaces a number, and a statement keeps the form of a scene.
+void read_dictionary(const fs::path& path, Ingredients& ingredients) {
+    std::ifstream file(path);
+    for (std::string line; std::getline(file, line);) {
+        if (!line.starts_with('"')) continue;
+        const std::string word = unquoted(line);
+        const bool number = word.find_first_not_of("0123456789.e-") == word.npos;
+        const bool statement = word.find(' ') != word.npos && word.size() > 1;
+        (number ? ingredients.numbers : statement ? ingredients.statements : ingredients.words).push_back(word);
+    }
+}
+
+Ingredients read_ingredients(const std::vector<fs::path>& paths) {
+    Ingredients ingredients;
     const auto read = [&](const fs::path& path) {
+        if (path.extension() == ".dict") return read_dictionary(path, ingredients);
         std::ifstream file(path, std::ios::binary);
         std::string text(std::istreambuf_iterator<char>(file), {});
-        if (text.size() < 20000) seeds.push_back(std::move(text));
+        if (text.size() < 20000) ingredients.seeds.push_back(std::move(text));
     };
     for (const fs::path& path : paths) {
         if (!fs::is_directory(path)) {
-            if (fs::exists(path)) read(path);
+            read(path);
             continue;
         }
         for (const auto& entry : fs::recursive_directory_iterator(path))
             if (entry.path().extension() == ".rt") read(entry.path());
     }
-    return seeds;
+    return ingredients;
 }
 
 class Mutator {
   public:
-    Mutator(const Seeds& seeds, std::uint64_t number) : seeds(seeds), random(number) {}
+    Mutator(const Ingredients& ingredients, std::uint64_t number) : ingredients(ingredients), random(number) {}
 
     /// Half of the inputs keep the form of a scene and mostly parse; the others usually do not.
     std::string input() {
-        text = any(seeds);
+        text = any(ingredients.seeds);
         const bool keep_form = below(2) == 0;
         for (std::size_t i = 1 + below(6); i > 0; --i)
             if (keep_form)
@@ -184,22 +93,22 @@ class Mutator {
         const std::size_t at = below(text.size() + 1);
         if (below(4) == 0) {
             const std::size_t brace = text.find('}', at);
-            if (brace != text.npos) text.insert(brace + below(2), " " + any(statements) + " ");
+            if (brace != text.npos) text.insert(brace + below(2), " " + any(ingredients.statements) + " ");
             return;
         }
         const std::size_t number = text.find_first_of("-.0123456789", at);
         if (number == text.npos) return;
         const std::size_t end = std::min(text.size(), text.find_first_not_of("0123456789.e-+", number));
-        text.replace(number, end - number, any(numbers));
+        text.replace(number, end - number, any(ingredients.numbers));
     }
     void change_letters() {
         const std::size_t at = below(text.size() + 1), length = below(std::min<std::size_t>(text.size() - at, 20) + 1);
         switch (below(7)) {
             case 0:
-                text.insert(at, " " + any(pieces) + " ");
+                text.insert(at, " " + any(ingredients.words) + " ");
                 break;
             case 1:
-                text.replace(at, length, any(pieces));
+                text.replace(at, length, any(ingredients.words));
                 break;
             case 2:
                 text.erase(at, length);
@@ -218,7 +127,7 @@ class Mutator {
         }
     }
 
-    const Seeds& seeds;
+    const Ingredients& ingredients;
     std::mt19937_64 random;
     std::string text;
 };
@@ -237,20 +146,23 @@ int main(int count, char** arguments) {
         else
             paths.emplace_back(arguments[i]);
     }
-    const Seeds seeds = read_seeds(paths);
-    std::FILE* const progress = std::fopen("fuzz-seed", "w");
-    if (!progress) return std::perror("fuzz-seed"), 1;
+    const Ingredients ingredients = read_ingredients(paths);
+    if (ingredients.seeds.empty() || ingredients.words.empty() || ingredients.numbers.empty() ||
+        ingredients.statements.empty())
+        return std::fputs("attack_parser needs a dictionary and seeds\n", stderr), 2;
+    std::FILE* const progress = std::fopen("attack-parser-seed", "w");
+    if (!progress) return std::perror("attack-parser-seed"), 1;
     const std::uint64_t first = number;
     const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
     for (; std::chrono::steady_clock::now() < end; ++number) {
-        const std::string input = Mutator(seeds, number).input();
+        const std::string input = Mutator(ingredients, number).input();
         std::rewind(progress);
         std::fprintf(progress, "%llu\n", static_cast<unsigned long long>(number));
         std::fflush(progress);
         LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(input.data()), input.size());
     }
     std::fclose(progress);
-    std::remove("fuzz-seed");
+    std::remove("attack-parser-seed");
     std::printf("%llu inputs, --seed %llu to %llu\n", static_cast<unsigned long long>(number - first),
                 static_cast<unsigned long long>(first), static_cast<unsigned long long>(number - 1));
 }
