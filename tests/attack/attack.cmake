@@ -18,3 +18,9 @@ add_executable(attack_renderer ${attack}/renderer.cpp ${attack}/wild_scene.cpp $
 target_link_libraries(attack_renderer PRIVATE strahl_text strahl_trace)
 add_dependencies(attack attack_renderer)
 add_test(NAME attack_renderer COMMAND attack_renderer --seconds 5)
+
+# The picture readers.
+add_executable(attack_pictures ${attack}/pictures.cpp ${attack}/mutated_picture.cpp)
+target_link_libraries(attack_pictures PRIVATE strahl_image)
+add_dependencies(attack attack_pictures)
+add_test(NAME attack_pictures COMMAND attack_pictures --seconds 5)

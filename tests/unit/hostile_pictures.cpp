@@ -1,5 +1,6 @@
 // Files that are made to hurt whoever reads them as pictures.
 #include <doctest/doctest.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 
 #include <array>
@@ -101,6 +102,54 @@ TEST_CASE("a forged header costs no memory, and a large picture no more than was
     write_picture(picture(20, 10), folder / "a.png", {});
     CHECK(fault_in(folder / "a.png", 600).empty());
     CHECK(says(fault_in(folder / "a.png", 599), "20x10 pixels"));
+}
+
+/// The most memory so far, in MB.
+double memory() {
+    rusage usage{};
+    ::getrusage(RUSAGE_SELF, &usage);
+    return static_cast<double>(usage.ru_maxrss) / 1024;
+}
+
+TEST_CASE("what the header says is longer than the file is refused before anything is allocated for it") {
+    const Scratch folder;
+    write_picture(picture(4, 4), folder / "a.png", {});
+    write_picture(picture(4, 4), folder / "a.exr", {});
+    const auto forged = [&](const char* name, const std::string& word, std::ptrdiff_t offset, const std::string& size) {
+        std::string bytes = bytes_of(folder / name);
+        const std::size_t at = bytes.find(word);
+        REQUIRE(at != bytes.npos);
+        bytes.replace(at + static_cast<std::size_t>(offset), size.size(), size);
+        write_file(folder / "forged", bytes);
+        return fault_in(folder / "forged");
+    };
+    const double before = memory();
+    CHECK(says(forged("a.png", "tEXt", -4, std::string("\x60\0\0\1", 4)), "more than is in the file"));
+    const std::string type("lineOrder\0lineOrder", 19);
+    CHECK(says(forged("a.exr", type, 20, std::string("\1\0\0\x60", 4)), "more than is in the file"));
+    CHECK(says(forged("a.exr", type, 20, std::string("\1\0\0\x80", 4)), "more than is in the file"));
+    // Of the right size or too short it goes on to the library.
+    CHECK(forged("a.png", "tEXt", 0, "tEXt").empty());
+    CHECK(forged("a.exr", type, 0, type).empty());
+    CHECK(memory() - before < 100);
+}
+
+TEST_CASE("rows that a file promises and does not have cost no memory") {
+    const Scratch folder;
+    Picture noise = picture(64, 64);
+    for (std::size_t i = 0; i < noise.values.size(); ++i) noise.values[i] = double(i * i % 1009) / 1009;
+    write_picture(noise, folder / "a.exr", {});
+    std::string bytes = bytes_of(folder / "a.exr");
+    for (const std::string window : {"dataWindow", "displayWindow"}) {
+        const std::size_t at = bytes.find(window + std::string("\0box2i\0\x10\0\0\0", 11));
+        REQUIRE(at != bytes.npos);
+        bytes.replace(at + window.size() + 11, 16, bytes_of_values(0, 0, 7999, 7999));
+    }
+    bytes.resize(std::max<std::size_t>(bytes.size(), 8000));
+    write_file(folder / "a.exr", bytes);
+    const double before = memory();
+    CHECK(says(fault_in(folder / "a.exr"), "as a picture"));
+    CHECK(memory() - before < 200);
 }
 
 }  // namespace
