@@ -41,8 +41,8 @@ struct Shared {
     char bytes[1 << 18];
 };
 
-/// The most memory so far, in MB. (Address space is more: OpenEXR reserves up to 2 GB for a forged header and then finds
-/// nothing to put there.)
+/// The most memory so far, in MB. (Address space is more: OpenEXR reserves up to 2 GB for a forged header and then
+/// finds nothing to put there.)
 double memory() {
     rusage usage{};
     ::getrusage(RUSAGE_SELF, &usage);

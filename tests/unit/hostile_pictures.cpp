@@ -152,5 +152,16 @@ TEST_CASE("rows that a file promises and does not have cost no memory") {
     CHECK(memory() - before < 200);
 }
 
+TEST_CASE("a picture that says it lies at the end of all numbers is refused") {
+    const Scratch folder;
+    write_picture(picture(4, 4), folder / "a.png", {});
+    std::string bytes = bytes_of(folder / "a.png");
+    const std::size_t at = bytes.find("oFFs");  // where the picture lies on a page
+    REQUIRE(at != bytes.npos);
+    bytes.replace(at + 4, 13, std::string("\0\0\0\0\x7f\xff\0\0\0\x7f\xad\xc7\x21", 13));
+    write_file(folder / "a.png", bytes);
+    CHECK(says(fault_in(folder / "a.png"), "lies too far"));
+}
+
 }  // namespace
 }  // namespace strahl

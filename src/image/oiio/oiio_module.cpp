@@ -64,6 +64,9 @@ std::string objection(const ImageSpec& spec, const strahl::Wanted& wanted) {
     if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.deep || spec.nchannels < 1 ||
         spec.nchannels > most_channels)
         return "it is no flat picture of 1 to " + std::to_string(most_channels) + " channels";
+    constexpr int farthest = 1 << 24;  // OpenImageIO counts rows from here, many at a time, and may count past INT_MAX
+    if (std::max(spec.x, spec.y) > farthest || std::min(spec.x, spec.y) < -farthest)
+        return "it lies too far from the corner of its page";
     const std::string size = std::to_string(spec.width) + "x" + std::to_string(spec.height) + " pixels";
     const auto pixels = std::uint64_t(spec.width) * std::uint64_t(spec.height);
     const auto channels = static_cast<unsigned>(spec.nchannels);
