@@ -46,13 +46,25 @@ class File {
     struct stat status {};
 };
 
-/// The pixels that the header of a .bmp promises. OpenImageIO unpacks run lengths while it opens the file, before it
-/// could be asked.
-std::uint64_t bmp_pixels(std::string_view header) {
-    std::array<std::int32_t, 2> size{};
-    if (header.size() == 26) std::memcpy(size.data(), &header[18], sizeof size);
-    return std::uint64_t(std::abs(std::int64_t(size[0]))) * std::uint64_t(std::abs(std::int64_t(size[1])));
-}
+/// The header of a .bmp, but for the oldest, which has no run lengths.
+struct BmpHeader {
+    std::int32_t length = 0, width = 0, height = 0;
+    std::uint16_t bits = 0;
+    std::uint32_t compression = 0;
+
+    explicit BmpHeader(std::string_view start) {
+        const auto get = [&](auto& value, std::size_t at) {
+            if (start.size() >= at + sizeof value) std::memcpy(&value, &start[at], sizeof value);
+        };
+        get(length, 14);
+        if (length >= 40) get(width, 18), get(height, 22), get(bits, 28), get(compression, 30);
+    }
+    std::uint64_t pixels() const {
+        return std::uint64_t(std::abs(std::int64_t(width))) * std::uint64_t(std::abs(std::int64_t(height)));
+    }
+    /// Run lengths are of 8 or 4 bits; OpenImageIO unpacks them to that and then reads as many bits as `bits` says.
+    bool consistent() const { return (compression != 1 || bits == 8) && (compression != 2 || bits == 4); }
+};
 
 /// Do the chunks of a .png lie inside the file, up to its end or to the first that is cut off?
 bool png_chunks_fit(const File& file) {
@@ -92,12 +104,14 @@ Recognised recognised(const std::string& path) {
         fail(file.error() == ENOENT ? "there is no such file" : std::generic_category().message(file.error()));
     if (S_ISDIR(file.mode())) fail("it is a folder");
     if (!S_ISREG(file.mode())) fail("it is no regular file");
-    const std::string start = file.bytes(0, 26);
+    const std::string start = file.bytes(0, 34);
     const std::string pieces = "its header speaks of more than is in the file";
     if (start.starts_with("BM")) {
         const std::uint64_t most = file.size() << 9;  // run lengths make 255 of two bytes, a palette three of each
-        const bool narrow = start.size() > 14 && start[14] == 12;  // the oldest header holds sizes in 16 bits
-        if (!narrow && bmp_pixels(start) > most) fail("it promises more pixels than fit into such a file");
+        // OpenImageIO unpacks run lengths while it opens the file, before it could be asked.
+        const BmpHeader header(start);
+        if (header.pixels() > most) fail("it promises more pixels than fit into such a file");
+        if (!header.consistent()) fail("its run lengths are not of as many bits as its pixels");
         return {"bmp", most};
     }
     const std::uint64_t most = file.size() << 15;  // deflate makes 1032 of one byte, a palette 24 values of each

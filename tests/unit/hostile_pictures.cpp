@@ -163,5 +163,20 @@ TEST_CASE("a picture that says it lies at the end of all numbers is refused") {
     CHECK(says(fault_in(folder / "a.png"), "lies too far"));
 }
 
+TEST_CASE("run lengths of other bits than the pixels are refused") {
+    const Scratch folder;
+    const auto fault = [&](std::uint16_t bits, std::int32_t compression) {
+        std::string bytes =
+            "BM" + bytes_of_values(1110, 0, 1078, 40, 8, 8, std::uint16_t(1), bits, compression, 32, 0, 0, 256, 0);
+        bytes += std::string(1024, '\x40');
+        for (int row = 0; row < 8; ++row) bytes += std::string("\x08\x01\0", 3) + (row < 7 ? '\0' : '\1');
+        write_file(folder / "a.bmp", bytes);
+        return fault_in(folder / "a.bmp");
+    };
+    CHECK(fault(8, 1).empty());
+    for (const std::uint16_t bits : {16, 24, 32, 4}) CHECK(says(fault(bits, 1), "run lengths"));
+    for (const std::uint16_t bits : {16, 24, 32, 8}) CHECK(says(fault(bits, 2), "run lengths"));
+}
+
 }  // namespace
 }  // namespace strahl
