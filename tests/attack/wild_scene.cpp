@@ -1,4 +1,4 @@
-// Random scenes over the whole range. What a value may be is asked of the parser's own bounds.
+// What a value may be is asked of the parser's own bounds.
 #include "tests/attack/wild_scene.h"
 
 #include <algorithm>
@@ -168,8 +168,8 @@ Transformation Wild::step() {
         case 0:
             return Rotate{{90. * dice.upto(3), 90. * dice.upto(3), 90. * dice.upto(3)}};
         case 1: {
-            const double x = number(anything), y = number(anything), z = number(anything);
-            return Rotate{{x, y, z}};
+            const double x = number(anything), y = number(anything);
+            return Rotate{{x, y, number(anything)}};
         }
         case 2:
             return Translate{point()};
@@ -220,15 +220,14 @@ void Wild::add_bodies() {
                 add_body();
         return;
     }
-    // Many, so that there is a hierarchy. Bodies without bounds would hide it.
+    // Many, for a hierarchy. Bodies without bounds would hide it.
     const int count = form < 19 ? 8 + dice.upto(30) : 100 + dice.upto(300), different = 1 + dice.upto(6);
-    const auto bounded = [](const Primitive& primitive) {
-        return std::visit([](const auto& shape) { return shape.bounded; }, primitive.shape);
-    };
+    const auto bounded = [](const Shape& shape) { return std::visit([](const auto& s) { return s.bounded; }, shape); };
     while (static_cast<int>(scene.primitives.size()) < count)
         if (static_cast<int>(scene.primitives.size()) < different) {
             add_body();
-            if (!bounded(scene.primitives.back()) && !dice.chance(.1)) scene.primitives.pop_back(), own.pop_back();
+            if (!bounded(scene.primitives.back().shape) && !dice.chance(.1))
+                scene.primitives.pop_back(), own.pop_back();
         } else {
             repeat_body();
         }

@@ -1,0 +1,32 @@
+// Scenes that tests/attack found faults in, as small as they could be made.
+#include <doctest/doctest.h>
+
+#include "tests/attack/picture_check.h"
+#include "text/parse.h"
+
+using namespace strahl;
+
+namespace {
+
+std::vector<std::string> faults(const std::string& text, int width, int height) {
+    WildScene wild{parse_scene(text, "text"), {}};
+    wild.view = {
+        .camera = wild.scene.camera, .width = width, .height = height, .depth = wild.scene.settings.max_trace_level};
+    return PictureCheck().faults(wild);
+}
+
+}  // namespace
+
+TEST_CASE("a box thinner than float can say") {
+    for (const std::string thickness : {"1e-30", "8e-107", "1e-300"}) {
+        CAPTURE(thickness);
+        const std::string text =
+            "camera { position <-3, -4, -4> look_at <0, 0, 0> up <0, 0, 1> fov 45 }"
+            "background { color <.7, .4, .75> }"
+            "box { <0, 0, 0>, <-.7, -" +
+            thickness +
+            ", 1> } box { <0, 0, 1>, <1, 1, 0> }"
+            "sphere { <0, 0, 0>, 1 } cylinder { <0, 0, 0>, <0, 1, 0>, 1 }";
+        CHECK(faults(text, 30, 16) == std::vector<std::string>{});
+    }
+}
