@@ -57,7 +57,7 @@ struct BmpHeader {
             if (start.size() >= at + sizeof value) std::memcpy(&value, &start[at], sizeof value);
         };
         get(length, 14);
-        if (length >= 40) get(width, 18), get(height, 22), get(bits, 28), get(compression, 30);
+        if (length != 12) get(width, 18), get(height, 22), get(bits, 28), get(compression, 30);
     }
     std::uint64_t pixels() const {
         return std::uint64_t(std::abs(std::int64_t(width))) * std::uint64_t(std::abs(std::int64_t(height)));
