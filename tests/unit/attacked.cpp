@@ -30,3 +30,16 @@ TEST_CASE("a box thinner than float can say") {
         CHECK(faults(text, 30, 16) == std::vector<std::string>{});
     }
 }
+
+TEST_CASE("a cone so flat that its height is lost") {
+    CHECK(faults("camera { position <0, 0, -3e9> look_at <0, 0, 0> up <0, 1, 0> fov 45 }"
+                 "cone { <0, 0, 0>, 1, <0, 0, 1>, 5e8 material { ambient 1 } }",
+                 19, 20) == std::vector<std::string>{});
+    CHECK(faults("camera { position <0, 0, -3e14> look_at <0, 0, 0> up <0, 1, 0> fov 45 }"
+                 "cylinder { <0, 0, 0>, <0, 1, 0>, 1 } sphere { <0, 0, 0>, 1 } box { <0, 0, 0>, <1, 1, 1> }"
+                 "cone { <0, 0, 0>, 1, <0, 0, 1>, 1e15 scale .08 material { ambient 1 } }",
+                 16, 7) == std::vector<std::string>{});
+    CHECK(faults("camera { position <0, 0, 0> look_at <0, 0, 1> up <0, 1, 0> fov 45 } background { color <.2, .5, 1> }"
+                 "cone { <-1.8, -1.8, -1.8000000000000105>, 3, <-1.8, -1.8000000000000002, -1.8000000000000105>, 1 }",
+                 28, 18) == std::vector<std::string>{});
+}
