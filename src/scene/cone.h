@@ -21,7 +21,9 @@ struct ConeKernel {
 
     static ConeKernel frustum(const DVec3& base, const DVec3& axis, double base_radius, double cap_radius,
                               double height) {
-        const double widening = cap_radius - base_radius;
+        const double widest = std::max(base_radius, cap_radius), widening = cap_radius - base_radius;
+        // The square of the cosine must be a number: a flatter cone is as flat as that can say.
+        height = std::max(height, widest * std::ldexp(1., std::numeric_limits<T>::min_exponent / 2 + 4));
         const double slant = length({height, widening, 0});  // not hypot of two, whose last bit is the processor's
         return {cast<T>(base),
                 cast<T>(axis),
@@ -29,7 +31,7 @@ struct ConeKernel {
                 static_cast<T>(height),
                 static_cast<T>(height / slant),
                 static_cast<T>(widening / slant),
-                static_cast<T>(std::max(base_radius, cap_radius))};
+                static_cast<T>(widest)};
     }
 
     Ball ball() const {

@@ -42,4 +42,10 @@ TEST_CASE("a cone so flat that its height is lost") {
     CHECK(faults("camera { position <0, 0, 0> look_at <0, 0, 1> up <0, 1, 0> fov 45 } background { color <.2, .5, 1> }"
                  "cone { <-1.8, -1.8, -1.8000000000000105>, 3, <-1.8, -1.8000000000000002, -1.8000000000000105>, 1 }",
                  28, 18) == std::vector<std::string>{});
+    for (const std::string height : {"2e-47", "4e-197", "1e-300"})
+        CHECK(faults("camera { position <0, 0, 1> look_at <0, 0, 0> up <0, 1, 0> fov 45 }"
+                     "cone { <0, 0, 0>, 1, <0, 1, 0>, 1 } sphere { <0, 0, 0>, 1 }"
+                     "cone { <-1, 0, -" +
+                         height + ">, 1, <-1, 0, 0>, 2 material { ambient 1 } }",
+                     26, 6) == std::vector<std::string>{});
 }
