@@ -2,25 +2,19 @@
 #include "image/picture.h"
 
 #include <dlfcn.h>
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
-#include <cerrno>
 #include <cstdint>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <limits>
-#include <string_view>
 #include <system_error>
 #include <thread>
 
 #include "image/memory.h"
 #include "image/oiio/module.h"
+#include "image/recognise.h"
 #include "image/transfer.h"
 #include "text/file.h"
 
@@ -107,47 +101,6 @@ std::vector<T> quantised(const Picture& picture, bool linear) {
     std::transform(picture.values.begin(), picture.values.end(), codes.begin(),
                    [=](double v) { return static_cast<T>(quantise(v, linear, std::numeric_limits<T>::max())); });
     return codes;
-}
-
-struct Recognised {
-    const char* format;      // as OpenImageIO calls it
-    std::uint64_t most = 0;  // values that a file of this many bytes can hold
-};
-
-/// The pixels that the header of a .bmp promises. OpenImageIO unpacks run lengths while it opens the file, before it
-/// could be asked.
-std::uint64_t bmp_pixels(std::string_view header) {
-    std::array<std::int32_t, 2> size{};
-    if (header.size() == 26) std::memcpy(size.data(), &header[18], sizeof size);
-    return std::uint64_t(std::abs(std::int64_t(size[0]))) * std::uint64_t(std::abs(std::int64_t(size[1])));
-}
-
-/// Only these formats, whatever the ending says: OpenImageIO has readers that forged files bring down. And no devices
-/// or pipes, which need have no end.
-Recognised recognised(const std::string& path) {
-    const auto fail = [&](const std::string& why) { throw FileError("cannot read '" + path + "': " + why); };
-    const int file = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
-    if (file < 0) fail(errno == ENOENT ? "there is no such file" : std::generic_category().message(errno));
-    struct stat status {};
-    ::fstat(file, &status);
-    std::array<char, 26> first{};
-    const bool is_file = S_ISREG(status.st_mode);
-    const ssize_t count = is_file ? ::pread(file, first.data(), first.size(), 0) : 0;
-    ::close(file);
-    if (S_ISDIR(status.st_mode)) fail("it is a folder");
-    if (!is_file) fail("it is no regular file");
-    const std::string_view start(first.data(), count > 0 ? static_cast<std::size_t>(count) : 0);
-    const auto size = static_cast<std::uint64_t>(status.st_size);
-    if (start.starts_with("BM")) {
-        const std::uint64_t most = size << 9;  // run lengths make 255 of two bytes, a palette three of each
-        const bool narrow = count > 14 && start[14] == 12;  // the oldest header holds sizes in 16 bits
-        if (!narrow && bmp_pixels(start) > most) fail("it promises more pixels than fit into such a file");
-        return {"bmp", most};
-    }
-    const std::uint64_t most = size << 15;  // deflate makes 1032 of one byte, a palette 24 values of each
-    if (start.starts_with("\x89PNG\r\n\x1a\n")) return {"png", most};
-    if (start.starts_with("\x76\x2f\x31\x01")) return {"openexr", most};
-    throw FileError("cannot read '" + path + "' as a picture: it is no .bmp, .png or .exr file");
 }
 
 }  // namespace

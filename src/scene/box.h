@@ -134,8 +134,12 @@ struct Cuboid {
         const Box box = bounds();
         const DVec3 size = box.size();
         const glm::dmat3 inverse = glm::inverse(glm::dmat3(to_world.matrix));
+        // Of rows the squares, times coordinates, must be numbers: a thinner box is as thin as these can say.
+        const double most = std::ldexp(1., std::numeric_limits<T>::max_exponent / 2 - 4);
         const auto row = [&](int i) {
-            return cast<T>(DVec3(inverse[0][i], inverse[1][i], inverse[2][i]) * (2 / (size[i] * to_world.scale)));
+            const DVec3 r(inverse[0][i], inverse[1][i], inverse[2][i]);
+            const double largest = std::max({std::fabs(r.x), std::fabs(r.y), std::fabs(r.z)});
+            return cast<T>(r * std::min(2 / (size[i] * to_world.scale), most / largest));
         };
         emit(BoxKernel<T>{cast<T>(to_world.point(box.centre())), row(0), row(1), row(2)});
     }

@@ -17,17 +17,21 @@ struct ConeKernel {
     static constexpr int faces = 3;
     Vec3<T> base, axis;              // axis is of length 1
     T radius, height, cosine, sine;  // radius of the base; of the angle between axis and side, > 0 if that widens
+    T widest;                        // the larger radius
 
     static ConeKernel frustum(const DVec3& base, const DVec3& axis, double base_radius, double cap_radius,
                               double height) {
-        const double widening = cap_radius - base_radius;
+        const double widest = std::max(base_radius, cap_radius), widening = cap_radius - base_radius;
+        // The square of the cosine must be a number: a flatter cone is as flat as that can say.
+        height = std::max(height, widest * std::ldexp(1., std::numeric_limits<T>::min_exponent / 2 + 4));
         const double slant = length({height, widening, 0});  // not hypot of two, whose last bit is the processor's
         return {cast<T>(base),
                 cast<T>(axis),
                 static_cast<T>(base_radius),
                 static_cast<T>(height),
                 static_cast<T>(height / slant),
-                static_cast<T>(widening / slant)};
+                static_cast<T>(widening / slant),
+                static_cast<T>(widest)};
     }
 
     Ball ball() const {
@@ -57,10 +61,24 @@ struct ConeKernel {
         const Mask<S> upwards = (along_d > zero) | ((!(along_d < zero)) & (to_base < to_cap));
         const S ends_near = select(upwards, to_base, to_cap), ends_far = select(upwards, to_cap, to_base);
         const S near = max(side.near, ends_near), far = min(side.far, ends_far);
+        const Mask<S> hit = side.hit & (near <= far) & within_widest(f, d, select(near > zero, near, far));
         // A convex body is never entered again from its own surface.
-        return {select(starts_here, zero, near), far, Mask<S>((side.hit & (near <= far)) | starts_here),
+        return {select(starts_here, zero, near), far, Mask<S>(hit | starts_here),
                 select(ends_near > side.near, select(upwards, one, two), zero),
                 select(ends_far < side.far, select(upwards, two, one), zero)};
+    }
+    /// Is the point at `t` no further from the axis than anything of the body is? If the height is lost in the rounding
+    /// of coordinates, the formulas of side and ends say nothing of that: points of the whole plane then seem to be
+    /// hit, where bounding volumes do or do not rule them out.
+    template <class S>
+    STRAHL_INLINE Mask<S> within_widest(const Vec3<S>& f, const Vec3<S>& d, S t) const {
+        using E = Element<S>;
+        constexpr E half_digits = std::numeric_limits<E>::digits == 24 ? E(0x1p-12) : E(0x1p-26);
+        const Vec3<S> a = splat<S>(axis), p = fma(t, d, f);
+        const S along = dot(p, a);
+        const Vec3<S> out = fma(-along, a, p);
+        const S most = fma(S(half_digits), abs(t) + abs(along), S(widest));
+        return !(dot(out, out) > most * most);
     }
     /// The endless double cone A t^2 + 2 B t + C = 0, inside where negative, of the distance c |u| across and the
     /// radius r, both times the cosine; `growth` is that of r. Steeper than the side a ray crosses both halves, once

@@ -1,4 +1,5 @@
-// The parameters of each block. The parser reads by these lists, and the manual's tables are made from them.
+// The words of the language: of the top level, and the parameters of each block. The parser reads by these lists, and
+// the manual's tables are made from them.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -8,6 +9,17 @@
 #include "text/parameter.h"
 
 namespace strahl {
+
+/// What may follow the arguments of a body.
+inline constexpr std::array<std::string_view, 4> shape_words{"material", "rotate", "translate", "scale"};
+
+/// The words that open a block of the top level.
+template <class... Kinds>
+constexpr auto top_words(std::type_identity<std::variant<Kinds...>>) {
+    return std::array<std::string_view, 6 + sizeof...(Kinds)>{
+        "camera", "light", Kinds::name..., "defaultmaterial", "background", "global_settings", "flythrough"};
+}
+inline constexpr auto block_words = top_words(std::type_identity<Shape>{});
 
 template <std::size_t n, std::size_t m>
 std::array<Parameter, n + m> joined(const std::array<Parameter, n>& first, const std::array<Parameter, m>& second) {

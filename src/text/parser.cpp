@@ -14,16 +14,6 @@
 namespace strahl {
 namespace {
 
-constexpr std::array<std::string_view, 4> shape_words{"material", "rotate", "translate", "scale"};
-
-/// The words that open a block of the top level.
-template <class... Kinds>
-constexpr auto top_words(std::type_identity<std::variant<Kinds...>>) {
-    return std::array<std::string_view, 6 + sizeof...(Kinds)>{
-        "camera", "light", Kinds::name..., "defaultmaterial", "background", "global_settings", "flythrough"};
-}
-constexpr auto block_words = top_words(std::type_identity<Shape>{});
-
 class Parser {
   public:
     Parser(std::string_view text, Diagnostics& diagnostics, const TextLimits& limits)

@@ -1,39 +1,14 @@
-// Random scenes. They use only the generator's raw bits, because the standard's distributions differ between libraries.
+// Random scenes.
 #include "tests/referee/random_scene.h"
 
 #include <cmath>
-#include <random>
 #include <tuple>
 #include <type_traits>
 
+#include "tests/referee/dice.h"
+
 namespace strahl {
 namespace {
-
-class Dice {
-  public:
-    explicit Dice(std::uint64_t seed) : bits(seed) {}
-    double in(double low, double high) { return low + (high - low) * (bits() >> 11) * 0x1p-53; }
-    int upto(int last) { return static_cast<int>(bits() % (last + 1)); }
-    bool chance(double p) { return in(0, 1) < p; }
-    DVec3 vector(double low, double high) {
-        const double x = in(low, high), y = in(low, high), z = in(low, high);
-        return {x, y, z};
-    }
-    DVec3 direction() {
-        while (true) {
-            const DVec3 v = vector(-1, 1);
-            const double square = v.x * v.x + v.y * v.y + v.z * v.z;
-            if (square > .01 && square < 1) return v / std::sqrt(square);
-        }
-    }
-    DVec3 arrow(double shortest, double longest) {
-        const double length = in(shortest, longest);
-        return length * direction();
-    }
-
-  private:
-    std::mt19937_64 bits;
-};
 
 Material matt(Dice& dice) {
     return {.rgb = dice.vector(0, 1),

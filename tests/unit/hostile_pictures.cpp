@@ -1,5 +1,6 @@
 // Files that are made to hurt whoever reads them as pictures.
 #include <doctest/doctest.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 
 #include <array>
@@ -101,6 +102,80 @@ TEST_CASE("a forged header costs no memory, and a large picture no more than was
     write_picture(picture(20, 10), folder / "a.png", {});
     CHECK(fault_in(folder / "a.png", 600).empty());
     CHECK(says(fault_in(folder / "a.png", 599), "20x10 pixels"));
+}
+
+/// The most memory so far, in MB.
+double memory() {
+    rusage usage{};
+    ::getrusage(RUSAGE_SELF, &usage);
+    return static_cast<double>(usage.ru_maxrss) / 1024;
+}
+
+TEST_CASE("what the header says is longer than the file is refused before anything is allocated for it") {
+    const Scratch folder;
+    write_picture(picture(4, 4), folder / "a.png", {});
+    write_picture(picture(4, 4), folder / "a.exr", {});
+    const auto forged = [&](const char* name, const std::string& word, std::ptrdiff_t offset, const std::string& size) {
+        std::string bytes = bytes_of(folder / name);
+        const std::size_t at = bytes.find(word);
+        REQUIRE(at != bytes.npos);
+        bytes.replace(at + static_cast<std::size_t>(offset), size.size(), size);
+        write_file(folder / "forged", bytes);
+        return fault_in(folder / "forged");
+    };
+    const double before = memory();
+    CHECK(says(forged("a.png", "tEXt", -4, std::string("\x60\0\0\1", 4)), "more than is in the file"));
+    const std::string type("lineOrder\0lineOrder", 19);
+    CHECK(says(forged("a.exr", type, 20, std::string("\1\0\0\x60", 4)), "more than is in the file"));
+    CHECK(says(forged("a.exr", type, 20, std::string("\1\0\0\x80", 4)), "more than is in the file"));
+    // Of the right size or too short it goes on to the library.
+    CHECK(forged("a.png", "tEXt", 0, "tEXt").empty());
+    CHECK(forged("a.exr", type, 0, type).empty());
+    CHECK(memory() - before < 100);
+}
+
+TEST_CASE("rows that a file promises and does not have cost no memory") {
+    const Scratch folder;
+    Picture noise = picture(64, 64);
+    for (std::size_t i = 0; i < noise.values.size(); ++i) noise.values[i] = double(i * i % 1009) / 1009;
+    write_picture(noise, folder / "a.exr", {});
+    std::string bytes = bytes_of(folder / "a.exr");
+    for (const std::string window : {"dataWindow", "displayWindow"}) {
+        const std::size_t at = bytes.find(window + std::string("\0box2i\0\x10\0\0\0", 11));
+        REQUIRE(at != bytes.npos);
+        bytes.replace(at + window.size() + 11, 16, bytes_of_values(0, 0, 7999, 7999));
+    }
+    bytes.resize(std::max<std::size_t>(bytes.size(), 8000));
+    write_file(folder / "a.exr", bytes);
+    const double before = memory();
+    CHECK(says(fault_in(folder / "a.exr"), "as a picture"));
+    CHECK(memory() - before < 200);
+}
+
+TEST_CASE("a picture that says it lies at the end of all numbers is refused") {
+    const Scratch folder;
+    write_picture(picture(4, 4), folder / "a.png", {});
+    std::string bytes = bytes_of(folder / "a.png");
+    const std::size_t at = bytes.find("oFFs");  // where the picture lies on a page
+    REQUIRE(at != bytes.npos);
+    bytes.replace(at + 4, 13, std::string("\0\0\0\0\x7f\xff\0\0\0\x7f\xad\xc7\x21", 13));
+    write_file(folder / "a.png", bytes);
+    CHECK(says(fault_in(folder / "a.png"), "lies too far"));
+}
+
+TEST_CASE("run lengths of other bits than the pixels are refused") {
+    const Scratch folder;
+    const auto fault = [&](std::uint16_t bits, std::int32_t compression) {
+        std::string bytes =
+            "BM" + bytes_of_values(1110, 0, 1078, 40, 8, 8, std::uint16_t(1), bits, compression, 32, 0, 0, 256, 0);
+        bytes += std::string(1024, '\x40');
+        for (int row = 0; row < 8; ++row) bytes += std::string("\x08\x01\0", 3) + (row < 7 ? '\0' : '\1');
+        write_file(folder / "a.bmp", bytes);
+        return fault_in(folder / "a.bmp");
+    };
+    CHECK(fault(8, 1).empty());
+    for (const std::uint16_t bits : {16, 24, 32, 4}) CHECK(says(fault(bits, 1), "run lengths"));
+    for (const std::uint16_t bits : {16, 24, 32, 8}) CHECK(says(fault(bits, 2), "run lengths"));
 }
 
 }  // namespace

@@ -35,12 +35,26 @@ bool encode(const strahl::Codes& codes, const char* ending, std::string& result)
     return true;
 }
 
-/// Reads the values in the file's own type, so that no rounding but the division by `max` comes between.
+/// Reads the values in the file's own type, so that no rounding but the division by `max` comes between. A few rows at
+/// a time: memory is written to only for what the file really holds, whatever its header promises.
 template <class T>
-bool read_values(ImageInput& input, TypeDesc type, double max, strahl::Picture& picture) {
-    std::vector<T> codes(picture.values.size());
-    if (!input.read_image(0, 0, 0, picture.channels, type, codes.data())) return false;
-    for (std::size_t i = 0; i < codes.size(); ++i) picture.values[i] = static_cast<double>(codes[i]) / max;
+bool read_values(ImageInput& input, const ImageSpec& spec, double max, strahl::Picture& picture) {
+    const TypeDesc type = BaseTypeFromC<T>::value;
+    const bool tiled = spec.tile_width > 0;
+    const std::size_t row = std::size_t(picture.width) * static_cast<unsigned>(picture.channels);
+    const int step = tiled ? spec.tile_height : static_cast<int>(std::max<std::size_t>(1, (1 << 20) / row));
+    picture.values.reserve(row * static_cast<unsigned>(picture.height));
+    std::vector<T> codes;
+    for (int y = 0; y < picture.height;) {
+        const int rows = std::min(step, picture.height - y), first = spec.y + y, x = spec.x;
+        codes.resize(row * static_cast<unsigned>(rows));
+        if (!(tiled ? input.read_tiles(0, 0, x, x + picture.width, first, first + rows, spec.z, spec.z + 1, 0,
+                                       picture.channels, type, codes.data())
+                    : input.read_scanlines(0, 0, first, first + rows, spec.z, 0, picture.channels, type, codes.data())))
+            return false;
+        for (const T code : codes) picture.values.push_back(static_cast<double>(code) / max);
+        y += rows;
+    }
     return true;
 }
 
@@ -50,6 +64,9 @@ std::string objection(const ImageSpec& spec, const strahl::Wanted& wanted) {
     if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.deep || spec.nchannels < 1 ||
         spec.nchannels > most_channels)
         return "it is no flat picture of 1 to " + std::to_string(most_channels) + " channels";
+    constexpr int farthest = 1 << 24;  // OpenImageIO counts rows from here, many at a time, and may count past INT_MAX
+    if (std::max(spec.x, spec.y) > farthest || std::min(spec.x, spec.y) < -farthest)
+        return "it lies too far from the corner of its page";
     const std::string size = std::to_string(spec.width) + "x" + std::to_string(spec.height) + " pixels";
     const auto pixels = std::uint64_t(spec.width) * std::uint64_t(spec.height);
     const auto channels = static_cast<unsigned>(spec.nchannels);
@@ -71,18 +88,17 @@ bool decode(const strahl::Wanted& wanted, strahl::Picture& picture, std::string&
     if (!input->open(wanted.path, spec, as_it_is)) return reason = input->geterror(), false;
     if (reason = objection(spec, wanted); !reason.empty()) return false;
     picture = {spec.width, spec.height, spec.nchannels, {}, 32};
-    picture.values.resize(spec.image_pixels() * static_cast<unsigned>(spec.nchannels));
     bool whole = false;
     if (spec.format == TypeDesc::UINT8) {
         picture.bits = 8;
-        whole = read_values<std::uint8_t>(*input, TypeDesc::UINT8, 255, picture);
+        whole = read_values<std::uint8_t>(*input, spec, 255, picture);
     } else if (spec.format == TypeDesc::UINT16) {
         picture.bits = 16;
-        whole = read_values<std::uint16_t>(*input, TypeDesc::UINT16, 65535, picture);
+        whole = read_values<std::uint16_t>(*input, spec, 65535, picture);
     } else if (spec.format == TypeDesc::DOUBLE) {
-        whole = read_values<double>(*input, TypeDesc::DOUBLE, 1, picture);
+        whole = read_values<double>(*input, spec, 1, picture);
     } else {
-        whole = read_values<float>(*input, TypeDesc::FLOAT, 1, picture);
+        whole = read_values<float>(*input, spec, 1, picture);
     }
     if (!whole) reason = input->geterror();
     return whole;

@@ -1,0 +1,29 @@
+# The campaign of tests/attack/README.md: what `tests/attack/run` builds, and short versions of its parts as tests.
+set(attack ${CMAKE_SOURCE_DIR}/tests/attack)
+add_custom_target(attack)
+
+# The parser: with a mutator of our own in every test run, and with libFuzzer in the preset `fuzz`.
+add_executable(attack_parser ${attack}/parser.cpp ${attack}/mutate.cpp)
+target_link_libraries(attack_parser PRIVATE strahl_text)
+add_dependencies(attack attack_parser)
+add_test(NAME attack_parser COMMAND attack_parser --seconds 5 ${attack}/language.dict ${attack}/seeds ${CMAKE_SOURCE_DIR}/scenes)
+if(CMAKE_CXX_COMPILER_ID MATCHES Clang)
+  add_executable(attack_libfuzzer EXCLUDE_FROM_ALL ${attack}/parser.cpp)
+  target_link_libraries(attack_libfuzzer PRIVATE strahl_text)
+  target_link_options(attack_libfuzzer PRIVATE -fsanitize=fuzzer)
+endif()
+
+# The renderer. In the sanitize preset only the scalar level is instrumented.
+add_library(strahl_picture_check STATIC ${attack}/picture_check.cpp)
+target_link_libraries(strahl_picture_check PUBLIC strahl_text strahl_trace)
+add_executable(attack_renderer ${attack}/renderer.cpp ${attack}/wild_scene.cpp ${attack}/shrink.cpp)
+target_link_libraries(attack_renderer PRIVATE strahl_picture_check)
+strahl_test(attacked strahl_picture_check)
+add_dependencies(attack attack_renderer)
+add_test(NAME attack_renderer COMMAND attack_renderer --seconds 5)
+
+# The picture readers.
+add_executable(attack_pictures ${attack}/pictures.cpp ${attack}/mutated_picture.cpp)
+target_link_libraries(attack_pictures PRIVATE strahl_image)
+add_dependencies(attack attack_pictures)
+add_test(NAME attack_pictures COMMAND attack_pictures --seconds 5)

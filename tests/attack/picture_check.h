@@ -1,0 +1,37 @@
+// What a picture must not depend on, held against one scene: the same bit for bit at every SIMD level, with any number
+// of threads, whole and in part; and finite.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "tests/attack/wild_scene.h"
+#include "tests/unit/levels.h"
+#include "trace/thread_pool.h"
+
+namespace strahl {
+
+class PictureCheck {
+  public:
+    /// What is wrong with this scene's pictures, a line each, which starts with the setting.
+    std::vector<std::string> faults(const WildScene& scene);
+
+    std::vector<Precision> precisions{Precision::float32, Precision::float64};
+
+  private:
+    using Values = std::vector<double>;
+    Values trace(Tracer& tracer, const Lattice& lattice, ThreadPool& pool);
+    void check(Precision precision);
+    void look_for_strange_values(const Values& values, Precision precision, const std::string& setting);
+    void compare(const Values& values, const Lattice& lattice, const Values& expected, const std::string& setting);
+
+    ThreadPool one{1}, three{3};
+#if defined(__SANITIZE_ADDRESS__)
+    std::vector<Simd> levels{Simd::scalar};  // the others are not instrumented
+#else
+    std::vector<Simd> levels = fused_levels();
+#endif
+    WildScene wild;
+    std::vector<std::string> found;
+};
+
+}  // namespace strahl

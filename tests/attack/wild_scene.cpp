@@ -1,0 +1,301 @@
+// What a value may be is asked of the parser's own bounds.
+#include "tests/attack/wild_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+#include "num/vec_math.h"
+#include "scene/overlap.h"
+#include "tests/referee/dice.h"
+#include "text/blocks.h"
+#include "text/bodies.h"
+#include "text/materials.h"
+
+namespace strahl {
+namespace {
+
+class Wild {
+  public:
+    explicit Wild(std::uint64_t seed) : dice(seed) {
+        constexpr double shares[]{0, .03, .2, .7};
+        wildness = shares[dice.upto(3)];
+    }
+    WildScene make();
+
+  private:
+    double tame();
+    double extreme(const Bounds& bounds);
+    double number(const Bounds& bounds);
+    double usual_or(const Bounds& bounds, double low, double high);
+    DVec3 point();
+    Color color();
+    Material material();
+    template <class... Kinds>
+    Shape shape(std::type_identity<std::variant<Kinds...>>);
+    template <class Kind>
+    Kind body();
+    Transformation step();
+    void keep(const Material& material, Primitive primitive);
+    void add_body();
+    void repeat_body();
+    void add_bodies();
+    Camera camera();
+    bool look_at_body(Camera& camera);
+    int depth();
+
+    Dice dice;
+    double wildness;              // share of the values that are extreme
+    std::vector<double> numbers;  // that were chosen, to be chosen again: so bodies touch and coincide
+    std::vector<DVec3> points;
+    Scene scene;
+    std::vector<Material> own;  // each primitive's
+};
+
+double Wild::tame() {
+    switch (dice.upto(3)) {
+        case 0:
+            return dice.upto(4) - 2;
+        case 1:
+            return (dice.upto(12) - 6) / 4.;
+        default:
+            return dice.in(-3, 3);
+    }
+}
+
+double Wild::extreme(const Bounds& bounds) {
+    const double sign = dice.chance(.5) ? -1 : 1;
+    const auto power = [&](double from, double to) { return sign * std::pow(10, dice.in(from, to)); };
+    const double most = std::log10(bounds.high), least = bounds.low > 0 ? std::log10(bounds.low) : -307;
+    switch (dice.upto(7)) {
+        case 0:
+            return bounds.low;
+        case 1:
+            return bounds.high;
+        case 2:
+            return power(least, most);
+        case 3:
+            return power(std::max(-15., least), most);
+        case 4:
+            return power(-4, 4);
+        case 5:
+            return dice.chance(.2) ? 5e-324 : 0;
+        default: {
+            if (numbers.empty()) return 1;
+            const double earlier = numbers[dice.upto(static_cast<int>(numbers.size()) - 1)];
+            return dice.chance(.5) ? earlier * (1 + power(-17, -1)) : std::nextafter(earlier, sign * bounds.high);
+        }
+    }
+}
+
+double Wild::number(const Bounds& bounds) {
+    for (int i = 0; i < 30; ++i) {
+        const bool again = !numbers.empty() && dice.chance(.2);
+        double value = again ? numbers[dice.upto(static_cast<int>(numbers.size()) - 1)]
+                             : (dice.chance(wildness) ? extreme(bounds) : tame());
+        if (bounds.low >= 0) value = std::fabs(value);
+        if (!bounds.contains(value)) continue;
+        numbers.push_back(value);
+        return value;
+    }
+    return bounds.high;
+}
+
+/// Mostly of this interval.
+double Wild::usual_or(const Bounds& bounds, double low, double high) {
+    return dice.chance(wildness) ? number(bounds) : dice.in(low, high);
+}
+
+DVec3 Wild::point() {
+    DVec3 p{0};
+    if (!points.empty() && dice.chance(.25)) {
+        p = points[dice.upto(static_cast<int>(points.size()) - 1)];
+        if (dice.chance(.7)) p[dice.upto(2)] = number(coordinates);
+    } else {
+        for (int i = 0; i < 3; ++i) p[i] = number(coordinates);
+    }
+    points.push_back(p);
+    return p;
+}
+
+Color Wild::color() {
+    const auto part = [&] { return usual_or(not_negative, 0, 1); };
+    const double red = part(), green = part(), blue = part();
+    return {red, green, blue};
+}
+
+Material Wild::material() {
+    Material m;
+    const auto fill = [&](auto& value, const Bounds& bounds) {
+        if constexpr (std::is_same_v<decltype(value), DVec3&>) {
+            value = color();
+        } else if (!dice.chance(.3)) {  // the default is a value too
+            value = dice.chance(.3) ? dice.upto(1) : usual_or(bounds, 0, 1);
+            if (!bounds.contains(value)) value = 1;
+        }
+    };
+    std::apply([&](const auto&... field) { (fill(m.*field.member, bounds_of(field.range)), ...); }, Material::fields);
+    if (dice.chance(.5)) m.refraction = 0;
+    m.pow = usual_or(not_negative, 0, 80);
+    m.ior = dice.chance(.3) ? 1 : usual_or(positive, .5, 2.5);
+    return m;
+}
+
+template <class Kind>
+Kind Wild::body() {
+    Kind body;
+    const auto fill = [&](auto& value, Range range) {
+        if constexpr (std::is_same_v<decltype(value), DVec3&>)
+            value = point();
+        else
+            value = number(argument_bounds(range));
+    };
+    do std::apply([&](const auto&... field) { (fill(body.*field.member, field.range), ...); }, Kind::fields);
+    while (body.fault());
+    return body;
+}
+template <class... Kinds>
+Shape Wild::shape(std::type_identity<std::variant<Kinds...>>) {
+    const int wanted = dice.upto(sizeof...(Kinds) - 1);
+    int number = 0;
+    Shape shape;
+    ((number++ == wanted ? void(shape = body<Kinds>()) : void()), ...);
+    return shape;
+}
+
+Transformation Wild::step() {
+    switch (dice.upto(3)) {
+        case 0:
+            return Rotate{{90. * dice.upto(3), 90. * dice.upto(3), 90. * dice.upto(3)}};
+        case 1: {
+            const double x = number(anything), y = number(anything);
+            return Rotate{{x, y, number(anything)}};
+        }
+        case 2:
+            return Translate{point()};
+        default: {
+            DVec3 by{0};
+            for (int i = 0; i < 3; ++i) do
+                    by[i] = number(anything);
+                while (by[i] == 0);
+            return Scale{dice.chance(.5) ? DVec3(by.x) : by};
+        }
+    }
+}
+
+/// Keeps as many of its transformations as are allowed.
+void Wild::keep(const Material& material, Primitive primitive) {
+    const auto allowed = [&](const auto& shape) { return transformed_fault(shape, primitive.transformations).empty(); };
+    while (!primitive.transformations.empty() && !std::visit(allowed, primitive.shape))
+        primitive.transformations.pop_back();
+    scene.primitives.push_back(std::move(primitive));
+    own.push_back(material);
+}
+
+void Wild::add_body() {
+    Primitive primitive{shape(std::type_identity<Shape>{}), 0, {}};
+    if (dice.chance(.4))
+        for (int i = dice.upto(2); i >= 0; --i) primitive.transformations.push_back(step());
+    keep(material(), std::move(primitive));
+}
+
+/// The same body once more: in the same place, a little aside, or somewhere else.
+void Wild::repeat_body() {
+    const int number = dice.upto(static_cast<int>(scene.primitives.size()) - 1);
+    Primitive copy = scene.primitives[number];
+    if (dice.chance(.85)) {
+        const double distance = dice.chance(wildness) ? this->number(lengths) : dice.in(0, 8);
+        copy.transformations.push_back(Translate{dice.vector(-1, 1) * std::min(distance, 1e12)});
+    }
+    keep(dice.chance(.3) ? material() : Material(own[number]), std::move(copy));
+}
+
+void Wild::add_bodies() {
+    const int form = dice.upto(19);
+    if (form < 15) {  // few
+        for (int i = dice.upto(5); i >= 0; --i)
+            if (!scene.primitives.empty() && dice.chance(.2))
+                repeat_body();
+            else
+                add_body();
+        return;
+    }
+    // Many, for a hierarchy. Bodies without bounds would hide it.
+    const int count = form < 19 ? 8 + dice.upto(30) : 100 + dice.upto(300), different = 1 + dice.upto(6);
+    const auto bounded = [](const Shape& shape) { return std::visit([](const auto& s) { return s.bounded; }, shape); };
+    while (static_cast<int>(scene.primitives.size()) < count)
+        if (static_cast<int>(scene.primitives.size()) < different) {
+            add_body();
+            if (!bounded(scene.primitives.back().shape) && !dice.chance(.1))
+                scene.primitives.pop_back(), own.pop_back();
+        } else {
+            repeat_body();
+        }
+}
+
+/// From a few times its size away, or from inside.
+bool Wild::look_at_body(Camera& camera) {
+    const auto number = dice.upto(static_cast<int>(scene.primitives.size()) - 1);
+    const Box box = world_bounds(scene.primitives[number]);
+    if (!box.finite()) return false;
+    const double size = length(box.size());
+    camera.look_at = box.centre();
+    const double distance = dice.chance(.2) ? dice.in(0, .5) : dice.in(.5, 4);
+    camera.position = camera.look_at + size * distance * dice.direction();
+    return true;
+}
+
+Camera Wild::camera() {
+    Camera camera;
+    const auto seen = [](const DVec3& p) {
+        return coordinates.contains(p.x) && coordinates.contains(p.y) && coordinates.contains(p.z);
+    };
+    do {
+        camera.position = dice.chance(.5) ? dice.arrow(4, 9) : point();
+        camera.look_at = dice.chance(.5) ? dice.vector(-1, 1) : point();
+        if (dice.chance(.6)) look_at_body(camera);
+        camera.up = dice.chance(.5) ? dice.direction() : point();
+        camera.fov = usual_or(half_angles, 5, 60);
+        camera.aspectratio.reset();
+        if (dice.chance(.1)) camera.aspectratio = number(positive);
+    } while (degenerate(camera) || !seen(camera.position) || !seen(camera.look_at) ||
+             !half_angles.contains(camera.fov));
+    return camera;
+}
+
+/// Where no surface both reflects and transmits, rays do not multiply, and many generations cost little.
+int Wild::depth() {
+    const bool branches =
+        std::any_of(own.begin(), own.end(), [](const Material& m) { return m.reflection > 0 && m.refraction > 0; });
+    if (!branches && dice.chance(.05)) return 256;
+    return 1 + dice.upto(branches ? 5 : 19);
+}
+
+WildScene Wild::make() {
+    add_bodies();
+    for (int i = dice.upto(3); i > 0; --i) {
+        const DVec3 position = dice.chance(.6) ? dice.arrow(2, 9) : point();
+        scene.lights.push_back({position, color()});
+    }
+    scene.camera = camera();
+    scene.background = color();
+    scene.settings.ambient_light = color();
+    scene.settings.max_trace_level = depth();
+    scene.settings.linear = dice.chance(.3);
+    Materials materials;
+    for (std::size_t i = 0; i < own.size(); ++i) scene.primitives[i].material = materials.number(own[i]);
+    scene.materials = std::move(materials.list);
+    View view{.camera = scene.camera,
+              .width = 3 + dice.upto(29),
+              .height = 3 + dice.upto(21),
+              .depth = scene.settings.max_trace_level};
+    if (dice.chance(.1)) view.shift_x = dice.in(-.5, .5), view.shift_y = dice.in(-.5, .5);
+    if (dice.chance(.3)) view.error = std::pow(10, dice.in(-6, 0));
+    return {std::move(scene), view};
+}
+
+}  // namespace
+
+WildScene wild_scene(std::uint64_t seed) { return Wild(seed).make(); }
+
+}  // namespace strahl

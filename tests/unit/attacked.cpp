@@ -1,0 +1,51 @@
+// Scenes that tests/attack found faults in, as small as they could be made.
+#include <doctest/doctest.h>
+
+#include "tests/attack/picture_check.h"
+#include "text/parse.h"
+
+using namespace strahl;
+
+namespace {
+
+std::vector<std::string> faults(const std::string& text, int width, int height) {
+    WildScene wild{parse_scene(text, "text"), {}};
+    wild.view = {
+        .camera = wild.scene.camera, .width = width, .height = height, .depth = wild.scene.settings.max_trace_level};
+    return PictureCheck().faults(wild);
+}
+
+}  // namespace
+
+TEST_CASE("a box thinner than float can say") {
+    for (const std::string thickness : {"1e-30", "8e-107", "1e-300"}) {
+        CAPTURE(thickness);
+        const std::string text =
+            "camera { position <-3, -4, -4> look_at <0, 0, 0> up <0, 0, 1> fov 45 }"
+            "background { color <.7, .4, .75> }"
+            "box { <0, 0, 0>, <-.7, -" +
+            thickness +
+            ", 1> } box { <0, 0, 1>, <1, 1, 0> }"
+            "sphere { <0, 0, 0>, 1 } cylinder { <0, 0, 0>, <0, 1, 0>, 1 }";
+        CHECK(faults(text, 30, 16) == std::vector<std::string>{});
+    }
+}
+
+TEST_CASE("a cone so flat that its height is lost") {
+    CHECK(faults("camera { position <0, 0, -3e9> look_at <0, 0, 0> up <0, 1, 0> fov 45 }"
+                 "cone { <0, 0, 0>, 1, <0, 0, 1>, 5e8 material { ambient 1 } }",
+                 19, 20) == std::vector<std::string>{});
+    CHECK(faults("camera { position <0, 0, -3e14> look_at <0, 0, 0> up <0, 1, 0> fov 45 }"
+                 "cylinder { <0, 0, 0>, <0, 1, 0>, 1 } sphere { <0, 0, 0>, 1 } box { <0, 0, 0>, <1, 1, 1> }"
+                 "cone { <0, 0, 0>, 1, <0, 0, 1>, 1e15 scale .08 material { ambient 1 } }",
+                 16, 7) == std::vector<std::string>{});
+    CHECK(faults("camera { position <0, 0, 0> look_at <0, 0, 1> up <0, 1, 0> fov 45 } background { color <.2, .5, 1> }"
+                 "cone { <-1.8, -1.8, -1.8000000000000105>, 3, <-1.8, -1.8000000000000002, -1.8000000000000105>, 1 }",
+                 28, 18) == std::vector<std::string>{});
+    for (const std::string height : {"2e-47", "4e-197", "1e-300"})
+        CHECK(faults("camera { position <0, 0, 1> look_at <0, 0, 0> up <0, 1, 0> fov 45 }"
+                     "cone { <0, 0, 0>, 1, <0, 1, 0>, 1 } sphere { <0, 0, 0>, 1 }"
+                     "cone { <-1, 0, -" +
+                         height + ">, 1, <-1, 0, 0>, 2 material { ambient 1 } }",
+                     26, 6) == std::vector<std::string>{});
+}
