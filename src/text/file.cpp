@@ -2,6 +2,7 @@
 #include "text/file.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -74,16 +75,41 @@ int sync_folder(const fs::path& folder) {
     return error;
 }
 
+/// Removes what killed programs left in a folder: temporary files that nobody has locked.
+void remove_left(const fs::path& folder) {
+    std::error_code error;
+    for (fs::directory_iterator entry(folder.empty() ? "." : folder, error), end; entry != end;
+         entry.increment(error)) {
+        const std::string name = entry->path().filename().string();
+        if (!name.starts_with(".strahl-") || !name.ends_with(".tmp")) continue;
+        const int file = ::open(entry->path().c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+        if (file < 0) continue;
+        if (::flock(file, LOCK_EX | LOCK_NB) == 0) ::unlink(entry->path().c_str());
+        ::close(file);
+    }
+}
+
 /// Where the bytes are until they get their name. It has a name of its own only where that can't be helped: a file
-/// without one is gone when the program is killed.
+/// without one is gone when the program is killed. It is locked while it lives, so that nobody takes it for one that
+/// was left.
 class Temporary {
   public:
-    explicit Temporary(const fs::path& beside) : folder(beside.parent_path()) {
+    /// A file that is to stay whatever happens has an ending that nobody removes.
+    Temporary(const fs::path& beside, bool stays) : folder(beside.parent_path()), ending(stays ? ".copy" : ".tmp") {
         file = ::open(folder.empty() ? "." : folder.c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, 0666);
-        if (file >= 0 && ::access(link().c_str(), F_OK) == 0) return;  // without /proc it could get no name later
+        if (file >= 0 && ::access(link().c_str(), F_OK) == 0) {  // without /proc it could get no name later
+            ::flock(file, LOCK_EX | LOCK_NB);
+            return;
+        }
         if (file >= 0) ::close(file);
         named([&](const char* path) {
-            return file = ::open(path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666), file >= 0;
+            file = ::open(path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+            if (file < 0) return false;
+            struct stat status {};
+            ::flock(file, LOCK_EX | LOCK_NB);
+            if (::fstat(file, &status) == 0 && status.st_nlink > 0) return true;
+            ::close(file);  // somebody was faster and took it for one that was left
+            return file = -1, errno = EEXIST, false;
         });
     }
     ~Temporary() {
@@ -114,7 +140,7 @@ class Temporary {
     template <class Make>
     bool named(Make make) {
         for (int i = 0; i < 1000; ++i) {
-            name = folder / (".strahl-" + std::to_string(::getpid()) + "-" + std::to_string(i) + ".tmp");
+            name = folder / (".strahl-" + std::to_string(::getpid()) + "-" + std::to_string(i) + ending);
             if (make(name.c_str())) return true;
             if (errno != EEXIST) break;
         }
@@ -125,6 +151,7 @@ class Temporary {
     }
 
     fs::path folder, name;
+    const char* const ending;
     int file = -1;
 };
 
@@ -182,15 +209,19 @@ void write_file(const std::string& path, std::string_view bytes) {
         if (const int error = file < 0 ? errno : write_and_close(file, bytes)) fail(path, error);
         return;
     }
-    Temporary temporary(target);
+    const bool in_place = exists && old.st_nlink > 1;
+    remove_left(target.parent_path());
+    Temporary temporary(target, in_place);
     if (!temporary.opened()) fail(path, errno);
     if (exists) take_over(temporary.descriptor(), old);
     int error = write_all(temporary.descriptor(), bytes);
     if (!error) error = synced(temporary.descriptor());
     if (!error) error = temporary.give_name();
-    if (!error && exists && old.st_nlink > 1) {
+    if (!error && in_place) {
         bool begun = false;
-        error = overwrite(target, bytes, old.st_size, begun);
+        // From here on the copy may be all that a power cut leaves.
+        error = sync_folder(target.parent_path());
+        if (!error) error = overwrite(target, bytes, old.st_size, begun);
         if (error && begun) {
             const std::string copy = temporary.path().string();
             temporary.keep();
