@@ -60,8 +60,8 @@ void put(const Files& files, const fs::path& folder) {
 }
 
 Attacker::Attacker(std::string tried, std::string preloaded)
-    : program(std::move(tried)),
-      library(std::move(preloaded)),
+    : program(fs::absolute(tried)),
+      library(fs::absolute(preloaded)),
       work(fs::absolute("work")),
       control_path(fs::absolute("control")) {
     const int file = ::open(control_path.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
@@ -76,7 +76,8 @@ void Attacker::order(Watched watched, long at, Harm harm, int error) {
 }
 
 Ran Attacker::run(const Case& attacked, double seconds, bool preloaded) {
-    control().count = 0, control().done = 0, control().foreign = false, control().where[0] = 0;
+    for (std::atomic<long>& count : control().counts) count = 0;
+    control().done = 0, control().foreign = false, control().where[0] = 0, control().attached = false;
     std::vector<char*> words{program.data()};
     std::vector<std::string> own = attacked.words;
     for (std::string& word : own) words.push_back(word.data());
@@ -97,65 +98,30 @@ Ran Attacker::run(const Case& attacked, double seconds, bool preloaded) {
         // A sanitizer wants to be the first library, and a failed allocation to be an error of ours.
         ::setenv("ASAN_OPTIONS", "verify_asan_link_order=0:allocator_may_return_null=1:detect_leaks=0", 1);
         if (preloaded) ::setenv(control_variable, control_path.c_str(), 1), ::setenv("LD_PRELOAD", library.c_str(), 1);
+        if (!log.empty()) ::setenv(log_variable, log.c_str(), 1);
         ::execv(program.c_str(), words.data());
         ::_exit(127);
     }
     Ran ran;
     ran.status = wait_for(child, seconds);
+    if (preloaded && !control().attached) throw std::runtime_error("the library is not preloaded");
     ran.out = bytes_of("out"), ran.err = bytes_of("err"), ran.files = files_in(work);
     return ran;
 }
 
-Ran Attacker::run_fresh(const Case& attacked) {
+void Attacker::record(const std::string& path) {
+    log = path.empty() ? fs::path() : fs::absolute(path);
+    if (!path.empty()) std::ofstream(log, std::ios::trunc);
+}
+
+void Attacker::prepare(const Case& attacked) const {
     put(attacked.before, work);
     if (attacked.hard_link) fs::create_hard_link(work / "picture.bmp", work / "other.bmp");
+}
+
+Ran Attacker::run_fresh(const Case& attacked) {
+    prepare(attacked);
     return run(attacked);
-}
-
-bool whole(const std::string& name, const std::string& bytes, const Files& before, const Files& good) {
-    const auto old = before.find(name), done = good.find(name);
-    if (old != before.end() && bytes == old->second) return true;
-    if (done == good.end()) return false;
-    // Statistics hold times.
-    return name.ends_with(".json") ? bytes.starts_with("{") && bytes.ends_with("}\n") : bytes == done->second;
-}
-
-std::string verdict(const Case& attacked, const Ran& good, const Ran& ran, const Control& control) {
-    const bool kill = control.done && control.harm != Harm::error && control.harm != Harm::cut;
-    if (ran.status == -1000) return "it did not end within 20 s";
-    const bool died = ran.status < 0 && control.foreign;  // in somebody else's code
-    if (!kill && !died && (ran.status < 0 || ran.status > 3))
-        return ran.status < 0 ? "it was ended by signal " + std::to_string(-ran.status)
-                              : "exit status " + std::to_string(ran.status);
-    if (ran.status > 0 && ran.err.empty()) return "no message";
-    for (const char* word : {"Sanitizer", "runtime error:"})
-        if (ran.err.find(word) != std::string::npos) return "a sanitizer's report";
-    if (ran.status == 0 && !attacked.times && ran.out != good.out) return "done, but it printed something else";
-
-    const bool unlink_failed = std::string_view(control.where).starts_with("unlink");
-    Files before = attacked.before;
-    if (attacked.hard_link) before["other.bmp"] = before["picture.bmp"];
-    for (const auto& [name, bytes] : before)
-        if (!ran.files.contains(name)) return name + " is gone";
-    for (const auto& [name, bytes] : good.files) {
-        const auto found = ran.files.find(name);
-        if (ran.status == 0 && (found == ran.files.end() || !whole(name, found->second, {}, good.files)))
-            return "done, but " + name + " is not there or not whole";
-    }
-    // Of a file with several names, overwritten in place, a copy is whole whenever the file itself is not.
-    bool copied = false;
-    for (const auto& [name, bytes] : ran.files)
-        copied |= name.ends_with(".copy") && bytes == good.files.at("picture.bmp");
-    for (const auto& [name, bytes] : ran.files) {
-        if (whole(name, bytes, before, good.files)) continue;
-        if (name.starts_with(".strahl-") && (unlink_failed || kill || copied)) continue;
-        if (copied && (name == "picture.bmp" || name == "other.bmp") &&
-            (kill || ran.err.find("all of it is in '.strahl-") != std::string::npos))
-            continue;
-        if (kill && name.starts_with("strahl-povray-")) continue;
-        return name + " should not be there, or is not whole";
-    }
-    return "";
 }
 
 }  // namespace strahl::attack

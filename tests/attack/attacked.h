@@ -24,6 +24,8 @@ struct Case {
     bool hard_link = false;  // picture.bmp has a second name, other.bmp
 };
 std::vector<Case> cases();
+/// Stills and films that take long enough to be killed at any moment.
+std::vector<Case> larger_cases();
 
 struct Ran {
     int status = 0;  // exit status; -N for signal N, -1000 if it had to be ended
@@ -37,6 +39,11 @@ std::string verdict(const Case& attacked, const Ran& good, const Ran& ran, const
 /// Is this file's content that from before or that of the undisturbed run?
 bool whole(const std::string& name, const std::string& bytes, const Files& before, const Files& good);
 
+/// The words of the command that goes on after a kill or a power cut.
+std::vector<std::string> resumed(std::vector<std::string> words);
+/// What is wrong with the folder when that command has come to its end, or nothing.
+std::string finished(const Case& attacked, const Ran& good, const Ran& ran);
+
 class Attacker {
   public:
     /// `program` is run in the folder `work` below the current one, with `library` preloaded.
@@ -49,6 +56,11 @@ class Attacker {
     /// What will be done to the next run.
     void order(Watched watched, long at, Harm harm = Harm::error, int error = 0);
 
+    /// The path of the log of the next runs' file calls, or nothing.
+    void record(const std::string& path);
+
+    /// Makes the folder as it should be before.
+    void prepare(const Case& attacked) const;
     /// Runs the case in the folder as it is, for `seconds` at most; then it is killed, which `by_itself` says is a
     /// fault.
     Ran run(const Case& attacked, double seconds = 20, bool preloaded = true);
@@ -57,7 +69,7 @@ class Attacker {
 
   private:
     std::string program, library;
-    std::filesystem::path work, control_path;
+    std::filesystem::path work, control_path, log;
     Control* orders;
 };
 

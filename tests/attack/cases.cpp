@@ -41,26 +41,27 @@ std::vector<Case> cases() {
         words.insert(words.end(), more.begin(), more.end());
         return words;
     };
+    // In this order: a short attack tries only the first ones.
     std::vector<Case> all{
-        {"check", {"check", "scene.rt"}, alone},
-        {"check --print", {"check", "--print", "scene.rt"}, alone},
-        {"a faulty scene", {"check", "scene.rt"}, {{"scene.rt", std::string(scene) + "sphere { oops"}}},
-        {"pov", {"pov", "scene.rt", "-o", "a.pov"}, alone},
         {"pov --animation",
          {"pov", "scene.rt", "-o", "a.pov", "--animation"},
          {{"scene.rt", scene}, {"a.pov", "older"}, {"a.ini", "older"}}},
+        {"a hard link", render("picture.bmp", "1"), with_older},
+        {"check", {"check", "scene.rt"}, alone},
+        {"--resume",
+         render("film.bmp", "1", {"--frames", "0-2", "--resume"}),
+         {{"scene.rt", scene}, {"film-0001.bmp", "cut off"}}},
         {"compare", {"compare", "a.bmp", "b.bmp", "--heatmap", "map.png"}, pair},
+        {"check --print", {"check", "--print", "scene.rt"}, alone},
+        {"a faulty scene", {"check", "scene.rt"}, {{"scene.rt", std::string(scene) + "sphere { oops"}}},
+        {"pov", {"pov", "scene.rt", "-o", "a.pov"}, alone},
         {"stability", {"stability", "scene.rt", "--size", "8x6", "-o", "map.png", "--threads", "2"}, alone},
         {"BMP", render("picture.bmp", "1"), with_older},
         {"PNG, 4 threads", render("picture.png", "4", {"--bits", "16"}), alone},
         {"EXR, 4 threads", render("picture.exr", "4"), alone},
         {"--error", render("picture.bmp", "2", {"--error", ".01", "--stats", "stats.json"}), with_older},
         {"to a pipe", render("-", "1", {"--format", "png"}), alone},
-        {"a hard link", render("picture.bmp", "1"), with_older},
         {"--frames", render("film.bmp", "1", {"--frames", "0-2"}), alone},
-        {"--resume",
-         render("film.bmp", "1", {"--frames", "0-2", "--resume"}),
-         {{"scene.rt", scene}, {"film-0001.bmp", "cut off"}}},
     };
     all.push_back({.name = "crosscheck",
                    .words = {"crosscheck", "scene.rt", "--size", "8x6", "--sheet", "sheet.png"},
@@ -68,6 +69,13 @@ std::vector<Case> cases() {
                    .times = true});
     for (Case& attacked : all) attacked.hard_link = attacked.name == "a hard link";
     return all;
+}
+
+std::vector<Case> larger_cases() {
+    const Files older{{"scene.rt", scene}, {"picture.png", "an older picture"}, {"picture.exr", "an older picture"}};
+    return {{"a still", {"render", "scene.rt", "-o", "picture.png", "--size", "800x600"}, older},
+            {"a still of float", {"render", "scene.rt", "-o", "picture.exr", "--size", "400x300"}, older},
+            {"a film", {"render", "scene.rt", "-o", "film.png", "--size", "160x120", "--frames", "0-19"}, older}};
 }
 
 }  // namespace strahl::attack

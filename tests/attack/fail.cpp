@@ -54,8 +54,9 @@ void describe(const char* function) {
 /// Is it this call's turn? Then what is done to it is noted.
 bool struck(Watched kind, const char* function) {
     if (kind == Watched::allocations && loading) kind = Watched::loading;
-    if (!begun || inside || control->watched != kind) return false;
-    if (++control->count != control->at) return false;
+    if (!begun || inside) return false;
+    const long count = ++control->counts[static_cast<int>(kind)];
+    if (control->watched != kind || count != control->at) return false;
     inside = true;
     describe(function);
     inside = false;
@@ -193,6 +194,7 @@ int __libc_start_main(Main* main, int count, char** words, void (*init)(), void 
         if (mapped == MAP_FAILED) std::abort();
         ::close(file);
         control = static_cast<Control*>(mapped);
+        control->attached = true;
         void* frame;
         ::backtrace(&frame, 1);  // loads what it needs
         prepare_files();

@@ -11,14 +11,14 @@ enum class Harm : int { error, cut, kill_before, kill_after };
 struct Control {
     Watched watched;
     Harm harm;
-    int error;                // the errno of Harm::error
-    long at;                  // the call that comes to harm, from 1; 0: none
-    bool only_named;          // the file system knows no files without names
-    bool recorded;            // file calls go to the file descriptor `log`
-    std::atomic<long> count;  // watched calls so far
-    std::atomic<int> done;    // harm was done
-    bool foreign;             // in a library that is not ours
-    char where[2000];         // the function that was called, and the functions that called it
+    int error;                    // the errno of Harm::error
+    long at;                      // the call that comes to harm, from 1; 0: none
+    bool only_named;              // the file system knows no files without names
+    bool attached;                // the library is in the program
+    std::atomic<long> counts[5];  // calls of each kind so far
+    std::atomic<int> done;        // harm was done
+    bool foreign;                 // in a library that is not ours
+    char where[2000];             // the function that was called, and the functions that called it
 };
 
 /// The name of the environment variable that holds the path of the file with the Control, and of that with the log.

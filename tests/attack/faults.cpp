@@ -22,9 +22,11 @@ struct Trial {
     bool only_named;
 };
 
+constexpr Watched kinds[] = {Watched::allocations, Watched::loading, Watched::threads, Watched::files};
+
 const char* name_of(Watched watched) {
     return watched == Watched::allocations ? "allocation"
-           : watched == Watched::loading   ? "allocation while loading"
+           : watched == Watched::loading   ? "library allocation"
            : watched == Watched::threads   ? "thread"
                                            : "file call";
 }
@@ -39,21 +41,25 @@ std::string in_words(const Trial& trial, const Control& control) {
 }
 
 /// All there is to try for a case: one trial for each call that the run without harm makes, and each harm.
-void add_trials(Attacker& attacker, const Case& attacked, const Ran& good, bool only_named,
-                std::vector<Trial>& trials) {
-    for (const Watched watched : {Watched::allocations, Watched::loading, Watched::threads, Watched::files}) {
-        if (only_named && watched != Watched::files) continue;
-        attacker.order(watched, 0);
-        attacker.run_fresh(attacked);
-        const long calls = attacker.control().count;
-        for (long at = 1; at <= calls; ++at) {
-            if (watched != Watched::files) {
-                trials.push_back({&attacked, &good, watched, Harm::error, 0, at, only_named});
-                continue;
+void add_trials(Attacker& attacker, const Case& attacked, Ran& good, std::vector<Trial>& trials) {
+    attacker.order(Watched::nothing, 0);
+    for (const bool only_named : {true, false}) {
+        attacker.control().only_named = only_named;
+        good = attacker.run_fresh(attacked);
+        for (const Watched watched : kinds) {
+            if (only_named && watched != Watched::files) continue;
+            const long calls = attacker.control().counts[static_cast<int>(watched)];
+            for (long at = 1; at <= calls; ++at) {
+                const auto add = [&](Harm harm, int error) {
+                    trials.push_back({&attacked, &good, watched, harm, error, at, only_named});
+                };
+                if (watched != Watched::files) {
+                    add(Harm::error, 0);
+                    continue;
+                }
+                for (const int error : {ENOSPC, EIO, EDQUOT, EACCES, EINTR}) add(Harm::error, error);
+                add(Harm::cut, 0);
             }
-            for (const int error : {ENOSPC, EIO, EDQUOT, EACCES, EINTR})
-                trials.push_back({&attacked, &good, watched, Harm::error, error, at, only_named});
-            trials.push_back({&attacked, &good, watched, Harm::cut, 0, at, only_named});
         }
     }
 }
@@ -74,21 +80,16 @@ void mix(std::vector<Trial>& trials) {
 }  // namespace
 
 int faults(Attacker& attacker, const Plan& plan) {
-    const double end = now() + plan.seconds;
+    const double start = now(), end = start + plan.seconds;
     const std::vector<Case> all = cases();
     std::vector<Ran> good(all.size());
     std::vector<Trial> trials;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        attacker.order(Watched::nothing, 0);
-        good[i] = attacker.run_fresh(all[i]);
-        for (const bool only_named : {false, true}) {
-            attacker.control().only_named = only_named;
-            add_trials(attacker, all[i], good[i], only_named, trials);
-        }
-    }
+    // A short attack has no time for all cases.
+    for (std::size_t i = 0; i < all.size() && (plan.only >= 0 || now() < start + plan.seconds / 4); ++i)
+        add_trials(attacker, all[i], good[i], trials);
     mix(trials);
     Tally tally;
-    long per_kind[5] = {}, all_of_kind[5] = {};
+    long foreign = 0, per_kind[5] = {}, all_of_kind[5] = {};
     for (const Trial& trial : trials) ++all_of_kind[static_cast<int>(trial.watched)];
     for (std::size_t i = 0; i < trials.size(); ++i) {
         const Trial& trial = trials[i];
@@ -98,14 +99,15 @@ int faults(Attacker& attacker, const Plan& plan) {
         const Ran ran = attacker.run_fresh(*trial.attacked);
         ++tally.tried, ++per_kind[static_cast<int>(trial.watched)];
         const std::string fault = verdict(*trial.attacked, *trial.good, ran, attacker.control());
+        foreign += fault.empty() && ran.status < 0;
         if (fault.empty()) continue;
         tally.fault(std::to_string(i) + ": " + in_words(trial, attacker.control()) + ": " + fault, ran);
     }
     std::string notes;
-    for (const Watched watched : {Watched::allocations, Watched::loading, Watched::threads, Watched::files})
+    for (const Watched watched : kinds)
         notes += (notes.empty() ? "" : ", ") + std::to_string(per_kind[static_cast<int>(watched)]) + " of " +
                  std::to_string(all_of_kind[static_cast<int>(watched)]) + " " + name_of(watched) + "s";
-    return tally.row("faults", notes);
+    return tally.row("faults", notes + "; ended by a library: " + std::to_string(foreign));
 }
 
 }  // namespace strahl::attack

@@ -3,7 +3,7 @@ set(attack ${CMAKE_SOURCE_DIR}/tests/attack)
 # No sanitizers in what is loaded before them.
 add_library(strahl_fail MODULE ${attack}/fail.cpp ${attack}/calls.cpp)
 add_executable(attack_io ${attack}/io.cpp ${attack}/attacked.cpp ${attack}/cases.cpp ${attack}/faults.cpp
-               ${attack}/kills.cpp ${attack}/power.cpp)
+               ${attack}/verdict.cpp ${attack}/kills.cpp ${attack}/disk.cpp ${attack}/power.cpp)
 foreach(part strahl_fail attack_io)
   target_compile_options(${part} PRIVATE -Wall -Wextra)
 endforeach()
