@@ -288,7 +288,7 @@ int main(int argc, char** argv) {
     } catch (const UsageError& error) {
         return fail(error, exit_status::usage);
     } catch (const OutputError& error) {
-        return fail(error, exit_status::failed);
+        return fail(error, dynamic_cast<const Interrupted*>(&error) ? exit_status::interrupted : exit_status::failed);
     } catch (const FileError& error) {
         return fail(error, exit_status::bad_file, "");
     } catch (const std::bad_alloc&) {

@@ -6,7 +6,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <climits>
 #include <csignal>
 #include <cstdio>
 #include <ctime>
@@ -23,7 +25,10 @@ namespace fs = std::filesystem;
     std::string why = std::generic_category().message(error);
     if (error == ENOENT) why = "its folder does not exist; make that first";
     if (error == EISDIR) why = "it is a folder; name a file in it";
-    throw OutputError("cannot write '" + path + "': " + why + more);
+    std::string told = "cannot write '";
+    told += path + "': " + why + more;
+    if (error == EINTR) throw Interrupted(told);
+    throw OutputError(told);
 }
 
 /// While it lives, writing past the limit of file sizes fails with EFBIG instead of ending the program.
@@ -46,19 +51,27 @@ class NoFileSizeSignal {
     sigset_t signal, before;
 };
 
-/// Writes everything, or says why not (an errno).
+/// Writes everything, or says why not (an errno). Pipes and devices may keep it waiting for ever: a signal ends that,
+/// and is noticed because they get pieces that are written as a whole or not at all.
 int write_all(int file, std::string_view bytes) {
     const NoFileSizeSignal guard;
+    struct stat status {};
+    const bool is_file = ::fstat(file, &status) == 0 && S_ISREG(status.st_mode);
     while (!bytes.empty()) {
-        const ssize_t written = ::write(file, bytes.data(), bytes.size());
-        if (written < 0 && errno != EINTR) return errno;
+        const ssize_t written =
+            ::write(file, bytes.data(), is_file ? bytes.size() : std::min<size_t>(bytes.size(), PIPE_BUF));
+        if (written < 0 && !(is_file && errno == EINTR)) return errno;
         if (written > 0) bytes.remove_prefix(static_cast<std::size_t>(written));
     }
     return 0;
 }
 
 /// Waits until the disk has it: an errno if it has not. File systems that know no such thing are left alone.
-int synced(int file) { return ::fsync(file) == 0 || errno == EINVAL || errno == ENOTSUP ? 0 : errno; }
+int synced(int file) {
+    while (::fsync(file) != 0)
+        if (errno != EINTR) return errno == EINVAL || errno == ENOTSUP ? 0 : errno;
+    return 0;
+}
 
 int write_and_close(int file, std::string_view bytes) {
     const int error = write_all(file, bytes);

@@ -13,7 +13,8 @@ bool whole(const std::string& name, const std::string& bytes, const Files& befor
 
 std::string verdict(const Case& attacked, const Ran& good, const Ran& ran, const Control& control) {
     const bool kill = control.done && control.harm != Harm::error && control.harm != Harm::cut;
-    const bool died = ran.status < 0 && control.foreign;  // in somebody else's code
+    // In somebody else's code, or, with 127, in the loader on its behalf.
+    const bool died = control.foreign && (ran.status < 0 || ran.status == 127);
     if (ran.status == -1000 && !died) return "it did not end within 20 s";
     if (!kill && !died && (ran.status < 0 || ran.status > 3))
         return ran.status < 0 ? "it was ended by signal " + std::to_string(-ran.status)
