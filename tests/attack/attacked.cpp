@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -25,6 +26,12 @@ std::string bytes_of(const fs::path& path) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
+/// Where it waits, on standard error, if there is a debugger.
+void show_stacks(pid_t child) {
+    const std::string command = "gdb -batch -ex 'thread apply all bt' -p " + std::to_string(child) + " >&2 2>/dev/null";
+    if (std::system(command.c_str()) != 0) std::fprintf(stderr, "no stacks: no gdb\n");
+}
+
 /// Waits until the child ends, or kills it when the time is up. Returns its status as Ran has it.
 int wait_for(pid_t child, double seconds) {
     const int ended = static_cast<int>(::syscall(SYS_pidfd_open, child, 0));
@@ -32,6 +39,7 @@ int wait_for(pid_t child, double seconds) {
     timespec left{static_cast<time_t>(seconds),
                   static_cast<long>(1e9 * (seconds - static_cast<double>(time_t(seconds))))};
     const bool late = ::ppoll(&wait, 1, &left, nullptr) == 0;
+    if (late && seconds >= longest) show_stacks(child);
     if (late) ::kill(child, SIGKILL);
     ::close(ended);
     int status = 0;

@@ -44,6 +44,9 @@ std::vector<std::string> resumed(std::vector<std::string> words);
 /// What is wrong with the folder when that command has come to its end, or nothing.
 std::string finished(const Case& attacked, const Ran& good, const Ran& ran);
 
+/// So many seconds a run may take.
+inline constexpr double longest = 20;
+
 class Attacker {
   public:
     /// `program` is run in the folder `work` below the current one, with `library` preloaded.
@@ -63,7 +66,7 @@ class Attacker {
     void prepare(const Case& attacked) const;
     /// Runs the case in the folder as it is, for `seconds` at most; then it is killed, which `by_itself` says is a
     /// fault.
-    Ran run(const Case& attacked, double seconds = 20, bool preloaded = true);
+    Ran run(const Case& attacked, double seconds = longest, bool preloaded = true);
     /// The same in a folder that is as it should be before.
     Ran run_fresh(const Case& attacked);
 

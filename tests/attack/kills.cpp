@@ -75,7 +75,7 @@ int kills(Attacker& attacker, const Plan& plan) {
     for (const Case& attacked : all) {
         put(attacked.before, attacker.folder());
         const double begun = now();
-        good.push_back(attacker.run(attacked, 20, false));
+        good.push_back(attacker.run(attacked, longest, false));
         times.push_back(now() - begun);
     }
     while (now() < end)
