@@ -78,6 +78,7 @@ F* next(const char* name) {
     return reinterpret_cast<F*>(::dlsym(RTLD_NEXT, name));
 }
 
+#ifndef STRAHL_SANITIZED
 /// Serves the allocations that are made while the real functions are looked up.
 alignas(64) char early[1 << 16];
 std::size_t early_used = 0;
@@ -93,7 +94,6 @@ struct Allocators {
     void* (*calloc)(std::size_t, std::size_t);
     void* (*realloc)(void*, std::size_t);
     void (*free)(void*);
-    void* (*aligned_alloc)(std::size_t, std::size_t);
     int (*posix_memalign)(void**, std::size_t, std::size_t);
 };
 
@@ -103,16 +103,15 @@ const Allocators* real() {
     if (state == 1) return nullptr;  // called from below
     if (state == 0) {
         state = 1;
-        found = {next<void*(std::size_t)>("malloc"),
-                 next<void*(std::size_t, std::size_t)>("calloc"),
-                 next<void*(void*, std::size_t)>("realloc"),
-                 next<void(void*)>("free"),
-                 next<void*(std::size_t, std::size_t)>("aligned_alloc"),
+        found = {next<void*(std::size_t)>("malloc"), next<void*(std::size_t, std::size_t)>("calloc"),
+                 next<void*(void*, std::size_t)>("realloc"), next<void(void*)>("free"),
                  next<int(void**, std::size_t, std::size_t)>("posix_memalign")};
         state = 2;
     }
     return &found;
 }
+
+#endif
 
 void* none() { return errno = ENOMEM, nullptr; }
 bool no_memory(const char* function) { return struck(Watched::allocations, function); }
@@ -145,6 +144,8 @@ int main_of_strahl(int count, char** words, char** environment) {
 
 extern "C" {
 
+#ifndef STRAHL_SANITIZED  // the address sanitizer's own malloc must not be called before it is ready
+
 void* malloc(std::size_t size) {
     if (!real()) return take_early(size);
     return no_memory("malloc") ? none() : real()->malloc(size);
@@ -160,11 +161,14 @@ void* realloc(void* old, std::size_t size) {
 void free(void* p) {
     if (p && !is_early(p)) real()->free(p);
 }
-void* aligned_alloc(std::size_t unit, std::size_t size) {
-    return no_memory("aligned_alloc") ? none() : real()->aligned_alloc(unit, size);
-}
 int posix_memalign(void** p, std::size_t unit, std::size_t size) {
     return no_memory("posix_memalign") ? ENOMEM : real()->posix_memalign(p, unit, size);
+}
+#endif
+
+void* aligned_alloc(std::size_t unit, std::size_t size) {
+    static auto* const function = next<void*(std::size_t, std::size_t)>("aligned_alloc");
+    return no_memory("aligned_alloc") ? none() : function(unit, size);
 }
 
 int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*work)(void*), void* argument) {
