@@ -40,7 +40,7 @@ std::string verdict(const Case& attacked, const Ran& good, const Ran& ran, const
         copied |= name.ends_with(".copy") && bytes == good.files.at("picture.bmp");
     for (const auto& [name, bytes] : ran.files) {
         if (whole(name, bytes, before, good.files)) continue;
-        if (name.starts_with(".strahl-") && (unlink_failed || kill || copied)) continue;
+        if (name.starts_with(".strahl-") && (unlink_failed || kill || (copied && ran.status != 0))) continue;
         if (copied && (name == "picture.bmp" || name == "other.bmp") &&
             (kill || ran.err.find("all of it is in '.strahl-") != std::string::npos))
             continue;
