@@ -1,4 +1,6 @@
 // What must hold of every run, whatever was done to it.
+#include <cerrno>
+
 #include "attacked.h"
 
 namespace strahl::attack {
@@ -16,7 +18,8 @@ std::string verdict(const Case& attacked, const Ran& good, const Ran& ran, const
     // In somebody else's code, or, with 127, in the loader on its behalf.
     const bool died = control.foreign && (ran.status < 0 || ran.status == 127);
     if (ran.status == -1000 && !died) return "it did not end within 20 s";
-    if (!kill && !died && (ran.status < 0 || ran.status > 3))
+    const bool interrupted = ran.status == 130 && control.error == EINTR;
+    if (!kill && !died && !interrupted && (ran.status < 0 || ran.status > 3))
         return ran.status < 0 ? "it was ended by signal " + std::to_string(-ran.status)
                               : "exit status " + std::to_string(ran.status);
     if (ran.status > 0 && ran.err.empty()) return "no message";
