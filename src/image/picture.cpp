@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <limits>
+#include <memory>
 #include <system_error>
 #include <thread>
 
@@ -43,15 +44,15 @@ struct Library {
 void require_threads() {
     std::atomic<bool> tried = false;
     std::vector<std::jthread> threads;
-    const auto let_go = [&] { tried = true, tried.notify_all(); };
+    // Whatever is thrown: they are joined after this, and must not wait any longer.
+    const auto let_go = [](std::atomic<bool>* flag) { *flag = true, flag->notify_all(); };
+    const std::unique_ptr<std::atomic<bool>, decltype(let_go)> guard(&tried, let_go);
     try {
         for (unsigned i = 0; i < 4 + 2 * std::thread::hardware_concurrency(); ++i)
             threads.emplace_back([&] { tried.wait(false); });
     } catch (const std::system_error&) {
-        let_go();
         tell_threads();
     }
-    let_go();
 }
 
 /// The module is in lib/strahl: either of the build folder, whose programs are at its top or one folder down, or of the

@@ -1,5 +1,10 @@
 // The program: its commands and their options. Each command has one function here and one file with its work.
 #include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
 #include <filesystem>
 #include <iostream>
 #include <sstream>
@@ -174,8 +179,7 @@ std::vector<char*> with_command(const CLI::App& app, int argc, char** argv) {
     std::vector<char*> arguments(argv, argv + argc);
     const std::string_view first = argc < 2 ? "" : argv[1];
     const auto commands = app.get_subcommands([](const CLI::App*) { return true; });
-    const bool known =
-        std::ranges::any_of(commands, [&](const CLI::App* command) { return command->get_name() == first; });
+    const bool known = std::ranges::any_of(commands, [&](auto* command) { return command->get_name() == first; });
     const bool scene = first.ends_with(".rt") || (!first.starts_with('-') && std::filesystem::is_regular_file(first));
     if (!known && scene) arguments.insert(arguments.begin() + 1, view);
     return arguments;
@@ -252,22 +256,43 @@ int fail(const std::exception& error, int status, const char* prefix = "strahl: 
     return status;
 }
 
+constexpr const char* out_of_memory = "out of memory; a smaller picture, or fewer --threads, need less";
+/// Exceptions that nobody can catch end here: a library's, thrown while it is loaded.
+[[noreturn]] void end_at_once() {
+    try {
+        if (std::current_exception()) throw;
+    } catch (const std::bad_alloc&) {
+        std::fprintf(stderr, "strahl: %s\n", out_of_memory);
+        std::_Exit(exit_status::failed);
+    } catch (...) {
+    }
+    std::abort();
+}
+
+/// What was printed may still be on its way, and the disk full.
+void flush_output() {
+    if (std::fflush(stdout) == 0 && !std::ferror(stdout)) return;
+    throw OutputError(std::string("cannot write 'standard output': ") + std::strerror(errno));
+}
+
 }  // namespace
 }  // namespace strahl
 
 int main(int argc, char** argv) {
     using namespace strahl;
+    std::set_terminate(end_at_once);
     try {
-        return run(argc, argv);
+        const int status = run(argc, argv);
+        flush_output();
+        return status;
     } catch (const UsageError& error) {
         return fail(error, exit_status::usage);
     } catch (const OutputError& error) {
-        return fail(error, exit_status::failed);
+        return fail(error, dynamic_cast<const Interrupted*>(&error) ? exit_status::interrupted : exit_status::failed);
     } catch (const FileError& error) {
         return fail(error, exit_status::bad_file, "");
     } catch (const std::bad_alloc&) {
-        return fail(std::runtime_error("out of memory; a smaller picture, or fewer --threads, need less"),
-                    exit_status::failed);
+        return fail(std::runtime_error(out_of_memory), exit_status::failed);
     } catch (const std::exception& error) {
         return fail(error, exit_status::failed);
     }

@@ -15,6 +15,11 @@ struct OutputError : FileError {
     using FileError::FileError;
 };
 
+/// Writing to a pipe or a device was waited for when a signal came; exit status 130.
+struct Interrupted : OutputError {
+    using OutputError::OutputError;
+};
+
 /// A command line that makes no sense, or not on this machine; exit status 2.
 struct UsageError : std::runtime_error {
     using std::runtime_error::runtime_error;

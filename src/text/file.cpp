@@ -2,10 +2,13 @@
 #include "text/file.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <climits>
 #include <csignal>
 #include <cstdio>
 #include <ctime>
@@ -22,7 +25,10 @@ namespace fs = std::filesystem;
     std::string why = std::generic_category().message(error);
     if (error == ENOENT) why = "its folder does not exist; make that first";
     if (error == EISDIR) why = "it is a folder; name a file in it";
-    throw OutputError("cannot write '" + path + "': " + why + more);
+    std::string told = "cannot write '";
+    told += path + "': " + why + more;
+    if (error == EINTR) throw Interrupted(told);
+    throw OutputError(told);
 }
 
 /// While it lives, writing past the limit of file sizes fails with EFBIG instead of ending the program.
@@ -45,19 +51,27 @@ class NoFileSizeSignal {
     sigset_t signal, before;
 };
 
-/// Writes everything, or says why not (an errno).
+/// Writes everything, or says why not (an errno). Pipes and devices may keep it waiting for ever: a signal ends that,
+/// and is noticed because they get pieces that are written as a whole or not at all.
 int write_all(int file, std::string_view bytes) {
     const NoFileSizeSignal guard;
+    struct stat status {};
+    const bool is_file = ::fstat(file, &status) == 0 && S_ISREG(status.st_mode);
     while (!bytes.empty()) {
-        const ssize_t written = ::write(file, bytes.data(), bytes.size());
-        if (written < 0 && errno != EINTR) return errno;
+        const ssize_t written =
+            ::write(file, bytes.data(), is_file ? bytes.size() : std::min<size_t>(bytes.size(), PIPE_BUF));
+        if (written < 0 && !(is_file && errno == EINTR)) return errno;
         if (written > 0) bytes.remove_prefix(static_cast<std::size_t>(written));
     }
     return 0;
 }
 
 /// Waits until the disk has it: an errno if it has not. File systems that know no such thing are left alone.
-int synced(int file) { return ::fsync(file) == 0 || errno == EINVAL || errno == ENOTSUP ? 0 : errno; }
+int synced(int file) {
+    while (::fsync(file) != 0)
+        if (errno != EINTR) return errno == EINVAL || errno == ENOTSUP ? 0 : errno;
+    return 0;
+}
 
 int write_and_close(int file, std::string_view bytes) {
     const int error = write_all(file, bytes);
@@ -74,16 +88,41 @@ int sync_folder(const fs::path& folder) {
     return error;
 }
 
+/// Removes what killed programs left in a folder: temporary files that nobody has locked.
+void remove_left(const fs::path& folder) {
+    std::error_code error;
+    for (fs::directory_iterator entry(folder.empty() ? "." : folder, error), end; entry != end;
+         entry.increment(error)) {
+        const std::string name = entry->path().filename().string();
+        if (!name.starts_with(".strahl-") || !name.ends_with(".tmp")) continue;
+        const int file = ::open(entry->path().c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+        if (file < 0) continue;
+        if (::flock(file, LOCK_EX | LOCK_NB) == 0) ::unlink(entry->path().c_str());
+        ::close(file);
+    }
+}
+
 /// Where the bytes are until they get their name. It has a name of its own only where that can't be helped: a file
-/// without one is gone when the program is killed.
+/// without one is gone when the program is killed. It is locked while it lives, so that nobody takes it for one that
+/// was left.
 class Temporary {
   public:
-    explicit Temporary(const fs::path& beside) : folder(beside.parent_path()) {
+    /// A file that is to stay whatever happens has an ending that nobody removes.
+    Temporary(const fs::path& beside, bool stays) : folder(beside.parent_path()), ending(stays ? ".copy" : ".tmp") {
         file = ::open(folder.empty() ? "." : folder.c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, 0666);
-        if (file >= 0 && ::access(link().c_str(), F_OK) == 0) return;  // without /proc it could get no name later
+        if (file >= 0 && ::access(link().c_str(), F_OK) == 0) {  // without /proc it could get no name later
+            ::flock(file, LOCK_EX | LOCK_NB);
+            return;
+        }
         if (file >= 0) ::close(file);
         named([&](const char* path) {
-            return file = ::open(path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666), file >= 0;
+            file = ::open(path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+            if (file < 0) return false;
+            struct stat status {};
+            ::flock(file, LOCK_EX | LOCK_NB);
+            if (::fstat(file, &status) == 0 && status.st_nlink > 0) return true;
+            ::close(file);  // somebody was faster and took it for one that was left
+            return file = -1, errno = EEXIST, false;
         });
     }
     ~Temporary() {
@@ -114,7 +153,7 @@ class Temporary {
     template <class Make>
     bool named(Make make) {
         for (int i = 0; i < 1000; ++i) {
-            name = folder / (".strahl-" + std::to_string(::getpid()) + "-" + std::to_string(i) + ".tmp");
+            name = folder / (".strahl-" + std::to_string(::getpid()) + "-" + std::to_string(i) + ending);
             if (make(name.c_str())) return true;
             if (errno != EEXIST) break;
         }
@@ -125,6 +164,7 @@ class Temporary {
     }
 
     fs::path folder, name;
+    const char* const ending;
     int file = -1;
 };
 
@@ -182,15 +222,19 @@ void write_file(const std::string& path, std::string_view bytes) {
         if (const int error = file < 0 ? errno : write_and_close(file, bytes)) fail(path, error);
         return;
     }
-    Temporary temporary(target);
+    const bool in_place = exists && old.st_nlink > 1;
+    remove_left(target.parent_path());
+    Temporary temporary(target, in_place);
     if (!temporary.opened()) fail(path, errno);
     if (exists) take_over(temporary.descriptor(), old);
     int error = write_all(temporary.descriptor(), bytes);
     if (!error) error = synced(temporary.descriptor());
     if (!error) error = temporary.give_name();
-    if (!error && exists && old.st_nlink > 1) {
+    if (!error && in_place) {
         bool begun = false;
-        error = overwrite(target, bytes, old.st_size, begun);
+        // From here on the copy may be all that a power cut leaves.
+        error = sync_folder(target.parent_path());
+        if (!error) error = overwrite(target, bytes, old.st_size, begun);
         if (error && begun) {
             const std::string copy = temporary.path().string();
             temporary.keep();

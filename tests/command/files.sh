@@ -21,6 +21,12 @@ expect_only scene.rt
 grep -q "standard output" said || fault "of a full disk it said: $(<said)"
 "$strahl" render scene.rt -o - --format bmp --size 8x6 >/dev/full 2>said
 (($? == 1)) || fault "a full disk went unnoticed: $(<said)"
+for words in --help "stability scene.rt --size 4x3" "compare $source_folder/assets/balls.png $source_folder/assets/balls.png"; do
+    # shellcheck disable=SC2086  # the words are arguments
+    "$strahl" $words >/dev/full 2>said
+    (($? == 1)) || fault "strahl $words: a full disk went unnoticed: $(<said)"
+    grep -q "standard output" said || fault "of a full disk it said: $(<said)"
+done
 rm said
 
 # Root may write everywhere, so another user tries.

@@ -60,21 +60,41 @@ plane { <0, -3, 0>, <1, -3, 0>, <0, -3, 1> }
 sphere { <0, 1.5, 0>, .5 material { reflection .5  refraction .9  ior 1.5 } }
 sphere { <0, -1.5, 0>, .5 material { reflection .5  refraction .9  ior 1.5 } }
 SCENE
-for precision in float double extended; do
-    "$strahl" render pixel.rt --depth 256 --size 8x6 --precision "$precision" -o pixel.bmp 2>said &
-    pid=$!
-    sleep 1
-    kill -s INT "$pid"
+# ends_at_once SIGNAL WHERE: the program of number pid ends after one signal.
+ends_at_once() {
+    local waited
+    kill -s "$1" "$pid"
     for ((waited = 0; waited < 100; ++waited)); do
         kill -s 0 "$pid" 2>/dev/null || break
         sleep .1
     done
     if ((waited == 100)); then
-        fault "in $precision still running 10 s after SIGINT"
+        fault "$2 still running 10 s after SIG$1"
         kill -s KILL "$pid"
     fi
     wait "$pid"
     status=$?
-    ((status == 130)) || fault "exit status $status after SIGINT; it said: $(<said)"
+    ((status == 130)) || fault "exit status $status after SIG$1 $2; it said: $(<said)"
+}
+for precision in float double extended; do
+    "$strahl" render pixel.rt --depth 256 --size 8x6 --precision "$precision" -o pixel.bmp 2>said &
+    pid=$!
+    sleep 1
+    ends_at_once INT "in $precision"
 done
+
+# A pipe that nobody opens, and one that nobody reads.
+mkfifo pipe.bmp
+for delay in 1 4; do
+    "$strahl" render scene.rt -o pipe.bmp --size 32x24 2>said &
+    pid=$!
+    sleep "$delay"
+    ends_at_once TERM "with nobody at the pipe"
+done
+exec {reader}<>pipe.bmp
+"$strahl" render scene.rt -o pipe.bmp --size 640x480 2>said &
+pid=$!
+sleep 4
+ends_at_once INT "with a full pipe"
+exec {reader}>&-
 finish

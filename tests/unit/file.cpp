@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
@@ -12,6 +13,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <fstream>
 #include <vector>
 
 #include "scratch.h"
@@ -179,11 +181,38 @@ TEST_CASE("all names of a file show the new bytes, and a failure leaves it its o
     }
     CHECK(bytes_of(folder / "two") == "old");
     CHECK(folder.files() == 2);
-    failing_sync = 2;  // of the file in place: what it holds is no longer certain
+    failing_sync = 2;  // of the folder with the copy: until that is on the disk, nothing is overwritten
+    CHECK(says(fault_of(folder / "one", "new"), "Input/output error"));
+    CHECK(bytes_of(folder / "two") == "old");
+    CHECK(folder.files() == 2);
+    events.clear();
+    write_file(folder / "one", "newer");
+    CHECK(events == std::vector<std::string>{"sync 5 bytes", "sync folder", "sync 5 bytes", "sync folder"});
+    failing_sync = 3;  // of the file in place: what it holds is no longer certain
     const std::string fault = fault_of(folder / "one", "new");
     CHECK(says(fault, "all of it is in '" + (folder / ".strahl-")));
     const std::string copy = fault.substr(fault.rfind(".strahl-"), fault.rfind('\'') - fault.rfind(".strahl-"));
     CHECK(bytes_of(folder / copy) == "new");
+    write_file(folder / "three", "x");
+    CHECK(bytes_of(folder / copy) == "new");
+}
+
+TEST_CASE("what killed programs left is removed, what others are writing is not") {
+    const Scratch folder;
+    const auto make = [&](const char* name) { std::ofstream(folder / name) << "half"; };
+    make(".strahl-1-0.tmp"), make(".strahl-2-0.tmp"), make(".strahl-3-0.copy"), make("file.tmp");
+    std::filesystem::create_directory(folder / ".strahl-4-0.tmp");
+    std::filesystem::create_symlink("file.tmp", folder / ".strahl-5-0.tmp");
+    const int writing = ::open((folder / ".strahl-2-0.tmp").c_str(), O_WRONLY);
+    REQUIRE(::flock(writing, LOCK_EX) == 0);
+    write_file(folder / "file", "new");
+    CHECK(folder.files() == 6);
+    CHECK_FALSE(std::filesystem::exists(folder / ".strahl-1-0.tmp"));
+    ::close(writing);
+    write_file(folder / "file", "newer");
+    CHECK(folder.files() == 5);
+    CHECK_FALSE(std::filesystem::exists(folder / ".strahl-2-0.tmp"));
+    CHECK(bytes_of(folder / "file.tmp") == "half");
 }
 
 TEST_CASE("symbolic links stay links") {

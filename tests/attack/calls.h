@@ -1,0 +1,15 @@
+// What the preloaded library's two parts share: fail.cpp, and calls.cpp with the file calls.
+#pragma once
+#include "fail.h"
+
+namespace strahl::attack {
+
+bool struck(Watched kind, const char* function);
+
+/// Null in a program that is not attacked.
+const Control* orders();
+
+/// Opens the log, and makes what is printed go through the write() that is watched.
+void prepare_files();
+
+}  // namespace strahl::attack

@@ -1,0 +1,81 @@
+// The commands that are attacked.
+#include "attacked.h"
+
+namespace strahl::attack {
+namespace {
+
+const char scene[] = R"(camera { position <5, -20, 18>  look_at <0, 0, 0>  up <0, 0, -1>  fov 10 }
+light { position <-5, 0, 10>  color <.9, .9, .9> }
+light { position <8, -9, 12>  color <.2, .3, .4> }
+background { color <.1, .1, .3> }
+sphere { <0, 0, 2>, 2  material { rgb <1, .2, .2> } }
+sphere { <2.5, -2, 1>, 1  material { rgb <.2, 1, .2>  refraction .6  ior 1.3 } }
+cylinder { <-3, -1, 0>, <-3, -1, 2>, .7  material { ambient .2  reflection 0 }  rotate <10, 0, 0> }
+plane { <0, 0, 0>, <1, 0, 0>, <0, 1, 0> }
+flythrough {
+  duration 4
+  key { time 0  position <5, -20, 18>  look_at <0, 0, 0> }
+  key { time 4  position <15, -20, 10>  look_at <0, 0, 0> }
+}
+)";
+
+/// In place of POV-Ray: the attack is on what starts it.
+const char povray[] = "#!/bin/sh\nexec cp \"$TMPDIR/a.bmp\" scene.png\n";
+
+/// A red picture of 8x6 pixels.
+std::string red() {
+    std::string bytes("BM\xc6\0\0\0\0\0\0\0\x36\0\0\0\x28\0\0\0\x8\0\0\0\6\0\0\0\1\0\x18\0", 30);
+    bytes.resize(54);
+    for (int pixel = 0; pixel < 48; ++pixel) bytes.append("\0\0\xff", 3);
+    return bytes;
+}
+
+}  // namespace
+
+std::vector<Case> cases() {
+    const Files alone{{"scene.rt", scene}}, with_older{{"scene.rt", scene}, {"picture.bmp", "an older picture"}},
+        pair{{"a.bmp", red()}, {"b.bmp", red()}};
+    const auto render = [](std::string file, std::string threads, std::vector<std::string> more = {}) {
+        std::vector<std::string> words{"render", "scene.rt", "-o",        std::move(file),
+                                       "--size", "8x6",      "--threads", std::move(threads)};
+        words.insert(words.end(), more.begin(), more.end());
+        return words;
+    };
+    // In this order: a short attack tries only the first ones.
+    std::vector<Case> all{
+        {"pov --animation",
+         {"pov", "scene.rt", "-o", "a.pov", "--animation"},
+         {{"scene.rt", scene}, {"a.pov", "older"}, {"a.ini", "older"}}},
+        {"a hard link", render("picture.bmp", "1"), with_older},
+        {"check", {"check", "scene.rt"}, alone},
+        {"--resume",
+         render("film.bmp", "1", {"--frames", "0-2", "--resume"}),
+         {{"scene.rt", scene}, {"film-0001.bmp", "cut off"}}},
+        {"compare", {"compare", "a.bmp", "b.bmp", "--heatmap", "map.png"}, pair},
+        {"check --print", {"check", "--print", "scene.rt"}, alone},
+        {"a faulty scene", {"check", "scene.rt"}, {{"scene.rt", std::string(scene) + "sphere { oops"}}},
+        {"pov", {"pov", "scene.rt", "-o", "a.pov"}, alone},
+        {"stability", {"stability", "scene.rt", "--size", "8x6", "-o", "map.png", "--threads", "2"}, alone},
+        {"BMP", render("picture.bmp", "1"), with_older},
+        {"PNG, 4 threads", render("picture.png", "4", {"--bits", "16"}), alone},
+        {"EXR, 4 threads", render("picture.exr", "4"), alone},
+        {"--error", render("picture.bmp", "2", {"--error", ".01", "--stats", "stats.json"}), with_older},
+        {"to a pipe", render("-", "1", {"--format", "png"}), alone},
+        {"--frames", render("film.bmp", "1", {"--frames", "0-2"}), alone},
+    };
+    all.push_back({.name = "crosscheck",
+                   .words = {"crosscheck", "scene.rt", "--size", "8x6", "--sheet", "sheet.png"},
+                   .before = {{"scene.rt", scene}, {"a.bmp", red()}, {"povray", povray}},
+                   .times = true});
+    for (Case& attacked : all) attacked.hard_link = attacked.name == "a hard link";
+    return all;
+}
+
+std::vector<Case> larger_cases() {
+    const Files older{{"scene.rt", scene}, {"picture.png", "an older picture"}, {"picture.exr", "an older picture"}};
+    return {{"a still", {"render", "scene.rt", "-o", "picture.png", "--size", "800x600"}, older},
+            {"a still of float", {"render", "scene.rt", "-o", "picture.exr", "--size", "400x300"}, older},
+            {"a film", {"render", "scene.rt", "-o", "film.png", "--size", "160x120", "--frames", "0-19"}, older}};
+}
+
+}  // namespace strahl::attack

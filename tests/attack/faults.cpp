@@ -1,0 +1,113 @@
+// Every allocation, thread start and file call of the program fails in turn.
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <map>
+#include <random>
+#include <utility>
+
+#include "parts.h"
+
+namespace strahl::attack {
+namespace {
+
+struct Trial {
+    const Case* attacked;
+    const Ran* good;
+    Watched watched;
+    Harm harm;
+    int error;
+    long at;
+    bool only_named;
+};
+
+constexpr Watched kinds[] = {Watched::allocations, Watched::loading, Watched::threads, Watched::files};
+
+const char* name_of(Watched watched) {
+    return watched == Watched::allocations ? "allocation"
+           : watched == Watched::loading   ? "library allocation"
+           : watched == Watched::threads   ? "thread"
+                                           : "file call";
+}
+
+std::string in_words(const Trial& trial, const Control& control) {
+    const std::string harm = trial.harm == Harm::cut ? "is cut off"
+                             : trial.watched == Watched::files
+                                 ? "fails with " + std::string(strerrorname_np(trial.error))
+                                 : "fails";
+    return trial.attacked->name + ": " + name_of(trial.watched) + " " + std::to_string(trial.at) + " " + harm + " (" +
+           control.where + ")";
+}
+
+/// All there is to try for a case: one trial for each call that the run without harm makes, and each harm.
+void add_trials(Attacker& attacker, const Case& attacked, Ran& good, std::vector<Trial>& trials) {
+    attacker.order(Watched::nothing, 0);
+    for (const bool only_named : {true, false}) {
+        attacker.control().only_named = only_named;
+        good = attacker.run_fresh(attacked);
+        for (const Watched watched : kinds) {
+            if (only_named && watched != Watched::files) continue;
+            const long calls = attacker.control().counts[static_cast<int>(watched)];
+            for (long at = 1; at <= calls; ++at) {
+                const auto add = [&](Harm harm, int error) {
+                    trials.push_back({&attacked, &good, watched, harm, error, at, only_named});
+                };
+                if (watched != Watched::files) {
+                    add(Harm::error, 0);
+                    continue;
+                }
+                for (const int error : {ENOSPC, EIO, EDQUOT, EACCES, EINTR}) add(Harm::error, error);
+                add(Harm::cut, 0);
+            }
+        }
+    }
+}
+
+/// Puts them in a random order, always the same one, in which all cases and kinds of calls take turns: a short attack
+/// tries some of each.
+void mix(std::vector<Trial>& trials) {
+    std::shuffle(trials.begin(), trials.end(), std::mt19937(1));
+    std::map<std::pair<const Case*, Watched>, long> counts;
+    std::vector<std::pair<long, Trial>> turns;
+    for (const Trial& trial : trials) turns.emplace_back(counts[{trial.attacked, trial.watched}]++, trial);
+    for (const auto& [kind, count] : counts)
+        std::fprintf(stderr, "%s: %ld trials of %ss\n", kind.first->name.c_str(), count, name_of(kind.second));
+    std::ranges::stable_sort(turns, {}, &std::pair<long, Trial>::first);
+    std::ranges::transform(turns, trials.begin(), &std::pair<long, Trial>::second);
+}
+
+}  // namespace
+
+int faults(Attacker& attacker, const Plan& plan) {
+    const double start = now(), end = start + plan.seconds;
+    const std::vector<Case> all = cases();
+    std::vector<Ran> good(all.size());
+    std::vector<Trial> trials;
+    // A short attack has no time for all cases.
+    for (std::size_t i = 0; i < all.size() && (plan.only >= 0 || now() < start + plan.seconds / 4); ++i)
+        add_trials(attacker, all[i], good[i], trials);
+    mix(trials);
+    Tally tally;
+    long foreign = 0, per_kind[5] = {}, all_of_kind[5] = {};
+    for (const Trial& trial : trials) ++all_of_kind[static_cast<int>(trial.watched)];
+    for (std::size_t i = 0; i < trials.size(); ++i) {
+        const Trial& trial = trials[i];
+        if (plan.only >= 0 ? static_cast<std::size_t>(plan.only) != i : now() > end) continue;
+        attacker.control().only_named = trial.only_named;
+        attacker.order(trial.watched, trial.at, trial.harm, trial.error);
+        const Ran ran = attacker.run_fresh(*trial.attacked);
+        ++tally.tried, ++per_kind[static_cast<int>(trial.watched)];
+        const std::string fault = verdict(*trial.attacked, *trial.good, ran, attacker.control());
+        foreign += fault.empty() && (ran.status < 0 || ran.status == 127);
+        if (fault.empty()) continue;
+        tally.fault(std::to_string(i) + ": " + in_words(trial, attacker.control()) + ": " + fault, ran);
+    }
+    std::string notes;
+    for (const Watched watched : kinds)
+        notes += (notes.empty() ? "" : ", ") + std::to_string(per_kind[static_cast<int>(watched)]) + " of " +
+                 std::to_string(all_of_kind[static_cast<int>(watched)]) + " " + name_of(watched) + "s";
+    return tally.row("faults", notes + "; ended by a library: " + std::to_string(foreign));
+}
+
+}  // namespace strahl::attack

@@ -1,0 +1,78 @@
+// What must hold of every run, whatever was done to it.
+#include <cerrno>
+
+#include "attacked.h"
+
+namespace strahl::attack {
+
+bool whole(const std::string& name, const std::string& bytes, const Files& before, const Files& good) {
+    const auto old = before.find(name), done = good.find(name);
+    if (old != before.end() && bytes == old->second) return true;
+    if (done == good.end()) return false;
+    // Statistics hold times.
+    return name.ends_with(".json") ? bytes.starts_with("{") && bytes.ends_with("}\n") : bytes == done->second;
+}
+
+std::string verdict(const Case& attacked, const Ran& good, const Ran& ran, const Control& control) {
+    const bool kill = control.done && control.harm != Harm::error && control.harm != Harm::cut;
+    // In somebody else's code, or, with 127, in the loader on its behalf.
+    const bool died = control.foreign && (ran.status < 0 || ran.status == 127);
+    if (ran.status == -1000 && !died) return "it did not end within 20 s";
+    const bool interrupted = ran.status == 130 && control.error == EINTR;
+    if (!kill && !died && !interrupted && (ran.status < 0 || ran.status > 3))
+        return ran.status < 0 ? "it was ended by signal " + std::to_string(-ran.status)
+                              : "exit status " + std::to_string(ran.status);
+    if (ran.status > 0 && ran.err.empty()) return "no message";
+    for (const char* word : {"Sanitizer", "runtime error:"})
+        if (ran.err.find(word) != std::string::npos) return "a sanitizer's report";
+    if (ran.status == 0 && !attacked.times && ran.out != good.out) return "done, but it printed something else";
+
+    const bool unlink_failed = std::string_view(control.where).starts_with("unlink");
+    Files before = attacked.before;
+    if (attacked.hard_link) before["other.bmp"] = before["picture.bmp"];
+    for (const auto& [name, bytes] : before)
+        if (!ran.files.contains(name)) return name + " is gone";
+    for (const auto& [name, bytes] : good.files) {
+        const auto found = ran.files.find(name);
+        if (ran.status == 0 && (found == ran.files.end() || !whole(name, found->second, {}, good.files)))
+            return "done, but " + name + " is not there or not whole";
+    }
+    // Of a file with several names, overwritten in place, a copy is whole whenever the file itself is not.
+    bool copied = false;
+    for (const auto& [name, bytes] : ran.files)
+        copied |= name.ends_with(".copy") && bytes == good.files.at("picture.bmp");
+    for (const auto& [name, bytes] : ran.files) {
+        if (whole(name, bytes, before, good.files)) continue;
+        if (name.starts_with(".strahl-") && (unlink_failed || kill || (copied && ran.status != 0))) continue;
+        if (copied && (name == "picture.bmp" || name == "other.bmp") &&
+            (kill || ran.err.find("all of it is in '.strahl-") != std::string::npos))
+            continue;
+        if (kill && name.starts_with("strahl-povray-")) continue;
+        return name + " should not be there, or is not whole";
+    }
+    return "";
+}
+
+std::vector<std::string> resumed(std::vector<std::string> words) {
+    for (const std::string& word : words)
+        if (word == "--resume") return words;
+    for (const std::string& word : words)
+        if (word == "--frames") return words.push_back("--resume"), words;
+    return words;
+}
+
+std::string finished(const Case& attacked, const Ran& good, const Ran& ran) {
+    if (ran.status != good.status) return "afterwards exit status " + std::to_string(ran.status);
+    for (const auto& [name, bytes] : good.files)
+        if (!ran.files.contains(name) || !whole(name, ran.files.at(name), {}, good.files))
+            return "afterwards " + name + " is not there or not whole";
+    for (const auto& [name, bytes] : ran.files) {
+        // The folder for POV-Ray is in the system's folder for temporary files. A file with several names keeps its
+        // copy.
+        if (name.starts_with("strahl-povray-") || (attacked.hard_link && name.ends_with(".copy"))) continue;
+        if (!good.files.contains(name)) return "afterwards there is " + name;
+    }
+    return "";
+}
+
+}  // namespace strahl::attack
