@@ -25,7 +25,7 @@ strahl_stability_test(boxes)
 
 # The pictures of tests/stability/README.md: `ninja stability_pictures_drawn`.
 if(TARGET strahl_image)
-  add_executable(stability_pictures EXCLUDE_FROM_ALL ${stability}/pictures.cpp)
+  add_executable(stability_pictures ${stability}/pictures.cpp)
   target_link_libraries(stability_pictures PRIVATE strahl_stage strahl_image)
   # Where the picture module is looked for.
   set_target_properties(stability_pictures PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)

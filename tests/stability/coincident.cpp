@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/sphere.h"
+#include "scene/kinds.h"
 #include "tests/stability/stage.h"
 
 using namespace strahl;
@@ -124,4 +124,70 @@ TEST_CASE("glass with water: their common surface is the same in every run") {
                 CHECK(shoot(stage.scene, precision, {.depth = 10, .threads = threads}) == frame);
         }
     }
+}
+
+namespace {
+
+/// Many bodies whose surfaces lie closer together than float can say, one colour each.
+Scene nearly_coincident(const std::vector<Shape>& shapes, const Material& material) {
+    Stage stage;
+    stage.look({0, -8, 5}, {0, 0, 0}, 10, {0, 0, 1}).light({-6, -8, 10}).background({.25, .5, .75});
+    for (const Shape& shape : shapes) stage.put(shape, material);
+    return stage.scene;
+}
+
+std::vector<Shape> balls_in_a_row(int count, double apart) {
+    std::vector<Shape> row;
+    for (int i = 0; i < count; ++i) row.push_back(Sphere{{(i - count / 2) * apart, 0, 0}, 1});
+    return row;
+}
+std::vector<Shape> shells(int count, double apart) {
+    std::vector<Shape> all;
+    for (int i = 0; i < count; ++i) all.push_back(Sphere{{0, 0, 0}, 1 + i * apart});
+    return all;
+}
+std::vector<Shape> tubes(int count, double apart) {
+    std::vector<Shape> all;
+    for (int i = 0; i < count; ++i) {
+        const double x = i * apart;
+        all.push_back(Cylinder{{-1 + x, .2, 0}, {1 + x, 0, .3}, .8});
+        all.push_back(Cone{{-1 + x, .2, -1}, .9, {1, 0, -.8}, .5});
+        all.push_back(Cuboid{{-.9 + x, -.9, -.9}, {.9 + x, .5, .7}});
+    }
+    return all;
+}
+
+}  // namespace
+
+TEST_CASE("bodies that nearly coincide: float has the shadows and reflections of double") {
+    Material shiny = paint({.8, .6, .4});
+    shiny.reflection = .5;
+    const Shot shot{.width = 160, .height = 120, .depth = 5};
+    // Up to 64 bodies are tested in a loop, more of them in a hierarchy.
+    for (const auto& shapes : {balls_in_a_row(50, .02), balls_in_a_row(1000, .001), balls_in_a_row(300, 1e-6),
+                               shells(40, 1e-6), shells(200, 1e-7), tubes(20, 1e-5), tubes(100, 1e-6)})
+        for (const Material& material : {paint({.8, .6, .4}), shiny}) {
+            const Scene scene = nearly_coincident(shapes, material);
+            const Frame near = shoot(scene, Precision::float32, shot), exact = shoot(scene, Precision::float64, shot);
+            CAPTURE(shapes.size());
+            CAPTURE(material.reflection);
+            CHECK(share_apart(near, exact, 2. / 255) == 0);
+            CHECK(count(near, {.25, .5, .75}) < 160 * 120 * 3 / 4);
+            CHECK(share_apart(near, shoot(scene, Precision::float32, {160, 120, 5, 1, Simd::scalar}), 0) == 0);
+        }
+}
+
+TEST_CASE("an eye in an opaque body sees it from inside, and no light from beyond") {
+    for (const int inner : {1, 100})  // in a loop, and in a hierarchy
+        for (const Shape& room : {Shape(Sphere{{0, 0, 0}, 9}), Shape(Cuboid{{-5, -9, -5}, {5, 9, 5}}),
+                                  Shape(Cylinder{{0, -9, 0}, {0, 9, 0}, 5})})
+            for (const Precision precision : precisions) {
+                Stage stage;
+                stage.light({-30, -20, 40}).put(room, paint({.5, .5, .5}));
+                for (int i = 0; i < inner; ++i)
+                    stage.put(Sphere{{-2 + .04 * i, 1, .3}, .5 + 1e-7 * i}, paint({.9, .2, .1}));
+                CHECK(count(shoot(stage.scene, precision), Color(0)) == 64 * 48);
+                stage.light({3, -5, 4}, {.5, .5, .5});
+                CHECK(count(shoot(stage.scene, precision), Color(0)) < 64 * 48 / 2);
+            }
 }

@@ -123,6 +123,12 @@ Scene diver() {
     }
     return stage.scene;
 }
+Scene row() {
+    Stage stage;
+    stage.look({0, -8, 5}, {0, 0, 0}, 10, {0, 0, 1}).background(sky).light({-6, -8, 10});
+    for (int i = 0; i < 1000; ++i) stage.put(Sphere{{.001 * (i - 500), 0, 0}, 1}, dull({.9, .3 + .0004 * i, .2}));
+    return stage.scene;
+}
 Scene bubble() {
     Stage stage;
     stage.look({0, -6, 0}, {0, 0, 0}, 13).background(sky);
@@ -148,6 +154,7 @@ int main(int count, char** words) {
         {"discs", thin_discs()},
         {"tube", tube()},
         {"twins", twins()},
+        {"row", row(), Precision::float32, {.epsilon = 1e-5}},
         {"total", diver(), Precision::float32, {.asks_for_total_reflection = false}},
         {"bubble", bubble()},
     };

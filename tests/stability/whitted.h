@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <stdexcept>
 
 #include "scene/scene.h"
 #include "tests/stability/naive.h"
@@ -60,6 +61,10 @@ class Whitted {
         const T t = times(to<T>(plane.a) - o, n) / times(d, n);
         return {first(t, t), n, nullptr};
     }
+    template <class Other>
+    Hit meet(const Other&, const Vec3<T>&, const Vec3<T>&) const {
+        throw std::invalid_argument("the naive method knows spheres, planes and cylinders only");
+    }
     Hit meet(const Cylinder& can, const Vec3<T>& o, const Vec3<T>& d) const {
         const Vec3<T> axis = to<T>(can.axis()), f = o - to<T>(can.base);
         const T height = static_cast<T>(length(can.cap - can.base)), r = static_cast<T>(can.radius);
@@ -80,7 +85,7 @@ class Whitted {
             T k = 1;  // the only transformation supported
             for (const Transformation& step : primitive.transformations)
                 if (const auto* by = std::get_if<Scale>(&step)) k *= static_cast<T>(by->by.x);
-            Hit hit = std::visit([&](const auto& shape) { return meet(shape, o / k, d); }, primitive.shape);
+            Hit hit = std::visit([&](const auto& shape) { return meet(shape, Vec3<T>(o / k), d); }, primitive.shape);
             hit.t *= k, hit.material = &scene.materials[primitive.material];
             if (hit.t < best.t) best = hit;
         }
