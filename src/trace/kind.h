@@ -28,8 +28,7 @@ template <class Form, class S>
 }
 
 template <class Form, class S>
-[[gnu::noinline, gnu::cold]] Mask<S> FormFunctions<Form, S>::holds_eye(const World<T>& world, int item,
-                                                                       const Ray<S>& ray) {
+[[gnu::noinline]] Mask<S> FormFunctions<Form, S>::holds_eye(const World<T>& world, int item, const Ray<S>& ray) {
     const Ray<S> from_eye{splat<S>(world.eye), ray.direction, S(-1)};
     const Span<S> span = cross<Form>(world.groups.template get<Form>().items[item], from_eye, cross_one);
     return span.hit & (span.near <= S(0)) & (span.far > S(0));
@@ -40,6 +39,8 @@ template <class Form, class S>
 template <class Form, class S>
 STRAHL_INLINE Mask<S> FormFunctions<Form, S>::outside(const World<T>& world, int item, const Ray<S>& ray,
                                                       const Span<S>& span, Mask<S> inside) {
+    if (none(inside)) [[likely]]
+        return inside;
     const Mask<S> leaving = inside & (span.near + span.far < S(0));
     if (none(leaving)) return leaving;
     return leaving & !holds_eye(world, item, ray);
@@ -48,6 +49,8 @@ STRAHL_INLINE Mask<S> FormFunctions<Form, S>::outside(const World<T>& world, int
 template <class Form, class S>
 STRAHL_INLINE Mask<S> FormFunctions<Form, S>::outside_each(const World<T>& world, int first, const Ray<S>& ray,
                                                            const Span<S>& span, Mask<S> inside) {
+    if (none(inside)) [[likely]]
+        return inside;
     const Mask<S> leaving = inside & (span.near + span.far < S(0));
     if (none(leaving)) return leaving;
     T outside[width<S>] = {};

@@ -96,8 +96,8 @@ template <class S>
 
 /// The hot loops only note the rays that seem to start in an opaque body. They look again, more closely.
 template <class S>
-[[gnu::noinline, gnu::cold]] void nearest_again(const World<Element<S>>& world, const Ray<S>& ray, Mask<S> suspects,
-                                                BodySet set, Nearest<S>& best) {
+[[gnu::noinline]] void nearest_again(const World<Element<S>>& world, const Ray<S>& ray, Mask<S> suspects, BodySet set,
+                                     Nearest<S>& best) {
     using T = Element<S>;
     Nearest<S> found;
     found.bin = S(static_cast<T>(world.bins));
@@ -209,9 +209,8 @@ template <class S>
 
 /// What rays that seem to start in an opaque body lose to the items of the hot loops, looked at more closely.
 template <class S>
-[[gnu::noinline, gnu::cold]] void occlude_again(const World<Element<S>>& world, const Ray<S>& ray, const S& distance,
-                                                Mask<S> suspects, const Start<S>& start, BodySet set,
-                                                Transmission<S>& light) {
+[[gnu::noinline]] void occlude_again(const World<Element<S>>& world, const Ray<S>& ray, const S& distance,
+                                     Mask<S> suspects, const Start<S>& start, BodySet set, Transmission<S>& light) {
     const S one(1);
     Transmission<S> left{{one, one, one}, select(suspects, distance, S(-1))};
     each_hot_item(world, set, [&](const auto& group, int i) {
