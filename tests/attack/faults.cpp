@@ -15,11 +15,13 @@ namespace {
 struct Trial {
     const Case* attacked;
     const Ran* good;
+    double seconds;  // that the run without harm takes
     Watched watched;
     Harm harm;
     int error;
     long at;
     bool only_named;
+    long number = 0;  // the same one in every run
 };
 
 constexpr Watched kinds[] = {Watched::allocations, Watched::loading, Watched::threads, Watched::files};
@@ -45,13 +47,15 @@ void add_trials(Attacker& attacker, const Case& attacked, Ran& good, std::vector
     attacker.order(Watched::nothing, 0);
     for (const bool only_named : {true, false}) {
         attacker.control().only_named = only_named;
+        const double start = now();
         good = attacker.run_fresh(attacked);
+        const double seconds = now() - start;
         for (const Watched watched : kinds) {
             if (only_named && watched != Watched::files) continue;
             const long calls = attacker.control().counts[static_cast<int>(watched)];
             for (long at = 1; at <= calls; ++at) {
                 const auto add = [&](Harm harm, int error) {
-                    trials.push_back({&attacked, &good, watched, harm, error, at, only_named});
+                    trials.push_back({&attacked, &good, seconds, watched, harm, error, at, only_named});
                 };
                 if (watched != Watched::files) {
                     add(Harm::error, 0);
@@ -64,17 +68,19 @@ void add_trials(Attacker& attacker, const Case& attacked, Ran& good, std::vector
     }
 }
 
-/// Puts them in a random order, always the same one, in which all cases and kinds of calls take turns: a short attack
-/// tries some of each.
+/// Puts them in a random order in which all cases and kinds of calls get the same time: a short attack tries some of
+/// each, a longer one all of those that are quick.
 void mix(std::vector<Trial>& trials) {
     std::shuffle(trials.begin(), trials.end(), std::mt19937(1));
+    for (std::size_t i = 0; i < trials.size(); ++i) trials[i].number = static_cast<long>(i);
     std::map<std::pair<const Case*, Watched>, long> counts;
-    std::vector<std::pair<long, Trial>> turns;
-    for (const Trial& trial : trials) turns.emplace_back(counts[{trial.attacked, trial.watched}]++, trial);
+    std::vector<std::pair<double, Trial>> turns;
+    for (const Trial& trial : trials)
+        turns.emplace_back(trial.seconds * static_cast<double>(counts[{trial.attacked, trial.watched}]++), trial);
     for (const auto& [kind, count] : counts)
         std::fprintf(stderr, "%s: %ld trials of %ss\n", kind.first->name.c_str(), count, name_of(kind.second));
-    std::ranges::stable_sort(turns, {}, &std::pair<long, Trial>::first);
-    std::ranges::transform(turns, trials.begin(), &std::pair<long, Trial>::second);
+    std::ranges::stable_sort(turns, {}, &std::pair<double, Trial>::first);
+    std::ranges::transform(turns, trials.begin(), &std::pair<double, Trial>::second);
 }
 
 }  // namespace
@@ -91,9 +97,8 @@ int faults(Attacker& attacker, const Plan& plan) {
     Tally tally;
     long foreign = 0, per_kind[5] = {}, all_of_kind[5] = {};
     for (const Trial& trial : trials) ++all_of_kind[static_cast<int>(trial.watched)];
-    for (std::size_t i = 0; i < trials.size(); ++i) {
-        const Trial& trial = trials[i];
-        if (plan.only >= 0 ? static_cast<std::size_t>(plan.only) != i : now() > end) continue;
+    for (const Trial& trial : trials) {
+        if (plan.only >= 0 ? static_cast<long>(plan.only) != trial.number : now() > end) continue;
         attacker.control().only_named = trial.only_named;
         attacker.order(trial.watched, trial.at, trial.harm, trial.error);
         const Ran ran = attacker.run_fresh(*trial.attacked);
@@ -101,7 +106,7 @@ int faults(Attacker& attacker, const Plan& plan) {
         const std::string fault = verdict(*trial.attacked, *trial.good, ran, attacker.control());
         foreign += fault.empty() && (ran.status < 0 || ran.status == 127);
         if (fault.empty()) continue;
-        tally.fault(std::to_string(i) + ": " + in_words(trial, attacker.control()) + ": " + fault, ran);
+        tally.fault(std::to_string(trial.number) + ": " + in_words(trial, attacker.control()) + ": " + fault, ran);
     }
     std::string notes;
     for (const Watched watched : kinds)
