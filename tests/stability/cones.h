@@ -25,8 +25,8 @@ Vec3<T> unit(const Vec3<T>& v) {
 
 /// In 113 bits: where the ray first meets the cone, or infinity.
 inline double exact(const Cone& cone, const DVec3& o, const DVec3& d) {
-    __float128 nearest = INFINITY;
-    for (const auto& crossing : referee::crossings<__float128>(cone, {o, d}, -1))
+    Quadruple nearest = INFINITY;
+    for (const auto& crossing : referee::crossings<Quadruple>(cone, {o, d}, -1))
         if (crossing.t > 0) nearest = std::min(nearest, crossing.t);
     return static_cast<double>(nearest);
 }
