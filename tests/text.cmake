@@ -2,6 +2,9 @@
 strahl_test(scene strahl_scene)
 strahl_test(overlap strahl_scene)
 strahl_test(language strahl_text)
+strahl_test(language_errors strahl_text)
+strahl_test(language_values strahl_text)
+strahl_test(hostile_text strahl_text)
 strahl_test(roundtrip strahl_text)
 strahl_test(dictionary strahl_text)
 

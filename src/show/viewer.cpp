@@ -1,4 +1,4 @@
-// The main loop of the window.
+// The main loop of the window, and what it does with the results of the other threads.
 #include "show/viewer.h"
 
 #include <GLFW/glfw3.h>
@@ -9,7 +9,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <limits>
-#include <numbers>
 #include <utility>
 
 #include "image/picture.h"
@@ -33,8 +32,6 @@ PixelSize window_size(const ViewOptions& options, const Scene& scene) {
     return {width, static_cast<int>(std::lround(std::clamp(height, 240., 960.)))};
 }
 
-Viewer& viewer_of(GLFWwindow* window) { return *static_cast<Viewer*>(glfwGetWindowUserPointer(window)); }
-
 }  // namespace
 
 Viewer::Viewer(const ViewOptions& o, std::shared_ptr<const Scene> scene, std::string text, Clock::time_point began)
@@ -56,100 +53,6 @@ Viewer::Viewer(const ViewOptions& o, std::shared_ptr<const Scene> scene, std::st
 Viewer::~Viewer() = default;
 
 double Viewer::now() const { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
-void Viewer::connect() {
-    GLFWwindow* const window = screen.window();
-    glfwSetWindowUserPointer(window, this);
-    glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int modifiers) {
-        viewer_of(w).on_key(key, scancode, action, modifiers);
-    });
-    glfwSetCharCallback(window, [](GLFWwindow* w, unsigned character) {
-        // On some layouts a key that moves the camera has one of these characters printed on it.
-        if (viewer_of(w).pushing) return;
-        if (const auto command = command_of_character(character)) viewer_of(w).perform(*command);
-    });
-    glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) { viewer_of(w).on_cursor(x, y); });
-    glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int) {
-        if (button == GLFW_MOUSE_BUTTON_LEFT) viewer_of(w).dragging = action == GLFW_PRESS;
-    });
-    glfwSetScrollCallback(window, [](GLFWwindow* w, double, double y) {
-        Viewer& viewer = viewer_of(w);
-        viewer.session.change_speed(std::pow(1.25, y));
-        char text[60];
-        std::snprintf(text, sizeof text, "speed %.3g a second", viewer.session.speed);
-        viewer.note(text);
-    });
-    glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
-        if (count > 0) viewer_of(w).reload.open(paths[0]);
-    });
-    glfwSetWindowCloseCallback(window, [](GLFWwindow* w) {
-        glfwSetWindowShouldClose(w, GLFW_FALSE);
-        viewer_of(w).quit();
-    });
-    const auto redraw = [](GLFWwindow* w) { viewer_of(w).draws_due = 2; };
-    glfwSetWindowRefreshCallback(window, redraw);
-    glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { viewer_of(w).draws_due = 2; });
-}
-
-void Viewer::on_key(int key, int scancode, int action, int modifiers) {
-    const auto push = push_of_key(key);
-    pushing = push.has_value();
-    if (action == GLFW_REPEAT) return;
-    GLFWwindow* const window = screen.window();
-    const auto down = [&](int a, int b) { return glfwGetKey(window, a) || glfwGetKey(window, b); };
-    controls.faster = down(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
-    if (action == GLFW_RELEASE) {
-        if (push && controls.release(*push, now())) add_still();
-        return;
-    }
-    const bool combined = modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER);
-    if (push && !combined)
-        controls.press(*push, now());
-    else if (const auto command = command_of_key(key, scancode, modifiers, glfwGetKey(window, GLFW_KEY_RIGHT_ALT)))
-        perform(*command);
-}
-
-void Viewer::on_cursor(double x, double y) {
-    const double right = x - std::exchange(cursor_x, x), down = y - std::exchange(cursor_y, y);
-    if (!dragging) return;
-    // The view turns by the angle that the mouse crosses in the picture.
-    int width = 1;
-    glfwGetWindowSize(screen.window(), &width, nullptr);
-    const double angle = 2 * session.camera.fov * std::numbers::pi / 180 / std::max(width, 1);
-    controls.drag(right * angle, -down * angle, now());
-}
-
-void Viewer::perform(Command command) {
-    switch (command.action) {
-        case Action::quit:
-            return quit();
-        case Action::still:
-            return add_still();
-        case Action::help:
-            help = !help, draws_due = 2;
-            return;
-        case Action::info:
-            with_info = !with_info, draws_due = 2;
-            return;
-        case Action::stability:
-            return toggle_stability();
-        case Action::full_screen:
-            return screen.toggle_full_screen();
-        default:
-            tell(session.perform(command, now()));
-    }
-}
-
-void Viewer::quit() {
-    if (!quitting && stills.pending() > 0) {
-        quitting = true;
-        log_line("waiting for " + std::to_string(stills.pending()) + " still(s); Esc again drops them");
-        draws_due = 2;
-        return;
-    }
-    for (const std::string& name : stills.drop()) log_line("still dropped: " + name);
-    closed = true;
-}
 
 void Viewer::add_still() {
     View view = wanted.view;

@@ -28,12 +28,14 @@ class Viewer {
     void run();
 
   private:
-    // Input
+    // Input, see viewer_input.cpp
     void connect();
     void on_key(int key, int scancode, int action, int modifiers);
     void on_cursor(double x, double y);
     void perform(Command command);
     void quit();
+
+    // Other threads
     void add_still();
     void handle_reload();
     void handle_stills();

@@ -11,8 +11,9 @@ namespace strahl {
 /// renamed over `path` once it is on the disk, so that an older file stays as it was until then and if anything fails,
 /// a power cut included. When this returns, the name is on the disk too. Symbolic links stay links. A file with several
 /// names keeps them: it is overwritten in place, with a copy beside it meanwhile. Temporary files that killed programs
-/// left in the folder are removed, but not such a copy. An existing file keeps its permissions, but for set-user-ID and set-group-ID, and its owner where we may give it away. Devices and pipes are
-/// written to directly. Throws OutputError.
+/// left in the folder are removed, but not such a copy. An existing file keeps its permissions, but for set-user-ID and
+/// set-group-ID, and its owner where we may give it away. Devices and pipes are written to directly. Throws
+/// OutputError.
 void write_file(const std::string& path, std::string_view bytes);
 
 /// Would bytes written to one of these paths be in the way of the other's? Not of "-", devices and pipes.

@@ -56,7 +56,10 @@ void Diagnostics::check() const {
     std::string all;
     for (const Fault& fault : sorted) all.append(all.empty() ? "" : "\n").append(tell(fault));
     if (sorted.size() == most)
-        all += "\n" + show(file).text + ": there may be more; these are the first " + std::to_string(most);
+        all.append("\n")
+            .append(show(file).text)
+            .append(": there may be more; these are the first ")
+            .append(std::to_string(most));
     throw FileError(all);
 }
 

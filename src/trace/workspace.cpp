@@ -5,7 +5,6 @@
 
 namespace strahl {
 namespace {
-constexpr std::size_t widest_pack = 16;
 constexpr std::size_t queue_capacity = batch_rays + 4 * widest_pack;  // whole packs are stored past the end
 constexpr std::size_t most_bins = 128;
 }  // namespace

@@ -16,6 +16,8 @@ inline constexpr float largest_gain = 1e18f;
 /// Where a hit can do without the light of its lights, it does without that of one light up to this many times what
 /// that light, straight above, would make it scatter.
 inline constexpr float faint_share = 2;
+/// Lanes. Arrays hold as many elements more, because packs are loaded and stored whole.
+inline constexpr int widest_pack = 16;
 
 /// A kernel with its numbers. Made of elements only, so that it can be gathered lane by lane; whole numbers are exact
 /// in every element type (in float up to 2^24, see `World::capacity`).

@@ -15,7 +15,6 @@
 
 namespace strahl {
 
-inline constexpr int widest_pack = 16;             // lanes
 inline constexpr std::int32_t share_items = 4096;  // a thread's piece of work on items
 
 /// Counts what shapes emit, by form.

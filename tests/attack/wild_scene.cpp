@@ -7,7 +7,7 @@
 
 #include "num/vec_math.h"
 #include "scene/overlap.h"
-#include "tests/referee/dice.h"
+#include "tests/attack/wild_values.h"
 #include "text/blocks.h"
 #include "text/bodies.h"
 #include "text/materials.h"
@@ -15,21 +15,12 @@
 namespace strahl {
 namespace {
 
-class Wild {
+class Wild : WildValues {
   public:
-    explicit Wild(std::uint64_t seed) : dice(seed) {
-        constexpr double shares[]{0, .03, .2, .7};
-        wildness = shares[dice.upto(3)];
-    }
+    using WildValues::WildValues;
     WildScene make();
 
   private:
-    double tame();
-    double extreme(const Bounds& bounds);
-    double number(const Bounds& bounds);
-    double usual_or(const Bounds& bounds, double low, double high);
-    DVec3 point();
-    Color color();
     Material material();
     template <class... Kinds>
     Shape shape(std::type_identity<std::variant<Kinds...>>);
@@ -44,85 +35,9 @@ class Wild {
     bool look_at_body(Camera& camera);
     int depth();
 
-    Dice dice;
-    double wildness;              // share of the values that are extreme
-    std::vector<double> numbers;  // that were chosen, to be chosen again: so bodies touch and coincide
-    std::vector<DVec3> points;
     Scene scene;
     std::vector<Material> own;  // each primitive's
 };
-
-double Wild::tame() {
-    switch (dice.upto(3)) {
-        case 0:
-            return dice.upto(4) - 2;
-        case 1:
-            return (dice.upto(12) - 6) / 4.;
-        default:
-            return dice.in(-3, 3);
-    }
-}
-
-double Wild::extreme(const Bounds& bounds) {
-    const double sign = dice.chance(.5) ? -1 : 1;
-    const auto power = [&](double from, double to) { return sign * std::pow(10, dice.in(from, to)); };
-    const double most = std::log10(bounds.high), least = bounds.low > 0 ? std::log10(bounds.low) : -307;
-    switch (dice.upto(7)) {
-        case 0:
-            return bounds.low;
-        case 1:
-            return bounds.high;
-        case 2:
-            return power(least, most);
-        case 3:
-            return power(std::max(-15., least), most);
-        case 4:
-            return power(-4, 4);
-        case 5:
-            return dice.chance(.2) ? 5e-324 : 0;
-        default: {
-            if (numbers.empty()) return 1;
-            const double earlier = numbers[dice.upto(static_cast<int>(numbers.size()) - 1)];
-            return dice.chance(.5) ? earlier * (1 + power(-17, -1)) : std::nextafter(earlier, sign * bounds.high);
-        }
-    }
-}
-
-double Wild::number(const Bounds& bounds) {
-    for (int i = 0; i < 30; ++i) {
-        const bool again = !numbers.empty() && dice.chance(.2);
-        double value = again ? numbers[dice.upto(static_cast<int>(numbers.size()) - 1)]
-                             : (dice.chance(wildness) ? extreme(bounds) : tame());
-        if (bounds.low >= 0) value = std::fabs(value);
-        if (!bounds.contains(value)) continue;
-        numbers.push_back(value);
-        return value;
-    }
-    return bounds.high;
-}
-
-/// Mostly of this interval.
-double Wild::usual_or(const Bounds& bounds, double low, double high) {
-    return dice.chance(wildness) ? number(bounds) : dice.in(low, high);
-}
-
-DVec3 Wild::point() {
-    DVec3 p{0};
-    if (!points.empty() && dice.chance(.25)) {
-        p = points[dice.upto(static_cast<int>(points.size()) - 1)];
-        if (dice.chance(.7)) p[dice.upto(2)] = number(coordinates);
-    } else {
-        for (int i = 0; i < 3; ++i) p[i] = number(coordinates);
-    }
-    points.push_back(p);
-    return p;
-}
-
-Color Wild::color() {
-    const auto part = [&] { return usual_or(not_negative, 0, 1); };
-    const double red = part(), green = part(), blue = part();
-    return {red, green, blue};
-}
 
 Material Wild::material() {
     Material m;

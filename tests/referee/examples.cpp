@@ -131,6 +131,11 @@ void shapes(std::vector<Example>& list) {
         add("a cylinder inside",
             Stage(across).look({0, 0, 0}, {0, 1, 0}, 40).put(Cylinder{{0, 0, -.7}, {0, 0, .5}, .6}, m));
     }
+}
+
+/// Eyes in bodies and on them, bodies in one place, moved and out of shape.
+void places(std::vector<Example>& list) {
+    const auto add = [&](const char* name, Stage stage, int depth = 4) { list.push_back({name, stage.scene, depth}); };
     add("a plane through the eye, and parallel ones",
         Stage()
             .look({0, -5, 0}, {0, 0, 0}, 30)
@@ -174,7 +179,7 @@ void shapes(std::vector<Example>& list) {
                                                  .put(can, red)
                                                  .put(ground, blue)
                                                  .put(ground, red));
-    Stage moved = all(glass(1.3));
+    Stage moved = Stage().put(ground, glass(1.3)).put(ball, glass(1.3)).put(can, glass(1.3));
     for (Primitive& p : moved.scene.primitives) p.transformations = {Scale{DVec3(100)}, Translate{{3e3, -5e3, 2e3}}};
     moved.look({3040, -5600, 2210}, {3000, -4990, 2000}, 24).dark().light({2700, -5400, 2500}, {1, .9, .8});
     add("far from the origin and large", moved);
@@ -240,7 +245,7 @@ Scene facing_mirrors() {
 
 std::vector<Example> examples() {
     std::vector<Example> list;
-    terms(list), shapes(list), media(list);
+    terms(list), shapes(list), places(list), media(list);
     list.push_back({"facing mirrors", facing_mirrors(), 20});
     return list;
 }

@@ -43,7 +43,7 @@ struct Exact {
     bool hit() const { return near <= far; }
 };
 Exact exact(const Cuboid& box, const DVec3& o, const DVec3& d) {
-    const auto found = referee::crossings<__float128>(box, {o, d}, -1);
+    const auto found = referee::crossings<Quadruple>(box, {o, d}, -1);
     if (found.count < 2) return {};
     return {static_cast<double>(found.list[0].t), static_cast<double>(found.list[1].t)};
 }
@@ -124,7 +124,7 @@ TEST_CASE("near, far and thin boxes: hit or miss, where, and at which face") {
             const Exact large = exact(grown(box, unsure), from, d), small = exact(grown(box, -unsure), from, d);
             off += !(large.near <= span.near && span.far <= large.far);
             off += small.hit() && !(span.near <= small.near && small.far <= span.far);
-            const int face = referee::crossings<__float128>(box, {from, d}, -1).list[0].face;
+            const int face = referee::crossings<Quadruple>(box, {from, d}, -1).list[0].face;
             other_face += span.near_face != face && small.hit() && right.far - right.near > 1e3 * unsure;
         }
         MESSAGE("up to 10^" << reach << " away, of " << rays << " rays " << hits << " hit: wrong " << wrong

@@ -11,6 +11,9 @@
 
 namespace strahl {
 
+/// Of the stored pictures, as make_references has it.
+inline constexpr int picture_width = 80, picture_height = 60;
+
 struct Allowed {
     int steps = 1;
     double share = 0;

@@ -1,35 +1,18 @@
-// The window's threads: tracing of the newest view, stills in the background, reloading of the scene file.
+// The window's tracing thread: the newest view is traced, coarse and then finer.
 #include <doctest/doctest.h>
 
 #include <chrono>
 #include <condition_variable>
-#include <filesystem>
-#include <fstream>
 #include <mutex>
-#include <set>
 
-#include "image/picture.h"
 #include "image/transfer.h"
-#include "show/reload.h"
-#include "show/stills.h"
 #include "show/trace_thread.h"
-#include "tests/unit/scratch.h"
-#include "text/parse.h"
+#include "tests/unit/show_scene.h"
 
 using namespace strahl;
 
 namespace {
 
-const std::string text = R"(
-camera { position <5,-20,18> look_at <0,0,0> up <0,0,-1> fov 12 }
-light { position <-5,0,10> color <.9,.9,.9> }
-sphere { <0,0,2>, 2 material { rgb <1,.2,.2> } }
-sphere { <2.5,-2,1>, 1 material { rgb <.2,1,.2> refraction .6 ior 1.3 } }
-plane { <0,0,0>, <1,0,0>, <0,1,0> }
-)";
-std::shared_ptr<const Scene> scene_of(const std::string& more = "") {
-    return std::make_shared<const Scene>(parse_scene(text + more, "test"));
-}
 Order order_of(std::uint64_t number, std::shared_ptr<const Scene> scene, int width, int height, double fov = 12) {
     Order order{.number = number, .scene = scene, .view = {.camera = scene->camera, .width = width, .height = height}};
     order.view.camera.fov = fov;
@@ -184,122 +167,4 @@ TEST_CASE("tracing can be stopped at any time") {
         if (i % 3 > 1) std::this_thread::sleep_for(std::chrono::microseconds(100 * i));
     }
     CHECK(true);
-}
-
-namespace {
-
-/// Waits for another thread.
-bool soon(const std::function<bool()>& done) {
-    for (int i = 0; i < 1000; ++i) {
-        if (done()) return true;
-        std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    }
-    return false;
-}
-
-}  // namespace
-
-TEST_CASE("stills equal rendered pictures and replace no file") {
-    const Scratch folder;
-    const auto scene = scene_of();
-    const View view{.camera = scene->camera, .width = 20, .height = 15, .depth = 5};
-    {
-        std::ofstream(folder / "still.bmp") << "mine";
-        Stills stills(2, [] {});
-        for (int i = 0; i < 3; ++i) stills.add({scene, view, folder / "still"});
-        CHECK(stills.pending() > 0);
-        REQUIRE(soon([&] { return stills.pending() == 0; }));
-        std::set<std::string> paths;
-        for (const auto& outcome : stills.outcomes()) {
-            CHECK(outcome.fault == "");
-            paths.insert(outcome.path);
-        }
-        CHECK(paths == std::set<std::string>{folder / "still-2.bmp", folder / "still-3.bmp", folder / "still-4.bmp"});
-        CHECK(stills.outcomes().empty());
-    }
-    CHECK(bytes_of(folder / "still.bmp") == "mine");
-    CHECK(folder.files() == 4);
-    const Frame frame = render(*scene, view);
-    write_picture({20, 15, 3, frame.rgb}, folder / "reference.bmp", {});
-    CHECK(bytes_of(folder / "still-2.bmp") == bytes_of(folder / "reference.bmp"));
-}
-
-TEST_CASE("unfinished stills are dropped by name and leave no file") {
-    const Scratch folder;
-    const auto scene = scene_of();
-    Stills stills(2, [] {});
-    for (const char* name : {"a", "b"})
-        stills.add({scene, {.camera = scene->camera, .width = 8000, .height = 6000}, folder / name});
-    CHECK(stills.drop() == std::vector<std::string>{folder / "a", folder / "b"});
-    CHECK(folder.files() == 0);
-}
-
-TEST_CASE("a still that can't be written reports the reason") {
-    const Scratch folder;
-    const auto scene = scene_of();
-    Stills stills(1, [] {});
-    stills.add({scene, {.camera = scene->camera, .width = 4, .height = 3}, folder / "missing/still"});
-    REQUIRE(soon([&] { return stills.pending() == 0; }));
-    const auto outcomes = stills.outcomes();
-    REQUIRE(outcomes.size() == 1);
-    CHECK(outcomes[0].fault.find("missing/still.bmp") != std::string::npos);
-}
-
-TEST_CASE("a still is named after its scene and the time") {
-    const std::string name = still_name("some/where/article.rt");
-    CHECK(name.starts_with("article-20"));
-    CHECK(name.size() == std::string("article-20260131-235959").size());
-    CHECK(still_name("-").starts_with("scene-"));
-}
-
-TEST_CASE("a changed scene file is read again, a broken one reported, a touched one ignored") {
-    const Scratch folder;
-    const std::string path = folder / "scene.rt";
-    const auto put = [&](const std::string& content) {
-        std::ofstream(folder / "new") << content;
-        std::filesystem::rename(folder / "new", path);
-    };
-    put(text);
-    Reload reload(path, text, [] {});
-    std::optional<Loaded> loaded;
-    const auto next = [&] { return soon([&] { return (loaded = reload.take()).has_value(); }); };
-
-    put(text + "light { position <0,0,9> color <1,1,1> }");
-    REQUIRE(next());
-    REQUIRE(loaded->scene);
-    CHECK(loaded->scene->lights.size() == 2);
-    CHECK(!loaded->opened);
-
-    put(text + "lihgt { }");
-    REQUIRE(next());
-    CHECK(!loaded->scene);
-    CHECK(loaded->fault.find("scene.rt:7:1") != std::string::npos);
-
-    std::filesystem::remove(path);  // as some editors do for a moment
-    put(text + "lihgt { }");        // the same again: nothing new
-    put(text);
-    REQUIRE(next());
-    CHECK(loaded->scene);
-
-    const std::string other = folder / "other.rt";
-    std::ofstream(other) << "camera {";
-    reload.open(other);
-    REQUIRE(next());
-    CHECK(loaded->opened);
-    CHECK(!loaded->scene);
-    reload.open(folder / "nothing.rt");
-    REQUIRE(next());
-    CHECK(loaded->fault.find("nothing.rt") != std::string::npos);
-    put(text + " ");  // still the one that is watched
-    REQUIRE(next());
-    CHECK(loaded->path == path);
-
-    std::ofstream(other) << text;
-    reload.open(other);
-    REQUIRE(next());
-    CHECK(loaded->path == other);
-    CHECK(loaded->scene);
-    std::ofstream(other) << text << "light { position <0,0,9> color <1,1,1> }";
-    REQUIRE(next());
-    CHECK(loaded->scene->lights.size() == 2);
 }

@@ -16,6 +16,7 @@ using Q = Quadruple;
 using QVec3 = Vec3<Q>;
 constexpr Q none = -7;  // a miss; rays that meet their own surface answer -1
 
+Q magnitude(Q a) { return a < 0 ? -a : a; }
 DVec3 unit(const DVec3& v) { return v / naive::length(v); }
 DVec3 across(const DVec3& v, Dice& dice) {
     const DVec3 w = dice.direction();
@@ -108,7 +109,7 @@ Q cylinder_root(const QVec3& o, const QVec3& d, const QVec3& base, const QVec3& 
     if (a > 0) {
         const Q k = b * b - a * c;
         if (k <= 0) return none;
-        near = (-b - sqrtq(k)) / a, far = (-b + sqrtq(k)) / a;
+        near = (-b - root(k)) / a, far = (-b + root(k)) / a;
     } else if (c >= 0) {
         return none;
     }
@@ -204,7 +205,7 @@ Wrong judge(std::string_view group, const Rays<T>& rays, const Answers<T>& answe
             exact = cylinder_root(o, d, a, b, r, h);
             const Q along = naive::times(p - a, b);
             const Q side = naive::length(p - a - b * along) - r;
-            off = std::min({fabsq(side), fabsq(along), fabsq(along - h)}) / r;
+            off = std::min({magnitude(side), magnitude(along), magnitude(along - h)}) / r;
         }
         if (group == "start") {
             if (exact == none) continue;
@@ -213,14 +214,14 @@ Wrong judge(std::string_view group, const Rays<T>& rays, const Answers<T>& answe
             ++asked;
             const bool right = hit && t >= 0;
             wrong.answers += !right;
-            if (right) errors.push_back(static_cast<double>(fabsq(t - exact) / r));
+            if (right) errors.push_back(static_cast<double>(magnitude(t - exact) / r));
             continue;
         }
         ++asked;
         wrong.answers += hit != (exact != none);
         if (!hit || exact == none) continue;
-        errors.push_back(static_cast<double>(fabsq(t - exact) / exact));
-        distances.push_back(static_cast<double>(fabsq(off)));
+        errors.push_back(static_cast<double>(magnitude(t - exact) / exact));
+        distances.push_back(static_cast<double>(magnitude(off)));
     }
     wrong.answers /= static_cast<double>(std::max<std::size_t>(asked, 1));
     wrong.t = quantile(errors), wrong.surface = quantile(distances);
