@@ -11,10 +11,27 @@ struct Branch {
     Vec3<S> direction;
     S weight, medium;
 };
+/// Lengths that are off by more than unit() mends: those of directions that come from normals of bodies too small for
+/// this kind of number. What culls packets of rays relies on the length. Rays without any direction end.
+template <class S>
+[[gnu::noinline, gnu::cold]] void normalize(Branch<S>& ray, const Vec3<S>& direction, Mask<S> off) {
+    const S squared = dot(direction, direction);
+    ray.direction = select(off, scale(S(1) / sqrt(squared), direction), ray.direction);
+    ray.mask = ray.mask & (dot(ray.direction, ray.direction) < S(2));
+}
 template <class S>
 STRAHL_INLINE Branch<S> branch(const Hit<S>& hit, Mask<S> mask, const Vec3<S>& direction, S share, S medium) {
+    using T = Element<S>;
+    constexpr T mended = T(1) / (std::uint64_t(1) << (std::numeric_limits<T>::digits / 2 - 1));
     const S weight = min(hit.weight * share, S(largest_gain));
-    return {Mask<S>(mask & (weight > S(0))), unit(direction), weight, medium};
+    Branch<S> ray{Mask<S>(mask & (weight > S(0))), unit(direction), weight, medium};
+    const Mask<S> off = ray.mask & !(abs(dot(direction, direction) - S(1)) <= S(mended));
+    if (any(off)) [[unlikely]] {
+        Branch<S> copy = ray;
+        normalize(copy, Vec3<S>(direction), off);
+        ray = copy;
+    }
+    return ray;
 }
 
 template <class S>

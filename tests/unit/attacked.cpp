@@ -49,3 +49,17 @@ TEST_CASE("a cone so flat that its height is lost") {
                          height + ">, 1, <-1, 0, 0>, 2 material { ambient 1 } }",
                      26, 6) == std::vector<std::string>{});
 }
+
+TEST_CASE("a mirror whose squared radius float can hardly say") {
+    for (const std::string radius : {"5.5e-8", "6e-8", "6.5e-8"}) {
+        CAPTURE(radius);
+        CHECK(faults("camera { position <0, 0, -1e15> look_at <1, 0, -1e15> up <0, 1, 0> fov 30 }"
+                     "background { color <.2, .5, 1> }"
+                     "sphere { <1.5e-7, 0, -1e15>, " +
+                         radius +
+                         " material { reflection 1 } }"
+                         "box { <2, -1e15, 0>, <1e15, -2, -3> material { ambient .7 } }"
+                         "box { <0, 0, 0>, <1, 1, 1> } sphere { <0, 0, 0>, 1 }",
+                     30, 20) == std::vector<std::string>{});
+    }
+}
