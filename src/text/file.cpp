@@ -1,6 +1,7 @@
 // Whole files out: temporary file, then rename.
 #include "text/file.h"
 
+#include <dirent.h>
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/stat.h>
@@ -13,7 +14,9 @@
 #include <cstdio>
 #include <ctime>
 #include <filesystem>
+#include <memory>
 #include <stdexcept>
+#include <string_view>
 #include <system_error>
 
 namespace strahl {
@@ -88,16 +91,18 @@ int sync_folder(const fs::path& folder) {
     return error;
 }
 
-/// Removes what killed programs left in a folder: temporary files that nobody has locked.
+/// Removes what killed programs left in a folder: temporary files that nobody has locked. The folder is not listed by
+/// std::filesystem, which ends the program where memory runs out on the way.
 void remove_left(const fs::path& folder) {
-    std::error_code error;
-    for (fs::directory_iterator entry(folder.empty() ? "." : folder, error), end; entry != end;
-         entry.increment(error)) {
-        const std::string name = entry->path().filename().string();
+    const std::unique_ptr<DIR, int (*)(DIR*)> list(::opendir(folder.empty() ? "." : folder.c_str()), ::closedir);
+    if (!list) return;
+    while (const dirent* entry = ::readdir(list.get())) {
+        const std::string_view name = entry->d_name;
         if (!name.starts_with(".strahl-") || !name.ends_with(".tmp")) continue;
-        const int file = ::open(entry->path().c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+        const fs::path path = folder / name;
+        const int file = ::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
         if (file < 0) continue;
-        if (::flock(file, LOCK_EX | LOCK_NB) == 0) ::unlink(entry->path().c_str());
+        if (::flock(file, LOCK_EX | LOCK_NB) == 0) ::unlink(path.c_str());
         ::close(file);
     }
 }
