@@ -94,4 +94,24 @@ inline auto material_parameters(Material& material) {
         Material::fields);
 }
 
+/// Calls visit(word, parameters) for the kinds of blocks, but for bodies.
+template <class Visit>
+void each_block(const Visit& visit) {
+    EyeText eye;
+    std::optional<double> aspectratio;
+    double time = 0;
+    Flythrough path;
+    Light light;
+    Color background{0};
+    SettingsText settings;
+    Material material;
+    visit("material", material_parameters(material));
+    visit("light", light_parameters(light));
+    visit("camera", camera_parameters(eye, aspectratio));
+    visit("background", background_parameters(background));
+    visit("global_settings", settings_parameters(settings));
+    visit("flythrough", flythrough_parameters(path));
+    visit("key", key_parameters(time, eye));
+}
+
 }  // namespace strahl

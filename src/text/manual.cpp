@@ -57,22 +57,9 @@ std::string body_table(std::type_identity<std::variant<Kinds...>>) {
 }
 
 std::map<std::string, std::string> all_tables() {
-    EyeText eye;
-    std::optional<double> aspectratio;
-    double time = 0;
-    Flythrough path;
-    Light light;
-    Color background{0};
-    SettingsText settings;
-    Material material;
-    return {{"bodies", body_table(std::type_identity<Shape>{})},
-            {"material", parameter_table(material_parameters(material))},
-            {"light", parameter_table(light_parameters(light))},
-            {"camera", parameter_table(camera_parameters(eye, aspectratio))},
-            {"background", parameter_table(background_parameters(background))},
-            {"global_settings", parameter_table(settings_parameters(settings))},
-            {"flythrough", parameter_table(flythrough_parameters(path))},
-            {"key", parameter_table(key_parameters(time, eye))}};
+    std::map<std::string, std::string> tables{{"bodies", body_table(std::type_identity<Shape>{})}};
+    each_block([&](const char* word, const auto& parameters) { tables[word] = parameter_table(parameters); });
+    return tables;
 }
 
 }  // namespace
