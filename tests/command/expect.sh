@@ -12,6 +12,14 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work" || exit 1
 
+# Between two mirrors: a picture that takes long.
+# shellcheck disable=SC2034  # for the tests
+mirrors="camera { position <0, 0, 0>  look_at <0, 1, 0>  up <0, 0, -1>  fov 40 }
+light { position <0, 0, .5>  color <1, 1, 1> }
+defaultmaterial { reflection .999  diffuse .1 }
+plane { <0, 3, 0>, <1, 3, 0>, <0, 3, 1> }
+plane { <0, -3, 0>, <1, -3, 0>, <0, -3, 1> }"
+
 fault() {
     printf 'FAULT: %s\n' "$*"
     ((++faults))

@@ -21,13 +21,7 @@ object=CMakeFiles/strahl_scene.dir/src/scene/transformation.cpp.o
 rm -rf homeless
 
 # Without the part that writes pictures, or with a broken one, that is told at once and not after hours of tracing.
-cat >long.rt <<'SCENE'
-camera { position <0, 0, 0>  look_at <0, 1, 0>  up <0, 0, -1>  fov 40 }
-light { position <0, 0, .5>  color <1, 1, 1> }
-defaultmaterial { reflection .999  diffuse .1 }
-plane { <0, 3, 0>, <1, 3, 0>, <0, 3, 1> }
-plane { <0, -3, 0>, <1, -3, 0>, <0, -3, 1> }
-SCENE
+echo "$mirrors" >long.rt
 rm x.png
 long=(long.rt --size 4000x4000 --depth 256 -o x.png)
 for module in missing broken; do

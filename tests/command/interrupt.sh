@@ -4,12 +4,8 @@ set -uo pipefail
 source "$(dirname "$0")/expect.sh"
 set -m # a shell without job control starts what it puts into the background with SIGINT ignored
 
-cat >long.rt <<'SCENE'
-camera { position <0, 0, 0>  look_at <0, 1, 0>  up <0, 0, -1>  fov 40 }
-light { position <0, 0, .5>  color <1, 1, 1> }
-defaultmaterial { reflection .999  diffuse .1 }
-plane { <0, 3, 0>, <1, 3, 0>, <0, 3, 1> }
-plane { <0, -3, 0>, <1, -3, 0>, <0, -3, 1> }
+cat >long.rt <<SCENE
+$mirrors
 flythrough { duration 9  key { time 0  position <0, 0, 0>  look_at <0, 1, 0> }
                          key { time 9  position <0, 1, 0>  look_at <0, 2, 0> } }
 SCENE
@@ -51,12 +47,8 @@ grep -q "with --resume continues" said || fault "it said: $(<said)"
 expect_only long.rt scene.rt said film-0000.bmp film-0001.bmp film-0002.part.bmp
 
 # Within a pixel too: between mirrors glass doubles the rays at every bounce, and none of these pixels ever ends.
-cat >pixel.rt <<'SCENE'
-camera { position <0, 0, 0>  look_at <0, 1, 0>  up <0, 0, -1>  fov 40 }
-light { position <0, 0, .5>  color <1, 1, 1> }
-defaultmaterial { reflection .999  diffuse .1 }
-plane { <0, 3, 0>, <1, 3, 0>, <0, 3, 1> }
-plane { <0, -3, 0>, <1, -3, 0>, <0, -3, 1> }
+cat >pixel.rt <<SCENE
+$mirrors
 sphere { <0, 1.5, 0>, .5 material { reflection .5  refraction .9  ior 1.5 } }
 sphere { <0, -1.5, 0>, .5 material { reflection .5  refraction .9  ior 1.5 } }
 SCENE
