@@ -68,10 +68,8 @@ struct Compensated {
 struct PutBack {
     template <class S>
     static Answer<S> of(const Question<S>& q) {
-        const SphereKernel<S> sphere{q.a, q.r};
-        const Span<S> span = sphere.span(q.ray(), S(-1));
-        Answer<S> answer = along(q, span.hit, span.near, span.far);
-        answer.p = sphere.at(q.ray(), answer.t, S(-1)).position;
+        Answer<S> answer = Projection::of(q);
+        answer.p = SphereKernel<S>{q.a, q.r}.at(q.ray(), answer.t, S(0)).position;
         return answer;
     }
 };
