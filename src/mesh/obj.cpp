@@ -40,7 +40,7 @@ class ObjReader {
         if (smooth)
             give_normals();
         else
-            mesh.corner_normals.clear();
+            mesh.corner_normals = std::vector<MeshData::Corners>();
         return std::move(mesh);
     }
 

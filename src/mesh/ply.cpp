@@ -30,8 +30,8 @@ class TextValues {
         if (!number_of(word, value)) words.fail(quoted_word(word) + " is not a number");
         return true;
     }
-    /// How many more such values could there be?
-    std::uint64_t room(PlyType) const { return words.left() / 2 + 1; }
+    /// How many more such values could there be? Each has a blank before it.
+    std::uint64_t room(PlyType) const { return words.left() / 2; }
     bool ended() { return Words(words).next().empty(); }
     [[noreturn]] void fail(const std::string& message) const { words.fail(message); }
 

@@ -111,6 +111,7 @@ MeshData read_mesh(const std::string& path, const MeshLimits& limits) {
     const Kind kind = kind_of(source);
     MeshData mesh = kind == Kind::ply ? read_ply(source) : kind == Kind::obj ? read_obj(source) : read_stl(source);
     remove_empty(mesh);
+    mesh.points.shrink_to_fit(), mesh.triangles.shrink_to_fit();
     if (mesh.triangles.empty()) source.fail("there is no face in this file that has three different corners");
     check_normals(mesh, source, kind);
     return mesh;

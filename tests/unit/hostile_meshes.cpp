@@ -93,6 +93,7 @@ TEST_CASE("every file that is cut off is told to be") {
     CHECK(fault_in("a.stl", binary_stl(one).substr(0, 100)) == Says{"100 bytes, and its header announces 1 triangle"});
     for (const std::string& format : formats)
         CHECK(fault_in("a.ply", ply_of(triangle(), {.format = format}) + "1") == Says{"goes on after all"});
+    CHECK(fault_in("a.stl", ascii_stl(one) + "facet") == Says{"here should be another 'solid', or the end, and not"});
 }
 
 TEST_CASE("numbers that are none, or too large") {
@@ -191,6 +192,10 @@ TEST_CASE("headers of PLY files that make no sense") {
     CHECK(fault("float x", "float") == Says{"this property has no name"});
     CHECK(fault("face", "vertex") == Says{"two elements 'vertex'"});
     CHECK(fault("uchar", "float") == Says{"a whole number's type"});
+    CHECK(fault("float x", "list uchar float x") == Says{"lack one of x, y and z"});
+    std::string elements;
+    for (int i = 0; i < 99; ++i) elements.append("element e").append(std::to_string(i)).append(" 0\n");
+    CHECK(fault("element face", elements + "element face") == Says{"more than 100 kinds"});
     CHECK(fault("end_header", "end") == Says{"unknown word 'end' in the header"});
 }
 
@@ -202,6 +207,7 @@ TEST_CASE("what a header or a list announces costs nothing before it is there") 
               Says{std::string("the header announces ") + count + " of element 'face', and only "});
         CHECK(fault_in("a.ply", changed("vertex 3", std::string("vertex ") + count)) == Says{"the header announces "});
     }
+    CHECK(fault_in("a.ply", changed("face 1", "face 10")) == Says{"the header announces 10 of element 'face'"});
     for (const std::string& format : formats) {
         std::string bytes = ply_of(triangle(), {.format = format});
         bytes.replace(bytes.find("uchar"), 5, "double");
@@ -235,6 +241,11 @@ TEST_CASE("a mesh has at most so many triangles and points") {
     }
     CHECK(fault_in("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4", {.most_triangles = 1}) ==
           Says{"more than 1 triangle;"});
+    CHECK(fault_in("a.ply", changed("3 0 1 2", "4 0 1 2 1"), {.most_triangles = 1}) == Says{"more than 1 triangle;"});
+    std::string empty_face = changed("face 1", "face 2");
+    empty_face += "0\n";
+    CHECK(fault_in("a.ply", empty_face) == "");
+    CHECK(fault_in("a.ply", empty_face, {.most_triangles = 1}) == Says{"more than 1 triangle;"});
 }
 
 TEST_CASE("faces of very many corners take no more time than they must") {

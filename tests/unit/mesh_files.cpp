@@ -6,8 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <ctime>
-#include <functional>
-#include <limits>
+#include <glm/geometric.hpp>
 #include <vector>
 
 #include "mesh/read_mesh.h"
@@ -159,15 +158,17 @@ double area(const MeshData& mesh) {
     return sum;
 }
 
+/// An OBJ file of one face.
+std::string face(const std::vector<DVec3>& points) {
+    std::string text, corners = "f";
+    for (const DVec3& p : points) {
+        text += "v " + text_of(p.x) + " " + text_of(p.y) + " " + text_of(p.z) + "\n";
+        corners += " -" + std::to_string(points.size() - static_cast<std::size_t>(&p - points.data()));
+    }
+    return text + corners + "\n";
+}
+
 TEST_CASE("faces of many corners are split, concave ones along their ears") {
-    const auto face = [](const std::vector<DVec3>& points) {
-        std::string text, corners = "f";
-        for (const DVec3& p : points) {
-            text += "v " + text_of(p.x) + " " + text_of(p.y) + " " + text_of(p.z) + "\n";
-            corners += " -" + std::to_string(points.size() - static_cast<std::size_t>(&p - points.data()));
-        }
-        return text + corners + "\n";
-    };
     CHECK(read("a.obj", face({{0, 0, 0}, {1, 0, 0}, {2, 1, 0}, {1, 2, 0}, {0, 1, 0}})).triangles ==
           std::vector<Corners>{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}});
     CHECK(area(read("a.obj", face({{0, 0, 0}, {4, 1, 0}, {0, 2, 0}, {1, 1, 0}}))) == 6);   // an arrow's head
@@ -191,6 +192,30 @@ TEST_CASE("faces of many corners are split, concave ones along their ears") {
     }
     CHECK(read("a.obj", face({{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}, {-3, .5, 1}})).triangles.size() ==
           3);  // crosses itself
+}
+
+TEST_CASE("concave faces are split rightly whichever way they look") {
+    for (const int axis : {0, 1, 2})
+        for (const bool reversed : {false, true}) {
+            CAPTURE(axis);
+            CAPTURE(reversed);
+            std::vector<DVec3> points;
+            for (const auto& [x, y] : {std::pair{0, 0}, {4, 1}, {0, 2}, {1, 1}}) {
+                DVec3 point{5, 5, 5};
+                point[(axis + 1) % 3] = x, point[(axis + 2) % 3] = y;
+                points.push_back(point);
+            }
+            if (reversed) std::reverse(points.begin(), points.end());
+            const MeshData mesh = read("a.obj", face(points));
+            double sum = 0;
+            for (const auto& [a, b, c] : mesh.triangles) {
+                const DVec3 normal = glm::cross(mesh.points[b] - mesh.points[a], mesh.points[c] - mesh.points[a]);
+                const double part = reversed ? -normal[axis] : normal[axis];
+                CHECK(part > 0);
+                sum += part;
+            }
+            CHECK(sum == 6);
+        }
 }
 
 TEST_CASE("the time that a million triangles take" * doctest::skip()) {
