@@ -17,33 +17,35 @@ std::string text_of_count(double count) {
                                                                 : text_of(count);
 }
 
-/// Values as text.
+/// Values as text, a line for each element.
 class TextValues {
   public:
-    static constexpr bool is_text = true;
     TextValues(const Source& source, std::string_view text) : words(source, text) {}
 
-    /// False at the end.
+    /// False at the end of the line.
     bool read(PlyType, double& value) {
-        const std::string_view word = words.next();
+        const std::string_view word = starts_line ? words.next() : words.next_in_line();
+        starts_line = false;
         if (word.empty()) return false;
         if (!number_of(word, value)) words.fail(quoted_word(word) + " is not a number");
         return true;
     }
     /// How many more such values could there be? Each has a blank before it.
     std::uint64_t room(PlyType) const { return words.left() / 2; }
-    bool ended() { return Words(words).next().empty(); }
+    /// False if there is more on the line.
+    bool end_element() { return starts_line = true, words.next_in_line().empty(); }
+    bool ended() { return words.next().empty(); }
     [[noreturn]] void fail(const std::string& message) const { words.fail(message); }
 
   private:
     Words words;
+    bool starts_line = true;
 };
 
 /// Values as a computer has them, in this byte order or in the other one.
 template <bool swapped>
 class BinaryValues {
   public:
-    static constexpr bool is_text = false;
     BinaryValues(const Source& source, std::string_view bytes)
         : source(source), place(bytes.data()), end(place + bytes.size()) {}
 
@@ -68,6 +70,7 @@ class BinaryValues {
         }
     }
     std::uint64_t room(PlyType type) const { return static_cast<std::uint64_t>(end - place) / size_of(type); }
+    static bool end_element() { return true; }
     bool ended() const { return place == end; }
     [[noreturn]] void fail(const std::string& message) const { source.fail(message); }
 
@@ -103,7 +106,7 @@ class Body {
             else if (element->name == "face")
                 read_faces();
             else if (!element->properties.empty())
-                for (; number < element->count; ++number)
+                for (; number < element->count; end_element())
                     for (const PlyProperty& property : element->properties) skip(property);
         }
         if (!has_faces) source.fail("there are no faces in this file; a mesh needs an element 'face'");
@@ -118,9 +121,13 @@ class Body {
     double value(PlyType type) {
         double v = 0;
         if (!values.read(type, v))
-            source.fail("the file ends in " + here() + " of " + std::to_string(element->count) +
-                        "; it was cut off, so get it anew");
+            values.fail("the values of " + here() +
+                        " end too early; the file was cut off, or its header announces too many");
         return v;
+    }
+    void end_element() {
+        if (!values.end_element()) values.fail(here() + " has more values than the header announces");
+        ++number;
     }
     /// The length of a list that has room in what is left of the file.
     std::uint64_t length(const PlyProperty& list) {
@@ -168,7 +175,7 @@ void Body<Values>::read_vertices() {
     source.check_points(element->count);
     mesh.points.resize(element->count);
     if (smooth) mesh.normals.resize(element->count);
-    for (; number < element->count; ++number) {
+    for (; number < element->count; end_element()) {
         double v[others + 1];
         for (std::size_t i = 0; i < meanings.size(); ++i) {
             if (element->properties[i].count)
@@ -196,7 +203,7 @@ void Body<Values>::read_faces() {
     has_faces = true;
     mesh.triangles.reserve(element->count);
     if (smooth) mesh.corner_normals.reserve(element->count);
-    for (; number < element->count; ++number)
+    for (; number < element->count; end_element())
         for (const PlyProperty& property : properties)
             if (is_corners(property))
                 read_corners(property);

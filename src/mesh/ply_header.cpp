@@ -143,7 +143,7 @@ void HeaderReader::check_counts() const {
         if (element.count > left / least)
             source.fail("the header announces " + std::to_string(element.count) + " of element " +
                         quoted_word(element.name) + ", and only " + counted(left, "byte") +
-                        " are there for them; the file was cut off, so get it anew");
+                        " are there for them; the file was cut off or changed, so get it anew");
         left -= element.count * least;
     }
 }

@@ -50,8 +50,15 @@ class Words {
         begin = start;
         return {start, static_cast<std::size_t>(place - start)};
     }
+    /// Empty at the end of the line.
+    std::string_view next_in_line() {
+        while (place < end && is_blank(*place) && !ends_line()) ++place;
+        if (place < end && !ends_line()) return next();
+        begin = place;
+        return {};
+    }
     void skip_line() {
-        while (place < end && *place != '\n' && *place != '\r') ++place;
+        while (place < end && !ends_line()) ++place;
     }
     /// The next word as a number, or a message that says it should be `what`.
     double number(const char* what);
@@ -61,6 +68,8 @@ class Words {
     [[noreturn]] void fail(const std::string& message) const { source->fail(message, begin); }
 
   private:
+    bool ends_line() const { return *place == '\n' || *place == '\r'; }
+
     const Source* source;
     const char *begin, *place, *end;
 };

@@ -105,6 +105,12 @@ TEST_CASE("numbers that are none, or too large") {
         CHECK(fault_in("a.stl", std::string("solid\nfacet normal 0 0 0 outer loop vertex 0 ") + word) ==
               Says{"a.stl:2: " + quoted});
     }
+    CHECK(fault_in("a.ply", changed("0 1 0", "0 1")) ==
+          Says{"a.ply:12: the values of vertex 2 (counted from 0) end too"});
+    CHECK(fault_in("a.ply", changed("0 1 0", "0 1 0 7")) ==
+          Says{"a.ply:12: vertex 2 (counted from 0) has more values"});
+    CHECK(fault_in("a.ply", changed("3 0 1 2", "3 0 1 2 0")) ==
+          Says{"a.ply:13: face 0 (counted from 0) has more values"});
     for (const char* word : {"nan", "inf", "-inf", "1.0000001e15", "-1e16", "1e308"}) {
         CAPTURE(word);
         CHECK(fault_in("a.ply", changed("0 1 0", std::string("0 ") + word + " 0")) ==
@@ -172,7 +178,7 @@ TEST_CASE("files without faces, or without any that has a surface") {
     const std::string points =
         "ply\nformat ascii 1.0\nelement vertex 1\nproperty int x\nproperty int y\nproperty int z\n";
     CHECK(fault_in("a.ply", points + "end_header\n0 0 0\n") == Says{"there are no faces"});
-    CHECK(fault_in("a.ply", points + "element face 1\nproperty int a\nend_header\n0 0 0 0\n") == Says{"one list"});
+    CHECK(fault_in("a.ply", points + "element face 1\nproperty int a\nend_header\n0 0 0\n0\n") == Says{"one list"});
     CHECK(fault_in("a.ply", changed("property float x\n", "")) == Says{"lack one of x, y and z"});
     CHECK(
         fault_in("a.ply", "ply\nformat ascii 1.0\nelement face 1\nproperty list int int vertex_index\nend_header\n0") ==
@@ -214,7 +220,10 @@ TEST_CASE("what a header or a list announces costs nothing before it is there") 
         CHECK(fault_in("a.ply", bytes) == Says{"a whole number's type"});
         bytes.replace(bytes.find("double"), 6, "uint");
         bytes.resize(bytes.find("end_header\n") + 11);
-        for (int i = 0; i < 9; ++i) put_value(bytes, i, "float", format);
+        for (int i = 0; i < 9; ++i) {
+            put_value(bytes, i, "float", format);
+            if (format == "ascii" && i % 3 == 2) bytes += '\n';
+        }
         put_value(bytes, 1e9, "uint32", format);
         for (int i = 0; i < 3; ++i) put_value(bytes, i, "int", format);
         CHECK(fault_in("a.ply", bytes) ==
