@@ -229,6 +229,8 @@ TEST_CASE("what a header or a list announces costs nothing before it is there") 
         CHECK(fault_in("a.ply", bytes) ==
               Says{"face 0 (counted from 0) has a list of 1000000000 entries, and there is room"});
     }
+    CHECK(fault_in("a.ply", changed("3 0 1 2 \n", "3 0 1 2")) == "");  // nothing behind its last list
+    CHECK(fault_in("a.ply", changed("3 0 1 2", "3.5 0 1 2")) == Says{"has a list of 3.5 entries"});
     CHECK(fault_in("a.ply", changed("3 0 1 2", "-1 0 1 2")) == Says{"has a list of -1 entries"});
     std::string stl = binary_stl({});
     stl.replace(80, 4, "\xff\xff\xff\xff");
