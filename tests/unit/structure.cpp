@@ -16,12 +16,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Includes point one way: num <- scene <- {text, trace, image, povref} <- show <- main. Of the four in the middle,
+/// Includes point one way: num <- scene <- mesh <- {text, trace, image, povref} <- show <- main. Of the four in the middle,
 /// text (whole files out, scene text) serves image, and all three serve povref, which compares their pictures.
 const std::map<std::string, std::set<std::string>> modules{
     {"num", {}},
     {"scene", {"num"}},
-    {"text", {"num", "scene"}},
+    {"mesh", {"num", "scene"}},
+    {"text", {"num", "scene", "mesh"}},
     {"trace", {"num", "scene"}},
     {"image", {"num", "scene", "text"}},
     {"povref", {"num", "scene", "text", "trace", "image"}},
@@ -85,6 +86,7 @@ TEST_CASE("the include rules reject wrong includes") {
     CHECK(fault("scene", "#include \"trace/tracer.h\"") != "");
     CHECK(fault("trace", "#include \"text/parse.h\"") != "");
     CHECK(fault("text", "#include \"image/picture.h\"") != "");
+    CHECK(fault("mesh", "#include \"text/parse.h\"") != "");
     CHECK(fault("show", " # include \"main/values.h\"  // why") != "");
     CHECK(fault("main", "#include <OpenImageIO/imageio.h>") != "");
     CHECK(fault("main", "#include <GLFW/glfw3.h>") != "");
