@@ -16,8 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Includes point one way: num <- scene <- mesh <- {text, trace, image, povref} <- show <- main. Of the four in the middle,
-/// text (whole files out, scene text) serves image, and all three serve povref, which compares their pictures.
+/// Includes point one way: num <- scene <- mesh <- {text, trace, image, povref} <- show <- main. Of the four in the
+/// middle, text (whole files out, scene text) serves image, and all three serve povref, which compares their pictures.
 const std::map<std::string, std::set<std::string>> modules{
     {"num", {}},
     {"scene", {"num"}},
