@@ -83,7 +83,7 @@ consteval bool check_kind() {
         requires(const Kind k, WorldTransform to) { k.template emit<float>(to, AnyEmitter{}); },
         "a kind emits its items: `emit<T>(to_world, emit)`");
     static_assert(
-        std::tuple_size_v<typename Kind::template Kernels<float>> == 0 ||
+        std::tuple_size_v<std::remove_cvref_t<decltype(Kind::fields)>> == 0 ||
             requires(const Kind k) { std::tuple_size<decltype(k.pov())>::value; },
         "a kind has its POV-Ray words: `pov()`, a tuple of keyword and arguments; `pov_more()`, if it has that, "
         "follows");

@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "scene/box.h"
+#include "scene/composite.h"
 #include "scene/cone.h"
 #include "scene/cylinder.h"
 #include "scene/disc.h"
@@ -17,7 +18,11 @@
 
 namespace strahl {
 
-using Shape = std::variant<Sphere, Plane, Cylinder, Cone, Cuboid, Disc, Torus, Triangle, SmoothTriangle, Mesh>;
+using Shape = std::variant<Sphere, Plane, Cylinder, Cone, Cuboid, Disc, Torus, Triangle, SmoothTriangle, Mesh, Union,
+                           Intersection, Difference>;
+
+/// How many simple bodies a shape consists of.
+int leaves_of(const Shape& shape);
 
 using Forms = FormsOf<Shape>::Type;
 

@@ -51,7 +51,11 @@ std::shared_ptr<const MeshData> Mesh::tetrahedron() {
 
 Box Mesh::bounds(const glm::dmat4& matrix) const {
     Box box;
-    for (const DVec3& point : data->points) box.add(transform_point(matrix, point));
+    std::vector<bool> used(data->points.size());
+    for (const MeshData::Corners& triangle : data->triangles)
+        for (const std::int32_t corner : triangle) used[corner] = true;
+    for (std::size_t i = 0; i < used.size(); ++i)
+        if (used[i]) box.add(transform_point(matrix, data->points[i]));
     return box;
 }
 

@@ -53,12 +53,14 @@ bool may_overlap(const Body& a, const Body& b) {
 
 }  // namespace
 
-Box world_bounds(const Primitive& primitive) {
+Box world_bounds(const Primitive& primitive) { return transformed_bounds(primitive, glm::dmat4(1)); }
+
+Box transformed_bounds(const Primitive& primitive, const glm::dmat4& to_world) {
     return std::visit(
         [&](const auto& shape) {
+            const glm::dmat4 m = to_world * matrix(primitive.transformations);
             const Box own = shape.bounds();
-            if (primitive.transformations.empty() || !own.finite()) return own;
-            const glm::dmat4 m = matrix(primitive.transformations);
+            if (m == glm::dmat4(1) || !own.finite()) return own;
             if constexpr (requires { shape.bounds(m); })
                 return shape.bounds(m);
             else

@@ -6,6 +6,8 @@ namespace strahl {
 
 /// A box around the transformed primitive; infinite if its kind is not bounded.
 Box world_bounds(const Primitive& primitive);
+/// The same if the world is transformed once more.
+Box transformed_bounds(const Primitive& primitive, const glm::dmat4& to_world);
 /// The half-space that a primitive of an unbounded kind is.
 std::optional<HalfSpace> half_space(const Primitive& primitive);
 

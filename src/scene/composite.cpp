@@ -1,0 +1,101 @@
+#include "scene/composite.h"
+
+#include <algorithm>
+#include <glm/matrix.hpp>
+
+#include "scene/overlap.h"
+#include "scene/scene.h"
+
+namespace strahl {
+namespace {
+
+bool holds(const Primitive& part, const DVec3& p) {
+    const DVec3 local = transform_point(glm::inverse(matrix(part.transformations)), p);
+    return std::visit([&](const auto& shape) { return shape.contains(local); }, part.shape);
+}
+
+/// The box around a part, which for a plane across an axis ends there.
+Box box_of(const Primitive& part, const glm::dmat4& to_world) {
+    Box box = transformed_bounds(part, to_world);
+    const Plane* const plane = std::get_if<Plane>(&part.shape);
+    if (!plane) return box;
+    const HalfSpace space = plane->half_space(to_world * matrix(part.transformations));
+    for (int c = 0; c < 3; ++c) {
+        if (space.normal[c] == 1) box.high[c] = space.point[c];
+        if (space.normal[c] == -1) box.low[c] = space.point[c];
+    }
+    return box;
+}
+
+}  // namespace
+
+int leaves_of(const Shape& shape) {
+    return std::visit(
+        []<class Kind>(const Kind& kind) {
+            if constexpr (is_composite<Kind>) {
+                int sum = 0;
+                for (const Primitive& part : *kind.parts) sum += leaves_of(part.shape);
+                return sum;
+            } else {
+                return 1;
+            }
+        },
+        shape);
+}
+
+template <Operation operation>
+bool Composite<operation>::operator==(const Composite& other) const {
+    return parts == other.parts || *parts == *other.parts;
+}
+
+template <Operation operation>
+const char* Composite<operation>::fault() const {
+    if (parts->empty()) return "it has no parts";
+    int leaves = 0;
+    for (const Primitive& part : *parts) {
+        const bool open =
+            std::visit([]<class Kind>(const Kind&) { return !is_composite<Kind> && !Kind::closed; }, part.shape);
+        if (open) return "a part of it is no closed body; discs, triangles and meshes can't be parts";
+        leaves += leaves_of(part.shape);
+    }
+    return leaves > most_leaves ? "it consists of more than 64 bodies" : nullptr;
+}
+
+template <Operation operation>
+Box Composite<operation>::bounds(const glm::dmat4& to_world) const {
+    Box box = box_of(parts->front(), to_world);
+    if (operation == Operation::subtract) return box;
+    for (std::size_t i = 1; i < parts->size(); ++i) {
+        const Box own = box_of((*parts)[i], to_world);
+        if (operation == Operation::unite) {
+            box.add(own);
+            continue;
+        }
+        for (int c = 0; c < 3; ++c) {
+            box.low[c] = std::max(box.low[c], own.low[c]);
+            box.high[c] = std::max(box.low[c], std::min(box.high[c], own.high[c]));
+        }
+    }
+    return box;
+}
+
+template <Operation operation>
+bool Composite<operation>::contains(const DVec3& p) const {
+    const auto in = [&](const Primitive& part) { return holds(part, p); };
+    if (operation == Operation::unite) return std::ranges::any_of(*parts, in);
+    if (operation == Operation::intersect) return std::ranges::all_of(*parts, in);
+    return in(parts->front()) && std::none_of(parts->begin() + 1, parts->end(), in);
+}
+
+template <Operation operation>
+std::shared_ptr<const std::vector<Primitive>> Composite<operation>::usual_parts() {
+    static const auto shared = std::make_shared<const std::vector<Primitive>>(
+        std::vector<Primitive>{{Sphere{{0, 0, 0}, 1}, 0, {}}, {Sphere{{.7, 0, 0}, .8}, 0, {}}});
+    return shared;
+}
+
+template struct Composite<Operation::unite>;
+template struct Composite<Operation::intersect>;
+template struct Composite<Operation::subtract>;
+
+}  // namespace strahl
