@@ -50,9 +50,9 @@ std::array<double, 3> heat(double difference) {
 
 }  // namespace
 
-Difference compare(const Picture& a, const Picture& b, double tolerance) {
+PictureDifference compare(const Picture& a, const Picture& b, double tolerance) {
     const int channels = common_channels(a, b);
-    Difference result;
+    PictureDifference result;
     result.max = -1;
     result.pixels = static_cast<std::size_t>(a.width) * static_cast<std::size_t>(a.height);
     double sum = 0, squares = 0;
@@ -80,7 +80,7 @@ Difference compare(const Picture& a, const Picture& b, double tolerance) {
     return result;
 }
 
-std::string report(const Difference& d, double tolerance) {
+std::string report(const PictureDifference& d, double tolerance) {
     const auto line = [](const char* format, auto... values) {
         std::array<char, 256> text;
         std::snprintf(text.data(), text.size(), format, values...);

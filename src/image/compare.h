@@ -9,7 +9,7 @@
 namespace strahl {
 
 /// |a - b| of all channels of all pixels. NaN equals NaN; NaN and a number differ infinitely.
-struct Difference {
+struct PictureDifference {
     std::size_t pixels = 0;
     double max = 0, mean = 0, rms = 0;
     double psnr = 0;                // decibels below 1, the brightest a screen shows; infinite if equal
@@ -21,10 +21,10 @@ struct Difference {
 
 /// An alpha channel (the 2nd of 2, the 4th of 4) counts only if both pictures have it. Throws FileError if the sizes
 /// or the other channels do not match.
-Difference compare(const Picture& a, const Picture& b, double tolerance);
+PictureDifference compare(const Picture& a, const Picture& b, double tolerance);
 
 /// The figures as a few lines of text.
-std::string report(const Difference& difference, double tolerance);
+std::string report(const PictureDifference& difference, double tolerance);
 
 /// Each pixel's largest difference as a colour: black where equal, then from blue through red and yellow to white on a
 /// logarithmic scale from 1/65535 to 1. The values are not linear light but meant for the screen. Throws as compare

@@ -27,7 +27,7 @@ int compare_command(const CompareOptions& options) {
     // If the heat map goes to standard output, the text can't.
     std::FILE* const out = options.heatmap == "-" ? stderr : stdout;
     const Picture a = read_and_describe(options.a, out), b = read_and_describe(options.b, out);
-    const Difference difference = compare(a, b, options.tolerance);
+    const PictureDifference difference = compare(a, b, options.tolerance);
     std::fputs(report(difference, options.tolerance).c_str(), out);
     if (!options.heatmap.empty()) write_picture(heatmap(a, b), options.heatmap, {}, ".png");
     return difference.share_beyond > 0 ? 1 : 0;

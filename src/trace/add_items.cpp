@@ -32,6 +32,7 @@ struct PutItems {
         const int i = before.items[number]++;
         auto* const items = reinterpret_cast<Item<FormAt<number, Forms>, T>*>(own.numbers.get());
         items[i] = {kernel, static_cast<T>(before.surfaces), material};
+        if constexpr (requires { kernel.number; }) items[i].shape.number = static_cast<T>(i);
         if constexpr (requires { kernel.bounds(); })
             own.boxes[i] = item_box(kernel.bounds(), number);  // one of many of a body
         else
@@ -75,7 +76,7 @@ void WorldArrays<T>::add_items(const Scene& scene, const Placement& placement, T
                 for (int c = 0; c < 3; ++c) reach = std::max({reach, std::abs(box.low[c]), std::abs(box.high[c])});
             std::visit(
                 [&](const auto& shape) {
-                    constexpr int faces = std::remove_cvref_t<decltype(shape)>::faces;
+                    const int faces = faces_of(primitive.shape);
                     shape.template emit<T>(to_world,
                                            PutItems<T>{*this, own, box, static_cast<T>(primitive.material), faces});
                 },

@@ -143,7 +143,7 @@ void WorldArrays<T>::number_bins(ThreadPool& pool) {
     }
     world.sort_bins = sort_bins.data();
     world.bins = references[0].bin = static_cast<int>(sort_bins.size());
-    if (hierarchy_forms > 1) world.hierarchy_bin = -1;
+    if (hierarchy_forms > 1 || forms[place_of<CompositeForm>(Forms{})].count > 0) world.hierarchy_bin = -1;
     world.loops = loops.data();
     world.loop_count = static_cast<int>(loops.size());
     world.beyond_loops = world.nodes || world.cold || !loops.empty();
@@ -158,7 +158,8 @@ void WorldArrays<T>::arrange_items(ThreadPool& pool) {
         own.count = remove_items(own, fields, duplicates(own.numbers.get(), own.count, fields, fields - 2, pool));
         items += own.count;
     }
-    world.bin_per_item = items <= most_item_bins;
+    const bool composites = forms[place_of<CompositeForm>(Forms{})].count > 0;
+    world.bin_per_item = items <= most_item_bins && !composites;
     if (!world.bin_per_item) make_hierarchy(pool);
     number_bins(pool);
 }

@@ -17,6 +17,13 @@ struct SingleRay {
     Vec3<T> share{1};
 };
 
+/// Where a leaf of a composite is: from near to far, once or twice. Nowhere from infinity to -infinity.
+template <class S>
+struct LeafEnds {
+    S near[2], far[2], near_face, far_face;
+    int pairs;
+};
+
 template <class Form, class S>
 struct FormFunctions {
     using T = Element<S>;
@@ -31,8 +38,11 @@ struct FormFunctions {
     /// The same of one ray, items side by side.
     static bool occlude_single(const World<T>& world, int first, int count, SingleRay<S>& single);
     /// The points at which rays first meet items, one in each lane, and the materials of these.
-    static void surfaces_at(const World<T>& world, const int* items, const Ray<S>& ray, const S& t, SurfaceHit<S>& hit,
-                            int* materials);
+    /// `faces` is -1 where rays meet items by themselves, else the face of the leaf of a composite.
+    static void surfaces_at(const World<T>& world, const int* items, const Ray<S>& ray, const S& t, const S& faces,
+                            SurfaceHit<S>& hit, int* materials);
+    /// Where rays cross a leaf of a composite.
+    static void ends(const World<T>& world, int item, const Ray<S>& ray, LeafEnds<S>& ends);
     // Of hot forms the two below are never called: see if_hot(). The second is of convex forms only.
     /// The points at which rays first meet an item, all the same one.
     static void surface_at(const World<T>& world, int item, const Ray<S>& ray, const S& t, SurfaceHit<S>& hit);
@@ -55,7 +65,7 @@ struct FormFunctions {
     using Crossed = CrossingsOf<S, Item<Form, T>>;
     static Crossed cross_one(const Item<Form, T>& item, const Ray<S>& ray);
     static Crossed cross_each(const Item<Form, S>& items, const Ray<S>& ray);
-    static void hit_each(const Item<Form, S>& items, const Ray<S>& ray, const S& t, SurfaceHit<S>& hit);
+    static void hit_each(const Item<Form, S>& items, const Ray<S>& ray, const S& t, const S& faces, SurfaceHit<S>& hit);
 };
 
 /// The same, of a form that is only known by its number.
@@ -66,7 +76,8 @@ struct FormCalls {
     void (*intersect_single)(const W&, int, int, SingleRay<S>&);
     bool (*occlude)(const W&, int, int, const Ray<S>&, const S&, Mask<S>, Transmission<S>&);
     bool (*occlude_single)(const W&, int, int, SingleRay<S>&);
-    void (*surfaces_at)(const W&, const int*, const Ray<S>&, const S&, SurfaceHit<S>&, int*);
+    void (*surfaces_at)(const W&, const int*, const Ray<S>&, const S&, const S&, SurfaceHit<S>&, int*) = nullptr;
+    void (*ends)(const W&, int, const Ray<S>&, LeafEnds<S>&) = nullptr;
     void (*surface_at)(const W&, int, const Ray<S>&, const S&, SurfaceHit<S>&) = nullptr;
     Span<S> (*span)(const W&, int, const Ray<S>&) = nullptr;
 };

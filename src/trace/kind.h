@@ -1,6 +1,7 @@
 // The code of a kind's forms. Every kind has a file of its own that instantiates this, made by kernels.cmake, so that
 // processors share the work of compiling.
 #pragma once
+#include "trace/composite.h"
 #include "trace/form_functions.h"
 
 namespace strahl::inline STRAHL_LEVEL {
@@ -24,8 +25,8 @@ template <class Form, class S>
 }
 template <class Form, class S>
 [[gnu::noinline]] void FormFunctions<Form, S>::hit_each(const Item<Form, S>& items, const Ray<S>& ray, const S& t,
-                                                        SurfaceHit<S>& hit) {
-    hit = surface_hit(items, ray, t, cross_each);
+                                                        const S& faces, SurfaceHit<S>& hit) {
+    hit = surface_hit(items, ray, t, faces, cross_each);
 }
 
 template <class T>
@@ -192,19 +193,19 @@ bool FormFunctions<Form, S>::occlude_single(const World<T>& world, int first, in
 template <class Form, class S>
 void FormFunctions<Form, S>::surface_at(const World<T>& world, int item, const Ray<S>& ray, const S& t,
                                         SurfaceHit<S>& found) {
-    hit_each(splat_item<Item<Form, S>, S>(world.groups.template get<Form>().items[item]), ray, t, found);
+    hit_each(splat_item<Item<Form, S>, S>(world.groups.template get<Form>().items[item]), ray, t, S(-1), found);
 }
 
 template <class Form, class S>
 void FormFunctions<Form, S>::surfaces_at(const World<T>& world, const int* items, const Ray<S>& ray, const S& t,
-                                         SurfaceHit<S>& found, int* materials) {
+                                         const S& faces, SurfaceHit<S>& found, int* materials) {
     const auto& group = world.groups.template get<Form>();
     for (int k = 0; k < width<S>; ++k) materials[k] = static_cast<int>(group.items[items[k]].material);
     const auto own = gather_items<Item<Form, S>, S>(group.items, items);
     if constexpr (Form::hot)
-        found = surface_hit(own, ray, t, crossings_of<S, Item<Form, S>>);
+        found = surface_hit(own, ray, t, faces, crossings_of<S, Item<Form, S>>);
     else
-        hit_each(own, ray, t, found);
+        hit_each(own, ray, t, faces, found);
 }
 
 template <class Form, class S>
@@ -213,13 +214,41 @@ Span<S> FormFunctions<Form, S>::span(const World<T>& world, int item, const Ray<
     return cross_one(world.groups.template get<Form>().items[item], ray);
 }
 
+template <class S>
+STRAHL_INLINE void tell_ends(const Span<S>& span, LeafEnds<S>& ends) {
+    constexpr auto inf = std::numeric_limits<Element<S>>::infinity();
+    ends.pairs = 1;
+    ends.near[0] = select(span.hit, span.near, S(inf)), ends.far[0] = select(span.hit, span.far, S(-inf));
+    ends.near_face = span.near_face, ends.far_face = span.far_face;
+}
+template <class S>
+STRAHL_INLINE void tell_ends(const Crossings<S, 4>& crossings, LeafEnds<S>& ends) {
+    constexpr auto inf = std::numeric_limits<Element<S>>::infinity();
+    ends.pairs = 2;
+    for (int k = 0; k < 2; ++k) {
+        ends.near[k] = select(crossings.hit, crossings.t[2 * k], S(inf));
+        ends.far[k] = select(crossings.hit, crossings.t[2 * k + 1], S(-inf));
+    }
+    ends.near_face = ends.far_face = S(0);
+}
+template <class Form, class S>
+void FormFunctions<Form, S>::ends(const World<T>& world, int item, const Ray<S>& ray, LeafEnds<S>& ends) {
+    tell_ends(cross_one(world.groups.template get<Form>().items[item], ray), ends);
+}
+
 template <class Form, class S>
 constexpr FormCalls<S> calls_of() {
     using Own = FormFunctions<Form, S>;
-    FormCalls<S> calls{&Own::intersect, &Own::intersect_single, &Own::occlude, &Own::occlude_single, &Own::surfaces_at};
-    if constexpr (!Form::hot) calls.surface_at = &Own::surface_at;
-    if constexpr (!Form::hot && Form::Kind::convex) calls.span = &Own::span;
-    return calls;
+    FormCalls<S> calls{&Own::intersect, &Own::intersect_single, &Own::occlude, &Own::occlude_single};
+    if constexpr (std::is_same_v<Form, CompositeForm>)
+        return calls;
+    else {
+        calls.surfaces_at = &Own::surfaces_at;
+        if constexpr (Form::Kind::closed && Form::Kind::bounded) calls.ends = &Own::ends;
+        if constexpr (!Form::hot) calls.surface_at = &Own::surface_at;
+        if constexpr (!Form::hot && Form::Kind::convex) calls.span = &Own::span;
+        return calls;
+    }
 }
 template <class S, class... F>
 constexpr std::array<FormCalls<S>, sizeof...(F)> calls_of_all(FormList<F...>) {

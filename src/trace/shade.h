@@ -65,9 +65,16 @@ STRAHL_INLINE SurfaceHit<S> surfaces_at(const World<Element<S>>& world, int form
                                         const LaneIndices<S>& pick, const Ray<S>& ray, S t, int* materials) {
     int items[width<S>];
     for (int k = 0; k < width<S>; ++k) items[k] = world.references[static_cast<int>(surfaces[pick.index[k]])].item;
+    S faces(-1);
+    if (world.leaf_faces) {
+        alignas(64) Element<S> known[width<S>];
+        for (int k = 0; k < width<S>; ++k)
+            known[k] = static_cast<Element<S>>(world.leaf_faces[static_cast<int>(surfaces[pick.index[k]])]);
+        faces = load_lanes<S>(known);
+    }
     const Ray<S> copy = ray;
     SurfaceHit<S> called;
-    calls<S>(form).surfaces_at(world, items, copy, S(t), called, materials);
+    calls<S>(form).surfaces_at(world, items, copy, S(t), faces, called, materials);
     return called;
 }
 

@@ -87,6 +87,30 @@ struct Group {
     int first_bin = 0;  // its bins are this one and, if there is a bin per item, one for each
 };
 
+/// The form of all composites.
+using CompositeForm = Form<Union, 0>;
+
+/// A plane that faces of a composite's parts lie in: normal . x = distance.
+template <class T>
+struct CompositePlane {
+    Vec3<T> normal;
+    T distance;
+};
+/// A simple body of a composite: an item of its form, beyond those that are looked at by themselves.
+struct CompositeLeaf {
+    std::int32_t form, item, material;
+    std::int32_t surface, faces;  // the number of its first face, and how many it has
+    std::int32_t half_space;      // 0 if it is none; else whether it is behind its plane's normal (1) or before it (-1)
+};
+/// How the insides of leaves make the inside of the whole: the next leaf, or the last two results as one.
+enum class CompositeStep : std::uint8_t { leaf, unite, intersect, subtract };
+/// Ranges of the world's arrays. Faces have keys: those below `most_planes` are numbers of planes.
+struct CompositeInfo {
+    std::int32_t first_leaf, leaves, first_step, steps, first_plane, planes;
+    std::int32_t first_key, surface, surfaces;
+};
+inline constexpr int most_planes = 6 * most_leaves;
+
 template <class T, class Forms>
 struct GroupsOf;
 template <class T, class... F>
@@ -131,6 +155,14 @@ struct World {
     BodySet convex = 0;                   // bodies that never shadow their own outside
     // Transparent convex bodies that nothing else reaches into: a ray inside meets the same body again.
     BodySet enclosed = 0;
+
+    // Only where there are composites.
+    const CompositeInfo* composites = nullptr;
+    const CompositeLeaf* leaves = nullptr;
+    const CompositeStep* steps = nullptr;
+    const CompositePlane<T>* planes = nullptr;
+    const std::int32_t* face_keys = nullptr;
+    const std::int32_t* leaf_faces = nullptr;  // by surface: which face of its leaf it is, -1 if it is of none
 
     Vec3<T> eye{0};  // of the view that is traced
     T rounding = 0;  // what the coordinates of points on bodies may be off

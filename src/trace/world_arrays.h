@@ -34,6 +34,9 @@ consteval int form_number(FormList<F...>) {
     ((std::is_same_v<typename F::template Kernel<T>, K> ? found = number++ : ++number), ...);
     return found;
 }
+/// How many faces the items have that a shape emits, or the leaves of a composite.
+int faces_of(const Shape& shape);
+
 /// An emitter that counts.
 template <class T>
 struct CountItems {
@@ -51,7 +54,7 @@ void count_items(const Primitive& primitive, ItemCounts& counts) {
     const WorldTransform transform{.similarity = similarity(primitive.transformations)};
     std::visit(
         [&](const auto& shape) {
-            shape.template emit<T>(transform, CountItems<T>{counts, std::remove_cvref_t<decltype(shape)>::faces});
+            shape.template emit<T>(transform, CountItems<T>{counts, faces_of(primitive.shape)});
         },
         primitive.shape);
 }
@@ -91,6 +94,11 @@ struct WorldArrays {
     std::vector<ItemRange> loops;
     std::vector<MaterialKernel<T>> materials;
     std::vector<LightKernel<T>> lights;
+    std::vector<CompositeInfo> composites;
+    std::vector<CompositeLeaf> leaves;
+    std::vector<CompositeStep> steps;
+    std::vector<CompositePlane<T>> planes;
+    std::vector<std::int32_t> face_keys, leaf_faces;
     std::vector<T> iors;
     std::vector<std::int32_t> bodies;
     std::vector<BoundingVolume> volumes;  // by bin, if there is one for each item
@@ -120,6 +128,8 @@ struct WorldArrays {
     void arrange_items(ThreadPool& pool);
     void make_hierarchy(ThreadPool& pool);
     void number_bins(ThreadPool& pool);
+    // add_composites.cpp
+    void add_composites(const Scene& scene, const Placement& placement);
     // build.cpp
     void add_materials(const Scene& scene);
     void list_transparent(const Scene& scene);

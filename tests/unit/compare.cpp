@@ -21,7 +21,7 @@ Picture flat(int width, int height, int channels, double value) {
 TEST_CASE("equal pictures") {
     Picture a = flat(4, 3, 3, .25);
     a.values[0] = nan, a.values[1] = inf;
-    const Difference d = compare(a, a, 0);
+    const PictureDifference d = compare(a, a, 0);
     CHECK(d.pixels == 12);
     CHECK(d.max == 0);
     CHECK(d.mean == 0);
@@ -38,7 +38,7 @@ TEST_CASE("two differences, one of them small") {
     Picture b = a;
     b.values[3 * 1 + 2] += .25;       // pixel 1, 0, blue
     b.values[3 * 6 + 0] -= 1. / 512;  // pixel 2, 1, red
-    const Difference d = compare(a, b, 1e-3);
+    const PictureDifference d = compare(a, b, 1e-3);
     CHECK(d.max == .25);
     CHECK(d.mean == doctest::Approx((.25 + 1. / 512) / 24).epsilon(1e-14));
     const double rms = std::sqrt((.0625 + 1. / 512 / 512) / 24);
@@ -67,7 +67,7 @@ TEST_CASE("NaN differs infinitely from every number") {
     const Picture a = flat(2, 1, 3, .5);
     Picture b = a;
     b.values[4] = nan;
-    for (const Difference& d : {compare(a, b, 1e9), compare(b, a, 1e9)}) {
+    for (const PictureDifference& d : {compare(a, b, 1e9), compare(b, a, 1e9)}) {
         CHECK(d.max == inf);
         CHECK(d.rms == inf);
         CHECK(d.psnr == -inf);

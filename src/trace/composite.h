@@ -1,0 +1,203 @@
+// Where rays cross bodies made of bodies. Nothing is sorted: a walk along the ray goes from end to end of the parts,
+// and where the whole changes between inside and outside there is its surface.
+#pragma once
+#include "trace/form_functions.h"
+
+namespace strahl::inline STRAHL_LEVEL {
+
+/// The parts of a composite along a pack of rays.
+template <class S>
+class CompositeWalk {
+    using T = Element<S>;
+
+  public:
+    CompositeWalk(const World<T>& world, const CompositeInfo& composite, const Ray<S>& ray)
+        : world(world), composite(composite) {
+        S start_key(T(-1));
+        if (any((ray.source >= S(static_cast<T>(composite.surface))) &
+                (ray.source < S(static_cast<T>(composite.surface + composite.surfaces)))))
+            start_key = keys_of(ray.source);
+        S planes[most_planes];
+        for (int i = 0; i < composite.planes; ++i) {
+            const CompositePlane<T>& plane = world.planes[composite.first_plane + i];
+            const Vec3<S> n = splat<S>(plane.normal);
+            const S t = (S(plane.distance) - dot(n, ray.origin)) / dot(n, ray.direction);
+            planes[i] = select(start_key == S(static_cast<T>(i)), S(0), t);
+        }
+        for (int i = 0; i < composite.leaves; ++i) cross(i, ray, start_key, planes);
+    }
+
+    /// Is the composite's inside there, just after `t`?
+    Mask<S> inside_after(const S& t) const {
+        Mask<S> stack[most_leaves];
+        int height = 0, leaf = 0;
+        for (int i = 0; i < composite.steps; ++i) switch (world.steps[composite.first_step + i]) {
+                case CompositeStep::leaf:
+                    stack[height++] = inside_leaf(leaf++, t);
+                    break;
+                case CompositeStep::unite:
+                    --height, stack[height - 1] = stack[height - 1] | stack[height];
+                    break;
+                case CompositeStep::intersect:
+                    --height, stack[height - 1] = stack[height - 1] & stack[height];
+                    break;
+                case CompositeStep::subtract:
+                    --height, stack[height - 1] = stack[height - 1] & !stack[height];
+                    break;
+            }
+        return stack[0];
+    }
+    /// The next end of any part beyond `t`; infinite if there is none.
+    S next(const S& t) const {
+        S best(std::numeric_limits<T>::infinity());
+        const auto look = [&](const S& end) { best = select((end > t) & (end < best), end, best); };
+        for (int i = 0; i < composite.leaves; ++i)
+            for (int k = 0; k < ends[i].pairs; ++k) look(ends[i].near[k]), look(ends[i].far[k]);
+        return best;
+    }
+    /// Calls visit(leaf, lanes, faces) for the parts that end at `t`; of several in a lane the first declared counts.
+    template <class Visit>
+    void ends_at(const S& t, Mask<S> lanes, const Visit& visit) const {
+        for (int i = 0; i < composite.leaves && any(lanes); ++i)
+            for (int k = 0; k < ends[i].pairs; ++k) {
+                const Mask<S> near = lanes & (ends[i].near[k] == t), far = lanes & (ends[i].far[k] == t) & !near;
+                if (none(near | far)) continue;
+                visit(leaf(i), Mask<S>(near | far), select(near, ends[i].near_face, ends[i].far_face));
+                lanes = lanes & !(near | far);
+            }
+    }
+    /// Goes along the rays, and calls crossed(t, lanes) where these enter or leave the composite, until it has no more
+    /// lanes: it takes away those that are done. `limit(lanes)` tells how far there is anything to find.
+    template <class Crossed, class Limit>
+    void go(Mask<S> lanes, const Crossed& crossed, const Limit& limit) const {
+        S t(0);
+        Mask<S> inside = inside_after(t);
+        while (any(lanes)) {
+            t = next(t);
+            lanes = lanes & (t < S(std::numeric_limits<T>::infinity())) & limit(t);
+            const Mask<S> after = inside_after(t), changes = lanes & ((inside & !after) | (after & !inside));
+            inside = after;
+            if (any(changes)) lanes = lanes & crossed(t, changes);
+        }
+    }
+
+  private:
+    const CompositeLeaf& leaf(int i) const { return world.leaves[composite.first_leaf + i]; }
+
+    /// The keys of the faces that rays start on.
+    [[gnu::noinline]] S keys_of(const S& source) const {
+        alignas(64) T keys[width<S>];
+        for (int k = 0; k < width<S>; ++k) {
+            const int own = static_cast<int>(lane(source, k)) - composite.surface;
+            const bool here = own >= 0 && own < composite.surfaces;
+            keys[k] = here ? static_cast<T>(world.face_keys[composite.first_key + own]) : T(-1);
+        }
+        return load_lanes<S>(keys);
+    }
+    Mask<S> inside_leaf(int i, const S& t) const {
+        Mask<S> inside = (ends[i].near[0] <= t) & (t < ends[i].far[0]);
+        if (ends[i].pairs > 1) inside = inside | ((ends[i].near[1] <= t) & (t < ends[i].far[1]));
+        return inside;
+    }
+    /// Faces in the same place share a key, and so are crossed at the same t: planes by being one, others by their own
+    /// equal formulas. A ray that starts on one of them starts on all.
+    void cross(int i, const Ray<S>& ray, const S& start_key, const S* planes) {
+        const CompositeLeaf& own = leaf(i);
+        const std::int32_t* const keys = world.face_keys + composite.first_key + (own.surface - composite.surface);
+        LeafEnds<S>& end = ends[i];
+        if (own.half_space != 0) return cross_half_space(own, keys[0], ray, planes[keys[0]], end);
+        S start(T(-1));
+        for (int face = 0; face < own.faces; ++face)
+            start = select(start_key == S(static_cast<T>(keys[face])), S(static_cast<T>(face)), start);
+        const Ray<S> from{ray.origin, ray.direction, S(static_cast<T>(own.surface)) + start};
+        calls<S>(own.form).ends(world, own.item, from, end);
+        const Mask<S> met = end.near[0] <= end.far[0];
+        for (int face = 0; face < own.faces; ++face) {
+            if (keys[face] >= most_planes) continue;
+            const S number(static_cast<T>(face)), &t = planes[keys[face]];
+            end.near[0] = select(met & (end.near_face == number), t, end.near[0]);
+            end.far[0] = select(met & (end.far_face == number), t, end.far[0]);
+        }
+    }
+    void cross_half_space(const CompositeLeaf& own, int key, const Ray<S>& ray, const S& t, LeafEnds<S>& end) const {
+        const S zero(0), inf(std::numeric_limits<T>::infinity()), turn(static_cast<T>(own.half_space));
+        const CompositePlane<T>& plane = world.planes[composite.first_plane + key];
+        const Vec3<S> n = splat<S>(plane.normal);
+        const S towards = turn * dot(n, ray.direction), height = turn * (dot(n, ray.origin) - S(plane.distance));
+        const Mask<S> enters = towards<zero, leaves = towards> zero, along = !(enters | leaves);
+        end.pairs = 1;
+        end.near[0] = select(enters, t, select(along & !(height < zero), inf, -inf));
+        end.far[0] = select(leaves, t, inf);
+        end.near_face = end.far_face = zero;
+    }
+
+    const World<T>& world;
+    const CompositeInfo& composite;
+    LeafEnds<S> ends[most_leaves];
+};
+
+template <class S>
+struct FormFunctions<CompositeForm, S> {
+    using T = Element<S>;
+    static const CompositeInfo& info(const World<T>& world, int item) {
+        return world.composites[static_cast<int>(world.groups.template get<CompositeForm>().items[item].shape.number)];
+    }
+    static void intersect(const World<T>& world, int first, int count, const Ray<S>& ray, Mask<S> mask,
+                          Nearest<S>& best) {
+        for (int i = first; i < first + count; ++i) {
+            const CompositeWalk<S> walk(world, info(world, i), ray);
+            walk.go(
+                mask,
+                [&](const S& t, Mask<S> lanes) {
+                    walk.ends_at(t, lanes, [&](const CompositeLeaf& leaf, Mask<S> own, const S& face) {
+                        const S surface = S(static_cast<T>(leaf.surface)) + face;
+                        const Mask<S> better = own & closer(t, surface, best.t, best.surface);
+                        best.t = select(better, t, best.t);
+                        best.surface = select(better, surface, best.surface);
+                    });
+                    return Mask<S>(!lanes);
+                },
+                [&](const S& t) { return t <= best.t; });
+        }
+    }
+    static void intersect_single(const World<T>& world, int first, int count, SingleRay<S>& single) {
+        Nearest<S> best;
+        best.t = S(single.t), best.surface = S(single.surface);
+        intersect(world, first, count, single.ray, first_lanes<S>(1), best);
+        single.t = lane(best.t, 0), single.surface = lane(best.surface, 0);
+    }
+    static bool occlude(const World<T>& world, int first, int count, const Ray<S>& ray, const S& distance, Mask<S> mask,
+                        Transmission<S>& light) {
+        for (int i = first; i < first + count; ++i) {
+            const CompositeWalk<S> walk(world, info(world, i), ray);
+            walk.go(
+                mask,
+                [&](const S& t, Mask<S> lanes) {
+                    Mask<S> through = !lanes;
+                    walk.ends_at(t, lanes, [&](const CompositeLeaf& leaf, Mask<S> own, const S&) {
+                        const MaterialKernel<T>& material = world.materials[leaf.material];
+                        if (!(material.refraction > 0)) {
+                            light.limit = select(own, S(-1), light.limit);
+                            return;
+                        }
+                        through = through | own;
+                        for (int c = 0; c < 3; ++c)
+                            light.share[c] = select(own, min(light.share[c] * S(material.filter[c]), S(largest_gain)),
+                                                    light.share[c]);
+                    });
+                    return through;
+                },
+                [&](const S& t) { return t < distance; });
+            if (all(light.limit < S(0))) return true;
+        }
+        return false;
+    }
+    static bool occlude_single(const World<T>& world, int first, int count, SingleRay<S>& single) {
+        Transmission<S> light{splat<S>(single.share), select(first_lanes<S>(1), S(1), S(-1))};
+        const bool dark = occlude(world, first, count, single.ray, S(single.t), first_lanes<S>(1), light);
+        for (int c = 0; c < 3; ++c) single.share[c] = lane(light.share[c], 0);
+        return dark;
+    }
+};
+
+}  // namespace strahl::inline STRAHL_LEVEL
