@@ -1,7 +1,10 @@
 // Scenes that tests/attack found faults in, as small as they could be made.
 #include <doctest/doctest.h>
 
+#include <stdexcept>
+
 #include "tests/attack/picture_check.h"
+#include "tests/attack/shrink.h"
 #include "text/parse.h"
 
 using namespace strahl;
@@ -62,4 +65,15 @@ TEST_CASE("a mirror whose squared radius float can hardly say") {
                          "box { <0, 0, 0>, <1, 1, 1> } sphere { <0, 0, 0>, 1 }",
                      30, 20) == std::vector<std::string>{});
     }
+}
+
+TEST_CASE("shrinking a scene ends") {
+    // 0.3 and 3 * 0.1, the next number above, became each other for ever.
+    WildScene wild{parse_scene("camera { position <0, 0, .31> look_at <0, 1, 0> up <0, 0, 1> fov 45 }", "text"), {}};
+    int tries = 0;
+    const WildScene small = shrunk(wild, [&](const WildScene& w) {
+        if (++tries > 10000) throw std::runtime_error("no end");
+        return w.scene.camera.position.z > .29 && w.scene.camera.position.z < .32;
+    });
+    CHECK(small.scene.camera.position.z == .3);
 }
