@@ -22,8 +22,10 @@ struct ConeKernel {
     static ConeKernel frustum(const DVec3& base, const DVec3& axis, double base_radius, double cap_radius,
                               double height) {
         const double widest = std::max(base_radius, cap_radius), widening = cap_radius - base_radius;
-        // The square of the cosine must be a number: a flatter cone is as flat as that can say.
-        height = std::max(height, widest * std::ldexp(1., std::numeric_limits<T>::min_exponent / 2 + 4));
+        // The square of the cosine must be a number: a flatter cone is as flat as that can say. So must the height be,
+        // or the bounding volume of a cone too small for numbers of this kind is none.
+        height = std::max({height, widest * std::ldexp(1., std::numeric_limits<T>::min_exponent / 2 + 4),
+                           static_cast<double>(std::numeric_limits<T>::min())});
         const double slant = length({height, widening, 0});  // not hypot of two, whose last bit is the processor's
         return {cast<T>(base),
                 cast<T>(axis),

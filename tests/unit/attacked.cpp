@@ -77,3 +77,17 @@ TEST_CASE("shrinking a scene ends") {
     });
     CHECK(small.scene.camera.position.z == .3);
 }
+
+TEST_CASE("a cone that is nothing in float") {
+    for (const std::string size : {"4e-225", "1e-100"}) {
+        CAPTURE(size);
+        CHECK(faults("camera { position <1, 0, 0> look_at <0, 0, 1> up <1, 0, 0> fov 89.99999999999999 }"
+                     "cone { <1.980754203476951, 0, 0>, 0, <1.980754203476951, 0, -" +
+                         size + ">, " + size +
+                         " } sphere { <0, 0, 0>, 1 material { ior 1.3 } } sphere { <0, 0, 0>, 1 }"
+                         "cylinder { <0, 0, 0>, <0, 0, 1>, 1 }"
+                         "plane { <0, 0, 0>, <0, 0, 1>, <0, 1, 0> material { ambient 1 } }"
+                         "sphere { <0, 0, 0>, 1e15 material { ior 3 } }",
+                     16, 15) == std::vector<std::string>{});
+    }
+}
