@@ -222,7 +222,7 @@ struct Cone {
         else
             emit(affine<T>(
                 ConeKernel<T>::frustum(DVec3(0), axis(), base_radius / unit, cap_radius / unit, height() / unit), base,
-                unit, to_world));
+                unit, transformed(bounds(), to_world.matrix), to_world));
     }
 };
 

@@ -120,7 +120,7 @@ struct Cylinder {
                                    static_cast<T>(to_world.length(radius)), static_cast<T>(to_world.length(height))});
         else
             emit(affine<T>(CylinderKernel<T>{Vec3<T>(T(0)), cast<T>(axis()), T(1), static_cast<T>(height / radius)},
-                           base, radius, to_world));
+                           base, radius, transformed(bounds(), to_world.matrix), to_world));
     }
 };
 

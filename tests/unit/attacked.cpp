@@ -91,3 +91,20 @@ TEST_CASE("a cone that is nothing in float") {
                      16, 15) == std::vector<std::string>{});
     }
 }
+
+TEST_CASE("one side shrinks more than float can say") {
+    const std::string sky = "background { color <.9, .2, .4> }";
+    CHECK(faults("camera { position <-5, 0, 1> look_at <0, 0, 0> up <0, 0, 1> fov 45 }" + sky +
+                     "cone { <0, 0, 0>, 0, <0, 0, 1>, 1 scale <-1, -2.3473442004460097, 7.943614243260376e-11> }",
+                 7, 16) == std::vector<std::string>{});
+    CHECK(faults("camera { position <2, 1.3, 4> look_at <0, 0, 1> up <-1.5, 0, -1.3> fov 45 }"
+                 "cylinder { <0, -.7, 0>, <1, 0, -2>, .4 scale <-1.25, -.5, 4.9457630743498925e-08>"
+                 "material { ambient 1 } } sphere { <0, 0, 0>, 1 }",
+                 12, 9) == std::vector<std::string>{});
+    CHECK(faults("camera { position <0, 0, -6> look_at <0, 0, 0> up <0, 1, 0> fov 45 }" + sky +
+                     "sphere { <0, 0, 0>, 1 rotate <40, 30, 20> scale <1, 1, 3e-9> rotate <50, 60, 0> }",
+                 32, 24) == std::vector<std::string>{});
+    CHECK(faults("camera { position <0, 0, -6> look_at <0, 0, 0> up <0, 1, 0> fov 45 }" + sky +
+                     "box { <-1, -1, -1>, <1, 1, 1> rotate <40, 30, 20> scale <1, 1, 3e-9> rotate <50, 60, 0> }",
+                 32, 24) == std::vector<std::string>{});
+}
