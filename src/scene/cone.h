@@ -196,7 +196,7 @@ struct Cone {
         const DVec3 a = axis();
         Box box;
         for (int i = 0; i < 3; ++i) {
-            const double slant = std::sqrt(std::max(0., 1 - a[i] * a[i]));
+            const double slant = sine_to_axis(a, i);
             box.low[i] = std::min(base[i] - slant * base_radius, cap[i] - slant * cap_radius);
             box.high[i] = std::max(base[i] + slant * base_radius, cap[i] + slant * cap_radius);
         }

@@ -94,7 +94,7 @@ struct Cylinder {
         const DVec3 a = axis();
         Box box;
         for (int i = 0; i < 3; ++i) {
-            const double reach = radius * std::sqrt(std::max(0., 1 - a[i] * a[i]));
+            const double reach = radius * sine_to_axis(a, i);
             box.low[i] = std::min(base[i], cap[i]) - reach;
             box.high[i] = std::max(base[i], cap[i]) + reach;
         }
