@@ -108,3 +108,15 @@ TEST_CASE("one side shrinks more than float can say") {
                      "box { <-1, -1, -1>, <1, 1, 1> rotate <40, 30, 20> scale <1, 1, 3e-9> rotate <50, 60, 0> }",
                  32, 24) == std::vector<std::string>{});
 }
+
+TEST_CASE("bodies of which one is the unit of length, and the square of the other no number in it") {
+    CHECK(faults("camera { position <0, 0, 0> look_at <0, 0, 1> up <0, 1, 0> fov 45 }"
+                 "cone { <0, 0, 0>, 1, <0, 0, 1>, 1 scale 4.432039137151644e-136 }"
+                 "cylinder { <0, 0, 0>, <1e15, 0, 0>, 1e13 material { ambient 1 } }",
+                 17, 24) == std::vector<std::string>{});
+    CHECK(faults("camera { position <0, 0, -1e-77> look_at <0, 0, 0> up <0, 1, 0> fov 45 }"
+                 "cylinder { <0, 1, 0>, <0, 0, 0>, 1 scale <1.5, 1.3237483668007852, -2> material { ambient 1 } }"
+                 "sphere { <0, 0, 0>, 1 scale -5.671912830527493e-78 }"
+                 "plane { <0, 0, 0>, <0, 0, 1>, <1, 0, 0> }",
+                 30, 21) == std::vector<std::string>{});
+}
