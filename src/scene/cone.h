@@ -69,17 +69,16 @@ struct ConeKernel {
                 select(ends_near > side.near, select(upwards, one, two), zero),
                 select(ends_far < side.far, select(upwards, two, one), zero)};
     }
-    /// Is the point at `t` no further from the axis than anything of the body is? If the height is lost in the rounding
-    /// of coordinates, the formulas of side and ends say nothing of that: points of the whole plane then seem to be
-    /// hit, where bounding volumes do or do not rule them out.
+    /// Is the point at `t` no further from the axis than anything of the body is, but for rounding? If the height is
+    /// lost in the rounding of coordinates, the formulas of side and ends say nothing of that: points of the whole
+    /// plane then seem to be hit, where bounding volumes do or do not rule them out.
     template <class S>
     STRAHL_INLINE Mask<S> within_widest(const Vec3<S>& f, const Vec3<S>& d, S t) const {
-        using E = Element<S>;
-        constexpr E half_digits = std::numeric_limits<E>::digits == 24 ? E(0x1p-12) : E(0x1p-26);
+        const S rounding(16 * std::numeric_limits<Element<S>>::epsilon()), w(widest);
         const Vec3<S> a = splat<S>(axis), p = fma(t, d, f);
         const S along = dot(p, a);
         const Vec3<S> out = fma(-along, a, p);
-        const S most = fma(S(half_digits), abs(t) + abs(along), S(widest));
+        const S most = fma(rounding, abs(t) + abs(along) + w, w);
         return !(dot(out, out) > most * most);
     }
     /// The endless double cone A t^2 + 2 B t + C = 0, inside where negative, of the distance c |u| across and the
