@@ -26,6 +26,12 @@ inline DVec3 normalize(const DVec3& v) {
     return w / length(w);
 }
 
+/// Of the angle between a unit vector and axis i, which 1 - v[i]^2 loses where it is small.
+inline double sine_to_axis(const DVec3& v, int i) {
+    const double a = v[(i + 1) % 3], b = v[(i + 2) % 3];
+    return std::sqrt(a * a + b * b);
+}
+
 /// The point `p` under an affine transformation.
 inline DVec3 transform_point(const glm::dmat4& m, const DVec3& p) { return DVec3(m * glm::dvec4(p, 1)); }
 

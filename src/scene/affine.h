@@ -1,7 +1,7 @@
 // Any kernel under a transformation that does not keep it similar: an ellipsoid, say.
 #pragma once
 #include "num/ray.h"
-#include "scene/world_transform.h"
+#include "scene/hit_box.h"
 
 namespace strahl {
 
@@ -9,6 +9,7 @@ namespace strahl {
 template <class K, class T>
 struct AffineKernel {
     Vec3<T> centre, row_x, row_y, row_z;
+    HitBox<T> box;
     K shape;
 
     template <class S>
@@ -42,8 +43,10 @@ struct AffineKernel {
     }
     {
         const Local<S> local = to_local(ray);
-        const Span<S> span = shape.span(local.ray, start);
-        return {span.near / local.stretch, span.far / local.stretch, span.hit, span.near_face, span.far_face};
+        Span<S> span = shape.span(local.ray, start);
+        span.near = span.near / local.stretch, span.far = span.far / local.stretch;
+        span.hit = span.hit & box.holds(ray, first_crossing(span));
+        return span;
     }
     template <class S>
     STRAHL_INLINE SurfacePoint<S> at(const Ray<S>& ray, S t, S face) const {
@@ -57,12 +60,13 @@ struct AffineKernel {
 };
 
 /// `shape` stands at the origin of a space whose unit is `unit` long in the primitive's own space and whose origin is
-/// at `centre` there.
+/// at `centre` there; `bounds` is the box around what it becomes.
 template <class T, class K>
-AffineKernel<K, T> affine(const K& shape, const DVec3& centre, double unit, const WorldTransform& to_world) {
+AffineKernel<K, T> affine(const K& shape, const DVec3& centre, double unit, const Box& bounds,
+                          const WorldTransform& to_world) {
     const glm::dmat3 inverse = glm::inverse(glm::dmat3(to_world.matrix)) * (1 / (unit * to_world.scale));
     const auto row = [&](int i) { return cast<T>(DVec3(inverse[0][i], inverse[1][i], inverse[2][i])); };
-    return {cast<T>(to_world.point(centre)), row(0), row(1), row(2), shape};
+    return {cast<T>(to_world.point(centre)), row(0), row(1), row(2), HitBox<T>::of(bounds, to_world), shape};
 }
 
 }  // namespace strahl

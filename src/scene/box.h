@@ -5,9 +5,8 @@
 #include <limits>
 #include <tuple>
 
-#include "num/ray.h"
 #include "scene/field.h"
-#include "scene/world_transform.h"
+#include "scene/hit_box.h"
 
 namespace strahl {
 
@@ -17,6 +16,7 @@ template <class T>
 struct BoxKernel {
     static constexpr int faces = 6;
     Vec3<T> centre, row_x, row_y, row_z;
+    HitBox<T> box;
 
     Ball ball() const {
         const DVec3 x(row_x), y(row_y), z(row_z);
@@ -62,6 +62,7 @@ struct BoxKernel {
         span.hit = span.near <= span.far;
         span.near = span.near + shift;
         span.far = span.far + shift;
+        span.hit = span.hit & box.holds(ray, first_crossing(span));
         if (any(starts_here)) {
             // A convex body is never entered again from its own surface. Whether the ray leaves is asked of the normal
             // that at() told.
@@ -141,7 +142,8 @@ struct Cuboid {
             const double largest = std::max({std::fabs(r.x), std::fabs(r.y), std::fabs(r.z)});
             return cast<T>(r * std::min(2 / (size[i] * to_world.scale), most / largest));
         };
-        emit(BoxKernel<T>{cast<T>(to_world.point(box.centre())), row(0), row(1), row(2)});
+        emit(BoxKernel<T>{cast<T>(to_world.point(box.centre())), row(0), row(1), row(2),
+                          HitBox<T>::of(transformed(box, to_world.matrix), to_world)});
     }
 };
 

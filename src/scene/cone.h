@@ -22,8 +22,10 @@ struct ConeKernel {
     static ConeKernel frustum(const DVec3& base, const DVec3& axis, double base_radius, double cap_radius,
                               double height) {
         const double widest = std::max(base_radius, cap_radius), widening = cap_radius - base_radius;
-        // The square of the cosine must be a number: a flatter cone is as flat as that can say.
-        height = std::max(height, widest * std::ldexp(1., std::numeric_limits<T>::min_exponent / 2 + 4));
+        // The square of the cosine must be a number: a flatter cone is as flat as that can say. So must the height be,
+        // or the bounding volume of a cone too small for numbers of this kind is none.
+        height = std::max({height, widest * std::ldexp(1., std::numeric_limits<T>::min_exponent / 2 + 4),
+                           static_cast<double>(std::numeric_limits<T>::min())});
         const double slant = length({height, widening, 0});  // not hypot of two, whose last bit is the processor's
         return {cast<T>(base),
                 cast<T>(axis),
@@ -67,17 +69,16 @@ struct ConeKernel {
                 select(ends_near > side.near, select(upwards, one, two), zero),
                 select(ends_far < side.far, select(upwards, two, one), zero)};
     }
-    /// Is the point at `t` no further from the axis than anything of the body is? If the height is lost in the rounding
-    /// of coordinates, the formulas of side and ends say nothing of that: points of the whole plane then seem to be
-    /// hit, where bounding volumes do or do not rule them out.
+    /// Is the point at `t` no further from the axis than anything of the body is, but for rounding? If the height is
+    /// lost in the rounding of coordinates, the formulas of side and ends say nothing of that: points of the whole
+    /// plane then seem to be hit, where bounding volumes do or do not rule them out.
     template <class S>
     STRAHL_INLINE Mask<S> within_widest(const Vec3<S>& f, const Vec3<S>& d, S t) const {
-        using E = Element<S>;
-        constexpr E half_digits = std::numeric_limits<E>::digits == 24 ? E(0x1p-12) : E(0x1p-26);
+        const S rounding(16 * std::numeric_limits<Element<S>>::epsilon()), w(widest);
         const Vec3<S> a = splat<S>(axis), p = fma(t, d, f);
         const S along = dot(p, a);
         const Vec3<S> out = fma(-along, a, p);
-        const S most = fma(S(half_digits), abs(t) + abs(along), S(widest));
+        const S most = fma(rounding, abs(t) + abs(along) + w, w);
         return !(dot(out, out) > most * most);
     }
     /// The endless double cone A t^2 + 2 B t + C = 0, inside where negative, of the distance c |u| across and the
@@ -194,7 +195,7 @@ struct Cone {
         const DVec3 a = axis();
         Box box;
         for (int i = 0; i < 3; ++i) {
-            const double slant = std::sqrt(std::max(0., 1 - a[i] * a[i]));
+            const double slant = sine_to_axis(a, i);
             box.low[i] = std::min(base[i] - slant * base_radius, cap[i] - slant * cap_radius);
             box.high[i] = std::max(base[i] + slant * base_radius, cap[i] + slant * cap_radius);
         }
@@ -220,7 +221,7 @@ struct Cone {
         else
             emit(affine<T>(
                 ConeKernel<T>::frustum(DVec3(0), axis(), base_radius / unit, cap_radius / unit, height() / unit), base,
-                unit, to_world));
+                unit, transformed(bounds(), to_world.matrix), to_world));
     }
 };
 

@@ -94,7 +94,7 @@ struct Cylinder {
         const DVec3 a = axis();
         Box box;
         for (int i = 0; i < 3; ++i) {
-            const double reach = radius * std::sqrt(std::max(0., 1 - a[i] * a[i]));
+            const double reach = radius * sine_to_axis(a, i);
             box.low[i] = std::min(base[i], cap[i]) - reach;
             box.high[i] = std::max(base[i], cap[i]) + reach;
         }
@@ -120,7 +120,7 @@ struct Cylinder {
                                    static_cast<T>(to_world.length(radius)), static_cast<T>(to_world.length(height))});
         else
             emit(affine<T>(CylinderKernel<T>{Vec3<T>(T(0)), cast<T>(axis()), T(1), static_cast<T>(height / radius)},
-                           base, radius, to_world));
+                           base, radius, transformed(bounds(), to_world.matrix), to_world));
     }
 };
 

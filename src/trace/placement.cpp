@@ -7,6 +7,21 @@
 #include "trace/build.h"
 
 namespace strahl {
+namespace {
+
+/// How far bodies and lights reach from a point.
+double reach_from(const DVec3& point, const Scene& scene) {
+    double most = 0;
+    const auto look = [&](const DVec3& p) {
+        for (int c = 0; c < 3; ++c) most = std::max(most, std::fabs(p[c] - point[c]));
+    };
+    for (const Primitive& primitive : scene.primitives)
+        if (const Box box = world_bounds(primitive); box.finite()) look(box.low), look(box.high);
+    for (const Light& light : scene.lights) look(light.position);
+    return most;
+}
+
+}  // namespace
 
 Extent extent_of(const Scene& scene) {
     constexpr std::size_t enough = 4096;
@@ -37,6 +52,10 @@ Extent extent_of(const Scene& scene) {
     const Camera& camera = scene.camera;
     const double way = std::max(length(camera.position - extent.centre), length(camera.position - camera.look_at));
     extent.size = std::max(2 * (spread + quantile(sizes, 2)), least_share * way);
+    // And squares of coordinates must be numbers in float. In files these end at 1e15: few scenes need a look.
+    constexpr double most_units = 0x1p60, enough_for_files = 0x1p-8;
+    if (extent.size < enough_for_files)
+        extent.size = std::max(extent.size, reach_from(extent.centre, scene) / most_units);
     return extent;
 }
 

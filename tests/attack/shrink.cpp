@@ -2,7 +2,8 @@
 #include "tests/attack/shrink.h"
 
 #include <algorithm>
-#include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <type_traits>
 #include <utility>
 
@@ -78,10 +79,11 @@ void Shrinking::plain(Get get, double usual) {
         attempt([&](WildScene& w) { get(w) = value; });
         if (get(wild) == value) return;
     }
+    // As decimals: what is rounded once more must stay as it is, or there is no end.
     for (int digits = 0; digits < 3; ++digits) {
-        const double value = get(wild);
-        const double unit = std::pow(10, std::floor(std::log10(std::fabs(value))) - digits);
-        attempt([&](WildScene& w) { get(w) = std::round(value / unit) * unit; });
+        char decimal[40];
+        std::snprintf(decimal, sizeof decimal, "%.*e", digits, get(wild));
+        attempt([&](WildScene& w) { get(w) = std::strtod(decimal, nullptr); });
     }
 }
 

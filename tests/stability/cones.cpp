@@ -154,3 +154,25 @@ TEST_CASE("flat as a coin: what is hit is the end that faces the ray, at the rim
     CHECK(rim > 1000);
     CHECK(again == 0);
 }
+
+TEST_CASE_TEMPLATE("a cone flatter than its coordinates can say is hit no further out than it is wide", T, float,
+                   double) {
+    // Hierarchies cut off what is beyond by more than rounding, or not, as rays go together or alone.
+    constexpr T beyond = 100 * std::numeric_limits<T>::epsilon();
+    Dice dice;
+    int inside = 0, outside = 0;
+    for (int i = 0; i < 3000; ++i) {
+        const DVec3 a = dice.direction(), across = unit(cross(a, dice.direction()));
+        const ConeKernel<T> disc = ConeKernel<T>::frustum(dice.direction(), a, 1, 0, 1e-20);
+        const double off = beyond * std::exp(dice(0, 5));
+        const auto hit = [&](double distance) {
+            const Vec3<T> to = naive::to<T>(naive::to<double>(disc.base) + distance * across);
+            const Vec3<T> d = naive::to<T>(unit(a + .5 * dice.direction()));
+            return disc.span(Ray<T>{to - d, d, -1}, T(-1)).hit;
+        };
+        inside += hit(1 - off);
+        outside += hit(1 + off);
+    }
+    CHECK(inside > 100);
+    CHECK(outside == 0);
+}

@@ -151,3 +151,18 @@ TEST_CASE("box and ball of a cone: around it, and tight") {
     CHECK(Cone{{0, 0, 0}, 0, {0, 0, 1}, 0}.fault() != nullptr);
     CHECK(Cone{{0, 0, 0}, 0, {0, 0, 1}, 1}.fault() == nullptr);
 }
+
+TEST_CASE("a box is around what hardly leans") {
+    // Naive: sqrt(1 - a^2) is 0 or 1e-8, and the edge of a wide disc sticks out of its box.
+    for (const double lean : {1e-3, 3e-9, 1e-12, 0.})
+        for (int axis = 0; axis < 3; ++axis) {
+            CAPTURE(lean);
+            DVec3 cap(0);
+            cap[axis] = 1, cap[(axis + 1) % 3] = lean;
+            const double wide = 1e6, edge = wide * lean / std::sqrt(1 + lean * lean), apart = 1e-15 * (1 + edge);
+            for (const Box& box : {Cone{DVec3(0), wide, cap, wide}.bounds(), Cylinder{DVec3(0), cap, wide}.bounds()}) {
+                CHECK(std::abs(box.low[axis] + edge) <= apart);
+                CHECK(std::abs(box.high[axis] - 1 - edge) <= apart);
+            }
+        }
+}
