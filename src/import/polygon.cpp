@@ -50,7 +50,7 @@ class Rest {
         for (const std::int32_t k : corners)
             if (k != a && k != b && k != c && strahl::area(points[a], points[b], points[k]) >= 0 &&
                 strahl::area(points[b], points[c], points[k]) >= 0 &&
-                strahl::area(points[c], points[a], points[k]) >= 0 && !same(k, a) && !same(k, c))
+                strahl::area(points[c], points[a], points[k]) >= 0 && !same(k, a) && !same(k, b) && !same(k, c))
                 return false;
         return true;
     }

@@ -88,9 +88,11 @@ DVec3 Words::vector(const char* what) {
 }
 
 Color Words::color(const char* what) {
-    const Color color = vector(what);
-    for (int i = 0; i < 3; ++i)
+    Color color;
+    for (int i = 0; i < 3; ++i) {
+        color[i] = number(what);
         if (!not_negative.contains(color[i])) fail(std::string(what) + " must be three numbers " + not_negative.words);
+    }
     return color;
 }
 
