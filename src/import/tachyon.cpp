@@ -29,7 +29,7 @@ class TachyonReader {
             for (int i = 0; i < 3; ++i)
                 light.color[i] = std::min(tidy(light.color[i] * light_scale), not_negative.high);
         scene.change_materials([&](Material& m) {
-            m.ambient = tidy(m.ambient + m.diffuse * sky);
+            m.ambient = std::min(tidy(m.ambient + m.diffuse * sky), not_negative.high);
             if (!fading || m.refraction == 0) return;
             const double opacity = 1 - m.refraction;
             for (double* const share : {&m.ambient, &m.diffuse, &m.specular, &m.reflection})
@@ -117,7 +117,7 @@ class TachyonReader {
         const double fov = std::atan(tan_x) * 180 / std::numbers::pi, ratio = tan_x / tan_y;
         if (!half_angles.contains(fov) || !(ratio > 1e-9 && ratio < 1e9))
             words.fail("the camera sees nothing: its ZOOM, ASPECTRATIO or FRUSTUM is not greater than 0");
-        eye.fov = std::max(std::round(fov * 1e6) / 1e6, 1e-6);
+        eye.fov = std::clamp(std::round(fov * 1e6) / 1e6, 1e-6, 90 - 1e-6);
         if (std::fabs(ratio * static_cast<double>(height) / static_cast<double>(width) - 1) > 1e-6)
             eye.aspectratio = tidy(ratio);
         half_width = tan_x;
@@ -128,7 +128,7 @@ class TachyonReader {
         const DVec3 forward = eye.look_at - eye.position;
         const double distance = 1000 * std::max(half_width, scene.reach());
         eye.position = eye.position - distance / length(forward) * forward;
-        eye.fov = std::atan(half_width / distance) * 180 / std::numbers::pi;
+        eye.fov = std::max(std::atan(half_width / distance) * 180 / std::numbers::pi, smallest_positive);
         scene.set_camera(eye);
     }
 

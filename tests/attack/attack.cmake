@@ -28,3 +28,12 @@ add_executable(attack_pictures ${attack}/pictures.cpp ${attack}/mutated_picture.
 target_link_libraries(attack_pictures PRIVATE strahl_image)
 add_dependencies(attack attack_pictures)
 add_test(NAME attack_pictures COMMAND attack_pictures --seconds 5)
+
+# The readers of other programs' scenes.
+file(GLOB imported ${attack}/import/*)
+add_executable(attack_importer ${attack}/importer.cpp ${attack}/mutate.cpp)
+target_link_libraries(attack_importer PRIVATE strahl_import)
+add_dependencies(attack attack_importer)
+file(MAKE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/attack_import)
+add_test(NAME attack_importer WORKING_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/attack_import
+         COMMAND attack_importer --seconds 5 ${attack}/import.dict ${imported})

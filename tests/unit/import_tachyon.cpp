@@ -109,6 +109,27 @@ TEST_CASE("Tachyon: what has no counterpart is told, and something near is done"
     CHECK(imported(eye + a + a).warnings.empty());
 }
 
+TEST_CASE("Tachyon: what comes out stays in the range of the language") {
+    const std::string camera = "BEGIN_SCENE RESOLUTION 9 9 CAMERA PROJECTION ";
+    const std::string rest = " ASPECTRATIO 1 ANTIALIASING 0 RAYDEPTH 999 CENTER 0 0 0 VIEWDIR 0 0 1 UPDIR 0 1 0 ";
+    CHECK(imported(camera + "PERSPECTIVE ZOOM 1e-10" + rest + "END_CAMERA").scene.camera.fov < 90);
+    CHECK(imported(camera + "PERSPECTIVE ZOOM 1e10" + rest + "END_CAMERA").scene.camera.fov > 0);
+    CHECK(imported(camera + "ORTHOGRAPHIC ZOOM 1" + rest + "FRUSTUM -1e-305 1e-305 -1e-305 1e-305 END_CAMERA")
+              .scene.camera.fov > 0);
+    CHECK(imported(camera + "ORTHOGRAPHIC ZOOM 1" + rest + "END_CAMERA").scene.camera.position.z > 100);
+    CHECK(imported(camera + "FISHEYE ZOOM 1" + rest + "FRUSTUM -3 3 -1 1 END_CAMERA").scene.camera.fov ==
+          doctest::Approx(60));
+    CHECK(imported(eye +
+                   "SKY_LIGHT NUMSAMPLES 1 COLOR 1e9 1e9 1e9 SPHERE CENTER 0 0 0 RAD 1 TEXTURE AMBIENT 1 DIFFUSE 9 " +
+                   "SPECULAR 0 OPACITY 1 COLOR 1 1 1 TEXFUNC 0\n")
+              .scene.materials.at(0)
+              .ambient == 1e9);
+    CHECK(imported(eye + "SHADER_MODE FULL AMBIENT_OCCLUSION AMBIENT_COLOR 0 0 0 RESCALE_DIRECT 1e9 SAMPLES 1 " +
+                   "END_SHADER_MODE LIGHT CENTER 0 0 0 RAD 0 COLOR 1e9 1 0")
+              .scene.lights.at(0)
+              .color == Color(1e9, 1e9, 0));
+}
+
 TEST_CASE("Tachyon: errors have a place") {
     CHECK(fault("BEGIN_SCENE RESOLUTION 0 5") == "x:1:24: RESOLUTION must be a whole number from 1 to 1048576");
     CHECK(fault("BEGIN_SCENE RESOLUTION 5 5\nEND_SCENE").starts_with("x:2:10: this scene has no camera"));
