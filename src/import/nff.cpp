@@ -88,10 +88,11 @@ class NffReader {
         scene.add_light(light);
         if (!colored && scene.scene.lights.size() > before) even.push_back(before);
     }
-    /// Lights without a colour share the strength 1 / sqrt(number of lights).
+    /// Lights without a colour share the strength 1 / sqrt(number of lights), here to six digits.
     void light_evenly() {
         auto& lights = scene.scene.lights;
-        for (const std::size_t i : even) lights[i].color = Color(1 / std::sqrt(static_cast<double>(lights.size())));
+        for (const std::size_t i : even)
+            lights[i].color = Color(std::round(1e6 / std::sqrt(static_cast<double>(lights.size()))) / 1e6);
     }
 
     void read_material() {

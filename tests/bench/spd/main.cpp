@@ -204,7 +204,7 @@ void branch(const Point& base, const Point& direction, double length, double rad
     grow(25, -1, .88, 2 * key + 1);
 }
 void tree(int size) {
-    view({4.5, .4, 2}, {0, 0, 1.5});
+    view({8, .7, 3}, {0, 0, 2});
     light({30, 10, 40}), light({-20, 30, 35}), light({10, -30, 45}), light({40, -20, 20}), light({-10, -5, 60});
     light({20, 40, 30}), light({60, 0, 15});
     std::puts("f .4 .6 .2 .9 0 0 0 0");
