@@ -51,6 +51,13 @@ TEST_CASE("NFF: what is told") {
           Told{"x:8: the material's rgb is -1; 0 instead", "x:8: the material's reflection is 1.5; 1 instead"});
     CHECK(imported(view + "s 0 0 0 1\ns 0 0 1 1\n").warnings ==
           Told{"x:8: no material: an 'f' is missing before this body; it gets that of a scene without materials"});
+    const std::string grey = view + "f 1 1 1 1 0 0 0 0\n";
+    CHECK(imported(grey + "c 1 2 3 1 1 2 3 1").warnings.at(1) ==
+          "x:9: a cylinder is left out: base and cap are the same point");
+    CHECK(imported(grey + "s 0 0 0 -1 s 0 0 0 -1").warnings ==
+          Told{"x:9: a negative radius: bodies are seen from both sides"});
+    for (const std::string end : {"\n", "\r", "\r\n"})
+        CHECK(imported(grey + end + "# a comment" + end + end + "s 0 0 0 -1").warnings.at(0).starts_with("x:12: "));
     const Imported many = imported([] {
         std::string text = view + "f 1 1 1 1 0 0 0 0\n";
         for (int i = 0; i < 20; ++i) text += "s 0 0 0 -1\n";

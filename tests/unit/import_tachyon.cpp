@@ -71,6 +71,8 @@ TEST_CASE("Tachyon: what has no counterpart is told, and something near is done"
     CHECK(x.warnings == Told{"x:4: lights have a place: this directional light becomes one far away",
                              "x:6: cylinders have ends: this endless one gets them far away"});
 
+    CHECK(imported(eye + "CYLINDER CENTER 9e14 0 0 AXIS 1 0 0 RAD 1 " + white).scene.primitives.empty());
+
     const Imported faded = imported(eye + "SHADER_MODE FULL TRANS_VMD END_SHADER_MODE\nSPHERE CENTER 0 0 0 RAD 1 " +
                                     "TEXTURE AMBIENT .1 DIFFUSE .8 SPECULAR .2 OPACITY .5 COLOR 1 1 1 TEXFUNC 0\n");
     CHECK(material(faded).ambient == .05);
