@@ -17,7 +17,8 @@ namespace strahl {
 namespace {
 
 std::string counted(std::size_t count, const std::string& noun) {
-    return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+    const bool hisses = noun.ends_with('s') || noun.ends_with('x') || noun.ends_with("sh");
+    return std::to_string(count) + " " + noun + (count == 1 ? "" : hisses ? "es" : "s");
 }
 
 std::ostream& operator<<(std::ostream& out, const DVec3& v) {

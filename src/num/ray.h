@@ -1,4 +1,4 @@
-// Rays, and the part of a ray that lies inside a convex body.
+// Rays, and where they cross a body.
 #pragma once
 #include "num/lanes.h"
 
@@ -14,7 +14,8 @@ struct Ray {
 
 // The kernel of every kind has two functions. `start` is the number of the face (0, 1, ...) on which the ray starts, or
 // any other number if it starts elsewhere.
-//     Span<S> span(const Ray<S>& ray, S start)                    where the ray crosses the body
+//     Span<S> span(const Ray<S>& ray, S start)                    where the ray crosses the body, if that is convex
+//     Crossings<S, N> crossings(const Ray<S>& ray, S start)       the same, if it is not
 //     SurfacePoint<S> at(const Ray<S>& ray, S t, S face)          the surface where it crosses this face, at t
 
 /// Where the line of a ray enters and leaves a convex body: near <= far where `hit`. A crossing counts if its t > 0. A
@@ -33,6 +34,20 @@ STRAHL_INLINE S first_crossing(const Span<S>& span) {
 template <class S>
 STRAHL_INLINE S first_face(const Span<S>& span) {
     return select(span.near > S(0), span.near_face, span.far_face);
+}
+
+/// Where the line of a ray crosses a body of one face that is not convex: ascending, and -infinity for each crossing
+/// less than N. They count as those of a span do.
+template <class S, int N>
+struct Crossings {
+    S t[N];
+    Mask<S> hit;
+};
+template <class S, int N>
+STRAHL_INLINE S first_crossing(const Crossings<S, N>& crossings) {
+    S t = crossings.t[N - 1];
+    for (int i = N - 2; i >= 0; --i) t = select(crossings.t[i] > S(0), crossings.t[i], t);
+    return t;
 }
 
 /// A point of a surface, and the unit normal out of the body there.

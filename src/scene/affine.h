@@ -27,7 +27,20 @@ struct AffineKernel {
         return {{to_local(ray.origin - splat<S>(centre)), scale(S(1) / stretch, d), ray.source}, stretch};
     }
     template <class S>
-    STRAHL_INLINE Span<S> span(const Ray<S>& ray, S start) const {
+    STRAHL_INLINE auto crossings(const Ray<S>& ray, S start) const requires requires {
+        shape.crossings(ray, start);
+    }
+    {
+        const Local<S> local = to_local(ray);
+        auto crossings = shape.crossings(local.ray, start);
+        for (S& t : crossings.t) t = t / local.stretch;
+        return crossings;
+    }
+    template <class S>
+    STRAHL_INLINE Span<S> span(const Ray<S>& ray, S start) const requires requires {
+        shape.span(ray, start);
+    }
+    {
         const Local<S> local = to_local(ray);
         const Span<S> span = shape.span(local.ray, start);
         return {span.near / local.stretch, span.far / local.stretch, span.hit, span.near_face, span.far_face};

@@ -176,7 +176,7 @@ struct Cone {
 
     static constexpr const char* name = "cone";
     static constexpr int faces = 3, max_crossings = 2;
-    static constexpr bool bounded = true, convex = true, hot = false;
+    static constexpr bool bounded = true, convex = true, closed = true, hot = false;
     static constexpr auto fields =
         std::make_tuple(Field{"base", &Cone::base, "centre of one end"},
                         Field{"base's radius", &Cone::base_radius, "its radius, or 0", Range::length_or_zero},

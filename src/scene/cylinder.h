@@ -81,7 +81,7 @@ struct Cylinder {
 
     static constexpr const char* name = "cylinder";
     static constexpr int faces = 3, max_crossings = 2;
-    static constexpr bool bounded = true, convex = true, hot = true;
+    static constexpr bool bounded = true, convex = true, closed = true, hot = true;
     static constexpr auto fields = std::make_tuple(Field{"base", &Cylinder::base, "centre of one end"},
                                                    Field{"cap", &Cylinder::cap, "centre of the other end"},
                                                    Field{"radius", &Cylinder::radius, "the radius", Range::positive});

@@ -5,7 +5,10 @@
 
 namespace strahl {
 
-enum class Range { any, positive, length_or_zero, zero_or_more, zero_to_one };
+enum class Range { any, direction, positive, length_or_zero, zero_or_more, zero_to_one };
+
+/// May the parameter be left out? Only the last ones of a list may; their default stands for them.
+enum class Given : bool { always, optional };
 
 /// One parameter of type V (double, DVec3, ...) in a struct C. `name` is its name in messages and in the manual.
 template <class C, class V>
@@ -14,7 +17,10 @@ struct Field {
     V C::*member;
     const char* help;
     Range range = Range::any;
+    Given given = Given::always;
 };
+template <class C, class V>
+Field(const char*, V C::*, const char*, Range, Given) -> Field<C, V>;
 template <class C, class V>
 Field(const char*, V C::*, const char*, Range) -> Field<C, V>;
 template <class C, class V>

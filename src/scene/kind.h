@@ -51,14 +51,18 @@ consteval bool check_kind() {
         requires { std::bool_constant<Kind::convex>(); },
         "a kind says whether it is `convex`: a body that is not may shadow and meet itself");
     static_assert(
+        requires { std::bool_constant<Kind::closed>(); },
+        "a kind says whether it is `closed`: whether its surface bounds a space, its inside");
+    static_assert(
         requires { std::integral_constant<int, Kind::max_crossings>::value; },
         "a kind says how often a line crosses its surface at most: `max_crossings`");
     static_assert(
         requires { std::bool_constant<Kind::hot>(); },
         "a kind says whether it is `hot`: so common that small worlds' loops hold its code");
-    static_assert(Kind::max_crossings >= 1 && Kind::max_crossings <= 2,
-                  "kernels answer with a Span, which has room for two crossings");
-    static_assert(Kind::convex || Kind::max_crossings != 1, "a surface that is crossed once bounds a convex body");
+    static_assert(
+        Kind::max_crossings >= 1 && Kind::max_crossings <= (Kind::convex ? 2 : 4),
+        "kernels of convex kinds answer with a Span, which has room for two crossings, others with Crossings");
+    static_assert(Kind::convex || Kind::faces == 1, "Crossings tell no faces");
     static_assert(
         requires(const Kind k) { static_cast<const char*>(k.fault()); },
         "a kind has a `fault()`: why its values make no body, or nullptr");
@@ -78,7 +82,8 @@ consteval bool check_kind() {
         "a kind emits its items: `emit<T>(to_world, emit)`");
     static_assert(
         requires(const Kind k) { std::tuple_size<decltype(k.pov())>::value; },
-        "a kind has its POV-Ray words: `pov()`, a tuple of keyword and arguments");
+        "a kind has its POV-Ray words: `pov()`, a tuple of keyword and arguments; `pov_more()`, if it has that, "
+        "follows");
     return true;
 }
 

@@ -6,13 +6,15 @@
 #include "scene/box.h"
 #include "scene/cone.h"
 #include "scene/cylinder.h"
+#include "scene/disc.h"
 #include "scene/kind.h"
 #include "scene/plane.h"
 #include "scene/sphere.h"
+#include "scene/torus.h"
 
 namespace strahl {
 
-using Shape = std::variant<Sphere, Plane, Cylinder, Cone, Cuboid>;
+using Shape = std::variant<Sphere, Plane, Cylinder, Cone, Cuboid, Disc, Torus>;
 
 using Forms = FormsOf<Shape>::Type;
 

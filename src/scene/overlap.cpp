@@ -140,12 +140,18 @@ class OverlapTree {
     std::vector<Box> boxes;
 };
 
+/// A ray that goes through a surface without an inside is in its medium until it goes through once more.
+bool closed(const Shape& shape) {
+    return std::visit([]<class Kind>(const Kind&) { return Kind::closed; }, shape);
+}
+
 }  // namespace
 
 bool transparent_bodies_overlap(const Scene& scene) {
     std::vector<Body> planes, bodies;
     for (const Primitive& primitive : scene.primitives)
         if (scene.materials[primitive.material].refraction > 0) {
+            if (!closed(primitive.shape)) return true;
             const Body body = body_of(primitive);
             for (const Body& plane : planes)
                 if (may_overlap(plane, body)) return true;

@@ -55,7 +55,7 @@ struct Sphere {
 
     static constexpr const char* name = "sphere";
     static constexpr int faces = 1, max_crossings = 2;
-    static constexpr bool bounded = true, convex = true, hot = true;
+    static constexpr bool bounded = true, convex = true, closed = true, hot = true;
     static constexpr auto fields = std::make_tuple(Field{"centre", &Sphere::centre, "the centre"},
                                                    Field{"radius", &Sphere::radius, "the radius", Range::positive});
     /// Why these values make no body, or nullptr.

@@ -36,8 +36,8 @@ inline bool flattened(const Box& box, const glm::dmat4& m) {
 }
 
 /// Why the transformations are not allowed for a valid shape, or "". Among the arguments of a shape, vectors are taken
-/// for points and numbers for lengths. If a kind says `arguments_move = false`, its arguments have a meaning in its own
-/// space only, and its bounds are checked instead.
+/// for points, or directions where the field says so, and numbers for lengths. If a kind says `arguments_move = false`,
+/// its arguments have a meaning in its own space only, and its bounds are checked instead.
 template <class Kind>
 std::string transformed_fault(const Kind& shape, std::span<const Transformation> steps) {
     glm::dmat4 m = matrix(steps);
@@ -59,8 +59,11 @@ std::string transformed_fault(const Kind& shape, std::span<const Transformation>
         Kind moved = shape;
         const auto move = [&](auto& value, Range range) {
             if constexpr (std::is_same_v<decltype(value), DVec3&>) {
-                look(value = transform_point(m, value));
-            } else {
+                if (range == Range::direction)
+                    value = glm::dmat3(m) * normalize(value);
+                else
+                    look(value = transform_point(m, value));
+            } else if (value != 0) {
                 value *= largest;
                 inside &= argument_bounds(range).contains(value);
             }

@@ -33,6 +33,11 @@ class Lexer {
         ++next;
         return true;
     }
+    /// Does a number or a vector come, perhaps after a comma?
+    bool at_value() {
+        const char c = peek();
+        return c == ',' || c == '<' || c == '-' || c == '+' || c == '.' || (c >= '0' && c <= '9');
+    }
     bool at_end() {
         skip_space();
         return next == end;

@@ -44,8 +44,9 @@ template <class Kind>
 std::string body_rows() {
     std::string rows, name = code(Kind::name);
     const auto add = [&](const auto& field) {
-        rows +=
-            "| " + name + " | " + field.name + " | " + argument_bounds(field.range).words + " | " + field.help + " |\n";
+        rows += "| " + name + " | " +
+                (field.given == Given::optional ? "[" + std::string(field.name) + "]" : field.name) + " | " +
+                argument_bounds(field.range).words + " | " + field.help + " |\n";
         name = "";
     };
     std::apply([&](const auto&... field) { (add(field), ...); }, Kind::fields);

@@ -33,6 +33,7 @@ inline constexpr Bounds half_angles{smallest_positive, 90 - 1e-14, "greater than
 inline constexpr Bounds angles{2 * smallest_positive, 180 - 2e-14, "greater than 0 and less than 180 degrees"};
 inline constexpr Bounds depths{1, 256, "a whole number from 1 to 256"};
 inline constexpr Bounds only_one{1, 1, "1, the only value known"};
+inline constexpr Bounds directions{-largest_coordinate, largest_coordinate, "from -1e15 to 1e15, not all 0"};
 inline constexpr Bounds anything{-largest_number, largest_number, "a number"};
 
 /// The bounds of a coefficient.
@@ -48,11 +49,12 @@ constexpr Bounds bounds_of(Range range) {
             return anything;
     }
 }
-/// Those of a body's arguments, which are points and lengths.
+/// Those of a body's arguments, which are points, directions and lengths.
 constexpr Bounds argument_bounds(Range range) {
     return range == Range::positive         ? lengths
            : range == Range::length_or_zero ? lengths_or_zero
            : range == Range::any            ? coordinates
+           : range == Range::direction      ? directions
                                             : bounds_of(range);
 }
 

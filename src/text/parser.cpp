@@ -162,6 +162,7 @@ bool Parser::shape(std::string_view word) {
         [&] {
             bool first = true;
             const auto argument = [&](const auto& field) {
+                if (field.given == Given::optional && !reader.lexer.at_value()) return;
                 if (!std::exchange(first, false)) reader.lexer.accept(',');
                 reader.read(kind.*field.member, argument_bounds(field.range), field.name, block);
             };

@@ -38,6 +38,7 @@ std::string primitive_text(const Primitive& primitive, const Material& own, cons
             using Kind = std::decay_t<decltype(shape)>;
             std::string arguments;
             const auto add = [&](const auto& field) {
+                if (field.given == Given::optional && shape.*field.member == Kind{}.*field.member) return;
                 arguments += (arguments.empty() ? "" : ", ") + text_of(shape.*field.member);
             };
             std::apply([&](const auto&... field) { (add(field), ...); }, Kind::fields);

@@ -33,7 +33,7 @@ struct FormFunctions {
     /// The points at which rays first meet items, one in each lane, and the materials of these.
     static void surfaces_at(const World<T>& world, const int* items, const Ray<S>& ray, const S& t, SurfaceHit<S>& hit,
                             int* materials);
-    // Of hot forms the two below are never called: see if_hot().
+    // Of hot forms the two below are never called: see if_hot(). The second is of convex forms only.
     /// The points at which rays first meet an item, all the same one.
     static void surface_at(const World<T>& world, int item, const Ray<S>& ray, const S& t, SurfaceHit<S>& hit);
     /// Where rays that start on an item leave it.
@@ -46,8 +46,9 @@ struct FormFunctions {
     /// Is the eye in an item? Asked along the ray.
     static Mask<S> holds_eye(const World<T>& world, int item, const Ray<S>& ray);
     // The kernel's own code stands in each of the above if the form is hot, else only in these three.
-    static Span<S> cross_one(const Item<Form, T>& item, const Ray<S>& ray);
-    static Span<S> cross_each(const Item<Form, S>& items, const Ray<S>& ray);
+    using Crossed = CrossingsOf<S, Item<Form, T>>;
+    static Crossed cross_one(const Item<Form, T>& item, const Ray<S>& ray);
+    static Crossed cross_each(const Item<Form, S>& items, const Ray<S>& ray);
     static void hit_each(const Item<Form, S>& items, const Ray<S>& ray, const S& t, SurfaceHit<S>& hit);
 };
 

@@ -1,6 +1,8 @@
 // The two questions asked of geometry, of items of one form: which is nearest, and what light passes them.
 #pragma once
+#include <array>
 #include <bit>
+#include <utility>
 
 #include "num/memory.h"
 #include "trace/world.h"
@@ -37,8 +39,28 @@ STRAHL_INLINE Mask<S> closer(const S& t, const S& surface, const S& best_t, cons
 
 /// Where rays cross an item, the same for all or one in each lane.
 template <class S, class Item>
-STRAHL_INLINE Span<S> span_of(const Item& item, const Ray<S>& ray) {
-    return item.shape.span(ray, ray.source - S(item.surface));
+STRAHL_INLINE auto crossings_of(const Item& item, const Ray<S>& ray) {
+    const S start = ray.source - S(item.surface);
+    if constexpr (requires { item.shape.span(ray, start); })
+        return item.shape.span(ray, start);
+    else
+        return item.shape.crossings(ray, start);
+}
+/// Span or Crossings.
+template <class S, class Item>
+using CrossingsOf = decltype(crossings_of(std::declval<const Item&>(), std::declval<const Ray<S>&>()));
+
+/// The lanes that cross between the start and `distance`, one mask for each crossing.
+template <class S>
+STRAHL_INLINE std::array<Mask<S>, 2> crossed(const Span<S>& span, Mask<S> hit, const S& distance) {
+    return {Mask<S>(hit & (span.near > S(0)) & (span.near < distance)),
+            Mask<S>(hit & (span.far > S(0)) & (span.far < distance))};
+}
+template <class S, int N>
+STRAHL_INLINE std::array<Mask<S>, N> crossed(const Crossings<S, N>& crossings, Mask<S> hit, const S& distance) {
+    std::array<Mask<S>, N> masks;
+    for (int i = 0; i < N; ++i) masks[i] = hit & (crossings.t[i] > S(0)) & (crossings.t[i] < distance);
+    return masks;
 }
 
 /// Does the item let light through?
@@ -54,7 +76,7 @@ STRAHL_INLINE const Vec3<T>& filter(const World<T>& world, const Item& item) {
 /// Meets an item. The lanes in which it is the nearest so far; their bin is left to the caller. Exits of an opaque
 /// convex body are shown to `outside(span, lanes)`, which tells those that are none.
 template <class S, class Item, class Outside>
-STRAHL_INLINE Mask<S> intersect_item(const World<Element<S>>& world, const Item& item, const Span<S>& span,
+STRAHL_INLINE Mask<S> intersect_item(const World<Element<S>>& world, const Item& item, const CrossingsOf<S, Item>& span,
                                      Mask<S> mask, Nearest<S>& best, const Outside& outside) {
     const Mask<S> hit = span.hit & mask;
     if (none(hit)) return hit;
@@ -87,22 +109,26 @@ STRAHL_INLINE SurfaceHit<S> surface_hit(const Item& items, const Ray<S>& ray, S 
 
 /// Takes from the light what an item takes; `outside` as above. Is none left in any lane?
 template <class S, class Item, class Outside>
-STRAHL_INLINE bool occlude_item(const World<Element<S>>& world, const Item& item, const Span<S>& span,
+STRAHL_INLINE bool occlude_item(const World<Element<S>>& world, const Item& item, const CrossingsOf<S, Item>& span,
                                 const S& distance, Mask<S> mask, Transmission<S>& light, const Outside& outside) {
     const S one(1);
     const Mask<S> hit = span.hit & mask;
     if (none(hit)) return false;
-    const Mask<S> enters = hit & (span.near > S(0)) & (span.near < distance);
-    Mask<S> leaves = hit & (span.far > S(0)) & (span.far < distance);
+    auto crossed_by = crossed(span, hit, distance);
     if (transparent(world, item)) {
         const Vec3<S> f = splat<S>(filter(world, item));
-        for (int c = 0; c < 3; ++c)
-            light.share[c] =
-                min(light.share[c] * (select(enters, f[c], one) * select(leaves, f[c], one)), S(largest_gain));
+        for (int c = 0; c < 3; ++c) {
+            S kept = one;
+            for (const Mask<S> crossing : crossed_by) kept = kept * select(crossing, f[c], one);
+            light.share[c] = min(light.share[c] * kept, S(largest_gain));
+        }
         return false;
     }
-    if constexpr (Item::has_exits) leaves = leaves & !outside(span, Mask<S>(leaves & !enters));
-    light.limit = select(enters | leaves, S(-1), light.limit);
+    if constexpr (Item::has_exits)
+        crossed_by[1] = crossed_by[1] & !outside(span, Mask<S>(crossed_by[1] & !crossed_by[0]));
+    Mask<S> dark = crossed_by[0];
+    for (std::size_t i = 1; i < crossed_by.size(); ++i) dark = dark | crossed_by[i];
+    light.limit = select(dark, S(-1), light.limit);
     return all(light.limit < S(0));
 }
 

@@ -7,19 +7,20 @@ namespace strahl::inline STRAHL_LEVEL {
 
 /// Calls a cold form's function, or expands a hot one's.
 template <class Form, class S, class Item>
-STRAHL_INLINE Span<S> cross(const Item& item, const Ray<S>& ray, Span<S> (*call)(const Item&, const Ray<S>&)) {
+STRAHL_INLINE auto cross(const Item& item, const Ray<S>& ray,
+                         CrossingsOf<S, Item> (*call)(const Item&, const Ray<S>&)) {
     if constexpr (Form::hot)
-        return span_of(item, ray);
+        return crossings_of(item, ray);
     else
         return call(item, ray);
 }
 template <class Form, class S>
-[[gnu::noinline]] Span<S> FormFunctions<Form, S>::cross_one(const Item<Form, T>& item, const Ray<S>& ray) {
-    return span_of(item, ray);
+[[gnu::noinline]] auto FormFunctions<Form, S>::cross_one(const Item<Form, T>& item, const Ray<S>& ray) -> Crossed {
+    return crossings_of(item, ray);
 }
 template <class Form, class S>
-[[gnu::noinline]] Span<S> FormFunctions<Form, S>::cross_each(const Item<Form, S>& items, const Ray<S>& ray) {
-    return span_of(items, ray);
+[[gnu::noinline]] auto FormFunctions<Form, S>::cross_each(const Item<Form, S>& items, const Ray<S>& ray) -> Crossed {
+    return crossings_of(items, ray);
 }
 template <class Form, class S>
 [[gnu::noinline]] void FormFunctions<Form, S>::hit_each(const Item<Form, S>& items, const Ray<S>& ray, const S& t,
@@ -69,7 +70,7 @@ void FormFunctions<Form, S>::intersect(const World<T>& world, int first, int cou
     for (int i = first; i < first + count; ++i) {
         const auto& item = group.items[i];
         intersect_item(world, item, cross<Form>(item, ray, cross_one), mask, best,
-                       [&](const Span<S>& span, Mask<S> exits) { return outside(world, i, ray, span, exits); });
+                       [&](const auto& span, Mask<S> exits) { return outside(world, i, ray, span, exits); });
     }
 }
 
@@ -79,7 +80,7 @@ void FormFunctions<Form, S>::intersect_single(const World<T>& world, int first, 
     const Ray<S> ray = single.ray;
     for (int i = first; i < first + count; i += width<S>) {
         const auto item = load_items<Item<Form, S>, S>(group.columns, group.stride, i);
-        const Span<S> span = cross<Form>(item, ray, cross_each);
+        const auto span = cross<Form>(item, ray, cross_each);
         const S t = first_crossing(span);
         Mask<S> better = span.hit & (t > S(0)) & first_lanes<S>(first + count - i);
         better = better & closer(t, item.surface, S(single.t), S(single.surface));
@@ -100,7 +101,7 @@ bool FormFunctions<Form, S>::occlude(const World<T>& world, int first, int count
     for (int i = first; i < first + count; ++i) {
         const auto& item = group.items[i];
         if (occlude_item(world, item, cross<Form>(item, ray, cross_one), distance, mask, light,
-                         [&](const Span<S>& span, Mask<S> exits) { return outside(world, i, ray, span, exits); }))
+                         [&](const auto& span, Mask<S> exits) { return outside(world, i, ray, span, exits); }))
             return true;
     }
     return false;
@@ -113,19 +114,20 @@ bool FormFunctions<Form, S>::occlude_single(const World<T>& world, int first, in
     const S distance(single.t);
     for (int i = first; i < first + count; i += width<S>) {
         const auto item = load_items<Item<Form, S>, S>(group.columns, group.stride, i);
-        const Span<S> span = cross<Form>(item, ray, cross_each);
-        const Mask<S> hit = span.hit & first_lanes<S>(first + count - i);
-        const unsigned enters = bits(hit & (span.near > S(0)) & (span.near < distance));
-        Mask<S> exits = hit & (span.far > S(0)) & (span.far < distance);
+        const auto span = cross<Form>(item, ray, cross_each);
+        auto crossed_by = crossed(span, span.hit & first_lanes<S>(first + count - i), distance);
         if constexpr (Item<Form, T>::has_exits)
-            exits = exits & !outside_each(world, i, ray, span, exits & !(span.near > S(0)));
-        const unsigned leaves = bits(exits);
-        for (unsigned hits = enters | leaves; hits; hits &= hits - 1) {
+            crossed_by[1] = crossed_by[1] & !outside_each(world, i, ray, span, crossed_by[1] & !(span.near > S(0)));
+        std::array<unsigned, crossed_by.size()> crossings;
+        unsigned all = 0;
+        for (std::size_t k = 0; k < crossings.size(); ++k) all |= crossings[k] = bits(crossed_by[k]);
+        for (unsigned hits = all; hits; hits &= hits - 1) {
             const int n = std::countr_zero(hits);
             if (!transparent(world, group.items[i + n])) return true;
             const Vec3<T> f = filter(world, group.items[i + n]);
             for (int c = 0; c < 3; ++c) {
-                const T kept = (enters >> n & 1 ? f[c] : T(1)) * (leaves >> n & 1 ? f[c] : T(1));
+                T kept = 1;
+                for (const unsigned crossing : crossings) kept *= crossing >> n & 1 ? f[c] : T(1);
                 single.share[c] = min(single.share[c] * kept, T(largest_gain));
             }
         }
@@ -146,13 +148,14 @@ void FormFunctions<Form, S>::surfaces_at(const World<T>& world, const int* items
     for (int k = 0; k < width<S>; ++k) materials[k] = static_cast<int>(group.items[items[k]].material);
     const auto own = gather_items<Item<Form, S>, S>(group.items, items);
     if constexpr (Form::hot)
-        found = surface_hit(own, ray, t, span_of<S, Item<Form, S>>);
+        found = surface_hit(own, ray, t, crossings_of<S, Item<Form, S>>);
     else
         hit_each(own, ray, t, found);
 }
 
 template <class Form, class S>
 Span<S> FormFunctions<Form, S>::span(const World<T>& world, int item, const Ray<S>& ray) {
+    static_assert(Form::Kind::convex);
     return cross_one(world.groups.template get<Form>().items[item], ray);
 }
 
@@ -160,7 +163,8 @@ template <class Form, class S>
 constexpr FormCalls<S> calls_of() {
     using Own = FormFunctions<Form, S>;
     FormCalls<S> calls{&Own::intersect, &Own::intersect_single, &Own::occlude, &Own::occlude_single, &Own::surfaces_at};
-    if constexpr (!Form::hot) calls.surface_at = &Own::surface_at, calls.span = &Own::span;
+    if constexpr (!Form::hot) calls.surface_at = &Own::surface_at;
+    if constexpr (!Form::hot && Form::Kind::convex) calls.span = &Own::span;
     return calls;
 }
 template <class S, class... F>

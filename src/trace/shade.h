@@ -49,7 +49,7 @@ STRAHL_INLINE SurfaceHit<S> surface_at(const World<Element<S>>& world, const Sor
     SurfaceHit<S> hit;
     const auto inline_code = [&](const auto& group) __attribute__((always_inline)) {
         using Item = typename std::remove_cvref_t<decltype(group)>::template ItemOf<S>;
-        hit = surface_hit(splat_item<Item, S>(group.items[bin.item]), ray, t, span_of<S, Item>);
+        hit = surface_hit(splat_item<Item, S>(group.items[bin.item]), ray, t, crossings_of<S, Item>);
     };
     if (!if_hot(world, bin.form, inline_code)) {
         const Ray<S> copy = ray;

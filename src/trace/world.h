@@ -24,7 +24,7 @@ inline constexpr int widest_pack = 16;
 template <class Form, class T>
 struct Item {
     static constexpr int faces = Form::Kind::faces;
-    static constexpr bool has_exits = Form::Kind::bounded && Form::Kind::convex;
+    static constexpr bool has_exits = Form::Kind::bounded && Form::Kind::convex && Form::Kind::closed;
     typename Form::template Kernel<T> shape;
     T surface;  // number of its first face; faces are numbered through the scene in the order declared
     T material;

@@ -10,7 +10,7 @@ namespace strahl::referee {
 
 /// Faces: 0 where x is least, 1 where it is greatest, then those of y and z.
 template <class R>
-Crossings<R> crossings(const Cuboid& box, const Line<R>& line, int source) {
+LineCrossings<R> crossings(const Cuboid& box, const Line<R>& line, int source) {
     const Vector<R> p = box.corner, q = box.opposite, o = line.origin, d = line.direction;
     Crossing<R> near{R(-INFINITY), -1, {}}, far{R(INFINITY), -1, {}};
     bool outside = false;
@@ -26,7 +26,7 @@ Crossings<R> crossings(const Cuboid& box, const Line<R>& line, int source) {
     clip(0, p.x, q.x, o.x, d.x, {1, 0, 0});
     clip(2, p.y, q.y, o.y, d.y, {0, 1, 0});
     clip(4, p.z, q.z, o.z, d.z, {0, 0, 1});
-    Crossings<R> found;
+    LineCrossings<R> found;
     if (outside || near.t > far.t) return found;
     for (const Crossing<R>& crossing : {near, far})
         if (crossing.face != source) found.add(crossing.t, crossing.face, crossing.normal);

@@ -22,8 +22,8 @@ struct ConeShape {
 
 /// Faces: 0 the side, 1 the base, 2 the cap.
 template <class R>
-Crossings<R> crossings(const Cone& cone, const Line<R>& line, int source) {
-    Crossings<R> found;
+LineCrossings<R> crossings(const Cone& cone, const Line<R>& line, int source) {
+    LineCrossings<R> found;
     const ConeShape<R> shape(cone);
     const Vector<R> o = line.origin - shape.base, d = line.direction;
     const R o_along = dot(o, shape.axis), d_along = dot(d, shape.axis);

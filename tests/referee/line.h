@@ -47,7 +47,7 @@ struct Crossing {
     Vector<R> normal;
 };
 template <class R>
-struct Crossings {
+struct LineCrossings {
     std::array<Crossing<R>, 4> list;
     int count = 0;
     void add(R t, int face, const Vector<R>& normal) { list[count++] = {t, face, normal}; }

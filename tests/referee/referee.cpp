@@ -6,7 +6,9 @@
 
 #include "tests/referee/box.h"
 #include "tests/referee/cone.h"
+#include "tests/referee/disc.h"
 #include "tests/referee/line.h"
+#include "tests/referee/torus.h"
 
 namespace strahl {
 namespace {
@@ -14,8 +16,8 @@ namespace {
 using namespace referee;
 
 template <class R>
-Crossings<R> crossings(const Sphere& sphere, const Line<R>& line, int source) {
-    Crossings<R> found;
+LineCrossings<R> crossings(const Sphere& sphere, const Line<R>& line, int source) {
+    LineCrossings<R> found;
     const R r = sphere.radius;
     const Vector<R> o = line.origin - Vector<R>(sphere.centre), d = line.direction;
     roots(dot(d, d), dot(o, d), dot(o, o) - r * r, source == 0, [&](R t) { found.add(t, 0, o + t * d); });
@@ -33,8 +35,8 @@ Vector<R> normal(const Plane& plane) {
     return cross(Vector<R>(plane.b) - a, Vector<R>(plane.c) - a);
 }
 template <class R>
-Crossings<R> crossings(const Plane& plane, const Line<R>& line, int source) {
-    Crossings<R> found;
+LineCrossings<R> crossings(const Plane& plane, const Line<R>& line, int source) {
+    LineCrossings<R> found;
     const Vector<R> n = normal<R>(plane);
     const R towards = dot(n, line.direction);
     if (source != 0 && towards != 0) found.add(dot(n, Vector<R>(plane.a) - line.origin) / towards, 0, n);
@@ -47,8 +49,8 @@ bool contains(const Plane& plane, const Vector<R>& p) {
 
 /// Faces: 0 the side, 1 the base, 2 the cap.
 template <class R>
-Crossings<R> crossings(const Cylinder& cylinder, const Line<R>& line, int source) {
-    Crossings<R> found;
+LineCrossings<R> crossings(const Cylinder& cylinder, const Line<R>& line, int source) {
+    LineCrossings<R> found;
     const Vector<R> base = cylinder.base, whole = Vector<R>(cylinder.cap) - base, axis = unit(whole);
     const R r = cylinder.radius, height = dot(axis, whole);
     const Vector<R> o = line.origin - base, d = line.direction;
@@ -95,10 +97,10 @@ struct Body {
     bool surrounds(const Vector<R>& p) const {
         return std::visit([&](const auto& s) { return contains<R>(s, turn(p - offset)); }, shape);
     }
-    Crossings<R> meet(const Line<R>& line, int self) const {
+    LineCrossings<R> meet(const Line<R>& line, int self) const {
         const Line<R> local{turn(line.origin - offset), turn(line.direction)};
         const int source = line.body == self ? line.face : -1;
-        Crossings<R> found = std::visit([&](const auto& s) { return crossings(s, local, source); }, shape);
+        LineCrossings<R> found = std::visit([&](const auto& s) { return crossings(s, local, source); }, shape);
         for (auto& [t, face, n] : found.list) n = n.x * rows[0] + n.y * rows[1] + n.z * rows[2];
         return found;
     }

@@ -50,9 +50,27 @@ TEST_CASE("values out of range") {
                  "x.rt:1:47: 'fov' of 'camera' must be greater than 0 and less than 90 degrees, not '95'"});
 }
 
+TEST_CASE("an argument that may be left out") {
+    const Scene scene = parse(eye + "disc { <1,2,3>, <0,0,2>, 4 } disc { <1,2,3> <0,0,2> 4 1.5 rotate <0,0,9> }");
+    CHECK(scene.primitives.at(0).shape == Shape(Disc{{1, 2, 3}, {0, 0, 2}, 4, 0}));
+    CHECK(scene.primitives.at(1).shape == Shape(Disc{{1, 2, 3}, {0, 0, 2}, 4, 1.5}));
+    CHECK(scene.primitives.at(1).transformations.size() == 1);
+}
+
+TEST_CASE("directions are turned and stretched with their bodies, and not moved") {
+    const Scene scene = parse(eye + "disc { <0,0,0>, <0,0,1e-9>, 4 translate <0,0,1e14> }");
+    CHECK(scene.primitives.size() == 1);
+    CHECK(faults(eye + "torus { <0,0,0>, <0,0,1>, 1, .1  translate <2e15,0,0> }").size() == 1);
+}
+
 TEST_CASE("invalid bodies and cameras") {
     check_fault("plane { <0,0,0>, <1,1,1>, <3,3,3> }", "2:1: this plane is none: the three points lie on one line");
     check_fault("cylinder { <1,2,3>, <1,2,3>, 1 }", "2:1: this cylinder is none: base and cap are the same point");
+    check_fault("torus { <0,0,0>, <0,0,0>, 1, .1 }", "2:1: this torus is none: its axis has no direction");
+    check_fault("disc { <0,0,0>, <0,0,0>, 1 }", "2:1: this disc is none: its normal has no direction");
+    check_fault("disc { <0,0,0>, <0,0,1>, 1, 1 }", "2:1: this disc is none: the hole is as large as the disc");
+    check_fault("disc { <0,0,0>, <0,0,1>, 1, material { } }",
+                "2:29: a number expected for 'hole's radius' of 'disc', but here comes 'material'");
     check_fault("sphere { <0,0,0>, 1 scale 0 }",
                 "2:27: 'scale' of 'sphere' is 0, which would leave nothing of it; 1 changes nothing");
     check_fault("sphere { <0,0,0>, 1 scale <1,0,1> }",
