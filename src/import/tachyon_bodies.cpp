@@ -69,10 +69,10 @@ void TachyonBodies::read_box() {
 }
 
 void TachyonBodies::read_ring() {
-    named_vector("CENTER"), named_vector("NORMAL");
-    named_number("INNER"), named_number("OUTER");
+    const DVec3 centre = named_vector("CENTER"), normal = named_vector("NORMAL");
+    const double inner = named_number("INNER"), outer = named_number("OUTER");
     textures.use();
-    scene.warn("RING is left out");
+    scene.add(Disc{centre, normal, outer, inner});
 }
 
 void TachyonBodies::read_tube() {

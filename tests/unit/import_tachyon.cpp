@@ -29,12 +29,13 @@ TEST_CASE("Tachyon: camera and lights, mirrored in z") {
 }
 
 TEST_CASE("Tachyon: bodies and textures") {
-    const Imported x =
-        imported(eye +
-                 "TEXDEF a AMBIENT .1 DIFFUSE .8 SPECULAR .2 OPACITY .7 PHONG PLASTIC .5 PHONG_SIZE 40 COLOR 1 .5 .2 "
-                 "TEXFUNC 0\nTEXALIAS b a\n"
-                 "SPHERE CENTER 1 2 3 RAD 4 a\nBOX MIN 0 0 0 MAX 1 2 3 b\nPLANE CENTER 0 -1 0 NORMAL 0 2 0 " +
-                 white + "FCYLINDER BASE 0 0 0 APEX 0 0 5 RAD 1 a\nPOLYCYLINDER POINTS 2 0 0 0 1 0 0 RAD .1 a\n");
+    const Imported x = imported(
+        eye +
+        "TEXDEF a AMBIENT .1 DIFFUSE .8 SPECULAR .2 OPACITY .7 PHONG PLASTIC .5 PHONG_SIZE 40 COLOR 1 .5 .2 "
+        "TEXFUNC 0\nTEXALIAS b a\n"
+        "SPHERE CENTER 1 2 3 RAD 4 a\nBOX MIN 0 0 0 MAX 1 2 3 b\nPLANE CENTER 0 -1 0 NORMAL 0 2 0 " +
+        white + "FCYLINDER BASE 0 0 0 APEX 0 0 5 RAD 1 a\nPOLYCYLINDER POINTS 2 0 0 0 1 0 0 RAD .1 a\n" +
+        "RING CENTER 1 2 3 NORMAL 0 1 1 INNER .5 OUTER 2 a\nRING CENTER 1 2 3 NORMAL 0 1 1 INNER 2 OUTER 2 a\n");
     CHECK(material(x) == Material{.rgb = {1, .5, .2},
                                   .reflection = .2,
                                   .refraction = .3,
@@ -52,7 +53,9 @@ TEST_CASE("Tachyon: bodies and textures") {
     CHECK(body<Sphere>(x, 4) == Sphere{DVec3(0), .1});
     CHECK(body<Cylinder>(x, 5) == Cylinder{DVec3(0), {1, 0, 0}, .1});
     CHECK(body<Sphere>(x, 6) == Sphere{{1, 0, 0}, .1});
-    CHECK(x.warnings == Told{"x:9: FCYLINDER is an open tube in Tachyon; here it is closed"});
+    CHECK(body<Disc>(x, 7) == Disc{{1, 2, -3}, {0, 1, -1}, 2, .5});
+    CHECK(x.warnings == Told{"x:9: FCYLINDER is an open tube in Tachyon; here it is closed",
+                             "x:12: a disc is left out: the hole is as large as the disc"});
 
     for (const DVec3& normal : {DVec3(1, 0, 0), DVec3(0, 0, -1), DVec3(1, 2, -3), DVec3(-.1, 1e-9, 5)}) {
         const Imported y = imported(eye + "PLANE CENTER 1e6 7 3 NORMAL " + std::to_string(normal.x) + " " +
