@@ -7,6 +7,21 @@
 
 namespace strahl {
 
+/// A mesh without its closing brace. A closed one gets a direction in which POV-Ray counts whether a point is inside.
+inline std::string sentence(const Mesh& mesh) {
+    const auto& [points, normals, triangles, corner_normals] = *mesh.data;
+    std::string text = "mesh {";
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        text += corner_normals.empty() ? "\n  triangle {" : "\n  smooth_triangle {";
+        for (int k = 0; k < 3; ++k) {
+            text += (k > 0 ? ", " : " ") + text_of(points[triangles[i][k]]);
+            if (!corner_normals.empty()) text += ", " + text_of(normals[corner_normals[i][k]]);
+        }
+        text += " }";
+    }
+    return text + (open_side(*mesh.data) ? "\n " : "\n  inside_vector <0, 0, 1>");
+}
+
 /// An object without its closing brace, in the shape's own space.
 inline std::string sentence(const Shape& shape) {
     const auto join = [](const char* keyword, const auto& first, const auto&... more) {
@@ -23,7 +38,14 @@ inline std::string sentence(const Shape& shape) {
         }
         return text;
     };
-    return std::visit(words, shape);
+    return std::visit(
+        [&]<class Kind>(const Kind& kind) {
+            if constexpr (std::is_same_v<Kind, Mesh>)
+                return sentence(kind);
+            else
+                return words(kind);
+        },
+        shape);
 }
 
 }  // namespace strahl

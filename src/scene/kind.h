@@ -21,6 +21,8 @@ struct Form {
     using Kernel = std::tuple_element_t<number, typename Kind::template Kernels<T>>;
     /// The loops of small worlds hold these forms' code; all others are called.
     static constexpr bool hot = Kind::hot && number == 0;
+    /// So short that the loops over their items hold it too.
+    static constexpr bool compact = hot || requires { requires Kind::compact; };
 };
 template <class... Forms>
 struct FormList {
@@ -76,15 +78,23 @@ consteval bool check_kind() {
         "a kind that is not bounded has a `half_space(matrix)`");
     static_assert(
         requires { std::tuple_size<typename Kind::template Kernels<float>>::value; }, "a kind lists its `Kernels<T>`");
-    static_assert(std::tuple_size_v<typename Kind::template Kernels<float>> <= 2, "a kind has one kernel or two");
+    static_assert(std::tuple_size_v<typename Kind::template Kernels<float>> <= 2, "a kind has at most two kernels");
     static_assert(
         requires(const Kind k, WorldTransform to) { k.template emit<float>(to, AnyEmitter{}); },
         "a kind emits its items: `emit<T>(to_world, emit)`");
     static_assert(
-        requires(const Kind k) { std::tuple_size<decltype(k.pov())>::value; },
+        std::tuple_size_v<typename Kind::template Kernels<float>> == 0 ||
+            requires(const Kind k) { std::tuple_size<decltype(k.pov())>::value; },
         "a kind has its POV-Ray words: `pov()`, a tuple of keyword and arguments; `pov_more()`, if it has that, "
         "follows");
     return true;
+}
+
+template <class Form, class... Forms>
+consteval int place_of(FormList<Forms...>) {
+    int place = 0, found = -1;
+    ((std::is_same_v<Form, Forms> ? found = place++ : ++place), ...);
+    return found;
 }
 
 template <std::size_t number, class Forms>

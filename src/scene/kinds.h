@@ -8,13 +8,16 @@
 #include "scene/cylinder.h"
 #include "scene/disc.h"
 #include "scene/kind.h"
+#include "scene/mesh.h"
 #include "scene/plane.h"
+#include "scene/smooth_triangle.h"
 #include "scene/sphere.h"
 #include "scene/torus.h"
+#include "scene/triangle.h"
 
 namespace strahl {
 
-using Shape = std::variant<Sphere, Plane, Cylinder, Cone, Cuboid, Disc, Torus>;
+using Shape = std::variant<Sphere, Plane, Cylinder, Cone, Cuboid, Disc, Torus, Triangle, SmoothTriangle, Mesh>;
 
 using Forms = FormsOf<Shape>::Type;
 

@@ -8,8 +8,8 @@
 
 namespace strahl {
 
-/// Each triangle is three points. If the mesh is smooth, each corner has a normal as well, which need not be of length 1
-/// and may point to either side; normals bend between the corners.
+/// Each triangle is three points. If the mesh is smooth, each corner has a normal as well, which need not be of length
+/// 1 and may point to either side; normals bend between the corners.
 struct MeshData {
     using Corners = std::array<std::int32_t, 3>;
     std::vector<DVec3> points, normals;

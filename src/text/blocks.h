@@ -13,6 +13,9 @@ namespace strahl {
 /// What may follow the arguments of a body.
 inline constexpr std::array<std::string_view, 4> shape_words{"material", "rotate", "translate", "scale"};
 
+/// What may stand in a mesh besides that.
+inline constexpr std::array<std::string_view, 3> mesh_words{"file", Triangle::name, SmoothTriangle::name};
+
 /// The words that open a block of the top level.
 template <class... Kinds>
 constexpr auto top_words(std::type_identity<std::variant<Kinds...>>) {
@@ -21,9 +24,9 @@ constexpr auto top_words(std::type_identity<std::variant<Kinds...>>) {
 }
 inline constexpr auto block_words = top_words(std::type_identity<Shape>{});
 
-template <std::size_t n, std::size_t m>
-std::array<Parameter, n + m> joined(const std::array<Parameter, n>& first, const std::array<Parameter, m>& second) {
-    std::array<Parameter, n + m> all;
+template <class T, std::size_t n, std::size_t m>
+constexpr std::array<T, n + m> joined(const std::array<T, n>& first, const std::array<T, m>& second) {
+    std::array<T, n + m> all;
     std::copy(second.begin(), second.end(), std::copy(first.begin(), first.end(), all.begin()));
     return all;
 }

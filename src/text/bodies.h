@@ -28,6 +28,7 @@ inline double condition(const glm::dmat4& m) {
 /// Does the transformation take opposite sides of the box to the same place?
 inline bool flattened(const Box& box, const glm::dmat4& m) {
     for (int i = 0; i < 3; ++i) {
+        if (box.low[i] == box.high[i]) continue;
         DVec3 low = box.centre(), high = low;
         low[i] = box.low[i], high[i] = box.high[i];
         if (transform_point(m, low) == transform_point(m, high)) return true;
@@ -51,7 +52,8 @@ std::string transformed_fault(const Kind& shape, std::span<const Transformation>
         for (int i = 0; i < 3; ++i) inside &= coordinates.contains(point[i]);
     };
     const char* fault = nullptr;
-    if constexpr (requires { requires !Kind::arguments_move; }) {
+    if constexpr (std::tuple_size_v<std::remove_cvref_t<decltype(Kind::fields)>> == 0 ||
+                  requires { requires !Kind::arguments_move; }) {
         const Box box = transformed(shape.bounds(), m);
         look(box.low), look(box.high);
         if (flattened(shape.bounds(), m)) fault = "it is flat";

@@ -71,6 +71,18 @@ bool Lexer::read_number(Number& number) {
     return true;
 }
 
+std::string_view Lexer::quotation(const std::string& what) {
+    if (peek() != '"') fail(what + " in quotes expected");
+    const char* const close = std::find_if(next + 1, end, [](char c) { return c == '"' || c == '\n' || c == '\r'; });
+    if (close == end || *close != '"') {
+        diagnostics.add({next, 1}, "these quotes are not closed in the same line");
+        throw ParseAbort{};
+    }
+    const std::string_view text(next + 1, close - next - 1);
+    next = close + 1;
+    return text;
+}
+
 std::string_view Lexer::token() {
     skip_space();
     const char* p = next;

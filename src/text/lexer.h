@@ -50,6 +50,8 @@ class Lexer {
         if (!read_number(result)) fail("a number expected for " + quoted(name) + " of " + quoted(block));
         return result;
     }
+    /// The text between the quotes that come; `what` is for messages.
+    std::string_view quotation(const std::string& what);
     /// The next token, for messages: a word, a number, or one sign.
     std::string_view token();
     /// Goes back to a slice that was read.

@@ -52,6 +52,12 @@ std::string body_rows() {
     std::apply([&](const auto&... field) { (add(field), ...); }, Kind::fields);
     return rows;
 }
+template <>
+std::string body_rows<Mesh>() {
+    return "| `mesh` | file \"NAME\" | a path, relative to the scene's folder | a PLY, OBJ or STL file of triangles |\n"
+           "|  | triangle, smooth_triangle | blocks with the arguments above | any number of them, in place of a file "
+           "|\n";
+}
 template <class... Kinds>
 std::string body_table(std::type_identity<std::variant<Kinds...>>) {
     return "| body | arguments | values | meaning |\n|---|---|---|---|\n" + (body_rows<Kinds>() + ...);

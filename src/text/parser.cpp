@@ -1,12 +1,14 @@
 // The parser: the blocks of the scene language.
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <utility>
 
 #include "text/blocks.h"
 #include "text/bodies.h"
 #include "text/camera_blocks.h"
 #include "text/materials.h"
+#include "text/mesh_block.h"
 #include "text/parse.h"
 #include "text/reader.h"
 #include "text/utf8.h"
@@ -16,8 +18,9 @@ namespace {
 
 class Parser {
   public:
-    Parser(std::string_view text, Diagnostics& diagnostics, const TextLimits& limits)
+    Parser(std::string_view text, std::string_view file, Diagnostics& diagnostics, const TextLimits& limits)
         : limits(limits),
+          folder(std::filesystem::path(file).parent_path().string()),
           text(text),
           diagnostics(diagnostics),
           reader(text, diagnostics, block_words),
@@ -38,12 +41,14 @@ class Parser {
     void limit(std::size_t count, std::size_t most, std::string_view at, const char* what);
 
     const TextLimits& limits;
+    const std::string folder;
     std::string_view text;
     Diagnostics& diagnostics;
     Reader reader;
     CameraBlocks cameras;
     Scene scene;
     Materials materials;
+    MeshFiles mesh_files;
     Material default_material;
     std::string_view background_at, settings_at;  // where these blocks are, of which a scene has one
 };
@@ -157,29 +162,30 @@ bool Parser::shape(std::string_view word) {
     Material own = default_material;
     Block block{word};
     std::string_view material_at, last;
+    constexpr bool is_mesh = std::is_same_v<Kind, Mesh>;
+    MeshBlock mesh(reader, folder, mesh_files);
+    constexpr auto words = [] {
+        if constexpr (is_mesh)
+            return joined(mesh_words, shape_words);
+        else
+            return shape_words;
+    }();
     reader.block(
-        block, shape_words,
-        [&] {
-            bool first = true;
-            const auto argument = [&](const auto& field) {
-                if (field.given == Given::optional && !reader.lexer.at_value()) return;
-                if (!std::exchange(first, false)) reader.lexer.accept(',');
-                reader.read(kind.*field.member, argument_bounds(field.range), field.name, block);
-            };
-            std::apply([&](const auto&... field) { (argument(field), ...); }, Kind::fields);
-        },
+        block, words, [&] { read_arguments(reader, kind, block); },
         [&](std::string_view inner) {
             if (inner == "material") {
                 reader.once(material_at, inner);
                 block.absorb(material(inner, own));
                 return true;
             }
+            if (is_mesh && mesh.part(inner, block)) return true;
             if (!contains(shape_words, inner)) return false;
             limit(primitive.transformations.size(), limits.transformations, inner, "transformations of one primitive");
             primitive.transformations.push_back(transformation(inner, block));
             last = inner;
             return true;
         });
+    if constexpr (is_mesh) kind = mesh.take(word, block);
     if (block.good()) check(kind, primitive, word, last);
     primitive.shape = kind;
     primitive.material = materials.number(own);
@@ -207,7 +213,7 @@ Scene parse_scene(std::string_view text, std::string_view file, const TextLimits
                                                            : "not UTF-8; save the file in that encoding");
         diagnostics.check();
     }
-    return Parser(text, diagnostics, limits).parse();
+    return Parser(text, file, diagnostics, limits).parse();
 }
 
 }  // namespace strahl

@@ -31,20 +31,36 @@ std::string transformation_text(const Transformation& step) {
     return std::visit(words, step);
 }
 
+/// A body without its closing brace.
+template <class Kind>
+std::string shape_text(const Kind& shape) {
+    std::string arguments;
+    const auto add = [&](const auto& field) {
+        if (field.given == Given::optional && shape.*field.member == Kind{}.*field.member) return;
+        arguments += (arguments.empty() ? "" : ", ") + text_of(shape.*field.member);
+    };
+    std::apply([&](const auto&... field) { (add(field), ...); }, Kind::fields);
+    return std::string(Kind::name) + " { " + arguments;
+}
+std::string shape_text(const Mesh& mesh) {
+    if (!mesh.file.empty()) return std::string(Mesh::name) + " { file \"" + mesh.file + "\"";
+    std::string text = std::string(Mesh::name) + " {";
+    const auto& [points, normals, triangles, corner_normals] = *mesh.data;
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        const auto point = [&](int k) { return points[triangles[i][k]]; };
+        const auto normal = [&](int k) { return normals[corner_normals[i][k]]; };
+        text += "\n  " +
+                (corner_normals.empty()
+                     ? shape_text(Triangle{point(0), point(1), point(2)})
+                     : shape_text(SmoothTriangle{point(0), point(1), point(2), normal(0), normal(1), normal(2)})) +
+                " }";
+    }
+    return text;
+}
+
 /// `base` is the default material in force, or nullptr if the primitive has that one.
 std::string primitive_text(const Primitive& primitive, const Material& own, const Material* base) {
-    std::string text = std::visit(
-        [](const auto& shape) {
-            using Kind = std::decay_t<decltype(shape)>;
-            std::string arguments;
-            const auto add = [&](const auto& field) {
-                if (field.given == Given::optional && shape.*field.member == Kind{}.*field.member) return;
-                arguments += (arguments.empty() ? "" : ", ") + text_of(shape.*field.member);
-            };
-            std::apply([&](const auto&... field) { (add(field), ...); }, Kind::fields);
-            return std::string(Kind::name) + " { " + arguments;
-        },
-        primitive.shape);
+    std::string text = std::visit([](const auto& shape) { return shape_text(shape); }, primitive.shape);
     std::vector<std::string> items;
     for (const Transformation& step : primitive.transformations) items.push_back(transformation_text(step));
     if (base) items.push_back("material { " + parameters(own, *base) + " }");

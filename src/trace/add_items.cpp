@@ -32,7 +32,10 @@ struct PutItems {
         const int i = before.items[number]++;
         auto* const items = reinterpret_cast<Item<FormAt<number, Forms>, T>*>(own.numbers.get());
         items[i] = {kernel, static_cast<T>(before.surfaces), material};
-        own.boxes[i] = item_box(box, number);
+        if constexpr (requires { kernel.bounds(); })
+            own.boxes[i] = item_box(kernel.bounds(), number);  // one of many of a body
+        else
+            own.boxes[i] = item_box(box, number);
         before.surfaces += faces;
     }
 };

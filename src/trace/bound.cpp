@@ -12,6 +12,18 @@ namespace {
 
 double largest(const Color& c) { return std::max({std::abs(c.x), std::abs(c.y), std::abs(c.z)}); }
 
+/// How often a line crosses a shape at most.
+double most_crossings(const Shape& shape) {
+    return std::visit(
+        []<class Kind>(const Kind& kind) -> double {
+            if constexpr (requires { kind.data->triangles; })
+                return static_cast<double>(kind.data->triangles.size());
+            else
+                return std::max(2, Kind::max_crossings);
+        },
+        shape);
+}
+
 /// Most by which the bodies on its way can multiply a light: glass of a colour above 1 brightens it.
 double gain(const Scene& scene) {
     const auto filter = [](const Material& m) { return m.refraction * largest(m.rgb); };
@@ -19,7 +31,7 @@ double gain(const Scene& scene) {
     if (std::any_of(scene.materials.begin(), scene.materials.end(), [&](const auto& m) { return filter(m) > 1; }))
         for (const Primitive& primitive : scene.primitives) {
             const double factor = filter(scene.materials[primitive.material]);
-            if (factor > 1) product *= factor * factor;  // entered and left
+            if (factor > 1) product *= std::pow(factor, most_crossings(primitive.shape));
         }
     return std::min(product, std::numeric_limits<double>::max());  // infinity times nothing would be no number
 }

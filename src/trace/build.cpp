@@ -80,7 +80,9 @@ void WorldArrays<T>::list_transparent(const Scene& scene) {
         if (material.refraction > 0)
             transparent.push_back(
                 {static_cast<int>(before.surfaces), primitive.shape, glm::inverse(matrix(primitive.transformations))});
+        const auto body = static_cast<std::int32_t>(before.surfaces);
         count_items<T>(primitive, before);
+        bodies.resize(before.surfaces, body);
         iors.resize(before.surfaces, static_cast<T>(material.ior));
     }
 }
@@ -130,8 +132,10 @@ WorldArrays<T>::WorldArrays(const Scene& scene, const Placement& placement, Thre
     world.light_count = static_cast<int>(lights.size());
     if (world.nested) list_transparent(scene);
     world.iors = iors.data();
+    world.bodies = bodies.data();
 
     add_items(scene, placement, pool);
+    world.rounding = static_cast<T>(rounding(reach));
     arrange_items(pool);
     fill_groups();
     if (world.bin_per_item) {

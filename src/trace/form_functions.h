@@ -45,6 +45,12 @@ struct FormFunctions {
                                 Mask<S> inside);
     /// Is the eye in an item? Asked along the ray.
     static Mask<S> holds_eye(const World<T>& world, int item, const Ray<S>& ray);
+    /// Where rays cross an item (`step` 0), or one ray items side by side (`step` 1), in lanes whose rays start near
+    /// its plane on a triangle beside it.
+    static void settle(const World<T>& world, const Item<Form, T>* items, int step, const Ray<S>& ray, Mask<S> near,
+                       Span<S>& span);
+    static void settle_start(const World<T>& world, int first, int step, const auto& item, const Ray<S>& ray,
+                             Mask<S> lanes, auto& crossed);
     // The kernel's own code stands in each of the above if the form is hot, else only in these three.
     using Crossed = CrossingsOf<S, Item<Form, T>>;
     static Crossed cross_one(const Item<Form, T>& item, const Ray<S>& ray);

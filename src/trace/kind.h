@@ -5,11 +5,11 @@
 
 namespace strahl::inline STRAHL_LEVEL {
 
-/// Calls a cold form's function, or expands a hot one's.
+/// Calls a form's function, or expands it.
 template <class Form, class S, class Item>
 STRAHL_INLINE auto cross(const Item& item, const Ray<S>& ray,
                          CrossingsOf<S, Item> (*call)(const Item&, const Ray<S>&)) {
-    if constexpr (Form::hot)
+    if constexpr (Form::compact)
         return crossings_of(item, ray);
     else
         return call(item, ray);
@@ -26,6 +26,54 @@ template <class Form, class S>
 [[gnu::noinline]] void FormFunctions<Form, S>::hit_each(const Item<Form, S>& items, const Ray<S>& ray, const S& t,
                                                         SurfaceHit<S>& hit) {
     hit = surface_hit(items, ray, t, cross_each);
+}
+
+template <class T>
+STRAHL_INLINE const TriangleKernel<T>& flat(const TriangleKernel<T>& triangle) {
+    return triangle;
+}
+template <class T>
+STRAHL_INLINE const TriangleKernel<T>& flat(const SmoothTriangleKernel<T>& triangle) {
+    return triangle.flat;
+}
+/// The triangle that a surface is, or null.
+template <class T>
+STRAHL_INLINE const TriangleKernel<T>* triangle_of(const World<T>& world, int surface) {
+    const ItemReference& reference = world.references[surface];
+    const int form = world.sort_bins[reference.bin].form;
+    const auto in = [&]<class Form>(Form) {
+        return &flat(world.groups.template get<Form>().items[reference.item].shape);
+    };
+    return form == place_of<Form<Triangle, 0>>(Forms{})         ? in(Form<Triangle, 0>{})
+           : form == place_of<Form<SmoothTriangle, 0>>(Forms{}) ? in(Form<SmoothTriangle, 0>{})
+                                                                : nullptr;
+}
+
+/// See crossing_beside.
+template <class Form, class S>
+[[gnu::noinline]] void FormFunctions<Form, S>::settle(const World<T>& world, const Item<Form, T>* items, int step,
+                                                      const Ray<S>& ray, Mask<S> near, Span<S>& span) {
+    for (unsigned left = bits(near); left; left &= left - 1) {
+        const int k = std::countr_zero(left);
+        const TriangleKernel<T>* const start = triangle_of(world, static_cast<int>(lane(ray.source, k)));
+        const TriangleKernel<T>& other = flat(items[k * step].shape);
+        if (!start || !share_a_corner(*start, other)) continue;
+        const auto pick = [k](const Vec3<S>& v) { return Vec3<T>(lane(v.x, k), lane(v.y, k), lane(v.z, k)); };
+        const Ray<T> one{pick(ray.origin), pick(ray.direction), lane(ray.source, k)};
+        span.far = with_lane(span.far, k, crossing_beside(*start, other, one));
+    }
+}
+/// Triangles beside the start are looked at closely. Lanes of no item are not asked for.
+template <class Form, class S>
+STRAHL_INLINE void FormFunctions<Form, S>::settle_start(const World<T>& world, int first, int step, const auto& item,
+                                                        const Ray<S>& ray, Mask<S> lanes, auto& crossed) {
+    if constexpr (requires { item.shape.starts_near(ray, crossed.far, crossed.far); }) {
+        lanes = lanes & crossed.hit & (ray.source >= S(0));
+        if (none(lanes)) return;
+        const Mask<S> near = lanes & item.shape.starts_near(ray, crossed.far, S(world.rounding));
+        if (any(near)) [[unlikely]]
+            settle(world, &world.groups.template get<Form>().items[first], step, ray, near, crossed);
+    }
 }
 
 template <class Form, class S>
@@ -69,7 +117,9 @@ void FormFunctions<Form, S>::intersect(const World<T>& world, int first, int cou
     const auto& group = world.groups.template get<Form>();
     for (int i = first; i < first + count; ++i) {
         const auto& item = group.items[i];
-        intersect_item(world, item, cross<Form>(item, ray, cross_one), mask, best,
+        auto crossed = cross<Form>(item, ray, cross_one);
+        settle_start(world, i, 0, item, ray, mask, crossed);
+        intersect_item(world, item, crossed, mask, best,
                        [&](const auto& span, Mask<S> exits) { return outside(world, i, ray, span, exits); });
     }
 }
@@ -80,7 +130,8 @@ void FormFunctions<Form, S>::intersect_single(const World<T>& world, int first, 
     const Ray<S> ray = single.ray;
     for (int i = first; i < first + count; i += width<S>) {
         const auto item = load_items<Item<Form, S>, S>(group.columns, group.stride, i);
-        const auto span = cross<Form>(item, ray, cross_each);
+        auto span = cross<Form>(item, ray, cross_each);
+        settle_start(world, i, 1, item, ray, first_lanes<S>(first + count - i), span);
         const S t = first_crossing(span);
         Mask<S> better = span.hit & (t > S(0)) & first_lanes<S>(first + count - i);
         better = better & closer(t, item.surface, S(single.t), S(single.surface));
@@ -100,7 +151,9 @@ bool FormFunctions<Form, S>::occlude(const World<T>& world, int first, int count
     const auto& group = world.groups.template get<Form>();
     for (int i = first; i < first + count; ++i) {
         const auto& item = group.items[i];
-        if (occlude_item(world, item, cross<Form>(item, ray, cross_one), distance, mask, light,
+        auto crossed = cross<Form>(item, ray, cross_one);
+        settle_start(world, i, 0, item, ray, mask, crossed);
+        if (occlude_item(world, item, crossed, distance, mask, light,
                          [&](const auto& span, Mask<S> exits) { return outside(world, i, ray, span, exits); }))
             return true;
     }
@@ -114,7 +167,8 @@ bool FormFunctions<Form, S>::occlude_single(const World<T>& world, int first, in
     const S distance(single.t);
     for (int i = first; i < first + count; i += width<S>) {
         const auto item = load_items<Item<Form, S>, S>(group.columns, group.stride, i);
-        const auto span = cross<Form>(item, ray, cross_each);
+        auto span = cross<Form>(item, ray, cross_each);
+        settle_start(world, i, 1, item, ray, first_lanes<S>(first + count - i), span);
         auto crossed_by = crossed(span, span.hit & first_lanes<S>(first + count - i), distance);
         if constexpr (Item<Form, T>::has_exits)
             crossed_by[1] = crossed_by[1] & !outside_each(world, i, ray, span, crossed_by[1] & !(span.near > S(0)));

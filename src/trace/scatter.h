@@ -63,7 +63,7 @@ template <class S>
     const auto ior = [&](int body) { return body < 0 ? T(1) : shading.world.iors[body]; };
     for (int k = 0; k < width<S>; ++k) {
         if (wanted[k] == 0) continue;
-        const int before = static_cast<int>(stacks[k]), body = static_cast<int>(bodies[k]);
+        const int before = static_cast<int>(stacks[k]), body = shading.world.bodies[static_cast<int>(bodies[k])];
         const int inner = top(all, before);
         if (body == inner) {
             const int after = remove(all, before, body);

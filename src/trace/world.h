@@ -133,11 +133,13 @@ struct World {
     BodySet enclosed = 0;
 
     Vec3<T> eye{0};  // of the view that is traced
+    T rounding = 0;  // what the coordinates of points on bodies may be off
     const MaterialKernel<T>* materials = nullptr;
     const LightKernel<T>* lights = nullptr;
     int light_count = 0;
     Vec3<T> background{0};
-    const T* iors = nullptr;  // by surface; only in nested worlds
+    const T* iors = nullptr;               // by surface; only in nested worlds
+    const std::int32_t* bodies = nullptr;  // likewise: the first surface of the body
 
     // What the scene contains; what it does not is not looked for.
     bool transparent = false;  // some body lets light through

@@ -92,6 +92,7 @@ struct WorldArrays {
     std::vector<MaterialKernel<T>> materials;
     std::vector<LightKernel<T>> lights;
     std::vector<T> iors;
+    std::vector<std::int32_t> bodies;
     std::vector<BoundingVolume> volumes;  // by bin, if there is one for each item
     BodySet glass = 0;                    // of these the transparent ones
     std::vector<T> balls;

@@ -23,11 +23,17 @@ strahl_test(attacked strahl_picture_check)
 add_dependencies(attack attack_renderer)
 add_test(NAME attack_renderer COMMAND attack_renderer --seconds 5)
 
-# The picture readers.
+# The readers of pictures and of meshes.
+add_library(strahl_file_attack STATIC ${attack}/file_attack.cpp)
+target_link_libraries(strahl_file_attack PUBLIC strahl_flags)
 add_executable(attack_pictures ${attack}/pictures.cpp ${attack}/mutated_picture.cpp)
-target_link_libraries(attack_pictures PRIVATE strahl_image)
-add_dependencies(attack attack_pictures)
-add_test(NAME attack_pictures COMMAND attack_pictures --seconds 5)
+target_link_libraries(attack_pictures PRIVATE strahl_file_attack strahl_image)
+add_executable(attack_meshes ${attack}/meshes.cpp ${attack}/mutated_mesh.cpp)
+target_link_libraries(attack_meshes PRIVATE strahl_file_attack strahl_mesh)
+foreach(files pictures meshes)
+  add_dependencies(attack attack_${files})
+  add_test(NAME attack_${files} COMMAND attack_${files} --seconds 5)
+endforeach()
 
 # The readers of other programs' scenes.
 file(GLOB imported ${attack}/import/*)

@@ -1,8 +1,8 @@
 // What the referee's formulas are made of: vectors, lines and where they cross something, for long double and
 // __float128.
 #pragma once
-#include <array>
 #include <cmath>
+#include <vector>
 
 #include "num/vec.h"
 #include "tests/referee/quadruple.h"
@@ -48,11 +48,10 @@ struct Crossing {
 };
 template <class R>
 struct LineCrossings {
-    std::array<Crossing<R>, 4> list;
-    int count = 0;
-    void add(R t, int face, const Vector<R>& normal) { list[count++] = {t, face, normal}; }
+    std::vector<Crossing<R>> list;
+    void add(R t, int face, const Vector<R>& normal) { list.push_back({t, face, normal}); }
     auto begin() const { return list.begin(); }
-    auto end() const { return list.begin() + count; }
+    auto end() const { return list.end(); }
 };
 
 /// The roots of a t^2 + 2 b t + c; of a line that starts on the surface one is 0, and only the other is given.

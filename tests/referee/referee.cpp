@@ -9,6 +9,7 @@
 #include "tests/referee/disc.h"
 #include "tests/referee/line.h"
 #include "tests/referee/torus.h"
+#include "tests/referee/triangle.h"
 
 namespace strahl {
 namespace {

@@ -44,7 +44,7 @@ struct Exact {
 };
 Exact exact(const Cuboid& box, const DVec3& o, const DVec3& d) {
     const auto found = referee::crossings<Quadruple>(box, {o, d}, -1);
-    if (found.count < 2) return {};
+    if (found.list.size() < 2) return {};
     return {static_cast<double>(found.list[0].t), static_cast<double>(found.list[1].t)};
 }
 Cuboid grown(const Cuboid& box, double by) {

@@ -28,6 +28,7 @@ TEST_CASE("every word of the language is in the dictionary") {
     };
     for (const std::string_view word : block_words) look(word);
     for (const std::string_view word : shape_words) look(word);
+    for (const std::string_view word : mesh_words) look(word);
     each_block([&](const char* word, const auto& parameters) {
         look(word);
         for (const Parameter& parameter : parameters) look(parameter.name);

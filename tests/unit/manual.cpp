@@ -35,7 +35,13 @@ TEST_CASE("every body has its rows, and a stale table is made anew") {
         const auto row = [&](const char* body, const auto& field) {
             CHECK_MESSAGE(page.find("| `" + std::string(body) + "` | " + field.name + " |") != page.npos, body);
         };
-        (row(Kinds::name, std::get<0>(Kinds::fields)), ...);
+        const auto first_row = [&]<class Kind>(Kind) {
+            if constexpr (std::is_same_v<Kind, Mesh>)
+                CHECK(page.find("| `mesh` | file") != page.npos);
+            else
+                row(Kind::name, std::get<0>(Kind::fields));
+        };
+        (first_row(Kinds{}), ...);
     };
     check(std::type_identity<Shape>{});
     CHECK(with_current_tables(replaced(page, "| `ior` | `1` |", "| `ior` | `2` |")) == page);

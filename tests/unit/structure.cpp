@@ -16,15 +16,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Includes point one way: num <- scene <- {text, import, trace, image, povref} <- show <- main. Of the five in the
-/// middle, text (whole files out, scene text) serves import and image, and text, trace and image serve povref, which
+/// Includes point one way: num <- scene <- mesh <- {text, import, trace, image, povref} <- show <- main. Of the five in
+/// braces, text (whole files out, scene text) serves import and image, and text, trace and image serve povref, which
 /// compares their pictures.
 const std::map<std::string, std::set<std::string>> modules{
     {"num", {}},
     {"scene", {"num"}},
-    {"text", {"num", "scene"}},
+    {"mesh", {"num", "scene"}},
+    {"text", {"num", "scene", "mesh"}},
     {"trace", {"num", "scene"}},
-    {"import", {"num", "scene", "text"}},
+    {"import", {"num", "scene", "mesh", "text"}},
     {"image", {"num", "scene", "text"}},
     {"povref", {"num", "scene", "text", "trace", "image"}},
     {"show", {"num", "scene", "text", "trace", "image"}},
@@ -88,6 +89,7 @@ TEST_CASE("the include rules reject wrong includes") {
     CHECK(fault("trace", "#include \"text/parse.h\"") != "");
     CHECK(fault("text", "#include \"image/picture.h\"") != "");
     CHECK(fault("text", "#include \"import/import.h\"") != "");
+    CHECK(fault("mesh", "#include \"text/parse.h\"") != "");
     CHECK(fault("show", " # include \"main/values.h\"  // why") != "");
     CHECK(fault("main", "#include <OpenImageIO/imageio.h>") != "");
     CHECK(fault("main", "#include <GLFW/glfw3.h>") != "");

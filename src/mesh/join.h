@@ -1,0 +1,61 @@
+// Points of equal coordinates as one.
+#pragma once
+#include <bit>
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include "num/vec.h"
+
+namespace strahl {
+
+/// Numbers points in the order in which they come, equal ones alike. -0 equals 0.
+class PointJoiner {
+  public:
+    PointJoiner() : slots(1024, empty) {
+        std::random_device random;
+        for (std::uint64_t& secret : secrets) secret = std::uint64_t(random()) << 32 | random();
+    }
+
+    std::int32_t number_of(DVec3 point) {
+        point += 0.;  // -0 becomes 0
+        if (2 * joined.size() >= slots.size()) grow();
+        std::int32_t& slot = slot_of(point);
+        if (slot == empty) {
+            slot = static_cast<std::int32_t>(joined.size());
+            joined.push_back(point);
+        }
+        return slot;
+    }
+    std::vector<DVec3>& points() { return joined; }
+
+  private:
+    static constexpr std::int32_t empty = -1;
+
+    /// The secrets keep a file from naming points that all fall into one slot, which would take for ever.
+    std::uint64_t hash(const DVec3& p) const {
+        using Wide = unsigned __int128;
+        const auto fold = [](Wide product) {
+            return static_cast<std::uint64_t>(product) ^ static_cast<std::uint64_t>(product >> 64);
+        };
+        const auto bits = [](double v) { return std::bit_cast<std::uint64_t>(v); };
+        const std::uint64_t plane = fold(Wide(bits(p.x) ^ secrets[0]) * (bits(p.y) ^ secrets[1]));
+        return fold(Wide(plane ^ secrets[2]) * (bits(p.z) ^ secrets[3]));
+    }
+    std::int32_t& slot_of(const DVec3& point) {
+        const std::size_t mask = slots.size() - 1;
+        std::size_t at = hash(point) & mask;
+        while (slots[at] != empty && joined[slots[at]] != point) at = (at + 1) & mask;
+        return slots[at];
+    }
+    void grow() {
+        slots.assign(4 * slots.size(), empty);
+        for (std::size_t i = 0; i < joined.size(); ++i) slot_of(joined[i]) = static_cast<std::int32_t>(i);
+    }
+
+    std::uint64_t secrets[4];
+    std::vector<std::int32_t> slots;  // numbers of points; a power of two of them
+    std::vector<DVec3> joined;
+};
+
+}  // namespace strahl

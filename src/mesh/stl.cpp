@@ -1,0 +1,125 @@
+// STL: triangles with three points each, as text or as floats.
+#include <bit>
+#include <cstring>
+
+#include "mesh/join.h"
+#include "mesh/source.h"
+
+namespace strahl {
+namespace {
+
+constexpr std::size_t header_size = 84, triangle_size = 50;
+
+/// The triangles that a binary file should have.
+std::uint64_t announced(std::string_view bytes) {
+    std::uint64_t count = 0;
+    for (std::size_t i = header_size; i > header_size - 4; --i)
+        count = count << 8 | static_cast<unsigned char>(bytes[i - 1]);
+    return count;
+}
+
+float little_endian_float(const char* bytes) {
+    std::uint32_t bits = 0;
+    for (int i = 4; i-- > 0;) bits = bits << 8 | static_cast<unsigned char>(bytes[i]);
+    return std::bit_cast<float>(bits);
+}
+
+MeshData read_binary(const Source& source) {
+    const std::string_view bytes = source.bytes;
+    const std::uint64_t count = bytes.size() < header_size ? 0 : announced(bytes);
+    if (!is_binary_stl(bytes))
+        source.fail("this STL file has " + counted(bytes.size(), "byte") + ", and its header announces " +
+                    counted(count, "triangle") + ", which take " + std::to_string(header_size + triangle_size * count) +
+                    "; it was cut off or changed, so get it anew");
+    source.check_triangles(count);
+    MeshData mesh;
+    PointJoiner points;
+    mesh.triangles.resize(count);
+    for (std::uint64_t i = 0; i < count; ++i) {
+        const char* place = &bytes[header_size + triangle_size * i + 12];  // after the normal
+        for (std::int32_t& corner : mesh.triangles[i]) {
+            const DVec3 point{little_endian_float(place), little_endian_float(place + 4),
+                              little_endian_float(place + 8)};
+            if (const std::string fault = Source::fault(point); !fault.empty())
+                source.fail("a corner of triangle " + std::to_string(i) + " (counted from 0) " + fault);
+            corner = points.number_of(point);
+            place += 12;
+        }
+    }
+    mesh.points = std::move(points.points());
+    source.check_points(mesh.points.size());
+    return mesh;
+}
+
+class TextReader {
+  public:
+    explicit TextReader(const Source& source) : source(source), words(source, source.bytes) {}
+
+    MeshData read() {
+        expect("solid");
+        while (true) {
+            words.skip_line();  // a name
+            std::string_view word = words.next();
+            for (; same(word, "facet"); word = words.next()) read_facet();
+            if (!same(word, "endsolid")) fail_at(word, "'facet' or 'endsolid'");
+            words.skip_line();
+            word = words.next();
+            if (word.empty()) break;
+            if (!same(word, "solid")) fail_at(word, "another 'solid', or the end,");
+        }
+        mesh.points = std::move(points.points());
+        return std::move(mesh);
+    }
+
+  private:
+    /// Some programs write the words in capitals.
+    static bool same(std::string_view word, std::string_view expected) {
+        if (word.size() != expected.size()) return false;
+        for (std::size_t i = 0; i < word.size(); ++i)
+            if ((word[i] | 0x20) != expected[i]) return false;
+        return true;
+    }
+    [[noreturn]] void fail_at(std::string_view word, const std::string& expected) const {
+        if (word.empty()) words.fail("the file ends where " + expected + " should be; it was cut off, so get it anew");
+        words.fail("here should be " + expected + " and not " + quoted_word(word));
+    }
+    void expect(std::string_view expected) {
+        if (const std::string_view word = words.next(); !same(word, expected)) fail_at(word, quoted_word(expected));
+    }
+    void read_facet() {
+        expect("normal");
+        for (int i = 0; i < 3; ++i) words.next();
+        expect("outer"), expect("loop");
+        MeshData::Corners corners;
+        for (std::int32_t& corner : corners) {
+            expect("vertex");
+            DVec3 point;
+            for (int c = 0; c < 3; ++c) point[c] = words.number("a coordinate");
+            if (const std::string fault = Source::fault(point); !fault.empty()) words.fail("this corner " + fault);
+            corner = points.number_of(point);
+        }
+        expect("endloop"), expect("endfacet");
+        mesh.triangles.push_back(corners);
+        source.check_triangles(mesh.triangles.size());
+        source.check_points(points.points().size());
+    }
+
+    const Source& source;
+    Words words;
+    PointJoiner points;
+    MeshData mesh;
+};
+
+}  // namespace
+
+bool is_binary_stl(std::string_view bytes) {
+    return bytes.size() >= header_size && bytes.size() == header_size + triangle_size * announced(bytes);
+}
+
+MeshData read_stl(const Source& source) {
+    // Many binary files begin with "solid" as well.
+    return source.bytes.starts_with("solid") && !is_binary_stl(source.bytes) ? TextReader(source).read()
+                                                                             : read_binary(source);
+}
+
+}  // namespace strahl

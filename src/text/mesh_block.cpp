@@ -1,0 +1,94 @@
+#include "text/mesh_block.h"
+
+#include <filesystem>
+
+#include "mesh/read_mesh.h"
+#include "text/blocks.h"
+
+namespace strahl {
+
+bool MeshBlock::part(std::string_view word, Block& block) {
+    if (word == "file")
+        file(word, block);
+    else if (word == Triangle::name)
+        triangle<Triangle>(word, block);
+    else if (word == SmoothTriangle::name)
+        triangle<SmoothTriangle>(word, block);
+    else
+        return false;
+    return true;
+}
+
+void MeshBlock::file(std::string_view word, Block& block) {
+    const std::string_view given = reader.lexer.quotation("the name of a file");
+    if (!reader.once(file_at, word)) return;
+    name = given;
+    const std::filesystem::path path(name);
+    const std::string whole = (path.is_absolute() ? path : std::filesystem::path(folder) / path).string();
+    std::shared_ptr<const MeshData>& data = files[whole];
+    try {
+        if (!data) data = std::make_shared<const MeshData>(read_mesh(whole));
+        from_file = data;
+    } catch (const FileError& error) {
+        reader.diagnostics.add(given, error.what());
+        block.bad = true;
+    }
+}
+
+template <class Kind>
+void MeshBlock::triangle(std::string_view word, Block& block) {
+    if (!triangle_at.data()) triangle_at = word;
+    Kind triangle;
+    Block own{word};
+    reader.block(
+        own, {}, [&] { read_arguments(reader, triangle, own); }, [](std::string_view) { return false; });
+    block.absorb(own);
+    if (!own.good()) return;
+    if (const char* const fault = triangle.fault()) {
+        reader.diagnostics.add(word, "this " + std::string(word) + " is none: " + fault);
+        block.bad = true;
+        return;
+    }
+    add(triangle);
+}
+
+/// Among smooth triangles a flat one has the same normal at all corners.
+void MeshBlock::add(const Triangle& t) {
+    inline_data.triangles.push_back({points.number_of(t.a), points.number_of(t.b), points.number_of(t.c)});
+    if (inline_data.corner_normals.empty()) return;
+    const std::int32_t normal = normals.number_of(normalize(cross_product(t.b - t.a, t.c - t.a)));
+    inline_data.corner_normals.push_back({normal, normal, normal});
+}
+void MeshBlock::add(const SmoothTriangle& t) {
+    if (inline_data.corner_normals.empty()) {
+        const std::vector<MeshData::Corners> flat = std::exchange(inline_data.triangles, {});
+        const auto corner = [&](std::int32_t i) { return points.points()[i]; };
+        inline_data.corner_normals.reserve(flat.size() + 1);
+        for (const auto& [a, b, c] : flat) {
+            const std::int32_t n =
+                normals.number_of(normalize(cross_product(corner(b) - corner(a), corner(c) - corner(a))));
+            inline_data.corner_normals.push_back({n, n, n});
+        }
+        inline_data.triangles = flat;
+    }
+    inline_data.triangles.push_back({points.number_of(t.a), points.number_of(t.b), points.number_of(t.c)});
+    inline_data.corner_normals.push_back(
+        {normals.number_of(t.normal_a), normals.number_of(t.normal_b), normals.number_of(t.normal_c)});
+}
+
+Mesh MeshBlock::take(std::string_view word, Block& block) {
+    const auto fault = [&](const char* message) {
+        if (block.good()) reader.diagnostics.add(word, message);
+        block.bad = true;
+        return Mesh{};
+    };
+    if (file_at.data() && triangle_at.data())
+        return fault("this mesh has a file and triangles of its own; two meshes may have");
+    if (!block.good()) return {};
+    if (file_at.data()) return {from_file, name};
+    if (inline_data.triangles.empty()) return fault("this mesh is none: it has no triangles");
+    inline_data.points = std::move(points.points()), inline_data.normals = std::move(normals.points());
+    return {std::make_shared<const MeshData>(std::move(inline_data)), ""};
+}
+
+}  // namespace strahl

@@ -1,0 +1,56 @@
+// The contents of a `mesh` block: triangles, or the name of a file.
+#pragma once
+#include <map>
+#include <memory>
+#include <string>
+
+#include "mesh/join.h"
+#include "scene/mesh.h"
+#include "text/reader.h"
+
+namespace strahl {
+
+/// Reads the arguments that the field table of a kind lists. Commas between them may be left out.
+template <class Kind>
+void read_arguments(Reader& reader, Kind& kind, Block& block) {
+    bool first = true;
+    const auto argument = [&](const auto& field) {
+        if (field.given == Given::optional && !reader.lexer.at_value()) return;
+        if (!first) reader.lexer.accept(',');
+        first = false;
+        reader.read(kind.*field.member, argument_bounds(field.range), field.name, block);
+    };
+    std::apply([&](const auto&... field) { (argument(field), ...); }, Kind::fields);
+}
+
+/// Files of triangles that the scene has named so far, by their paths.
+using MeshFiles = std::map<std::string, std::shared_ptr<const MeshData>>;
+
+/// One mesh while it is read. Equal points become one.
+class MeshBlock {
+  public:
+    /// Names of files are relative to `folder`.
+    MeshBlock(Reader& reader, std::string folder, MeshFiles& files)
+        : reader(reader), folder(std::move(folder)), files(files) {}
+    /// Reads what follows a word of `mesh_words`; false if it is none of these.
+    bool part(std::string_view word, Block& block);
+    /// The mesh, once its block is closed. Errors are reported at its `word`.
+    Mesh take(std::string_view word, Block& block);
+
+  private:
+    void file(std::string_view word, Block& block);
+    template <class Kind>
+    void triangle(std::string_view word, Block& block);
+    void add(const Triangle& triangle);
+    void add(const SmoothTriangle& triangle);
+
+    Reader& reader;
+    std::string folder, name;
+    MeshFiles& files;
+    std::string_view file_at, triangle_at;
+    std::shared_ptr<const MeshData> from_file;
+    MeshData inline_data;  // but for its points and normals
+    PointJoiner points, normals;
+};
+
+}  // namespace strahl
