@@ -9,7 +9,6 @@ strahl_test(roundtrip strahl_text)
 strahl_test(dictionary strahl_text)
 strahl_test(import_nff strahl_import)
 strahl_test(import_tachyon strahl_import)
-strahl_test(polygon strahl_import)
 
 # The tables of the manual: the test fails if they are stale, the target `manual` writes them.
 strahl_test(manual strahl_text)

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <numeric>
 #include <tuple>
 #include <type_traits>
 
-#include "import/polygon.h"
 #include "num/decimal.h"
 #include "num/vec_math.h"
 #include "scene/overlap.h"
@@ -87,7 +88,13 @@ bool Builder::fits(const Value& value, Range range, const char* name, const char
 
 void Builder::add(const Shape& shape) {
     end_mesh();
+    count_body();
     put(shape);
+}
+
+/// Each triangle of a mesh counts.
+void Builder::count_body() {
+    if (++bodies > limits.primitives) words.fail("more than " + std::to_string(limits.primitives) + " bodies");
 }
 
 void Builder::put(const Shape& shape) {
@@ -106,8 +113,6 @@ void Builder::put(const Shape& shape) {
         },
         shape);
     if (!good) return;
-    if (scene.primitives.size() == limits.primitives)
-        words.fail("more than " + std::to_string(limits.primitives) + " bodies");
     scene.primitives.push_back({.shape = shape, .material = materials.number(material), .transformations = {}});
 }
 
@@ -132,47 +137,51 @@ void Builder::add_endless_cylinder(const DVec3& centre, const DVec3& axis, doubl
     if (scene.primitives.size() > before) endless.push_back({before, centre, axis / largest(axis)});
 }
 
-std::size_t Builder::CornerHash::operator()(const Corner& corner) const {
-    std::size_t hash = 0;
-    for (const DVec3& v : {corner.point, corner.normal})
-        for (int i = 0; i < 3; ++i) MaterialHash::add(hash, v[i]);
-    return hash;
-}
-
-std::int32_t Builder::number(const Corner& corner) {
-    const auto [entry, is_new] = corners.try_emplace(corner, static_cast<std::int32_t>(mesh.points.size()));
-    if (is_new) mesh.points.push_back(corner.point), mesh.normals.push_back(corner.normal);
-    return entry->second;
-}
-
-void Builder::add_polygon(std::span<const DVec3> points, std::span<const DVec3> normals) {
-    for (const DVec3& point : points)
-        if (!fits(point, Range::any, "corners", "polygon")) return;
-    for (const DVec3& normal : normals)
-        if (!fits(normal, Range::any, "normals", "polygon")) return;
-    const Triangles triangles = triangles_of(points, limits.concave_corners);
-    if (triangles.too_long)
-        return warn("a polygon is left out: it is not convex and has more than " +
-                    std::to_string(limits.concave_corners) + " corners");
-    if (triangles.crossing) warn("the edges of this polygon cross; it is cut into triangles as well as can be");
-    if (triangles.list.empty()) return warn("a polygon is left out: it has no area");
-
-    const bool smooth = !normals.empty();
-    if (!mesh.triangles.empty() && smooth == mesh.corner_normals.empty()) end_mesh();
-    if (mesh.triangles.empty()) mesh_line = words.line();
-    for (const CornerNumbers& triangle : triangles.list) {
-        MeshData::Corners own;
-        for (int i = 0; i < 3; ++i) own[i] = number({points[triangle[i]], smooth ? normals[triangle[i]] : DVec3(0)});
-        mesh.triangles.push_back(own);
-        if (smooth) mesh.corner_normals.push_back(own);
+void Builder::add_polygon(std::span<const DVec3> corners, std::span<const DVec3> bent) {
+    for (const DVec3& corner : corners)
+        if (!fits(corner, Range::any, "corners", "polygon")) return;
+    for (const DVec3& normal : bent)
+        if (!fits(normal, Range::direction, "normals", "polygon")) return;
+    if (std::ranges::any_of(bent, [](const DVec3& normal) { return !(length(normal) > 0); })) {
+        warn("a normal without a direction: this polygon is flat");
+        bent = {};
     }
+    if (!triangles.empty() && bent.empty() != corner_normals.empty()) end_mesh();
+    std::vector<std::int32_t> all(corners.size());
+    std::iota(all.begin(), all.end(), 0);
+    const auto cut = splitter.split({corners.begin(), corners.end()}, all);
+    if (cut.empty())
+        return warn("a polygon is left out: it is not convex and has more than " +
+                    std::to_string(FaceSplitter::most_concave) + " corners");
+    bool seen = false;
+    for (const FaceSplitter::Triangle& triangle : cut) {
+        const std::int32_t a = triangle[0], b = triangle[1], c = triangle[2];
+        if (Triangle::flat(corners[a], corners[b], corners[c])) continue;
+        seen = true;
+        const auto joined = [&](PointJoiner& joiner, std::span<const DVec3> list) {
+            return MeshData::Corners{joiner.number_of(list[a]), joiner.number_of(list[b]), joiner.number_of(list[c])};
+        };
+        triangles.push_back(joined(points, corners));
+        if (!bent.empty()) corner_normals.push_back(joined(normals, bent));
+        count_body();
+    }
+    if (!seen) warn("a polygon is left out: it has no area");
 }
 
+/// The run of polygons becomes a body: a triangle, or a mesh.
 void Builder::end_mesh() {
-    if (mesh.triangles.empty()) return;
-    warnings.add(mesh_line, "polygons are left out");
-    mesh = {};
-    corners.clear();
+    if (triangles.empty()) return;
+    MeshData mesh{std::move(points.points()), std::move(normals.points()), std::move(triangles),
+                  std::move(corner_normals)};
+    points = {}, normals = {}, triangles = {}, corner_normals = {};
+    const auto corner = [&](int k) { return mesh.points[mesh.triangles[0][k]]; };
+    const auto normal = [&](int k) { return mesh.normals[mesh.corner_normals[0][k]]; };
+    if (mesh.triangles.size() > 1)
+        put(Mesh{std::make_shared<const MeshData>(std::move(mesh)), ""});
+    else if (mesh.corner_normals.empty())
+        put(Triangle{corner(0), corner(1), corner(2)});
+    else
+        put(SmoothTriangle{corner(0), corner(1), corner(2), normal(0), normal(1), normal(2)});
 }
 
 double Builder::reach() const {

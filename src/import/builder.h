@@ -3,13 +3,14 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
 #include "import/import.h"
 #include "import/warnings.h"
 #include "import/words.h"
+#include "mesh/join.h"
+#include "mesh/split.h"
 #include "scene/mesh_data.h"
 #include "text/materials.h"
 
@@ -60,13 +61,6 @@ class Builder {
     std::optional<PictureSize> size;
 
   private:
-    struct Corner {
-        DVec3 point, normal;
-        bool operator==(const Corner&) const = default;
-    };
-    struct CornerHash {
-        std::size_t operator()(const Corner& corner) const;
-    };
     struct EndlessCylinder {
         std::size_t number;  // in the list of primitives
         DVec3 centre, axis;
@@ -79,7 +73,7 @@ class Builder {
     template <class Value>
     bool fits(const Value& value, Range range, const char* name, const char* kind);
     void put(const Shape& shape);
-    std::int32_t number(const Corner& corner);
+    void count_body();
     void end_mesh();
     void place_far();
 
@@ -89,9 +83,11 @@ class Builder {
     Materials materials;
     Material material;
 
-    MeshData mesh;  // the run of polygons so far
-    std::unordered_map<Corner, std::int32_t, CornerHash> corners;
-    std::size_t mesh_line = 0;
+    // The run of polygons so far.
+    PointJoiner points, normals;
+    std::vector<MeshData::Corners> triangles, corner_normals;
+    FaceSplitter splitter;
+    std::size_t bodies = 0;
 
     std::vector<EndlessCylinder> endless;
     std::vector<DistantLight> distant;

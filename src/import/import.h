@@ -23,9 +23,8 @@ struct Imported {
 
 /// Limits for one file; more is an error. Everything else is limited by the size of the text.
 struct ImportLimits {
-    std::size_t primitives = 5'000'000;  // as many as scene text may hold
+    std::size_t primitives = 5'000'000;  // triangles too; as many as scene text may hold
     std::size_t lights = 1 << 16;
-    std::size_t concave_corners = 4096;  // of one polygon that is not convex: cutting it up takes the square of them
 };
 
 /// Reads a scene; its first word tells the format. `file` is only the name used in messages. The scene can be written

@@ -32,7 +32,7 @@ void check(const strahl::Imported& imported) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     strahl::ImportLimits limits;
-    limits.primitives = 1000, limits.lights = 100, limits.concave_corners = 100;
+    limits.primitives = 1000, limits.lights = 100;
     strahl::Imported imported;
     try {
         imported = strahl::import_scene({reinterpret_cast<const char*>(data), size}, "fuzz", limits);

@@ -41,6 +41,54 @@ TEST_CASE("NFF: bodies and materials") {
                              "x:14: a negative radius: bodies are seen from both sides"});
 }
 
+TEST_CASE("NFF: polygons") {
+    const std::string grey = "f 1 1 1 1 0 0 0 0\n", triangle = "p 3\n0 0 0\n1 0 0\n0 1 0\n";
+    const Imported one =
+        imported(view + grey + triangle + "s 1 2 3 1\n" + "pp 3 0 0 0 0 0 2 1 0 0 0 1 1 0 1 0 1 0 1\n");
+    CHECK(body<Triangle>(one) == Triangle{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+    CHECK(body<Sphere>(one, 1) == Sphere{{1, 2, 3}, 1});
+    CHECK(body<SmoothTriangle>(one, 2) ==
+          SmoothTriangle{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 2}, {0, 1, 1}, {1, 0, 1}});
+    CHECK(one.warnings.empty());
+
+    // Polygons that follow one another share their corners; another material, another body or normals end the run.
+    const std::string square = "p 4\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
+    const Imported mesh = imported(view + grey + square + "p 3 1 0 0 2 0 0 1 1 0\n" + "f 1 0 0 1 0 0 0 0\n" + square +
+                                   "pp 3 0 0 0 0 0 1 1 0 0 0 0 1 0 1 0 0 0 1\n");
+    REQUIRE(mesh.scene.primitives.size() == 3);
+    const MeshData& data = *body<Mesh>(mesh).data;
+    CHECK(data.points == std::vector<DVec3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0}});
+    CHECK(data.triangles == std::vector<MeshData::Corners>{{0, 1, 2}, {0, 2, 3}, {1, 4, 2}});
+    CHECK(data.normals.empty());
+    CHECK(data.corner_normals.empty());
+    CHECK(body<Mesh>(mesh, 1).data->triangles.size() == 2);
+    CHECK(material(mesh, 1).rgb == Color(1, 0, 0));
+    CHECK(std::holds_alternative<SmoothTriangle>(mesh.scene.primitives[2].shape));
+
+    const Imported bent = imported(view + grey + "pp 4 0 0 0 0 0 1 1 0 0 0 1 1 1 1 0 0 0 1 0 1 0 1 0 1\n");
+    CHECK(body<Mesh>(bent).data->corner_normals == std::vector<MeshData::Corners>{{0, 1, 0}, {0, 0, 2}});
+    CHECK(body<Mesh>(bent).data->normals == std::vector<DVec3>{{0, 0, 1}, {0, 1, 1}, {1, 0, 1}});
+
+    CHECK(imported(view + grey + "pp 3 0 0 0 0 0 0 1 0 0 0 1 1 0 1 0 1 0 1\n" +
+                   "p 3 0 0 0 1 1 1 2 2 2\np 3 0 0 0 1 1 1 1e16 0 0")
+              .warnings == Told{"x:9: a normal without a direction: this polygon is flat",
+                                "x:10: a polygon is left out: it has no area",
+                                "x:11: a polygon is left out: its corners must be from -1e15 to 1e15"});
+    // A comb of 1001 corners or more is not cut up.
+    const auto comb = [&](int teeth) {
+        std::string text = view + grey + "p " + std::to_string(2 * teeth + 2) + "\n0 -1 0\n";
+        for (int i = 0; i < teeth; ++i) text += std::to_string(i) + " 5 0\n" + std::to_string(i) + ".5 0 0\n";
+        return text + std::to_string(teeth) + " -1 0\n";
+    };
+    CHECK(body<Mesh>(imported(comb(9))).data->triangles.size() == 18);
+    CHECK(imported(comb(500)).warnings ==
+          Told{"x:1011: a polygon is left out: it is not convex and has more than 1000 corners"});
+    ImportLimits limits;
+    limits.primitives = 2;
+    CHECK(fault(view + grey + square, limits) == "no error");
+    CHECK(fault(view + grey + square + triangle, limits) == "x:17:5: more than 2 bodies");
+}
+
 TEST_CASE("NFF: what is told") {
     CHECK(imported("v from 1 0 0 at 0 0 0 up 0 0 1 angle 45 hither .5").warnings ==
           Told{"x:1: 'hither': bodies that are nearer are shown too"});

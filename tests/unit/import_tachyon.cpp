@@ -66,6 +66,32 @@ TEST_CASE("Tachyon: bodies and textures") {
     }
 }
 
+TEST_CASE("Tachyon: triangles and vertex arrays") {
+    const std::string corners = "V0 0 0 1 V1 1 0 1 V2 0 1 1 ", normals = "N0 0 0 1 N1 0 1 1 N2 1 0 1 ";
+    const Imported x =
+        imported(eye + "TRI " + corners + white + "STRI " + corners + normals + white + "VCSTRI " + corners + normals +
+                 "C0 1 0 0 C1 0 .5 0 C2 .5 1 0 AMBIENT 0 DIFFUSE 1 SPECULAR 0 OPACITY 1 VCST\n");
+    CHECK(body<Triangle>(x) == Triangle{{0, 0, -1}, {1, 0, -1}, {0, 1, -1}});
+    CHECK(body<SmoothTriangle>(x, 1) ==
+          SmoothTriangle{{0, 0, -1}, {1, 0, -1}, {0, 1, -1}, {0, 0, -1}, {0, 1, -1}, {1, 0, -1}});
+    CHECK(material(x, 2).rgb == Color(.5, .5, 0));
+    CHECK(x.warnings == Told{"x:6: the corners' colours: each triangle has their mean"});
+
+    const std::string vertices =
+        "VERTEXARRAY NUMVERTS 4 COORDS 0 0 0 1 0 0 0 1 0 1 1 0 "
+        "NORMALS 0 0 1 0 0 1 0 0 1 0 0 1\n";
+    const Imported strip = imported(eye + vertices + white + "TRISTRIP 4 0 1 2 3 TRIMESH 1 3 2 1 END_VERTEXARRAY");
+    CHECK(body<Mesh>(strip).data->triangles == std::vector<MeshData::Corners>{{0, 1, 2}, {2, 1, 3}, {3, 2, 1}});
+    CHECK(body<Mesh>(strip).data->points.size() == 4);
+    CHECK(strip.warnings.empty());
+    const Imported colored =
+        imported(eye + vertices + "COLORS 1 0 0 1 0 0 1 0 0 1 0 .6\n" + white + "TRISTRIP 4 0 1 2 3 END_VERTEXARRAY");
+    REQUIRE(colored.scene.primitives.size() == 2);
+    CHECK(material(colored, 0).rgb == Color(1, 0, 0));
+    CHECK(material(colored, 1).rgb.z == doctest::Approx(.2));
+    CHECK(colored.warnings == Told{"x:5: COLORS: each triangle has the mean of its corners' colours"});
+}
+
 TEST_CASE("Tachyon: what has no counterpart is told, and something near is done") {
     const Imported x = imported(eye + "DIRECTIONAL_LIGHT DIRECTION 0 -1 2 COLOR 1 1 1\nSPHERE CENTER 0 0 40 RAD 2 " +
                                 white + "CYLINDER CENTER 0 0 0 AXIS 0 2 0 RAD 1 " + white);

@@ -228,7 +228,6 @@ int main(int count, char** arguments) {
         if (name != world.name) continue;
         const int size = count > 2 ? std::atoi(arguments[2]) : world.size;
         if (size < 1 || size > world.largest) break;
-        std::printf("# %s, size %d\n", world.name, size);
         return world.put(size), 0;
     }
     std::fputs("bench_spd balls|gears|mount|rings|tetra|tree [SIZE]\n", stderr);
