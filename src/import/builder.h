@@ -8,7 +8,7 @@
 
 #include "import/import.h"
 #include "import/warnings.h"
-#include "import/words.h"
+#include "import/word_reader.h"
 #include "mesh/join.h"
 #include "mesh/split.h"
 #include "scene/mesh_data.h"
@@ -20,7 +20,7 @@ namespace strahl {
 /// as text and read again. A line is that of the word taken last.
 class Builder {
   public:
-    Builder(Words& words, const ImportLimits& limits) : words(words), limits(limits) {}
+    Builder(WordReader& words, const ImportLimits& limits) : words(words), limits(limits) {}
 
     void warn(const std::string& message) { warnings.add(words.line(), message); }
 
@@ -77,7 +77,7 @@ class Builder {
     void end_mesh();
     void place_far();
 
-    Words& words;
+    WordReader& words;
     const ImportLimits limits;
     Warnings warnings;
     Materials materials;

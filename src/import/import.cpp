@@ -2,13 +2,13 @@
 
 #include "import/builder.h"
 #include "import/formats.h"
-#include "import/words.h"
+#include "import/word_reader.h"
 #include "text/utf8.h"
 
 namespace strahl {
 
 Imported import_scene(std::string_view text, std::string_view file, const ImportLimits& limits) {
-    Words words(text, file);
+    WordReader words(text, file);
     Builder builder(words, limits);
     if (is_tachyon(words))
         read_tachyon(words, builder);

@@ -11,7 +11,7 @@ namespace {
 
 class NffReader {
   public:
-    NffReader(Words& words, Builder& scene) : words(words), scene(scene) {}
+    NffReader(WordReader& words, Builder& scene) : words(words), scene(scene) {}
 
     void read() {
         if (same_word(words.peek(), "nff"))
@@ -149,7 +149,7 @@ class NffReader {
         scene.add_polygon(points, normals);
     }
 
-    Words& words;
+    WordReader& words;
     Builder& scene;
     bool camera = false, material = false;
     std::vector<std::size_t> even;  // numbers of the lights without a colour
@@ -158,6 +158,6 @@ class NffReader {
 
 }  // namespace
 
-void read_nff(Words& words, Builder& scene) { NffReader(words, scene).read(); }
+void read_nff(WordReader& words, Builder& scene) { NffReader(words, scene).read(); }
 
 }  // namespace strahl

@@ -15,7 +15,7 @@ namespace {
 
 class TachyonReader {
   public:
-    TachyonReader(Words& words, Builder& scene) : words(words), scene(scene), bodies(words, scene) {}
+    TachyonReader(WordReader& words, Builder& scene) : words(words), scene(scene), bodies(words, scene) {}
 
     void read() {
         words.expect("BEGIN_SCENE");
@@ -219,7 +219,7 @@ class TachyonReader {
         scene.warn(std::string(word) + " " + name + " is left out; import that file by itself");
     }
 
-    Words& words;
+    WordReader& words;
     Builder& scene;
     TachyonBodies bodies;
     Camera eye;
@@ -230,8 +230,8 @@ class TachyonReader {
 
 }  // namespace
 
-bool is_tachyon(Words& words) { return same_word(words.peek(), "BEGIN_SCENE"); }
+bool is_tachyon(WordReader& words) { return same_word(words.peek(), "BEGIN_SCENE"); }
 
-void read_tachyon(Words& words, Builder& scene) { TachyonReader(words, scene).read(); }
+void read_tachyon(WordReader& words, Builder& scene) { TachyonReader(words, scene).read(); }
 
 }  // namespace strahl

@@ -5,13 +5,13 @@
 
 #include "import/builder.h"
 #include "import/tachyon_textures.h"
-#include "import/words.h"
+#include "import/word_reader.h"
 
 namespace strahl {
 
 class TachyonBodies {
   public:
-    TachyonBodies(Words& words, Builder& scene) : words(words), scene(scene), textures(words, scene) {}
+    TachyonBodies(WordReader& words, Builder& scene) : words(words), scene(scene), textures(words, scene) {}
 
     /// Reads what follows this word, if it declares a body or a texture.
     bool read(std::string_view word);
@@ -41,7 +41,7 @@ class TachyonBodies {
     void skip_volume();
     void skip_triangle_file();
 
-    Words& words;
+    WordReader& words;
     Builder& scene;
     TachyonTextures textures;
     std::vector<DVec3> points, normals, colors;  // of the vertex array being read

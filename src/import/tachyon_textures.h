@@ -4,7 +4,7 @@
 #include <unordered_map>
 
 #include "import/builder.h"
-#include "import/words.h"
+#include "import/word_reader.h"
 
 namespace strahl {
 
@@ -13,7 +13,7 @@ double tidy(double v);
 
 class TachyonTextures {
   public:
-    TachyonTextures(Words& words, Builder& scene) : words(words), scene(scene) {}
+    TachyonTextures(WordReader& words, Builder& scene) : words(words), scene(scene) {}
 
     void define();        // after TEXDEF
     void define_alias();  // after TEXALIAS
@@ -32,7 +32,7 @@ class TachyonTextures {
     void skip_pattern();
     Material find(std::string_view name);
 
-    Words& words;
+    WordReader& words;
     Builder& scene;
     std::unordered_map<std::string, Material> named;
 };

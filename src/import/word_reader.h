@@ -12,9 +12,9 @@ namespace strahl {
 /// Are these the same, regardless of case?
 bool same_word(std::string_view a, std::string_view b);
 
-class Words {
+class WordReader {
   public:
-    Words(std::string_view text, std::string_view file) : text(text), file(file) {}
+    WordReader(std::string_view text, std::string_view file) : text(text), file(file) {}
 
     /// The next word, which stays the next; empty at the end of the text.
     std::string_view peek();

@@ -1,4 +1,4 @@
-#include "import/words.h"
+#include "import/word_reader.h"
 
 #include <algorithm>
 #include <charconv>
@@ -30,7 +30,7 @@ bool same_word(std::string_view a, std::string_view b) {
     return std::ranges::equal(a, b, [](char x, char y) { return lower(x) == lower(y); });
 }
 
-void Words::skip() {
+void WordReader::skip() {
     while (next < text.size()) {
         const char c = text[next];
         if (c == '#') {
@@ -45,13 +45,13 @@ void Words::skip() {
     }
 }
 
-std::string_view Words::peek() {
+std::string_view WordReader::peek() {
     skip();
     const auto* const start = text.begin() + static_cast<std::ptrdiff_t>(next);
     return {start, static_cast<std::size_t>(std::find_if(start, text.end(), is_space) - start)};
 }
 
-std::string_view Words::take(const char* what) {
+std::string_view WordReader::take(const char* what) {
     const std::string_view word = peek();
     if (word.empty()) fail_ahead(std::string(what) + " expected");
     next += word.size();
@@ -59,13 +59,13 @@ std::string_view Words::take(const char* what) {
     return taken = word;
 }
 
-bool Words::accept(std::string_view word) {
+bool WordReader::accept(std::string_view word) {
     if (!same_word(peek(), word)) return false;
     take("");
     return true;
 }
 
-std::string_view Words::choose(std::initializer_list<std::string_view> words) {
+std::string_view WordReader::choose(std::initializer_list<std::string_view> words) {
     for (const std::string_view word : words)
         if (accept(word)) return word;
     std::string expected;
@@ -73,7 +73,7 @@ std::string_view Words::choose(std::initializer_list<std::string_view> words) {
     fail_ahead(expected + " expected");
 }
 
-double Words::number(const char* what) {
+double WordReader::number(const char* what) {
     const std::string_view word = peek();
     double value = 0;
     if (!read(word, value)) fail_ahead("a number expected for " + std::string(what));
@@ -81,13 +81,13 @@ double Words::number(const char* what) {
     return value;
 }
 
-DVec3 Words::vector(const char* what) {
+DVec3 WordReader::vector(const char* what) {
     DVec3 v;
     for (int i = 0; i < 3; ++i) v[i] = number(what);
     return v;
 }
 
-Color Words::color(const char* what) {
+Color WordReader::color(const char* what) {
     Color color;
     for (int i = 0; i < 3; ++i) {
         color[i] = number(what);
@@ -96,26 +96,26 @@ Color Words::color(const char* what) {
     return color;
 }
 
-long Words::whole(const char* what, long low, long high) {
+long WordReader::whole(const char* what, long low, long high) {
     const double value = number(what);
     if (value != std::floor(value) || value < static_cast<double>(low) || value > static_cast<double>(high))
         fail(std::string(what) + " must be a whole number from " + std::to_string(low) + " to " + std::to_string(high));
     return static_cast<long>(value);
 }
 
-bool Words::number_in_line() {
+bool WordReader::number_in_line() {
     double value = 0;
     return read(peek(), value) && next_line == taken_line;
 }
 
-void Words::fail(const std::string& message) { fail_at(taken, message); }
+void WordReader::fail(const std::string& message) { fail_at(taken, message); }
 
-void Words::fail_ahead(const std::string& message) {
+void WordReader::fail_ahead(const std::string& message) {
     const std::string_view here = peek();
     fail_at(here, message + (here.empty() ? ", but the file ends" : ", but here comes " + quoted(here)));
 }
 
-void Words::fail_at(std::string_view at, const std::string& message) const {
+void WordReader::fail_at(std::string_view at, const std::string& message) const {
     Diagnostics diagnostics(text, file);
     diagnostics.add(at.data() ? at : text.substr(0, 0), message);
     diagnostics.check();
