@@ -7,6 +7,8 @@ strahl_test(language_values strahl_text)
 strahl_test(hostile_text strahl_text)
 strahl_test(roundtrip strahl_text)
 strahl_test(dictionary strahl_text)
+strahl_test(import_nff strahl_import)
+strahl_test(import_tachyon strahl_import)
 
 # The tables of the manual: the test fails if they are stale, the target `manual` writes them.
 strahl_test(manual strahl_text)

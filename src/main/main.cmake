@@ -1,7 +1,7 @@
 # The program: main.cpp with the options of all commands, and a file for the work of each.
 file(GLOB sources CONFIGURE_DEPENDS src/main/*.cpp)
 add_executable(strahl ${sources})
-target_link_libraries(strahl PRIVATE strahl_text strahl_image strahl_trace strahl_povref)
+target_link_libraries(strahl PRIVATE strahl_text strahl_import strahl_image strahl_trace strahl_povref)
 if(TARGET strahl_show)
   target_link_libraries(strahl PRIVATE strahl_show)
 else()

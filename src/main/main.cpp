@@ -16,8 +16,8 @@
 #include "main/exit_status.h"
 #include "main/interrupt.h"
 #include "main/options.h"
+#include "main/options_convert.h"
 #include "povref/command_crosscheck.h"
-#include "povref/command_pov.h"
 #include "scene/error.h"
 #include "show/command_view.h"
 #include "text/utf8.h"
@@ -115,18 +115,6 @@ void add_compare(CLI::App& app, Action& action) {
         ->check(numbers(0, 1e9))
         ->type_name("T");
     add_file(command, "--heatmap", o->heatmap, "Write a picture of the differences");
-}
-
-void add_pov(CLI::App& app, Action& action) {
-    auto [command, o] = add_command(app, action, "pov", "Convert a scene for POV-Ray", pov_command);
-    add_scene(command, o->scene);
-    add_file(command, "-o,--output", o->output, "The .pov file; an .ini file to render it is written beside it");
-    add_size(command, o->width, o->height);
-    add_depth(command, o->depth);
-    add_bits(command, o->bits, {8, 16}, "Bits per channel of POV-Ray's picture: 8, or 16 (default)");
-    add_time(command, o->time);
-    command->add_flag("--animation", o->animation, "The whole flythrough, driven by POV-Ray's frame_number");
-    add_fps(command, o->fps, "Frames per second of the animation, 25 by default");
 }
 
 int crosscheck_until_interrupted(const CrosscheckOptions& options) {
@@ -232,6 +220,7 @@ int run(int argc, char** argv) {
     add_render(app, action);
     add_check(app, action);
     add_compare(app, action);
+    add_import(app, action);
     add_pov(app, action);
     add_crosscheck(app, action);
     add_stability(app, action);

@@ -9,12 +9,12 @@
 namespace strahl {
 namespace {
 
-/// The parameters of `material`; if there is a `base`, only those that differ from it.
-std::string parameters(const Material& material, const Material* base, const char* separator) {
+/// The parameters of `material` that differ from `base`.
+std::string parameters(const Material& material, const Material& base) {
     std::string text;
     const auto add = [&](const auto& field) {
-        if (base && material.*field.member == base->*field.member) return;
-        text += (text.empty() ? "" : separator) + std::string(field.name) + " " + text_of(material.*field.member);
+        if (material.*field.member == base.*field.member) return;
+        text += (text.empty() ? "" : "  ") + std::string(field.name) + " " + text_of(material.*field.member);
     };
     std::apply([&](const auto&... field) { (add(field), ...); }, Material::fields);
     return text;
@@ -63,7 +63,7 @@ std::string primitive_text(const Primitive& primitive, const Material& own, cons
     std::string text = std::visit([](const auto& shape) { return shape_text(shape); }, primitive.shape);
     std::vector<std::string> items;
     for (const Transformation& step : primitive.transformations) items.push_back(transformation_text(step));
-    if (base) items.push_back("material { " + parameters(own, base, "  ") + " }");
+    if (base) items.push_back("material { " + parameters(own, *base) + " }");
     std::size_t length = text.size();
     for (const std::string& item : items) length += 2 + item.size();
     const bool lines = length > 100;
@@ -91,7 +91,8 @@ std::string primitives_text(const std::vector<Primitive>& primitives, const std:
         const bool same = own == in_force;
         const bool alone = i + 1 == primitives.size() || materials[primitives[i + 1].material] != own;
         if (!same && !alone) {
-            text += "\ndefaultmaterial {\n  " + parameters(own, nullptr, "\n  ") + "\n}\n";
+            if (!text.empty()) text += '\n';
+            text.append("defaultmaterial { ").append(parameters(own, in_force)).append(" }\n");
             in_force = own;
         }
         text += primitive_text(primitives[i], own, own == in_force ? nullptr : &in_force);

@@ -33,3 +33,12 @@ foreach(files pictures meshes)
   add_dependencies(attack attack_${files})
   add_test(NAME attack_${files} COMMAND attack_${files} --seconds 5)
 endforeach()
+
+# The readers of other programs' scenes.
+file(GLOB imported ${attack}/import/*)
+add_executable(attack_importer ${attack}/importer.cpp ${attack}/mutate.cpp)
+target_link_libraries(attack_importer PRIVATE strahl_import)
+add_dependencies(attack attack_importer)
+file(MAKE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/attack_import)
+add_test(NAME attack_importer WORKING_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/attack_import
+         COMMAND attack_importer --seconds 5 ${attack}/import.dict ${imported})

@@ -1,6 +1,7 @@
-// Drives the parser's attack without libFuzzer: mutates seeds. Each input follows from one number.
+// Drives the attacks on the parser and on the importer without libFuzzer: mutates seeds. Each input follows from one
+// number.
 //
-// attack_parser [--seconds S] [--seed N] DICTIONARY.dict SEEDS...
+// attack_parser|attack_importer [--seconds S] [--seed N] DICTIONARY.dict SEEDS...
 // While it runs, and after a crash, the file attack-parser-seed in the working directory holds the number of the input:
 // pass it as --seed to reproduce the crash.
 #include <algorithm>
@@ -149,7 +150,7 @@ int main(int count, char** arguments) {
     const Ingredients ingredients = read_ingredients(paths);
     if (ingredients.seeds.empty() || ingredients.words.empty() || ingredients.numbers.empty() ||
         ingredients.statements.empty())
-        return std::fputs("attack_parser needs a dictionary and seeds\n", stderr), 2;
+        return std::fputs("this attack needs a dictionary and seeds\n", stderr), 2;
     std::FILE* const progress = std::fopen("attack-parser-seed", "w");
     if (!progress) return std::perror("attack-parser-seed"), 1;
     const std::uint64_t first = number;

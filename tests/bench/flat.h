@@ -21,7 +21,7 @@ struct FlatScene {
     std::vector<Body<Cylinder>> cylinders;
 };
 
-/// Throws std::invalid_argument for ellipsoids and their like: the peers have none.
+/// Throws std::invalid_argument for ellipsoids and their like, and for other kinds: the peers have none.
 inline FlatScene flatten(const Scene& scene) {
     FlatScene flat;
     for (const Primitive& primitive : scene.primitives) {
@@ -36,6 +36,8 @@ inline FlatScene flatten(const Scene& scene) {
             flat.cylinders.push_back({{moved(c->base), moved(c->cap), c->radius * factor}, material});
         else if (const auto* p = std::get_if<Plane>(&primitive.shape))
             flat.planes.push_back({{moved(p->a), moved(p->b), moved(p->c)}, material});
+        else
+            throw std::invalid_argument("the scene has bodies that are not spheres, planes or cylinders");
     }
     return flat;
 }

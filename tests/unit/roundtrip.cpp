@@ -202,16 +202,7 @@ light { position <1, 2, 3>  color <1, 1, 1> }
 plane { <0, 0, 0>, <1, 0, 0>, <0, 1, 0> }
 sphere { <0, 0, 1>, 0.5  rotate <0, 0, 90>  material { rgb <1, 0, 0> } }
 
-defaultmaterial {
-  rgb <0.5, 0.5, 0.5>
-  reflection 0.5
-  refraction 0.9
-  diffuse 0.5
-  ambient 0
-  specular 1
-  pow 50
-  ior 1.5
-}
+defaultmaterial { refraction 0.9  ior 1.5 }
 sphere { <2, 0, 1>, 0.5 }
 sphere { <4, 0, 1>, 1e-07  scale 2  scale <1, 2, 3> }
 )");

@@ -16,18 +16,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Includes point one way: num <- scene <- mesh <- {text, trace, image, povref} <- show <- main. Of the four in the
-/// middle, text (whole files out, scene text) serves image, and all three serve povref, which compares their pictures.
+/// Includes point one way: num <- scene <- mesh <- {text, import, trace, image, povref} <- show <- main. Of the five in
+/// braces, text (whole files out, scene text) serves import and image, and text, trace and image serve povref, which
+/// compares their pictures.
 const std::map<std::string, std::set<std::string>> modules{
     {"num", {}},
     {"scene", {"num"}},
     {"mesh", {"num", "scene"}},
     {"text", {"num", "scene", "mesh"}},
     {"trace", {"num", "scene"}},
+    {"import", {"num", "scene", "mesh", "text"}},
     {"image", {"num", "scene", "text"}},
     {"povref", {"num", "scene", "text", "trace", "image"}},
     {"show", {"num", "scene", "text", "trace", "image"}},
-    {"main", {"num", "scene", "text", "trace", "image", "povref", "show"}},
+    {"main", {"num", "scene", "text", "import", "trace", "image", "povref", "show"}},
 };
 /// Headers of libraries, and the only module that may include them.
 const std::vector<std::pair<std::regex, std::string>> libraries{
@@ -86,6 +88,7 @@ TEST_CASE("the include rules reject wrong includes") {
     CHECK(fault("scene", "#include \"trace/tracer.h\"") != "");
     CHECK(fault("trace", "#include \"text/parse.h\"") != "");
     CHECK(fault("text", "#include \"image/picture.h\"") != "");
+    CHECK(fault("text", "#include \"import/import.h\"") != "");
     CHECK(fault("mesh", "#include \"text/parse.h\"") != "");
     CHECK(fault("show", " # include \"main/values.h\"  // why") != "");
     CHECK(fault("main", "#include <OpenImageIO/imageio.h>") != "");

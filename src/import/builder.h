@@ -1,0 +1,96 @@
+// Puts an imported scene together: what both formats share.
+#pragma once
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "import/import.h"
+#include "import/warnings.h"
+#include "import/word_reader.h"
+#include "mesh/join.h"
+#include "mesh/split.h"
+#include "scene/mesh_data.h"
+#include "text/materials.h"
+
+namespace strahl {
+
+/// Bodies and lights that the language does not know are left out with a warning, so that what is built can be written
+/// as text and read again. A line is that of the word taken last.
+class Builder {
+  public:
+    Builder(WordReader& words, const ImportLimits& limits) : words(words), limits(limits) {}
+
+    void warn(const std::string& message) { warnings.add(words.line(), message); }
+
+    /// Fails if the camera sees nothing.
+    void set_camera(const Camera& camera);
+    void add_light(Light light);
+    /// A light from everywhere in that direction, `towards` it. Lights are points: it is put far away.
+    void add_distant_light(const DVec3& towards, const Color& color);
+
+    /// The material of the bodies that follow. Values out of range are brought into it.
+    void set_material(Material material);
+
+    void add(const Shape& shape);
+    void add_plane(const DVec3& point, const DVec3& normal);
+    /// A cylinder without ends: it gets ones far away.
+    void add_endless_cylinder(const DVec3& centre, const DVec3& axis, double radius);
+    /// Corners of a plane polygon; `normals` is empty or has one for each. A run of polygons of one material is a mesh.
+    void add_polygon(std::span<const DVec3> corners, std::span<const DVec3> normals);
+
+    /// Changes all materials, once the last body is there.
+    template <class Change>
+    void change_materials(const Change& change) {
+        end_mesh();
+        Materials changed;
+        std::vector<int> numbers;
+        for (Material each : materials.list) {
+            change(each);
+            numbers.push_back(changed.number(each));
+        }
+        for (Primitive& primitive : scene.primitives) primitive.material = numbers[primitive.material];
+        materials = std::move(changed);
+    }
+    /// The largest coordinate of camera and bounded bodies, at least 1.
+    double reach() const;
+    Imported finish(std::string_view file);
+
+    Scene scene;
+    std::optional<PictureSize> size;
+
+  private:
+    struct EndlessCylinder {
+        std::size_t number;  // in the list of primitives
+        DVec3 centre, axis;
+    };
+    struct DistantLight {
+        std::size_t number;
+        DVec3 towards;
+    };
+
+    template <class Value>
+    bool fits(const Value& value, Range range, const char* name, const char* kind);
+    void put(const Shape& shape);
+    void count_body();
+    void end_mesh();
+    void place_far();
+
+    WordReader& words;
+    const ImportLimits limits;
+    Warnings warnings;
+    Materials materials;
+    Material material;
+
+    // The run of polygons so far.
+    PointJoiner points, normals;
+    std::vector<MeshData::Corners> triangles, corner_normals;
+    FaceSplitter splitter;
+    std::size_t bodies = 0;
+
+    std::vector<EndlessCylinder> endless;
+    std::vector<DistantLight> distant;
+};
+
+}  // namespace strahl

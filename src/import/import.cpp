@@ -1,0 +1,20 @@
+#include "import/import.h"
+
+#include "import/builder.h"
+#include "import/formats.h"
+#include "import/word_reader.h"
+#include "text/utf8.h"
+
+namespace strahl {
+
+Imported import_scene(std::string_view text, std::string_view file, const ImportLimits& limits) {
+    WordReader words(text, file);
+    Builder builder(words, limits);
+    if (is_tachyon(words))
+        read_tachyon(words, builder);
+    else
+        read_nff(words, builder);
+    return builder.finish(show(file).text);
+}
+
+}  // namespace strahl

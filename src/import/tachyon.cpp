@@ -1,0 +1,237 @@
+// Reads scenes of Tachyon: camera, lights and settings; tachyon_bodies.cpp reads the bodies. What the words mean is
+// from Tachyon's manual and from what it does; see README.md.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "import/formats.h"
+#include "import/tachyon_bodies.h"
+#include "num/vec_math.h"
+#include "text/messages.h"
+#include "text/parameter.h"
+
+namespace strahl {
+namespace {
+
+class TachyonReader {
+  public:
+    TachyonReader(WordReader& words, Builder& scene) : words(words), scene(scene), bodies(words, scene) {}
+
+    void read() {
+        words.expect("BEGIN_SCENE");
+        words.expect("RESOLUTION");
+        width = words.whole("RESOLUTION", 1, 1 << 20), height = words.whole("RESOLUTION", 1, 1 << 20);
+        scene.size = {static_cast<int>(width), static_cast<int>(height)};
+        while (!words.peek().empty() && !words.accept("END_SCENE")) read_declaration();
+        if (!camera) words.fail_ahead("this scene has no camera: a block 'CAMERA' expected");
+        if (orthographic) move_eye_back();
+        for (Light& light : scene.scene.lights)
+            for (int i = 0; i < 3; ++i)
+                light.color[i] = std::min(tidy(light.color[i] * light_scale), not_negative.high);
+        scene.change_materials([&](Material& m) {
+            m.ambient = std::min(tidy(m.ambient + m.diffuse * sky), not_negative.high);
+            if (!fading || m.refraction == 0) return;
+            const double opacity = 1 - m.refraction;
+            for (double* const share : {&m.ambient, &m.diffuse, &m.specular, &m.reflection})
+                *share = tidy(*share * opacity);
+        });
+    }
+
+  private:
+    void read_declaration() {
+        const std::string_view word = words.take("a declaration");
+        const auto is = [&](std::string_view name) { return same_word(word, name); };
+        if (bodies.read(word)) return;
+        if (is("CAMERA")) return read_camera();
+        if (is("BACKGROUND")) return void(scene.scene.background = words.color("BACKGROUND"));
+        if (is("BACKGROUND_GRADIENT")) return read_gradient();
+        if (is("LIGHT")) return read_light(false);
+        if (is("SPOTLIGHT")) return read_light(true);
+        if (is("DIRECTIONAL_LIGHT")) return read_directional_light();
+        if (is("SKY_LIGHT")) return read_sky_light();
+        if (is("SHADER_MODE")) return read_shader_mode();
+        if (is("FOG")) return read_fog();
+        if (is("START_CLIPGROUP")) return skip_clipping();
+        if (is("END_CLIPGROUP")) return;
+        if (is("INCLUDE")) return leave_out_file("INCLUDE");
+        if (is("MGFFILE")) return leave_out_file("MGFFILE");
+        words.fail("Tachyon has no declaration " + quoted(word));
+    }
+
+    double named_number(const char* word) {
+        words.expect(word);
+        return words.number(word);
+    }
+    DVec3 named_color(const char* word) {
+        words.expect(word);
+        return words.color(word);
+    }
+
+    void read_camera() {
+        if (camera) words.fail("a second CAMERA: a scene has one");
+        camera = true;
+        std::string_view projection = "PERSPECTIVE";
+        if (words.accept("PROJECTION"))
+            projection = words.choose({"PERSPECTIVE", "PERSPECTIVE_DOF", "ORTHOGRAPHIC", "FISHEYE"});
+        if (projection == "PERSPECTIVE_DOF") {
+            named_number("FOCALLENGTH"), named_number("APERTURE");
+            scene.warn("PERSPECTIVE_DOF: everything is in focus here");
+        }
+        const double zoom = named_number("ZOOM"), pixel = named_number("ASPECTRATIO");
+        if (named_number("ANTIALIASING") > 0) scene.warn("ANTIALIASING: one ray for each pixel here");
+        const double depth = named_number("RAYDEPTH");
+        scene.scene.settings.max_trace_level = static_cast<int>(std::clamp(depth, 1., 256.));
+        if (scene.scene.settings.max_trace_level != depth)
+            scene.warn("RAYDEPTH is brought into the range from 1 to 256");
+        read_eye();
+        // Half the size of the picture plane at distance 1.
+        double tan_y = .5 / zoom, tan_x = tan_y * static_cast<double>(width) / (static_cast<double>(height) * pixel);
+        if (words.accept("FRUSTUM")) {
+            const double left = words.number("FRUSTUM"), right = words.number("FRUSTUM"),
+                         bottom = words.number("FRUSTUM"), top = words.number("FRUSTUM");
+            tan_x = (right - left) / 2, tan_y = (top - bottom) / 2;
+            if (std::fabs(right + left) > 1e-6 * tan_x || std::fabs(top + bottom) > 1e-6 * tan_y)
+                scene.warn(
+                    "FRUSTUM: the camera looks at the middle of the picture here, with the same width and height");
+        }
+        if (projection == "FISHEYE") {
+            scene.warn("PROJECTION FISHEYE: a perspective view at most 120 degrees wide instead");
+            const double most = std::sqrt(3.) / tan_x;
+            if (most < 1) tan_x *= most, tan_y *= most;
+        }
+        orthographic = projection == "ORTHOGRAPHIC";
+        if (orthographic) scene.warn("PROJECTION ORTHOGRAPHIC: a perspective view from very far away instead");
+        set_view(tan_x, tan_y);
+        words.expect("END_CAMERA");
+    }
+    void read_eye() {
+        words.expect("CENTER");
+        eye.position = bodies.vector("CENTER");
+        words.expect("VIEWDIR");
+        const DVec3 ahead = eye.position + bodies.vector("VIEWDIR");
+        eye.look_at = {tidy(ahead.x), tidy(ahead.y), tidy(ahead.z)};
+        words.expect("UPDIR");
+        eye.up = -bodies.vector("UPDIR");
+    }
+    void set_view(double tan_x, double tan_y) {
+        const double fov = std::atan(tan_x) * 180 / std::numbers::pi, ratio = tan_x / tan_y;
+        if (!half_angles.contains(fov) || !(ratio > 1e-9 && ratio < 1e9))
+            words.fail("the camera sees nothing: its ZOOM, ASPECTRATIO or FRUSTUM is not greater than 0");
+        eye.fov = std::clamp(std::round(fov * 1e6) / 1e6, 1e-6, 90 - 1e-6);
+        if (std::fabs(ratio * static_cast<double>(height) / static_cast<double>(width) - 1) > 1e-6)
+            eye.aspectratio = tidy(ratio);
+        half_width = tan_x;
+        scene.set_camera(eye);
+    }
+    /// Parallel rays through a picture plane of that width: the eye of a thousandth of the angle is this far.
+    void move_eye_back() {
+        const DVec3 forward = eye.look_at - eye.position;
+        const double distance = 1000 * std::max(half_width, scene.reach());
+        eye.position = eye.position - distance / length(forward) * forward;
+        eye.fov = std::max(std::atan(half_width / distance) * 180 / std::numbers::pi, smallest_positive);
+        scene.set_camera(eye);
+    }
+
+    /// A lamp's ball is seen in Tachyon, and casts no shadow.
+    void read_light(bool spot) {
+        words.expect("CENTER");
+        Light light{.position = bodies.vector("CENTER"), .color = Color(1)};
+        if (named_number("RAD") > 0) scene.warn("the lamp's ball is not shown: lights are points here");
+        if (spot) {
+            words.expect("DIRECTION");
+            words.vector("DIRECTION");
+            named_number("FALLOFF_START"), named_number("FALLOFF_END");
+            scene.warn("SPOTLIGHT: it shines in all directions here");
+        }
+        if (words.accept("ATTENUATION")) {
+            named_number("CONSTANT"), named_number("LINEAR"), named_number("QUADRATIC");
+            scene.warn("ATTENUATION: light does not weaken with distance here");
+        }
+        light.color = named_color("COLOR");
+        scene.add_light(light);
+    }
+    void read_directional_light() {
+        words.expect("DIRECTION");
+        const DVec3 direction = bodies.vector("DIRECTION");
+        scene.add_distant_light(-direction, named_color("COLOR"));
+    }
+
+    void read_gradient() {
+        words.choose({"SKY_SPHERE", "SKY_ORTHO_PLANE"});
+        words.expect("UPDIR");
+        words.vector("UPDIR");
+        named_number("TOPVAL"), named_number("BOTTOMVAL");
+        const Color top = named_color("TOPCOLOR"), bottom = named_color("BOTTOMCOLOR");
+        scene.scene.background = .5 * (top + bottom);
+        scene.warn("BACKGROUND_GRADIENT: the mean of both colours everywhere");
+    }
+    /// Nothing of the sky is hidden in our ambient light.
+    void add_sky(const Color& color) {
+        sky += (color.x + color.y + color.z) / 3;
+        scene.warn("ambient occlusion: ambient light that no body keeps off instead");
+    }
+    void read_sky_light() {
+        named_number("NUMSAMPLES");
+        add_sky(named_color("COLOR"));
+    }
+    void read_shader_mode() {
+        const std::string_view mode = words.choose({"FULL", "MEDIUM", "LOWEST", "LOW"});
+        if (mode != "FULL") scene.warn("SHADER_MODE " + std::string(mode) + ": there are shadows and all else here");
+        for (;;) {
+            const std::string_view word = words.take("END_SHADER_MODE");
+            const auto is = [&](std::string_view name) { return same_word(word, name); };
+            if (is("END_SHADER_MODE")) return;
+            if (is("AMBIENT_OCCLUSION")) {
+                const Color color = named_color("AMBIENT_COLOR");
+                light_scale = named_number("RESCALE_DIRECT");
+                if (!not_negative.contains(light_scale))
+                    words.fail("RESCALE_DIRECT must be " + std::string(not_negative.words));
+                named_number("SAMPLES");
+                add_sky(color);
+            } else if (is("TRANS_VMD")) {
+                fading = true;
+            } else if (is("TRANS_ORIG")) {
+                fading = false;
+            } else if (is("TRANS_MAX_SURFACES")) {
+                words.number("TRANS_MAX_SURFACES");
+                scene.warn("TRANS_MAX_SURFACES: all transparent bodies are seen here");
+            } else if (is("SHADOW_FILTER_OFF") || is("TRANS_RASTER3D") || is("FOG_VMD")) {
+                scene.warn(std::string(word) + " has no counterpart and is left out");
+            } else if (!is("SHADOW_FILTER_ON")) {
+                words.fail("SHADER_MODE knows no " + quoted(word));
+            }
+        }
+    }
+    void read_fog() {
+        if (!same_word(words.peek(), "START")) words.choose({"LINEAR", "EXP", "EXP2", "OFF"});
+        for (const char* const word : {"START", "END", "DENSITY"}) named_number(word);
+        named_color("COLOR");
+        scene.warn("FOG is left out");
+    }
+    void skip_clipping() {
+        words.expect("NUMPLANES");
+        const long numbers = 4 * words.whole("NUMPLANES", 0, 1'000'000'000);
+        for (long i = 0; i < numbers; ++i) words.number("a clipping plane");
+        scene.warn("START_CLIPGROUP: bodies are not clipped here");
+    }
+    void leave_out_file(const char* word) {
+        const std::string name = quoted(words.take("a file"));
+        scene.warn(std::string(word) + " " + name + " is left out; import that file by itself");
+    }
+
+    WordReader& words;
+    Builder& scene;
+    TachyonBodies bodies;
+    Camera eye;
+    long width = 1, height = 1;
+    double half_width = 0, light_scale = 1, sky = 0;
+    bool camera = false, orthographic = false, fading = false;
+};
+
+}  // namespace
+
+bool is_tachyon(WordReader& words) { return same_word(words.peek(), "BEGIN_SCENE"); }
+
+void read_tachyon(WordReader& words, Builder& scene) { TachyonReader(words, scene).read(); }
+
+}  // namespace strahl

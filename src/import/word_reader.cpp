@@ -1,0 +1,125 @@
+#include "import/word_reader.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+
+#include "text/messages.h"
+#include "text/parameter.h"
+
+namespace strahl {
+namespace {
+
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+
+/// Does the whole word say a number? Neither "nan" nor "inf" is one, nor is 1e999.
+bool read(std::string_view word, double& value) {
+    const char* start = word.data();
+    const char* const end = start + word.size();
+    if (start < end && *start == '+') ++start;
+    if (start < end && *start == '-' && start > word.data()) return false;
+    const auto [stop, error] = std::from_chars(start, end, value);
+    return stop == end && error == std::errc() && std::isfinite(value);
+}
+
+}  // namespace
+
+bool same_word(std::string_view a, std::string_view b) {
+    return std::ranges::equal(a, b, [](char x, char y) { return lower(x) == lower(y); });
+}
+
+void WordReader::skip() {
+    while (next < text.size()) {
+        const char c = text[next];
+        if (c == '#') {
+            next = std::min(text.find_first_of("\r\n", next), text.size());
+        } else if (is_space(c)) {
+            const bool pair = c == '\r' && next + 1 < text.size() && text[next + 1] == '\n';
+            next_line += c == '\n' || (c == '\r' && !pair);
+            ++next;
+        } else {
+            return;
+        }
+    }
+}
+
+std::string_view WordReader::peek() {
+    skip();
+    const auto* const start = text.begin() + static_cast<std::ptrdiff_t>(next);
+    return {start, static_cast<std::size_t>(std::find_if(start, text.end(), is_space) - start)};
+}
+
+std::string_view WordReader::take(const char* what) {
+    const std::string_view word = peek();
+    if (word.empty()) fail_ahead(std::string(what) + " expected");
+    next += word.size();
+    taken_line = next_line;
+    return taken = word;
+}
+
+bool WordReader::accept(std::string_view word) {
+    if (!same_word(peek(), word)) return false;
+    take("");
+    return true;
+}
+
+std::string_view WordReader::choose(std::initializer_list<std::string_view> words) {
+    for (const std::string_view word : words)
+        if (accept(word)) return word;
+    std::string expected;
+    for (const std::string_view word : words) expected += (expected.empty() ? "'" : " or '") + std::string(word) + "'";
+    fail_ahead(expected + " expected");
+}
+
+double WordReader::number(const char* what) {
+    const std::string_view word = peek();
+    double value = 0;
+    if (!read(word, value)) fail_ahead("a number expected for " + std::string(what));
+    take(what);
+    return value;
+}
+
+DVec3 WordReader::vector(const char* what) {
+    DVec3 v;
+    for (int i = 0; i < 3; ++i) v[i] = number(what);
+    return v;
+}
+
+Color WordReader::color(const char* what) {
+    Color color;
+    for (int i = 0; i < 3; ++i) {
+        color[i] = number(what);
+        if (!not_negative.contains(color[i])) fail(std::string(what) + " must be three numbers " + not_negative.words);
+    }
+    return color;
+}
+
+long WordReader::whole(const char* what, long low, long high) {
+    const double value = number(what);
+    if (value != std::floor(value) || value < static_cast<double>(low) || value > static_cast<double>(high))
+        fail(std::string(what) + " must be a whole number from " + std::to_string(low) + " to " + std::to_string(high));
+    return static_cast<long>(value);
+}
+
+bool WordReader::number_in_line() {
+    double value = 0;
+    return read(peek(), value) && next_line == taken_line;
+}
+
+void WordReader::fail(const std::string& message) { fail_at(taken, message); }
+
+void WordReader::fail_ahead(const std::string& message) {
+    const std::string_view here = peek();
+    fail_at(here, message + (here.empty() ? ", but the file ends" : ", but here comes " + quoted(here)));
+}
+
+void WordReader::fail_at(std::string_view at, const std::string& message) const {
+    Diagnostics diagnostics(text, file);
+    diagnostics.add(at.data() ? at : text.substr(0, 0), message);
+    diagnostics.check();
+    std::abort();  // check() has thrown
+}
+
+}  // namespace strahl

@@ -1,0 +1,15 @@
+// strahl import: scenes of other programs as scene text.
+#pragma once
+#include <string>
+
+namespace strahl {
+
+struct ImportOptions {
+    std::string file;          // NFF or a scene of Tachyon, or "-" for standard input
+    std::string output = "-";  // the .rt file; "-" is standard output
+};
+
+/// Returns the exit status. Throws FileError for errors in the file, OutputError, or UsageError.
+int import_command(const ImportOptions& options);
+
+}  // namespace strahl
