@@ -1,5 +1,6 @@
 // Points of equal coordinates as one.
 #pragma once
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <random>
@@ -12,10 +13,7 @@ namespace strahl {
 /// Numbers points in the order in which they come, equal ones alike. -0 equals 0.
 class PointJoiner {
   public:
-    PointJoiner() : slots(1024, empty) {
-        std::random_device random;
-        for (std::uint64_t& secret : secrets) secret = std::uint64_t(random()) << 32 | random();
-    }
+    PointJoiner() : slots(64, empty) {}
 
     std::int32_t number_of(DVec3 point) {
         point += 0.;  // -0 becomes 0
@@ -33,7 +31,13 @@ class PointJoiner {
     static constexpr std::int32_t empty = -1;
 
     /// The secrets keep a file from naming points that all fall into one slot, which would take for ever.
-    std::uint64_t hash(const DVec3& p) const {
+    static std::uint64_t hash(const DVec3& p) {
+        static const auto secrets = [] {
+            std::random_device random;
+            std::array<std::uint64_t, 4> drawn;
+            for (std::uint64_t& secret : drawn) secret = std::uint64_t(random()) << 32 | random();
+            return drawn;
+        }();
         using Wide = unsigned __int128;
         const auto fold = [](Wide product) {
             return static_cast<std::uint64_t>(product) ^ static_cast<std::uint64_t>(product >> 64);
@@ -53,7 +57,6 @@ class PointJoiner {
         for (std::size_t i = 0; i < joined.size(); ++i) slot_of(joined[i]) = static_cast<std::int32_t>(i);
     }
 
-    std::uint64_t secrets[4];
     std::vector<std::int32_t> slots;  // numbers of points; a power of two of them
     std::vector<DVec3> joined;
 };

@@ -35,6 +35,7 @@ struct AffineKernel {
         const Local<S> local = to_local(ray);
         auto crossings = shape.crossings(local.ray, start);
         for (S& t : crossings.t) t = t / local.stretch;
+        crossings.hit = crossings.hit & box.holds(ray, first_crossing(crossings));
         return crossings;
     }
     template <class S>

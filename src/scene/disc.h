@@ -78,7 +78,7 @@ struct Disc {
                                static_cast<T>(to_world.length(radius)), static_cast<T>(to_world.length(hole))});
         else
             emit(affine<T>(DiscKernel<T>{Vec3<T>(0), cast<T>(n), T(1), static_cast<T>(hole / radius)}, centre, radius,
-                           to_world));
+                           transformed(bounds(), to_world.matrix), to_world));
     }
 };
 

@@ -244,7 +244,7 @@ struct Torus {
         else
             emit(affine<T>(
                 TorusKernel<T>{Vec3<T>(0), cast<T>(a), static_cast<T>(major / unit), static_cast<T>(minor / unit)},
-                centre, unit, to_world));
+                centre, unit, transformed(bounds(), to_world.matrix), to_world));
     }
 };
 
