@@ -53,9 +53,8 @@ const char* Composite<operation>::fault() const {
     if (parts->empty()) return "it has no parts";
     int leaves = 0;
     for (const Primitive& part : *parts) {
-        const bool open =
-            std::visit([]<class Kind>(const Kind&) { return !is_composite<Kind> && !Kind::closed; }, part.shape);
-        if (open) return "a part of it is no closed body; discs, triangles and meshes can't be parts";
+        if (!std::visit([]<class Kind>(const Kind&) { return can_be_part<Kind>; }, part.shape))
+            return "a part of it is no closed body; discs, triangles and meshes can't be parts";
         leaves += leaves_of(part.shape);
     }
     return leaves > most_leaves ? "it consists of more than 64 bodies" : nullptr;

@@ -64,6 +64,10 @@ inline constexpr bool is_composite = requires {
     Kind::operation;
 };
 
+/// May it be a part of a composite?
+template <class Kind>
+inline constexpr bool can_be_part = is_composite<Kind> || Kind::closed;
+
 /// Most simple bodies in one composite.
 inline constexpr int most_leaves = 64;
 

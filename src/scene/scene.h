@@ -36,7 +36,8 @@ struct Scene {
     Settings settings;
     Color background{0};
     std::vector<Light> lights;
-    std::vector<Material> materials;    // no duplicates, in the order of first use by a primitive
+    /// No duplicates, in the order of first use by a primitive: of a composite its own, then those of its parts.
+    std::vector<Material> materials;
     std::vector<Primitive> primitives;  // in the order declared: of coincident surfaces the first wins
     std::optional<Flythrough> flythrough;
     bool operator==(const Scene&) const = default;

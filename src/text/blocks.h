@@ -16,20 +16,27 @@ inline constexpr std::array<std::string_view, 4> shape_words{"material", "rotate
 /// What may stand in a mesh besides that.
 inline constexpr std::array<std::string_view, 3> mesh_words{"file", Triangle::name, SmoothTriangle::name};
 
-/// The words that open a block of the top level.
-template <class... Kinds>
-constexpr auto top_words(std::type_identity<std::variant<Kinds...>>) {
-    return std::array<std::string_view, 6 + sizeof...(Kinds)>{
-        "camera", "light", Kinds::name..., "defaultmaterial", "background", "global_settings", "flythrough"};
-}
-inline constexpr auto block_words = top_words(std::type_identity<Shape>{});
-
 template <class T, std::size_t n, std::size_t m>
 constexpr std::array<T, n + m> joined(const std::array<T, n>& first, const std::array<T, m>& second) {
     std::array<T, n + m> all;
     std::copy(second.begin(), second.end(), std::copy(first.begin(), first.end(), all.begin()));
     return all;
 }
+
+/// The words that open the block of a body.
+template <class... Kinds>
+constexpr auto names_of(std::type_identity<std::variant<Kinds...>>) {
+    return std::array<std::string_view, sizeof...(Kinds)>{Kinds::name...};
+}
+inline constexpr auto body_words = names_of(std::type_identity<Shape>{});
+
+/// What may stand in a union, an intersection or a difference. Bodies that can't be parts have an error of their own.
+inline constexpr auto composite_words = joined(shape_words, body_words);
+
+/// The words that open a block of the top level.
+inline constexpr auto block_words =
+    joined(joined(std::array<std::string_view, 2>{"camera", "light"}, body_words),
+           std::array<std::string_view, 4>{"defaultmaterial", "background", "global_settings", "flythrough"});
 
 /// What `camera` and `key` have in common, with both ways to say which way is up and how wide the view is.
 struct EyeText {

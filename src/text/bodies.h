@@ -2,12 +2,11 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
-#include <span>
 #include <string>
 #include <tuple>
 #include <type_traits>
 
-#include "scene/transformation.h"
+#include "scene/scene.h"
 #include "scene/world_transform.h"
 #include "text/reader.h"
 
@@ -39,9 +38,9 @@ inline bool flattened(const Box& box, const glm::dmat4& m) {
 /// Why the transformations are not allowed for a valid shape, or "". Among the arguments of a shape, vectors are taken
 /// for points, or directions where the field says so, and numbers for lengths. If a kind says `arguments_move = false`,
 /// its arguments have a meaning in its own space only, and its bounds are checked instead.
+/// Of a composite the parts count.
 template <class Kind>
-std::string transformed_fault(const Kind& shape, std::span<const Transformation> steps) {
-    glm::dmat4 m = matrix(steps);
+std::string transformed_fault(const Kind& shape, glm::dmat4 m) {
     double largest = 0;
     for (int i = 0; i < 3; ++i)
         for (int k = 0; k < 3; ++k) largest = std::max(largest, std::fabs(m[i][k]));
@@ -52,8 +51,15 @@ std::string transformed_fault(const Kind& shape, std::span<const Transformation>
         for (int i = 0; i < 3; ++i) inside &= coordinates.contains(point[i]);
     };
     const char* fault = nullptr;
-    if constexpr (std::tuple_size_v<std::remove_cvref_t<decltype(Kind::fields)>> == 0 ||
-                  requires { requires !Kind::arguments_move; }) {
+    if constexpr (is_composite<Kind>) {
+        for (const Primitive& part : *shape.parts) {
+            const glm::dmat4 whole = m * matrix(part.transformations);
+            const std::string found =
+                std::visit([&](const auto& own) { return transformed_fault(own, whole); }, part.shape);
+            if (!found.empty()) return found;
+        }
+    } else if constexpr (std::tuple_size_v<std::remove_cvref_t<decltype(Kind::fields)>> == 0 ||
+                         requires { requires !Kind::arguments_move; }) {
         const Box box = transformed(shape.bounds(), m);
         look(box.low), look(box.high);
         if (flattened(shape.bounds(), m)) fault = "it is flat";

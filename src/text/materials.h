@@ -1,5 +1,6 @@
 // Materials without duplicates.
 #pragma once
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -11,6 +12,23 @@
 #include "scene/material.h"
 
 namespace strahl {
+
+/// What a block says of a material: some of its parameters.
+struct MaterialText {
+    Material values;
+    std::array<bool, std::tuple_size_v<decltype(Material::fields)>> named{};  // in the order of the fields
+
+    /// The base, changed by what is named.
+    Material on(const Material& base) const {
+        Material result = base;
+        auto is_named = named.begin();
+        const auto change = [&](const auto& field) {
+            if (*is_named++) result.*field.member = values.*field.member;
+        };
+        std::apply([&](const auto&... field) { (change(field), ...); }, Material::fields);
+        return result;
+    }
+};
 
 /// Hashes the fields of a material.
 struct MaterialHash {
@@ -31,7 +49,7 @@ struct MaterialHash {
     }
 };
 
-/// Numbers materials in the order of first use.
+/// Numbers materials in the order of first use: of a composite its own first, then those of its parts.
 class Materials {
   public:
     int number(const Material& material) {

@@ -16,6 +16,17 @@
 namespace strahl {
 namespace {
 
+/// Most levels of bodies in bodies, which are read by recursion.
+constexpr int most_levels = 32;
+
+/// The words that may stand in the block of a body.
+template <class Kind>
+constexpr auto words_in = shape_words;
+template <>
+constexpr auto words_in<Mesh> = joined(mesh_words, shape_words);
+template <Operation operation>
+constexpr auto words_in<Composite<operation>> = composite_words;
+
 class Parser {
   public:
     Parser(std::string_view text, std::string_view file, Diagnostics& diagnostics, const TextLimits& limits)
@@ -32,12 +43,14 @@ class Parser {
     void light(std::string_view word);
     void background(std::string_view word);
     void global_settings(std::string_view word);
-    Block material(std::string_view word, Material& target);
+    Block material(std::string_view word, MaterialText& target);
+    bool body(std::string_view word, std::vector<Primitive>& bodies, Block& outer, int depth);
     template <class Kind>
-    bool shape(std::string_view word);
+    void shape(std::string_view word, std::vector<Primitive>& bodies, Block& outer, int depth);
+    void settle(Primitive& primitive, const Material& base);
     Transformation transformation(std::string_view word, Block& block);
     template <class Kind>
-    void check(const Kind& shape, const Primitive& primitive, std::string_view word, std::string_view last);
+    std::string fault(const Kind& shape, const Primitive& primitive, std::string_view& at, std::string_view last);
     void limit(std::size_t count, std::size_t most, std::string_view at, const char* what);
 
     const TextLimits& limits;
@@ -50,6 +63,8 @@ class Parser {
     Materials materials;
     MeshFiles mesh_files;
     Material default_material;
+    std::size_t bodies_read = 0;
+    std::vector<MaterialText> written;            // of the body being read and its parts
     std::string_view background_at, settings_at;  // where these blocks are, of which a scene has one
 };
 
@@ -77,12 +92,16 @@ Scene Parser::parse() {
 }
 
 void Parser::top_block(std::string_view word) {
-    const auto is_shape = [&]<class... Kinds>(std::type_identity<std::variant<Kinds...>>) {
-        return ((word == Kinds::name && shape<Kinds>(word)) || ...);
-    };
-    if (is_shape(std::type_identity<Shape>{})) return;
+    Block own{word};
+    written.clear();
+    if (body(word, scene.primitives, own, 0)) return settle(scene.primitives.back(), default_material);
     if (word == "light") return light(word);
-    if (word == "defaultmaterial") return void(material(word, default_material));
+    if (word == "defaultmaterial") {
+        MaterialText changes;
+        material(word, changes);
+        default_material = changes.on(default_material);
+        return;
+    }
     if (word == "camera") return cameras.camera(word);
     if (word == "background") return background(word);
     if (word == "global_settings") return global_settings(word);
@@ -128,11 +147,11 @@ void Parser::global_settings(std::string_view word) {
     scene.settings = {settings.ambient_light, static_cast<int>(depth), settings.assumed_gamma.has_value()};
 }
 
-/// Changes the parameters that the block names.
-Block Parser::material(std::string_view word, Material& target) {
+Block Parser::material(std::string_view word, MaterialText& target) {
     Block block{word};
-    auto parameters = material_parameters(target);
+    auto parameters = material_parameters(target.values);
     reader.block(block, parameters);
+    for (std::size_t i = 0; i < parameters.size(); ++i) target.named[i] = parameters[i].given();
     return block;
 }
 
@@ -153,32 +172,39 @@ Transformation Parser::transformation(std::string_view word, Block& block) {
     return Scale{v};
 }
 
-/// The block of a body: the arguments that its field table lists, then material and transformations in any order.
+/// Reads a body to the end of `bodies`, if `word` begins one, which is in the block `outer`. Its material stays a
+/// number among `written`.
+bool Parser::body(std::string_view word, std::vector<Primitive>& bodies, Block& outer, int depth) {
+    const auto read = [&]<class... Kinds>(std::type_identity<std::variant<Kinds...>>) {
+        return ((word == Kinds::name && (shape<Kinds>(word, bodies, outer, depth), true)) || ...);
+    };
+    return read(std::type_identity<Shape>{});
+}
+
+/// The block of a body: the arguments that its field table lists, then material, transformations and, in a composite,
+/// parts in any order.
 template <class Kind>
-bool Parser::shape(std::string_view word) {
-    limit(scene.primitives.size(), limits.primitives, word, "primitives");
+void Parser::shape(std::string_view word, std::vector<Primitive>& bodies, Block& outer, int depth) {
+    limit(bodies_read++, limits.primitives, word, "primitives");
+    limit(depth, most_levels, word, "levels of bodies in bodies");
     Kind kind;
-    Primitive primitive;
-    Material own = default_material;
+    Primitive primitive{{}, static_cast<int>(written.size()), {}};
+    written.emplace_back();
     Block block{word};
     std::string_view material_at, last;
     constexpr bool is_mesh = std::is_same_v<Kind, Mesh>;
     MeshBlock mesh(reader, folder, mesh_files);
-    constexpr auto words = [] {
-        if constexpr (is_mesh)
-            return joined(mesh_words, shape_words);
-        else
-            return shape_words;
-    }();
+    std::vector<Primitive> parts;
     reader.block(
-        block, words, [&] { read_arguments(reader, kind, block); },
+        block, words_in<Kind>, [&] { read_arguments(reader, kind, block); },
         [&](std::string_view inner) {
             if (inner == "material") {
                 reader.once(material_at, inner);
-                block.absorb(material(inner, own));
+                block.absorb(material(inner, written[primitive.material]));
                 return true;
             }
             if (is_mesh && mesh.part(inner, block)) return true;
+            if (is_composite<Kind> && body(inner, parts, block, depth + 1)) return true;
             if (!contains(shape_words, inner)) return false;
             limit(primitive.transformations.size(), limits.transformations, inner, "transformations of one primitive");
             primitive.transformations.push_back(transformation(inner, block));
@@ -186,21 +212,44 @@ bool Parser::shape(std::string_view word) {
             return true;
         });
     if constexpr (is_mesh) kind = mesh.take(word, block);
-    if (block.good()) check(kind, primitive, word, last);
-    primitive.shape = kind;
-    primitive.material = materials.number(own);
-    scene.primitives.push_back(std::move(primitive));
-    return true;
+    if constexpr (is_composite<Kind>) kind.parts = std::make_shared<const std::vector<Primitive>>(std::move(parts));
+    if (block.good()) {
+        std::string_view at = word;
+        std::string message = fault(kind, primitive, at, last);
+        if (message.empty() && depth > 0 && !can_be_part<Kind>)
+            message = "a " + std::string(word) + " can't be part of a body: only closed ones but meshes can";
+        block.bad = !message.empty();
+        if (block.bad) diagnostics.add(at, message);
+    }
+    outer.absorb(block);
+    primitive.shape = std::move(kind);
+    bodies.push_back(std::move(primitive));
 }
 
-/// Reports a body that is invalid by its arguments or by its transformations, the last of which is at `last`.
+/// Works out what material a body that was read has, and its parts: they start from that of their composite, wherever
+/// it stands in the text. A composite is numbered before its parts.
+void Parser::settle(Primitive& primitive, const Material& base) {
+    const Material own = written[primitive.material].on(base);
+    primitive.material = materials.number(own);
+    const auto settle_parts = [&]<class Kind>(Kind& kind) {
+        if constexpr (is_composite<Kind>) {
+            std::vector<Primitive> parts = *kind.parts;
+            for (Primitive& part : parts) settle(part, own);
+            kind.parts = std::make_shared<const std::vector<Primitive>>(std::move(parts));
+        }
+    };
+    std::visit(settle_parts, primitive.shape);
+}
+
+/// Why a body is invalid, by its arguments, or by its transformations, the last of which is at `last`; or "".
 template <class Kind>
-void Parser::check(const Kind& shape, const Primitive& primitive, std::string_view word, std::string_view last) {
-    const std::string name(word);
-    if (const char* const fault = shape.fault()) return diagnostics.add(word, "this " + name + " is none: " + fault);
-    if (primitive.transformations.empty()) return;
-    const std::string fault = transformed_fault(shape, primitive.transformations);
-    if (!fault.empty()) diagnostics.add(last, "up to here the transformations of this " + name + " " + fault);
+std::string Parser::fault(const Kind& shape, const Primitive& primitive, std::string_view& at, std::string_view last) {
+    const std::string name = Kind::name;
+    if (const char* const fault = shape.fault()) return "this " + name + " is none: " + fault;
+    if (primitive.transformations.empty()) return "";
+    const std::string fault = transformed_fault(shape, matrix(primitive.transformations));
+    at = last;
+    return fault.empty() ? "" : "up to here the transformations of this " + name + " " + fault;
 }
 
 }  // namespace
