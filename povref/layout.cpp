@@ -12,7 +12,7 @@ constexpr std::size_t columns = 100;
 std::string block(const std::string& head, const std::vector<std::string>& items, const std::string& indent) {
     std::size_t length = indent.size() + head.size() + 2;
     for (const std::string& item : items) length += 1 + item.size();
-    const bool broken = length > columns;
+    const bool broken = length > columns || head.find('\n') != head.npos;
     std::string text = head;
     for (const std::string& item : items) text += (broken ? "\n" + indent + "  " : " ") + item;
     return text + (broken ? "\n" + indent + "}\n" : " }\n");

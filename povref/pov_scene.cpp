@@ -2,16 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/matrix.hpp>
-#include <map>
 
 #include "num/decimal.h"
 #include "num/vec_math.h"
+#include "povref/bodies.h"
 #include "povref/layout.h"
 #include "povref/materials.h"
-#include "povref/sentences.h"
 #include "povref/unit.h"
 #include "scene/error.h"
+#include "scene/leaves.h"
 #include "scene/overlap.h"
 #include "text/messages.h"
 
@@ -27,13 +26,9 @@ struct Plan {
     bool keyword = false;         // some material uses `refraction`
     bool shadow_copies = false;   // some body has a copy that casts its shadow
     bool bodies_overlap = false;  // transparent ones share space
+    bool mixed = false;           // some transparent composite is of several materials
     bool near_one = false;        // some ior of 1 is written as a larger number
 };
-
-bool contains(const Primitive& primitive, const DVec3& p) {
-    const DVec3 local = transform_point(glm::inverse(matrix(primitive.transformations)), p);
-    return std::visit([&](const auto& shape) { return shape.contains(local); }, primitive.shape);
-}
 
 Plan plan_for(const Scene& scene, const PovRequest& request) {
     Plan plan{.unit = unit_for(scene, request.cameras), .materials = pov_materials(scene, request.depth)};
@@ -45,8 +40,10 @@ Plan plan_for(const Scene& scene, const PovRequest& request) {
     }
     plan.bodies_overlap = transparent_bodies_overlap(scene);
     for (const Primitive& primitive : scene.primitives)
-        if (plan.materials[primitive.material].transparent)
+        if (transparent(scene, primitive)) {
             for (const Camera& camera : request.cameras) plan.inside |= contains(primitive, camera.position);
+            plan.mixed |= mixed(scene, primitive);
+        }
     return plan;
 }
 
@@ -57,6 +54,10 @@ std::vector<std::string> warnings_of(const Plan& plan) {
         warnings.push_back(
             "POV-Ray does not count a ray that goes on unbent as a generation; transparent bodies of ior 1 have an ior "
             "of 1.00000012 instead, which bends by less than can be seen");
+    if (plan.mixed)
+        warnings.push_back(
+            "in a transparent body made of bodies, each part has an interior of its own, whose ior bends rays; strahl "
+            "has the one of the whole body");
     if (plan.bodies_overlap)
         warnings.push_back(
             "transparent bodies may share space; where a ray leaves one that it did not enter last, it goes on unbent, "
@@ -156,69 +157,6 @@ std::string material_section(const Plan& plan) {
     return text;
 }
 
-std::string step_text(const Transformation& step) {
-    // POV-Ray treats smaller factors as 0, and 0 as 1.
-    constexpr double least = 1e-9;
-    struct {
-        std::string operator()(const Rotate& r) const { return "rotate " + text_of(r.degrees); }
-        std::string operator()(const Translate& t) const { return "translate " + text_of(t.by); }
-        std::string operator()(const Scale& s) const {
-            const DVec3& f = s.by;
-            if (std::min({std::fabs(f.x), std::fabs(f.y), std::fabs(f.z)}) < least)
-                return "matrix <" + text_of(f.x) + ", 0, 0, 0, " + text_of(f.y) + ", 0, 0, 0, " + text_of(f.z) +
-                       ", 0, 0, 0>";
-            return "scale " + (f.x == f.y && f.y == f.z ? text_of(f.x) : text_of(f));
-        }
-    } words;
-    return std::visit(words, step);
-}
-
-std::vector<std::string> placement(const Primitive& primitive, const Plan& plan) {
-    std::vector<std::string> items;
-    for (const Transformation& step : primitive.transformations) items.push_back(step_text(step));
-    if (plan.scaled) items.push_back("scale Unit");
-    return items;
-}
-
-/// All bodies. Opaque ones come first: POV-Ray lists the bodies around the camera in this order, and rays start in the
-/// last one listed.
-std::string body_sections(const Scene& scene, const Plan& plan) {
-    std::string solid, clear, declared, shadows, seen;
-    std::map<std::string, int> count;
-    for (const Primitive& primitive : scene.primitives) {
-        const PovMaterial& material = plan.materials[primitive.material];
-        std::vector<std::string> items = placement(primitive, plan);
-        const std::string head = sentence(primitive.shape);
-        if (!material.transparent) {
-            items.insert(items.begin(), "texture { " + material.name + " }");
-            solid += block(head, items);
-        } else if (!plan.shadow_copies) {
-            items.insert(items.begin(), "material { " + material.name + " }");
-            clear += block(head, items);
-        } else {
-            std::string kind = head.substr(0, head.find(' '));
-            kind[0] = static_cast<char>(kind[0] - 'a' + 'A');
-            const std::string name = kind + "_" + std::to_string(++count[kind]);
-            declared += block("#declare " + name + " = " + head, items);
-            if (material.own_shadow)
-                shadows += block("object { " + name,
-                                 {"texture { " + material.name + "_Shadow }", "no_image", "no_reflection"});
-            seen += block("object { " + name, {"material { " + material.name + " }"});
-            if (material.own_shadow) seen.insert(seen.size() - 3, " no_shadow");
-        }
-    }
-    std::string text;
-    if (!solid.empty()) text += heading("Opaque bodies") + solid;
-    if (!clear.empty()) text += heading("Transparent bodies") + clear;
-    if (!declared.empty())
-        text += heading("Transparent bodies") + declared + "\n" +
-                comment(
-                    "What is seen through a body keeps its colour, its shadow takes the body's. POV-Ray has one "
-                    "pigment for both, so invisible copies cast the shadows.") +
-                shadows + "\n" + seen;
-    return text;
-}
-
 /// A path as an .ini holds it. There is no way to escape a character in it.
 std::string quoted_path(const std::string& path) {
     const auto has = [&](const char* text) { return path.find(text) != path.npos; };
@@ -278,7 +216,7 @@ PovFiles write_pov(const Scene& scene, const PovRequest& request) {
     const Plan plan = plan_for(scene, request);
     const std::string ini_path = request.pov_path.substr(0, request.pov_path.rfind('.')) + ".ini";
     return {top(scene, request, plan) + camera_section(request, plan) + light_section(scene, plan) +
-                material_section(plan) + body_sections(scene, plan),
+                material_section(plan) + body_sections(scene, {plan.materials, plan.shadow_copies, plan.scaled}),
             ini_of(scene, request, plan, ini_path), warnings_of(plan)};
 }
 

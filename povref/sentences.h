@@ -22,7 +22,7 @@ inline std::string sentence(const Mesh& mesh) {
     return text + (open_side(*mesh.data) ? "\n " : "\n  inside_vector <0, 0, 1>");
 }
 
-/// An object without its closing brace, in the shape's own space.
+/// A simple body without its closing brace, in the shape's own space.
 inline std::string sentence(const Shape& shape) {
     const auto join = [](const char* keyword, const auto& first, const auto&... more) {
         return keyword + (" { " + text_of(first)) + (... + (", " + text_of(more)));
@@ -42,6 +42,8 @@ inline std::string sentence(const Shape& shape) {
         [&]<class Kind>(const Kind& kind) {
             if constexpr (std::is_same_v<Kind, Mesh>)
                 return sentence(kind);
+            else if constexpr (is_composite<Kind>)
+                return std::string();
             else
                 return words(kind);
         },

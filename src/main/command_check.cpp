@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <sstream>
 #include <utility>
 
 #include "main/exit_status.h"
+#include "scene/leaves.h"
 #include "scene/overlap.h"
 #include "text/file.h"
 #include "text/parse.h"
@@ -25,17 +27,33 @@ std::ostream& operator<<(std::ostream& out, const DVec3& v) {
     return out << '<' << v.x << ", " << v.y << ", " << v.z << '>';
 }
 
+/// How many there are of each kind.
+using Counts = std::array<std::size_t, std::variant_size_v<Shape>>;
+
 /// "7: 5 spheres, 1 plane, 1 cylinder"
 template <class... Kinds>
-std::string kinds_in_words(const std::vector<Primitive>& primitives, std::variant<Kinds...>*) {
-    std::array<std::size_t, sizeof...(Kinds)> counts{};
-    for (const Primitive& primitive : primitives) ++counts[primitive.shape.index()];
+std::string kinds_in_words(const Counts& counts, std::variant<Kinds...>*) {
     constexpr std::array names{Kinds::name...};
-    std::string words = std::to_string(primitives.size());
+    std::string words = std::to_string(std::accumulate(counts.begin(), counts.end(), std::size_t{0}));
     const char* separator = ": ";
     for (std::size_t i = 0; i < names.size(); ++i)
         if (counts[i] > 0) words += std::exchange(separator, ", ") + counted(counts[i], names[i]);
     return words;
+}
+
+/// The lines for the bodies, and for the simple ones that composites consist of.
+std::string bodies_in_words(const Scene& scene) {
+    Counts bodies{}, parts{};
+    for (const Primitive& primitive : scene.primitives) {
+        ++bodies[primitive.shape.index()];
+        for_each_leaf(primitive, [&](const Primitive& leaf, const glm::dmat4&) {
+            if (&leaf != &primitive) ++parts[leaf.shape.index()];
+        });
+    }
+    const auto line = [](const char* name, const Counts& counts) {
+        return name + kinds_in_words(counts, static_cast<Shape*>(nullptr)) + "\n";
+    };
+    return line("  primitives   ", bodies) + (parts == Counts{} ? "" : line("  made of      ", parts));
 }
 
 /// The box around all bounded bodies.
@@ -57,13 +75,12 @@ std::string bounds_in_words(const Scene& scene) {
 }
 
 std::string summary(const Scene& scene) {
-    const auto transparent = std::ranges::count_if(scene.primitives, [&](const Primitive& primitive) {
-        return scene.materials[static_cast<std::size_t>(primitive.material)].refraction > 0;
-    });
+    const auto transparent = std::ranges::count_if(
+        scene.primitives, [&](const Primitive& primitive) { return strahl::transparent(scene, primitive); });
     const Camera& camera = scene.camera;
     std::ostringstream text;
-    text << "  primitives   " << kinds_in_words(scene.primitives, static_cast<Shape*>(nullptr)) << '\n'
-         << "  transparent  " << transparent << (transparent == 1 ? " body" : " bodies") << '\n'
+    text << bodies_in_words(scene) << "  transparent  " << transparent << (transparent == 1 ? " body" : " bodies")
+         << '\n'
          << "  materials    " << scene.materials.size() << '\n'
          << "  lights       " << scene.lights.size() << '\n'
          << "  bounds       " << bounds_in_words(scene) << '\n'

@@ -1,18 +1,12 @@
 #include "scene/composite.h"
 
 #include <algorithm>
-#include <glm/matrix.hpp>
 
 #include "scene/overlap.h"
 #include "scene/scene.h"
 
 namespace strahl {
 namespace {
-
-bool holds(const Primitive& part, const DVec3& p) {
-    const DVec3 local = transform_point(glm::inverse(matrix(part.transformations)), p);
-    return std::visit([&](const auto& shape) { return shape.contains(local); }, part.shape);
-}
 
 /// The box around a part, which for a plane across an axis ends there.
 Box box_of(const Primitive& part, const glm::dmat4& to_world) {
@@ -80,7 +74,7 @@ Box Composite<operation>::bounds(const glm::dmat4& to_world) const {
 
 template <Operation operation>
 bool Composite<operation>::contains(const DVec3& p) const {
-    const auto in = [&](const Primitive& part) { return holds(part, p); };
+    const auto in = [&](const Primitive& part) { return strahl::contains(part, p); };
     if (operation == Operation::unite) return std::ranges::any_of(*parts, in);
     if (operation == Operation::intersect) return std::ranges::all_of(*parts, in);
     return in(parts->front()) && std::none_of(parts->begin() + 1, parts->end(), in);

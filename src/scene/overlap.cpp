@@ -4,8 +4,11 @@
 #include <cmath>
 #include <compare>
 #include <cstddef>
+#include <glm/matrix.hpp>
 #include <optional>
 #include <vector>
+
+#include "scene/leaves.h"
 
 namespace strahl {
 namespace {
@@ -80,6 +83,11 @@ std::optional<HalfSpace> half_space(const Primitive& primitive) {
         primitive.shape);
 }
 
+bool contains(const Primitive& primitive, const DVec3& p) {
+    const DVec3 local = transform_point(glm::inverse(matrix(primitive.transformations)), p);
+    return std::visit([&](const auto& shape) { return shape.contains(local); }, primitive.shape);
+}
+
 namespace {
 
 bool apart(const Box& a, const Box& b) {
@@ -152,7 +160,7 @@ bool closed(const Shape& shape) {
 bool transparent_bodies_overlap(const Scene& scene) {
     std::vector<Body> planes, bodies;
     for (const Primitive& primitive : scene.primitives)
-        if (scene.materials[primitive.material].refraction > 0) {
+        if (transparent(scene, primitive)) {
             if (!closed(primitive.shape)) return true;
             const Body body = body_of(primitive);
             for (const Body& plane : planes)

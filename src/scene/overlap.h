@@ -11,6 +11,9 @@ Box transformed_bounds(const Primitive& primitive, const glm::dmat4& to_world);
 /// The half-space that a primitive of an unbounded kind is.
 std::optional<HalfSpace> half_space(const Primitive& primitive);
 
+/// Is a point of the world inside it?
+bool contains(const Primitive& primitive, const DVec3& p);
+
 /// May two transparent bodies of the scene have points in common? False only if certainly not: then a ray is inside
 /// one at most, and the side from which it meets a surface tells whether it enters.
 bool transparent_bodies_overlap(const Scene& scene);

@@ -58,6 +58,13 @@ std::string body_rows<Mesh>() {
            "|  | triangle, smooth_triangle | blocks with the arguments above | any number of them, in place of a file "
            "|\n";
 }
+template <class Kind>
+requires is_composite<Kind> std::string body_rows() {
+    const char* const what = Kind::operation == Operation::unite       ? "what is in one of them at least"
+                             : Kind::operation == Operation::intersect ? "what is in all of them"
+                                                                       : "what is in the first and in none of the rest";
+    return "| " + code(Kind::name) + " | bodies | blocks of closed bodies, but for meshes | " + what + " |\n";
+}
 template <class... Kinds>
 std::string body_table(std::type_identity<std::variant<Kinds...>>) {
     return "| body | arguments | values | meaning |\n|---|---|---|---|\n" + (body_rows<Kinds>() + ...);

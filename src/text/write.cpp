@@ -58,17 +58,40 @@ std::string shape_text(const Mesh& mesh) {
     return text;
 }
 
-/// `base` is the default material in force, or nullptr if the primitive has that one.
-std::string primitive_text(const Primitive& primitive, const Material& own, const Material* base) {
-    std::string text = std::visit([](const auto& shape) { return shape_text(shape); }, primitive.shape);
+std::string primitive_text(const Primitive& primitive, const std::vector<Material>& materials, const Material& base,
+                           const std::string& indent);
+
+/// Each part stands in a line of its own.
+template <Operation operation>
+std::string shape_text(const Composite<operation>& composite, const std::vector<Material>& materials,
+                       const Material& own, const std::string& indent) {
+    std::string text = std::string(composite.name) + " {";
+    for (const Primitive& part : *composite.parts)
+        text += "\n" + indent + "  " + primitive_text(part, materials, own, indent + "  ");
+    return text;
+}
+
+/// `base` is the material that it has if it says nothing: the default in force, or that of the composite around it.
+std::string primitive_text(const Primitive& primitive, const std::vector<Material>& materials, const Material& base,
+                           const std::string& indent) {
+    const Material& own = materials[primitive.material];
+    bool lines = false;
+    std::string text = std::visit(
+        [&]<class Kind>(const Kind& shape) {
+            if constexpr (is_composite<Kind>)
+                return lines = true, shape_text(shape, materials, own, indent);
+            else
+                return shape_text(shape);
+        },
+        primitive.shape);
     std::vector<std::string> items;
     for (const Transformation& step : primitive.transformations) items.push_back(transformation_text(step));
-    if (base) items.push_back("material { " + parameters(own, *base) + " }");
+    if (own != base) items.push_back("material { " + parameters(own, base) + " }");
     std::size_t length = text.size();
     for (const std::string& item : items) length += 2 + item.size();
-    const bool lines = length > 100;
-    for (const std::string& item : items) text += (lines ? "\n  " : "  ") + item;
-    return text + (lines ? "\n}\n" : " }\n");
+    lines |= length > 100;
+    for (const std::string& item : items) text += (lines ? "\n" + indent + "  " : "  ") + item;
+    return text + (lines ? "\n" + indent + "}" : " }");
 }
 
 std::string settings_text(const Settings& settings) {
@@ -95,7 +118,7 @@ std::string primitives_text(const std::vector<Primitive>& primitives, const std:
             text.append("defaultmaterial { ").append(parameters(own, in_force)).append(" }\n");
             in_force = own;
         }
-        text += primitive_text(primitives[i], own, own == in_force ? nullptr : &in_force);
+        text += primitive_text(primitives[i], materials, in_force, "") + "\n";
     }
     return text;
 }

@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "scene/leaves.h"
 #include "trace/world.h"
 
 namespace strahl {
@@ -29,10 +30,11 @@ double gain(const Scene& scene) {
     const auto filter = [](const Material& m) { return m.refraction * largest(m.rgb); };
     double product = 1;
     if (std::any_of(scene.materials.begin(), scene.materials.end(), [&](const auto& m) { return filter(m) > 1; }))
-        for (const Primitive& primitive : scene.primitives) {
-            const double factor = filter(scene.materials[primitive.material]);
-            if (factor > 1) product *= std::pow(factor, most_crossings(primitive.shape));
-        }
+        for (const Primitive& primitive : scene.primitives)
+            for_each_leaf(primitive, [&](const Primitive& leaf, const glm::dmat4&) {
+                const double factor = filter(scene.materials[leaf.material]);
+                if (factor > 1) product *= std::pow(factor, most_crossings(leaf.shape));
+            });
     return std::min(product, std::numeric_limits<double>::max());  // infinity times nothing would be no number
 }
 

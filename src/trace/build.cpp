@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "scene/error.h"
+#include "scene/leaves.h"
 #include "scene/overlap.h"
 #include "trace/bound.h"
 #include "trace/world_arrays.h"
@@ -76,14 +77,18 @@ template <class T>
 void WorldArrays<T>::list_transparent(const Scene& scene) {
     ItemCounts before;
     for (const Primitive& primitive : scene.primitives) {
-        const Material& material = scene.materials[primitive.material];
-        if (material.refraction > 0)
+        const Material* medium = &scene.materials[primitive.material];
+        for_each_leaf(primitive, [&](const Primitive& leaf, const glm::dmat4&) {
+            const Material& own = scene.materials[leaf.material];
+            if (!(medium->refraction > 0) && own.refraction > 0) medium = &own;
+        });
+        if (medium->refraction > 0)
             transparent.push_back(
                 {static_cast<int>(before.surfaces), primitive.shape, glm::inverse(matrix(primitive.transformations))});
         const auto body = static_cast<std::int32_t>(before.surfaces);
         count_items<T>(primitive, before);
         bodies.resize(before.surfaces, body);
-        iors.resize(before.surfaces, static_cast<T>(material.ior));
+        iors.resize(before.surfaces, static_cast<T>(medium->ior));
     }
 }
 

@@ -38,6 +38,8 @@ TEST_CASE("every body has its rows, and a stale table is made anew") {
         const auto first_row = [&]<class Kind>(Kind) {
             if constexpr (std::is_same_v<Kind, Mesh>)
                 CHECK(page.find("| `mesh` | file") != page.npos);
+            else if constexpr (is_composite<Kind>)
+                CHECK(page.find("| `" + std::string(Kind::name) + "` | bodies |") != page.npos);
             else
                 row(Kind::name, std::get<0>(Kind::fields));
         };
