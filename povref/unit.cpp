@@ -4,17 +4,31 @@
 #include <cmath>
 
 #include "num/vec_math.h"
+#include "scene/leaves.h"
 #include "scene/overlap.h"
 
 namespace strahl {
 namespace {
 
-/// The distance from `eye` of the farthest point of a body that must be within reach; of a half-space a point of it.
-double reach(const Primitive& primitive, const DVec3& eye) {
-    if (const std::optional<HalfSpace> space = half_space(primitive)) return length(space->point - eye);
-    const Box box = world_bounds(primitive);
+double reach(const Box& box, const DVec3& eye) {
     return length({std::max(eye.x - box.low.x, box.high.x - eye.x), std::max(eye.y - box.low.y, box.high.y - eye.y),
                    std::max(eye.z - box.low.z, box.high.z - eye.z)});
+}
+
+/// The distance from `eye` of the farthest point of a body that must be within reach; of a half-space a point of it.
+double reach(const Primitive& primitive, const DVec3& eye) {
+    if (const Box box = world_bounds(primitive); box.finite()) return reach(box, eye);
+    double farthest = 0;
+    for_each_leaf(primitive, [&](const Primitive& leaf, const glm::dmat4& whole) {
+        const auto look = [&]<class Kind>(const Kind& kind) {
+            if constexpr (Kind::bounded)
+                farthest = std::max(farthest, reach(transformed(kind.bounds(), whole), eye));
+            else
+                farthest = std::max(farthest, length(kind.half_space(whole).point - eye));
+        };
+        std::visit(look, leaf.shape);
+    });
+    return farthest;
 }
 
 /// The next of ... 1, 2, 5, 10, 20, 50 ... that is not smaller.
@@ -27,7 +41,7 @@ double round_up(double v) {
 
 bool has_horizon(const Scene& scene) {
     return std::any_of(scene.primitives.begin(), scene.primitives.end(),
-                       [](const Primitive& primitive) { return half_space(primitive).has_value(); });
+                       [](const Primitive& primitive) { return !world_bounds(primitive).finite(); });
 }
 
 }  // namespace

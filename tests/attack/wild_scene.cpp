@@ -27,7 +27,11 @@ class Wild : WildValues {
     template <class Kind>
     Kind body();
     Transformation step();
-    void keep(const Material& material, Primitive primitive);
+    int new_material() { return palette.push_back(material()), static_cast<int>(palette.size()) - 1; }
+    void trim(Primitive& primitive);
+    Primitive body_of(int material, int levels);
+    std::shared_ptr<const std::vector<Primitive>> parts(int material, int levels);
+    void settle(Primitive& primitive, Materials& materials);
     void add_body();
     void repeat_body();
     void add_bodies();
@@ -36,7 +40,7 @@ class Wild : WildValues {
     int depth();
 
     Scene scene;
-    std::vector<Material> own;  // each primitive's
+    std::vector<Material> palette;  // by which primitives number theirs until all are there
 };
 
 Material Wild::material() {
@@ -99,20 +103,45 @@ Transformation Wild::step() {
 }
 
 /// Keeps as many of its transformations as are allowed.
-void Wild::keep(const Material& material, Primitive primitive) {
-    const auto allowed = [&](const auto& shape) { return transformed_fault(shape, primitive.transformations).empty(); };
+void Wild::trim(Primitive& primitive) {
+    const auto allowed = [&](const auto& shape) {
+        return transformed_fault(shape, matrix(primitive.transformations)).empty();
+    };
     while (!primitive.transformations.empty() && !std::visit(allowed, primitive.shape))
         primitive.transformations.pop_back();
-    scene.primitives.push_back(std::move(primitive));
-    own.push_back(material);
 }
 
-void Wild::add_body() {
-    Primitive primitive{shape(std::type_identity<Shape>{}), 0, {}};
+/// A body with the number of its material in the palette. `levels` is how deep bodies may be in it.
+Primitive Wild::body_of(int material, int levels) {
+    Primitive primitive{shape(std::type_identity<Shape>{}), material, {}};
+    const auto add_parts = [&]<class Kind>(Kind& kind) {
+        if constexpr (is_composite<Kind>)
+            if (levels >= 0) kind.parts = parts(material, levels);
+    };
+    std::visit(add_parts, primitive.shape);
     if (dice.chance(.4))
         for (int i = dice.upto(2); i >= 0; --i) primitive.transformations.push_back(step());
-    keep(material(), std::move(primitive));
+    trim(primitive);
+    return primitive;
 }
+/// 1 to 5, of the material of the whole or of others, which may lie on each other.
+std::shared_ptr<const std::vector<Primitive>> Wild::parts(int material, int levels) {
+    std::vector<Primitive> list;
+    for (int i = dice.upto(4); i >= 0;) {
+        Primitive part = !list.empty() && dice.chance(.2)
+                             ? list.back()
+                             : body_of(dice.chance(.6) ? material : new_material(), levels - 1);
+        const auto fits = [&]<class Kind>(const Kind&) {
+            return can_be_part<Kind> && (levels > 0 || !is_composite<Kind>);
+        };
+        if (!std::visit(fits, part.shape)) continue;
+        list.push_back(std::move(part));
+        --i;
+    }
+    return std::make_shared<const std::vector<Primitive>>(std::move(list));
+}
+
+void Wild::add_body() { scene.primitives.push_back(body_of(new_material(), 1)); }
 
 /// The same body once more: in the same place, a little aside, or somewhere else.
 void Wild::repeat_body() {
@@ -122,7 +151,9 @@ void Wild::repeat_body() {
         const double distance = dice.chance(wildness) ? this->number(lengths) : dice.in(0, 8);
         copy.transformations.push_back(Translate{dice.vector(-1, 1) * std::min(distance, 1e12)});
     }
-    keep(dice.chance(.3) ? material() : Material(own[number]), std::move(copy));
+    if (dice.chance(.3)) copy.material = new_material();
+    trim(copy);
+    scene.primitives.push_back(std::move(copy));
 }
 
 void Wild::add_bodies() {
@@ -141,8 +172,7 @@ void Wild::add_bodies() {
     while (static_cast<int>(scene.primitives.size()) < count)
         if (static_cast<int>(scene.primitives.size()) < different) {
             add_body();
-            if (!bounded(scene.primitives.back().shape) && !dice.chance(.1))
-                scene.primitives.pop_back(), own.pop_back();
+            if (!bounded(scene.primitives.back().shape) && !dice.chance(.1)) scene.primitives.pop_back();
         } else {
             repeat_body();
         }
@@ -180,10 +210,23 @@ Camera Wild::camera() {
 
 /// Where no surface both reflects and transmits, rays do not multiply, and many generations cost little.
 int Wild::depth() {
-    const bool branches =
-        std::any_of(own.begin(), own.end(), [](const Material& m) { return m.reflection > 0 && m.refraction > 0; });
+    const bool branches = std::any_of(palette.begin(), palette.end(),
+                                      [](const Material& m) { return m.reflection > 0 && m.refraction > 0; });
     if (!branches && dice.chance(.05)) return 256;
     return 1 + dice.upto(branches ? 5 : 19);
+}
+
+/// Numbers its material, and then those of its parts, as the scene does.
+void Wild::settle(Primitive& primitive, Materials& materials) {
+    primitive.material = materials.number(palette[primitive.material]);
+    const auto settle_parts = [&]<class Kind>(Kind& kind) {
+        if constexpr (is_composite<Kind>) {
+            std::vector<Primitive> list = *kind.parts;
+            for (Primitive& part : list) settle(part, materials);
+            kind.parts = std::make_shared<const std::vector<Primitive>>(std::move(list));
+        }
+    };
+    std::visit(settle_parts, primitive.shape);
 }
 
 WildScene Wild::make() {
@@ -198,7 +241,7 @@ WildScene Wild::make() {
     scene.settings.max_trace_level = depth();
     scene.settings.linear = dice.chance(.3);
     Materials materials;
-    for (std::size_t i = 0; i < own.size(); ++i) scene.primitives[i].material = materials.number(own[i]);
+    for (Primitive& primitive : scene.primitives) settle(primitive, materials);
     scene.materials = std::move(materials.list);
     View view{.camera = scene.camera,
               .width = 3 + dice.upto(29),

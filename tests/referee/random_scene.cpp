@@ -103,6 +103,41 @@ std::vector<Transformation> steps(Dice& dice) {
     return list;
 }
 
+Material any_material(Dice& dice, bool transparent) {
+    const int kind = dice.upto(transparent ? 3 : 1);
+    return kind == 0 ? matt(dice) : kind == 1 ? mirror(dice) : glass(dice);
+}
+int add(const Material& material, Scene& scene) {
+    scene.materials.push_back(material);
+    return static_cast<int>(scene.materials.size()) - 1;
+}
+/// Gives a composite 2 to 5 parts, with the material of the whole or one of their own, and some of them parts of
+/// theirs.
+void furnish(Shape& shape, int material, int levels, Scene& scene, Dice& dice, const RandomScene& what) {
+    const auto part = [&] {
+        while (true) {
+            Shape own =
+                dice.chance(.2) ? plane(dice, scene.camera.position) : any_kind(dice, std::type_identity<Shape>{});
+            const auto fits = [&]<class Kind>(const Kind&) {
+                return can_be_part<Kind> && (levels > 0 || !is_composite<Kind>);
+            };
+            if (!std::visit(fits, own)) continue;
+            const int number = dice.chance(.6) ? material : add(any_material(dice, what.transparent), scene);
+            furnish(own, number, levels - 1, scene, dice, what);
+            return Primitive{own, number,
+                             what.transformed && dice.chance(.5) ? steps(dice) : std::vector<Transformation>{}};
+        }
+    };
+    const auto fill = [&]<class Kind>(Kind& kind) {
+        if constexpr (is_composite<Kind>) {
+            std::vector<Primitive> parts;
+            for (int i = 1 + dice.upto(3); i >= 0; --i) parts.push_back(part());
+            kind.parts = std::make_shared<const std::vector<Primitive>>(std::move(parts));
+        }
+    };
+    std::visit(fill, shape);
+}
+
 }  // namespace
 
 Scene random_scene(std::uint64_t seed, const RandomScene& what) {
@@ -120,9 +155,10 @@ Scene random_scene(std::uint64_t seed, const RandomScene& what) {
         const DVec3 position = dice.arrow(2.5, 6);
         scene.lights.push_back({position, dice.vector(0, 1)});
     }
-    const auto put = [&](const Shape& shape, const Material& material, std::vector<Transformation> transformations) {
-        scene.materials.push_back(material);
-        scene.primitives.push_back({shape, static_cast<int>(scene.materials.size()) - 1, std::move(transformations)});
+    const auto put = [&](Shape shape, const Material& material, std::vector<Transformation> transformations) {
+        const int number = add(material, scene);
+        furnish(shape, number, 1, scene, dice, what);
+        scene.primitives.push_back({std::move(shape), number, std::move(transformations)});
     };
     for (int i = dice.upto(2); i > 0; --i) {
         const Shape floor = plane(dice, scene.camera.position);
@@ -133,8 +169,7 @@ Scene random_scene(std::uint64_t seed, const RandomScene& what) {
                             : dice.chance(.55) ? sphere(dice)
                             : dice.chance(.95) ? cylinder(dice)
                                                : plane(dice, scene.camera.position);
-        const int kind = dice.upto(what.transparent ? 3 : 1);
-        const Material material = kind == 0 ? matt(dice) : kind == 1 ? mirror(dice) : glass(dice);
+        const Material material = any_material(dice, what.transparent);
         put(shape, material, what.transformed && dice.chance(.5) ? steps(dice) : std::vector<Transformation>{});
     }
     if (what.camera_inside) {

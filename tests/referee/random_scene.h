@@ -12,8 +12,8 @@ struct RandomScene {
     bool camera_inside = false;  // the eye is in at least one transparent body
 };
 
-/// 2 to 9 spheres, planes and cylinders of every kind of material, 1 to 4 lights, within about 4 of the origin, seen
-/// by a camera anywhere around. Two bodies never share a surface (with probability 1).
+/// 2 to 9 bodies, mostly spheres, planes and cylinders, of every kind of material, 1 to 4 lights, within about 4 of the
+/// origin, seen by a camera anywhere around. Two bodies never share a surface (with probability 1).
 Scene random_scene(std::uint64_t seed, const RandomScene& what = {});
 
 }  // namespace strahl

@@ -4,108 +4,12 @@
 #include <cmath>
 #include <vector>
 
-#include "tests/referee/box.h"
-#include "tests/referee/cone.h"
-#include "tests/referee/disc.h"
-#include "tests/referee/line.h"
-#include "tests/referee/torus.h"
-#include "tests/referee/triangle.h"
+#include "tests/referee/body.h"
 
 namespace strahl {
 namespace {
 
 using namespace referee;
-
-template <class R>
-LineCrossings<R> crossings(const Sphere& sphere, const Line<R>& line, int source) {
-    LineCrossings<R> found;
-    const R r = sphere.radius;
-    const Vector<R> o = line.origin - Vector<R>(sphere.centre), d = line.direction;
-    roots(dot(d, d), dot(o, d), dot(o, o) - r * r, source == 0, [&](R t) { found.add(t, 0, o + t * d); });
-    return found;
-}
-template <class R>
-bool contains(const Sphere& sphere, const Vector<R>& p) {
-    const Vector<R> o = p - Vector<R>(sphere.centre);
-    return dot(o, o) < R(sphere.radius) * R(sphere.radius);
-}
-
-template <class R>
-Vector<R> normal(const Plane& plane) {
-    const Vector<R> a = plane.a;
-    return cross(Vector<R>(plane.b) - a, Vector<R>(plane.c) - a);
-}
-template <class R>
-LineCrossings<R> crossings(const Plane& plane, const Line<R>& line, int source) {
-    LineCrossings<R> found;
-    const Vector<R> n = normal<R>(plane);
-    const R towards = dot(n, line.direction);
-    if (source != 0 && towards != 0) found.add(dot(n, Vector<R>(plane.a) - line.origin) / towards, 0, n);
-    return found;
-}
-template <class R>
-bool contains(const Plane& plane, const Vector<R>& p) {
-    return dot(normal<R>(plane), p - Vector<R>(plane.a)) < 0;
-}
-
-/// Faces: 0 the side, 1 the base, 2 the cap.
-template <class R>
-LineCrossings<R> crossings(const Cylinder& cylinder, const Line<R>& line, int source) {
-    LineCrossings<R> found;
-    const Vector<R> base = cylinder.base, whole = Vector<R>(cylinder.cap) - base, axis = unit(whole);
-    const R r = cylinder.radius, height = dot(axis, whole);
-    const Vector<R> o = line.origin - base, d = line.direction;
-    const R o_along = dot(o, axis), d_along = dot(d, axis);
-    const Vector<R> o_across = o - o_along * axis, d_across = d - d_along * axis;
-    roots(dot(d_across, d_across), dot(o_across, d_across), dot(o_across, o_across) - r * r, source == 0, [&](R t) {
-        const R along = o_along + t * d_along;
-        if (along >= 0 && along <= height) found.add(t, 0, o_across + t * d_across);
-    });
-    for (const int face : {1, 2}) {
-        if (source == face || d_along == 0) continue;
-        const R t = ((face == 1 ? R(0) : height) - o_along) / d_along;
-        const Vector<R> across = o_across + t * d_across;
-        if (dot(across, across) <= r * r) found.add(t, face, R(face == 1 ? -1 : 1) * axis);
-    }
-    return found;
-}
-template <class R>
-bool contains(const Cylinder& cylinder, const Vector<R>& p) {
-    const Vector<R> base = cylinder.base, whole = Vector<R>(cylinder.cap) - base, axis = unit(whole), o = p - base;
-    const R along = dot(o, axis);
-    const Vector<R> across = o - along * axis;
-    return along > 0 && along < dot(axis, whole) && dot(across, across) < R(cylinder.radius) * R(cylinder.radius);
-}
-
-/// A primitive with the transformation into its own space: local = rows * (world - offset), normal' = transposed rows *
-/// normal.
-template <class R>
-struct Body {
-    Shape shape;
-    Material material;
-    std::array<Vector<R>, 3> rows;
-    Vector<R> offset;
-
-    Body(const Primitive& primitive, const Material& material) : shape(primitive.shape), material(material) {
-        const glm::dmat4 m = matrix(primitive.transformations);
-        const Vector<R> a{m[0].x, m[0].y, m[0].z}, b{m[1].x, m[1].y, m[1].z}, c{m[2].x, m[2].y, m[2].z};
-        const R scale = R(1) / dot(a, cross(b, c));
-        rows = {scale * cross(b, c), scale * cross(c, a), scale * cross(a, b)};
-        offset = {m[3].x, m[3].y, m[3].z};
-    }
-    Vector<R> turn(const Vector<R>& v) const { return {dot(rows[0], v), dot(rows[1], v), dot(rows[2], v)}; }
-    bool transparent() const { return material.refraction > 0; }
-    bool surrounds(const Vector<R>& p) const {
-        return std::visit([&](const auto& s) { return contains<R>(s, turn(p - offset)); }, shape);
-    }
-    LineCrossings<R> meet(const Line<R>& line, int self) const {
-        const Line<R> local{turn(line.origin - offset), turn(line.direction)};
-        const int source = line.body == self ? line.face : -1;
-        LineCrossings<R> found = std::visit([&](const auto& s) { return crossings(s, local, source); }, shape);
-        for (auto& [t, face, n] : found.list) n = n.x * rows[0] + n.y * rows[1] + n.z * rows[2];
-        return found;
-    }
-};
 
 struct Signature {
     std::uint64_t value = 0xcbf29ce484222325;
@@ -129,9 +33,9 @@ struct Referee<R>::World {
             for (const auto& crossing : bodies[i].meet(line, i))
                 if (crossing.t > 0 && (body < 0 || crossing.t < hit.t)) body = i, hit = crossing;
         if (body < 0) return signature.add(missed), scene.background;
-        signature.add(100 + 10 * body + hit.face);
+        signature.add(100 + 1000 * body + hit.face);
 
-        const Material& material = bodies[body].material;
+        const Material& material = bodies[body].material(hit.face);
         const Vector<R> of = material.rgb, e = line.direction, p = line.origin + hit.t * e;
         Vector<R> n = unit(hit.normal);
         if (dot(e, n) > 0) n = R(-1) * n;
@@ -150,7 +54,7 @@ struct Referee<R>::World {
         if (generation >= depth) return sum;
 
         R share = material.reflection;
-        if (bodies[body].transparent()) {
+        if (material.refraction > 0) {
             auto [ratio, after] = pass(body, inside);
             const R s = -dot(e, n), k = 1 - ratio * ratio * (1 - s * s);
             signature.add(k < 0 ? total : through);
@@ -172,8 +76,9 @@ struct Referee<R>::World {
         for (int i = 0; i < static_cast<int>(bodies.size()); ++i)
             for (const auto& crossing : bodies[i].meet(line, i)) {
                 if (!(crossing.t > 0 && crossing.t < distance)) continue;
-                if (!bodies[i].transparent()) return signature.add(0), Vector<R>();
-                share = R(bodies[i].material.refraction) * share * Vector<R>(bodies[i].material.rgb);
+                const Material& material = bodies[i].material(crossing.face);
+                if (!(material.refraction > 0)) return signature.add(0), Vector<R>();
+                share = R(material.refraction) * share * Vector<R>(material.rgb);
                 crossed.add(i);
             }
         signature.add(crossed.value);
@@ -182,7 +87,7 @@ struct Referee<R>::World {
 
     /// The ratio n1/n2 at a surface of `body`, and the medium stack behind it, by POV-Ray's rule.
     std::pair<R, std::vector<int>> pass(int body, std::vector<int> inside) const {
-        const auto ior = [&](int i) { return R(bodies[i].material.ior); };
+        const auto ior = [&](int i) { return R(bodies[i].ior); };
         const R here = inside.empty() ? R(1) : ior(inside.back());
         for (std::size_t i = 0; i < inside.size(); ++i) {
             if (inside[i] != body) continue;
@@ -208,7 +113,7 @@ Referee<R>::Referee(const Scene& scene, const Camera& camera, int width, int hei
             height,
             depth,
             {}};
-    for (const Primitive& p : scene.primitives) w.bodies.emplace_back(p, scene.materials[p.material]);
+    for (const Primitive& p : scene.primitives) w.bodies.emplace_back(p, scene.materials);
     world = std::make_unique<const World>(std::move(w));
 }
 template <class R>

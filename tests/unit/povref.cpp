@@ -127,6 +127,33 @@ TEST_CASE("transparent bodies that may overlap cause a warning") {
     CHECK(two("1").warnings.size() == 1);
 }
 
+TEST_CASE("bodies made of bodies: a material for each part, or one for all of a clear one") {
+    const auto lens = [](const std::string& first, const std::string& own) {
+        return camera + light + "intersection {\n  sphere { <0, 0, 1>, 1 " + first +
+               " }\n  sphere { <0, 0.5, 1>, 1 translate <0, 0, 0.5> }\n  scale 2 " + own + " }";
+    };
+    const std::string dull = convert(lens("material { reflection 0 }", "")).pov;
+    CHECK(has(dull,
+              "\nintersection {\n  sphere { <0, 0, 1>, 1 texture { Grey_Gloss } }\n"
+              "  sphere { <0, 0.5, 1>, 1 texture { Grey_Mirror } translate <0, 0, 0.5> }\n  scale 2\n}\n"));
+    const std::string glass = "material { rgb <1, 0, 0> reflection 0 refraction 1 diffuse 0 ior 1.5 }";
+    const PovFiles clear = convert(lens("", glass));
+    CHECK(has(clear.pov,
+              "\n#declare Intersection_1 = intersection {\n  sphere { <0, 0, 1>, 1 }\n"
+              "  sphere { <0, 0.5, 1>, 1 translate <0, 0, 0.5> }\n  scale 2\n}\n"));
+    CHECK(count(clear.pov, "object { Intersection_1 ") == 2);
+    const auto says = [](const PovFiles& files) {
+        return std::ranges::any_of(files.warnings, [](const auto& w) { return has(w, "an interior of its own"); });
+    };
+    CHECK_FALSE(says(clear));
+    const PovFiles mixed = convert(lens("material { rgb <0, 1, 0> }", glass));
+    CHECK(says(mixed));
+    CHECK(count(mixed.pov, "material { Green_Glass }") == 1);
+    CHECK(count(mixed.pov, "texture { Green_Glass_Shadow }") == 1);
+    CHECK(says(convert(lens("material { reflection 0 refraction 0 }", glass))));
+    CHECK(has(convert(camera + "union { sphere { <0, 0, 1>, 1 } sphere { <0, 1, 1>, 1 } }").pov, "\nmerge {\n"));
+}
+
 TEST_CASE("with the camera in glass, bodies are listed in the file's order") {
     const std::string ball = "sphere { <0, -9, 3>, 1 material { refraction 0.5 } }";
     CHECK(has(convert(camera + light + ball).ini, "Bounding=Off"));

@@ -174,6 +174,90 @@ TEST_CASE("transformed bodies: an egg, a mirrored half-space") {
     CHECK(double(referee.at(67, 50).rgb[2]) == .3);  // 1.7 aside
 }
 
+namespace {
+
+std::shared_ptr<const std::vector<Primitive>> list(std::vector<Primitive> parts) {
+    return std::make_shared<const std::vector<Primitive>>(std::move(parts));
+}
+/// A composite of material 0, seen from in front.
+Scene made(const Shape& whole, std::initializer_list<Material> materials) {
+    Scene scene = scene_of({});
+    scene.materials = materials;
+    scene.primitives = {{whole, 0, {}}};
+    return scene;
+}
+const Material glow = with(dull, &Material::ambient, 1);
+Material pane(double share) { return with(dull, &Material::refraction, share); }
+
+}  // namespace
+
+TEST_CASE("a lens refracts at both its faces as a whole, and a union has no surface inside") {
+    Material glass = pane(1);
+    glass.ior = 1.5;
+    const auto two = list({{Sphere{{0, 0, -.6}, 1}, 0, {}}, {Sphere{{0, 0, .6}, 1}, 0, {}}});
+    Scene lens = made(Intersection{two}, {glass, glow});
+    check(ahead(lens, 3), {.1, .2, .3});
+    check(ahead(lens, 2), {0, 0, 0});  // two faces take two generations
+    // A thin lens of radii 1 has the focal length 1: a ray parallel to the axis, .1 aside, crosses it there.
+    lens = made(Intersection{list({{Sphere{{0, 0, -.99}, 1}, 0, {}}, {Sphere{{0, 0, .99}, 1}, 0, {}}})}, {glass, glow});
+    lens.primitives.push_back({Sphere{{0, 0, 1}, .01}, 1, {}});
+    lens.camera = {{.1, 0, -5}, {.1, 0, 0}, {0, -1, 0}, 10, {}};
+    check(ahead(lens), {.5, .25, 1});
+    lens.primitives.erase(lens.primitives.begin());
+    check(ahead(lens), {.1, .2, .3});
+
+    check(ahead(made(Union{two}, {pane(.5)})), {.025, .05, .075});
+    check(ahead(made(Union{two}, {pane(.5)}), 3), {.025, .05, .075});
+}
+
+TEST_CASE("a hollow ball has four faces, each of its part's material") {
+    const Shape hollow = Difference{list({{Sphere{{0, 0, 0}, 2}, 0, {}}, {Sphere{{0, 0, 0}, 1}, 1, {}}})};
+    Scene scene = made(hollow, {pane(.5), pane(.25)});
+    const double share = .25 * .0625;
+    check(ahead(scene), {.1 * share, .2 * share, .3 * share});
+    check(ahead(scene, 4), {0, 0, 0});
+    scene.camera.position = {0, 0, 0};
+    scene.camera.look_at = {0, 0, 1};
+    check(ahead(scene), {.0125, .025, .0375});  // from the middle, which is not in it
+    scene.materials[1] = glow;
+    check(ahead(scene), {.5, .25, 1});
+}
+
+TEST_CASE("a box minus a box that ends where it does is open there") {
+    const Cuboid whole{{-1, -1, -1}, {1, 1, 1}}, lower{{-.5, -.5, -1}, {.5, .5, 0}};
+    const Material ground = with(dull, &Material::ambient, .5);
+    Scene scene = made(Difference{list({{whole, 0, {}}, {lower, 1, {}}})}, {ground, glow});
+    check(ahead(scene), {.5, .25, 1});  // the end of the hollow, not the face that both have
+    // So it is if both are turned by a quarter, and moved on two levels.
+    for (const bool turned : {false, true}) {
+        const std::vector<Transformation> steps =
+            turned ? std::vector<Transformation>{Rotate{{0, 0, 90}}, Scale{DVec3(.5)}} : std::vector<Transformation>{};
+        scene.primitives = {
+            {Difference{list({{Union{list({{whole, 0, steps}})}, 0, {Translate{{0, 0, 1}}}},
+                              {lower, 1,
+                               turned ? std::vector<Transformation>{Scale{DVec3(.5)}, Translate{{0, 0, 1}}}
+                                      : std::vector<Transformation>{Translate{{0, 0, 1}}}}})},
+             0,
+             {Translate{{0, 0, .25}}}}};
+        check(ahead(scene), {.5, .25, 1});
+    }
+    // Of two faces in one place the first declared is seen; a face that the next body goes on behind is none.
+    const Cuboid upper{{-1, -1, 1}, {1, 1, 2}};
+    for (const int first : {0, 1})
+        check(ahead(made(Union{list({{whole, first, {}}, {whole, 1 - first, {}}})}, {ground, glow})),
+              first == 0 ? DVec3(.25, .125, .5) : DVec3(.5, .25, 1));
+    check(ahead(made(Union{list({{whole, 0, {}}, {upper, 0, {}}})}, {pane(.5)}), 3), {.025, .05, .075});
+    check(ahead(made(Intersection{list({{whole, 0, {}}, {upper, 0, {}}})}, {glow})), {.1, .2, .3});
+}
+
+TEST_CASE("a ray that starts on a face in one place with another one does not meet that") {
+    // A mirror that is the common face of two parts shows what is behind the eye.
+    const Material mirror = with(dull, &Material::reflection, 1);
+    const Cuboid whole{{-1, -1, -1}, {1, 1, 1}}, half{{-1, -1, -1}, {1, 1, 0}};
+    check(ahead(made(Union{list({{whole, 0, {}}, {half, 1, {}}})}, {mirror, glow}), 2), {.1, .2, .3});
+    check(ahead(made(Union{list({{half, 0, {}}, {whole, 1, {}}})}, {pane(1), glow}), 2), {.5, .25, 1});
+}
+
 TEST_CASE("long double and 113 bits agree on random scenes") {
     for (std::uint64_t seed = 0; seed < 6; ++seed) {
         const Scene scene = random_scene(seed, {.camera_inside = seed % 3 == 2});

@@ -1,0 +1,146 @@
+// A body of a scene as the referee sees it: one simple body, or all those that a composite consists of.
+#pragma once
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "scene/leaves.h"
+#include "tests/referee/basic.h"
+#include "tests/referee/box.h"
+#include "tests/referee/cone.h"
+#include "tests/referee/disc.h"
+#include "tests/referee/torus.h"
+#include "tests/referee/triangle.h"
+
+namespace strahl::referee {
+
+/// A simple body with the transformation into its own space: local = rows * (world - offset), normal' = transposed rows
+/// * normal. Its faces are numbered from `first_face`.
+template <class R>
+struct Leaf {
+    Shape shape;
+    Material material;
+    int first_face;
+    std::array<Vector<R>, 3> rows;
+    Vector<R> offset;
+
+    Leaf(const Shape& shape, const Material& material, int first_face, const glm::dmat4& m)
+        : shape(shape), material(material), first_face(first_face) {
+        const Vector<R> a{m[0].x, m[0].y, m[0].z}, b{m[1].x, m[1].y, m[1].z}, c{m[2].x, m[2].y, m[2].z};
+        const R scale = R(1) / dot(a, cross(b, c));
+        rows = {scale * cross(b, c), scale * cross(c, a), scale * cross(a, b)};
+        offset = {m[3].x, m[3].y, m[3].z};
+    }
+    Vector<R> turn(const Vector<R>& v) const { return {dot(rows[0], v), dot(rows[1], v), dot(rows[2], v)}; }
+    bool surrounds(const Vector<R>& p) const {
+        return std::visit(
+            [&]<class Kind>(const Kind& kind) {
+                if constexpr (is_composite<Kind>)
+                    return false;
+                else
+                    return contains<R>(kind, turn(p - offset));
+            },
+            shape);
+    }
+    LineCrossings<R> meet(const Line<R>& line, int source) const {
+        const Line<R> local{turn(line.origin - offset), turn(line.direction)};
+        LineCrossings<R> found = std::visit(
+            [&]<class Kind>(const Kind& kind) {
+                if constexpr (is_composite<Kind>)
+                    return LineCrossings<R>();
+                else
+                    return crossings(kind, local, source - first_face);
+            },
+            shape);
+        for (auto& [t, face, n] : found.list) {
+            face += first_face;
+            n = n.x * rows[0] + n.y * rows[1] + n.z * rows[2];
+        }
+        return found;
+    }
+};
+
+template <class R>
+struct Body {
+    Primitive primitive;
+    double ior;  // of the medium that it is, as a whole
+    std::vector<Leaf<R>> leaves;
+
+    Body(const Primitive& primitive, const std::vector<Material>& materials)
+        : primitive(primitive), ior(materials[primitive.material].ior) {
+        int faces = 0;
+        for_each_leaf(primitive, [&](const Primitive& leaf, const glm::dmat4& whole) {
+            leaves.emplace_back(leaf.shape, materials[leaf.material], faces, whole);
+            faces += std::visit([](const auto& kind) { return kind.faces; }, leaf.shape);
+        });
+    }
+    bool transparent() const {
+        return std::any_of(leaves.begin(), leaves.end(), [](const auto& leaf) { return leaf.material.refraction > 0; });
+    }
+    /// A mesh alone has more faces than its kind says.
+    const Material& material(int face) const {
+        auto leaf = leaves.end() - 1;
+        while (leaf->first_face > face) --leaf;
+        return leaf->material;
+    }
+    bool surrounds(const Vector<R>& p) const {
+        auto leaf = leaves.begin();
+        return within(primitive, p, leaf);
+    }
+    LineCrossings<R> meet(const Line<R>& line, int self) const {
+        const int source = line.body == self ? line.face : -1;
+        if (leaves.size() == 1) return leaves[0].meet(line, source);
+        return surface(line, source);
+    }
+
+  private:
+    /// By the operations; `leaf` goes on by those of the part.
+    bool within(const Primitive& part, const Vector<R>& p, typename std::vector<Leaf<R>>::const_iterator& leaf) const {
+        const auto combine = [&]<class Kind>(const Kind& kind) {
+            if constexpr (is_composite<Kind>) {
+                bool any = false, all = true, first = within(kind.parts->front(), p, leaf);
+                for (auto other = kind.parts->begin() + 1; other != kind.parts->end(); ++other) {
+                    const bool in = within(*other, p, leaf);
+                    any |= in, all &= in;
+                }
+                return Kind::operation == Operation::unite       ? first || any
+                       : Kind::operation == Operation::intersect ? first && all
+                                                                 : first && !any;
+            } else {
+                return (leaf++)->surrounds(p);
+            }
+        };
+        return std::visit(combine, part.shape);
+    }
+
+    /// Where points of the line half way to the crossings before and after are on different sides. Crossings in one
+    /// place count as one, of the face declared first, and those at the line's own start as that.
+    LineCrossings<R> surface(const Line<R>& line, int source) const {
+        LineCrossings<R> all, found;
+        if (source >= 0) all.add(0, source, {});
+        for (const Leaf<R>& leaf : leaves)
+            for (const Crossing<R>& crossing : leaf.meet(line, source)) all.list.push_back(crossing);
+        std::stable_sort(all.list.begin(), all.list.end(), [](const auto& a, const auto& b) { return a.t < b.t; });
+        const R reach = 1 + root(dot(line.origin, line.origin));
+        std::vector<Crossing<R>> places;
+        for (const Crossing<R>& crossing : all) {
+            const R t = crossing.t;
+            if (places.empty() || t - places.back().t > R(1e-15) * (reach + (t < 0 ? -t : t)))
+                places.push_back(crossing);
+            else if (places.back().t != 0 && crossing.face < places.back().face)
+                places.back() = crossing;
+        }
+        if (places.empty()) return found;
+        const auto inside = [&](R t) { return surrounds(line.origin + t * line.direction); };
+        bool before = inside(places.front().t - 1);
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            const R t = places[i].t, next = i + 1 < places.size() ? (t + places[i + 1].t) / 2 : t + 1;
+            const bool after = inside(next);
+            if (before != after && !(source >= 0 && t == 0)) found.list.push_back(places[i]);
+            before = after;
+        }
+        return found;
+    }
+};
+
+}  // namespace strahl::referee
