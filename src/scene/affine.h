@@ -45,6 +45,7 @@ struct AffineKernel {
     {
         const Local<S> local = to_local(ray);
         Span<S> span = shape.span(local.ray, start);
+        if (none(span.hit)) return span;
         span.near = span.near / local.stretch, span.far = span.far / local.stretch;
         span.hit = span.hit & box.holds(ray, first_crossing(span));
         return span;
