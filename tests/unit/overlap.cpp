@@ -7,6 +7,8 @@
 #include <cmath>
 #include <random>
 
+#include "scene/leaves.h"
+
 namespace strahl {
 namespace {
 
@@ -42,6 +44,26 @@ TEST_CASE("bodies overlap exactly where some pair of them does") {
     }
     CHECK(overlapping > 50);
     CHECK(overlapping < 350);
+}
+
+TEST_CASE("a composite with a part of glass may overlap, and its parts are found wherever they are") {
+    Scene scene = glass();
+    scene.materials.push_back({.refraction = 0});
+    const auto part = [](int material) { return Primitive{Sphere{{1, 0, 0}, 1}, material, {Rotate{{0, 0, 90}}}}; };
+    for (const int inner : {0, 1}) {
+        const Union pair{std::make_shared<const std::vector<Primitive>>(std::vector<Primitive>{part(1), part(inner)})};
+        scene.primitives = {{pair, 1, {Translate{{5, 0, 0}}}}};
+        CHECK(transparent(scene, scene.primitives[0]) == (inner == 0));
+        CHECK(transparent_bodies_overlap(scene) == (inner == 0));
+    }
+    std::vector<int> materials;
+    for_each_leaf(scene.primitives[0], [&](const Primitive& leaf, const glm::dmat4& whole) {
+        materials.push_back(leaf.material);
+        CHECK(transform_point(whole, {1, 0, 0}) == DVec3(5, 1, 0));
+    });
+    CHECK(materials == std::vector<int>{1, 1});
+    CHECK(contains(scene.primitives[0], {5, 1.9, 0}));
+    CHECK_FALSE(contains(scene.primitives[0], {5, 2.1, 0}));
 }
 
 TEST_CASE("a hundred thousand glass balls are looked through in no time, along whatever axis they lie") {
