@@ -63,7 +63,7 @@ struct Leaf {
 template <class R>
 struct Body {
     Primitive primitive;
-    double ior;  // of the medium that it is, as a whole
+    double ior;  // of the medium that it is as a whole: its own material's, or that of its first glass part
     std::vector<Leaf<R>> leaves;
 
     Body(const Primitive& primitive, const std::vector<Material>& materials)
@@ -73,6 +73,9 @@ struct Body {
             leaves.emplace_back(leaf.shape, materials[leaf.material], faces, whole);
             faces += std::visit([](const auto& kind) { return kind.faces; }, leaf.shape);
         });
+        const auto glass = [](const Leaf<R>& leaf) { return leaf.material.refraction > 0; };
+        const auto first = std::find_if(leaves.begin(), leaves.end(), glass);
+        if (!(materials[primitive.material].refraction > 0) && first != leaves.end()) ior = first->material.ior;
     }
     bool transparent() const {
         return std::any_of(leaves.begin(), leaves.end(), [](const auto& leaf) { return leaf.material.refraction > 0; });
