@@ -1,5 +1,6 @@
 // Where the hits of a body can be.
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -16,9 +17,11 @@ template <class T>
 struct HitBox {
     Vec3<T> middle, half;
 
-    /// Of a box that has been through the matrix. It is larger by what rounding of its own numbers may cost.
+    /// Of a box that has been through the matrix. It is larger by what rounding of its own numbers, which have been
+    /// double, may cost.
     static HitBox of(const Box& bounds, const WorldTransform& to_world) {
-        constexpr double rounding = 4 * static_cast<double>(std::numeric_limits<T>::epsilon());
+        constexpr double rounding = 4 * std::max(static_cast<double>(std::numeric_limits<T>::epsilon()),
+                                                 std::numeric_limits<double>::epsilon());
         const DVec3 middle = to_world.place(bounds.centre()), size = bounds.size() * to_world.scale;
         DVec3 half;
         for (int c = 0; c < 3; ++c) half[c] = size[c] / 2 + rounding * (std::fabs(middle[c]) + size[c]);

@@ -44,7 +44,8 @@ std::string shape_text(const Kind& shape) {
 }
 std::string shape_text(const Mesh& mesh) {
     if (!mesh.file.empty()) return std::string(Mesh::name) + " { file \"" + mesh.file + "\"";
-    std::string text = std::string(Mesh::name) + " {";
+    std::string text(Mesh::name);
+    text += " {";
     const auto& [points, normals, triangles, corner_normals] = *mesh.data;
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         const auto point = [&](int k) { return points[triangles[i][k]]; };
@@ -65,7 +66,8 @@ std::string primitive_text(const Primitive& primitive, const std::vector<Materia
 template <Operation operation>
 std::string shape_text(const Composite<operation>& composite, const std::vector<Material>& materials,
                        const Material& own, const std::string& indent) {
-    std::string text = std::string(composite.name) + " {";
+    std::string text(composite.name);
+    text += " {";
     for (const Primitive& part : *composite.parts)
         text += "\n" + indent + "  " + primitive_text(part, materials, own, indent + "  ");
     return text;
@@ -91,7 +93,8 @@ std::string primitive_text(const Primitive& primitive, const std::vector<Materia
     for (const std::string& item : items) length += 2 + item.size();
     lines |= length > 100;
     for (const std::string& item : items) text += (lines ? "\n" + indent + "  " : "  ") + item;
-    return text + (lines ? "\n" + indent + "}" : " }");
+    text += lines ? "\n" + indent + "}" : " }";
+    return text;
 }
 
 std::string settings_text(const Settings& settings) {
