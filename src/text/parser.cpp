@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 #include <utility>
 
 #include "text/blocks.h"
@@ -193,7 +194,8 @@ void Parser::shape(std::string_view word, std::vector<Primitive>& bodies, Block&
     Block block{word};
     std::string_view material_at, last;
     constexpr bool is_mesh = std::is_same_v<Kind, Mesh>;
-    MeshBlock mesh(reader, folder, mesh_files);
+    std::optional<MeshBlock> mesh;  // costs more than most bodies
+    if (is_mesh) mesh.emplace(reader, folder, mesh_files);
     std::vector<Primitive> parts;
     reader.block(
         block, words_in<Kind>, [&] { read_arguments(reader, kind, block); },
@@ -203,7 +205,7 @@ void Parser::shape(std::string_view word, std::vector<Primitive>& bodies, Block&
                 block.absorb(material(inner, written[primitive.material]));
                 return true;
             }
-            if (is_mesh && mesh.part(inner, block)) return true;
+            if (is_mesh && mesh->part(inner, block)) return true;
             if (is_composite<Kind> && body(inner, parts, block, depth + 1)) return true;
             if (!contains(shape_words, inner)) return false;
             limit(primitive.transformations.size(), limits.transformations, inner, "transformations of one primitive");
@@ -211,7 +213,7 @@ void Parser::shape(std::string_view word, std::vector<Primitive>& bodies, Block&
             last = inner;
             return true;
         });
-    if constexpr (is_mesh) kind = mesh.take(word, block);
+    if constexpr (is_mesh) kind = mesh->take(word, block);
     if constexpr (is_composite<Kind>) kind.parts = std::make_shared<const std::vector<Primitive>>(std::move(parts));
     if (block.good()) {
         std::string_view at = word;

@@ -135,12 +135,12 @@ TEST_CASE("bodies made of bodies: a material for each part, or one for all of a 
     const std::string dull = convert(lens("material { reflection 0 }", "")).pov;
     CHECK(has(dull,
               "\nintersection {\n  sphere { <0, 0, 1>, 1 texture { Grey_Gloss } }\n"
-              "  sphere { <0, 0.5, 1>, 1 texture { Grey_Mirror } translate <0, 0, 0.5> }\n  scale 2\n}\n"));
+              "  sphere { <0, 0.5, 1>, 1 texture { Grey_Mirror } translate <0, 0, 0.5> }\n  scale 2\n  scale Unit\n}\n"));
     const std::string glass = "material { rgb <1, 0, 0> reflection 0 refraction 1 diffuse 0 ior 1.5 }";
     const PovFiles clear = convert(lens("", glass));
     CHECK(has(clear.pov,
               "\n#declare Intersection_1 = intersection {\n  sphere { <0, 0, 1>, 1 }\n"
-              "  sphere { <0, 0.5, 1>, 1 translate <0, 0, 0.5> }\n  scale 2\n}\n"));
+              "  sphere { <0, 0.5, 1>, 1 translate <0, 0, 0.5> }\n  scale 2\n  scale Unit\n}\n"));
     CHECK(count(clear.pov, "object { Intersection_1 ") == 2);
     const auto says = [](const PovFiles& files) {
         return std::ranges::any_of(files.warnings, [](const auto& w) { return has(w, "an interior of its own"); });
