@@ -117,18 +117,22 @@ struct TorusKernel {
 
         const S pull = major * k;
         Mask<S> found = hit;
-        const S deepest = profile.extreme(middle + pull, found, false, false);
-        hit = (hit & (profile(deepest).gap < zero)) | starts_here;
-        none_at_all.hit = hit;
-        if (none(hit)) return none_at_all;
-
-        // A second minimum, on the other side of the axis.
+        // The deeper minimum; where there is a second one, on the other side of the axis, and the maximum between them.
+        // One loop, so that its code is there once.
+        S extremes[3]{middle + pull, middle - pull, -x / k};
         Mask<S> hump = hit & (abs(y) < pull * k);
-        S other = deepest, top = deepest;
-        if (any(hump)) {
-            other = profile.extreme(middle - pull, hump, true, false);
-            top = profile.extreme(-x / k, hump, true, true);
+#pragma GCC unroll 1
+        for (int i = 0; i < 3; ++i) {
+            extremes[i] = profile.extreme(extremes[i], i == 0 ? found : hump, i == 1, i == 2);
+            if (i > 0) continue;
+            hit = (hit & (profile(extremes[0]).gap < zero)) | starts_here;
+            none_at_all.hit = hit;
+            if (none(hit)) return none_at_all;
+            hump = hump & hit;
+            if (none(hump)) break;
         }
+        const S deepest = extremes[0], other = select(hump, extremes[1], deepest),
+                top = select(hump, extremes[2], deepest);
         Mask<S> four = hump & (profile(other).gap < zero), first = four;
         four = four & (profile(top).gap > zero);
 
@@ -142,13 +146,16 @@ struct TorusKernel {
         }
         const S width = sqrt(max(beyond, zero)) * S(1 + E(8) * std::numeric_limits<E>::epsilon()) +
                         reach * S(E(8) * std::numeric_limits<E>::epsilon());
-        S t0 = profile.crossing(select(first, other, deepest), middle - width, middle - width, hit);
-        S t1 = other, t2 = top;
-        if (any(four)) {
-            t1 = profile.crossing(other, top, half * (other + top), four);
-            t2 = profile.crossing(deepest, top, half * (deepest + top), four);
+        // Between a point inside and one outside. One loop, so that its code is there once.
+        const S inside[4]{select(first, other, deepest), other, deepest, deepest};
+        const S outside[4]{middle - width, top, top, middle + width};
+        S t[4]{outside[0], half * (other + top), half * (deepest + top), outside[3]};
+#pragma GCC unroll 1
+        for (int i = 0; i < 4; ++i) {
+            const Mask<S> wanted = i == 0 || i == 3 ? hit : four;
+            if (any(wanted)) t[i] = profile.crossing(inside[i], outside[i], t[i], wanted);
         }
-        S t3 = profile.crossing(deepest, middle + width, middle + width, hit);
+        S t0 = t[0], t1 = select(four, t[1], other), t2 = select(four, t[2], top), t3 = t[3];
         if (any(starts_here)) {  // the known one is 0, and the others are where they can be
             const Mask<S> at0 = starts_here & (!rising) & (left | !four), at1 = rising & left;
             const Mask<S> at2 = starts_here & !(rising | at0), at3 = rising & !left, not3 = starts_here & !at3;

@@ -69,7 +69,7 @@ std::string shape_text(const Composite<operation>& composite, const std::vector<
     std::string text(composite.name);
     text += " {";
     for (const Primitive& part : *composite.parts)
-        text += "\n" + indent + "  " + primitive_text(part, materials, own, indent + "  ");
+        text.append("\n").append(indent).append("  ").append(primitive_text(part, materials, own, indent + "  "));
     return text;
 }
 
@@ -86,15 +86,15 @@ std::string primitive_text(const Primitive& primitive, const std::vector<Materia
                 return shape_text(shape);
         },
         primitive.shape);
+    const std::string new_line = std::string("\n").append(indent);
     std::vector<std::string> items;
     for (const Transformation& step : primitive.transformations) items.push_back(transformation_text(step));
     if (own != base) items.push_back("material { " + parameters(own, base) + " }");
     std::size_t length = text.size();
     for (const std::string& item : items) length += 2 + item.size();
     lines |= length > 100;
-    for (const std::string& item : items) text += (lines ? "\n" + indent + "  " : "  ") + item;
-    text += lines ? "\n" + indent + "}" : " }";
-    return text;
+    for (const std::string& item : items) text.append(lines ? new_line : "").append("  ").append(item);
+    return text.append(lines ? new_line : " ").append("}");
 }
 
 std::string settings_text(const Settings& settings) {

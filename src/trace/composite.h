@@ -5,19 +5,31 @@
 
 namespace strahl::inline STRAHL_LEVEL {
 
+/// Room for n values, none of which is made: that alone would take longer than most walks.
+template <class V, int n>
+class Room {
+  public:
+    V& operator[](int i) { return reinterpret_cast<V*>(bytes)[i]; }
+    const V& operator[](int i) const { return reinterpret_cast<const V*>(bytes)[i]; }
+
+  private:
+    static_assert(std::is_trivially_copyable_v<V>);
+    alignas(V) std::byte bytes[n * sizeof(V)];
+};
+
 /// The parts of a composite along a pack of rays.
 template <class S>
 class CompositeWalk {
     using T = Element<S>;
 
   public:
-    CompositeWalk(const World<T>& world, const CompositeInfo& composite, const Ray<S>& ray)
+    [[gnu::noinline]] CompositeWalk(const World<T>& world, const CompositeInfo& composite, const Ray<S>& ray)
         : world(world), composite(composite) {
         S start_key(T(-1));
         if (any((ray.source >= S(static_cast<T>(composite.surface))) &
                 (ray.source < S(static_cast<T>(composite.surface + composite.surfaces)))))
             start_key = keys_of(ray.source);
-        S planes[most_planes];
+        Room<S, most_planes> planes;
         for (int i = 0; i < composite.planes; ++i) {
             const CompositePlane<T>& plane = world.planes[composite.first_plane + i];
             const Vec3<S> n = splat<S>(plane.normal);
@@ -28,8 +40,8 @@ class CompositeWalk {
     }
 
     /// Is the composite's inside there, just after `t`?
-    Mask<S> inside_after(const S& t) const {
-        Mask<S> stack[most_leaves];
+    [[gnu::noinline]] Mask<S> inside_after(const S& t) const {
+        Room<Mask<S>, most_leaves> stack;
         int height = 0, leaf = 0;
         for (int i = 0; i < composite.steps; ++i) switch (world.steps[composite.first_step + i]) {
                 case CompositeStep::leaf:
@@ -48,7 +60,7 @@ class CompositeWalk {
         return stack[0];
     }
     /// The next end of any part beyond `t`; infinite if there is none.
-    S next(const S& t) const {
+    [[gnu::noinline]] S next(const S& t) const {
         S best(std::numeric_limits<T>::infinity());
         const auto look = [&](const S& end) { best = select((end > t) & (end < best), end, best); };
         for (int i = 0; i < composite.leaves; ++i)
@@ -101,7 +113,7 @@ class CompositeWalk {
     }
     /// Faces in the same place share a key, and so are crossed at the same t: planes by being one, others by their own
     /// equal formulas. A ray that starts on one of them starts on all.
-    void cross(int i, const Ray<S>& ray, const S& start_key, const S* planes) {
+    void cross(int i, const Ray<S>& ray, const S& start_key, const Room<S, most_planes>& planes) {
         const CompositeLeaf& own = leaf(i);
         const std::int32_t* const keys = world.face_keys + composite.first_key + (own.surface - composite.surface);
         LeafEnds<S>& end = ends[i];
@@ -133,7 +145,7 @@ class CompositeWalk {
 
     const World<T>& world;
     const CompositeInfo& composite;
-    LeafEnds<S> ends[most_leaves];
+    Room<LeafEnds<S>, most_leaves> ends;
 };
 
 template <class S>
@@ -199,5 +211,11 @@ struct FormFunctions<CompositeForm, S> {
         return dark;
     }
 };
+
+/// Hits are on leaves, and shaded as those of their forms.
+template <class S>
+const std::array<FormCalls<S>, 1> KindCalls<Union, S>::calls{
+    {{&FormFunctions<CompositeForm, S>::intersect, &FormFunctions<CompositeForm, S>::intersect_single,
+      &FormFunctions<CompositeForm, S>::occlude, &FormFunctions<CompositeForm, S>::occlude_single}}};
 
 }  // namespace strahl::inline STRAHL_LEVEL

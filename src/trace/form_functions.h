@@ -87,6 +87,11 @@ struct KindCalls {
     static constexpr std::size_t forms = std::tuple_size_v<typename Kind::template Kernels<Element<S>>>;
     static const std::array<FormCalls<S>, forms> calls;
 };
+template <class S>
+struct KindCalls<Union, S> {
+    static constexpr std::size_t forms = 1;
+    static const std::array<FormCalls<S>, 1> calls;
+};
 template <class S, class Forms>
 struct FormTable;
 template <class S, class... F>

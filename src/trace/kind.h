@@ -1,7 +1,6 @@
 // The code of a kind's forms. Every kind has a file of its own that instantiates this, made by kernels.cmake, so that
 // processors share the work of compiling.
 #pragma once
-#include "trace/composite.h"
 #include "trace/form_functions.h"
 
 namespace strahl::inline STRAHL_LEVEL {
@@ -240,15 +239,11 @@ template <class Form, class S>
 constexpr FormCalls<S> calls_of() {
     using Own = FormFunctions<Form, S>;
     FormCalls<S> calls{&Own::intersect, &Own::intersect_single, &Own::occlude, &Own::occlude_single};
-    if constexpr (std::is_same_v<Form, CompositeForm>)
-        return calls;
-    else {
-        calls.surfaces_at = &Own::surfaces_at;
-        if constexpr (Form::Kind::closed && Form::Kind::bounded) calls.ends = &Own::ends;
-        if constexpr (!Form::hot) calls.surface_at = &Own::surface_at;
-        if constexpr (!Form::hot && Form::Kind::convex) calls.span = &Own::span;
-        return calls;
-    }
+    calls.surfaces_at = &Own::surfaces_at;
+    if constexpr (Form::Kind::closed && Form::Kind::bounded) calls.ends = &Own::ends;
+    if constexpr (!Form::hot) calls.surface_at = &Own::surface_at;
+    if constexpr (!Form::hot && Form::Kind::convex) calls.span = &Own::span;
+    return calls;
 }
 template <class S, class... F>
 constexpr std::array<FormCalls<S>, sizeof...(F)> calls_of_all(FormList<F...>) {
