@@ -39,13 +39,16 @@ class CompositeWalk {
         for (int i = 0; i < composite.leaves; ++i) cross(i, ray, start_key, planes);
     }
 
-    /// Is the composite's inside there, just after `t`?
-    [[gnu::noinline]] Mask<S> inside_after(const S& t) const {
+    /// Is the composite's inside there, just after `t`? And were it, if the leaf `other` were the opposite of what it
+    /// is?
+    [[gnu::noinline]] Mask<S> inside_after(const S& t, int other = -1) const {
         Room<Mask<S>, most_leaves> stack;
         int height = 0, leaf = 0;
         for (int i = 0; i < composite.steps; ++i) switch (world.steps[composite.first_step + i]) {
                 case CompositeStep::leaf:
-                    stack[height++] = inside_leaf(leaf++, t);
+                    stack[height] = inside_leaf(leaf, t);
+                    if (leaf++ == other) stack[height] = !stack[height];
+                    ++height;
                     break;
                 case CompositeStep::unite:
                     --height, stack[height - 1] = stack[height - 1] | stack[height];
@@ -67,16 +70,30 @@ class CompositeWalk {
             for (int k = 0; k < ends[i].pairs; ++k) look(ends[i].near[k]), look(ends[i].far[k]);
         return best;
     }
-    /// Calls visit(leaf, lanes, faces) for the parts that end at `t`; of several in a lane the first declared counts.
+    /// Calls visit(leaf, lanes, faces) for the leaves that make the whole change at `t`. Of several that end there the
+    /// first declared counts without which the whole would not change, or the first if it would without each.
     template <class Visit>
     void ends_at(const S& t, Mask<S> lanes, const Visit& visit) const {
-        for (int i = 0; i < composite.leaves && any(lanes); ++i)
-            for (int k = 0; k < ends[i].pairs; ++k) {
-                const Mask<S> near = lanes & (ends[i].near[k] == t), far = lanes & (ends[i].far[k] == t) & !near;
-                if (none(near | far)) continue;
-                visit(leaf(i), Mask<S>(near | far), select(near, ends[i].near_face, ends[i].far_face));
-                lanes = lanes & !(near | far);
+        S found(0);
+        for (int i = 0; i < composite.leaves; ++i) found = found + select(ends_of(i, t), S(1), S(0));
+        const Mask<S> several = lanes & (found > S(1));
+        if (any(several)) [[unlikely]] {
+            const Mask<S> inside = inside_after(t);
+            Mask<S> left = several;
+            for (int i = 0; i < composite.leaves && any(left); ++i) {
+                const Mask<S> own = left & ends_of(i, t);
+                if (none(own)) continue;
+                const Mask<S> without = inside_after(t, i), decides = own & ((inside & !without) | (without & !inside));
+                show(i, t, decides, visit);
+                left = left & !decides;
             }
+            lanes = (lanes & !several) | left;
+        }
+        for (int i = 0; i < composite.leaves && any(lanes); ++i) {
+            const Mask<S> own = lanes & ends_of(i, t);
+            show(i, t, own, visit);
+            lanes = lanes & !own;
+        }
     }
     /// Goes along the rays, and calls crossed(t, lanes) where these enter or leave the composite, until it has no more
     /// lanes: it takes away those that are done. `limit(lanes)` tells how far there is anything to find.
@@ -94,6 +111,19 @@ class CompositeWalk {
     }
 
   private:
+    /// Does a leaf end there?
+    Mask<S> ends_of(int i, const S& t) const {
+        Mask<S> any = (ends[i].near[0] == t) | (ends[i].far[0] == t);
+        if (ends[i].pairs > 1) any = any | (ends[i].near[1] == t) | (ends[i].far[1] == t);
+        return any;
+    }
+    template <class Visit>
+    void show(int i, const S& t, Mask<S> lanes, const Visit& visit) const {
+        if (none(lanes)) return;
+        Mask<S> near = ends[i].near[0] == t;
+        if (ends[i].pairs > 1) near = near | (ends[i].near[1] == t);
+        visit(leaf(i), lanes, select(near, ends[i].near_face, ends[i].far_face));
+    }
     const CompositeLeaf& leaf(int i) const { return world.leaves[composite.first_leaf + i]; }
 
     /// The keys of the faces that rays start on.

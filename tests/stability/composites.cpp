@@ -59,19 +59,28 @@ class Tree {
         std::ranges::stable_sort(ends, {}, &End::t);
         const auto inside = [&](R t) {
             const Vector<R> p = line.origin + t * line.direction;
-            return holds(whole, {double(p.x), double(p.y), double(p.z)});
+            return [=, this, at = DVec3(double(p.x), double(p.y), double(p.z))](int other) {
+                int leaf = 0;
+                return holds(whole, at, leaf, other);
+            };
         };
         R before = 0;
         for (std::size_t i = 0; i < ends.size();) {
             std::size_t last = i;
-            int first_leaf = ends[i].leaf;
-            while (last + 1 < ends.size() && ends[last + 1].t - ends[i].t < 1e-14L)
-                first_leaf = std::min(first_leaf, ends[++last].leaf);
+            while (last + 1 < ends.size() && ends[last + 1].t - ends[i].t < 1e-14L) ++last;
+            std::vector<int> leaves;
+            for (std::size_t k = i; k <= last; ++k) leaves.push_back(ends[k].leaf);
+            std::ranges::sort(leaves);
             const R t = ends[i].t, next = last + 1 < ends.size() ? ends[last + 1].t : t + 2;
             i = last + 1;
             if (t <= 0) continue;
             if (t - before < unsure || next - t < unsure) return -2;
-            if (inside((before + t) / 2) != inside((t + next) / 2)) return first_leaf;
+            const auto after = inside((t + next) / 2);
+            if (inside((before + t) / 2)(-1) != after(-1)) {
+                for (const int leaf : leaves)
+                    if (after(leaf) != after(-1)) return leaf;
+                return leaves[0];
+            }
             before = t;
         }
         return -1;
@@ -123,9 +132,26 @@ class Tree {
         return {Scale{DVec3(dice(0, 1) < .5 ? .5 : 2) * DVec3(1, dice(0, 1) < .3 ? -1 : 1, dice(0, 1) < .3 ? 2 : 1)}};
     }
 
-    static bool holds(const Primitive& part, const DVec3& p) {
+    /// By the operations; the leaf `other` is taken for the opposite of what it is.
+    static bool holds(const Primitive& part, const DVec3& p, int& leaf, int other) {
         const DVec3 local = transform_point(glm::inverse(matrix(part.transformations)), p);
-        return std::visit([&](const auto& shape) { return shape.contains(local); }, part.shape);
+        return std::visit(
+            [&]<class Kind>(const Kind& shape) {
+                if constexpr (is_composite<Kind>) {
+                    bool result = false;
+                    for (std::size_t i = 0; i < shape.parts->size(); ++i) {
+                        const bool own = holds((*shape.parts)[i], local, leaf, other);
+                        result = i == 0                                    ? own
+                                 : Kind::operation == Operation::unite     ? result || own
+                                 : Kind::operation == Operation::intersect ? result && own
+                                                                           : result && !own;
+                    }
+                    return result;
+                } else {
+                    return shape.contains(local) != (leaf++ == other);
+                }
+            },
+            part.shape);
     }
     void add_ends(const Primitive& part, const Line<R>& line, const glm::dmat4& outer, int& leaf,
                   std::vector<End>& ends) const {
