@@ -2,6 +2,7 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 #include <tuple>
 
@@ -122,28 +123,31 @@ struct TriangleKernel {
 
 template <class T>
 STRAHL_INLINE bool is_corner(const TriangleKernel<T>& triangle, const Vec3<T>& p) {
-    const auto same = [&](const Vec3<T>& v) { return v.x == p.x && v.y == p.y && v.z == p.z; };
-    return same(triangle.a) || same(triangle.b) || same(triangle.c);
+    for (const Vec3<T>* corner : {&triangle.a, &triangle.b, &triangle.c})
+        if (corner->x == p.x && corner->y == p.y && corner->z == p.z) return true;
+    return false;
 }
 template <class T>
 STRAHL_INLINE bool share_a_corner(const TriangleKernel<T>& v, const TriangleKernel<T>& w) {
     return is_corner(v, w.a) || is_corner(v, w.b) || is_corner(v, w.c);
+}
+/// How far a corner of a second triangle is above the plane of the first: 0 for shared ones, and within rounding.
+template <class T>
+STRAHL_INLINE T height_above(const TriangleKernel<T>& first, const Vec3<T>& corner) {
+    const Vec3<T> e = first.b - first.a, f = first.c - first.a, n = cross(e, f), v = corner - first.a;
+    const T unsure = 16 * std::numeric_limits<T>::epsilon() * sqrt(dot(e, e)) * sqrt(dot(f, f)) * sqrt(dot(v, v));
+    const T height = dot(n, v);
+    return is_corner(first, corner) || !(abs(height) > unsure) ? T(0) : height;
 }
 /// Where a line crosses a triangle beside the one on which its ray starts: 0 if that is not ahead. The start is off by
 /// rounding, and so may lie behind the other triangle or in front of it; what counts is on which side of the first
 /// one's plane the other one lies where it is crossed.
 template <class T>
 STRAHL_INLINE T crossing_beside(const TriangleKernel<T>& first, const TriangleKernel<T>& other, const Ray<T>& ray) {
-    const auto length = [](const Vec3<T>& v) { return sqrt(dot(v, v)); };
-    const Vec3<T> e = first.b - first.a, f = first.c - first.a, n = cross(e, f);
-    const T unsure = 16 * std::numeric_limits<T>::epsilon() * length(e) * length(f);
-    const auto height = [&](const Vec3<T>& corner) {
-        const Vec3<T> v = corner - first.a;
-        const T h = dot(n, v);
-        return is_corner(first, corner) || !(abs(h) > unsure * length(v)) ? T(0) : h;
-    };
     const SeenTriangle<T> seen = other.seen(ray);
-    const T sum = seen.of_a * height(other.a) + seen.of_b * height(other.b) + seen.of_c * height(other.c);
+    const T sum = seen.of_a * height_above(first, other.a) + seen.of_b * height_above(first, other.b) +
+                  seen.of_c * height_above(first, other.c);
+    const Vec3<T> n = cross(first.b - first.a, first.c - first.a);
     const T t = sum / ((seen.of_a + seen.of_b + seen.of_c) * dot(n, ray.direction));
     return t > 0 ? t : T(0);
 }

@@ -206,7 +206,7 @@ void compare(Dice& dice, Precision precision, R unsure, Count& sum) {
 
 TEST_CASE("random trees with faces in the same planes, against plain inside tests") {
     const char* const wanted = std::getenv("STRAHL_RAYS");
-    const double rays = wanted ? std::atof(wanted) : 3e5;
+    const double rays = wanted ? std::atof(wanted) : 6e4;
     for (const auto& [precision, unsure] :
          {std::pair(Precision::float64, 1e-9L), std::pair(Precision::float32, 2e-3L)}) {
         Dice dice;
