@@ -63,11 +63,11 @@ Box transformed_bounds(const Primitive& primitive, const glm::dmat4& to_world) {
         [&](const auto& shape) {
             const glm::dmat4 m = to_world * matrix(primitive.transformations);
             const Box own = shape.bounds();
-            if (m == glm::dmat4(1) || !own.finite()) return own;
+            if (m == glm::dmat4(1)) return own;
             if constexpr (requires { shape.bounds(m); })
-                return shape.bounds(m);
+                return shape.bounds(m);  // of a composite it may be infinite on some sides alone
             else
-                return transformed(own, m);
+                return own.finite() ? transformed(own, m) : own;
         },
         primitive.shape);
 }

@@ -5,6 +5,8 @@
 
 #include <chrono>
 #include <cmath>
+#include <limits>
+#include <memory>
 #include <random>
 
 #include "scene/leaves.h"
@@ -51,7 +53,8 @@ TEST_CASE("a composite with a part of glass may overlap, and its parts are found
     scene.materials.push_back({.refraction = 0});
     const auto part = [](int material) { return Primitive{Sphere{{1, 0, 0}, 1}, material, {Rotate{{0, 0, 90}}}}; };
     for (const int inner : {0, 1}) {
-        const Union pair{std::make_shared<const std::vector<Primitive>>(std::vector<Primitive>{part(1), part(inner)})};
+        const Union pair{
+            std::make_shared<const std::vector<strahl::Primitive>>(std::vector<Primitive>{part(1), part(inner)})};
         scene.primitives = {{pair, 1, {Translate{{5, 0, 0}}}}};
         CHECK(transparent(scene, scene.primitives[0]) == (inner == 0));
         CHECK(transparent_bodies_overlap(scene) == (inner == 0));
@@ -84,3 +87,11 @@ TEST_CASE("a hundred thousand glass balls are looked through in no time, along w
 
 }  // namespace
 }  // namespace strahl
+
+TEST_CASE("a composite that is endless on one side moves with its transformations") {
+    const auto half = std::make_shared<const std::vector<strahl::Primitive>>(
+        std::vector<strahl::Primitive>{{strahl::Plane{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, 0, {}}});
+    const strahl::Box box = strahl::world_bounds({strahl::Intersection{half}, 0, {strahl::Translate{{0, 0, 5}}}});
+    CHECK(box.high.z == 5);
+    CHECK(box.low.z == -std::numeric_limits<double>::infinity());
+}
