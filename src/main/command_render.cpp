@@ -21,6 +21,7 @@
 #include "text/parse.h"
 #include "text/utf8.h"
 #include "trace/accuracy.h"
+#include "trace/cell_picture.h"
 #include "trace/thread_pool.h"
 
 namespace strahl {
@@ -205,7 +206,14 @@ class Renderer {
             const std::uint64_t size = std::uint64_t(tile.lattice.columns) * tile.lattice.rows;
             progress.advance(done.fetch_add(size) + size, pixels());
         };
-        stats.rays += tracer.trace(view(camera, accuracy.depth, accuracy.dropped), part, pool, keep, interrupt.flag());
+        const View seen = view(camera, accuracy.depth, accuracy.dropped);
+        if (stats.sampling.grid > 0) {
+            stats.rays += tracer.trace(seen, stats.sampling, part, pool, keep, interrupt.flag());
+        } else {
+            CellPicture cells(tracer.scene(), seen, part, stats.sampling.error);
+            stats.rays += tracer.trace(seen, cells, 0, pool, keep, interrupt.flag());
+            stats.sampled += cells.sampled();
+        }
         return done;
     }
 
@@ -264,6 +272,8 @@ int render_command(const RenderOptions& options) {
     require_different_files(options);
 
     Stats stats;
+    stats.sampling = options.sampling;
+    if (options.error) stats.sampling.error = *options.error;
     stats.size = options.size;
     stats.crop = options.crop;
     Stopwatch watch;

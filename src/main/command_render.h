@@ -18,6 +18,7 @@ struct RenderOptions {
     std::optional<int> depth;            // 1 to 256; by default the scene's max_trace_level, or what `error` needs
     std::optional<Precision> precision;  // by default double, or what `error` needs
     std::optional<double> error;         // largest error of the file's values; see --error
+    Sampling sampling;                   // its error is `error`, if that is given
     Simd simd = Simd::automatic;
     int threads = 0;             // 0: all processors
     std::optional<double> time;  // seconds into the flythrough

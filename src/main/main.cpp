@@ -36,11 +36,15 @@ void add_render(CLI::App& app, Action& action) {
     command
         ->add_option(
             "--error", o->error,
-            "Largest error allowed in each channel, whose values are from 0 to 1. Precision and rays are chosen to "
-            "match; --stats reports how. 0: no pruning. Without this option only light that can't change the file "
-            "by half a step is pruned")
+            "Error allowed in each channel, whose values are from 0 to 1: bounded for what rays leave out, and the RMS "
+            "error aimed at for the averages over pixels. Precision and rays are chosen to match; --stats reports how. "
+            "0: no pruning. Without this option only light that can't change the file by half a step is pruned, and "
+            "1/510 is aimed at")
         ->check(numbers(0, 1e9))
         ->type_name("E");
+    add_parsed(command, "--samples", o->sampling, parse_samples,
+               "Rays in each pixel: 1, through its middle, or NxN, a grid. By default as many as the picture needs",
+               "N");
     add_choice<std::optional<Precision>>(
         command, "--precision", o->precision,
         {{"float", Precision::float32}, {"double", Precision::float64}, {"extended", Precision::extended}},

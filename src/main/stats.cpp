@@ -1,6 +1,7 @@
 // Statistics as JSON. No string needs escaping: all are our own words.
 #include "main/stats.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -17,6 +18,16 @@ std::string number(double value) {
     else
         text << "null";
     return text.str();
+}
+
+/// What is said of the averages over pixels is aimed at and estimated; the "error" of the rays is bounded.
+std::string samples(const Stats& stats) {
+    const auto& [grid, centre, error] = stats.sampling;
+    if (grid > 0) return "{ \"in_each_pixel\": " + std::to_string(grid * grid + centre) + " }";
+    return "{ \"aimed\": " + number(std::max(error, least_sampling_error)) +
+           ", \"estimated\": " + number(stats.sampled.error()) +
+           ", \"median\": " + std::to_string(stats.sampled.median()) +
+           ", \"most\": " + std::to_string(stats.sampled.most()) + " }";
 }
 
 }  // namespace
@@ -37,6 +48,7 @@ std::string to_json(const Stats& stats) {
     json << "  \"error\": { \"allowed\": " << number(stats.error) << ", \"dropped\": " << number(stats.rays.dropped)
          << ", \"past_depth\": " << number(stats.rays.past) << ", \"rounding\": " << number(rounding)
          << ", \"guaranteed\": " << number(stats.rays.lost()) << " },\n";
+    json << "  \"samples\": " << samples(stats) << ",\n";
     json << "  \"lanes\": " << stats.lanes << ",\n  \"threads\": " << stats.threads << ",\n";
     json << "  \"parse_seconds\": " << stats.parse_seconds << ",\n  \"build_seconds\": " << stats.build_seconds
          << ",\n";

@@ -20,6 +20,8 @@ struct Stats {
     std::optional<Lattice> crop;
     int frames = 0, threads = 0, lanes = 0;
     double error = 0;   // allowed
+    Sampling sampling;
+    Sampled sampled;    // without a grid
     Accuracy accuracy;  // precision, depth and pruning chosen for it
     Simd simd = Simd::automatic;
     bool finished = false;

@@ -13,6 +13,7 @@ namespace strahl {
 namespace {
 
 constexpr int longest_side = 1'000'000;
+constexpr int largest_grid = 256;
 constexpr int last_frame = 999'999'999;
 
 /// Whole numbers with one separator between them and nothing else.
@@ -60,6 +61,18 @@ Lattice parse_crop(std::string_view text) {
     const auto [x, y, width, height] = *n;
     if (width < 1 || height < 1) throw UsageError("--crop " + std::string(text) + " is empty");
     return {x, y, width, height};
+}
+
+Sampling parse_samples(std::string_view text) {
+    if (text == "1") return {.grid = 1};
+    const bool centre = text.ends_with("+1");
+    const auto n = numbers<2>(text.substr(0, text.size() - (centre ? 2 : 0)), 'x');
+    if (!n || (*n)[0] != (*n)[1])
+        throw UsageError("--samples is 1, or a square grid such as 4x4, not " + quoted(text));
+    if ((*n)[0] < 1 || (*n)[0] > largest_grid)
+        throw UsageError("--samples " + std::string(text) + ": grids are 1x1 to " + std::to_string(largest_grid) + "x" +
+                         std::to_string(largest_grid));
+    return {.grid = (*n)[0], .centre = centre};
 }
 
 FrameRange parse_frames(std::string_view text) {

@@ -18,6 +18,8 @@ struct FrameRange {
 Size parse_size(std::string_view text);
 /// "X,Y,W,H": a part of the whole picture. `require_within` checks that it lies in the picture.
 Lattice parse_crop(std::string_view text);
+/// "1", one ray through each pixel's middle, "4x4", a grid of 16, or "4x4+1", that and one through the middle.
+Sampling parse_samples(std::string_view text);
 /// "A-B", or "A" for one frame: 0 <= A <= B < 10^9.
 FrameRange parse_frames(std::string_view text);
 

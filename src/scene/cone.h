@@ -7,6 +7,7 @@
 
 #include "num/vec_math.h"
 #include "scene/affine.h"
+#include "scene/capsule.h"
 #include "scene/field.h"
 
 namespace strahl {
@@ -208,6 +209,7 @@ struct Cone {
         const double radius = base_radius + (cap_radius - base_radius) * (along / whole);
         return along > 0 && along < whole && length(across) < radius;
     }
+    std::vector<Capsule> capsules() const { return {{base, cap, std::max(base_radius, cap_radius)}}; }
     auto pov() const { return std::tuple("cone", base, base_radius, cap, cap_radius); }
 
     template <class T>

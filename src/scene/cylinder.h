@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "scene/affine.h"
+#include "scene/capsule.h"
 #include "scene/field.h"
 
 namespace strahl {
@@ -107,6 +108,7 @@ struct Cylinder {
         return along > 0 && along < std::hypot(h.x, h.y, h.z) &&
                across.x * across.x + across.y * across.y + across.z * across.z < radius * radius;
     }
+    std::vector<Capsule> capsules() const { return {{base, cap, radius}}; }
     auto pov() const { return std::tuple("cylinder", base, cap, radius); }
 
     template <class T>

@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "scene/affine.h"
+#include "scene/capsule.h"
 #include "scene/field.h"
 
 namespace strahl {
@@ -77,6 +78,7 @@ struct Sphere {
         const DVec3 d = p - centre;
         return d.x * d.x + d.y * d.y + d.z * d.z < radius * radius;
     }
+    std::vector<Capsule> capsules() const { return {{centre, centre, radius}}; }
     auto pov() const { return std::tuple("sphere", centre, radius); }
 
     template <class T>

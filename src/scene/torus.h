@@ -4,10 +4,12 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <tuple>
 
 #include "num/vec_math.h"
 #include "scene/affine.h"
+#include "scene/capsule.h"
 #include "scene/field.h"
 
 namespace strahl {
@@ -238,6 +240,19 @@ struct Torus {
     }
     /// POV-Ray's usual way to solve quartics takes nearly flat ones for cubics.
     static constexpr const char* pov_more = " sturm";
+    /// Along chords of its circle.
+    std::vector<Capsule> capsules() const {
+        constexpr int chords = 48;
+        const auto [x, y, z, middle] = pov_axes();
+        const auto point = [&](int i) {
+            const double turn = 2 * std::numbers::pi * i / chords;
+            return centre + major * (std::cos(turn) * x + std::sin(turn) * z);
+        };
+        const double reach = minor + major * (1 - std::cos(std::numbers::pi / chords));
+        std::vector<Capsule> around;
+        for (int i = 0; i < chords; ++i) around.push_back({point(i), point(i + 1), reach});
+        return around;
+    }
 
     template <class T>
     using Kernels = std::tuple<TorusKernel<T>, AffineKernel<TorusKernel<T>, T>>;

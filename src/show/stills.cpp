@@ -88,7 +88,7 @@ Stills::Outcome Stills::make(const Still& still, ThreadPool& pool) try {
         if (int(100 * before / all) != int(100 * (before + size) / all)) notify();
     };
     Tracer tracer(*still.scene, Precision::float64);
-    tracer.trace(view, whole, pool, keep, &stop);
+    tracer.trace(view, Sampling{}, whole, pool, keep, &stop);
     if (stop) return {};
     const std::string path = reserve_file(still.name, ".bmp");
     try {

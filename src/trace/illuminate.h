@@ -1,6 +1,6 @@
 // The light that surfaces scatter.
 #pragma once
-#include "trace/shading.h"
+#include "trace/sight.h"
 
 namespace strahl::inline STRAHL_LEVEL {
 
@@ -37,9 +37,10 @@ template <class S>
 }
 
 /// Ia Ka Of + sum over lights S Il [Kd Of (n.l) + Ks (h.l)^p]; at `dim` hits without lights that bring no more than
-/// `MaterialKernel::scattered`.
+/// `MaterialKernel::scattered`. `words` is only read where sights are wanted.
 template <class S>
-STRAHL_INLINE Vec3<S> illumination(const Shading<S>& shading, const Hit<S>& hit, Mask<S> dim) {
+STRAHL_INLINE Vec3<S> illumination(const Shading<S>& shading, const Hit<S>& hit, Mask<S> dim,
+                                   const HitWords<S>& words) {
     const MaterialKernel<S>& material = hit.material;
     const auto& world = shading.world;
     const S zero(0);
@@ -75,6 +76,8 @@ STRAHL_INLINE Vec3<S> illumination(const Shading<S>& shading, const Hit<S>& hit,
         shading.counts.shadow += count(faces);
         const Vec3<S> share =
             visibility(world, Ray<S>{hit.position, l, hit.surface}, distance, faces, {i, hit.bin, hit.outside});
+        if (shading.batch.sights) [[unlikely]]
+            note_light(shading, hit, words, i, Vec3<S>(share), S(dot(reflected, l)), faces);
         cosine = select(faces, cosine, zero);  // at the light itself it is NaN
         highlight = select(faces, highlight, zero);
         for (int c = 0; c < 3; ++c)

@@ -2,6 +2,7 @@
 #pragma once
 #include <atomic>
 #include <cstdint>
+#include <limits>
 
 #include "trace/counts.h"
 #include "trace/world.h"
@@ -74,12 +75,22 @@ struct Eye {
     T medium = 0;                            // stack of bodies that the eye is in
 };
 
+/// What a sample saw besides its light. Samples of equal signature saw the same surfaces from the same sides, in the
+/// light of the same lamps, directly and by the same reflections and refractions.
+template <class T>
+struct Sight {
+    std::uint32_t signature = 0;
+    T glint = 0;                                         // what blunt highlights, of exponent 4, would bring
+    T distance = std::numeric_limits<T>::infinity();     // of the camera ray's hit
+};
+
 /// How far rays are followed.
 template <class T>
 struct Limits {
     int depth = 20;                           // generations
     T error = 0;                              // light that a pixel may lack by pruned rays
     const T* brightest = nullptr;             // [n]: with n generations to come, the next one's rays are no brighter
+    T noticed = 0;                            // hits of no more weight do not count in signatures
     T brightest_limit = 0;                    // nor with any number of generations; infinite if there is no bound
     const std::atomic<bool>* stop = nullptr;  // if it becomes true the picture is no longer wanted
     bool stopped() const { return stop && stop->load(std::memory_order_relaxed); }
@@ -98,6 +109,7 @@ struct PixelBatch {
     PixelSum<T>* sums;
     T* past;  // what each pixel lacks at most by generations past the last
     int count;
+    Sight<T>* sights = nullptr;  // of each pixel, if that is wanted
 };
 
 /// Traces a batch. False if some generation has more rays than fit: the batch must be split, its sums thrown away. A

@@ -15,7 +15,10 @@ void shade_misses(const Shading<S>& shading) {
     for (int i = 0, left; (left = hits.count[world.bins] - i) > 0; i += width<S>) {
         const LaneIndices<S> pick(hits.of(world.bins) + i, left);
         const S weight = pick(shading.rays.open.weight);
-        add_light(shading.batch, pick(shading.rays.open.pixel), pick.lanes, scale(weight, splat<S>(world.background)));
+        const S pixel = pick(shading.rays.open.pixel);
+        if (shading.batch.sights) [[unlikely]]
+            note_misses(shading, pick(shading.rays.open.source), S(weight), S(pixel), pick.lanes);
+        add_light(shading.batch, pixel, pick.lanes, scale(weight, splat<S>(world.background)));
     }
 }
 
@@ -127,14 +130,18 @@ bool shade_bin(const Shading<S>& shading, int bin) {
         const bool within = i < 0;
         const LaneIndices<S> pick =
             within ? LaneIndices<S>(rays.inside_end[bin] + i, left) : LaneIndices<S>(shading.hits.of(bin) + i, left);
-        const Hit<S> hit = make_hit(shading, bin, within ? rays.inside : rays.open, pick,
-                                    within ? rays.inside.t : shading.hits.t, material);
+        const RayQueue<Element<S>>& from = within ? rays.inside : rays.open;
+        const Element<S>* const t = within ? rays.inside.t : shading.hits.t;
+        const Hit<S> hit = make_hit(shading, bin, from, pick, t, material);
+        HitWords<S> words;
+        if (shading.batch.sights) [[unlikely]]
+            note_hits(shading, hit, pick(from.source), pick(t), pick.lanes, words);
         Mask<S> dim = first_lanes<S>(0);
         if (shading.depth < shading.limits.depth)
             dim = scatter(shading, hit);
         else
             truncate(shading, hit);
-        add_light(shading.batch, hit.pixel, pick.lanes, scale(hit.weight, illumination(shading, hit, dim)));
+        add_light(shading.batch, hit.pixel, pick.lanes, scale(hit.weight, illumination(shading, hit, dim, words)));
     }
     next.inside_end[bin] = next.inside.count;
     return true;

@@ -14,10 +14,12 @@
 
 #include "scene/scene.h"
 #include "trace/counts.h"
+#include "trace/sampling.h"
 
 namespace strahl {
 
 class ThreadPool;
+class CellPicture;
 
 enum class Precision { float32, float64, extended };
 /// Instruction sets of the lanes: levels of x86-64, or NEON of aarch64; scalar is one lane without SIMD.
@@ -88,6 +90,16 @@ class Tracer {
     /// Traces the lattice on all threads of the pool and returns when it is done or `stop` became true; tiles that
     /// were handed to the sink are whole in both cases. Not to be called from two threads at once.
     Counts trace(const View& view, const Lattice& lattice, ThreadPool& pool, const Sink& sink,
+                 const std::atomic<bool>* stop = nullptr);
+
+    /// The same with more than one ray in a pixel: of a region, a lattice with steps of 1. Values are in double, in
+    /// every precision.
+    Counts trace(const View& view, const Sampling& sampling, const Lattice& region, ThreadPool& pool, const Sink& sink,
+                 const std::atomic<bool>* stop = nullptr);
+
+    /// Refines a picture of this view until no unfinished cell is larger than `finest` pixels, or with 0 until all are
+    /// finished. If it was stopped the picture can't go on.
+    Counts trace(const View& view, CellPicture& picture, int finest, ThreadPool& pool, const Sink& sink,
                  const std::atomic<bool>* stop = nullptr);
 
     const Scene& scene() const;

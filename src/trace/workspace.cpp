@@ -62,6 +62,7 @@ Workspace<T>::Workspace() {
     pixels_x.resize(batch_pixels + widest_pack), pixels_y.resize(batch_pixels + widest_pack);
     order.resize(batch_pixels);
     sums.resize(batch_pixels), past.resize(batch_pixels);
+    sights.resize(batch_pixels);
 }
 
 template <class T>

@@ -30,6 +30,7 @@ class Workspace {
     std::vector<int> order;  // of the tile's pixels, row by row: their numbers in the batch
     std::vector<PixelSum<T>> sums;
     std::vector<T> past;
+    std::vector<Sight<T>> sights;
     int batch = batch_pixels;  // pixels that last fitted
 
   private:

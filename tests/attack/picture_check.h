@@ -25,7 +25,7 @@ class PictureCheck {
     void compare(const Values& values, const Lattice& lattice, const Values& expected, const std::string& setting);
 
     ThreadPool one{1}, three{3};
-#if defined(__SANITIZE_ADDRESS__)
+#if defined(STRAHL_SANITIZED)
     std::vector<Simd> levels{Simd::scalar};  // the others are not instrumented
 #else
     std::vector<Simd> levels = fused_levels();

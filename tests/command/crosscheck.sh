@@ -11,8 +11,8 @@ povray() { printf '#!/bin/bash\n%s\n' "$1" >tools/povray && chmod +x tools/povra
 nothing_left() { [[ -z $(ls -A tmp) ]] || fault "left behind: $(ls -A tmp)"; }
 check() { expect "$1" "$2" crosscheck scene.rt --size 32x24 --depth 2; }
 
-expect 0 "" render scene.rt -o "$work/right.png" --size 32x24 --depth 2 --bits 16
-expect 0 "" render scene.rt -o "$work/wrong.png" --size 24x32 --depth 2 --bits 16
+expect 0 "" render scene.rt -o "$work/right.png" --size 32x24 --depth 2 --bits 16 --samples 1
+expect 0 "" render scene.rt -o "$work/wrong.png" --size 24x32 --depth 2 --bits 16 --samples 1
 povray "cp $work/right.png scene.png"
 check 0 " 0.000 |"
 for seconds in ...... 1.2.3 . 1e999 99999999999999999999999999999999999999999; do

@@ -14,9 +14,23 @@ make whole.bmp
 make whole.png
 make whole16.png --bits 16
 equal whole.bmp whole.png
-make all.png --error 0
-equal all.png whole16.png 0.00197   # half an 8-bit step, by rounding
-equal whole.png whole16.png 0.00393 # and half a one that is left out
+make one.png --samples 1
+make one16.png --samples 1 --bits 16
+make all.png --error 0 --samples 1
+equal all.png one16.png 0.00197 # half an 8-bit step, by rounding
+equal one.png one16.png 0.00393 # and half a one that is left out
+
+# Rays in a pixel: one by default is another picture than the average, which a fine grid comes close to.
+make average.exr --error 1e-4
+make fine.exr --samples 32x32
+unequal one.png average.exr 0.1
+equal fine.exr average.exr 0.02
+make coarse.exr --samples 2x2
+make centre.exr --samples 2x2+1
+unequal coarse.exr centre.exr 0.001
+for samples in 0x0 2x3 4 257x257 2x2+2 x -1x-1 ''; do
+    expect 2 "--samples" render scene.rt -o x.exr "${size[@]}" --samples "$samples"
+done
 expect 0 "whole.exr: 64x48, 3 channels, 32 bits" compare whole.exr whole.exr
 expect 0 "whole16.png: 64x48, 3 channels, 16 bits" compare whole16.png whole16.png
 

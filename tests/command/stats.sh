@@ -13,7 +13,7 @@ value() { cmake "-DKEY=$(printf '%s;' "$@" | sed 's/;$//')" -P read.cmake; }
 is() { [[ $(value "${@:2}") == "$1" ]] || fault "${*:2} is '$(value "${@:2}")' instead of '$1' in $(<stats.json)"; }
 
 expect 0 "" render scene.rt -o x.bmp --size 64x48 --crop 20,14,30,20 --depth 7 --precision float --simd scalar --threads 2 \
-    --stats stats.json
+    --samples 1 --stats stats.json
 is ON finished
 is 64 width
 is 48 height
@@ -25,12 +25,18 @@ is scalar simd
 is 1 lanes
 is 2 threads
 is 600 rays camera
+is 1 samples in_each_pixel
 (($(value rays total) == $(value rays camera) + $(value rays reflected) + $(value rays refracted) + $(value rays shadow))) ||
     fault "the rays do not add up in $(<stats.json)"
 for stage in parse build trace write; do
     [[ $(value "${stage}_seconds") =~ ^[0-9.e-]+$ ]] || fault "${stage}_seconds in $(<stats.json)"
 done
 for type in reflected refracted shadow; do (($(value rays $type) > 0)) || fault "no $type rays in $(<stats.json)"; done
+
+expect 0 "" render scene.rt -o x.bmp --size 64x48 --error 1e-3 --stats stats.json
+[[ $(value samples aimed) == 0.001 ]] || fault "$(value samples aimed) is aimed at"
+[[ $(value samples estimated) == 0.00* ]] || fault "the error is thought to be $(value samples estimated)"
+(($(value samples median) >= 1 && $(value samples most) > $(value samples median))) || fault "samples in $(<stats.json)"
 
 expect 0 "" render scene.rt -o x.bmp --size 64x48 --depth 1 --stats stats.json
 is 0 rays reflected

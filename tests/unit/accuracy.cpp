@@ -17,7 +17,7 @@ using namespace strahl;
 
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#if defined(STRAHL_SANITIZED)
 constexpr int columns = 12, rows = 9, every = 9;
 #else
 constexpr int columns = 40, rows = 30, every = 1;

@@ -127,7 +127,7 @@ TEST_CASE("duplicates are exactly the bodies that were declared before") {
     }
 }
 
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // 300 MB
+#if !defined(STRAHL_SANITIZED)  // 300 MB
 TEST_CASE("a scene of more surfaces than float can number is refused, with what to do") {
     Scene scene;
     scene.primitives.resize((1 << 24) / Cuboid::faces, {Cuboid{}, 0, {}});

@@ -20,7 +20,7 @@ namespace {
 // Odd, so that the middle row and column look exactly along axes if the camera does (of 11 rows, the middle one is off
 // by a last bit in double, and if the horizon of a plane is there, rounding decides the whole row). Small where long
 // double is software.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || LDBL_MANT_DIG == 113
+#if defined(STRAHL_SANITIZED) || LDBL_MANT_DIG == 113
 constexpr int columns = 17, rows = 9, random_scenes = 8;
 #else
 constexpr int columns = 49, rows = 37, random_scenes = 120;

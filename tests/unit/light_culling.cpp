@@ -17,7 +17,7 @@ using namespace strahl;
 
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#if defined(STRAHL_SANITIZED)
 constexpr int columns = 10, rows = 8, every = 9, random_scenes = 8;
 #else
 constexpr int columns = 40, rows = 30, every = 1, random_scenes = 120;

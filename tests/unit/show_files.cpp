@@ -13,6 +13,7 @@
 #include "show/stills.h"
 #include "tests/unit/scratch.h"
 #include "tests/unit/show_scene.h"
+#include "trace/thread_pool.h"
 
 using namespace strahl;
 
@@ -49,8 +50,13 @@ TEST_CASE("stills equal rendered pictures and replace no file") {
     }
     CHECK(bytes_of(folder / "still.bmp") == "mine");
     CHECK(folder.files() == 4);
-    const Frame frame = render(*scene, view);
-    write_picture({20, 15, 3, frame.rgb}, folder / "reference.bmp", {});
+    std::vector<double> rgb(3 * 20 * 15);
+    const Lattice whole{.columns = 20, .rows = 15};
+    ThreadPool pool(2);
+    Tracer(*scene, Precision::float64).trace(view, Sampling{}, whole, pool, [&](const Tile& tile) {
+        place(tile, whole, rgb);
+    });
+    write_picture({20, 15, 3, rgb}, folder / "reference.bmp", {});
     CHECK(bytes_of(folder / "still-2.bmp") == bytes_of(folder / "reference.bmp"));
 }
 

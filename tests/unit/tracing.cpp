@@ -18,7 +18,7 @@ using namespace strahl;
 
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#if defined(STRAHL_SANITIZED)
 constexpr int coarse = 4;  // pictures are this much smaller
 #else
 constexpr int coarse = 1;

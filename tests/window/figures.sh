@@ -70,7 +70,7 @@ for scene in article flythrough; do
     quit
 
     for ((run = 0; run < runs; ++run)); do
-        "${higher[@]}" "$strahl" render "$file" --size "$size" --precision float --quiet -o "$work/p.bmp" \
+        "${higher[@]}" "$strahl" render "$file" --size "$size" --precision float --samples 1 --quiet -o "$work/p.bmp" \
             --stats "$work/stats.json"
         sed -nE 's/.*"trace_seconds": *([0-9.e-]+).*/\1/p' "$work/stats.json" >>"$work/whole"
     done

@@ -1,0 +1,49 @@
+// A picture in cells: its tiles, which stay between passes.
+#pragma once
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "trace/cells.h"
+#include "trace/tracer.h"
+
+namespace strahl {
+
+class CellPicture {
+  public:
+    /// A part of the view; its steps are 1. A pixel of it is the same as in the whole view.
+    /// Cells of more than `largest_filled` pixels are always divided: stills want 2 or less, or shadows and reflections
+    /// of a few pixels are lost between the samples.
+    CellPicture(const Scene& scene, const View& view, const Lattice& region, double error, int largest_filled = 2);
+
+    /// Of the tiles that are finished.
+    const Sampled& sampled() const { return sum; }
+    /// Are all tiles finished?
+    bool finished() const { return done == tiles(); }
+
+    int tiles() const { return static_cast<int>(made.size()); }
+    double contrast() const { return most_contrast; }
+    /// Traces points of the tile whose corner is (x, y).
+    using TraceAt = std::function<void(int x, int y, std::span<const Point>, CellSample*)>;
+    /// Refines tile i, and hands it to the sink unless stopped. A tile that was stopped can't go on.
+    void refine(int i, int finest, const Sink& sink, const std::atomic<bool>* stop, const TraceAt& trace);
+
+  private:
+    struct TilePlace {
+        int x, y, columns, rows;
+    };
+
+    const Lattice region;
+    const double most_contrast;
+    const int largest_filled;
+    std::vector<TilePlace> places;
+    std::vector<std::unique_ptr<Cells>> made;  // not finished ones
+    std::vector<char> begun;
+    std::vector<std::vector<Strip>> thin;  // by tile, in its pixels
+    std::mutex counting;
+    Sampled sum;
+    std::atomic<int> done = 0;
+};
+
+}  // namespace strahl

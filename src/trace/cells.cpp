@@ -1,0 +1,258 @@
+// Cells of a tile.
+#include "trace/cells.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace strahl {
+namespace {
+
+constexpr std::int32_t unit = Point::unit, least_cell = unit / 32;
+constexpr int side = tile_pixels + 1;      // of the lattice
+constexpr double steepest_gradient = .06;  // across a cell of one signature
+constexpr double most_glint = .1;          // difference of blunt highlights across a cell
+
+int thin_number(int x, int y) { return y / coarsest_cell * (tile_pixels / coarsest_cell) + x / coarsest_cell; }
+
+std::uint64_t key_of(Point p) { return std::uint64_t(std::uint32_t(p.x)) << 32 | std::uint32_t(p.y); }
+
+Point on_side(std::int32_t x, std::int32_t y, std::int32_t size, int number, std::int32_t along) {
+    switch (number) {
+        case 0:
+            return {x + along, y};
+        case 1:
+            return {x + size, y + along};
+        case 2:
+            return {x + size - along, y + size};
+        default:
+            return {x, y + size - along};
+    }
+}
+
+}  // namespace
+
+Cells::Cells(int own_columns, int own_rows, double own_contrast, int largest_filled, std::span<const Strip> strips)
+    : columns(own_columns),
+      rows(own_rows),
+      largest(largest_filled * unit),
+      contrast(own_contrast),
+      lattice(side * side, -1),
+      sums(std::size_t(3) * columns * rows) {
+    for (int y = 0; y < rows; y += coarsest_cell)
+        for (int x = 0; x < columns; x += coarsest_cell) {
+            add_cell(x * unit, y * unit, coarsest_cell * unit);
+            for (const Strip& strip : strips)
+                if (meets(strip, x, y, coarsest_cell)) thin[thin_number(x, y)].push_back(strip);
+        }
+    std::swap(active, waiting);
+}
+
+int Cells::sample_at(Point point) {
+    const auto add = [&] { return points.push_back(point), static_cast<int>(points.size()) - 1; };
+    if ((point.x | point.y) % unit == 0) {
+        int& known = lattice[point.y / unit * side + point.x / unit];
+        return known >= 0 ? known : known = add();
+    }
+    const auto [place, is_new] = between.try_emplace(key_of(point));
+    return is_new ? place->second = add() : place->second;
+}
+
+void Cells::add_cell(std::int32_t x, std::int32_t y, std::int32_t size) {
+    if (x >= columns * unit || y >= rows * unit) return;  // beside the picture
+    Cell cell{.x = x, .y = y, .size = size};
+    for (int k = 0; k < 4; ++k) cell.corners[k] = sample_at(on_side(x, y, size, k, 0));
+    active.push_back(cell);
+}
+
+void Cells::divide(const Cell& cell) {
+    const std::int32_t half = cell.size / 2;
+    for (const std::int32_t y : {cell.y, cell.y + half})
+        for (const std::int32_t x : {cell.x, cell.x + half}) add_cell(x, y, half);
+}
+
+void Cells::refine(int pixels, const TracePoints& trace) {
+    const int finest = pixels * unit;
+    std::vector<Cell> round = std::exchange(waiting, {});
+    while (!round.empty()) {
+        const std::size_t known = samples.size();
+        samples.resize(points.size());
+        if (known < points.size()) trace(std::span(points).subspan(known), samples.data() + known);
+        for (Cell& cell : round) advance(cell, finest);
+        round.clear();
+        std::swap(round, active);
+    }
+}
+
+/// Goes on with a cell whose samples are known: it is filled, divided, held back, or asks for further samples.
+void Cells::advance(Cell& cell, int finest) {
+    switch (cell.stage) {
+        case Stage::corners:
+            return look_at_corners(cell, finest);
+        case Stage::middle:
+            return look_at_middle(cell);
+        case Stage::ends:
+            return search(cell);
+        case Stage::beside:
+            return look_beside(cell);
+    }
+}
+
+bool Cells::hides_something(const Cell& cell) const {
+    const std::vector<Strip>& strips = thin[thin_number(cell.x / unit, cell.y / unit)];
+    if (strips.empty()) return false;
+    double furthest = 0;
+    for (const int corner : cell.corners) furthest = std::max(furthest, double(samples[corner].distance));
+    const double scale = 1. / unit;
+    return hides_in(strips, cell.x * scale, cell.y * scale, cell.size * scale, furthest, contrast / 16);
+}
+
+void Cells::look_at_corners(Cell& cell, int finest) {
+    const bool large = cell.size > unit, equal = equal_signatures(cell);
+    float least = samples[cell.corners[0]].glint, most = least;
+    for (const int corner : cell.corners)
+        least = std::min(least, samples[corner].glint), most = std::max(most, samples[corner].glint);
+    const double s = double(cell.size) / unit, share = std::min(1., s * s);
+    const bool glints = !((most - least) * share <= most_glint), hidden = hides_something(cell);
+    if (large && (!equal || glints || hidden || cell.size > largest)) {
+        if (cell.size <= finest) return waiting.push_back(cell);
+        return divide(cell);
+    }
+    const double difference = spread(cell) * share;
+    const bool rough =
+        !large && (glints || hidden || !(equal ? difference <= std::min(16 * contrast, steepest_gradient)
+                                               : difference <= contrast));
+    
+    if (!rough && !large && (equal ? cell.size <= unit / 4 : cell.size < unit / 2)) return finish(cell, mean(cell), spread(cell));
+    if (cell.size <= finest) return waiting.push_back(cell);
+    if (rough) return !hidden && begin_search(cell) ? active.push_back(cell) : go_on(cell);
+    cell.middle = sample_at({cell.x + cell.size / 2, cell.y + cell.size / 2});
+    cell.stage = Stage::middle;
+    active.push_back(cell);
+}
+
+/// What is neither smooth nor crossed by one edge.
+void Cells::go_on(Cell& cell) {
+    if (cell.size > least_cell) return divide(cell);
+    finish(cell, mean(cell), spread(cell));
+}
+
+void Cells::look_at_middle(Cell& cell) {
+    const CellSample& middle = samples[cell.middle];
+    const double s = std::min(1., double(cell.size) / unit);
+    double off = 0;
+    for (int c = 0; c < 3; ++c) {
+        double sum = 0;
+        for (const int corner : cell.corners) sum += samples[corner].rgb[c];
+        off = std::max(off, std::abs(sum / 4 - middle.rgb[c]));
+    }
+    if (cell.size > unit) {
+        if (middle.signature == samples[cell.corners[0]].signature && off <= contrast / 2) {
+            squares += off * off * (cell.size / unit) * (cell.size / unit);
+            return fill(cell, sums.data());
+        }
+        return divide(cell);
+    }
+    if (off * s * s <= contrast) return finish(cell, mean(cell), spread(cell));
+    cell.middle = -1;
+    if (begin_search(cell)) return active.push_back(cell);
+    go_on(cell);
+}
+
+/// Sets out to find where an edge crosses the cell's sides, if there seems to be just one.
+bool Cells::begin_search(Cell& cell) {
+    std::array<std::uint32_t, 4> signatures;
+    for (int k = 0; k < 4; ++k) signatures[k] = samples[cell.corners[k]].signature;
+    const auto sides = changing_sides(signatures);
+    if (!sides) return false;
+    for (int i = 0; i < 2; ++i) {
+        const int number = (*sides)[i];
+        cell.crossings[i] = {number, 0, cell.size, cell.corners[number], cell.corners[(number + 1) % 4]};
+        cell.probes[i] = sample_at(on_side(cell.x, cell.y, cell.size, number, cell.size / 2));
+    }
+    cell.stage = Stage::ends;
+    return true;
+}
+
+/// Halves the stretches in which the signature changes.
+void Cells::search(Cell& cell) {
+    const double s = double(cell.size) / unit;
+    const auto fine = static_cast<std::int32_t>(std::max(2., std::min(.25 * s, contrast / (spread(cell) * s)) * unit));
+    bool found = true;
+    for (int i = 0; i < 2; ++i) {
+        Crossing& crossing = cell.crossings[i];
+        if (cell.probes[i] < 0) continue;
+        const std::int32_t half = (crossing.low + crossing.high) / 2;
+        const std::uint32_t signature = samples[cell.probes[i]].signature;
+        if (signature == samples[crossing.low_sample].signature)
+            crossing.low = half, crossing.low_sample = cell.probes[i];
+        else if (signature == samples[crossing.high_sample].signature)
+            crossing.high = half, crossing.high_sample = cell.probes[i];
+        else
+            return go_on(cell);
+        cell.probes[i] = -1;
+        if (crossing.high - crossing.low <= fine) continue;
+        cell.probes[i] = sample_at(
+            on_side(cell.x, cell.y, cell.size, crossing.number, (crossing.low + crossing.high) / 2));
+        found = false;
+    }
+    if (found) {
+        const auto& [first, second] = cell.crossings;
+        const auto position = [&](const Crossing& c) { return (c.low + c.high) / (2. * cell.size); };
+        const Parts parts = parts_of({first.number, second.number}, {position(first), position(second)});
+        const double aside = std::min(fine / double(cell.size), parts.length / 4);
+        for (int i = 0; i < 2; ++i) {
+            const double away = i == 0 ? -aside : aside;
+            const auto place = [&](double at) {
+                return std::clamp(static_cast<std::int32_t>(std::lround(at * cell.size)), 0, cell.size);
+            };
+            cell.probes[i] = sample_at({cell.x + place(parts.middle_x + away * parts.normal_x),
+                                        cell.y + place(parts.middle_y + away * parts.normal_y)});
+        }
+        cell.stage = Stage::beside;
+    }
+    active.push_back(cell);
+}
+
+/// Is the edge as straight as the chord between its ends? Then both parts have the colours of their samples.
+void Cells::look_beside(Cell& cell) {
+    const auto& [first, second] = cell.crossings;
+    const int ends[2][2] = {{first.high_sample, second.low_sample}, {first.low_sample, second.high_sample}};
+    for (int part = 0; part < 2; ++part)
+        if (samples[cell.probes[part]].signature != samples[ends[part][0]].signature) return go_on(cell);
+
+    const auto position = [&](const Crossing& c) { return (c.low + c.high) / (2. * cell.size); };
+    const double first_area = parts_of({first.number, second.number}, {position(first), position(second)}).first_area;
+    const double s = double(cell.size) / unit;
+    std::array<double, 3> color{};
+    double uncertain = 0;
+    for (int part = 0; part < 2; ++part) {
+        double sum[3] = {}, low[3], high[3], count = 0;
+        const auto add = [&](int sample) {
+            for (int c = 0; c < 3; ++c) {
+                const double value = samples[sample].rgb[c];
+                sum[c] += value;
+                low[c] = count > 0 ? std::min(low[c], value) : value, high[c] = count > 0 ? std::max(high[c], value) : value;
+            }
+            ++count;
+        };
+        for (int k = 0; k < 4; ++k)
+            if ((k > first.number && k <= second.number) == (part == 0)) add(cell.corners[k]);
+        for (const int end : ends[part]) add(end);
+        add(cell.probes[part]);
+        const double area = part == 0 ? first_area : 1 - first_area;
+        for (int c = 0; c < 3; ++c) {
+            if (!((high[c] - low[c]) * area * s * s <= 2 * contrast)) return go_on(cell);
+            color[c] += area * sum[c] / count;
+            uncertain = std::max(uncertain, (high[c] - low[c]) * area);
+        }
+    }
+    finish(cell, color, uncertain);
+}
+
+double contrast_for(double error) {
+    const double aim = std::max(error, least_sampling_error);
+    return 8 * aim * std::min(1., 510 * aim);
+}
+
+}  // namespace strahl

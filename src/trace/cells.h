@@ -1,0 +1,105 @@
+// A tile of the picture in cells, from 8x8 pixels down to 1/32 of a pixel: small where the picture changes.
+//
+// Cells have their corners between pixels, so that the picture's value in a pixel is the sum over the cells in it. A
+// cell whose corners, and middle, have one signature is smooth: it is filled. Where an edge crosses a cell of a pixel or
+// less its ends are searched on the cell's sides, and it is taken for straight (compare J. Amanatides and D. Mitchell,
+// "Antialiasing of Interlaced Video Animation", 1990, and Genetti and Gordon, "Ray Tracing With Adaptive Supersampling
+// in Object Space", 1993). Everything else is divided.
+#pragma once
+#include <array>
+#include <functional>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "trace/chord.h"
+#include "trace/sampling.h"
+#include "trace/thin.h"
+
+namespace strahl {
+
+/// A place in a tile, in units from its top left corner.
+struct Point {
+    std::int32_t x, y;
+    static constexpr std::int32_t unit = 4096;  // in a pixel
+    bool operator==(const Point&) const = default;
+};
+
+/// What a camera ray brought back.
+struct CellSample {
+    double rgb[3];            // linear, unclamped
+    std::uint32_t signature;  // equal ones: see Sight
+    float glint;
+    float distance;  // to the surface seen, in the scene's units; infinite for the background
+};
+
+/// Traces points of a tile; answers in their order.
+using TracePoints = std::function<void(std::span<const Point>, CellSample*)>;
+
+inline constexpr int tile_pixels = 32;   // the side of a tile
+inline constexpr int coarsest_cell = 8;  // pixels; tiles begin at multiples of it
+
+/// A tile of columns x rows pixels. What a cell does depends on its own samples and `thin` alone, so that a pixel's value
+/// does not depend on how much of the picture is asked for.
+class Cells {
+  public:
+    /// `contrast` is the difference of colour that a pixel may have, see contrast_for(). Cells of more than
+    /// `largest_filled` pixels are always divided.
+    Cells(int columns, int rows, double contrast, int largest_filled, std::span<const Strip> thin);
+
+    /// Divides until no unfinished cell is larger than `pixels`, or with 0 until all are finished.
+    void refine(int pixels, const TracePoints& trace);
+    bool finished() const { return waiting.empty(); }
+
+    /// The average over each pixel's square, row by row. Where cells are unfinished, of what their corners tell.
+    void store(double* rgb) const;
+
+    /// Samples on a border count for the pixel to the right or below.
+    void add_to(Sampled& sampled) const;
+
+  private:
+    enum class Stage : std::uint8_t { corners, middle, ends, beside };
+    struct Cell {
+        std::int32_t x, y, size;     // in units of Point
+        std::array<int, 4> corners;  // samples, around the cell
+        int middle = -1;
+        Stage stage = Stage::corners;
+        std::array<Crossing, 2> crossings;  // while the ends of an edge are searched
+        std::array<int, 2> probes;          // samples asked for
+    };
+
+    int sample_at(Point point);
+    void add_cell(std::int32_t x, std::int32_t y, std::int32_t size);
+    void divide(const Cell& cell);
+    void advance(Cell& cell, int finest);
+    void look_at_corners(Cell& cell, int finest);
+    void look_at_middle(Cell& cell);
+    void go_on(Cell& cell);
+    bool begin_search(Cell& cell);
+    void search(Cell& cell);
+    void look_beside(Cell& cell);
+    bool hides_something(const Cell& cell) const;
+    bool equal_signatures(const Cell& cell) const;
+    double spread(const Cell& cell) const;
+    std::array<double, 3> mean(const Cell& cell) const;
+    void fill(const Cell& cell, double* rgb) const;
+    void finish(const Cell& cell, const std::array<double, 3>& color, double difference);
+
+    const int columns, rows;
+    const std::int32_t largest;
+    const double contrast;
+    /// By cell of the coarsest size.
+    std::array<std::vector<Strip>, (tile_pixels / coarsest_cell) * (tile_pixels / coarsest_cell)> thin;
+    std::vector<CellSample> samples;
+    std::vector<Point> points;  // of the samples
+    std::vector<int> lattice;   // samples at corners of pixels, -1 where there is none yet
+    std::unordered_map<std::uint64_t, int> between;  // all others
+    std::vector<Cell> active, waiting;
+    std::vector<double> sums;  // 3 for each pixel
+    double squares = 0;
+};
+
+/// The contrast that makes the RMS error come out as asked for, found by experiment: tests/bench/sampling.md.
+double contrast_for(double error);
+
+}  // namespace strahl

@@ -1,0 +1,94 @@
+// What samples saw besides their light: only noted where a batch asks for it.
+#pragma once
+#include "trace/shading.h"
+
+namespace strahl::inline STRAHL_LEVEL {
+
+/// Mixes a word into a hash, lane by lane in plain arrays, which the compiler turns into vectors. Multiplications by
+/// odd numbers and shifts lose nothing (M. E. O'Neill, "PCG: A Family of Simple Fast Space-Efficient Statistically Good
+/// Algorithms for Random Number Generation", 2014, on what such steps reach).
+STRAHL_INLINE std::uint32_t mixed(std::uint32_t hash, std::uint32_t word) {
+    hash = (hash ^ word) * 0x9e3779b1u;
+    return hash ^ hash >> 15;
+}
+/// The bits of numbers, which are the same at every SIMD level.
+template <class T>
+STRAHL_INLINE std::uint32_t bits_of(T value) {
+    if constexpr (sizeof(T) == sizeof(std::uint32_t)) {
+        return std::bit_cast<std::uint32_t>(value);
+    } else {
+        const auto bits = std::bit_cast<std::uint64_t>(static_cast<double>(value));
+        return static_cast<std::uint32_t>(bits) * 0x85ebca6bu + static_cast<std::uint32_t>(bits >> 32);
+    }
+}
+
+/// The words of a pack of hits: where the light went from here.
+template <class S>
+struct HitWords {
+    std::uint32_t of[width<S>];
+};
+
+/// Notes a pack of hits in the signatures of their samples, those of hits that can be seen: which surface from which
+/// side, from where, how weak and after how many bounces. The weight tells reflected, refracted and totally reflected
+/// rays apart.
+template <class S>
+[[gnu::noinline]] void note_hits(const Shading<S>& shading, const Hit<S>& hit, const S& source, const S& t, int lanes,
+                                 HitWords<S>& words) {
+    using T = Element<S>;
+    alignas(64) T surfaces[width<S>], sides[width<S>], sources[width<S>], weights[width<S>], pixels[width<S>];
+    alignas(64) T distances[width<S>];
+    store_lanes(surfaces, hit.surface), store_lanes(sides, select(hit.outside, S(1), S(0)));
+    store_lanes(sources, source), store_lanes(weights, hit.weight), store_lanes(pixels, hit.pixel);
+    store_lanes(distances, t);
+    const auto depth = static_cast<std::uint32_t>(shading.depth);
+    for (int k = 0; k < width<S>; ++k) {
+        std::uint32_t word = mixed(depth, bits_of(surfaces[k]));
+        word = mixed(word, bits_of(sides[k]));
+        word = mixed(word, bits_of(sources[k]));
+        words.of[k] = weights[k] > shading.limits.noticed ? mixed(word, bits_of(weights[k])) | 1 : 0;
+    }
+    for (int k = 0; k < lanes; ++k) {
+        Sight<T>& sight = shading.batch.sights[static_cast<int>(pixels[k])];
+        sight.signature += words.of[k];
+        if (shading.depth == 1) sight.distance = distances[k];
+    }
+}
+
+/// Notes rays that met nothing.
+template <class S>
+[[gnu::noinline]] void note_misses(const Shading<S>& shading, const S& source, const S& weight, const S& pixel,
+                                   int lanes) {
+    using T = Element<S>;
+    alignas(64) T sources[width<S>], weights[width<S>], pixels[width<S>];
+    store_lanes(sources, source), store_lanes(weights, weight), store_lanes(pixels, pixel);
+    for (int k = 0; k < lanes; ++k) {
+        if (!(weights[k] > shading.limits.noticed)) continue;
+        const std::uint32_t word = mixed(~static_cast<std::uint32_t>(shading.depth), bits_of(sources[k]));
+        shading.batch.sights[static_cast<int>(pixels[k])].signature += mixed(word, bits_of(weights[k]));
+    }
+}
+
+/// Notes which share of a light reaches the hits in the lanes of `lit`: surfaces that face away count as dark. And the
+/// light that a highlight of exponent 4 would bring: where that varies, a sharper one may lie between two samples.
+template <class S>
+[[gnu::noinline]] void note_light(const Shading<S>& shading, const Hit<S>& hit, const HitWords<S>& words, int number,
+                                  const Vec3<S>& share, const S& shine, Mask<S> lit) {
+    using T = Element<S>;
+    alignas(64) T shares[3][width<S>], glints[width<S>], pixels[width<S>];
+    for (int c = 0; c < 3; ++c) store_lanes(shares[c], select(lit, share[c], S(0)));
+    const S squared = max(shine, S(0)) * max(shine, S(0));
+    const S most = S(largest(shading.world.lights[number].color)) * hit.material.specular;
+    store_lanes(glints, select(lit, hit.weight * most * squared * squared, S(0)));
+    store_lanes(pixels, hit.pixel);
+    for (unsigned left = bits(lit); left != 0; left &= left - 1) {
+        const int k = std::countr_zero(left);
+        if (words.of[k] == 0) continue;
+        std::uint32_t word = mixed(words.of[k], static_cast<std::uint32_t>(number));
+        bool dark = true;
+        for (int c = 0; c < 3; ++c) word = mixed(word, bits_of(shares[c][k])), dark = dark && shares[c][k] == 0;
+        Sight<T>& sight = shading.batch.sights[static_cast<int>(pixels[k])];
+        if (!dark) sight.signature += word, sight.glint += glints[k];
+    }
+}
+
+}  // namespace strahl::inline STRAHL_LEVEL
