@@ -7,9 +7,12 @@
 
 namespace strahl {
 
-CellPicture::CellPicture(const Scene& scene, const View& view, const Lattice& own_region, double error,
-                         int largest)
-    : region(own_region), most_contrast(contrast_for(error)), largest_filled(largest) {
+void CellPicture::begin(const Scene& scene, const View& view, const Lattice& new_region, double error, int largest) {
+    region = new_region, most_contrast = contrast_for(error), largest_filled = largest;
+    for (auto& cells : made)
+        if (cells) spare.push_back(std::move(cells));
+    places.clear(), made.clear(), begun.clear(), thin.clear();
+    sum = {}, done = 0;
     // Tiles and cells are those of the whole view; of a crop those that it touches.
     const auto down = [](int x) { return x / coarsest_cell * coarsest_cell; };
     const int right = region.x + region.columns, bottom = region.y + region.rows;
@@ -46,34 +49,48 @@ CellPicture::CellPicture(const Scene& scene, const View& view, const Lattice& ow
     }
 }
 
+std::unique_ptr<Cells> CellPicture::make() {
+    const std::lock_guard lock(mutex);
+    if (spare.empty()) return std::make_unique<Cells>();
+    std::unique_ptr<Cells> cells = std::move(spare.back());
+    spare.pop_back();
+    return cells;
+}
+
 void CellPicture::refine(int i, int finest, const Sink& sink, const std::atomic<bool>* stop, const TraceAt& trace) {
     const TilePlace& place = places[i];
     if (std::exchange(begun[i], true) && !made[i]) return;  // finished before
-    if (!made[i]) made[i] = std::make_unique<Cells>(place.columns, place.rows, most_contrast, largest_filled, thin[i]);
+    if (!made[i]) {
+        made[i] = make();
+        made[i]->begin(place.columns, place.rows, most_contrast, largest_filled, thin[i]);
+    }
     Cells& cells = *made[i];
     cells.refine(finest, [&](std::span<const Point> points, CellSample* samples) {
         trace(place.x, place.y, points, samples);
     });
     if (stop && *stop) return;
-    std::vector<double> rgb(std::size_t(3) * place.columns * place.rows);
-    cells.store(rgb.data());
     // Of tiles at the border of a crop only what is in it.
     const int left = std::max(place.x, region.x), right = std::min(place.x + place.columns, region.x + region.columns);
     const int top = std::max(place.y, region.y), bottom = std::min(place.y + place.rows, region.y + region.rows);
-    std::vector<double> part;
-    for (int y = top; y < bottom; ++y) {
-        const auto row = rgb.begin() + 3 * (std::ptrdiff_t(y - place.y) * place.columns + left - place.x);
-        part.insert(part.end(), row, row + 3 * (right - left));
+    const Lattice part{.x = left, .y = top, .columns = right - left, .rows = bottom - top};
+    const std::span<const double> rgb = cells.values();
+    if (part.columns == place.columns) {
+        const std::size_t first = std::size_t(3) * place.columns * (top - place.y);
+        sink({part, rgb.subspan(first, std::size_t(3) * part.columns * part.rows)});
+    } else {
+        std::vector<double> cut;
+        for (int y = top; y < bottom; ++y) {
+            const auto row = rgb.begin() + 3 * (std::ptrdiff_t(y - place.y) * place.columns + left - place.x);
+            cut.insert(cut.end(), row, row + 3 * part.columns);
+        }
+        sink({part, std::span<const double>(cut)});
     }
     if (cells.finished()) {
-        Sampled own;
-        cells.add_to(own);
-        made[i].reset();
+        const std::lock_guard lock(mutex);
+        cells.add_to(sum);
+        spare.push_back(std::move(made[i]));
         ++done;
-        const std::lock_guard lock(counting);
-        sum += own;
     }
-    sink({{.x = left, .y = top, .columns = right - left, .rows = bottom - top}, std::span<const double>(part)});
 }
 
 }  // namespace strahl

@@ -12,17 +12,21 @@ namespace strahl {
 
 class CellPicture {
   public:
-    /// A part of the view; its steps are 1. A pixel of it is the same as in the whole view.
-    /// Cells of more than `largest_filled` pixels are always divided: stills want 2 or less, or shadows and reflections
+    CellPicture() = default;
+    /// A part of the view, with steps of 1; a pixel of it is the same as in the whole view. Cells of more than `largest_filled` pixels are always divided: stills want 2 or less, or shadows and reflections
     /// of a few pixels are lost between the samples.
-    CellPicture(const Scene& scene, const View& view, const Lattice& region, double error, int largest_filled = 2);
+    CellPicture(const Scene& scene, const View& view, const Lattice& region, double error, int largest_filled = 2) {
+        begin(scene, view, region, error, largest_filled);
+    }
+    /// Begins anew, in the memory of the picture before.
+    void begin(const Scene& scene, const View& view, const Lattice& region, double error, int largest_filled);
 
     /// Of the tiles that are finished.
     const Sampled& sampled() const { return sum; }
     /// Are all tiles finished?
     bool finished() const { return done == tiles(); }
 
-    int tiles() const { return static_cast<int>(made.size()); }
+    int tiles() const { return static_cast<int>(places.size()); }
     double contrast() const { return most_contrast; }
     /// Traces points of the tile whose corner is (x, y).
     using TraceAt = std::function<void(int x, int y, std::span<const Point>, CellSample*)>;
@@ -34,14 +38,16 @@ class CellPicture {
         int x, y, columns, rows;
     };
 
-    const Lattice region;
-    const double most_contrast;
-    const int largest_filled;
+    std::unique_ptr<Cells> make();
+
+    Lattice region;
+    double most_contrast = 0;
+    int largest_filled = 0;
     std::vector<TilePlace> places;
-    std::vector<std::unique_ptr<Cells>> made;  // not finished ones
+    std::vector<std::unique_ptr<Cells>> made, spare;  // those in work, by tile; those of finished tiles
     std::vector<char> begun;
     std::vector<std::vector<Strip>> thin;  // by tile, in its pixels
-    std::mutex counting;
+    std::mutex mutex;  // of spare and sum
     Sampled sum;
     std::atomic<int> done = 0;
 };

@@ -48,28 +48,26 @@ std::array<double, 3> Cells::mean(const Cell& cell) const {
 void Cells::finish(const Cell& cell, const std::array<double, 3>& color, double difference) {
     const double area = double(cell.size) / unit * (double(cell.size) / unit);
     squares += difference * area * (difference * area);
-    double* const sum = &sums[3 * (std::size_t(cell.y / unit) * columns + cell.x / unit)];
+    double* const sum = &sums[pixel_of(cell)];
     for (int c = 0; c < 3; ++c) sum[c] += area * color[c];
 }
 
 /// Interpolates in a cell of a pixel or more.
-void Cells::fill(const Cell& cell, double* rgb) const {
+void Cells::fill(const Cell& cell) {
     const int n = cell.size / unit, left = cell.x / unit, top = cell.y / unit;
-    for (int y = 0; y < std::min(n, rows - top); ++y)
-        for (int x = 0; x < std::min(n, columns - left); ++x) {
-            const double u = (x + .5) / n, v = (y + .5) / n;
-            const double weights[4] = {(1 - u) * (1 - v), u * (1 - v), u * v, (1 - u) * v};
-            double* const to = rgb + 3 * (std::size_t(top + y) * columns + left + x);
-            for (int c = 0; c < 3; ++c) {
-                to[c] = 0;
-                for (int k = 0; k < 4; ++k) to[c] += weights[k] * samples[cell.corners[k]].rgb[c];
-            }
+    const int end_x = std::min(n, columns - left), end_y = std::min(n, rows - top);
+    const auto color = [&](int k) { return samples[cell.corners[k]].rgb; };
+    for (int y = 0; y < end_y; ++y) {
+        const double v = (y + .5) / n;
+        double* to = sums.data() + 3 * (std::size_t(top + y) * columns + left);
+        double from[3], step[3];
+        for (int c = 0; c < 3; ++c) {
+            from[c] = color(0)[c] + v * (color(3)[c] - color(0)[c]);
+            step[c] = (color(1)[c] + v * (color(2)[c] - color(1)[c]) - from[c]) / n;
         }
-}
-
-void Cells::store(double* rgb) const {
-    std::copy(sums.begin(), sums.end(), rgb);
-    for (const Cell& cell : waiting) fill(cell, rgb);
+        for (int x = 0; x < end_x; ++x)
+            for (int c = 0; c < 3; ++c) *to++ = from[c] + (x + .5) * step[c];
+    }
 }
 
 void Cells::add_to(Sampled& sampled) const {

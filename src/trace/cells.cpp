@@ -32,20 +32,22 @@ Point on_side(std::int32_t x, std::int32_t y, std::int32_t size, int number, std
 
 }  // namespace
 
-Cells::Cells(int own_columns, int own_rows, double own_contrast, int largest_filled, std::span<const Strip> strips)
-    : columns(own_columns),
-      rows(own_rows),
-      largest(largest_filled * unit),
-      contrast(own_contrast),
-      lattice(side * side, -1),
-      sums(std::size_t(3) * columns * rows) {
+void Cells::begin(int new_columns, int new_rows, double new_contrast, int largest_filled,
+                  std::span<const Strip> strips) {
+    columns = new_columns, rows = new_rows, contrast = new_contrast, largest = largest_filled * unit;
+    samples.clear(), points.clear(), between.clear(), active.clear(), waiting.clear(), searches.clear();
+    lattice.assign(side * side, -1);
+    sums.assign(std::size_t(3) * columns * rows, 0);
+    squares = 0;
+    for (auto& bodies : thin) bodies.clear();
     for (int y = 0; y < rows; y += coarsest_cell)
         for (int x = 0; x < columns; x += coarsest_cell) {
-            add_cell(x * unit, y * unit, coarsest_cell * unit);
+            Cell cell{x * unit, y * unit, coarsest_cell * unit, {}};
+            for (int k = 0; k < 4; ++k) cell.corners[k] = sample_at(on_side(cell.x, cell.y, cell.size, k, 0));
+            waiting.push_back(cell);
             for (const Strip& strip : strips)
                 if (meets(strip, x, y, coarsest_cell)) thin[thin_number(x, y)].push_back(strip);
         }
-    std::swap(active, waiting);
 }
 
 int Cells::sample_at(Point point) {
@@ -58,22 +60,28 @@ int Cells::sample_at(Point point) {
     return is_new ? place->second = add() : place->second;
 }
 
-void Cells::add_cell(std::int32_t x, std::int32_t y, std::int32_t size) {
-    if (x >= columns * unit || y >= rows * unit) return;  // beside the picture
-    Cell cell{.x = x, .y = y, .size = size};
-    for (int k = 0; k < 4; ++k) cell.corners[k] = sample_at(on_side(x, y, size, k, 0));
-    active.push_back(cell);
-}
+bool Cells::within(std::int32_t x, std::int32_t y) const { return x < columns * unit && y < rows * unit; }
 
+/// Its quarters share their corners, and some with the cell.
 void Cells::divide(const Cell& cell) {
-    const std::int32_t half = cell.size / 2;
-    for (const std::int32_t y : {cell.y, cell.y + half})
-        for (const std::int32_t x : {cell.x, cell.x + half}) add_cell(x, y, half);
+    const std::int32_t half = cell.size / 2, x = cell.x + half, y = cell.y + half;
+    const bool right = within(x, cell.y), below = within(cell.x, y);
+    const auto [corner_0, corner_1, corner_2, corner_3] = cell.corners;
+    const int centre = cell.middle >= 0 ? cell.middle : sample_at({x, y});
+    const int on_top = sample_at({x, cell.y}), on_left = sample_at({cell.x, y});
+    const int on_right = right ? sample_at({cell.x + cell.size, y}) : -1;
+    const int on_bottom = below ? sample_at({x, cell.y + cell.size}) : -1;
+    active.push_back({cell.x, cell.y, half, {corner_0, on_top, centre, on_left}});
+    if (right) active.push_back({x, cell.y, half, {on_top, corner_1, on_right, centre}});
+    if (below) active.push_back({cell.x, y, half, {on_left, centre, on_bottom, corner_3}});
+    if (right && below) active.push_back({x, y, half, {centre, on_right, corner_2, on_bottom}});
 }
 
 void Cells::refine(int pixels, const TracePoints& trace) {
     const int finest = pixels * unit;
     std::vector<Cell> round = std::exchange(waiting, {});
+    for (const Cell& cell : round)  // what stood for it meanwhile
+        if (cell.size == unit) std::fill_n(&sums[pixel_of(cell)], 3, 0);
     while (!round.empty()) {
         const std::size_t known = samples.size();
         samples.resize(points.size());
@@ -82,6 +90,7 @@ void Cells::refine(int pixels, const TracePoints& trace) {
         round.clear();
         std::swap(round, active);
     }
+    for (const Cell& cell : waiting) fill(cell);
 }
 
 /// Goes on with a cell whose samples are known: it is filled, divided, held back, or asks for further samples.
@@ -149,7 +158,7 @@ void Cells::look_at_middle(Cell& cell) {
     if (cell.size > unit) {
         if (middle.signature == samples[cell.corners[0]].signature && off <= contrast / 2) {
             squares += off * off * (cell.size / unit) * (cell.size / unit);
-            return fill(cell, sums.data());
+            return fill(cell);
         }
         return divide(cell);
     }
@@ -165,11 +174,14 @@ bool Cells::begin_search(Cell& cell) {
     for (int k = 0; k < 4; ++k) signatures[k] = samples[cell.corners[k]].signature;
     const auto sides = changing_sides(signatures);
     if (!sides) return false;
+    Search search;
     for (int i = 0; i < 2; ++i) {
         const int number = (*sides)[i];
-        cell.crossings[i] = {number, 0, cell.size, cell.corners[number], cell.corners[(number + 1) % 4]};
-        cell.probes[i] = sample_at(on_side(cell.x, cell.y, cell.size, number, cell.size / 2));
+        search.crossings[i] = {number, 0, cell.size, cell.corners[number], cell.corners[(number + 1) % 4]};
+        search.probes[i] = sample_at(on_side(cell.x, cell.y, cell.size, number, cell.size / 2));
     }
+    cell.search = static_cast<int>(searches.size());
+    searches.push_back(search);
     cell.stage = Stage::ends;
     return true;
 }
@@ -178,26 +190,27 @@ bool Cells::begin_search(Cell& cell) {
 void Cells::search(Cell& cell) {
     const double s = double(cell.size) / unit;
     const auto fine = static_cast<std::int32_t>(std::max(2., std::min(.25 * s, contrast / (spread(cell) * s)) * unit));
+    auto& [crossings, probes] = searches[cell.search];
     bool found = true;
     for (int i = 0; i < 2; ++i) {
-        Crossing& crossing = cell.crossings[i];
-        if (cell.probes[i] < 0) continue;
+        Crossing& crossing = crossings[i];
+        if (probes[i] < 0) continue;
         const std::int32_t half = (crossing.low + crossing.high) / 2;
-        const std::uint32_t signature = samples[cell.probes[i]].signature;
+        const std::uint32_t signature = samples[probes[i]].signature;
         if (signature == samples[crossing.low_sample].signature)
-            crossing.low = half, crossing.low_sample = cell.probes[i];
+            crossing.low = half, crossing.low_sample = probes[i];
         else if (signature == samples[crossing.high_sample].signature)
-            crossing.high = half, crossing.high_sample = cell.probes[i];
+            crossing.high = half, crossing.high_sample = probes[i];
         else
             return go_on(cell);
-        cell.probes[i] = -1;
+        probes[i] = -1;
         if (crossing.high - crossing.low <= fine) continue;
-        cell.probes[i] = sample_at(
+        probes[i] = sample_at(
             on_side(cell.x, cell.y, cell.size, crossing.number, (crossing.low + crossing.high) / 2));
         found = false;
     }
     if (found) {
-        const auto& [first, second] = cell.crossings;
+        const auto& [first, second] = crossings;
         const auto position = [&](const Crossing& c) { return (c.low + c.high) / (2. * cell.size); };
         const Parts parts = parts_of({first.number, second.number}, {position(first), position(second)});
         const double aside = std::min(fine / double(cell.size), parts.length / 4);
@@ -206,7 +219,7 @@ void Cells::search(Cell& cell) {
             const auto place = [&](double at) {
                 return std::clamp(static_cast<std::int32_t>(std::lround(at * cell.size)), 0, cell.size);
             };
-            cell.probes[i] = sample_at({cell.x + place(parts.middle_x + away * parts.normal_x),
+            probes[i] = sample_at({cell.x + place(parts.middle_x + away * parts.normal_x),
                                         cell.y + place(parts.middle_y + away * parts.normal_y)});
         }
         cell.stage = Stage::beside;
@@ -216,10 +229,11 @@ void Cells::search(Cell& cell) {
 
 /// Is the edge as straight as the chord between its ends? Then both parts have the colours of their samples.
 void Cells::look_beside(Cell& cell) {
-    const auto& [first, second] = cell.crossings;
+    const auto& [crossings, probes] = searches[cell.search];
+    const auto& [first, second] = crossings;
     const int ends[2][2] = {{first.high_sample, second.low_sample}, {first.low_sample, second.high_sample}};
     for (int part = 0; part < 2; ++part)
-        if (samples[cell.probes[part]].signature != samples[ends[part][0]].signature) return go_on(cell);
+        if (samples[probes[part]].signature != samples[ends[part][0]].signature) return go_on(cell);
 
     const auto position = [&](const Crossing& c) { return (c.low + c.high) / (2. * cell.size); };
     const double first_area = parts_of({first.number, second.number}, {position(first), position(second)}).first_area;
@@ -239,7 +253,7 @@ void Cells::look_beside(Cell& cell) {
         for (int k = 0; k < 4; ++k)
             if ((k > first.number && k <= second.number) == (part == 0)) add(cell.corners[k]);
         for (const int end : ends[part]) add(end);
-        add(cell.probes[part]);
+        add(probes[part]);
         const double area = part == 0 ? first_area : 1 - first_area;
         for (int c = 0; c < 3; ++c) {
             if (!((high[c] - low[c]) * area * s * s <= 2 * contrast)) return go_on(cell);

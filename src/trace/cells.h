@@ -36,23 +36,23 @@ struct CellSample {
 /// Traces points of a tile; answers in their order.
 using TracePoints = std::function<void(std::span<const Point>, CellSample*)>;
 
-inline constexpr int tile_pixels = 32;   // the side of a tile
+inline constexpr int tile_pixels = 64;   // the side of a tile: enough samples at once to fill packs
 inline constexpr int coarsest_cell = 8;  // pixels; tiles begin at multiples of it
 
-/// A tile of columns x rows pixels. What a cell does depends on its own samples and `thin` alone, so that a pixel's value
+/// A tile of columns x rows pixels, one after the other in the same memory. What a cell does depends on its own samples and `thin` alone, so that a pixel's value
 /// does not depend on how much of the picture is asked for.
 class Cells {
   public:
     /// `contrast` is the difference of colour that a pixel may have, see contrast_for(). Cells of more than
     /// `largest_filled` pixels are always divided.
-    Cells(int columns, int rows, double contrast, int largest_filled, std::span<const Strip> thin);
+    void begin(int columns, int rows, double contrast, int largest_filled, std::span<const Strip> thin);
 
     /// Divides until no unfinished cell is larger than `pixels`, or with 0 until all are finished.
     void refine(int pixels, const TracePoints& trace);
     bool finished() const { return waiting.empty(); }
 
     /// The average over each pixel's square, row by row. Where cells are unfinished, of what their corners tell.
-    void store(double* rgb) const;
+    std::span<const double> values() const { return sums; }
 
     /// Samples on a border count for the pixel to the right or below.
     void add_to(Sampled& sampled) const;
@@ -63,13 +63,19 @@ class Cells {
         std::int32_t x, y, size;     // in units of Point
         std::array<int, 4> corners;  // samples, around the cell
         int middle = -1;
+        int search = -1;  // of an edge's ends
         Stage stage = Stage::corners;
-        std::array<Crossing, 2> crossings;  // while the ends of an edge are searched
-        std::array<int, 2> probes;          // samples asked for
+    };
+    struct Search {
+        std::array<Crossing, 2> crossings;
+        std::array<int, 2> probes;  // samples asked for
     };
 
+    std::size_t pixel_of(const Cell& cell) const {
+        return 3 * (std::size_t(cell.y / Point::unit) * columns + cell.x / Point::unit);
+    }
     int sample_at(Point point);
-    void add_cell(std::int32_t x, std::int32_t y, std::int32_t size);
+    bool within(std::int32_t x, std::int32_t y) const;
     void divide(const Cell& cell);
     void advance(Cell& cell, int finest);
     void look_at_corners(Cell& cell, int finest);
@@ -82,12 +88,12 @@ class Cells {
     bool equal_signatures(const Cell& cell) const;
     double spread(const Cell& cell) const;
     std::array<double, 3> mean(const Cell& cell) const;
-    void fill(const Cell& cell, double* rgb) const;
+    void fill(const Cell& cell);
     void finish(const Cell& cell, const std::array<double, 3>& color, double difference);
 
-    const int columns, rows;
-    const std::int32_t largest;
-    const double contrast;
+    int columns = 0, rows = 0;
+    std::int32_t largest = 0;
+    double contrast = 0;
     /// By cell of the coarsest size.
     std::array<std::vector<Strip>, (tile_pixels / coarsest_cell) * (tile_pixels / coarsest_cell)> thin;
     std::vector<CellSample> samples;
@@ -95,6 +101,7 @@ class Cells {
     std::vector<int> lattice;   // samples at corners of pixels, -1 where there is none yet
     std::unordered_map<std::uint64_t, int> between;  // all others
     std::vector<Cell> active, waiting;
+    std::vector<Search> searches;
     std::vector<double> sums;  // 3 for each pixel
     double squares = 0;
 };
