@@ -30,7 +30,7 @@ void widen(const std::uint32_t* row, int columns, int step, std::vector<std::uin
 
 }  // namespace
 
-TransferTable::TransferTable(bool linear) {
+TransferTable::TransferTable(bool is_linear) : linear(is_linear) {
     least[0] = 0;
     for (int code = 1; code < 256; ++code) {
         // Positive floats are ordered as their bits are.
@@ -48,10 +48,15 @@ TransferTable::TransferTable(bool linear) {
     }
 }
 
+std::uint32_t TransferTable::operator()(double v) const { return quantise(v, linear, 255); }
+
 void encode(const Tile& tile, const TransferTable& table, std::uint32_t* rgba) {
-    const auto values = std::get<std::span<const float>>(tile.rgb);
-    for (std::size_t i = 0; i < values.size(); i += 3)
-        *rgba++ = table(values[i]) | table(values[i + 1]) << 8 | table(values[i + 2]) << 16 | 0xff000000u;
+    const auto encode_all = [&](const auto& values) {
+        const auto code = [&](std::size_t i) { return table(values[i]); };
+        for (std::size_t i = 0; i < values.size(); i += 3)
+            *rgba++ = code(i) | code(i + 1) << 8 | code(i + 2) << 16 | 0xff000000u;
+    };
+    std::visit(encode_all, tile.rgb);
 }
 
 void store(const Tile& tile, const TransferTable& table, Steps steps, Image& level) {

@@ -30,13 +30,17 @@ class TransferTable {
         return code;
     }
 
+    /// Of doubles, by the function itself: some lie between a float and the next code's least one.
+    std::uint32_t operator()(double v) const;
+
   private:
+    bool linear;
     static constexpr int bins = 4096;
     std::array<float, 257> least;              // the least value with this code
     std::array<std::uint8_t, bins + 1> start;  // the code at the lower end of each bin
 };
 
-/// The pixels of a float tile as 8-bit colours, row by row.
+/// The pixels of a tile as 8-bit colours, row by row.
 void encode(const Tile& tile, const TransferTable& table, std::uint32_t* rgba);
 
 /// Stores a tile in the coarse image of a level: pixel (x, y) goes to column x / steps.x, row y / steps.y.

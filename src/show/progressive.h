@@ -14,6 +14,8 @@ struct Steps {
 /// 16th row, every 8th, ... and finally all. This is the scheme of interlaced PNG ("Adam7") with two more levels
 /// before.
 inline constexpr int finest_level = 8;
+/// After it pixels become averages over their squares, as in stills: tile by tile, of rays of their own.
+inline constexpr int averaged_level = finest_level + 1;
 Steps steps_of(int level);
 
 /// All pixels of a level, 0 <= level <= finest_level.

@@ -137,6 +137,7 @@ std::optional<Answer> Session::follow(double now) {
 }
 
 std::string resolution_text(int level) {
+    if (level == averaged_level) return "anti-aliased";
     return level == finest_level ? "all pixels" : "1/" + std::to_string(1 << (finest_level - level)) + " of the pixels";
 }
 

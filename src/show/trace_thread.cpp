@@ -61,7 +61,7 @@ void TraceThread::loop(std::stop_token quit) {
 bool TraceThread::accept(std::stop_token quit) {
     std::unique_lock lock(mutex);
     work = Work::none;
-    const auto unfinished = [&] { return done < 0 || (done < finest_level && !order.moving); };
+    const auto unfinished = [&] { return done < 0 || (done < averaged_level && !order.moving); };
     do {
         wake.wait(lock, quit, [&] { return next || (order.number > 0 && unfinished()); });
         if (quit.stop_requested()) return false;
@@ -105,7 +105,7 @@ void TraceThread::first_picture() {
     std::swap(shown, spare);
     shown_steps = steps;
     new_from = 0, new_to = shown.height;
-    state = {order.number, view.width, view.height, level, traced / (double(view.width) * view.height), seconds, rays};
+    state = {order.number, view.width, view.height, level, traced / (double(view.width) * view.height) / 2, seconds, rays};
     complete = state.finished() && !next;
     announce(lock);
 }
@@ -121,34 +121,43 @@ void TraceThread::begin_refining() {
     coarse = false;
 }
 
+/// The pixels of a level that the one before lacks, or in the end the averages over all.
+Counts TraceThread::trace_level(int level, const Sink& keep) {
+    const View& view = order.view;
+    if (level == averaged_level)
+        return tracer->trace(view, Sampling{}, {.columns = view.width, .rows = view.height}, pool, keep, &stop);
+    const Lattice pixels = new_pixels_of(level, view.width, view.height);
+    const auto start = Clock::now();
+    const Counts rays = tracer->trace(view, pixels, pool, keep, &stop);
+    if (!stop) resolution.observe(count(pixels), seconds_since(start));
+    return rays;
+}
+
 void TraceThread::refine() {
     if (coarse) begin_refining();
     const View& view = order.view;
     const int level = done + 1;
-    const Steps steps = steps_of(level);
+    const Steps steps = steps_of(std::min(level, finest_level));
     const double all = double(view.width) * view.height;
     const auto keep = [&](const Tile& tile) {
-        std::array<std::uint32_t, 1024> rgba;
+        std::vector<std::uint32_t> rgba(std::size_t(tile.lattice.columns) * tile.lattice.rows);
         encode(tile, *table, rgba.data());
         std::unique_lock lock(mutex);
         const Lattice& part = tile.lattice;
         store_blocks(part, rgba.data(), steps, shown);
         new_from = std::min(new_from, part.y);
         new_to = std::max(new_to, std::min(part.y + (part.rows - 1) * part.step_y + steps.y, view.height));
-        state.share += count(part) / all;
+        state.share += count(part) / all / 2;
         announce(lock);
     };
-    const Lattice pixels = new_pixels_of(level, view.width, view.height);
     const auto start = Clock::now();
-    const Counts rays = tracer->trace(view, pixels, pool, keep, &stop);
-    const double seconds = seconds_since(start);
+    const Counts rays = trace_level(level, keep);
     if (stop) return;
-    resolution.observe(count(pixels), seconds);
     done = level;
     std::unique_lock lock(mutex);
     state.level = level;
     state.rays += rays;
-    state.seconds += seconds;
+    state.seconds += seconds_since(start);
     complete = state.finished() && !next;
     announce(lock);
 }

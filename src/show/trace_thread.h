@@ -31,10 +31,10 @@ struct Refinement {
     std::uint64_t number = 0;  // of the order; 0 before the first
     int width = 0, height = 0;
     int level = 0;       // the finest complete one
-    double share = 0;    // of the pixels that are traced
+    double share = 0;    // of the work: half of it are the pixels that are traced, half those that are averages
     double seconds = 0;  // spent tracing them
     Counts rays;
-    bool finished() const { return number > 0 && level == finest_level; }
+    bool finished() const { return number > 0 && level == averaged_level; }
 };
 
 /// New rows of the picture on the screen: of an image that represents `width` x `height` pixels.
@@ -74,6 +74,7 @@ class TraceThread {
     void first_picture();
     void begin_refining();
     void refine();
+    Counts trace_level(int level, const Sink& keep);
     void announce(std::unique_lock<std::mutex>& lock);
     bool outdated(const Order& order) const;
 
