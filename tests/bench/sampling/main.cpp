@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "image/picture.h"
 #include "text/file.h"
 #include "text/parse.h"
 #include "trace/cell_picture.h"
@@ -97,12 +98,21 @@ int compare(int argc, char** argv) {
                              std::filesystem::path(path).stem().string() + "-" + std::to_string(width) + "-" +
                              std::to_string(grid) + "-" + std::to_string(time) + ".raw";
     const std::vector<double> exact = reference(tracer, view, grid, kept, pool);
+    if (argc > 5) {  // other programs' pictures
+        for (int i = 5; i < argc; ++i) {
+            const Picture picture = read_picture(argv[i]);
+            Result result{.rgb = picture.values};
+            result.rays.camera = static_cast<std::uint64_t>(pixels);
+            print(std::filesystem::path(argv[i]).stem().string(), result, exact, pixels);
+        }
+        return 0;
+    }
     std::printf("%s, %dx%d, reference %dx%d\n", path.c_str(), view.width, view.height, grid, grid);
     std::printf("%-14s %7s %8s %8s %8s %8s %8s %9s %9s\n", "", "samples", "rays", "RMS*510", "99%*255", "99.9%", "most",
                 "seconds", "estimate");
     for (const int n : {1, 2, 4, 8})
         print(std::to_string(n) + "x" + std::to_string(n), render(tracer, view, {.grid = n}, pool), exact, pixels);
-    for (const double error : {4., 2., 1., .5, .25}) {
+    for (const double error : {8., 4., 2., 1., .5, .25}) {
         char name[32];
         std::snprintf(name, sizeof name, "error %g/510", error);
         print(name, refine(tracer, view, error / 510, pool), exact, pixels);
@@ -114,6 +124,6 @@ int compare(int argc, char** argv) {
 }  // namespace strahl
 
 int main(int argc, char** argv) {
-    if (argc < 2) return std::puts("usage: strahl_sampling SCENE [WIDTH [GRID [TIME]]]"), 2;
+    if (argc < 2) return std::puts("usage: strahl_sampling SCENE [WIDTH [GRID [TIME [PICTURE...]]]]"), 2;
     return strahl::compare(argc, argv);
 }
