@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "scene/leaves.h"
 #include "scene/overlap.h"
 #include "scene/scene.h"
 
@@ -24,17 +25,7 @@ Box box_of(const Primitive& part, const glm::dmat4& to_world) {
 }  // namespace
 
 int leaves_of(const Shape& shape) {
-    return std::visit(
-        []<class Kind>(const Kind& kind) {
-            if constexpr (is_composite<Kind>) {
-                int sum = 0;
-                for (const Primitive& part : *kind.parts) sum += leaves_of(part.shape);
-                return sum;
-            } else {
-                return 1;
-            }
-        },
-        shape);
+    return sum_of_leaves(shape, [](const auto&) { return 1; });
 }
 
 template <Operation operation>

@@ -44,6 +44,9 @@ struct Mesh {
     template <class T, class Emit>
     void emit(const WorldTransform& to_world, const Emit& emit) const {
         const auto& [points, normals, triangles, corner_normals] = *data;
+        if constexpr (requires { emit.template count<TriangleKernel<T>>(triangles.size()); })
+            return corner_normals.empty() ? emit.template count<TriangleKernel<T>>(triangles.size())
+                                          : emit.template count<SmoothTriangleKernel<T>>(triangles.size());
         std::vector<Vec3<T>> corners;
         corners.reserve(points.size());
         for (const DVec3& point : points) corners.push_back(cast<T>(to_world.point(point)));

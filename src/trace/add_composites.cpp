@@ -4,6 +4,7 @@
 #include <optional>
 #include <type_traits>
 
+#include "scene/leaves.h"
 #include "scene/overlap.h"
 #include "trace/world_arrays.h"
 
@@ -156,17 +157,7 @@ class CompositeBuilder {
 }  // namespace
 
 int faces_of(const Shape& shape) {
-    return std::visit(
-        []<class Kind>(const Kind& kind) {
-            if constexpr (is_composite<Kind>) {
-                int sum = 0;
-                for (const Primitive& part : *kind.parts) sum += faces_of(part.shape);
-                return sum;
-            } else {
-                return Kind::faces;
-            }
-        },
-        shape);
+    return sum_of_leaves(shape, []<class Kind>(const Kind&) { return Kind::faces; });
 }
 
 /// The leaves follow the items of their forms.
@@ -183,6 +174,7 @@ void WorldArrays<T>::add_composites(const Scene& scene, const Placement& placeme
     for (int form = 0; form < Forms::size; ++form) {
         FormItems<T>& own = forms[form];
         const std::size_t size = std::size_t(own.count) * traits[form].fields, more = leaf_numbers[form].size();
+        if (more == 0) continue;
         Buffer<T> longer = uninitialized_buffer<T>(size + more + std::size_t(widest_pack) * traits[form].fields);
         std::copy_n(own.numbers.get(), size, longer.get());
         std::copy_n(leaf_numbers[form].data(), more, longer.get() + size);

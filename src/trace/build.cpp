@@ -56,8 +56,8 @@ void WorldArrays<T>::fill_groups() {
             for (int i = 0; i < own.count; ++i)
                 volumes.push_back(
                     bounding_volume_of<typename Form::Kind>(group.items[i].shape, own.boxes[i], reach * 0x1p-23));
-        own.boxes.reset();
     });
+    boxes.reset();
 }
 
 template <class T>

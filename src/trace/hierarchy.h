@@ -1,7 +1,6 @@
 // Bounding volume hierarchies: wide nodes, one child in each lane.
 #pragma once
 #include <cstdint>
-#include <span>
 
 #include "num/buffer.h"
 
@@ -44,10 +43,9 @@ struct Hierarchy {
     Buffer<std::int32_t> order;
 };
 
-/// Boxes are finite, and are grown by `margin` and by what rounding may have cost them. They are moved about, to and
-/// from as much `spare` room too. Binned surface area heuristic (I. Wald, "On fast Construction of SAH-based Bounding
+/// Boxes are finite, and are grown by `margin` and by what rounding may have cost them. Binned surface area heuristic (I. Wald, "On fast Construction of SAH-based Bounding
 /// Volume Hierarchies", 2007), of whose binary nodes the largest are opened until 16 are side by side. The same for any
 /// number of threads.
-Hierarchy build_hierarchy(std::span<ItemBox> boxes, ItemBox* spare, double margin, ThreadPool& pool);
+Hierarchy build_hierarchy(Buffer<ItemBox> boxes, std::int32_t size, double margin, ThreadPool& pool);
 
 }  // namespace strahl

@@ -25,7 +25,7 @@ template <class Form, class S>
 template <class Form, class S>
 [[gnu::noinline]] void FormFunctions<Form, S>::hit_each(const Item<Form, S>& items, const Ray<S>& ray, const S& t,
                                                         const S& faces, SurfaceHit<S>& hit) {
-    hit = surface_hit(items, ray, t, faces, cross_each);
+    hit = surface_hit(items, ray, t, cross_each, &faces);
 }
 
 template <class T>
@@ -202,7 +202,7 @@ void FormFunctions<Form, S>::surfaces_at(const World<T>& world, const int* items
     for (int k = 0; k < width<S>; ++k) materials[k] = static_cast<int>(group.items[items[k]].material);
     const auto own = gather_items<Item<Form, S>, S>(group.items, items);
     if constexpr (Form::hot)
-        found = surface_hit(own, ray, t, faces, crossings_of<S, Item<Form, S>>);
+        found = surface_hit(own, ray, t, crossings_of<S, Item<Form, S>>, &faces);
     else
         hit_each(own, ray, t, faces, found);
 }

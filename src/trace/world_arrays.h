@@ -44,8 +44,12 @@ struct CountItems {
     int faces;
     template <class K>
     void operator()(const K&) const {
-        ++counts.items[form_number<K, T>(Forms{})];
-        counts.surfaces += faces;
+        count<K>(1);
+    }
+    template <class K>
+    void count(std::size_t number) const {
+        counts.items[form_number<K, T>(Forms{})] += static_cast<int>(number);
+        counts.surfaces += static_cast<std::int64_t>(number) * faces;
     }
 };
 /// Adds what a primitive emits; which forms these are depends on the similarity alone.
@@ -79,7 +83,7 @@ constexpr std::array<FormTraits, sizeof...(F)> traits_of(FormList<F...>) {
 template <class T>
 struct FormItems {
     Buffer<T> numbers, columns;
-    Buffer<ItemBox> boxes;
+    ItemBox* boxes = nullptr;  // of all items, until these have their places
     int count = 0, in_hierarchy = 0;
 };
 
@@ -88,6 +92,7 @@ struct WorldArrays {
     World<T> world;
     static constexpr auto traits = traits_of<T>(Forms{});
     std::array<FormItems<T>, Forms::size> forms;
+    Buffer<ItemBox> boxes;  // those of all forms, one after the other
     Hierarchy hierarchy;
     Buffer<ItemReference> references;
     std::vector<SortBin> sort_bins;
