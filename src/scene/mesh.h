@@ -34,6 +34,8 @@ struct Mesh {
     static constexpr auto fields = std::make_tuple();
     static std::shared_ptr<const MeshData> tetrahedron();
 
+    /// Has it sides that are not shared by two triangles?
+    bool open() const { return open_side(*data).has_value(); }
     const char* fault() const { return data->triangles.empty() ? "it has no triangles" : nullptr; }
     Box bounds() const { return bounds(glm::dmat4(1)); }
     Box bounds(const glm::dmat4& matrix) const;

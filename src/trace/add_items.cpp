@@ -9,14 +9,6 @@
 namespace strahl {
 namespace {
 
-ItemBox item_box(const Box& box, int form) {
-    ItemBox result;
-    for (int c = 0; c < 3; ++c)
-        result.low[c] = static_cast<float>(box.low[c]), result.high[c] = static_cast<float>(box.high[c]);
-    result.form = form;
-    return result;
-}
-
 /// An emitter that puts items into their places.
 template <class T>
 struct PutItems {

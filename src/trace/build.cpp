@@ -142,7 +142,7 @@ WorldArrays<T>::WorldArrays(const Scene& scene, const Placement& placement, Thre
     add_items(scene, placement, pool);
     world.rounding = static_cast<T>(rounding(reach));
     arrange_items(pool);
-    add_composites(scene, placement);
+    add_composites(scene, placement, pool);
     fill_groups();
     if (world.bin_per_item) {
         bound_bodies();

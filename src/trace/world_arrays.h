@@ -34,7 +34,7 @@ consteval int form_number(FormList<F...>) {
     ((std::is_same_v<typename F::template Kernel<T>, K> ? found = number++ : ++number), ...);
     return found;
 }
-/// How many faces the items have that a shape emits, or the leaves of a composite.
+/// How many faces an item has that a shape emits, or the leaves of a composite.
 int faces_of(const Shape& shape);
 
 /// An emitter that counts.
@@ -103,6 +103,7 @@ struct WorldArrays {
     std::vector<CompositeLeaf> leaves;
     std::vector<CompositeStep> steps;
     std::vector<CompositePlane<T>> planes;
+    std::vector<Hierarchy> leaf_hierarchies;  // of meshes that are leaves
     std::vector<std::int32_t> face_keys, leaf_faces;
     std::vector<T> iors;
     std::vector<std::int32_t> bodies;
@@ -134,7 +135,7 @@ struct WorldArrays {
     void make_hierarchy(ThreadPool& pool);
     void number_bins(ThreadPool& pool);
     // add_composites.cpp
-    void add_composites(const Scene& scene, const Placement& placement);
+    void add_composites(const Scene& scene, const Placement& placement, ThreadPool& pool);
     // build.cpp
     void add_materials(const Scene& scene);
     void list_transparent(const Scene& scene);
