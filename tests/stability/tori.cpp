@@ -78,8 +78,8 @@ int line_crossings(const TorusKernel<double>& torus, const Ray<double>& ray, Q u
         return real_roots({k * k - four * (dot(p, p) - along * along), 2 * four * along * slope,
                            2 * k - four * (1 - slope * slope), 0, 1});
     };
-    const int thin = count(torus.minor - unsure);
-    return thin == count(torus.minor + unsure) ? thin : -1;
+    const int crossings = count(torus.minor);
+    return crossings == count(torus.minor - unsure) && crossings == count(torus.minor + unsure) ? crossings : -1;
 }
 
 /// Rays at a torus that is no spindle: at any distance; at a thin one, which most of them pass close by; and along its
