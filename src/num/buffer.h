@@ -9,6 +9,9 @@
 #if defined(__linux__)
 #include <sys/mman.h>
 #endif
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
 
 namespace strahl {
 
@@ -31,6 +34,13 @@ Buffer<I> uninitialized_buffer(std::size_t count) {
     if (unit == page) madvise(p, bytes, MADV_HUGEPAGE);
 #endif
     return Buffer<I>(static_cast<I*>(p));
+}
+
+/// What was freed in pieces smaller than those that are the system's goes back to it.
+inline void trim_memory() {
+#if defined(__GLIBC__)
+    malloc_trim(0);
+#endif
 }
 
 }  // namespace strahl

@@ -37,7 +37,7 @@ STRAHL_INLINE S first_face(const Span<S>& span) {
 }
 
 /// Where the line of a ray crosses a body of one face that is not convex: ascending, and -infinity for each crossing
-/// less than N. They count as those of a span do.
+/// less than N. They count as those of a span do; of those behind the start no more is known than that.
 template <class S, int N>
 struct Crossings {
     S t[N];

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "scene/leaves.h"
 #include "scene/overlap.h"
 #include "scene/scene.h"
 
@@ -23,18 +24,16 @@ Box box_of(const Primitive& part, const glm::dmat4& to_world) {
 
 }  // namespace
 
+bool fits_composite(const Shape& shape) {
+    const auto fits = []<class Kind>(const Kind& kind) {
+        if constexpr (requires { kind.open(); }) return !kind.open();
+        return can_be_part<Kind>;
+    };
+    return std::visit(fits, shape);
+}
+
 int leaves_of(const Shape& shape) {
-    return std::visit(
-        []<class Kind>(const Kind& kind) {
-            if constexpr (is_composite<Kind>) {
-                int sum = 0;
-                for (const Primitive& part : *kind.parts) sum += leaves_of(part.shape);
-                return sum;
-            } else {
-                return 1;
-            }
-        },
-        shape);
+    return sum_of_leaves(shape, [](const auto&) { return 1; });
 }
 
 template <Operation operation>
@@ -48,7 +47,8 @@ const char* Composite<operation>::fault() const {
     int leaves = 0;
     for (const Primitive& part : *parts) {
         if (!std::visit([]<class Kind>(const Kind&) { return can_be_part<Kind>; }, part.shape))
-            return "a part of it is no closed body; discs, triangles and meshes can't be parts";
+            return "a part of it is no closed body; discs and triangles can't be parts";
+        if (!fits_composite(part.shape)) return "a mesh that is a part of it is open, and has no inside";
         leaves += leaves_of(part.shape);
     }
     return leaves > most_leaves ? "it consists of more than 64 bodies" : nullptr;

@@ -21,7 +21,7 @@ struct CompositeKernel {
     T number;
 };
 
-/// Parts are closed bodies other than meshes, each with its own material and transformations, and composites of such.
+/// Parts are closed bodies, each with its own material and transformations, and composites of such.
 template <Operation own_operation>
 struct Composite {
     std::shared_ptr<const std::vector<Primitive>> parts = usual_parts();
@@ -64,9 +64,9 @@ inline constexpr bool is_composite = requires {
     Kind::operation;
 };
 
-/// May it be a part of a composite?
+/// May such bodies be parts of a composite? See fits_composite().
 template <class Kind>
-inline constexpr bool can_be_part = is_composite<Kind> || Kind::closed;
+inline constexpr bool can_be_part = is_composite<Kind> || Kind::closed || requires(const Kind kind) { kind.open(); };
 
 /// Most simple bodies in one composite.
 inline constexpr int most_leaves = 64;

@@ -21,6 +21,8 @@ namespace strahl {
 using Shape = std::variant<Sphere, Plane, Cylinder, Cone, Cuboid, Disc, Torus, Triangle, SmoothTriangle, Mesh, Union,
                            Intersection, Difference>;
 
+/// May it be a part of a composite? Meshes may, if they are closed.
+bool fits_composite(const Shape& shape);
 /// How many simple bodies a shape consists of.
 int leaves_of(const Shape& shape);
 

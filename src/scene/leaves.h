@@ -20,6 +20,20 @@ void for_each_leaf(const Primitive& primitive, const Visit& visit, const glm::dm
     std::visit(look, primitive.shape);
 }
 
+/// The sum of count(kind) for each of them.
+template <class Count>
+int sum_of_leaves(const Shape& shape, const Count& count) {
+    const auto look = [&]<class Kind>(const Kind& kind) {
+        int sum = 0;
+        if constexpr (is_composite<Kind>)
+            for (const Primitive& part : *kind.parts) sum += sum_of_leaves(part.shape, count);
+        else
+            sum = count(kind);
+        return sum;
+    };
+    return std::visit(look, shape);
+}
+
 /// Does light pass any of its surfaces?
 inline bool transparent(const Scene& scene, const Primitive& primitive) {
     bool any = false;

@@ -34,6 +34,8 @@ struct Mesh {
     static constexpr auto fields = std::make_tuple();
     static std::shared_ptr<const MeshData> tetrahedron();
 
+    /// Has it sides that are not shared by two triangles?
+    bool open() const { return open_side(*data).has_value(); }
     const char* fault() const { return data->triangles.empty() ? "it has no triangles" : nullptr; }
     Box bounds() const { return bounds(glm::dmat4(1)); }
     Box bounds(const glm::dmat4& matrix) const;
@@ -44,6 +46,9 @@ struct Mesh {
     template <class T, class Emit>
     void emit(const WorldTransform& to_world, const Emit& emit) const {
         const auto& [points, normals, triangles, corner_normals] = *data;
+        if constexpr (requires { emit.template count<TriangleKernel<T>>(triangles.size()); })
+            return corner_normals.empty() ? emit.template count<TriangleKernel<T>>(triangles.size())
+                                          : emit.template count<SmoothTriangleKernel<T>>(triangles.size());
         std::vector<Vec3<T>> corners;
         corners.reserve(points.size());
         for (const DVec3& point : points) corners.push_back(cast<T>(to_world.point(point)));

@@ -11,6 +11,7 @@
 #include "scene/affine.h"
 #include "scene/capsule.h"
 #include "scene/field.h"
+#include "scene/torus_profile.h"
 
 namespace strahl {
 
@@ -23,90 +24,31 @@ struct TorusKernel {
 
     Ball ball() const { return {DVec3(centre), static_cast<double>(major) + static_cast<double>(minor)}; }
 
-    /// A ray p + t d about the torus' centre. Its squared distance from the circle is F(t) = |p + t d|^2 + R^2 - 2 R
-    /// rho, where rho^2 = (x + k t)^2 + y^2 is that from the axis: a parabola less a hyperbola's branch, so that F is
-    /// convex but between two points left and right of where rho is least, and has a minimum, or two and a maximum.
-    /// Turned so that the deeper minimum is on the right.
-    template <class S>
-    struct Profile {
-        S x, y2, k, along, along_d, middle, major, minor, known_rho;  // F' = 2 (t - middle) for R = 0
-        Mask<S> starts_here;
-
-        struct Value {
-            S gap, distance, slope, curvature, side;  // gap: distance - minor; F' / 2; F'' / 2; x + k t
-        };
-        STRAHL_INLINE Value operator()(S t) const {
-            using E = Element<S>;
-            const S side = fma(k, t, x), square = fma(side, side, y2);
-            const S rho = sqrt(square), pull = major * k / rho, z = fma(t, along_d, along), q = rho - major;
-            const S distance = sqrt(fma(q, q, z * z)), since = t - middle;
-            // From a start on the torus, what the distance grows: F(t) - F(0) with t divided out.
-            const S grown = t * (since - middle - S(E(2)) * major * k * (side + x) / (rho + known_rho));
-            const S gap = select(starts_here, grown / (distance + minor), distance - minor);
-            return {gap, distance, fma(-pull, side, since), fma(-pull * k, y2 / square, S(1)), side};
-        }
-        /// Newton's way along F' to its zero, from where it can't be overshot. `open` are the lanes that want it and,
-        /// after it, that found one; `left`: what lies right of the axis is none.
-        STRAHL_INLINE S extreme(S t, Mask<S>& open, bool left, bool maximum) const {
-            using E = Element<S>;
-            const S enough = S(std::numeric_limits<E>::epsilon() / 4) * minor * (major + minor), zero(0);
-            Mask<S> going = open;
-            for (int i = 0; i < 64 && any(going); ++i) {
-                const Value at = (*this)(t);
-                const S step = at.slope / at.curvature;
-                Mask<S> good = maximum ? Mask<S>(at.curvature < zero) : Mask<S>(at.curvature > zero);
-                if (left && !maximum) good = good & (at.side <= zero);
-                open = open & (good | !going);
-                going = going & good & (abs(at.slope * step) > enough);
-                t = select(going, t - step, t);
-            }
-            return t;
-        }
-        /// The crossing between a point inside and one outside, by Newton's steps on the distance, and halves where
-        /// these leave what is known.
-        STRAHL_INLINE S crossing(S inside, S outside, S t, Mask<S> going) const {
-            using E = Element<S>;
-            const S bits(std::numeric_limits<E>::epsilon()), zero(0), half(E(.5));
-            for (int i = 0; i < 200 && any(going); ++i) {
-                const Value at = (*this)(t);
-                const Mask<S> in = at.gap < zero;
-                inside = select(going & in, t, inside);
-                outside = select(going & !in, t, outside);
-                const S low = min(inside, outside), high = max(inside, outside);
-                const S newton = t - at.gap * at.distance / at.slope;
-                const Mask<S> there = abs(newton - t) <= bits * abs(t);
-                const S next = select(there | ((newton > low) & (newton < high)), newton, half * (low + high));
-                const Mask<S> done = there | (high - low <= bits * max(abs(low), abs(high)));
-                t = select(going, next, t);
-                going = going & !done;
-            }
-            return t;
-        }
-    };
-
     template <class S>
     STRAHL_INLINE Crossings<S, 4> crossings(const Ray<S>& ray, S start) const {
         using E = Element<S>;
-        constexpr E inf = std::numeric_limits<E>::infinity();
-        constexpr E noise = 4 * std::numeric_limits<E>::epsilon();  // of the direction's part across the axis
-        const S zero(0), one(1), major(this->major), minor(this->minor), reach = major + minor, half(E(.5));
+        constexpr E inf = std::numeric_limits<E>::infinity(), bits = 8 * std::numeric_limits<E>::epsilon();
+        constexpr E noise = bits / 2;  // of the direction's part across the axis
+        const S zero(0), one(1), major(this->major), minor(this->minor), reach = major + minor, slack = reach * S(bits);
         const Vec3<S> a = splat<S>(axis), d = ray.direction, f = ray.origin - splat<S>(centre);
         const Mask<S> starts_here = start == zero;
         const S towards = dot(f, d), shift = select(starts_here, zero, -towards);
         const Vec3<S> p = fma(shift, d, f);
         S middle = select(starts_here, -towards, -dot(p, d));
         const Vec3<S> nearest = fma(middle, d, p);
-        const S beyond = fma(reach, reach, -dot(nearest, nearest));
-        Mask<S> hit = (beyond > zero) | starts_here;
-        Crossings<S, 4> none_at_all{{S(-inf), S(-inf), S(-inf), S(-inf)}, hit};
-        if (none(hit)) return none_at_all;
-
+        const S nearest2 = dot(nearest, nearest), beyond = fma(reach, reach, -nearest2);
+        const S width = fma(sqrt(max(beyond, zero)), S(1 + bits), slack);
         const S along = dot(p, a);
         S along_d = dot(d, a);
+        // In the ball around the torus, and there between the planes that touch it.
+        const Mask<S> between = abs(fma(middle, along_d, along)) <= fma(abs(along_d), width, minor + slack);
+        const Mask<S> hit = ((beyond > zero) & between) | starts_here;
+        if (none(hit)) return {{S(-inf), S(-inf), S(-inf), S(-inf)}, hit};
+
         const Vec3<S> u = across(fma(-along, a, p)), v = across(fma(-along_d, a, d));
         const S vv = dot(v, v);
         const Mask<S> parallel = vv < S(noise * noise);
-        S k = select(parallel, zero, sqrt(vv));
+        const S k = select(parallel, zero, sqrt(vv));
         const Vec3<S> e = scale(one / k, v);
         S x = select(parallel, zero, dot(u, e));
         const S y = select(parallel, sqrt(dot(u, u)), dot(a, strahl::cross(u, e)));
@@ -115,61 +57,12 @@ struct TorusKernel {
         middle = select(turned, -middle, middle);
         // On the axis F has a kink. Rays that close to it pass it at a distance of some bits.
         const S closest = S(noise) * reach, y2 = max(y * y, closest * closest);
-        const Profile<S> profile{x, y2, k, along, along_d, middle, major, minor, sqrt(fma(x, x, y2)), starts_here};
-
-        const S pull = major * k;
-        Mask<S> found = hit;
-        // The deeper minimum; where there is a second one, on the other side of the axis, and the maximum between them.
-        // One loop, so that its code is there once.
-        S extremes[3]{middle + pull, middle - pull, -x / k};
-        Mask<S> hump = hit & (abs(y) < pull * k);
-#pragma GCC unroll 1
-        for (int i = 0; i < 3; ++i) {
-            extremes[i] = profile.extreme(extremes[i], i == 0 ? found : hump, i == 1, i == 2);
-            if (i > 0) continue;
-            hit = (hit & (profile(extremes[0]).gap < zero)) | starts_here;
-            none_at_all.hit = hit;
-            if (none(hit)) return none_at_all;
-            hump = hump & hit;
-            if (none(hump)) break;
-        }
-        const S deepest = extremes[0], other = select(hump, extremes[1], deepest),
-                top = select(hump, extremes[2], deepest);
-        Mask<S> four = hump & (profile(other).gap < zero), first = four;
-        four = four & (profile(top).gap > zero);
-
-        Mask<S> rising = starts_here, left = starts_here;
-        if (any(starts_here)) {
-            const Mask<S> leaves = dot(outwards(f), d) > zero;
-            rising = starts_here & ((leaves & !turned) | (turned & !leaves));
-            left = starts_here & hump & (zero < half * (top + select(rising, deepest, other)));
-            first = first | left;
-            four = four | (left & rising);
-        }
-        const S width = sqrt(max(beyond, zero)) * S(1 + E(8) * std::numeric_limits<E>::epsilon()) +
-                        reach * S(E(8) * std::numeric_limits<E>::epsilon());
-        // Between a point inside and one outside. One loop, so that its code is there once.
-        const S inside[4]{select(first, other, deepest), other, deepest, deepest};
-        const S outside[4]{middle - width, top, top, middle + width};
-        S t[4]{outside[0], half * (other + top), half * (deepest + top), outside[3]};
-#pragma GCC unroll 1
-        for (int i = 0; i < 4; ++i) {
-            const Mask<S> wanted = i == 0 || i == 3 ? hit : four;
-            if (any(wanted)) t[i] = profile.crossing(inside[i], outside[i], t[i], wanted);
-        }
-        S t0 = t[0], t1 = select(four, t[1], other), t2 = select(four, t[2], top), t3 = t[3];
-        if (any(starts_here)) {  // the known one is 0, and the others are where they can be
-            const Mask<S> at0 = starts_here & (!rising) & (left | !four), at1 = rising & left;
-            const Mask<S> at2 = starts_here & !(rising | at0), at3 = rising & !left, not3 = starts_here & !at3;
-            t0 = select(at0, zero, select(starts_here, min(t0, zero), t0));
-            t1 = select(at1, zero, select(at0, max(t1, zero), select(starts_here, min(t1, zero), t1)));
-            t2 = select(at2, zero, select(at0 | at1, max(t2, zero), select(at3, min(t2, zero), t2)));
-            t3 = select(at3, zero, select(not3, max(t3, zero), t3));
-        }
-        const S first_of_two = select(turned, -t3, t0), last = select(turned, -t0, t3);
-        return {{select(four, first_of_two + shift, S(-inf)), select(four, select(turned, -t2, t1) + shift, S(-inf)),
-                 select(four, select(turned, -t1, t2), first_of_two) + shift, last + shift},
-                hit};
+        Mask<S> leaves = starts_here;
+        if (any(starts_here)) leaves = starts_here & (dot(outwards(f), d) > zero);
+        const TorusProfile<S> profile{
+            x, y2, k, along, along_d, middle, major, minor, sqrt(fma(x, x, y2)), width, shift, turned,
+            starts_here, leaves};
+        return profile.crossings(nearest2, y * y, hit);
     }
     /// What of `v` is at right angles to the axis, for a `v` that nearly is.
     template <class S>

@@ -63,7 +63,7 @@ requires is_composite<Kind> std::string body_rows() {
     const char* const what = Kind::operation == Operation::unite       ? "what is in one of them at least"
                              : Kind::operation == Operation::intersect ? "what is in all of them"
                                                                        : "what is in the first and in none of the rest";
-    return "| " + code(Kind::name) + " | bodies | blocks of closed bodies, but for meshes | " + what + " |\n";
+    return "| " + code(Kind::name) + " | bodies | blocks of closed bodies | " + what + " |\n";
 }
 template <class... Kinds>
 std::string body_table(std::type_identity<std::variant<Kinds...>>) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "num/decimal.h"
 #include "text/blocks.h"
 #include "text/bodies.h"
 #include "text/camera_blocks.h"
@@ -219,7 +220,11 @@ void Parser::shape(std::string_view word, std::vector<Primitive>& bodies, Block&
         std::string_view at = word;
         std::string message = fault(kind, primitive, at, last);
         if (message.empty() && depth > 0 && !can_be_part<Kind>)
-            message = "a " + std::string(word) + " can't be part of a body: only closed ones but meshes can";
+            message = "a " + std::string(word) + " can't be part of a body: only closed ones can";
+        if constexpr (is_mesh)
+            if (const auto side = depth > 0 ? open_side(*kind.data) : std::nullopt)
+                message = "this mesh can't be part of a body: it is open between " + text_of(side->first) + " and " +
+                          text_of(side->second);
         block.bad = !message.empty();
         if (block.bad) diagnostics.add(at, message);
     }

@@ -4,6 +4,7 @@
 #include <optional>
 #include <type_traits>
 
+#include "scene/leaves.h"
 #include "scene/overlap.h"
 #include "trace/world_arrays.h"
 
@@ -47,13 +48,20 @@ struct PlaneNumbers {
     bool same_plane(const PlaneNumbers& other) const { return normal == other.normal && distance == other.distance; }
 };
 
+template <class Kind>
+int faces_of_leaf(const Kind&) {
+    return Kind::faces;
+}
+int faces_of_leaf(const Mesh& mesh) { return static_cast<int>(mesh.data->triangles.size()); }
+
 /// Adds the leaves of one composite.
 template <class T>
 class CompositeBuilder {
   public:
     CompositeBuilder(WorldArrays<T>& arrays, std::array<std::vector<T>, Forms::size>& leaf_numbers,
-                     const Primitive& whole, int surface, const Placement& placement)
-        : arrays(arrays), leaf_numbers(leaf_numbers), placement(placement), outer(matrix(whole.transformations)) {
+                     const Primitive& whole, int surface, const Placement& placement, ThreadPool& pool)
+        : arrays(arrays), leaf_numbers(leaf_numbers), placement(placement), pool(pool),
+          outer(matrix(whole.transformations)) {
         info.first_leaf = static_cast<std::int32_t>(arrays.leaves.size());
         info.first_step = static_cast<std::int32_t>(arrays.steps.size());
         info.first_plane = static_cast<std::int32_t>(arrays.planes.size());
@@ -93,18 +101,22 @@ class CompositeBuilder {
     template <class Kind>
     void add_leaf(const Kind& shape, const Primitive& part, const glm::dmat4& m, double factor) {
         const WorldTransform to_world{outer * m, factor, placement.origin, placement.scale};
-        CompositeLeaf leaf{-1, 0, part.material, next_surface, Kind::faces, 0};
+        CompositeLeaf leaf{-1, 0, part.material, next_surface, faces_of_leaf(shape), 0};
+        std::vector<ItemBox> boxes;
         shape.template emit<T>(to_world, [&]<class K>(const K& kernel) {
             constexpr int form = form_number<K, T>(Forms{});
             using Own = Item<FormAt<form, Forms>, T>;
             constexpr std::size_t fields = sizeof(Own) / sizeof(T);
-            const Own item{kernel, static_cast<T>(next_surface), static_cast<T>(part.material)};
+            const auto surface = static_cast<T>(next_surface + static_cast<int>(boxes.size()));
+            const Own item{kernel, surface, static_cast<T>(part.material)};
             std::vector<T>& numbers = leaf_numbers[form];
+            if (leaf.form < 0) leaf.item = arrays.forms[form].count + static_cast<int>(numbers.size() / fields);
             leaf.form = form;
-            leaf.item = arrays.forms[form].count + static_cast<std::int32_t>(numbers.size() / fields);
             const T* const first = reinterpret_cast<const T*>(&item);
             numbers.insert(numbers.end(), first, first + fields);
+            if constexpr (std::is_same_v<Kind, Mesh>) boxes.push_back(item_box(kernel.bounds(), form));
         });
+        if constexpr (std::is_same_v<Kind, Mesh>) return add_mesh(leaf, boxes);
         for (int face = 0; face < Kind::faces; ++face) {
             const std::optional<HalfSpace> plane = plane_of(shape, face);
             if (plane) {
@@ -118,6 +130,40 @@ class CompositeBuilder {
         next_surface += Kind::faces;
         arrays.leaves.push_back(leaf);
         arrays.steps.push_back(CompositeStep::leaf);
+    }
+    /// Its triangles are put into the order of a hierarchy of their own.
+    void add_mesh(CompositeLeaf& leaf, const std::vector<ItemBox>& boxes) {
+        const std::size_t fields = WorldArrays<T>::traits[leaf.form].fields;
+        T* const numbers = &leaf_numbers[leaf.form][(leaf.item - arrays.forms[leaf.form].count) * fields];
+        const std::vector<T> before(numbers, numbers + boxes.size() * fields);
+        double reach = 0;
+        for (const ItemBox& box : boxes)
+            for (int c = 0; c < 3; ++c) reach = std::max<double>({reach, std::abs(box.low[c]), std::abs(box.high[c])});
+        const auto size = static_cast<std::int32_t>(boxes.size());
+        Buffer<ItemBox> copies = uninitialized_buffer<ItemBox>(size);
+        std::copy(boxes.begin(), boxes.end(), copies.get());
+        Hierarchy own = build_hierarchy(std::move(copies), size, WorldArrays<T>::rounding(reach), pool);
+        for (std::int32_t i = 0; i < size; ++i)
+            std::copy_n(&before[own.order[i] * fields], fields, numbers + i * fields);
+        for (Node* node = own.nodes.get(); node < own.nodes.get() + own.size; ++node)
+            for (int c = 0; c < node->children; ++c)
+                if (node->leaves[c] != 0) node->first[c] += leaf.item;
+        own.order.reset();
+        leaf.nodes = own.nodes.get();
+        arrays.leaf_hierarchies.push_back(std::move(own));
+        const std::int32_t first_key = mesh_key(leaf);
+        for (std::int32_t i = 0; i < size; ++i) arrays.face_keys.push_back(first_key + i);
+        next_surface += size;
+        arrays.leaves.push_back(leaf);
+        arrays.steps.push_back(CompositeStep::leaf);
+    }
+    /// The key of a mesh's first triangle: that of the first mesh with the same numbers.
+    std::int32_t mesh_key(const CompositeLeaf& own) const {
+        const int equal = equal_leaf(own);
+        const std::size_t count = arrays.leaves.size() - info.first_leaf;
+        if (equal < static_cast<int>(count))
+            return arrays.face_keys[info.first_key + arrays.leaves[info.first_leaf + equal].surface - info.surface];
+        return most_planes + 8 * most_leaves + own.surface - info.surface;
     }
     std::int32_t plane_key(const PlaneNumbers& own) {
         const auto same = [&](const PlaneNumbers& other) { return own.same_plane(other); };
@@ -138,8 +184,12 @@ class CompositeBuilder {
         const std::size_t count = arrays.leaves.size() - info.first_leaf;
         for (std::size_t i = 0; i < count; ++i) {
             const CompositeLeaf& other = arrays.leaves[info.first_leaf + i];
-            if (other.form == own.form && std::equal(numbers(own), numbers(own) + fields - 2, numbers(other)))
-                return static_cast<int>(i);
+            const int items = own.nodes ? own.faces : 1;
+            bool same = other.form == own.form && (other.nodes ? other.faces : 1) == items;
+            for (int k = 0; same && k < items; ++k)
+                same = std::equal(numbers(own) + k * fields, numbers(own) + (k + 1) * fields - 2,
+                                  numbers(other) + k * fields);
+            if (same) return static_cast<int>(i);
         }
         return static_cast<int>(count);
     }
@@ -147,6 +197,7 @@ class CompositeBuilder {
     WorldArrays<T>& arrays;
     std::array<std::vector<T>, Forms::size>& leaf_numbers;
     const Placement& placement;
+    ThreadPool& pool;
     const glm::dmat4 outer;
     CompositeInfo info{};
     std::int32_t next_surface;
@@ -156,44 +207,44 @@ class CompositeBuilder {
 }  // namespace
 
 int faces_of(const Shape& shape) {
-    return std::visit(
-        []<class Kind>(const Kind& kind) {
-            if constexpr (is_composite<Kind>) {
-                int sum = 0;
-                for (const Primitive& part : *kind.parts) sum += faces_of(part.shape);
-                return sum;
-            } else {
-                return Kind::faces;
-            }
-        },
-        shape);
+    const bool item = std::holds_alternative<Mesh>(shape);
+    return sum_of_leaves(shape, [&](const auto& kind) { return item ? Mesh::faces : faces_of_leaf(kind); });
 }
 
 /// The leaves follow the items of their forms.
 template <class T>
-void WorldArrays<T>::add_composites(const Scene& scene, const Placement& placement) {
+void WorldArrays<T>::add_composites(const Scene& scene, const Placement& placement, ThreadPool& pool) {
     if (forms[place_of<CompositeForm>(Forms{})].count == 0) return;
     std::array<std::vector<T>, Forms::size> leaf_numbers;
     ItemCounts before;
     for (const Primitive& primitive : scene.primitives) {
         if (std::visit([]<class Kind>(const Kind&) { return is_composite<Kind>; }, primitive.shape))
-            CompositeBuilder<T>(*this, leaf_numbers, primitive, static_cast<int>(before.surfaces), placement);
+            CompositeBuilder<T>(*this, leaf_numbers, primitive, static_cast<int>(before.surfaces), placement, pool);
         count_items<T>(primitive, before);
     }
     for (int form = 0; form < Forms::size; ++form) {
         FormItems<T>& own = forms[form];
         const std::size_t size = std::size_t(own.count) * traits[form].fields, more = leaf_numbers[form].size();
+        if (more == 0) continue;
         Buffer<T> longer = uninitialized_buffer<T>(size + more + std::size_t(widest_pack) * traits[form].fields);
         std::copy_n(own.numbers.get(), size, longer.get());
         std::copy_n(leaf_numbers[form].data(), more, longer.get() + size);
         own.numbers = std::move(longer);
     }
     leaf_faces.assign(surfaces, -1);
-    for (const CompositeLeaf& leaf : leaves)
-        for (int face = 0; face < leaf.faces; ++face) {
-            references[1 + leaf.surface + face] = {leaf.item, leaf.form};  // each form has one bin
-            leaf_faces[leaf.surface + face] = face;
-        }
+    for (const CompositeLeaf& leaf : leaves) {
+        const auto refer = [&](std::int32_t surface, std::int32_t item, int face) {
+            references[1 + surface] = {item, leaf.form};  // each form has one bin
+            leaf_faces[surface] = face;
+        };
+        const std::size_t fields = traits[leaf.form].fields;
+        const T* const numbers = forms[leaf.form].numbers.get();
+        for (int i = 0; i < leaf.faces; ++i)
+            if (leaf.nodes)
+                refer(static_cast<int>(numbers[(leaf.item + i + 1) * fields - 2]), leaf.item + i, 0);
+            else
+                refer(leaf.surface + i, leaf.item, i);
+    }
     world.composites = composites.data();
     world.leaves = leaves.data();
     world.steps = steps.data();
@@ -202,8 +253,8 @@ void WorldArrays<T>::add_composites(const Scene& scene, const Placement& placeme
     world.leaf_faces = leaf_faces.data();
 }
 
-template void WorldArrays<float>::add_composites(const Scene&, const Placement&);
-template void WorldArrays<double>::add_composites(const Scene&, const Placement&);
-template void WorldArrays<long double>::add_composites(const Scene&, const Placement&);
+template void WorldArrays<float>::add_composites(const Scene&, const Placement&, ThreadPool&);
+template void WorldArrays<double>::add_composites(const Scene&, const Placement&, ThreadPool&);
+template void WorldArrays<long double>::add_composites(const Scene&, const Placement&, ThreadPool&);
 
 }  // namespace strahl

@@ -1,20 +1,13 @@
 // Primitives become items: all threads at once, each item where it would be if one came after the other.
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "scene/overlap.h"
 #include "trace/world_arrays.h"
 
 namespace strahl {
 namespace {
-
-ItemBox item_box(const Box& box, int form) {
-    ItemBox result;
-    for (int c = 0; c < 3; ++c)
-        result.low[c] = static_cast<float>(box.low[c]), result.high[c] = static_cast<float>(box.high[c]);
-    result.form = form;
-    return result;
-}
 
 /// An emitter that puts items into their places.
 template <class T>
@@ -55,10 +48,13 @@ void WorldArrays<T>::add_items(const Scene& scene, const Placement& placement, T
     for (std::size_t i = 1; i < before.size(); ++i) before[i] += before[i - 1];
     const ItemCounts& all = before.back();
     check_capacity<T>(all.surfaces);
+    boxes = uninitialized_buffer<ItemBox>(std::accumulate(all.items.begin(), all.items.end(), std::size_t(0)));
+    ItemBox* next_box = boxes.get();
     for (int form = 0; form < Forms::size; ++form) {
         forms[form].count = all.items[form];
         forms[form].numbers = uninitialized_buffer<T>(std::size_t(all.items[form] + widest_pack) * traits[form].fields);
-        forms[form].boxes = uninitialized_buffer<ItemBox>(all.items[form]);
+        forms[form].boxes = next_box;
+        next_box += all.items[form];
     }
     surfaces = static_cast<int>(all.surfaces);
 

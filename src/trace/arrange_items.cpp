@@ -62,19 +62,18 @@ void WorldArrays<T>::make_hierarchy(ThreadPool& pool) {
     }
     const std::int32_t size = starts.back();
     if (size == 0) return;
-    const Buffer<ItemBox> boxes = uninitialized_buffer<ItemBox>(size), spare = uninitialized_buffer<ItemBox>(size);
     for (int form = 0; form < Forms::size; ++form)
-        share_out(pool, forms[form].in_hierarchy, share_items, [&](std::int32_t first, std::int32_t last) {
-            std::copy(&forms[form].boxes[first], &forms[form].boxes[last], &boxes[starts[form] + first]);
-        });
-    hierarchy = build_hierarchy({boxes.get(), std::size_t(size)}, spare.get(), rounding(reach), pool);
+        if (forms[form].boxes != &boxes[starts[form]])
+            std::copy_n(forms[form].boxes, forms[form].in_hierarchy, &boxes[starts[form]]);
+    hierarchy = build_hierarchy(std::move(boxes), size, rounding(reach), pool);
+    trim_memory();
 
     // Item i in the order of the leaves becomes item places[i] of its form.
     const auto form_at = [&](std::int32_t i) {
         return static_cast<int>(std::upper_bound(starts.begin(), starts.end(), hierarchy.order[i]) - starts.begin()) -
                1;
     };
-    std::vector<std::int32_t> places(size);
+    Buffer<std::int32_t> places = uninitialized_buffer<std::int32_t>(size);
     std::array<std::int32_t, Forms::size> next{};
     for (std::int32_t i = 0; i < size; ++i) places[i] = next[form_at(i)]++;
     share_out(pool, hierarchy.size, 256, [&](std::int32_t first, std::int32_t last) {
@@ -99,10 +98,15 @@ void WorldArrays<T>::make_hierarchy(ThreadPool& pool) {
         std::copy(&own.numbers[own.in_hierarchy * fields], &own.numbers[own.count * fields],
                   &sorted[form][own.in_hierarchy * fields]);
         own.numbers = std::move(sorted[form]);
-        if (own.in_hierarchy > 0)
-            own.columns = columns_of(own.numbers.get(), own.count, fields, own.count + widest_pack, pool);
     }
     hierarchy.order.reset();
+    places.reset();
+    for (int form = 0; form < Forms::size; ++form) {
+        FormItems<T>& own = forms[form];
+        if (own.in_hierarchy > 0)
+            own.columns =
+                columns_of(own.numbers.get(), own.count, traits[form].fields, own.count + widest_pack, pool);
+    }
     world.nodes = hierarchy.nodes.get();
 }
 

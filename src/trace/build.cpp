@@ -56,8 +56,8 @@ void WorldArrays<T>::fill_groups() {
             for (int i = 0; i < own.count; ++i)
                 volumes.push_back(
                     bounding_volume_of<typename Form::Kind>(group.items[i].shape, own.boxes[i], reach * 0x1p-23));
-        own.boxes.reset();
     });
+    boxes.reset();
 }
 
 template <class T>
@@ -142,7 +142,7 @@ WorldArrays<T>::WorldArrays(const Scene& scene, const Placement& placement, Thre
     add_items(scene, placement, pool);
     world.rounding = static_cast<T>(rounding(reach));
     arrange_items(pool);
-    add_composites(scene, placement);
+    add_composites(scene, placement, pool);
     fill_groups();
     if (world.bin_per_item) {
         bound_bodies();

@@ -1,7 +1,7 @@
 // Where rays cross bodies made of bodies. Nothing is sorted: a walk along the ray goes from end to end of the parts,
 // and where the whole changes between inside and outside there is its surface.
 #pragma once
-#include "trace/form_functions.h"
+#include "trace/mesh_walk.h"
 
 namespace strahl::inline STRAHL_LEVEL {
 
@@ -23,9 +23,10 @@ class CompositeWalk {
     using T = Element<S>;
 
   public:
-    [[gnu::noinline]] CompositeWalk(const World<T>& world, const CompositeInfo& composite, const Ray<S>& ray)
-        : world(world), composite(composite) {
-        S start_key(T(-1));
+    [[gnu::noinline]] CompositeWalk(const World<T>& world, const CompositeInfo& composite, const Ray<S>& ray,
+                                    Mask<S> lanes)
+        : world(world), composite(composite), ray(ray) {
+        start_key = S(T(-1));
         if (any((ray.source >= S(static_cast<T>(composite.surface))) &
                 (ray.source < S(static_cast<T>(composite.surface + composite.surfaces)))))
             start_key = keys_of(ray.source);
@@ -36,7 +37,7 @@ class CompositeWalk {
             const S t = (S(plane.distance) - dot(n, ray.origin)) / dot(n, ray.direction);
             planes[i] = select(start_key == S(static_cast<T>(i)), S(0), t);
         }
-        for (int i = 0; i < composite.leaves; ++i) cross(i, ray, start_key, planes);
+        for (int i = 0; i < composite.leaves; ++i) cross(i, lanes, planes);
     }
 
     /// Is the composite's inside there, just after `t`? And were it, if the leaf `other` were the opposite of what it
@@ -98,10 +99,12 @@ class CompositeWalk {
     /// Goes along the rays, and calls crossed(t, lanes) where these enter or leave the composite, until it has no more
     /// lanes: it takes away those that are done. `limit(lanes)` tells how far there is anything to find.
     template <class Crossed, class Limit>
-    void go(Mask<S> lanes, const Crossed& crossed, const Limit& limit) const {
+    void go(Mask<S> lanes, const Crossed& crossed, const Limit& limit) {
         S t(0);
         Mask<S> inside = inside_after(t);
         while (any(lanes)) {
+            for (int i = 0; has_meshes && i < composite.leaves; ++i)
+                if (leaf(i).nodes) pass_mesh(i, t);
             t = next(t);
             lanes = lanes & (t < S(std::numeric_limits<T>::infinity())) & limit(t);
             const Mask<S> after = inside_after(t), changes = lanes & ((inside & !after) | (after & !inside));
@@ -143,11 +146,12 @@ class CompositeWalk {
     }
     /// Faces in the same place share a key, and so are crossed at the same t: planes by being one, others by their own
     /// equal formulas. A ray that starts on one of them starts on all.
-    void cross(int i, const Ray<S>& ray, const S& start_key, const Room<S, most_planes>& planes) {
+    void cross(int i, Mask<S> lanes, const Room<S, most_planes>& planes) {
         const CompositeLeaf& own = leaf(i);
         const std::int32_t* const keys = world.face_keys + composite.first_key + (own.surface - composite.surface);
         LeafEnds<S>& end = ends[i];
-        if (own.half_space != 0) return cross_half_space(own, keys[0], ray, planes[keys[0]], end);
+        if (own.half_space != 0) return cross_half_space(own, keys[0], planes[keys[0]], end);
+        if (own.nodes) return cross_mesh(own, lanes, end);
         S start(T(-1));
         for (int face = 0; face < own.faces; ++face)
             start = select(start_key == S(static_cast<T>(keys[face])), S(static_cast<T>(face)), start);
@@ -161,7 +165,7 @@ class CompositeWalk {
             end.far[0] = select(met & (end.far_face == number), t, end.far[0]);
         }
     }
-    void cross_half_space(const CompositeLeaf& own, int key, const Ray<S>& ray, const S& t, LeafEnds<S>& end) const {
+    void cross_half_space(const CompositeLeaf& own, int key, const S& t, LeafEnds<S>& end) const {
         const S zero(0), inf(std::numeric_limits<T>::infinity()), turn(static_cast<T>(own.half_space));
         const CompositePlane<T>& plane = world.planes[composite.first_plane + key];
         const Vec3<S> n = splat<S>(plane.normal);
@@ -173,8 +177,43 @@ class CompositeWalk {
         end.near_face = end.far_face = zero;
     }
 
+    /// As the mesh sees the rays: those that start on a triangle in the place of one of its own start on that.
+    MeshCrossing<S> next_of_mesh(const CompositeLeaf& own, Mask<S> lanes, const S& place, bool all) const {
+        const std::int32_t first_key = world.face_keys[composite.first_key + own.surface - composite.surface];
+        const S start = start_key - S(static_cast<T>(first_key)), surface(static_cast<T>(own.surface));
+        const Mask<S> starts_here = (start >= S(0)) & (start < S(static_cast<T>(own.faces)));
+        const Ray<S> from{ray.origin, ray.direction, select(starts_here, surface + start, ray.source)};
+        return next_mesh_crossing(world, own, from, lanes, place, all);
+    }
+    /// Of a mesh the stretch of the rays' inside that they are in, or that comes next.
+    void cross_mesh(const CompositeLeaf& own, Mask<S> lanes, LeafEnds<S>& end) {
+        const S zero(0), inf(std::numeric_limits<T>::infinity());
+        const MeshCrossing<S> first = next_of_mesh(own, lanes, zero, true);
+        const Mask<S> inside = first.odd_in_all;
+        const MeshCrossing<S> second = next_of_mesh(own, lanes & !inside & (first.t < inf), first.t, false);
+        end.pairs = 1;
+        end.near[0] = select(inside, -inf, first.t), end.near_face = first.surface;
+        end.far[0] = select(inside, first.t, second.t), end.far_face = select(inside, first.surface, second.surface);
+        has_meshes = true;
+    }
+    /// Goes on to the next one where this one lies behind.
+    void pass_mesh(int i, const S& t) {
+        LeafEnds<S>& end = ends[i];
+        const S inf(std::numeric_limits<T>::infinity());
+        const Mask<S> passed = (end.far[0] <= t) & (end.far[0] < inf);
+        if (none(passed)) return;
+        const MeshCrossing<S> first = next_of_mesh(leaf(i), passed, end.far[0], false);
+        const MeshCrossing<S> second = next_of_mesh(leaf(i), passed & (first.t < inf), first.t, false);
+        end.near[0] = select(passed, first.t, end.near[0]), end.far[0] = select(passed, second.t, end.far[0]);
+        end.near_face = select(passed, first.surface, end.near_face);
+        end.far_face = select(passed, second.surface, end.far_face);
+    }
+
     const World<T>& world;
     const CompositeInfo& composite;
+    const Ray<S>& ray;
+    bool has_meshes = false;
+    S start_key;
     Room<LeafEnds<S>, most_leaves> ends;
 };
 
@@ -187,7 +226,7 @@ struct FormFunctions<CompositeForm, S> {
     static void intersect(const World<T>& world, int first, int count, const Ray<S>& ray, Mask<S> mask,
                           Nearest<S>& best) {
         for (int i = first; i < first + count; ++i) {
-            const CompositeWalk<S> walk(world, info(world, i), ray);
+            CompositeWalk<S> walk(world, info(world, i), ray, mask);
             walk.go(
                 mask,
                 [&](const S& t, Mask<S> lanes) {
@@ -211,7 +250,7 @@ struct FormFunctions<CompositeForm, S> {
     static bool occlude(const World<T>& world, int first, int count, const Ray<S>& ray, const S& distance, Mask<S> mask,
                         Transmission<S>& light) {
         for (int i = first; i < first + count; ++i) {
-            const CompositeWalk<S> walk(world, info(world, i), ray);
+            CompositeWalk<S> walk(world, info(world, i), ray, mask);
             walk.go(
                 mask,
                 [&](const S& t, Mask<S> lanes) {

@@ -24,6 +24,13 @@ struct LeafEnds {
     int pairs;
 };
 
+/// Where rays cross the triangles of a mesh next, beyond some place.
+template <class S>
+struct MeshCrossing {
+    S t{std::numeric_limits<Element<S>>::infinity()}, surface{-1};
+    Mask<S> odd, odd_in_all;  // is the number of triangles crossed odd: at t, and of those looked at
+};
+
 template <class Form, class S>
 struct FormFunctions {
     using T = Element<S>;
@@ -43,6 +50,9 @@ struct FormFunctions {
                             SurfaceHit<S>& hit, int* materials);
     /// Where rays cross a leaf of a composite.
     static void ends(const World<T>& world, int item, const Ray<S>& ray, LeafEnds<S>& ends);
+    /// Looks for the next crossing of the items beyond `place`, in the lanes of the mask.
+    static void cross_beyond(const World<T>& world, int first, int count, const Ray<S>& ray, Mask<S> mask,
+                             const S& place, MeshCrossing<S>& found);
     // Of hot forms the two below are never called: see if_hot(). The second is of convex forms only.
     /// The points at which rays first meet an item, all the same one.
     static void surface_at(const World<T>& world, int item, const Ray<S>& ray, const S& t, SurfaceHit<S>& hit);
@@ -78,6 +88,7 @@ struct FormCalls {
     bool (*occlude_single)(const W&, int, int, SingleRay<S>&);
     void (*surfaces_at)(const W&, const int*, const Ray<S>&, const S&, const S&, SurfaceHit<S>&, int*) = nullptr;
     void (*ends)(const W&, int, const Ray<S>&, LeafEnds<S>&) = nullptr;
+    void (*cross_beyond)(const W&, int, int, const Ray<S>&, Mask<S>, const S&, MeshCrossing<S>&) = nullptr;
     void (*surface_at)(const W&, int, const Ray<S>&, const S&, SurfaceHit<S>&) = nullptr;
     Span<S> (*span)(const W&, int, const Ray<S>&) = nullptr;
 };

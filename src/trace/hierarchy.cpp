@@ -5,7 +5,6 @@
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "trace/hierarchy_cut.h"
 #include "trace/thread_pool.h"
@@ -24,10 +23,9 @@ constexpr int chunk_items = 8192;    // a thread's piece of such work
 
 class Builder {
   public:
-    Builder(std::span<ItemBox> boxes, ItemBox* room_for_them, double margin, ThreadPool& workers)
-        : entries(boxes.data()), spare(room_for_them), pool(workers) {
-        const auto size = static_cast<std::int32_t>(boxes.size());
-        result.order = uninitialized_buffer<std::int32_t>(boxes.size());
+    Builder(Buffer<ItemBox> boxes, std::int32_t size, double margin, ThreadPool& workers)
+        : entries(boxes.get()), pool(workers) {
+        result.order = uninitialized_buffer<std::int32_t>(size);
         // Half a unit in the last place was lost when the corner was rounded, and half a one is lost here.
         const Quad grow = Quad{} + static_cast<float>(margin), units = Quad{} + 0x1p-22f;
         share_out(pool, size, chunk_items, [&](std::int32_t first, std::int32_t last) {
@@ -40,11 +38,12 @@ class Builder {
             }
         });
         std::vector<Node> top;
-        node(part(entries, 0, size, 0), top, true);
+        node(part(0, size, 0), top, true);
         std::vector<std::vector<Node>> below(tasks.size());
         share_out(pool, static_cast<std::int32_t>(tasks.size()), 1, [&](std::int32_t first, std::int32_t last) {
-            for (std::int32_t i = first; i < last; ++i) node(tasks[i].part, below[i], false);
+            for (std::int32_t i = first; i < last; ++i) node(tasks[i].part, below[i], false), below[i].shrink_to_fit();
         });
+        boxes.reset();
         std::size_t count = top.size();
         std::vector<std::size_t> starts;
         for (std::size_t i = 0; i < tasks.size(); ++i) {
@@ -71,7 +70,6 @@ class Builder {
     struct Part {
         Extents extents;
         Cut cut;
-        ItemBox* items;  // the array that they are in now
         std::int32_t begin, end;
         int depth;
         bool leaf;
@@ -83,7 +81,6 @@ class Builder {
         int child;
     };
     ItemBox* entries;
-    ItemBox* spare;
     ThreadPool& pool;
     std::vector<Task> tasks;
 
@@ -99,12 +96,12 @@ class Builder {
         return sums[0];
     }
 
-    Part part(ItemBox* items, std::int32_t begin, std::int32_t end, int depth) {
-        Part part{{}, {}, items, begin, end, depth, false};
-        part.extents = summed<Extents>(begin, end, [items](std::int32_t first, std::int32_t last) {
+    Part part(std::int32_t begin, std::int32_t end, int depth) {
+        Part part{{}, {}, begin, end, depth, false};
+        part.extents = summed<Extents>(begin, end, [this](std::int32_t first, std::int32_t last) {
             Extents sum;
             for (std::int32_t i = first; i < last; ++i) {
-                const Bounds box = bounds_of(items[i]);
+                const Bounds box = bounds_of(entries[i]);
                 sum.all.add(box), sum.middles.add(box.middle());
             }
             return sum;
@@ -112,10 +109,10 @@ class Builder {
         const std::int32_t count = end - begin;
         if (depth < deepest_cut && count > 2) {
             const Scale scale(part.extents.middles, bins_for(count));
-            const auto sort = [items, scale](std::int32_t first, std::int32_t last) {
+            const auto sort = [this, scale](std::int32_t first, std::int32_t last) {
                 Bins sum(scale.bins);
                 for (std::int32_t i = first; i < last; ++i) {
-                    const Bounds box = bounds_of(items[i]);
+                    const Bounds box = bounds_of(entries[i]);
                     const auto bin = __builtin_convertvector(scale(box), WholeQuad);
                     for (int axis = 0; axis < 3; ++axis)
                         sum.box[axis][bin[axis]].add(box), ++sum.count[axis][bin[axis]];
@@ -129,45 +126,67 @@ class Builder {
             count <= leaf_items && !(area + item_cost * part.cut.cost < item_cost * static_cast<float>(count) * area);
         if (part.leaf) {
             const auto [least, most] = std::minmax_element(
-                items + begin, items + end, [](const ItemBox& a, const ItemBox& b) { return a.form < b.form; });
+                entries + begin, entries + end, [](const ItemBox& a, const ItemBox& b) { return a.form < b.form; });
             if (least->form < most->form) part.leaf = false, part.cut = {0, by_form, least->form};
         }
         return part;
     }
 
+    /// Items of a range for which `before` holds go to the front. Where the others begin.
+    template <class Before>
+    std::int32_t divide(std::int32_t begin, std::int32_t end, const Before& before) {
+        const auto partition = [&](std::int32_t first, std::int32_t last) {
+            return static_cast<std::int32_t>(std::partition(entries + first, entries + last, before) - entries);
+        };
+        if (end - begin <= shared_items) return partition(begin, end);
+        std::vector<std::int32_t> cuts((end - begin + chunk_items - 1) / chunk_items);
+        share_out(pool, end - begin, chunk_items, [&](std::int32_t first, std::int32_t last) {
+            cuts[first / chunk_items] = partition(begin + first, begin + last);
+        });
+        const auto chunk = [&](std::size_t i) { return begin + static_cast<std::int32_t>(i) * chunk_items; };
+        std::int32_t at = begin;
+        for (std::size_t i = 0; i < cuts.size(); ++i) at += cuts[i] - chunk(i);
+        // What lies on the wrong side, in one chunk after the other, changes places.
+        struct Range {
+            std::int32_t first, last;
+        };
+        std::vector<Range> left, right;
+        for (std::size_t i = 0; i < cuts.size(); ++i) {
+            const std::int32_t last = std::min(chunk(i + 1), end);
+            if (cuts[i] < std::min(last, at)) left.push_back({cuts[i], std::min(last, at)});
+            if (cuts[i] > std::max(chunk(i), at)) right.push_back({std::max(chunk(i), at), cuts[i]});
+        }
+        struct Exchange {
+            std::int32_t left, right, count;
+        };
+        std::vector<Exchange> exchanges;
+        for (std::size_t i = 0, k = 0; i < left.size(); i += left[i].first == left[i].last) {
+            const std::int32_t count = std::min(left[i].last - left[i].first, right[k].last - right[k].first);
+            exchanges.push_back({left[i].first, right[k].first, count});
+            left[i].first += count, right[k].first += count;
+            k += right[k].first == right[k].last;
+        }
+        share_out(pool, static_cast<std::int32_t>(exchanges.size()), 1, [&](std::int32_t i, std::int32_t) {
+            ItemBox* const first = entries + exchanges[i].left;
+            std::swap_ranges(first, first + exchanges[i].count, entries + exchanges[i].right);
+        });
+        return at;
+    }
+
     /// Items before the cut go to the front. What remains of `part` is the part before; the other is returned.
     Part open(Part& from) {
-        ItemBox* items = from.items;
         std::int32_t at = from.begin + from.count() / 2;
         if (from.cut.axis == by_form) {
-            const auto first = [form = from.cut.bin](const ItemBox& e) { return e.form == form; };
-            at = static_cast<std::int32_t>(std::partition(items + from.begin, items + from.end, first) - items);
+            at = divide(from.begin, from.end, [form = from.cut.bin](const ItemBox& e) { return e.form == form; });
         } else if (from.cut.axis != in_the_middle) {
             const Scale scale(from.extents.middles, bins_for(from.count()));
-            const auto before = [axis = from.cut.axis, low = scale.from[from.cut.axis],
-                                 per_bin = scale.per_bin[from.cut.axis], bin = static_cast<float>(from.cut.bin)](
-                                    const ItemBox& e) { return (e.low[axis] + e.high[axis] - low) * per_bin < bin; };
-            if (from.count() <= shared_items) {
-                at = static_cast<std::int32_t>(std::partition(items + from.begin, items + from.end, before) - items);
-            } else {
-                std::vector<std::int32_t> ends((from.count() + chunk_items - 1) / chunk_items + 1);
-                share_out(pool, from.count(), chunk_items, [&](std::int32_t first, std::int32_t last) {
-                    ends[first / chunk_items + 1] = static_cast<std::int32_t>(
-                        std::count_if(items + from.begin + first, items + from.begin + last, before));
-                });
-                std::partial_sum(ends.begin(), ends.end(), ends.begin());
-                at = from.begin + ends.back();
-                ItemBox* const to = items == entries ? spare : entries;
-                share_out(pool, from.count(), chunk_items, [&](std::int32_t first, std::int32_t last) {
-                    ItemBox* left = to + from.begin + ends[first / chunk_items];
-                    ItemBox* right = to + at + first - ends[first / chunk_items];
-                    std::partition_copy(items + from.begin + first, items + from.begin + last, left, right, before);
-                });
-                items = to;
-            }
+            at = divide(from.begin, from.end,
+                        [axis = from.cut.axis, low = scale.from[from.cut.axis],
+                         per_bin = scale.per_bin[from.cut.axis], bin = static_cast<float>(from.cut.bin)](
+                            const ItemBox& e) { return (e.low[axis] + e.high[axis] - low) * per_bin < bin; });
         }
-        const Part right = part(items, at, from.end, from.depth + 1);
-        from = part(items, from.begin, at, from.depth + 1);
+        const Part right = part(at, from.end, from.depth + 1);
+        from = part(from.begin, at, from.depth + 1);
         return right;
     }
 
@@ -199,8 +218,8 @@ class Builder {
             if (child.leaf) {
                 node.first[i] = child.begin;
                 node.leaves[i] =
-                    static_cast<std::int16_t>(LeafCode::make(child.items[child.begin].form, child.count()));
-                for (std::int32_t k = child.begin; k < child.end; ++k) result.order[k] = child.items[k].item;
+                    static_cast<std::int16_t>(LeafCode::make(entries[child.begin].form, child.count()));
+                for (std::int32_t k = child.begin; k < child.end; ++k) result.order[k] = entries[k].item;
             } else if (shared && child.count() <= shared_items) {
                 tasks.push_back({child, index, i});
             } else {
@@ -214,8 +233,8 @@ class Builder {
 
 }  // namespace
 
-Hierarchy build_hierarchy(std::span<ItemBox> boxes, ItemBox* spare, double margin, ThreadPool& pool) {
-    return std::move(Builder(boxes, spare, margin, pool).result);
+Hierarchy build_hierarchy(Buffer<ItemBox> boxes, std::int32_t size, double margin, ThreadPool& pool) {
+    return std::move(Builder(std::move(boxes), size, margin, pool).result);
 }
 
 }  // namespace strahl

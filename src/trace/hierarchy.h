@@ -1,8 +1,8 @@
 // Bounding volume hierarchies: wide nodes, one child in each lane.
 #pragma once
 #include <cstdint>
-#include <span>
 
+#include "num/box.h"
 #include "num/buffer.h"
 
 namespace strahl {
@@ -35,6 +35,14 @@ struct alignas(16) ItemBox {
     std::int32_t form;
 };
 
+inline ItemBox item_box(const Box& box, int form) {
+    ItemBox result;
+    for (int c = 0; c < 3; ++c)
+        result.low[c] = static_cast<float>(box.low[c]), result.high[c] = static_cast<float>(box.high[c]);
+    result.form = form;
+    return result;
+}
+
 /// Nodes, root first, and the order in which the leaves hold the items.
 struct Hierarchy {
     /// Most nodes on a way from the root to a leaf.
@@ -44,10 +52,9 @@ struct Hierarchy {
     Buffer<std::int32_t> order;
 };
 
-/// Boxes are finite, and are grown by `margin` and by what rounding may have cost them. They are moved about, to and
-/// from as much `spare` room too. Binned surface area heuristic (I. Wald, "On fast Construction of SAH-based Bounding
-/// Volume Hierarchies", 2007), of whose binary nodes the largest are opened until 16 are side by side. The same for any
-/// number of threads.
-Hierarchy build_hierarchy(std::span<ItemBox> boxes, ItemBox* spare, double margin, ThreadPool& pool);
+/// Boxes are finite, and are grown by `margin` and by what rounding may have cost them. Binned surface area heuristic
+/// (I. Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", 2007), of whose binary nodes the largest
+/// are opened until 16 are side by side. The same for any number of threads.
+Hierarchy build_hierarchy(Buffer<ItemBox> boxes, std::int32_t size, double margin, ThreadPool& pool);
 
 }  // namespace strahl

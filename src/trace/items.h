@@ -99,20 +99,13 @@ struct SurfaceHit {
 /// Where rays first meet items, one in each lane, at `t`. Which face that is the crossings tell, found once more,
 /// unless it is known: 0 or above in `faces`.
 template <class S, class Item, class Cross>
-STRAHL_INLINE SurfaceHit<S> surface_hit(const Item& items, const Ray<S>& ray, S t, const S& faces, const Cross& cross) {
+STRAHL_INLINE SurfaceHit<S> surface_hit(const Item& items, const Ray<S>& ray, S t, const Cross& cross,
+                                        const S* faces = nullptr) {
     if constexpr (Item::faces == 1) {
         return {items.shape.at(ray, t, S(0)), items.surface, items.surface};
     } else {
-        const S face = select(faces < S(0), first_face(cross(items, ray)), faces);
-        return {items.shape.at(ray, t, face), items.surface + face, items.surface};
-    }
-}
-template <class S, class Item, class Cross>
-STRAHL_INLINE SurfaceHit<S> surface_hit(const Item& items, const Ray<S>& ray, S t, const Cross& cross) {
-    if constexpr (Item::faces == 1) {
-        return {items.shape.at(ray, t, S(0)), items.surface, items.surface};
-    } else {
-        const S face = first_face(cross(items, ray));
+        S face = first_face(cross(items, ray));
+        if (faces) face = select(*faces < S(0), face, *faces);
         return {items.shape.at(ray, t, face), items.surface + face, items.surface};
     }
 }

@@ -25,7 +25,7 @@ template <class Form, class S>
 template <class Form, class S>
 [[gnu::noinline]] void FormFunctions<Form, S>::hit_each(const Item<Form, S>& items, const Ray<S>& ray, const S& t,
                                                         const S& faces, SurfaceHit<S>& hit) {
-    hit = surface_hit(items, ray, t, faces, cross_each);
+    hit = surface_hit(items, ray, t, cross_each, &faces);
 }
 
 template <class T>
@@ -202,7 +202,7 @@ void FormFunctions<Form, S>::surfaces_at(const World<T>& world, const int* items
     for (int k = 0; k < width<S>; ++k) materials[k] = static_cast<int>(group.items[items[k]].material);
     const auto own = gather_items<Item<Form, S>, S>(group.items, items);
     if constexpr (Form::hot)
-        found = surface_hit(own, ray, t, faces, crossings_of<S, Item<Form, S>>);
+        found = surface_hit(own, ray, t, crossings_of<S, Item<Form, S>>, &faces);
     else
         hit_each(own, ray, t, faces, found);
 }
@@ -236,11 +236,29 @@ void FormFunctions<Form, S>::ends(const World<T>& world, int item, const Ray<S>&
 }
 
 template <class Form, class S>
+void FormFunctions<Form, S>::cross_beyond(const World<T>& world, int first, int count, const Ray<S>& ray, Mask<S> mask,
+                                          const S& place, MeshCrossing<S>& found) {
+    for (int i = first; i < first + count; ++i) {
+        const auto& item = world.groups.template get<Form>().items[i];
+        auto crossed = cross<Form>(item, ray, cross_one);
+        settle_start(world, i, 0, item, ray, mask, crossed);
+        const Mask<S> beyond = mask & crossed.hit & (crossed.far > place);
+        const Mask<S> nearer = beyond & (crossed.far < found.t), same = beyond & (crossed.far == found.t);
+        const S surface(item.surface);
+        found.surface = select(nearer, surface, select(same, min(found.surface, surface), found.surface));
+        found.t = select(nearer, crossed.far, found.t);
+        found.odd = nearer | (same & !found.odd) | (found.odd & !same);
+        found.odd_in_all = (beyond & !found.odd_in_all) | (found.odd_in_all & !beyond);
+    }
+}
+
+template <class Form, class S>
 constexpr FormCalls<S> calls_of() {
     using Own = FormFunctions<Form, S>;
     FormCalls<S> calls{&Own::intersect, &Own::intersect_single, &Own::occlude, &Own::occlude_single};
     calls.surfaces_at = &Own::surfaces_at;
     if constexpr (Form::Kind::closed && Form::Kind::bounded) calls.ends = &Own::ends;
+    if constexpr (Form::compact && !Form::hot) calls.cross_beyond = &Own::cross_beyond;  // those of meshes
     if constexpr (!Form::hot) calls.surface_at = &Own::surface_at;
     if constexpr (!Form::hot && Form::Kind::convex) calls.span = &Own::span;
     return calls;

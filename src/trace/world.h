@@ -101,6 +101,7 @@ struct CompositeLeaf {
     std::int32_t form, item, material;
     std::int32_t surface, faces;  // the number of its first face, and how many it has
     std::int32_t half_space;      // 0 if it is none; else whether it is behind its plane's normal (1) or before it (-1)
+    const Node* nodes = nullptr;  // of a mesh: the hierarchy of its triangles, which are the items from `item` on
 };
 /// How the insides of leaves make the inside of the whole: the next leaf, or the last two results as one.
 enum class CompositeStep : std::uint8_t { leaf, unite, intersect, subtract };

@@ -34,7 +34,7 @@ consteval int form_number(FormList<F...>) {
     ((std::is_same_v<typename F::template Kernel<T>, K> ? found = number++ : ++number), ...);
     return found;
 }
-/// How many faces the items have that a shape emits, or the leaves of a composite.
+/// How many faces an item has that a shape emits, or the leaves of a composite.
 int faces_of(const Shape& shape);
 
 /// An emitter that counts.
@@ -44,8 +44,12 @@ struct CountItems {
     int faces;
     template <class K>
     void operator()(const K&) const {
-        ++counts.items[form_number<K, T>(Forms{})];
-        counts.surfaces += faces;
+        count<K>(1);
+    }
+    template <class K>
+    void count(std::size_t number) const {
+        counts.items[form_number<K, T>(Forms{})] += static_cast<int>(number);
+        counts.surfaces += static_cast<std::int64_t>(number) * faces;
     }
 };
 /// Adds what a primitive emits; which forms these are depends on the similarity alone.
@@ -79,7 +83,7 @@ constexpr std::array<FormTraits, sizeof...(F)> traits_of(FormList<F...>) {
 template <class T>
 struct FormItems {
     Buffer<T> numbers, columns;
-    Buffer<ItemBox> boxes;
+    ItemBox* boxes = nullptr;  // of all items, until these have their places
     int count = 0, in_hierarchy = 0;
 };
 
@@ -88,6 +92,7 @@ struct WorldArrays {
     World<T> world;
     static constexpr auto traits = traits_of<T>(Forms{});
     std::array<FormItems<T>, Forms::size> forms;
+    Buffer<ItemBox> boxes;  // those of all forms, one after the other
     Hierarchy hierarchy;
     Buffer<ItemReference> references;
     std::vector<SortBin> sort_bins;
@@ -98,6 +103,7 @@ struct WorldArrays {
     std::vector<CompositeLeaf> leaves;
     std::vector<CompositeStep> steps;
     std::vector<CompositePlane<T>> planes;
+    std::vector<Hierarchy> leaf_hierarchies;  // of meshes that are leaves
     std::vector<std::int32_t> face_keys, leaf_faces;
     std::vector<T> iors;
     std::vector<std::int32_t> bodies;
@@ -129,7 +135,7 @@ struct WorldArrays {
     void make_hierarchy(ThreadPool& pool);
     void number_bins(ThreadPool& pool);
     // add_composites.cpp
-    void add_composites(const Scene& scene, const Placement& placement);
+    void add_composites(const Scene& scene, const Placement& placement, ThreadPool& pool);
     // build.cpp
     void add_materials(const Scene& scene);
     void list_transparent(const Scene& scene);

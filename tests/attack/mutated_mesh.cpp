@@ -5,7 +5,7 @@
 #include <array>
 #include <cstring>
 
-#include "tests/referee/dice.h"
+#include "tests/attack/mutator.h"
 #include "tests/unit/mesh_text.h"
 
 namespace strahl {
@@ -114,9 +114,9 @@ constexpr std::array words{"0",
                            "endfacet",
                            "endsolid"};
 
-class Mutator {
+class MeshMutator : Mutator {
   public:
-    Mutator(const std::vector<std::string>& valid, std::uint64_t number) : valid(valid), dice(number) {}
+    using Mutator::Mutator;
 
     std::string mesh() {
         file = any();
@@ -125,21 +125,15 @@ class Mutator {
     }
 
   private:
-    std::size_t below(std::size_t n) { return static_cast<std::size_t>(dice.in(0, 1) * static_cast<double>(n)); }
-    const std::string& any() { return valid[below(valid.size())]; }
     std::size_t place() { return below(file.size()); }
 
     void change();
     void put_number();
     void put_word();
-
-    const std::vector<std::string>& valid;
-    Dice dice;
-    std::string file;
 };
 
 /// In a binary file: four or eight bytes.
-void Mutator::put_number() {
+void MeshMutator::put_number() {
     constexpr std::array<double, 14> numbers{0,   1,          3,          4,    255,  -1,     65535,
                                              1e9, 2147483647, 4294967295, 1e15, 1e16, 1e-310, 1e300};
     constexpr std::array types{"float", "double", "int", "uint32", "ushort"};
@@ -153,7 +147,7 @@ void Mutator::put_number() {
 }
 
 /// A word in place of another, or before it.
-void Mutator::put_word() {
+void MeshMutator::put_word() {
     constexpr const char* blanks = " \t\r\n";
     const std::size_t at = file.find_first_not_of(blanks, file.find_first_of(blanks, place()));
     if (at == file.npos) return;
@@ -161,35 +155,16 @@ void Mutator::put_word() {
     file.replace(at, length, words[below(words.size())] + std::string(length > 0 ? "" : " "));
 }
 
-void Mutator::change() {
+void MeshMutator::change() {
     if (file.empty()) return;
     const std::size_t at = place(), length = below(dice.chance(.8) ? 16 : file.size());
-    switch (dice.upto(11)) {
-        case 0:
-            file.resize(at);
-            break;
-        case 1:
-            file.erase(at, length);
-            break;
-        case 2:
-            if (file.size() < 30000) file.insert(at, file.substr(place(), length));
-            break;
-        case 3: {  // the start of one and the end of another
-            const std::string& other = any();
-            file = file.substr(0, at) + other.substr(std::min(at, other.size()));
-            break;
-        }
-        case 4:
-        case 5:
-            put_number();
-            break;
-        case 6:
-            file[at] =
-                dice.chance(.5) ? static_cast<char>(dice.upto(255)) : static_cast<char>(file[at] ^ 1 << dice.upto(7));
-            break;
-        default:
-            put_word();
-    }
+    const int kind = dice.upto(11);
+    if (kind <= overwrite)
+        change_bytes(static_cast<Change>(kind), at, length, [&] { return place(); });
+    else if (kind <= overwrite + 2)
+        put_number();
+    else
+        put_word();
 }
 
 /// Points, normals and faces of every number of corners, with what no reader needs in between.
@@ -240,7 +215,7 @@ std::vector<std::string> valid_meshes() {
 }
 
 std::string mutated_mesh(const std::vector<std::string>& valid, std::uint64_t number) {
-    return Mutator(valid, number).mesh();
+    return MeshMutator(valid, number).mesh();
 }
 
 }  // namespace strahl

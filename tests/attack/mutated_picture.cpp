@@ -7,7 +7,7 @@
 #include <cstring>
 
 #include "image/picture.h"
-#include "tests/referee/dice.h"
+#include "tests/attack/mutator.h"
 #include "tests/unit/scratch.h"
 
 namespace strahl {
@@ -99,9 +99,9 @@ std::string tiled_exr() {
     return bytes + little_endian(0, 0, 0, 0, 192) + std::string(192, '\x3c');
 }
 
-class Mutator {
+class PictureMutator : Mutator {
   public:
-    Mutator(const std::vector<std::string>& valid, std::uint64_t number) : valid(valid), dice(number) {}
+    using Mutator::Mutator;
 
     std::string picture() {
         file = any();
@@ -111,21 +111,16 @@ class Mutator {
     }
 
   private:
-    std::size_t below(std::size_t n) { return static_cast<std::size_t>(dice.in(0, 1) * static_cast<double>(n)); }
-    const std::string& any() { return valid[below(valid.size())]; }
     /// Headers are at the start.
     std::size_t place() { return below(dice.chance(.7) ? std::min<std::size_t>(file.size(), 400) : file.size()); }
 
     void change();
     void put_number();
+    void put_compression();
     void repair_chunks();
-
-    const std::vector<std::string>& valid;
-    Dice dice;
-    std::string file;
 };
 
-void Mutator::put_number() {
+void PictureMutator::put_number() {
     constexpr std::array<std::uint32_t, 18> numbers{0,     1,      2,          3,          7,          8,
                                                     16,    255,    256,        4096,       32767,      65535,
                                                     65536, 100000, 0x7fffffff, 0x80000000, 0xfffffffe, 0xffffffff};
@@ -134,42 +129,28 @@ void Mutator::put_number() {
     file.replace(std::min(place(), file.size()), bytes.size(), bytes);
 }
 
-void Mutator::change() {
-    if (file.empty()) return;
-    const std::size_t at = place(), length = below(dice.chance(.8) ? 16 : file.size());
-    switch (dice.upto(9)) {
-        case 0:
-            file.resize(at);
-            break;
-        case 1:
-            file.erase(at, length);
-            break;
-        case 2:
-            if (file.size() > 30000) break;
-            file.insert(at, file.substr(place(), length));
-            break;
-        case 3: {  // the start of one and the end of another
-            const std::string& other = any();
-            file = file.substr(0, at) + other.substr(std::min(at, other.size()));
-            break;
-        }
-        case 4: {  // how the values of an .exr are packed
-            const std::string name("compression\0compression\0\1\0\0\0", 28);
-            if (const std::size_t found = file.find(name); found != file.npos && found + name.size() < file.size())
-                file[found + name.size()] = static_cast<char>(dice.upto(10));
-            break;
-        }
-        case 5:
-        case 6:
-            put_number();
-            break;
-        default:
-            file[at] =
-                dice.chance(.5) ? static_cast<char>(dice.upto(255)) : static_cast<char>(file[at] ^ 1 << dice.upto(7));
-    }
+/// How the values of an .exr are packed.
+void PictureMutator::put_compression() {
+    const std::string name("compression\0compression\0\1\0\0\0", 28);
+    if (const std::size_t found = file.find(name); found != file.npos && found + name.size() < file.size())
+        file[found + name.size()] = static_cast<char>(dice.upto(10));
 }
 
-void Mutator::repair_chunks() {
+void PictureMutator::change() {
+    if (file.empty()) return;
+    const std::size_t at = place(), length = below(dice.chance(.8) ? 16 : file.size());
+    const int kind = dice.upto(9);
+    if (kind < overwrite)
+        change_bytes(static_cast<Change>(kind), at, length, [&] { return place(); });
+    else if (kind == overwrite)
+        put_compression();
+    else if (kind <= overwrite + 2)
+        put_number();
+    else
+        change_bytes(overwrite, at, length, [&] { return place(); });
+}
+
+void PictureMutator::repair_chunks() {
     for (std::size_t at = png_start.size(); at + 12 <= file.size();) {
         std::size_t length = 0;
         for (int i = 0; i < 4; ++i) length = length << 8 | static_cast<unsigned char>(file[at + i]);
@@ -212,7 +193,7 @@ std::vector<std::string> valid_pictures() {
 }
 
 std::string mutated_picture(const std::vector<std::string>& valid, std::uint64_t number) {
-    return Mutator(valid, number).picture();
+    return PictureMutator(valid, number).picture();
 }
 
 }  // namespace strahl

@@ -132,9 +132,9 @@ std::shared_ptr<const std::vector<Primitive>> Wild::parts(int material, int leve
                              ? list.back()
                              : body_of(dice.chance(.6) ? material : new_material(), levels - 1);
         const auto fits = [&]<class Kind>(const Kind&) {
-            return can_be_part<Kind> && (levels > 0 || !is_composite<Kind>);
+            return levels > 0 || !is_composite<Kind>;
         };
-        if (!std::visit(fits, part.shape)) continue;
+        if (!fits_composite(part.shape) || !std::visit(fits, part.shape)) continue;
         list.push_back(std::move(part));
         --i;
     }

@@ -71,7 +71,9 @@ struct Body {
         int faces = 0;
         for_each_leaf(primitive, [&](const Primitive& leaf, const glm::dmat4& whole) {
             leaves.emplace_back(leaf.shape, materials[leaf.material], faces, whole);
-            faces += std::visit([](const auto& kind) { return kind.faces; }, leaf.shape);
+            const Mesh* const mesh = std::get_if<Mesh>(&leaf.shape);
+            faces += mesh ? static_cast<int>(mesh->data->triangles.size())
+                          : std::visit([](const auto& kind) { return kind.faces; }, leaf.shape);
         });
         const auto glass = [](const Leaf<R>& leaf) { return leaf.material.refraction > 0; };
         const auto first = std::find_if(leaves.begin(), leaves.end(), glass);
@@ -80,7 +82,6 @@ struct Body {
     bool transparent() const {
         return std::any_of(leaves.begin(), leaves.end(), [](const auto& leaf) { return leaf.material.refraction > 0; });
     }
-    /// A mesh alone has more faces than its kind says.
     const Material& material(int face) const {
         auto leaf = leaves.end() - 1;
         while (leaf->first_face > face) --leaf;

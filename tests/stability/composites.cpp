@@ -10,6 +10,7 @@
 #include "tests/referee/box.h"
 #include "tests/referee/cone.h"
 #include "tests/referee/torus.h"
+#include "tests/referee/triangle.h"
 #include "tests/stability/stage.h"
 
 using namespace strahl;
@@ -39,7 +40,8 @@ LineCrossings<R> crossings(const Plane& plane, const Line<R>& line, int) {
 /// A tree whose leaves glow in colours of their own.
 class Tree {
   public:
-    explicit Tree(Dice& dice) : dice(dice) {
+    /// Among its leaves are meshes, if wanted: where their corners lie is no whole number.
+    Tree(Dice& dice, bool meshes) : dice(dice), meshes(meshes) {
         stage.background({0, 0, 1});
         stage.scene.materials.clear();
         whole = branch(3);
@@ -119,10 +121,37 @@ class Tree {
             const DVec3 u(axis.y, axis.z, axis.x), v(axis.z, axis.x, axis.y);
             shape = dice(0, 1) < .5 ? Plane{c, c + u, c + v} : Plane{c, c + v, c + u};
         }
+        if (meshes && dice(0, 1) < .5) shape = mesh(dice(0, 1) < .5);
         Material& material = stage.scene.materials.emplace_back(glow(Color(1)));
         const int number = static_cast<int>(stage.scene.materials.size());
         material = glow({1, number / 256., 0});
         return {shape, number - 1, dice(0, 1) < .3 ? steps() : std::vector<Transformation>{}};
+    }
+    /// A box, or a ring with a hole.
+    Mesh mesh(bool ring) {
+        const DVec3 low = corner() + DVec3(dice(.1, .4), dice(.1, .4), dice(.1, .4));
+        const DVec3 size(dice(.6, 2.4), dice(.6, 2.4), dice(.6, 2.4));
+        constexpr int n = 7, m = 5;
+        MeshData data;
+        if (ring) {
+            for (int i = 0; i < n; ++i)
+                for (int k = 0; k < m; ++k) {
+                    const double u = 6.283185307179586 * i / n, v = 6.283185307179586 * k / m;
+                    data.points.push_back(low + size * DVec3((1 + .4 * std::cos(v)) * std::cos(u),
+                                                             (1 + .4 * std::cos(v)) * std::sin(u), .4 * std::sin(v)));
+                }
+            for (int i = 0; i < n; ++i)
+                for (int k = 0; k < m; ++k) {
+                    const std::int32_t a = i * m + k, b = (i + 1) % n * m + k;
+                    const std::int32_t c = (i + 1) % n * m + (k + 1) % m, d = i * m + (k + 1) % m;
+                    data.triangles.push_back({a, b, c}), data.triangles.push_back({a, c, d});
+                }
+        } else {
+            for (int i = 0; i < 8; ++i) data.points.push_back(low + size * DVec3(i & 1, i >> 1 & 1, i >> 2));
+            data.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                              {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+        }
+        return {std::make_shared<const MeshData>(std::move(data)), ""};
     }
     /// Those that keep whole numbers exact.
     std::vector<Transformation> steps() {
@@ -177,13 +206,14 @@ class Tree {
     }
 
     Dice& dice;
+    bool meshes;
 };
 
 struct Count {
     long rays = 0, unsure = 0, hits = 0, wrong = 0;
 };
-void compare(Dice& dice, Precision precision, R unsure, Count& sum) {
-    Tree tree(dice);
+void compare(Dice& dice, bool meshes, Precision precision, R unsure, Count& sum) {
+    Tree tree(dice, meshes);
     Camera& camera = tree.stage.scene.camera;
     tree.stage.look(dice.direction() * dice(7, 12), DVec3(dice(-1, 1), dice(-1, 1), dice(-1, 1)), 30, dice.direction());
     const Frame frame = shoot(tree.stage.scene, precision);
@@ -202,16 +232,13 @@ void compare(Dice& dice, Precision precision, R unsure, Count& sum) {
         }
 }
 
-}  // namespace
-
-TEST_CASE("random trees with faces in the same planes, against plain inside tests") {
-    const char* const wanted = std::getenv("STRAHL_RAYS");
-    const double rays = wanted ? std::atof(wanted) : 6e4;
+/// As many rays in double and in float.
+void compare(double rays, bool meshes) {
     for (const auto& [precision, unsure] :
          {std::pair(Precision::float64, 1e-9L), std::pair(Precision::float32, 2e-3L)}) {
         Dice dice;
         Count count;
-        while (count.rays < rays) compare(dice, precision, unsure, count);
+        while (count.rays < rays) compare(dice, meshes, precision, unsure, count);
         MESSAGE(count.rays << " rays, " << count.hits << " hits, " << count.unsure << " too close to call, "
                            << count.wrong << " wrong");
         CHECK(count.wrong == 0);
@@ -219,3 +246,13 @@ TEST_CASE("random trees with faces in the same planes, against plain inside test
         CHECK(count.unsure < count.rays / (precision == Precision::float64 ? 200 : 10));
     }
 }
+double wanted_rays() {
+    const char* const wanted = std::getenv("STRAHL_RAYS");
+    return wanted ? std::atof(wanted) : 6e4;
+}
+
+}  // namespace
+
+TEST_CASE("random trees with faces in the same planes, against plain inside tests") { compare(wanted_rays(), false); }
+
+TEST_CASE("random trees with closed meshes, against plain inside tests") { compare(wanted_rays() / 4, true); }

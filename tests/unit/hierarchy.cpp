@@ -38,8 +38,9 @@ std::vector<ItemBox> clustered_boxes(int count) {
 
 Hierarchy built(std::vector<ItemBox> boxes, double margin, int threads) {
     ThreadPool pool(threads);
-    std::vector<ItemBox> spare(boxes.size());
-    return build_hierarchy(boxes, spare.data(), margin, pool);
+    Buffer<ItemBox> copies = uninitialized_buffer<ItemBox>(boxes.size());
+    std::copy(boxes.begin(), boxes.end(), copies.get());
+    return build_hierarchy(std::move(copies), static_cast<std::int32_t>(boxes.size()), margin, pool);
 }
 
 bool holds(const Node& node, int child, const ItemBox& box, float margin) {

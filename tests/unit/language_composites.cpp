@@ -77,9 +77,12 @@ TEST_CASE("composites that can't be") {
     check_fault("union { }", "2:1: this union is none: it has no parts");
     check_fault("union { " + ball + "\ndifference { } }", "3:1: this difference is none: it has no parts");
     check_fault("intersection { " + ball + "\ndisc { <0,0,0>, <0,0,1>, 1 } }",
-                "3:1: a disc can't be part of a body: only closed ones but meshes can");
-    check_fault("union { mesh { triangle { <0,0,0>, <1,0,0>, <0,1,0> } } }",
-                "2:9: a mesh can't be part of a body: only closed ones but meshes can");
+                "3:1: a disc can't be part of a body: only closed ones can");
+    const std::string three = "triangle { <0,0,0>, <0,1,0>, <1,0,0> } triangle { <0,0,0>, <1,0,0>, <0,0,1> } "
+                              "triangle { <0,0,0>, <0,0,1>, <0,1,0> } ";
+    check_fault("union { mesh { " + three + "} }",
+                "2:9: this mesh can't be part of a body: it is open between <0, 1, 0> and <1, 0, 0>");
+    CHECK(with_eye("union { mesh { " + three + "triangle { <1,0,0>, <0,1,0>, <0,0,1> } } }").primitives.size() == 1);
     check_fault("union { " + ball + "\ncylinder { <0,0,0>, <0,0,0>, 1 } }",
                 "3:1: this cylinder is none: base and cap are the same point");
     std::string many;

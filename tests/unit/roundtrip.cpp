@@ -92,7 +92,7 @@ class RandomScenes {
         while (true) {
             const std::vector<Material> before = result.materials;
             Primitive own = primitive(levels);
-            if (std::visit([]<class Kind>(const Kind&) { return can_be_part<Kind>; }, own.shape)) return own;
+            if (fits_composite(own.shape)) return own;
             result.materials = before;
         }
     }
