@@ -8,6 +8,7 @@
 #include "povref/bodies.h"
 #include "povref/layout.h"
 #include "povref/materials.h"
+#include "povref/pigments.h"
 #include "povref/unit.h"
 #include "scene/error.h"
 #include "scene/leaves.h"
@@ -216,6 +217,7 @@ PovFiles write_pov(const Scene& scene, const PovRequest& request) {
     const Plan plan = plan_for(scene, request);
     const std::string ini_path = request.pov_path.substr(0, request.pov_path.rfind('.')) + ".ini";
     return {top(scene, request, plan) + camera_section(request, plan) + light_section(scene, plan) +
+                function_section(scene) +
                 material_section(plan) + body_sections(scene, {plan.materials, plan.shadow_copies, plan.scaled}),
             ini_of(scene, request, plan, ini_path), warnings_of(plan)};
 }

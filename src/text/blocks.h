@@ -6,15 +6,10 @@
 #include <tuple>
 
 #include "scene/scene.h"
-#include "text/parameter.h"
+#include "text/pigment.h"
+#include "text/transformations.h"
 
 namespace strahl {
-
-/// What may follow the arguments of a body.
-inline constexpr std::array<std::string_view, 4> shape_words{"material", "rotate", "translate", "scale"};
-
-/// What may stand in a mesh besides that.
-inline constexpr std::array<std::string_view, 3> mesh_words{"file", Triangle::name, SmoothTriangle::name};
 
 template <class T, std::size_t n, std::size_t m>
 constexpr std::array<T, n + m> joined(const std::array<T, n>& first, const std::array<T, m>& second) {
@@ -23,11 +18,13 @@ constexpr std::array<T, n + m> joined(const std::array<T, n>& first, const std::
     return all;
 }
 
+/// What may follow the arguments of a body.
+inline constexpr auto shape_words = joined(std::array<std::string_view, 1>{"material"}, transformation_words);
+
+/// What may stand in a mesh besides that.
+inline constexpr std::array<std::string_view, 3> mesh_words{"file", Triangle::name, SmoothTriangle::name};
+
 /// The words that open the block of a body.
-template <class... Kinds>
-constexpr auto names_of(std::type_identity<std::variant<Kinds...>>) {
-    return std::array<std::string_view, sizeof...(Kinds)>{Kinds::name...};
-}
 inline constexpr auto body_words = names_of(std::type_identity<Shape>{});
 
 /// What may stand in a union, an intersection or a difference. Bodies that can't be parts have an error of their own.

@@ -49,7 +49,6 @@ class Parser {
     template <class Kind>
     void shape(std::string_view word, std::vector<Primitive>& bodies, Block& outer, int depth);
     void settle(Primitive& primitive, const Material& base);
-    Transformation transformation(std::string_view word, Block& block);
     template <class Kind>
     std::string fault(const Kind& shape, const Primitive& primitive, std::string_view& at, std::string_view last);
     void limit(std::size_t count, std::size_t most, std::string_view at, const char* what);
@@ -142,10 +141,8 @@ void Parser::global_settings(std::string_view word) {
     auto parameters = settings_parameters(settings);
     reader.block(block, parameters);
     if (!block.good()) return;
-    const double depth = settings.max_trace_level;
-    if (depth != std::floor(depth))
-        diagnostics.add(parameters[1].at, std::string("'max_trace_level' must be ") + depths.words);
-    scene.settings = {settings.ambient_light, static_cast<int>(depth), settings.assumed_gamma.has_value()};
+    scene.settings = {settings.ambient_light, static_cast<int>(settings.max_trace_level),
+                      settings.assumed_gamma.has_value()};
 }
 
 Block Parser::material(std::string_view word, MaterialText& target) {
@@ -154,23 +151,6 @@ Block Parser::material(std::string_view word, MaterialText& target) {
     reader.block(block, parameters);
     for (std::size_t i = 0; i < parameters.size(); ++i) target.named[i] = parameters[i].given();
     return block;
-}
-
-Transformation Parser::transformation(std::string_view word, Block& block) {
-    DVec3 v{0};
-    if (word == "rotate") return reader.read(v, anything, word, block), Rotate{v};
-    if (word == "translate") return reader.read(v, coordinates, word, block), Translate{v};
-    const std::string_view at = (reader.lexer.peek(), reader.lexer.token());
-    if (reader.lexer.peek() == '<')
-        reader.read(v, anything, word, block);
-    else
-        reader.read(v.x, anything, word, block), v.y = v.z = v.x;
-    if (v.x == 0 || v.y == 0 || v.z == 0) {
-        diagnostics.add(
-            at, "'scale' of " + quoted(block.name) + " is 0, which would leave nothing of it; 1 changes nothing");
-        block.bad = true;
-    }
-    return Scale{v};
 }
 
 /// Reads a body to the end of `bodies`, if `word` begins one, which is in the block `outer`. Its material stays a
@@ -209,7 +189,7 @@ void Parser::shape(std::string_view word, std::vector<Primitive>& bodies, Block&
             if (is_composite<Kind> && body(inner, parts, block, depth + 1)) return true;
             if (!contains(shape_words, inner)) return false;
             limit(primitive.transformations.size(), limits.transformations, inner, "transformations of one primitive");
-            primitive.transformations.push_back(transformation(inner, block));
+            primitive.transformations.push_back(read_transformation(reader, inner, block));
             last = inner;
             return true;
         });

@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "num/decimal.h"
+#include "text/pigment.h"
+#include "text/transformations.h"
 
 namespace strahl {
 namespace {
@@ -18,17 +20,6 @@ std::string parameters(const Material& material, const Material& base) {
     };
     std::apply([&](const auto&... field) { (add(field), ...); }, Material::fields);
     return text;
-}
-
-std::string transformation_text(const Transformation& step) {
-    struct {
-        std::string operator()(const Rotate& r) const { return "rotate " + text_of(r.degrees); }
-        std::string operator()(const Translate& t) const { return "translate " + text_of(t.by); }
-        std::string operator()(const Scale& s) const {
-            return "scale " + (s.by.x == s.by.y && s.by.y == s.by.z ? text_of(s.by.x) : text_of(s.by));
-        }
-    } words;
-    return std::visit(words, step);
 }
 
 /// A body without its closing brace.
@@ -88,7 +79,7 @@ std::string primitive_text(const Primitive& primitive, const std::vector<Materia
         primitive.shape);
     const std::string new_line = std::string("\n").append(indent);
     std::vector<std::string> items;
-    for (const Transformation& step : primitive.transformations) items.push_back(transformation_text(step));
+    for (const Transformation& step : primitive.transformations) items.push_back(text_of(step));
     if (own != base) items.push_back("material { " + parameters(own, base) + " }");
     std::size_t length = text.size();
     for (const std::string& item : items) length += 2 + item.size();

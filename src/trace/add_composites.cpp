@@ -52,8 +52,12 @@ template <class T>
 class CompositeBuilder {
   public:
     CompositeBuilder(WorldArrays<T>& arrays, std::array<std::vector<T>, Forms::size>& leaf_numbers,
-                     const Primitive& whole, int surface, const Placement& placement)
-        : arrays(arrays), leaf_numbers(leaf_numbers), placement(placement), outer(matrix(whole.transformations)) {
+                     const Primitive& whole, int surface, std::int32_t first_leaf, const Placement& placement)
+        : arrays(arrays),
+          leaf_numbers(leaf_numbers),
+          placement(placement),
+          outer(matrix(whole.transformations)),
+          next_leaf(first_leaf) {
         info.first_leaf = static_cast<std::int32_t>(arrays.leaves.size());
         info.first_step = static_cast<std::int32_t>(arrays.steps.size());
         info.first_plane = static_cast<std::int32_t>(arrays.planes.size());
@@ -93,12 +97,13 @@ class CompositeBuilder {
     template <class Kind>
     void add_leaf(const Kind& shape, const Primitive& part, const glm::dmat4& m, double factor) {
         const WorldTransform to_world{outer * m, factor, placement.origin, placement.scale};
-        CompositeLeaf leaf{-1, 0, part.material, next_surface, Kind::faces, 0};
+        const std::int32_t material = arrays.material_of(part, next_leaf);
+        CompositeLeaf leaf{-1, 0, material, next_surface, Kind::faces, 0};
         shape.template emit<T>(to_world, [&]<class K>(const K& kernel) {
             constexpr int form = form_number<K, T>(Forms{});
             using Own = Item<FormAt<form, Forms>, T>;
             constexpr std::size_t fields = sizeof(Own) / sizeof(T);
-            const Own item{kernel, static_cast<T>(next_surface), static_cast<T>(part.material)};
+            const Own item{kernel, static_cast<T>(next_surface), static_cast<T>(material)};
             std::vector<T>& numbers = leaf_numbers[form];
             leaf.form = form;
             leaf.item = arrays.forms[form].count + static_cast<std::int32_t>(numbers.size() / fields);
@@ -148,6 +153,7 @@ class CompositeBuilder {
     std::array<std::vector<T>, Forms::size>& leaf_numbers;
     const Placement& placement;
     const glm::dmat4 outer;
+    std::int32_t next_leaf;  // of the scene
     CompositeInfo info{};
     std::int32_t next_surface;
     std::vector<PlaneNumbers> planes;
@@ -175,9 +181,11 @@ void WorldArrays<T>::add_composites(const Scene& scene, const Placement& placeme
     if (forms[place_of<CompositeForm>(Forms{})].count == 0) return;
     std::array<std::vector<T>, Forms::size> leaf_numbers;
     ItemCounts before;
-    for (const Primitive& primitive : scene.primitives) {
+    for (std::size_t i = 0; i < scene.primitives.size(); ++i) {
+        const Primitive& primitive = scene.primitives[i];
         if (std::visit([]<class Kind>(const Kind&) { return is_composite<Kind>; }, primitive.shape))
-            CompositeBuilder<T>(*this, leaf_numbers, primitive, static_cast<int>(before.surfaces), placement);
+            CompositeBuilder<T>(*this, leaf_numbers, primitive, static_cast<int>(before.surfaces),
+                                leaf_of(static_cast<std::int32_t>(i)), placement);
         count_items<T>(primitive, before);
     }
     for (int form = 0; form < Forms::size; ++form) {

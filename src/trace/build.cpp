@@ -65,8 +65,9 @@ void WorldArrays<T>::add_materials(const Scene& scene) {
     const DVec3 ambient = scene.settings.ambient_light;
     const std::vector<double> scattered = scattered_light(scene);
     for (const Material& m : scene.materials) {
-        materials.push_back({cast<T>(ambient * m.rgb * m.ambient), cast<T>(m.rgb * m.diffuse),
-                             cast<T>(m.rgb * m.refraction), static_cast<T>(m.specular), static_cast<T>(m.pow),
+        const Color& rgb = m.rgb.color;
+        materials.push_back({cast<T>(ambient * rgb * m.ambient), cast<T>(rgb * m.diffuse),
+                             cast<T>(rgb * m.refraction), static_cast<T>(m.specular), static_cast<T>(m.pow),
                              static_cast<T>(m.reflection), static_cast<T>(m.refraction), static_cast<T>(m.ior),
                              shines_from<T>(m.pow), static_cast<T>(scattered[materials.size()])});
         world.transparent |= m.refraction > 0;
@@ -128,6 +129,7 @@ void WorldArrays<T>::cull_for_lights() {
 template <class T>
 WorldArrays<T>::WorldArrays(const Scene& scene, const Placement& placement, ThreadPool& pool) {
     add_materials(scene);
+    add_patterns(scene, placement);
     for (const Light& light : scene.lights)
         lights.push_back({cast<T>((light.position - placement.origin) * placement.scale), cast<T>(light.color)});
     world.nested = world.transparent && transparent_bodies_overlap(scene);

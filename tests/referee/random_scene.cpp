@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "tests/referee/dice.h"
+#include "tests/referee/random_pattern.h"
 
 namespace strahl {
 namespace {
@@ -172,6 +173,9 @@ Scene random_scene(std::uint64_t seed, const RandomScene& what) {
         const Material material = any_material(dice, what.transparent);
         put(shape, material, what.transformed && dice.chance(.5) ? steps(dice) : std::vector<Transformation>{});
     }
+    if (what.patterns)
+        for (Material& material : scene.materials)
+            if (dice.chance(.5)) material.rgb = Pigment(random_pattern(dice));
     if (what.camera_inside) {
         camera.fov = dice.in(25, 55);
         const DVec3 beside = dice.arrow(0, .5);

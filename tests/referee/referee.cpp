@@ -36,7 +36,7 @@ struct Referee<R>::World {
         signature.add(100 + 1000 * body + hit.face);
 
         const Material& material = bodies[body].material(hit.face);
-        const Vector<R> of = material.rgb, e = line.direction, p = line.origin + hit.t * e;
+        const Vector<R> e = line.direction, p = line.origin + hit.t * e, of = bodies[body].color(hit.face, p);
         Vector<R> n = unit(hit.normal);
         if (dot(e, n) > 0) n = R(-1) * n;
         const Vector<R> mirrored = unit(e - 2 * dot(e, n) * n);
@@ -78,7 +78,8 @@ struct Referee<R>::World {
                 if (!(crossing.t > 0 && crossing.t < distance)) continue;
                 const Material& material = bodies[i].material(crossing.face);
                 if (!(material.refraction > 0)) return signature.add(0), Vector<R>();
-                share = R(material.refraction) * share * Vector<R>(material.rgb);
+                const Vector<R> p = line.origin + crossing.t * line.direction;
+                share = R(material.refraction) * share * bodies[i].color(crossing.face, p);
                 crossed.add(i);
             }
         signature.add(crossed.value);

@@ -10,6 +10,8 @@
 #include "text/parse.h"
 #include "text/write.h"
 
+#include "tests/referee/random_pattern.h"
+
 using namespace strahl;
 
 namespace {
@@ -57,8 +59,8 @@ class RandomScenes {
         const auto fill = [&](const auto& field) {
             auto& value = material.*field.member;
             if (chance(2)) return;
-            if constexpr (std::is_same_v<decltype(value), DVec3&>)
-                value = color();
+            if constexpr (std::is_same_v<decltype(value), Pigment&>)
+                value = chance(3) ? Pigment(pattern()) : Pigment(color());
             else
                 value = field.range == Range::zero_to_one ? uniform(0, 1)
                         : field.range == Range::positive  ? positive()
@@ -66,6 +68,14 @@ class RandomScenes {
         };
         std::apply([&](const auto&... field) { (fill(field), ...); }, Material::fields);
         return material;
+    }
+    Pattern pattern() {
+        Dice dice(random());
+        Pattern own = random_pattern(dice);
+        if (chance(2)) own.transformations = transformations();
+        for (ColorStop& stop : own.colors)
+            if (chance(2)) stop.color = color();
+        return own;
     }
     int material_number() {
         const Material& material = palette[below(static_cast<int>(palette.size()))];
