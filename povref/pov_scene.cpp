@@ -131,11 +131,28 @@ std::string camera_section(const PovRequest& request, const Plan& plan) {
            "\n  direction " + value("Direction", &PovCamera::direction) + "\n}\n";
 }
 
+/// Where POV-Ray, to which all lights have a place, may have one of parallel light: as far away as it looks.
+DVec3 place_of_parallel(const DVec3& direction, const Plan& plan) {
+    constexpr double far = 1e7;
+    return -far / plan.unit.unit * normalize(direction);
+}
+
 std::string light_section(const Scene& scene, const Plan& plan) {
     if (scene.lights.empty()) return "";
     std::string text = heading("Lights");
-    for (const Light& light : scene.lights)
-        text += "light_source { " + scaled(text_of(light.position), plan) + ", rgb " + text_of(light.color) + " }\n";
+    for (const Light& light : scene.lights) {
+        const DVec3 place = light.direction ? place_of_parallel(*light.direction, plan) : light.position;
+        std::vector<std::string> items{scaled(text_of(place), plan) + ", rgb " + text_of(light.color)};
+        if (light.direction) items.insert(items.end(), {"parallel", "point_at 0"});
+        if (light.spot) {
+            items.insert(items.end(), {"spotlight", "point_at " + scaled(text_of(light.spot->look_at), plan)});
+            for (const auto& [word, value] : {std::pair("radius ", light.spot->radius),
+                                              std::pair("falloff ", light.spot->falloff),
+                                              std::pair("tightness ", light.spot->tightness)})
+                items.push_back(word + text_of(value));
+        }
+        text += block("light_source {", items);
+    }
     return text;
 }
 

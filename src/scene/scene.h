@@ -5,17 +5,11 @@
 
 #include "scene/camera.h"
 #include "scene/kinds.h"
+#include "scene/light.h"
 #include "scene/material.h"
 #include "scene/transformation.h"
 
 namespace strahl {
-
-/// A point light without falloff.
-struct Light {
-    DVec3 position{0};
-    Color color{1};
-    bool operator==(const Light&) const = default;
-};
 
 struct Primitive {
     Shape shape;

@@ -70,9 +70,20 @@ inline std::array<Parameter, 2> flythrough_parameters(Flythrough& path) {
          {"loop", &path.loop, {}, "closes the path: from the last key it continues to the first", "the path ends"}}};
 }
 
-inline std::array<Parameter, 2> light_parameters(Light& light) {
-    return {{{"position", &light.position, coordinates, "where the light is", required},
+inline std::array<Parameter, 3> light_parameters(Light& light) {
+    return {{{"position", &light.position, coordinates, "where the light is", required, "direction"},
+             {"direction", &light.direction, directions, "of parallel light: where it shines to"},
              {"color", &light.color, not_negative, "its colour and strength", required}}};
+}
+inline std::array<Parameter, 4> spot_parameters(Spot& spot) {
+    const Parameter look_at{"look_at", &spot.look_at, coordinates, "a point on the axis of its cone", required};
+    return joined(std::array{look_at},
+                  std::apply(
+                      [&](const auto&... field) {
+                          return std::array{
+                              Parameter{field.name, &(spot.*field.member), bounds_of(field.range), field.help}...};
+                      },
+                      Spot::fields));
 }
 inline std::array<Parameter, 1> background_parameters(Color& color) {
     return {{{"color", &color, not_negative, "the colour of rays that hit nothing", required}}};
@@ -109,11 +120,13 @@ void each_block(const Visit& visit) {
     double time = 0;
     Flythrough path;
     Light light;
+    Spot spot;
     Color background{0};
     SettingsText settings;
     Material material;
     visit("material", material_parameters(material));
     visit("light", light_parameters(light));
+    visit("spot", spot_parameters(spot));
     visit("camera", camera_parameters(eye, aspectratio));
     visit("background", background_parameters(background));
     visit("global_settings", settings_parameters(settings));

@@ -34,6 +34,7 @@ inline constexpr Bounds positive{1e-9, 1e9, "from 1e-9 to 1e9"};
 inline constexpr Bounds half_angles{smallest_positive, 90 - 1e-14, "greater than 0 and less than 90 degrees"};
 inline constexpr Bounds angles{2 * smallest_positive, 180 - 2e-14, "greater than 0 and less than 180 degrees"};
 inline constexpr Bounds depths{1, 256, "a whole number from 1 to 256", true};
+inline constexpr Bounds quarter_turns{0, 90, "from 0 to 90 degrees"};
 inline constexpr Bounds octave_counts{1, 10, "a whole number from 1 to 10", true};
 inline constexpr Bounds only_one{1, 1, "1, the only value known"};
 inline constexpr Bounds directions{-largest_coordinate, largest_coordinate, "from -1e15 to 1e15, not all 0"};
@@ -50,6 +51,8 @@ constexpr Bounds bounds_of(Range range) {
             return shares;
         case Range::direction:
             return directions;
+        case Range::quarter_turn:
+            return quarter_turns;
         case Range::octaves:
             return octave_counts;
         default:

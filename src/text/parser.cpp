@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "num/decimal.h"
 #include "text/blocks.h"
 #include "text/bodies.h"
 #include "text/camera_blocks.h"
@@ -42,6 +43,8 @@ class Parser {
   private:
     void top_block(std::string_view word);
     void light(std::string_view word);
+    Spot spot(std::string_view word, Block& outer);
+    void check_light(const Light& light, std::string_view direction_at, std::string_view spot_at);
     void background(std::string_view word);
     void global_settings(std::string_view word);
     Block material(std::string_view word, MaterialText& target);
@@ -121,9 +124,45 @@ void Parser::light(std::string_view word) {
     Light light;
     Block block{word};
     auto parameters = light_parameters(light);
+    std::string_view spot_at;
+    constexpr std::array<std::string_view, 1> other{"spot"};
+    reader.block(
+        block, parameters, other, [] {},
+        [&](std::string_view inner) {
+            if (inner != "spot") return false;
+            const bool first = reader.once(spot_at, inner);
+            const Spot own = spot(inner, block);
+            if (first) light.spot = own;
+            return true;
+        });
+    reader.require(block, parameters);
+    if (block.good()) check_light(light, parameters[1].at, spot_at);
+    scene.lights.push_back(light);
+}
+
+Spot Parser::spot(std::string_view word, Block& outer) {
+    Spot spot;
+    Block block{word};
+    auto parameters = spot_parameters(spot);
     reader.block(block, parameters);
     reader.require(block, parameters);
-    scene.lights.push_back(light);
+    if (block.good() && spot.falloff < spot.radius) {
+        diagnostics.add(word, "the falloff of this spot, " + text_of(spot.falloff) + ", is below its radius, " +
+                                  text_of(spot.radius));
+        block.bad = true;
+    }
+    outer.absorb(block);
+    return spot;
+}
+
+void Parser::check_light(const Light& light, std::string_view direction_at, std::string_view spot_at) {
+    if (light.direction && *light.direction == DVec3(0))
+        diagnostics.add(direction_at, "this 'direction' of 'light' has no direction");
+    if (!light.spot) return;
+    if (light.direction)
+        diagnostics.add(spot_at, "parallel light has no place from which a spot could shine; give it a 'position'");
+    else if (light.spot->look_at == light.position)
+        diagnostics.add(spot_at, "this spot shines nowhere: 'look_at' is the light's own position");
 }
 
 void Parser::background(std::string_view word) {

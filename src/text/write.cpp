@@ -88,6 +88,22 @@ std::string primitive_text(const Primitive& primitive, const std::vector<Materia
     return text.append(lines ? new_line : " ").append("}");
 }
 
+std::string light_text(const Light& light) {
+    std::string text = light.direction ? "light { direction " + text_of(*light.direction)
+                                       : "light { position " + text_of(light.position);
+    text += "  color " + text_of(light.color);
+    if (light.spot) {
+        text += "  spot { look_at " + text_of(light.spot->look_at);
+        const auto add = [&](const auto& field) {
+            if (*light.spot.*field.member != Spot{}.*field.member)
+                text.append("  ").append(field.name).append(" ").append(text_of(*light.spot.*field.member));
+        };
+        std::apply([&](const auto&... field) { (add(field), ...); }, Spot::fields);
+        text += " }";
+    }
+    return text + " }\n";
+}
+
 std::string settings_text(const Settings& settings) {
     const Settings usual;
     std::string text;
@@ -143,8 +159,7 @@ std::string write_scene(const Scene& scene) {
     std::string text = write_camera(scene.camera) + settings_text(scene.settings);
     if (scene.background != Color(0)) text += "background { color " + text_of(scene.background) + " }\n";
     if (!scene.lights.empty()) text += "\n";
-    for (const Light& light : scene.lights)
-        text += "light { position " + text_of(light.position) + "  color " + text_of(light.color) + " }\n";
+    for (const Light& light : scene.lights) text += light_text(light);
     if (!scene.primitives.empty()) text.append("\n").append(primitives_text(scene.primitives, scene.materials));
     if (scene.flythrough) text.append("\n").append(write_flythrough(*scene.flythrough));
     return text;

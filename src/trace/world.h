@@ -60,9 +60,15 @@ struct ColorStopKernel {
     Vec3<T> color;
 };
 
+/// A light; parallel light has the direction towards it as its position.
 template <class T>
 struct LightKernel {
     Vec3<T> position, color;
+    T finite = 1, far = 1;  // of parallel light 0 and infinity
+    bool spot = false;
+    Vec3<T> axis{0};  // of the spot. The next two are 1 less the cosines of its radius and its falloff
+    T radius = 0, falloff = 0, per = 0;  // per: 1 over their difference
+    T tightness = 0;
 };
 
 /// A body as seen from a point: around the direction `axis`, no further off than an angle with this cosine, and no

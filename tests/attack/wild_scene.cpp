@@ -274,6 +274,14 @@ WildScene Wild::make() {
     for (int i = dice.upto(3); i > 0; --i) {
         const DVec3 position = dice.chance(.6) ? dice.arrow(2, 9) : point();
         scene.lights.push_back({position, color()});
+        Light& light = scene.lights.back();
+        if (dice.chance(.2)) {
+            Spot spot{point(), number(quarter_turns), number(quarter_turns), usual_or(not_negative, 0, 20)};
+            if (spot.falloff < spot.radius) std::swap(spot.radius, spot.falloff);
+            if (spot.look_at != light.position) light.spot = spot;
+        } else if (dice.chance(.2) && position != DVec3(0)) {
+            light.direction = position, light.position = DVec3(0);
+        }
     }
     scene.camera = camera();
     scene.background = color();

@@ -42,14 +42,16 @@ struct Referee<R>::World {
         const Vector<R> mirrored = unit(e - 2 * dot(e, n) * n);
         Vector<R> sum = R(material.ambient) * of * Vector<R>(scene.settings.ambient_light);
         for (const Light& light : scene.lights) {
-            const Vector<R> way = Vector<R>(light.position) - p, l = unit(way);
-            const R facing = dot(n, l), glance = dot(mirrored, l);
-            if (!(facing > 0)) continue;
+            const Vector<R> way = light.direction ? R(-1) * Vector<R>(*light.direction) : Vector<R>(light.position) - p;
+            const Vector<R> l = unit(way);
+            const R facing = dot(n, l), glance = dot(mirrored, l), shines = spot_share(light, l);
+            if (!(facing > 0) || !(shines > 0)) continue;
             signature.add(glance > 0 ? lit : lit + 10);
             Vector<R> answer = R(material.diffuse) * facing * of;
             const R highlight = glance > 0 ? R(material.specular) * power(glance, R(material.pow)) : R(0);
             answer = answer + Vector<R>(highlight, highlight, highlight);
-            sum = sum + arriving({p, l, body, hit.face}, root(dot(way, way)), signature) * light.color * answer;
+            const R distance = light.direction ? R(HUGE_VAL) : root(dot(way, way));
+            sum = sum + shines * arriving({p, l, body, hit.face}, distance, signature) * light.color * answer;
         }
         if (generation >= depth) return sum;
 
@@ -67,6 +69,23 @@ struct Referee<R>::World {
         }
         if (share > 0) sum = sum + share * see({p, mirrored, body, hit.face}, generation + 1, inside, signature);
         return sum;
+    }
+
+    /// The share of its light that a light sends along -l.
+    static R spot_share(const Light& light, const Vector<R>& l) {
+        if (!light.spot) return 1;
+        const auto cosine_of = [](double degrees) {
+            const R half = R(degrees) * R(3.14159265358979323846264338327950288L) / 360;
+            const R sine = sine_of(half);
+            return 1 - 2 * sine * sine;
+        };
+        const R cosine = -dot(unit(Vector<R>(light.spot->look_at) - Vector<R>(light.position)), l);
+        const R radius = cosine_of(light.spot->radius), falloff = cosine_of(light.spot->falloff);
+        if (!(cosine > 0) || cosine < falloff) return 0;
+        const R tight = light.spot->tightness == 0 ? R(1) : power(cosine, R(light.spot->tightness));
+        if (cosine >= radius) return tight;
+        const R u = (cosine - falloff) / (radius - falloff);
+        return tight * u * u * (3 - 2 * u);
     }
 
     /// The share of a light that reaches the start of `line`, `distance` away from it.

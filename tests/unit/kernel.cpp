@@ -161,6 +161,16 @@ TEST_CASE("random scenes with patterns") {
     conclude(tally);
 }
 
+TEST_CASE("random scenes with spots and parallel light") {
+    std::array<Tally, 3> tally;
+    for (int seed = 0; seed < random_scenes; ++seed) {
+        CAPTURE(seed);
+        const RandomScene what{.transparent = seed % 3 != 0, .lights = true, .camera_inside = seed % 5 == 4};
+        hold(random_scene(4000 + seed, what), 2 + seed % 4, tally);
+    }
+    conclude(tally);
+}
+
 TEST_CASE("every depth from 1 to 20, between two mirrors") {
     const Scene scene = facing_mirrors();
     Frame last;
