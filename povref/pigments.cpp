@@ -62,9 +62,10 @@ std::string pigment_text(const Pigment& pigment, const std::string& more) {
 
 std::string function_section(const Scene& scene) {
     const auto any = [&](const auto& test) {
-        return std::ranges::any_of(scene.materials, [&](const Material& m) {
-            return m.rgb.pattern && std::visit(test, m.rgb.pattern->kind);
-        });
+        const auto is = [&](const Pigment& pigment) {
+            return pigment.pattern && std::visit(test, pigment.pattern->kind);
+        };
+        return is(scene.background) || std::ranges::any_of(scene.materials, is, &Material::rgb);
     };
     if (!any([]<class Kind>(const Kind&) { return !two_colored<Kind>; })) return "";
     std::string text = heading("Patterns") +

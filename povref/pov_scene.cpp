@@ -82,8 +82,8 @@ std::string top(const Scene& scene, const PovRequest& request, const Plan& plan)
                                : "  assumed_gamma srgb    // values go straight to the file, which is sRGB as well\n") +
         "  ambient_light rgb " + text_of(scene.settings.ambient_light) + "\n  max_trace_level " +
         padded(std::to_string(request.depth), 6) + "// generations of rays, the camera's being the first\n" +
-        "  adc_bailout 0         // follow even the weakest ray\n}\n\nbackground { rgb " + text_of(scene.background) +
-        " }\n";
+        "  adc_bailout 0         // follow even the weakest ray\n}\n";
+    if (!scene.background.pattern) text += "\nbackground { " + pigment_text(scene.background) + " }\n";
     if (plan.scaled)
         text += "\n" +
                 comment(
@@ -175,6 +175,12 @@ std::string material_section(const Plan& plan) {
     return text;
 }
 
+/// A background with a pattern.
+std::string sky_section(const Scene& scene) {
+    if (!scene.background.pattern) return "";
+    return heading("Background") + "sky_sphere { pigment { " + pigment_text(scene.background) + " } }\n";
+}
+
 /// A path as an .ini holds it. There is no way to escape a character in it.
 std::string quoted_path(const std::string& path) {
     const auto has = [&](const char* text) { return path.find(text) != path.npos; };
@@ -234,7 +240,7 @@ PovFiles write_pov(const Scene& scene, const PovRequest& request) {
     const Plan plan = plan_for(scene, request);
     const std::string ini_path = request.pov_path.substr(0, request.pov_path.rfind('.')) + ".ini";
     return {top(scene, request, plan) + camera_section(request, plan) + light_section(scene, plan) +
-                function_section(scene) +
+                function_section(scene) + sky_section(scene) +
                 material_section(plan) + body_sections(scene, {plan.materials, plan.shadow_copies, plan.scaled}),
             ini_of(scene, request, plan, ini_path), warnings_of(plan)};
 }

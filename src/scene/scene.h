@@ -28,7 +28,7 @@ struct Settings {
 struct Scene {
     Camera camera;
     Settings settings;
-    Color background{0};
+    Pigment background{Color(0)};  // of rays that hit nothing; a pattern is asked for the unit direction of the ray
     std::vector<Light> lights;
     /// No duplicates, in the order of first use by a primitive: of a composite its own, then those of its parts.
     std::vector<Material> materials;

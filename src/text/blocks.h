@@ -85,7 +85,7 @@ inline std::array<Parameter, 4> spot_parameters(Spot& spot) {
                       },
                       Spot::fields));
 }
-inline std::array<Parameter, 1> background_parameters(Color& color) {
+inline std::array<Parameter, 1> background_parameters(Pigment& color) {
     return {{{"color", &color, not_negative, "the colour of rays that hit nothing", required}}};
 }
 
@@ -121,7 +121,7 @@ void each_block(const Visit& visit) {
     Flythrough path;
     Light light;
     Spot spot;
-    Color background{0};
+    Pigment background{Color(0)};
     SettingsText settings;
     Material material;
     visit("material", material_parameters(material));

@@ -157,7 +157,7 @@ std::string write_flythrough(const Flythrough& path) {
 
 std::string write_scene(const Scene& scene) {
     std::string text = write_camera(scene.camera) + settings_text(scene.settings);
-    if (scene.background != Color(0)) text += "background { color " + text_of(scene.background) + " }\n";
+    if (scene.background != Pigment(Color(0))) text += "background { color " + text_of(scene.background) + " }\n";
     if (!scene.lights.empty()) text += "\n";
     for (const Light& light : scene.lights) text += light_text(light);
     if (!scene.primitives.empty()) text.append("\n").append(primitives_text(scene.primitives, scene.materials));

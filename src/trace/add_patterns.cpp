@@ -88,19 +88,29 @@ PatternKernel<T> kernel_of(const Pattern& pattern, const glm::dmat4& to_world, c
 }  // namespace
 
 template <class T>
+void WorldArrays<T>::add_stops(const Pattern& pattern, PatternKernel<T>& kernel) {
+    kernel.first_stop = static_cast<std::int32_t>(stops.size());
+    kernel.stops = static_cast<std::int32_t>(pattern.colors.size());
+    for (double before = 0; const ColorStop& stop : pattern.colors) {
+        stops.push_back({static_cast<T>(stop.at), static_cast<T>(1 / (stop.at - before)), cast<T>(stop.color)});
+        before = stop.at;
+    }
+}
+
+template <class T>
 void WorldArrays<T>::add_patterns(const Scene& scene, const Placement& placement) {
+    if (const Pattern* const pattern = scene.background.pattern.get()) {
+        sky = kernel_of<T>(*pattern, glm::dmat4(1), {});
+        add_stops(*pattern, sky);
+        world.sky = &sky;
+        world.stops = stops.data();
+    }
     const auto has_pattern = [](const Material& m) { return m.rgb.pattern != nullptr; };
     if (std::none_of(scene.materials.begin(), scene.materials.end(), has_pattern)) return;
     world.first_pattern = static_cast<int>(materials.size());
-    std::vector<std::int32_t> first_stop;
-    for (const Material& m : scene.materials) {
-        first_stop.push_back(static_cast<std::int32_t>(stops.size()));
-        if (!has_pattern(m)) continue;
-        for (double before = 0; const ColorStop& stop : m.rgb.pattern->colors) {
-            stops.push_back({static_cast<T>(stop.at), static_cast<T>(1 / (stop.at - before)), cast<T>(stop.color)});
-            before = stop.at;
-        }
-    }
+    std::vector<PatternKernel<T>> ranges(scene.materials.size());
+    for (std::size_t i = 0; i < ranges.size(); ++i)
+        if (has_pattern(scene.materials[i])) add_stops(*scene.materials[i].rgb.pattern, ranges[i]);
     std::map<std::pair<int, std::array<double, 16>>, std::int32_t> numbers;
     for (const Primitive& primitive : scene.primitives) {
         first_leaf.push_back(static_cast<std::int32_t>(leaf_materials.size()));
@@ -115,8 +125,7 @@ void WorldArrays<T>::add_patterns(const Scene& scene, const Placement& placement
             if (!is_new) return;
             materials.push_back(MaterialKernel<T>(materials[leaf.material]));
             PatternKernel<T> kernel = kernel_of<T>(*material.rgb.pattern, matrices.material, placement);
-            kernel.first_stop = first_stop[leaf.material];
-            kernel.stops = static_cast<std::int32_t>(material.rgb.pattern->colors.size());
+            kernel.first_stop = ranges[leaf.material].first_stop, kernel.stops = ranges[leaf.material].stops;
             kernel.ambient = cast<T>(scene.settings.ambient_light * material.ambient);
             kernel.diffuse = static_cast<T>(material.diffuse);
             kernel.refraction = static_cast<T>(material.refraction);
@@ -125,8 +134,8 @@ void WorldArrays<T>::add_patterns(const Scene& scene, const Placement& placement
     }
     if (static_cast<double>(materials.size()) > World<T>::capacity)
         throw FileError(
-            "this scene has patterns in more bodies than can be told apart in this precision; trace it with --precision "
-            "double");
+            "this scene has patterns in more bodies than can be told apart in this precision; trace it with "
+            "--precision double");
     world.patterns = patterns.data();
     world.stops = stops.data();
 }

@@ -156,7 +156,7 @@ WorldArrays<T>::WorldArrays(const Scene& scene, const Placement& placement, Thre
     add_patterns(scene, placement);
     for (const Light& light : scene.lights) lights.push_back(light_kernel<T>(light, placement));
     world.nested = world.transparent && transparent_bodies_overlap(scene);
-    world.background = cast<T>(scene.background);
+    world.background = cast<T>(scene.background.color);
     world.materials = materials.data();
     world.lights = lights.data();
     world.light_count = static_cast<int>(lights.size());

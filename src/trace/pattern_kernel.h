@@ -164,6 +164,11 @@ void PatternCalls<S>::paint(const World<T>& world, const int* materials, const V
 }
 
 template <class S>
+Vec3<S> PatternCalls<S>::sky(const World<T>& world, const Vec3<S>& direction) {
+    return color_at(world, *world.sky, direction);
+}
+
+template <class S>
 void PatternCalls<S>::filter(const World<T>& world, int material, const Ray<S>& ray, const S& t, Mask<S> lanes,
                              Vec3<S>& share) {
     if (none(lanes)) return;

@@ -15,7 +15,12 @@ void shade_misses(const Shading<S>& shading) {
     for (int i = 0, left; (left = hits.count[world.bins] - i) > 0; i += width<S>) {
         const LaneIndices<S> pick(hits.of(world.bins) + i, left);
         const S weight = pick(shading.rays.open.weight);
-        add_light(shading.batch, pick(shading.rays.open.pixel), pick.lanes, scale(weight, splat<S>(world.background)));
+        Vec3<S> color = splat<S>(world.background);
+        if (world.sky) [[unlikely]] {
+            const auto& d = shading.rays.open.direction;
+            color = PatternCalls<S>::sky(world, {pick(d.x), pick(d.y), pick(d.z)});
+        }
+        add_light(shading.batch, pick(shading.rays.open.pixel), pick.lanes, scale(weight, color));
     }
 }
 

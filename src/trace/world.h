@@ -200,6 +200,7 @@ struct World {
     const LightKernel<T>* lights = nullptr;
     int light_count = 0;
     Vec3<T> background{0};
+    const PatternKernel<T>* sky = nullptr;  // the pattern of the background, by direction; null if it has none
     const T* iors = nullptr;               // by surface; only in nested worlds
     const std::int32_t* bodies = nullptr;  // likewise: the first surface of the body
 

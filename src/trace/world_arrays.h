@@ -95,6 +95,7 @@ struct WorldArrays {
     std::vector<MaterialKernel<T>> materials;
     std::vector<PatternKernel<T>> patterns;
     std::vector<ColorStopKernel<T>> stops;
+    PatternKernel<T> sky;
     // Only where there are patterns: the material of each leaf of the scene, and the first leaf of each primitive.
     std::vector<std::int32_t> leaf_materials, first_leaf;
     std::vector<LightKernel<T>> lights;
@@ -136,6 +137,7 @@ struct WorldArrays {
     void add_composites(const Scene& scene, const Placement& placement);
     // add_patterns.cpp
     void add_patterns(const Scene& scene, const Placement& placement);
+    void add_stops(const Pattern& pattern, PatternKernel<T>& kernel);
     /// The number of a primitive's material, or of its leaf's, the number of which goes on by one.
     int material_of(const Primitive& primitive, std::int32_t& leaf) const {
         return leaf_materials.empty() ? primitive.material : leaf_materials[leaf++];

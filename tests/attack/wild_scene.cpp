@@ -284,7 +284,7 @@ WildScene Wild::make() {
         }
     }
     scene.camera = camera();
-    scene.background = color();
+    scene.background = dice.chance(.2) ? Pigment(pattern()) : Pigment(color());
     scene.settings.ambient_light = color();
     scene.settings.max_trace_level = depth();
     scene.settings.linear = dice.chance(.3);

@@ -183,6 +183,7 @@ Scene random_scene(std::uint64_t seed, const RandomScene& what) {
                 light.direction = -light.position, light.position = DVec3(0);
             }
         }
+    if (what.patterns && dice.chance(.5)) scene.background = Pigment(random_pattern(dice));
     if (what.patterns)
         for (Material& material : scene.materials)
             if (dice.chance(.5)) material.rgb = Pigment(random_pattern(dice));

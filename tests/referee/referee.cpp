@@ -23,6 +23,7 @@ struct Referee<R>::World {
     Scene scene;
     Vector<R> eye, right, down, forward;
     int width, height, depth;
+    Paint<R> sky;
     std::vector<Body<R>> bodies;
 
     Vector<R> see(const Line<R>& line, int generation, const std::vector<int>& inside, Signature& signature) const {
@@ -32,7 +33,7 @@ struct Referee<R>::World {
         for (int i = 0; i < static_cast<int>(bodies.size()); ++i)
             for (const auto& crossing : bodies[i].meet(line, i))
                 if (crossing.t > 0 && (body < 0 || crossing.t < hit.t)) body = i, hit = crossing;
-        if (body < 0) return signature.add(missed), scene.background;
+        if (body < 0) return signature.add(missed), sky.at(line.direction);
         signature.add(100 + 1000 * body + hit.face);
 
         const Material& material = bodies[body].material(hit.face);
@@ -132,6 +133,7 @@ Referee<R>::Referee(const Scene& scene, const Camera& camera, int width, int hei
             width,
             height,
             depth,
+            Paint<R>(scene.background, glm::dmat4(1)),
             {}};
     for (const Primitive& p : scene.primitives) w.bodies.emplace_back(p, scene.materials);
     world = std::make_unique<const World>(std::move(w));

@@ -95,7 +95,7 @@ class Whitted {
     Vec3<T> trace(const Vec3<T>& o, const Vec3<T>& d, int depth) const {
         if (depth == 0) return Vec3<T>(T(0));
         const auto hit = nearest(o, d);
-        if (!hit) return to<T>(scene.background);
+        if (!hit) return to<T>(scene.background.color);
         const Material& m = *hit->material;
         const Vec3<T> p = o + d * hit->t;
         const bool outside = times(d, hit->normal) < 0;

@@ -118,7 +118,7 @@ void attach(World& world, RTCGeometry geometry, int id) {
 
 }  // namespace
 
-World::World(const Scene& from, int threads) : background(to_float(from.background)) {
+World::World(const Scene& from, int threads) : background(to_float(from.background.color)) {
     device = rtcNewDevice(("threads=" + std::to_string(threads)).c_str());
     if (!device) throw std::runtime_error("Embree does not start");
     scene = rtcNewScene(device);
