@@ -33,7 +33,8 @@ inline constexpr auto composite_words = joined(shape_words, body_words);
 /// The words that open a block of the top level.
 inline constexpr auto block_words =
     joined(joined(std::array<std::string_view, 2>{"camera", "light"}, body_words),
-           std::array<std::string_view, 4>{"defaultmaterial", "background", "global_settings", "flythrough"});
+           std::array<std::string_view, 5>{"defaultmaterial", "background", "global_settings", "flythrough",
+                                           "define"});
 
 /// What `camera` and `key` have in common, with both ways to say which way is up and how wide the view is.
 struct EyeText {

@@ -18,6 +18,11 @@ struct MaterialText {
     Material values;
     std::array<bool, std::tuple_size_v<decltype(Material::fields)>> named{};  // in the order of the fields
 
+    /// Changes it by what `more` names.
+    void add(const MaterialText& more) {
+        values = more.on(values);
+        for (std::size_t i = 0; i < named.size(); ++i) named[i] |= more.named[i];
+    }
     /// The base, changed by what is named.
     Material on(const Material& base) const {
         Material result = base;
