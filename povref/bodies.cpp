@@ -14,42 +14,27 @@ namespace {
 
 using Items = std::vector<std::string>;
 
-std::string step_text(const Transformation& step) {
-    // POV-Ray treats smaller factors as 0, and 0 as 1.
-    constexpr double least = 1e-9;
-    struct {
-        std::string operator()(const Rotate& r) const { return "rotate " + text_of(r.degrees); }
-        std::string operator()(const Translate& t) const { return "translate " + text_of(t.by); }
-        std::string operator()(const Scale& s) const {
-            const DVec3& f = s.by;
-            if (std::min({std::fabs(f.x), std::fabs(f.y), std::fabs(f.z)}) < least)
-                return "matrix <" + text_of(f.x) + ", 0, 0, 0, " + text_of(f.y) + ", 0, 0, 0, " + text_of(f.z) +
-                       ", 0, 0, 0>";
-            return "scale " + (f.x == f.y && f.y == f.z ? text_of(f.x) : text_of(f));
-        }
-    } words;
-    return std::visit(words, step);
-}
-
 Items placement(const Primitive& primitive) {
     Items items;
     for (const Transformation& step : primitive.transformations) items.push_back(step_text(step));
     return items;
 }
 
-/// The material of all its surfaces, if they have the same.
-std::optional<int> only_material(const Primitive& primitive) {
+/// The material of all its surfaces, if they have the same, and a pattern of it goes on through all.
+std::optional<int> only_material(const Scene& scene, const Primitive& primitive) {
     std::optional<int> first;
     bool same = true;
-    for_each_leaf(primitive, [&](const Primitive& leaf, const glm::dmat4&) {
+    const glm::dmat4 whole = matrix(primitive.transformations);
+    for_each_leaf_placed(primitive, [&](const Primitive& leaf, const LeafMatrices& matrices) {
         if (!first) first = leaf.material;
         same &= leaf.material == *first;
+        same &= !scene.materials[leaf.material].rgb.pattern || matrices.material == whole;
     });
     return same ? first : std::nullopt;
 }
 
 /// A body without its closing brace. POV-Ray's own word `union` keeps the surfaces inside; `dress(material)` are the
-/// words that give a part of a composite its material.
+/// words that give a part of a composite its material, if that is not the whole's: then its pattern is the whole's too.
 template <class Dress>
 std::string head_of(const Primitive& primitive, const Dress& dress, const std::string& indent = "") {
     return std::visit(
@@ -59,8 +44,7 @@ std::string head_of(const Primitive& primitive, const Dress& dress, const std::s
                 const std::string inner = indent + "  ";
                 for (const Primitive& part : *kind.parts) {
                     Items items = placement(part);
-                    if (!std::visit([]<class Part>(const Part&) { return is_composite<Part>; }, part.shape))
-                        items.insert(items.begin(), dress(part.material));
+                    if (part.material != primitive.material) items.insert(items.begin(), dress(part.material));
                     std::erase(items, "");
                     text += "\n" + inner + block(head_of(part, dress, inner), items, inner);
                     text.pop_back();
@@ -96,7 +80,7 @@ class BodyWriter {
 };
 
 void BodyWriter::add(const Scene& scene, const Primitive& primitive) {
-    const std::optional<int> number = only_material(primitive);
+    const std::optional<int> number = only_material(scene, primitive);
     if (!number) return add_mixed(primitive, transparent(scene, primitive));
     const PovMaterial& material = how.materials[*number];
     Items items = placement(primitive);
@@ -112,7 +96,8 @@ void BodyWriter::add_mixed(const Primitive& primitive, bool clear_one) {
     Items items = placement(primitive);
     if (how.scaled) items.push_back("scale Unit");
     const auto text = [&](bool copy, std::initializer_list<const char*> more) {
-        Items all = items;
+        Items all{dressed(primitive.material, copy)};
+        all.insert(all.end(), items.begin(), items.end());
         all.insert(all.end(), more.begin(), more.end());
         return block(head_of(primitive, [&](int number) { return dressed(number, copy); }), all);
     };
@@ -132,9 +117,13 @@ void BodyWriter::add_clear(const Primitive& primitive, const std::string& head, 
     kind[0] = static_cast<char>(kind[0] - 'a' + 'A');
     const std::string name = kind + "_" + std::to_string(++count[kind]);
     declared += block("#declare " + name + " = " + head, items);
+    std::string moved;  // a pattern moves with its body
+    if (material.patterned)
+        for (const std::string& item : items) moved += " " + item;
     if (material.own_shadow)
-        shadows += block("object { " + name, {"texture { " + material.name + "_Shadow }", "no_image", "no_reflection"});
-    seen += block("object { " + name, {"material { " + material.name + " }"});
+        shadows += block("object { " + name, {"texture { " + material.name + "_Shadow" + moved + " }", "no_image",
+                                              "no_reflection"});
+    seen += block("object { " + name, {"material { " + material.name + moved + " }"});
     if (material.own_shadow) seen.insert(seen.size() - 3, " no_shadow");
 }
 
@@ -154,7 +143,7 @@ std::string BodyWriter::text() const {
 }  // namespace
 
 bool mixed(const Scene& scene, const Primitive& primitive) {
-    const std::optional<int> number = only_material(primitive);
+    const std::optional<int> number = only_material(scene, primitive);
     return !number || scene.materials[*number].ior != scene.materials[primitive.material].ior;
 }
 

@@ -25,6 +25,14 @@ std::string name_of(const Color& c) {
     return "Red";
 }
 
+/// Of a pattern the name of its kind.
+std::string name_of(const Pigment& pigment) {
+    if (!pigment.pattern) return name_of(pigment.color);
+    std::string name = std::visit([](const auto& kind) { return std::string(kind.name); }, pigment.pattern->kind);
+    name[0] = static_cast<char>(name[0] - 'a' + 'A');
+    return name;
+}
+
 std::string name_of(const Material& m) {
     const bool seen = m.diffuse > 0 || m.ambient > 0;
     if (m.refraction > 0) return (name_of(m.rgb) == "White" ? "Clear" : name_of(m.rgb)) + std::string("_Glass");

@@ -6,6 +6,7 @@
 #include "num/decimal.h"
 #include "povref/layout.h"
 #include "povref/material_names.h"
+#include "povref/pigments.h"
 
 namespace strahl {
 namespace {
@@ -68,25 +69,26 @@ bool needs_layers(const Material& m, bool keyword) {
 
 /// The texture of a transparent body as the eye sees it.
 std::string seen_through(const Material& m, bool keyword) {
-    const std::string colour = "rgb " + text_of(m.rgb), share = transmitted_text(m, keyword);
+    const std::string share = transmitted_text(m, keyword);
     if (!needs_layers(m, keyword))
-        return texture(colour + " transmit " + share, finish(m, "(1 - " + share + ")", keyword), "  ");
+        return texture(pigment_text(m.rgb, " transmit " + share), finish(m, "(1 - " + share + ")", keyword), "  ");
     return texture("rgb 0 transmit 2" + (share == "1" ? "" : "*" + share), {"ambient 0", "diffuse 0"}, "  ") + "\n  " +
-           texture(colour + " transmit 0.5", finish(m, "0.5", keyword), "  ");
+           texture(pigment_text(m.rgb, " transmit 0.5"), finish(m, "0.5", keyword), "  ");
 }
 
 PovMaterial describe(const Material& m, const std::string& name, const Circumstances& scene) {
     PovMaterial pov{.name = name};
+    pov.patterned = m.rgb.pattern != nullptr;
     pov.transparent = m.refraction > 0;
     if (!pov.transparent) {
         pov.declaration =
-            "#declare " + name + " = " + texture("rgb " + text_of(m.rgb), finish(m, "", false), "") + "\n";
+            "#declare " + name + " = " + texture(pigment_text(m.rgb), finish(m, "", false), "") + "\n";
         return pov;
     }
     // Total reflection has the share Kr + Kt here, and 1 in POV-Ray unless the old keyword `refraction` changes it.
     pov.keyword = scene.bends && std::fabs(m.reflection + m.refraction - 1) > 1e-9;
     pov.layered = needs_layers(m, pov.keyword);
-    pov.own_shadow = scene.lights && (pov.keyword || m.rgb != Color(1));
+    pov.own_shadow = scene.lights && (pov.keyword || m.rgb != Pigment(Color(1)));
     pov.near_one = m.ior == 1 && scene.depth_shows;
     // POV-Ray keeps the ior in single precision; this is the next number after 1.
     const std::string ior = pov.near_one ? "1.00000012" : text_of(m.ior);
@@ -95,8 +97,7 @@ PovMaterial describe(const Material& m, const std::string& name, const Circumsta
     if (pov.own_shadow)
         pov.declaration +=
             "#declare " + name + "_Shadow = " +
-            texture("rgb " + text_of(m.rgb) + " filter " + text_of(m.refraction), {"ambient 0", "diffuse 0"}, "") +
-            "\n";
+            texture(pigment_text(m.rgb, " filter " + text_of(m.refraction)), {"ambient 0", "diffuse 0"}, "") + "\n";
     return pov;
 }
 

@@ -17,6 +17,7 @@ struct PovMaterial {
     bool own_shadow = false;  // needs that copy
     bool keyword = false;     // uses the finish keyword `refraction`, about which POV-Ray warns
     bool layered = false;     // has two layers of texture
+    bool patterned = false;   // has a pattern, which moves with the body
     bool near_one = false;    // an ior of 1 is written as the next larger number
 };
 

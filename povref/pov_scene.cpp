@@ -8,6 +8,7 @@
 #include "povref/bodies.h"
 #include "povref/layout.h"
 #include "povref/materials.h"
+#include "povref/pigments.h"
 #include "povref/unit.h"
 #include "scene/error.h"
 #include "scene/leaves.h"
@@ -81,8 +82,8 @@ std::string top(const Scene& scene, const PovRequest& request, const Plan& plan)
                                : "  assumed_gamma srgb    // values go straight to the file, which is sRGB as well\n") +
         "  ambient_light rgb " + text_of(scene.settings.ambient_light) + "\n  max_trace_level " +
         padded(std::to_string(request.depth), 6) + "// generations of rays, the camera's being the first\n" +
-        "  adc_bailout 0         // follow even the weakest ray\n}\n\nbackground { rgb " + text_of(scene.background) +
-        " }\n";
+        "  adc_bailout 0         // follow even the weakest ray\n}\n";
+    if (!scene.background.pattern) text += "\nbackground { " + pigment_text(scene.background) + " }\n";
     if (plan.scaled)
         text += "\n" +
                 comment(
@@ -130,11 +131,28 @@ std::string camera_section(const PovRequest& request, const Plan& plan) {
            "\n  direction " + value("Direction", &PovCamera::direction) + "\n}\n";
 }
 
+/// Where POV-Ray, to which all lights have a place, may have one of parallel light: as far away as it looks.
+DVec3 place_of_parallel(const DVec3& direction, const Plan& plan) {
+    constexpr double far = 1e7;
+    return -far / plan.unit.unit * normalize(direction);
+}
+
 std::string light_section(const Scene& scene, const Plan& plan) {
     if (scene.lights.empty()) return "";
     std::string text = heading("Lights");
-    for (const Light& light : scene.lights)
-        text += "light_source { " + scaled(text_of(light.position), plan) + ", rgb " + text_of(light.color) + " }\n";
+    for (const Light& light : scene.lights) {
+        const DVec3 place = light.direction ? place_of_parallel(*light.direction, plan) : light.position;
+        std::vector<std::string> items{scaled(text_of(place), plan) + ", rgb " + text_of(light.color)};
+        if (light.direction) items.insert(items.end(), {"parallel", "point_at 0"});
+        if (light.spot) {
+            items.insert(items.end(), {"spotlight", "point_at " + scaled(text_of(light.spot->look_at), plan)});
+            for (const auto& [word, value] : {std::pair("radius ", light.spot->radius),
+                                              std::pair("falloff ", light.spot->falloff),
+                                              std::pair("tightness ", light.spot->tightness)})
+                items.push_back(word + text_of(value));
+        }
+        text += block("light_source {", items);
+    }
     return text;
 }
 
@@ -155,6 +173,12 @@ std::string material_section(const Plan& plan) {
             "through, and on it one that is half opaque.");
     for (const PovMaterial& material : plan.materials) text += "\n" + material.declaration;
     return text;
+}
+
+/// A background with a pattern.
+std::string sky_section(const Scene& scene) {
+    if (!scene.background.pattern) return "";
+    return heading("Background") + "sky_sphere { pigment { " + pigment_text(scene.background) + " } }\n";
 }
 
 /// A path as an .ini holds it. There is no way to escape a character in it.
@@ -216,6 +240,7 @@ PovFiles write_pov(const Scene& scene, const PovRequest& request) {
     const Plan plan = plan_for(scene, request);
     const std::string ini_path = request.pov_path.substr(0, request.pov_path.rfind('.')) + ".ini";
     return {top(scene, request, plan) + camera_section(request, plan) + light_section(scene, plan) +
+                function_section(scene) + sky_section(scene) +
                 material_section(plan) + body_sections(scene, {plan.materials, plan.shadow_copies, plan.scaled}),
             ini_of(scene, request, plan, ini_path), warnings_of(plan)};
 }

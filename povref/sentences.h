@@ -1,11 +1,32 @@
-// What a body is called in POV-Ray: its kind's words and arguments.
+// What bodies and transformations are called in POV-Ray: their words and arguments.
 #pragma once
+#include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "num/decimal.h"
 #include "scene/kinds.h"
+#include "scene/transformation.h"
 
 namespace strahl {
+
+/// A transformation.
+inline std::string step_text(const Transformation& step) {
+    // POV-Ray treats smaller factors as 0, and 0 as 1.
+    constexpr double least = 1e-9;
+    struct {
+        std::string operator()(const Rotate& r) const { return "rotate " + text_of(r.degrees); }
+        std::string operator()(const Translate& t) const { return "translate " + text_of(t.by); }
+        std::string operator()(const Scale& s) const {
+            const DVec3& f = s.by;
+            if (std::min({std::fabs(f.x), std::fabs(f.y), std::fabs(f.z)}) < least)
+                return "matrix <" + text_of(f.x) + ", 0, 0, 0, " + text_of(f.y) + ", 0, 0, 0, " + text_of(f.z) +
+                       ", 0, 0, 0>";
+            return "scale " + (f.x == f.y && f.y == f.z ? text_of(f.x) : text_of(f));
+        }
+    } words;
+    return std::visit(words, step);
+}
 
 /// A mesh without its closing brace. A closed one gets a direction in which POV-Ray counts whether a point is inside.
 inline std::string sentence(const Mesh& mesh) {

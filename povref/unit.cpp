@@ -51,7 +51,8 @@ Unit unit_for(const Scene& scene, const std::vector<Camera>& cameras) {
     for (const Camera& camera : cameras) {
         for (const Primitive& primitive : scene.primitives)
             farthest = std::max(farthest, reach(primitive, camera.position));
-        for (const Light& light : scene.lights) farthest = std::max(farthest, length(light.position - camera.position));
+        for (const Light& light : scene.lights)
+            if (!light.direction) farthest = std::max(farthest, length(light.position - camera.position));
     }
     for (const Primitive& primitive : scene.primitives) {
         const DVec3 size = world_bounds(primitive).size();

@@ -66,7 +66,7 @@ void Builder::set_material(Material changed) {
         if constexpr (std::is_same_v<decltype(value), double&>)
             limit(value, field.range, field.name);
         else
-            for (int i = 0; i < 3; ++i) limit(value[i], field.range, field.name);
+            for (int i = 0; i < 3; ++i) limit(value.color[i], field.range, field.name);
     };
     std::apply([&](const auto&... field) { (limit_field(field), ...); }, Material::fields);
     if (material == changed) return;

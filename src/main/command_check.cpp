@@ -87,7 +87,8 @@ std::string summary(const Scene& scene) {
          << "  camera       at " << camera.position << ", looking at " << camera.look_at << ", " << 2 * camera.fov
          << " degrees wide\n"
          << "  depth        " << scene.settings.max_trace_level << '\n'
-         << "  background   " << scene.background << '\n'
+         << "  background   " << scene.background.color << (scene.background.pattern ? " at most, by a pattern" : "")
+         << '\n'
          << "  values       " << (scene.settings.linear ? "linear light, shown sRGB-encoded" : "shown as they are")
          << '\n'
          << "  flythrough   ";

@@ -5,7 +5,7 @@
 
 namespace strahl {
 
-enum class Range { any, direction, positive, length_or_zero, zero_or_more, zero_to_one };
+enum class Range { any, direction, positive, length_or_zero, zero_or_more, zero_to_one, octaves, quarter_turn };
 
 /// May the parameter be left out? Only the last ones of a list may; their default stands for them.
 enum class Given : bool { always, optional };

@@ -6,16 +6,25 @@
 
 namespace strahl {
 
-/// Calls visit(leaf, matrix) for each in the order declared. `matrix` takes its shape into the world, through the
-/// transformations of all levels.
+/// A leaf's own matrix takes its shape into the world, through the transformations of all levels. That of its material
+/// takes the material's patterns there: from the space of the outermost composite around it with the same material all
+/// the way in, so that the pattern of a whole goes on through its parts, or from its own.
+struct LeafMatrices {
+    glm::dmat4 shape{1}, material{1};
+};
+
+/// Calls visit(leaf, matrices) for each in the order declared. `outer` are those of the composite around the primitive,
+/// which has the material `outer_material`; of a primitive by itself that is none.
 template <class Visit>
-void for_each_leaf(const Primitive& primitive, const Visit& visit, const glm::dmat4& outer = glm::dmat4(1)) {
-    const glm::dmat4 whole = outer * matrix(primitive.transformations);
+void for_each_leaf_placed(const Primitive& primitive, const Visit& visit, const LeafMatrices& outer = {},
+                          int outer_material = -1) {
+    const glm::dmat4 whole = outer.shape * matrix(primitive.transformations);
+    const LeafMatrices own{whole, primitive.material == outer_material ? outer.material : whole};
     const auto look = [&]<class Kind>(const Kind& kind) {
         if constexpr (is_composite<Kind>)
-            for (const Primitive& part : *kind.parts) for_each_leaf(part, visit, whole);
+            for (const Primitive& part : *kind.parts) for_each_leaf_placed(part, visit, own, primitive.material);
         else
-            visit(primitive, whole);
+            visit(primitive, own);
     };
     std::visit(look, primitive.shape);
 }
@@ -32,6 +41,13 @@ int sum_of_leaves(const Shape& shape, const Count& count) {
         return sum;
     };
     return std::visit(look, shape);
+}
+
+/// Calls visit(leaf, matrix), where no patterns matter.
+template <class Visit>
+void for_each_leaf(const Primitive& primitive, const Visit& visit) {
+    for_each_leaf_placed(primitive,
+                         [&](const Primitive& leaf, const LeafMatrices& matrices) { visit(leaf, matrices.shape); });
 }
 
 /// Does light pass any of its surfaces?

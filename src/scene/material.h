@@ -2,13 +2,13 @@
 #pragma once
 #include <tuple>
 
-#include "scene/field.h"
+#include "scene/pattern.h"
 
 namespace strahl {
 
 /// The default values are those of the article's `defaultmaterial` listing.
 struct Material {
-    Color rgb{.5, .5, .5};   // Of
+    Pigment rgb{.5, .5, .5};  // Of
     double reflection = .5;  // Kr
     double refraction = 0;   // Kt; above 0 the body is transparent
     double diffuse = .5;     // Kd

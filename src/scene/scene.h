@@ -5,17 +5,11 @@
 
 #include "scene/camera.h"
 #include "scene/kinds.h"
+#include "scene/light.h"
 #include "scene/material.h"
 #include "scene/transformation.h"
 
 namespace strahl {
-
-/// A point light without falloff.
-struct Light {
-    DVec3 position{0};
-    Color color{1};
-    bool operator==(const Light&) const = default;
-};
 
 struct Primitive {
     Shape shape;
@@ -34,7 +28,7 @@ struct Settings {
 struct Scene {
     Camera camera;
     Settings settings;
-    Color background{0};
+    Pigment background{Color(0)};  // of rays that hit nothing; a pattern is asked for the unit direction of the ray
     std::vector<Light> lights;
     /// No duplicates, in the order of first use by a primitive: of a composite its own, then those of its parts.
     std::vector<Material> materials;

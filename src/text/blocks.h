@@ -6,15 +6,10 @@
 #include <tuple>
 
 #include "scene/scene.h"
-#include "text/parameter.h"
+#include "text/pigment.h"
+#include "text/transformations.h"
 
 namespace strahl {
-
-/// What may follow the arguments of a body.
-inline constexpr std::array<std::string_view, 4> shape_words{"material", "rotate", "translate", "scale"};
-
-/// What may stand in a mesh besides that.
-inline constexpr std::array<std::string_view, 3> mesh_words{"file", Triangle::name, SmoothTriangle::name};
 
 template <class T, std::size_t n, std::size_t m>
 constexpr std::array<T, n + m> joined(const std::array<T, n>& first, const std::array<T, m>& second) {
@@ -23,11 +18,13 @@ constexpr std::array<T, n + m> joined(const std::array<T, n>& first, const std::
     return all;
 }
 
+/// What may follow the arguments of a body.
+inline constexpr auto shape_words = joined(std::array<std::string_view, 1>{"material"}, transformation_words);
+
+/// What may stand in a mesh besides that.
+inline constexpr std::array<std::string_view, 3> mesh_words{"file", Triangle::name, SmoothTriangle::name};
+
 /// The words that open the block of a body.
-template <class... Kinds>
-constexpr auto names_of(std::type_identity<std::variant<Kinds...>>) {
-    return std::array<std::string_view, sizeof...(Kinds)>{Kinds::name...};
-}
 inline constexpr auto body_words = names_of(std::type_identity<Shape>{});
 
 /// What may stand in a union, an intersection or a difference. Bodies that can't be parts have an error of their own.
@@ -36,7 +33,8 @@ inline constexpr auto composite_words = joined(shape_words, body_words);
 /// The words that open a block of the top level.
 inline constexpr auto block_words =
     joined(joined(std::array<std::string_view, 2>{"camera", "light"}, body_words),
-           std::array<std::string_view, 4>{"defaultmaterial", "background", "global_settings", "flythrough"});
+           std::array<std::string_view, 5>{"defaultmaterial", "background", "global_settings", "flythrough",
+                                           "define"});
 
 /// What `camera` and `key` have in common, with both ways to say which way is up and how wide the view is.
 struct EyeText {
@@ -73,11 +71,22 @@ inline std::array<Parameter, 2> flythrough_parameters(Flythrough& path) {
          {"loop", &path.loop, {}, "closes the path: from the last key it continues to the first", "the path ends"}}};
 }
 
-inline std::array<Parameter, 2> light_parameters(Light& light) {
-    return {{{"position", &light.position, coordinates, "where the light is", required},
+inline std::array<Parameter, 3> light_parameters(Light& light) {
+    return {{{"position", &light.position, coordinates, "where the light is", required, "direction"},
+             {"direction", &light.direction, directions, "of parallel light: where it shines to"},
              {"color", &light.color, not_negative, "its colour and strength", required}}};
 }
-inline std::array<Parameter, 1> background_parameters(Color& color) {
+inline std::array<Parameter, 4> spot_parameters(Spot& spot) {
+    const Parameter look_at{"look_at", &spot.look_at, coordinates, "a point on the axis of its cone", required};
+    return joined(std::array{look_at},
+                  std::apply(
+                      [&](const auto&... field) {
+                          return std::array{
+                              Parameter{field.name, &(spot.*field.member), bounds_of(field.range), field.help}...};
+                      },
+                      Spot::fields));
+}
+inline std::array<Parameter, 1> background_parameters(Pigment& color) {
     return {{{"color", &color, not_negative, "the colour of rays that hit nothing", required}}};
 }
 
@@ -112,11 +121,13 @@ void each_block(const Visit& visit) {
     double time = 0;
     Flythrough path;
     Light light;
-    Color background{0};
+    Spot spot;
+    Pigment background{Color(0)};
     SettingsText settings;
     Material material;
     visit("material", material_parameters(material));
     visit("light", light_parameters(light));
+    visit("spot", spot_parameters(spot));
     visit("camera", camera_parameters(eye, aspectratio));
     visit("background", background_parameters(background));
     visit("global_settings", settings_parameters(settings));

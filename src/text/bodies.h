@@ -8,21 +8,9 @@
 
 #include "scene/scene.h"
 #include "scene/world_transform.h"
-#include "text/reader.h"
+#include "text/transformations.h"
 
 namespace strahl {
-
-/// The condition number of the linear part of a transformation, in Frobenius norms (at most three times too large): how
-/// much more it shrinks one direction than another. Its largest entry should be about 1.
-inline double condition(const glm::dmat4& m) {
-    const DVec3 a(m[0]), b(m[1]), c(m[2]);
-    const auto norm = [](const DVec3& u, const DVec3& v, const DVec3& w) {
-        return std::hypot(length(u), length(v), length(w));
-    };
-    const DVec3 bc = cross_product(b, c), ca = cross_product(c, a), ab = cross_product(a, b);
-    const double determinant = dot_product(a, bc);
-    return norm(a, b, c) * norm(bc, ca, ab) / std::fabs(determinant);
-}
 
 /// Does the transformation take opposite sides of the box to the same place?
 inline bool flattened(const Box& box, const glm::dmat4& m) {
@@ -40,11 +28,9 @@ inline bool flattened(const Box& box, const glm::dmat4& m) {
 /// its arguments have a meaning in its own space only, and its bounds are checked instead.
 /// Of a composite the parts count.
 template <class Kind>
-std::string transformed_fault(const Kind& shape, glm::dmat4 m) {
-    double largest = 0;
-    for (int i = 0; i < 3; ++i)
-        for (int k = 0; k < 3; ++k) largest = std::max(largest, std::fabs(m[i][k]));
-    if (!(largest >= smallest_positive && largest <= largest_number)) return "scale it out of the range of numbers";
+std::string transformed_fault(const Kind& shape, const glm::dmat4& m) {
+    const double largest = largest_entry(m);
+    if (std::string fault = scale_fault(largest); !fault.empty()) return fault;
 
     bool inside = true;
     const auto look = [&](const DVec3& point) {
@@ -79,9 +65,8 @@ std::string transformed_fault(const Kind& shape, glm::dmat4 m) {
         std::apply([&](const auto&... field) { (move(moved.*field.member, field.range), ...); }, Kind::fields);
         fault = moved.fault();
     }
-    if (!inside) return "make it too large, too small or too far away (coordinates go up to 1e15)";
-    for (int i = 0; i < 3; ++i) m[i] /= largest;
-    if (!(condition(m) < 1e12)) return "flatten it: one side shrinks more than 1e12 times as much as another";
+    if (!inside) return reach_fault;
+    if (std::string flat = flat_fault(m); !flat.empty()) return flat;
     return fault ? std::string("leave nothing of it: ") + fault : "";
 }
 

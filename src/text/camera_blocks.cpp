@@ -45,11 +45,13 @@ void CameraBlocks::flythrough(std::string_view word) {
     Block block{word};
     auto parameters = flythrough_parameters(read_path);
     constexpr std::array<std::string_view, 1> other{"key"};
-    reader.block(block, parameters, other, [&](std::string_view inner) {
-        if (inner != "key") return false;
-        key(inner, read_path, places, block);
-        return true;
-    });
+    reader.block(
+        block, parameters, other, [] {},
+        [&](std::string_view inner) {
+            if (inner != "key") return false;
+            key(inner, read_path, places, block);
+            return true;
+        });
     const bool enough = read_path.keys.size() >= 2;
     reader.require(block, parameters, {{enough, "keys: it takes 2 to make a path"}});
     if (!block.good()) return;

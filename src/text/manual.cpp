@@ -70,8 +70,33 @@ std::string body_table(std::type_identity<std::variant<Kinds...>>) {
     return "| body | arguments | values | meaning |\n|---|---|---|---|\n" + (body_rows<Kinds>() + ...);
 }
 
+template <class Kind>
+std::string pattern_rows() {
+    std::string rows, name = code(Kind::name);
+    const auto add = [&](const std::string& parameter, const std::string& otherwise, const char* values,
+                         const std::string& help) {
+        rows += "| " + name + " | " + parameter + " | " + otherwise + " | " + values + " | " + help + " |\n";
+        name = "";
+    };
+    if constexpr (two_colored<Kind>)
+        add("two colours", "required", not_negative.words, Kind::help);
+    else
+        add("`colors`", "required", "see above", Kind::help);
+    Kind kind;
+    if constexpr (std::tuple_size_v<decltype(Kind::fields)> > 0)
+        for (const Parameter& p : pattern_parameters(kind))
+            add(code(p.name), default_of(p, ""), p.bounds.words, p.help);
+    return rows;
+}
+template <class... Kinds>
+std::string pattern_table(std::type_identity<std::variant<Kinds...>>) {
+    return "| pattern | parameter | default | values | meaning |\n|---|---|---|---|---|\n" +
+           (pattern_rows<Kinds>() + ...);
+}
+
 std::map<std::string, std::string> all_tables() {
-    std::map<std::string, std::string> tables{{"bodies", body_table(std::type_identity<Shape>{})}};
+    std::map<std::string, std::string> tables{{"bodies", body_table(std::type_identity<Shape>{})},
+                                              {"patterns", pattern_table(std::type_identity<PatternKind>{})}};
     each_block([&](const char* word, const auto& parameters) { tables[word] = parameter_table(parameters); });
     return tables;
 }

@@ -18,6 +18,11 @@ struct MaterialText {
     Material values;
     std::array<bool, std::tuple_size_v<decltype(Material::fields)>> named{};  // in the order of the fields
 
+    /// Changes it by what `more` names.
+    void add(const MaterialText& more) {
+        values = more.on(values);
+        for (std::size_t i = 0; i < named.size(); ++i) named[i] |= more.named[i];
+    }
     /// The base, changed by what is named.
     Material on(const Material& base) const {
         Material result = base;
@@ -31,21 +36,37 @@ struct MaterialText {
 };
 
 /// Hashes the fields of a material.
-struct MaterialHash {
+class MaterialHash {
+  public:
     std::size_t operator()(const Material& material) const {
         std::size_t hash = 0;
-        const auto mix = [&](const auto& value) {
-            if constexpr (std::is_same_v<decltype(value), const DVec3&>)
-                add(hash, value.x), add(hash, value.y), add(hash, value.z);
-            else
-                add(hash, value);
-        };
-        std::apply([&](const auto&... field) { (mix(material.*field.member), ...); }, Material::fields);
+        add_fields(hash, material, Material::fields);
         return hash;
     }
+
+  private:
     static void add(std::size_t& hash, double v) {
         hash = (hash ^ std::bit_cast<std::uint64_t>(v + 0.0)) * 0x9E3779B97F4A7C15u;  // -0 becomes 0, which equals it
         hash ^= hash >> 29;
+    }
+    static void add(std::size_t& hash, const DVec3& v) { add(hash, v.x), add(hash, v.y), add(hash, v.z); }
+    static void add(std::size_t& hash, const Pigment& pigment) {
+        add(hash, pigment.color);
+        if (!pigment.pattern) return;
+        const auto& [kind, colors, transformations] = *pigment.pattern;
+        std::visit([&]<class Kind>(const Kind& own) { add_fields(hash, own, Kind::fields); }, kind);
+        for (const ColorStop& stop : colors) add(hash, stop.at), add(hash, stop.color);
+        struct {
+            std::size_t& hash;
+            void operator()(const Rotate& step) const { add(hash, step.degrees); }
+            void operator()(const Translate& step) const { add(hash, step.by); }
+            void operator()(const Scale& step) const { add(hash, step.by); }
+        } values{hash};
+        for (const Transformation& step : transformations) std::visit(values, step);
+    }
+    template <class Struct, class Fields>
+    static void add_fields(std::size_t& hash, const Struct& own, const Fields& fields) {
+        std::apply([&](const auto&... field) { (add(hash, own.*field.member), ...); }, fields);
     }
 };
 

@@ -1,11 +1,12 @@
 // One parameter of a block: what it is called, which values it may have, and what the manual says of it.
 #pragma once
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <string_view>
 #include <variant>
 
-#include "scene/field.h"
+#include "scene/pattern.h"
 
 namespace strahl {
 
@@ -13,7 +14,8 @@ namespace strahl {
 struct Bounds {
     double low, high;
     const char* words;
-    bool contains(double v) const { return v >= low && v <= high; }
+    bool whole = false;  // whole numbers only
+    bool contains(double v) const { return v >= low && v <= high && (!whole || v == std::floor(v)); }
 };
 
 inline constexpr double largest_number = std::numeric_limits<double>::max();
@@ -31,7 +33,9 @@ inline constexpr Bounds positive{1e-9, 1e9, "from 1e-9 to 1e9"};
 // Up to the largest doubles below 90 and 180.
 inline constexpr Bounds half_angles{smallest_positive, 90 - 1e-14, "greater than 0 and less than 90 degrees"};
 inline constexpr Bounds angles{2 * smallest_positive, 180 - 2e-14, "greater than 0 and less than 180 degrees"};
-inline constexpr Bounds depths{1, 256, "a whole number from 1 to 256"};
+inline constexpr Bounds depths{1, 256, "a whole number from 1 to 256", true};
+inline constexpr Bounds quarter_turns{0, 90, "from 0 to 90 degrees"};
+inline constexpr Bounds octave_counts{1, 10, "a whole number from 1 to 10", true};
 inline constexpr Bounds only_one{1, 1, "1, the only value known"};
 inline constexpr Bounds directions{-largest_coordinate, largest_coordinate, "from -1e15 to 1e15, not all 0"};
 inline constexpr Bounds anything{-largest_number, largest_number, "a number"};
@@ -45,6 +49,12 @@ constexpr Bounds bounds_of(Range range) {
             return not_negative;
         case Range::zero_to_one:
             return shares;
+        case Range::direction:
+            return directions;
+        case Range::quarter_turn:
+            return quarter_turns;
+        case Range::octaves:
+            return octave_counts;
         default:
             return anything;
     }
@@ -54,7 +64,6 @@ constexpr Bounds argument_bounds(Range range) {
     return range == Range::positive         ? lengths
            : range == Range::length_or_zero ? lengths_or_zero
            : range == Range::any            ? coordinates
-           : range == Range::direction      ? directions
                                             : bounds_of(range);
 }
 
@@ -63,7 +72,7 @@ inline constexpr std::string_view required = "required";
 /// `name value` in a block; of a bool the name alone.
 struct Parameter {
     std::string_view name;
-    std::variant<double*, DVec3*, bool*, std::optional<double>*, std::optional<DVec3>*> value;
+    std::variant<double*, DVec3*, Pigment*, bool*, std::optional<double>*, std::optional<DVec3>*> value;
     Bounds bounds = anything;
     const char* help = "";
     std::string_view otherwise{};    // what holds if it is not given; empty: the value as it is before reading

@@ -1,6 +1,5 @@
 // The parser: the blocks of the scene language.
 #include <array>
-#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <utility>
@@ -9,10 +8,13 @@
 #include "text/blocks.h"
 #include "text/bodies.h"
 #include "text/camera_blocks.h"
+#include "text/definitions.h"
+#include "text/light_block.h"
 #include "text/materials.h"
 #include "text/mesh_block.h"
 #include "text/parse.h"
 #include "text/reader.h"
+#include "text/settings_block.h"
 #include "text/utf8.h"
 
 namespace strahl {
@@ -41,18 +43,24 @@ class Parser {
     Scene parse();
 
   private:
+    /// Where the material of a body is and its last transformation.
+    struct Ending {
+        std::string_view material, last;
+    };
+
     void top_block(std::string_view word);
-    void light(std::string_view word);
+    void define(std::string_view word);
+    bool use(std::string_view word, std::vector<Primitive>& bodies, Block& outer, int depth);
+    bool finish(std::string_view word, Primitive& primitive, Block& block, Ending& ending);
     void background(std::string_view word);
-    void global_settings(std::string_view word);
     Block material(std::string_view word, MaterialText& target);
     bool body(std::string_view word, std::vector<Primitive>& bodies, Block& outer, int depth);
     template <class Kind>
     void shape(std::string_view word, std::vector<Primitive>& bodies, Block& outer, int depth);
     void settle(Primitive& primitive, const Material& base);
-    Transformation transformation(std::string_view word, Block& block);
     template <class Kind>
-    std::string fault(const Kind& shape, const Primitive& primitive, std::string_view& at, std::string_view last);
+    void check(const Kind& shape, const Primitive& primitive, Block& block, std::string_view word, const Ending& ending,
+               int depth);
     void limit(std::size_t count, std::size_t most, std::string_view at, const char* what);
 
     const TextLimits& limits;
@@ -64,6 +72,7 @@ class Parser {
     Scene scene;
     Materials materials;
     MeshFiles mesh_files;
+    Definitions definitions;
     Material default_material;
     std::size_t bodies_read = 0;
     std::vector<MaterialText> written;            // of the body being read and its parts
@@ -96,36 +105,32 @@ Scene Parser::parse() {
 void Parser::top_block(std::string_view word) {
     Block own{word};
     written.clear();
-    if (body(word, scene.primitives, own, 0)) return settle(scene.primitives.back(), default_material);
-    if (word == "light") return light(word);
+    if (body(word, scene.primitives, own, 0) || use(word, scene.primitives, own, 0))
+        return settle(scene.primitives.back(), default_material);
+    if (word == "light") {
+        limit(scene.lights.size(), limits.lights, word, "lights");
+        return scene.lights.push_back(read_light(reader, word));
+    }
+    if (word == "define") return define(word);
     if (word == "defaultmaterial") {
         MaterialText changes;
         material(word, changes);
-        default_material = changes.on(default_material);
-        return;
+        return void(default_material = changes.on(default_material));
     }
     if (word == "camera") return cameras.camera(word);
     if (word == "background") return background(word);
-    if (word == "global_settings") return global_settings(word);
+    if (word == "global_settings") {
+        reader.once(settings_at, word);
+        return void(scene.settings = read_settings(reader, word));
+    }
     if (word == "flythrough") return cameras.flythrough(word);
-    diagnostics.add(word, unknown_word(word, block_words, ""));
+    diagnostics.add(word, unknown_word(word, definitions.with_bodies(block_words), ""));
     throw ParseAbort{};
 }
 
 void Parser::limit(std::size_t count, std::size_t most, std::string_view at, const char* what) {
     if (count < most) return;
-    diagnostics.add(at, "more than " + std::to_string(most) + " " + what);
-    diagnostics.check();
-}
-
-void Parser::light(std::string_view word) {
-    limit(scene.lights.size(), limits.lights, word, "lights");
-    Light light;
-    Block block{word};
-    auto parameters = light_parameters(light);
-    reader.block(block, parameters);
-    reader.require(block, parameters);
-    scene.lights.push_back(light);
+    diagnostics.add(at, "more than " + std::to_string(most) + " " + what), diagnostics.check();
 }
 
 void Parser::background(std::string_view word) {
@@ -136,42 +141,76 @@ void Parser::background(std::string_view word) {
     reader.require(block, parameters);
 }
 
-void Parser::global_settings(std::string_view word) {
-    reader.once(settings_at, word);
-    Block block{word};
-    SettingsText settings;
-    auto parameters = settings_parameters(settings);
-    reader.block(block, parameters);
-    if (!block.good()) return;
-    const double depth = settings.max_trace_level;
-    if (depth != std::floor(depth))
-        diagnostics.add(parameters[1].at, std::string("'max_trace_level' must be ") + depths.words);
-    scene.settings = {settings.ambient_light, static_cast<int>(depth), settings.assumed_gamma.has_value()};
-}
-
+/// `material { ... }`, or that of a name, with changes or as it is.
 Block Parser::material(std::string_view word, MaterialText& target) {
     Block block{word};
-    auto parameters = material_parameters(target.values);
+    const std::string_view name = reader.lexer.word();
+    if (!name.empty()) target.add(definitions.material(name, diagnostics));
+    if (!name.empty() && reader.lexer.peek() != '{') return block;
+    MaterialText own;
+    auto parameters = material_parameters(own.values);
     reader.block(block, parameters);
-    for (std::size_t i = 0; i < parameters.size(); ++i) target.named[i] = parameters[i].given();
+    for (std::size_t i = 0; i < parameters.size(); ++i) own.named[i] = parameters[i].given();
+    target.add(own);
     return block;
 }
 
-Transformation Parser::transformation(std::string_view word, Block& block) {
-    DVec3 v{0};
-    if (word == "rotate") return reader.read(v, anything, word, block), Rotate{v};
-    if (word == "translate") return reader.read(v, coordinates, word, block), Translate{v};
-    const std::string_view at = (reader.lexer.peek(), reader.lexer.token());
-    if (reader.lexer.peek() == '<')
-        reader.read(v, anything, word, block);
-    else
-        reader.read(v.x, anything, word, block), v.y = v.z = v.x;
-    if (v.x == 0 || v.y == 0 || v.z == 0) {
-        diagnostics.add(
-            at, "'scale' of " + quoted(block.name) + " is 0, which would leave nothing of it; 1 changes nothing");
-        block.bad = true;
+/// `define NAME material { ... }` or `define NAME body { ... }`
+void Parser::define(std::string_view) {
+    const std::string_view name = reader.lexer.word();
+    if (name.empty()) reader.lexer.fail("a name expected after 'define'");
+    const std::string_view word = reader.lexer.word();
+    if (word == "material") {
+        MaterialText text;
+        material(word, text);
+        return definitions.add(name, text, diagnostics);
     }
-    return Scale{v};
+    const std::size_t before = bodies_read;
+    std::vector<Primitive> own;
+    Block block{word};
+    if (!body(word, own, block, 0) && !use(word, own, block, 0)) {
+        constexpr auto known = joined(std::array<std::string_view, 1>{"material"}, body_words);
+        if (word.empty()) reader.lexer.fail("'material' or a body expected after " + quoted(name));
+        const std::string where = " after 'define " + std::string(name) + "'";
+        diagnostics.add(word, unknown_word(word, definitions.with_bodies(known), where));
+        throw ParseAbort{};
+    }
+    const int levels = Definitions::levels_in(own.back());
+    definitions.add(name, {std::move(own.back()), written, bodies_read - before, levels, block.good()}, diagnostics);
+}
+
+/// A body by its name, with more transformations and changes of its material.
+bool Parser::use(std::string_view word, std::vector<Primitive>& bodies, Block& outer, int depth) {
+    const Definitions::Body* const defined = definitions.body(word);
+    if (!defined) return false;
+    limit(bodies_read += defined->bodies, limits.primitives, word, "primitives");
+    limit(depth + defined->levels, most_levels, word, "levels of bodies in bodies");
+    Primitive primitive = Definitions::renumbered(defined->primitive, static_cast<int>(written.size()));
+    written.insert(written.end(), defined->written.begin(), defined->written.end());
+    Block block{word};
+    block.bad = !defined->good;
+    Ending ending;
+    reader.block(
+        block, shape_words, [] {}, [&](std::string_view inner) { return finish(inner, primitive, block, ending); });
+    if (block.good())
+        std::visit([&](const auto& shape) { check(shape, primitive, block, word, ending, depth); }, primitive.shape);
+    outer.absorb(block);
+    bodies.push_back(std::move(primitive));
+    return true;
+}
+
+/// Reads what may follow the arguments of any body.
+bool Parser::finish(std::string_view word, Primitive& primitive, Block& block, Ending& ending) {
+    if (word == "material") {
+        reader.once(ending.material, word);
+        block.absorb(material(word, written[primitive.material]));
+        return true;
+    }
+    if (!contains(shape_words, word)) return false;
+    limit(primitive.transformations.size(), limits.transformations, word, "transformations of one primitive");
+    primitive.transformations.push_back(read_transformation(reader, word, block));
+    ending.last = word;
+    return true;
 }
 
 /// Reads a body to the end of `bodies`, if `word` begins one, which is in the block `outer`. Its material stays a
@@ -183,8 +222,7 @@ bool Parser::body(std::string_view word, std::vector<Primitive>& bodies, Block& 
     return read(std::type_identity<Shape>{});
 }
 
-/// The block of a body: the arguments that its field table lists, then material, transformations and, in a composite,
-/// parts in any order.
+/// The block of a body: its arguments, then material, transformations and, in a composite, parts in any order.
 template <class Kind>
 void Parser::shape(std::string_view word, std::vector<Primitive>& bodies, Block& outer, int depth) {
     limit(bodies_read++, limits.primitives, word, "primitives");
@@ -193,7 +231,7 @@ void Parser::shape(std::string_view word, std::vector<Primitive>& bodies, Block&
     Primitive primitive{{}, static_cast<int>(written.size()), {}};
     written.emplace_back();
     Block block{word};
-    std::string_view material_at, last;
+    Ending ending;
     constexpr bool is_mesh = std::is_same_v<Kind, Mesh>;
     std::optional<MeshBlock> mesh;  // costs more than most bodies
     if (is_mesh) mesh.emplace(reader, folder, mesh_files);
@@ -201,33 +239,14 @@ void Parser::shape(std::string_view word, std::vector<Primitive>& bodies, Block&
     reader.block(
         block, words_in<Kind>, [&] { read_arguments(reader, kind, block); },
         [&](std::string_view inner) {
-            if (inner == "material") {
-                reader.once(material_at, inner);
-                block.absorb(material(inner, written[primitive.material]));
-                return true;
-            }
             if (is_mesh && mesh->part(inner, block)) return true;
-            if (is_composite<Kind> && body(inner, parts, block, depth + 1)) return true;
-            if (!contains(shape_words, inner)) return false;
-            limit(primitive.transformations.size(), limits.transformations, inner, "transformations of one primitive");
-            primitive.transformations.push_back(transformation(inner, block));
-            last = inner;
-            return true;
+            if (is_composite<Kind> && (body(inner, parts, block, depth + 1) || use(inner, parts, block, depth + 1)))
+                return true;
+            return finish(inner, primitive, block, ending);
         });
     if constexpr (is_mesh) kind = mesh->take(word, block);
     if constexpr (is_composite<Kind>) kind.parts = std::make_shared<const std::vector<Primitive>>(std::move(parts));
-    if (block.good()) {
-        std::string_view at = word;
-        std::string message = fault(kind, primitive, at, last);
-        if (message.empty() && depth > 0 && !can_be_part<Kind>)
-            message = "a " + std::string(word) + " can't be part of a body: only closed ones can";
-        if constexpr (is_mesh)
-            if (const auto side = depth > 0 ? open_side(*kind.data) : std::nullopt)
-                message = "this mesh can't be part of a body: it is open between " + text_of(side->first) + " and " +
-                          text_of(side->second);
-        block.bad = !message.empty();
-        if (block.bad) diagnostics.add(at, message);
-    }
+    if (block.good()) check(kind, primitive, block, word, ending, depth);
     outer.absorb(block);
     primitive.shape = std::move(kind);
     bodies.push_back(std::move(primitive));
@@ -248,15 +267,26 @@ void Parser::settle(Primitive& primitive, const Material& base) {
     std::visit(settle_parts, primitive.shape);
 }
 
-/// Why a body is invalid, by its arguments, or by its transformations, the last of which is at `last`; or "".
+/// Reports why a body is invalid: by its arguments, its transformations, or because it can't be a part.
 template <class Kind>
-std::string Parser::fault(const Kind& shape, const Primitive& primitive, std::string_view& at, std::string_view last) {
-    const std::string name = Kind::name;
-    if (const char* const fault = shape.fault()) return "this " + name + " is none: " + fault;
-    if (primitive.transformations.empty()) return "";
-    const std::string fault = transformed_fault(shape, matrix(primitive.transformations));
-    at = last;
-    return fault.empty() ? "" : "up to here the transformations of this " + name + " " + fault;
+void Parser::check(const Kind& shape, const Primitive& primitive, Block& block, std::string_view word,
+                   const Ending& ending, int depth) {
+    const std::string name(word);
+    const auto fault = [&](std::string_view at, const std::string& message) {
+        diagnostics.add(at, message);
+        block.bad = true;
+    };
+    if (const char* const none = shape.fault()) return fault(word, "this " + name + " is none: " + none);
+    if (!ending.last.empty()) {
+        const std::string moved = transformed_fault(shape, matrix(primitive.transformations));
+        if (!moved.empty()) return fault(ending.last, "up to here the transformations of this " + name + " " + moved);
+    }
+    if (depth > 0 && !can_be_part<Kind>)
+        return fault(word, "a " + name + " can't be part of a body: only closed ones can");
+    if constexpr (std::is_same_v<Kind, Mesh>)
+        if (const auto side = depth > 0 ? open_side(*shape.data) : std::nullopt)
+            fault(word, "this mesh can't be part of a body: it is open between " + text_of(side->first) + " and " +
+                            text_of(side->second));
 }
 
 }  // namespace

@@ -30,6 +30,7 @@ class Reader {
     /// Values out of bounds are reported, and reading continues.
     void read(double& value, const Bounds& bounds, std::string_view name, Block& block);
     void read(DVec3& value, const Bounds& bounds, std::string_view name, Block& block);
+    void read(Pigment& value, const Bounds& bounds, std::string_view name, Block& block);
 
     /// Reads `{ ... }`: first `arguments()`, then words. `item(word)` reads the value of a word and returns whether it
     /// knows the word; `words` are all words that it knows.
@@ -43,10 +44,10 @@ class Reader {
                     if (!item(word)) unknown(block, words, word);
                 });
     }
-    /// Reads a block of parameters, and other words by `item`.
-    template <std::size_t count, std::size_t others, class Item>
+    /// Reads a block of arguments, then parameters, and other words by `item`.
+    template <std::size_t count, std::size_t others, class Arguments, class Item>
     void block(Block& block, std::array<Parameter, count>& parameters,
-               const std::array<std::string_view, others>& other_words, Item item) {
+               const std::array<std::string_view, others>& other_words, Arguments arguments, Item item) {
         std::array<std::string_view, count + others> words;
         const auto rest = std::transform(parameters.begin(), parameters.end(), words.begin(),
                                          [](const Parameter& parameter) { return parameter.name; });
@@ -56,12 +57,12 @@ class Reader {
                 if (word == parameter.name) return read(parameter, word, block), true;
             return item(word);
         };
-        this->block(
-            block, words, [] {}, named);
+        this->block(block, words, arguments, named);
     }
     template <std::size_t count>
     void block(Block& block, std::array<Parameter, count>& parameters) {
-        this->block(block, parameters, std::array<std::string_view, 0>{}, [](std::string_view) { return false; });
+        this->block(
+            block, parameters, std::array<std::string_view, 0>{}, [] {}, [](std::string_view) { return false; });
     }
 
     struct Need {

@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "num/decimal.h"
+#include "text/pigment.h"
+#include "text/transformations.h"
 
 namespace strahl {
 namespace {
@@ -18,17 +20,6 @@ std::string parameters(const Material& material, const Material& base) {
     };
     std::apply([&](const auto&... field) { (add(field), ...); }, Material::fields);
     return text;
-}
-
-std::string transformation_text(const Transformation& step) {
-    struct {
-        std::string operator()(const Rotate& r) const { return "rotate " + text_of(r.degrees); }
-        std::string operator()(const Translate& t) const { return "translate " + text_of(t.by); }
-        std::string operator()(const Scale& s) const {
-            return "scale " + (s.by.x == s.by.y && s.by.y == s.by.z ? text_of(s.by.x) : text_of(s.by));
-        }
-    } words;
-    return std::visit(words, step);
 }
 
 /// A body without its closing brace.
@@ -88,13 +79,29 @@ std::string primitive_text(const Primitive& primitive, const std::vector<Materia
         primitive.shape);
     const std::string new_line = std::string("\n").append(indent);
     std::vector<std::string> items;
-    for (const Transformation& step : primitive.transformations) items.push_back(transformation_text(step));
+    for (const Transformation& step : primitive.transformations) items.push_back(text_of(step));
     if (own != base) items.push_back("material { " + parameters(own, base) + " }");
     std::size_t length = text.size();
     for (const std::string& item : items) length += 2 + item.size();
     lines |= length > 100;
     for (const std::string& item : items) text.append(lines ? new_line : "").append("  ").append(item);
     return text.append(lines ? new_line : " ").append("}");
+}
+
+std::string light_text(const Light& light) {
+    std::string text = light.direction ? "light { direction " + text_of(*light.direction)
+                                       : "light { position " + text_of(light.position);
+    text += "  color " + text_of(light.color);
+    if (light.spot) {
+        text += "  spot { look_at " + text_of(light.spot->look_at);
+        const auto add = [&](const auto& field) {
+            if (*light.spot.*field.member != Spot{}.*field.member)
+                text.append("  ").append(field.name).append(" ").append(text_of(*light.spot.*field.member));
+        };
+        std::apply([&](const auto&... field) { (add(field), ...); }, Spot::fields);
+        text += " }";
+    }
+    return text + " }\n";
 }
 
 std::string settings_text(const Settings& settings) {
@@ -150,10 +157,9 @@ std::string write_flythrough(const Flythrough& path) {
 
 std::string write_scene(const Scene& scene) {
     std::string text = write_camera(scene.camera) + settings_text(scene.settings);
-    if (scene.background != Color(0)) text += "background { color " + text_of(scene.background) + " }\n";
+    if (scene.background != Pigment(Color(0))) text += "background { color " + text_of(scene.background) + " }\n";
     if (!scene.lights.empty()) text += "\n";
-    for (const Light& light : scene.lights)
-        text += "light { position " + text_of(light.position) + "  color " + text_of(light.color) + " }\n";
+    for (const Light& light : scene.lights) text += light_text(light);
     if (!scene.primitives.empty()) text.append("\n").append(primitives_text(scene.primitives, scene.materials));
     if (scene.flythrough) text.append("\n").append(write_flythrough(*scene.flythrough));
     return text;

@@ -59,9 +59,14 @@ template <class T>
 class CompositeBuilder {
   public:
     CompositeBuilder(WorldArrays<T>& arrays, std::array<std::vector<T>, Forms::size>& leaf_numbers,
-                     const Primitive& whole, int surface, const Placement& placement, ThreadPool& pool)
-        : arrays(arrays), leaf_numbers(leaf_numbers), placement(placement), pool(pool),
-          outer(matrix(whole.transformations)) {
+                     const Primitive& whole, int surface, std::int32_t first_leaf, const Placement& placement,
+                     ThreadPool& pool)
+        : arrays(arrays),
+          leaf_numbers(leaf_numbers),
+          placement(placement),
+          pool(pool),
+          outer(matrix(whole.transformations)),
+          next_leaf(first_leaf) {
         info.first_leaf = static_cast<std::int32_t>(arrays.leaves.size());
         info.first_step = static_cast<std::int32_t>(arrays.steps.size());
         info.first_plane = static_cast<std::int32_t>(arrays.planes.size());
@@ -101,14 +106,15 @@ class CompositeBuilder {
     template <class Kind>
     void add_leaf(const Kind& shape, const Primitive& part, const glm::dmat4& m, double factor) {
         const WorldTransform to_world{outer * m, factor, placement.origin, placement.scale};
-        CompositeLeaf leaf{-1, 0, part.material, next_surface, faces_of_leaf(shape), 0};
+        const std::int32_t material = arrays.material_of(part, next_leaf);
+        CompositeLeaf leaf{-1, 0, material, next_surface, faces_of_leaf(shape), 0};
         std::vector<ItemBox> boxes;
         shape.template emit<T>(to_world, [&]<class K>(const K& kernel) {
             constexpr int form = form_number<K, T>(Forms{});
             using Own = Item<FormAt<form, Forms>, T>;
             constexpr std::size_t fields = sizeof(Own) / sizeof(T);
             const auto surface = static_cast<T>(next_surface + static_cast<int>(boxes.size()));
-            const Own item{kernel, surface, static_cast<T>(part.material)};
+            const Own item{kernel, surface, static_cast<T>(material)};
             std::vector<T>& numbers = leaf_numbers[form];
             if (leaf.form < 0) leaf.item = arrays.forms[form].count + static_cast<int>(numbers.size() / fields);
             leaf.form = form;
@@ -199,6 +205,7 @@ class CompositeBuilder {
     const Placement& placement;
     ThreadPool& pool;
     const glm::dmat4 outer;
+    std::int32_t next_leaf;  // of the scene
     CompositeInfo info{};
     std::int32_t next_surface;
     std::vector<PlaneNumbers> planes;
@@ -217,9 +224,11 @@ void WorldArrays<T>::add_composites(const Scene& scene, const Placement& placeme
     if (forms[place_of<CompositeForm>(Forms{})].count == 0) return;
     std::array<std::vector<T>, Forms::size> leaf_numbers;
     ItemCounts before;
-    for (const Primitive& primitive : scene.primitives) {
+    for (std::size_t i = 0; i < scene.primitives.size(); ++i) {
+        const Primitive& primitive = scene.primitives[i];
         if (std::visit([]<class Kind>(const Kind&) { return is_composite<Kind>; }, primitive.shape))
-            CompositeBuilder<T>(*this, leaf_numbers, primitive, static_cast<int>(before.surfaces), placement, pool);
+            CompositeBuilder<T>(*this, leaf_numbers, primitive, static_cast<int>(before.surfaces),
+                                leaf_of(static_cast<std::int32_t>(i)), placement, pool);
         count_items<T>(primitive, before);
     }
     for (int form = 0; form < Forms::size; ++form) {

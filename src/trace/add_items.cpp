@@ -70,11 +70,12 @@ void WorldArrays<T>::add_items(const Scene& scene, const Placement& placement, T
             const Box box{to_world.place(whole.low), to_world.place(whole.high)};
             if (box.finite())
                 for (int c = 0; c < 3; ++c) reach = std::max({reach, std::abs(box.low[c]), std::abs(box.high[c])});
+            std::int32_t leaf = leaf_of(i);
+            const T material = static_cast<T>(material_of(primitive, leaf));
             std::visit(
                 [&](const auto& shape) {
                     const int faces = faces_of(primitive.shape);
-                    shape.template emit<T>(to_world,
-                                           PutItems<T>{*this, own, box, static_cast<T>(primitive.material), faces});
+                    shape.template emit<T>(to_world, PutItems<T>{*this, own, box, material, faces});
                 },
                 primitive.shape);
         }

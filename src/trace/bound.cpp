@@ -27,7 +27,7 @@ double most_crossings(const Shape& shape) {
 
 /// Most by which the bodies on its way can multiply a light: glass of a colour above 1 brightens it.
 double gain(const Scene& scene) {
-    const auto filter = [](const Material& m) { return m.refraction * largest(m.rgb); };
+    const auto filter = [](const Material& m) { return m.refraction * largest(m.rgb.color); };
     double product = 1;
     if (std::any_of(scene.materials.begin(), scene.materials.end(), [&](const auto& m) { return filter(m) > 1; }))
         for (const Primitive& primitive : scene.primitives)
@@ -40,9 +40,10 @@ double gain(const Scene& scene) {
 
 /// Most light that a surface of this material sends back by itself.
 double own_light(const Scene& scene, const Material& m, double gain) {
-    Color sum = scene.settings.ambient_light * m.rgb * m.ambient;
+    Color sum = scene.settings.ambient_light * m.rgb.color * m.ambient;
     for (const Light& light : scene.lights)
-        for (int c = 0; c < 3; ++c) sum[c] += gain * std::abs(light.color[c]) * (m.diffuse * m.rgb[c] + m.specular);
+        for (int c = 0; c < 3; ++c)
+            sum[c] += gain * std::abs(light.color[c]) * (m.diffuse * m.rgb.color[c] + m.specular);
     return largest(sum);
 }
 
@@ -50,7 +51,7 @@ double own_light(const Scene& scene, const Material& m, double gain) {
 
 Bound bound_for(const Scene& scene, int depth) {
     // B(n) = max(background, own + (Kr + Kt) B(n - 1)) over all materials, from the last generation upwards.
-    const double background = largest(scene.background);
+    const double background = largest(scene.background.color);
     std::vector<double> own;
     const double most_gain = gain(scene);
     for (const Material& m : scene.materials) own.push_back(own_light(scene, m, most_gain));
@@ -78,7 +79,7 @@ std::vector<double> scattered_light(const Scene& scene) {
     const double most_gain = gain(scene);
     std::vector<double> light;
     for (const Material& m : scene.materials)
-        light.push_back(faint_share * most_gain * lights * m.diffuse * largest(m.rgb));
+        light.push_back(faint_share * most_gain * lights * m.diffuse * largest(m.rgb.color));
     return light;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,28 @@ BoundingVolume bounding_volume_of(const K& kernel, const ItemBox& rounded, doubl
     }
 }
 
+template <class T>
+LightKernel<T> light_kernel(const Light& light, const Placement& placement) {
+    LightKernel<T> kernel{cast<T>((light.position - placement.origin) * placement.scale), cast<T>(light.color)};
+    if (light.direction) {
+        kernel.position = cast<T>(-normalize(*light.direction));
+        kernel.finite = 0, kernel.far = std::numeric_limits<T>::infinity();
+    }
+    if (light.spot) {
+        const auto less_cosine = [](double degrees) {  // than 1, by how much
+            const double sine = std::sin(degrees * (std::numbers::pi / 360));
+            return 2 * sine * sine;
+        };
+        const double radius = less_cosine(light.spot->radius), falloff = less_cosine(light.spot->falloff);
+        kernel.spot = true;
+        kernel.axis = cast<T>(normalize(light.spot->look_at - light.position));
+        kernel.radius = static_cast<T>(radius), kernel.falloff = static_cast<T>(falloff);
+        kernel.per = static_cast<T>(1 / (falloff - radius));
+        kernel.tightness = static_cast<T>(light.spot->tightness);
+    }
+    return kernel;
+}
+
 }  // namespace
 
 /// The kernels' view of the items, and of few items the volumes around them.
@@ -65,8 +88,9 @@ void WorldArrays<T>::add_materials(const Scene& scene) {
     const DVec3 ambient = scene.settings.ambient_light;
     const std::vector<double> scattered = scattered_light(scene);
     for (const Material& m : scene.materials) {
-        materials.push_back({cast<T>(ambient * m.rgb * m.ambient), cast<T>(m.rgb * m.diffuse),
-                             cast<T>(m.rgb * m.refraction), static_cast<T>(m.specular), static_cast<T>(m.pow),
+        const Color& rgb = m.rgb.color;
+        materials.push_back({cast<T>(ambient * rgb * m.ambient), cast<T>(rgb * m.diffuse),
+                             cast<T>(rgb * m.refraction), static_cast<T>(m.specular), static_cast<T>(m.pow),
                              static_cast<T>(m.reflection), static_cast<T>(m.refraction), static_cast<T>(m.ior),
                              shines_from<T>(m.pow), static_cast<T>(scattered[materials.size()])});
         world.transparent |= m.refraction > 0;
@@ -114,11 +138,12 @@ void WorldArrays<T>::bound_bodies() {
 template <class T>
 void WorldArrays<T>::cull_for_lights() {
     for (const LightKernel<T>& light : lights) {
-        const DVec3 point = to_double(light.position);
+        const LightPlace place{to_double(light.position), light.finite == 0};
+        const DVec3& point = place.point;
         const double margin = rounding(reach + std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)}));
         for (std::size_t i = 0; i < volumes.size(); ++i) {
-            cones.push_back(cone_of<T>(volumes[i], point, margin));
-            occluders.push_back(occluders_of(volumes, i, point, margin));
+            cones.push_back(cone_of<T>(volumes[i], place, margin));
+            occluders.push_back(occluders_of(volumes, i, place, margin));
         }
     }
     world.cones = cones.data();
@@ -128,10 +153,10 @@ void WorldArrays<T>::cull_for_lights() {
 template <class T>
 WorldArrays<T>::WorldArrays(const Scene& scene, const Placement& placement, ThreadPool& pool) {
     add_materials(scene);
-    for (const Light& light : scene.lights)
-        lights.push_back({cast<T>((light.position - placement.origin) * placement.scale), cast<T>(light.color)});
+    add_patterns(scene, placement);
+    for (const Light& light : scene.lights) lights.push_back(light_kernel<T>(light, placement));
     world.nested = world.transparent && transparent_bodies_overlap(scene);
-    world.background = cast<T>(scene.background);
+    world.background = cast<T>(scene.background.color);
     world.materials = materials.data();
     world.lights = lights.data();
     world.light_count = static_cast<int>(lights.size());

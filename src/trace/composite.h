@@ -262,6 +262,8 @@ struct FormFunctions<CompositeForm, S> {
                             return;
                         }
                         through = through | own;
+                        if (patterned(world, leaf.material)) [[unlikely]]
+                            return PatternCalls<S>::filter(world, leaf.material, ray, t, own, light.share);
                         for (int c = 0; c < 3; ++c)
                             light.share[c] = select(own, min(light.share[c] * S(material.filter[c]), S(largest_gain)),
                                                     light.share[c]);

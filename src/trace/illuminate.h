@@ -36,6 +36,19 @@ template <class S>
     return {l, longest * length, select(cosine < S(2), cosine, S(0))};
 }
 
+/// The share of its light that a spot sends along -l. What 1 less the cosine is comes from the difference of the
+/// directions: of a narrow cone cosines have few digits.
+template <class S>
+[[gnu::noinline]] S spot_share(const LightKernel<Element<S>>& light, const Vec3<S>& l) {
+    using T = Element<S>;
+    const Vec3<S> off = l + splat<S>(light.axis);
+    const S from_axis = dot(off, off) * S(T(.5)), cosine = S(1) - from_axis;
+    const S u = min(max((S(light.falloff) - from_axis) * S(light.per), S(0)), S(1));
+    S share = select(from_axis > S(light.radius), u * u * fma(S(-2), u, S(3)), S(1));
+    if (light.tightness != 0) share = share * power_of_uniform(max(cosine, S(0)), light.tightness);
+    return select(cosine > S(0), share, S(0));
+}
+
 /// Ia Ka Of + sum over lights S Il [Kd Of (n.l) + Ks (h.l)^p]; at `dim` hits without lights that bring no more than
 /// `MaterialKernel::scattered`. `words` is only read where sights are wanted.
 template <class S>
@@ -52,12 +65,12 @@ STRAHL_INLINE Vec3<S> illumination(const Shading<S>& shading, const Hit<S>& hit,
     const S faint = select(dim, S(faint_share) * strongest, zero);
     for (int i = 0; i < world.light_count; ++i) {
         const LightKernel<Element<S>>& light = world.lights[i];
-        const Vec3<S> to_light = splat<S>(light.position) - hit.position;
+        const Vec3<S> to_light = fma(S(-light.finite), hit.position, splat<S>(light.position));
         const S facing = dot(hit.normal, to_light);
         if (none(hit.active & (facing > zero))) continue;
         const S squared = dot(to_light, to_light);
-        S distance = sqrt(squared);
-        const S inverse = S(1) / distance;
+        const S length = sqrt(squared), inverse = S(1) / length;
+        S distance = length * S(light.far);
         Vec3<S> l = scale(inverse, to_light);
         S cosine = facing * inverse;
         S highlight = zero;
@@ -73,11 +86,17 @@ STRAHL_INLINE Vec3<S> illumination(const Shading<S>& shading, const Hit<S>& hit,
             faces = faces & (cosine > zero);
             if (any(glossy)) highlight = highlight_of(hit, reflected, l, glossy);
         }
+        if (light.spot) [[unlikely]] {
+            faces = faces & (spot_share(light, Vec3<S>(l)) > zero);
+            if (none(faces)) continue;
+        }
         shading.counts.shadow += count(faces);
-        const Vec3<S> share =
+        Vec3<S> share =
             visibility(world, Ray<S>{hit.position, l, hit.surface}, distance, faces, {i, hit.bin, hit.outside});
         if (shading.batch.sights) [[unlikely]]
             note_light(shading, hit, words, i, Vec3<S>(share), S(dot(reflected, l)), faces);
+        if (light.spot) [[unlikely]]
+            share = scale(spot_share(light, Vec3<S>(l)), share);
         cosine = select(faces, cosine, zero);  // at the light itself it is NaN
         highlight = select(faces, highlight, zero);
         for (int c = 0; c < 3; ++c)

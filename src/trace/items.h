@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "num/memory.h"
-#include "trace/world.h"
+#include "trace/pattern.h"
 
 namespace strahl::inline STRAHL_LEVEL {
 
@@ -63,6 +63,16 @@ STRAHL_INLINE std::array<Mask<S>, N> crossed(const Crossings<S, N>& crossings, M
     return masks;
 }
 
+/// Crossing i of a line, of those that `crossed` tells of.
+template <class S>
+STRAHL_INLINE S crossing(const Span<S>& span, int i) {
+    return i == 0 ? span.near : span.far;
+}
+template <class S, int N>
+STRAHL_INLINE S crossing(const Crossings<S, N>& crossings, int i) {
+    return crossings.t[i];
+}
+
 /// Does the item let light through?
 template <class T, class Item>
 STRAHL_INLINE bool transparent(const World<T>& world, const Item& item) {
@@ -110,15 +120,32 @@ STRAHL_INLINE SurfaceHit<S> surface_hit(const Item& items, const Ray<S>& ray, S 
     }
 }
 
+/// Takes from the light what an item takes whose colours a pattern tells.
+template <class S, class Cross, std::size_t count>
+[[gnu::noinline]] void occlude_by_pattern(const World<Element<S>>& world, int material, const Ray<S>& ray,
+                                          const Cross& span, const std::array<Mask<S>, count>& crossed_by,
+                                          Vec3<S>& share) {
+    for (std::size_t i = 0; i < count; ++i)
+        PatternCalls<S>::filter(world, material, ray, crossing(span, static_cast<int>(i)), crossed_by[i], share);
+}
+
 /// Takes from the light what an item takes; `outside` as above. Is none left in any lane?
 template <class S, class Item, class Outside>
-STRAHL_INLINE bool occlude_item(const World<Element<S>>& world, const Item& item, const CrossingsOf<S, Item>& span,
-                                const S& distance, Mask<S> mask, Transmission<S>& light, const Outside& outside) {
+STRAHL_INLINE bool occlude_item(const World<Element<S>>& world, const Item& item, const Ray<S>& ray,
+                                const CrossingsOf<S, Item>& span, const S& distance, Mask<S> mask,
+                                Transmission<S>& light, const Outside& outside) {
     const S one(1);
     const Mask<S> hit = span.hit & mask;
     if (none(hit)) return false;
     auto crossed_by = crossed(span, hit, distance);
     if (transparent(world, item)) {
+        if (patterned(world, static_cast<int>(item.material))) [[unlikely]] {
+            Vec3<S> share = light.share;
+            occlude_by_pattern(world, static_cast<int>(item.material), Ray<S>(ray), CrossingsOf<S, Item>(span),
+                               crossed_by, share);
+            light.share = share;
+            return false;
+        }
         const Vec3<S> f = splat<S>(filter(world, item));
         for (int c = 0; c < 3; ++c) {
             S kept = one;

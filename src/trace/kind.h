@@ -153,7 +153,7 @@ bool FormFunctions<Form, S>::occlude(const World<T>& world, int first, int count
         const auto& item = group.items[i];
         auto crossed = cross<Form>(item, ray, cross_one);
         settle_start(world, i, 0, item, ray, mask, crossed);
-        if (occlude_item(world, item, crossed, distance, mask, light,
+        if (occlude_item(world, item, ray, crossed, distance, mask, light,
                          [&](const auto& span, Mask<S> exits) { return outside(world, i, ray, span, exits); }))
             return true;
     }
@@ -178,6 +178,16 @@ bool FormFunctions<Form, S>::occlude_single(const World<T>& world, int first, in
         for (unsigned hits = all; hits; hits &= hits - 1) {
             const int n = std::countr_zero(hits);
             if (!transparent(world, group.items[i + n])) return true;
+            const int material = static_cast<int>(group.items[i + n].material);
+            if (patterned(world, material)) [[unlikely]] {
+                const Mask<S> own = first_lanes<S>(n + 1) & !first_lanes<S>(n);
+                Vec3<S> share = splat<S>(single.share);
+                for (std::size_t k = 0; k < crossings.size(); ++k)
+                    PatternCalls<S>::filter(world, material, ray, crossing(span, static_cast<int>(k)),
+                                            own & crossed_by[k], share);
+                for (int c = 0; c < 3; ++c) single.share[c] = lane(share[c], n);
+                continue;
+            }
             const Vec3<T> f = filter(world, group.items[i + n]);
             for (int c = 0; c < 3; ++c) {
                 T kept = 1;

@@ -13,15 +13,22 @@ double height(const BoundingVolume& plane, const DVec3& point) {
 }
 
 /// Is the whole ball on the light's side of the plane, or on the other (side -1)?
-bool beside(const BoundingVolume& plane, const Ball& ball, const DVec3& light, double margin, int side) {
-    const double own = height(plane, ball.centre), lights = height(plane, light);
-    if (!(std::abs(lights) > margin)) return false;
+bool beside(const BoundingVolume& plane, const Ball& ball, const LightPlace& light, double margin, int side) {
+    const double own = height(plane, ball.centre);
+    const double lights = light.parallel ? dot_product(plane.normal, light.point) : height(plane, light.point);
+    constexpr double least_slope = 1e-6;
+    if (!(std::abs(lights) > (light.parallel ? least_slope : margin))) return false;
     return side * (lights > 0 ? own : -own) > ball.radius + margin;
 }
 
 /// Does a ball certainly not reach into what lies between the light and another ball?
-bool apart(const Ball& other, const Ball& lit, const DVec3& light, double margin) {
-    const DVec3 to_other = other.centre - light, to_lit = lit.centre - light;
+bool apart(const Ball& other, const Ball& lit, const LightPlace& light, double margin) {
+    if (light.parallel) {
+        const DVec3 way = other.centre - lit.centre;
+        const double reach = other.radius + lit.radius + 2 * margin, along = dot_product(way, light.point);
+        return along < -reach || length(way - along * light.point) > reach + 1e-6 * length(way);
+    }
+    const DVec3 to_other = other.centre - light.point, to_lit = lit.centre - light.point;
     const double d = length(to_other), e = length(to_lit), r = other.radius + margin, s = lit.radius + margin;
     if (d - r > e + s) return true;
     if (!(d > r && e > s)) return false;
@@ -45,8 +52,9 @@ bool clear_of_each_other(const BoundingVolume& a, const BoundingVolume& b, doubl
 }  // namespace
 
 template <class T>
-LightCone<T> cone_of(const BoundingVolume& body, const DVec3& point, double margin) {
-    const DVec3 way = body.ball.centre - point;
+LightCone<T> cone_of(const BoundingVolume& body, const LightPlace& light, double margin) {
+    if (light.parallel) return {};
+    const DVec3 way = body.ball.centre - light.point;
     const double away = length(way), radius = body.ball.radius + margin;
     if (body.plane || !(radius < .99 * away) || !std::isfinite(away)) return {};
     constexpr double rounding = 32 * static_cast<double>(std::numeric_limits<T>::epsilon());
@@ -56,11 +64,12 @@ LightCone<T> cone_of(const BoundingVolume& body, const DVec3& point, double marg
             static_cast<T>(cosine),
             static_cast<T>((away - radius) * (1 - rounding))};
 }
-template LightCone<float> cone_of(const BoundingVolume&, const DVec3&, double);
-template LightCone<double> cone_of(const BoundingVolume&, const DVec3&, double);
-template LightCone<long double> cone_of(const BoundingVolume&, const DVec3&, double);
+template LightCone<float> cone_of(const BoundingVolume&, const LightPlace&, double);
+template LightCone<double> cone_of(const BoundingVolume&, const LightPlace&, double);
+template LightCone<long double> cone_of(const BoundingVolume&, const LightPlace&, double);
 
-BodySet occluders_of(const std::vector<BoundingVolume>& bodies, std::size_t body, const DVec3& light, double margin) {
+BodySet occluders_of(const std::vector<BoundingVolume>& bodies, std::size_t body, const LightPlace& light,
+                     double margin) {
     const BoundingVolume& lit = bodies[body];
     const auto may_occlude = [&](std::size_t i) {
         const BoundingVolume& other = bodies[i];

@@ -16,12 +16,19 @@ struct BoundingVolume {
     double distance = 0;
 };
 
-/// The body as seen from a point. Nothing of it is outside the cone, by more than coordinates may be off (`margin`).
+/// Where a light is; of parallel light the unit direction towards it.
+struct LightPlace {
+    DVec3 point{0};
+    bool parallel = false;
+};
+
+/// The body as seen from a light. Nothing of it is outside the cone, by more than coordinates may be off (`margin`).
 template <class T>
-LightCone<T> cone_of(const BoundingVolume& body, const DVec3& point, double margin);
+LightCone<T> cone_of(const BoundingVolume& body, const LightPlace& light, double margin);
 
 /// The bodies that may be between a light and points of bodies[body], itself included unless it is a plane.
-BodySet occluders_of(const std::vector<BoundingVolume>& bodies, std::size_t body, const DVec3& light, double margin);
+BodySet occluders_of(const std::vector<BoundingVolume>& bodies, std::size_t body, const LightPlace& light,
+                    double margin);
 
 /// Is bodies[body] bounded and apart from all others, planes not crossing it either?
 bool isolated(const std::vector<BoundingVolume>& bodies, std::size_t body, double margin);

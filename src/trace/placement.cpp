@@ -17,7 +17,8 @@ double reach_from(const DVec3& point, const Scene& scene) {
     };
     for (const Primitive& primitive : scene.primitives)
         if (const Box box = world_bounds(primitive); box.finite()) look(box.low), look(box.high);
-    for (const Light& light : scene.lights) look(light.position);
+    for (const Light& light : scene.lights)
+        if (!light.direction) look(light.position);
     return most;
 }
 

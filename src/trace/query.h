@@ -244,7 +244,7 @@ template <class S>
                 if (none(mask)) return false;
             }
             const auto& item = group.items[i];
-            return dark = occlude_item(world, item, crossings_of(item, ray), distance, mask, light, note);
+            return dark = occlude_item(world, item, ray, crossings_of(item, ray), distance, mask, light, note);
         });
     if (any(suspects)) [[unlikely]] {
         Transmission<S> copy = light;

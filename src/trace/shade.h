@@ -18,7 +18,12 @@ void shade_misses(const Shading<S>& shading) {
         const S pixel = pick(shading.rays.open.pixel);
         if (shading.batch.sights) [[unlikely]]
             note_misses(shading, pick(shading.rays.open.source), S(weight), S(pixel), pick.lanes);
-        add_light(shading.batch, pixel, pick.lanes, scale(weight, splat<S>(world.background)));
+        Vec3<S> color = splat<S>(world.background);
+        if (world.sky) [[unlikely]] {
+            const auto& d = shading.rays.open.direction;
+            color = PatternCalls<S>::sky(world, {pick(d.x), pick(d.y), pick(d.z)});
+        }
+        add_light(shading.batch, pixel, pick.lanes, scale(weight, color));
     }
 }
 
@@ -40,6 +45,12 @@ class HitMaterial {
             return broadcast(world, numbers[0]);
         values = gather_items<MaterialKernel<S>, S>(world.materials, numbers);
         number = -1;
+    }
+    /// Gives it the colours that the patterns of these materials have at these points.
+    STRAHL_INLINE void paint(const World<T>& world, const int* numbers, const Vec3<S>& position) {
+        MaterialKernel<S> copy = values;
+        PatternCalls<S>::paint(world, numbers, Vec3<S>(position), copy);
+        values = copy;
     }
 
   private:
@@ -93,10 +104,17 @@ STRAHL_INLINE Hit<S> make_hit(const Shading<S>& shading, int bin, const RayQueue
     if (world.bin_per_item) {
         hit = surface_at(world, own, ray, pick(t));
         material.broadcast(world, own.material);
+        if (patterned(world, own.material)) [[unlikely]] {
+            int materials[width<S>];
+            std::fill_n(materials, width<S>, own.material);
+            material.paint(world, materials, hit.point.position);
+        }
     } else {
         int materials[width<S>];
         hit = surfaces_at(world, own.form, shading.hits.surface, pick, ray, pick(t), materials);
         material.load(world, materials);
+        if (world.patterns) [[unlikely]]
+            material.paint(world, materials, hit.point.position);
     }
     const Mask<S> outside = dot(ray.direction, hit.point.normal) < S(0);
     return {first_lanes<S>(pick.lanes),

@@ -41,9 +41,34 @@ struct MaterialKernel {
     T scattered;    // see scattered_light
 };
 
+/// What the value of a pattern is made from.
+enum class PatternForm : std::int32_t { checker, brick, ramp, noise, layers, rings };
+/// The pattern of a material in the space of one body, whose point p = rows * world + offset.
+template <class T>
+struct PatternKernel {
+    PatternForm form;
+    std::int32_t first_stop, stops, octaves;
+    Vec3<T> rows[3], offset;
+    Vec3<T> mortar;  // its share of a brick along each axis
+    T border, turbulence, omega, lambda;
+    Vec3<T> ambient;        // Ia Ka
+    T diffuse, refraction;  // Kd, Kt
+};
+template <class T>
+struct ColorStopKernel {
+    T at, per;  // per: 1 over the way from the stop before
+    Vec3<T> color;
+};
+
+/// A light; parallel light has the direction towards it as its position.
 template <class T>
 struct LightKernel {
     Vec3<T> position, color;
+    T finite = 1, far = 1;  // of parallel light 0 and infinity
+    bool spot = false;
+    Vec3<T> axis{0};  // of the spot. The next two are 1 less the cosines of its radius and its falloff
+    T radius = 0, falloff = 0, per = 0;  // per: 1 over their difference
+    T tightness = 0;
 };
 
 /// A body as seen from a point: around the direction `axis`, no further off than an angle with this cosine, and no
@@ -168,9 +193,15 @@ struct World {
     Vec3<T> eye{0};  // of the view that is traced
     T rounding = 0;  // what the coordinates of points on bodies may be off
     const MaterialKernel<T>* materials = nullptr;
+    // Materials with patterns follow those without: each as often as there are bodies in spaces of their own that have
+    // it, with the largest colour of the pattern as its colour.
+    int first_pattern = std::numeric_limits<int>::max();
+    const PatternKernel<T>* patterns = nullptr;  // of these materials; null if there are none
+    const ColorStopKernel<T>* stops = nullptr;
     const LightKernel<T>* lights = nullptr;
     int light_count = 0;
     Vec3<T> background{0};
+    const PatternKernel<T>* sky = nullptr;  // the pattern of the background, by direction; null if it has none
     const T* iors = nullptr;               // by surface; only in nested worlds
     const std::int32_t* bodies = nullptr;  // likewise: the first surface of the body
 

@@ -98,6 +98,11 @@ struct WorldArrays {
     std::vector<SortBin> sort_bins;
     std::vector<ItemRange> loops;
     std::vector<MaterialKernel<T>> materials;
+    std::vector<PatternKernel<T>> patterns;
+    std::vector<ColorStopKernel<T>> stops;
+    PatternKernel<T> sky;
+    // Only where there are patterns: the material of each leaf of the scene, and the first leaf of each primitive.
+    std::vector<std::int32_t> leaf_materials, first_leaf;
     std::vector<LightKernel<T>> lights;
     std::vector<CompositeInfo> composites;
     std::vector<CompositeLeaf> leaves;
@@ -136,6 +141,14 @@ struct WorldArrays {
     void number_bins(ThreadPool& pool);
     // add_composites.cpp
     void add_composites(const Scene& scene, const Placement& placement, ThreadPool& pool);
+    // add_patterns.cpp
+    void add_patterns(const Scene& scene, const Placement& placement);
+    void add_stops(const Pattern& pattern, PatternKernel<T>& kernel);
+    /// The number of a primitive's material, or of its leaf's, the number of which goes on by one.
+    int material_of(const Primitive& primitive, std::int32_t& leaf) const {
+        return leaf_materials.empty() ? primitive.material : leaf_materials[leaf++];
+    }
+    std::int32_t leaf_of(std::int32_t primitive) const { return first_leaf.empty() ? 0 : first_leaf[primitive]; }
     // build.cpp
     void add_materials(const Scene& scene);
     void list_transparent(const Scene& scene);

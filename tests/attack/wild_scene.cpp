@@ -21,6 +21,7 @@ class Wild : WildValues {
     WildScene make();
 
   private:
+    Pattern pattern();
     Material material();
     template <class... Kinds>
     Shape shape(std::type_identity<std::variant<Kinds...>>);
@@ -43,11 +44,50 @@ class Wild : WildValues {
     std::vector<Material> palette;  // by which primitives number theirs until all are there
 };
 
+/// Of any kind, with any numbers that the parser takes.
+Pattern Wild::pattern() {
+    Pattern pattern;
+    const auto fill = [&]<class Kind>(Kind kind) {
+        const auto fill_field = [&](const auto& field) {
+            auto& value = kind.*field.member;
+            const Bounds bounds = bounds_of(field.range);
+            if constexpr (std::is_same_v<decltype(value), DVec3&>)
+                do
+                    for (int c = 0; c < 3; ++c) value[c] = number(bounds);
+                while (value == DVec3(0));
+            else if (!dice.chance(.3))
+                value = bounds.whole ? 1 + dice.upto(9) : usual_or(bounds, 0, 1);
+        };
+        std::apply([&](const auto&... field) { (fill_field(field), ...); }, Kind::fields);
+        pattern.kind = kind;
+        return two_colored<Kind>;
+    };
+    const bool two = [&]<class... Kinds>(std::type_identity<std::variant<Kinds...>>) {
+        const int wanted = dice.upto(sizeof...(Kinds) - 1);
+        int number = 0;
+        bool two = false;
+        ((number++ == wanted ? void(two = fill(Kinds())) : void()), ...);
+        return two;
+    }(std::type_identity<PatternKind>{});
+    for (int i = two ? 1 : dice.upto(4); i >= 0; --i) {
+        const double before = pattern.colors.empty() ? 0 : pattern.colors.back().at;
+        const double at = dice.chance(.2) ? before : dice.in(before, 1);
+        pattern.colors.push_back({two ? 1. - i : at, color()});
+    }
+    const auto allowed = [&] {
+        const glm::dmat4 m = matrix(pattern.transformations);
+        return transformations_fault(m).empty();
+    };
+    for (int i = dice.upto(3); i > 0; --i) pattern.transformations.push_back(step());
+    while (!allowed()) pattern.transformations.pop_back();
+    return pattern;
+}
+
 Material Wild::material() {
     Material m;
     const auto fill = [&](auto& value, const Bounds& bounds) {
-        if constexpr (std::is_same_v<decltype(value), DVec3&>) {
-            value = color();
+        if constexpr (std::is_same_v<decltype(value), Pigment&>) {
+            value = dice.chance(.25) ? Pigment(pattern()) : Pigment(color());
         } else if (!dice.chance(.3)) {  // the default is a value too
             value = dice.chance(.3) ? dice.upto(1) : usual_or(bounds, 0, 1);
             if (!bounds.contains(value)) value = 1;
@@ -234,9 +274,17 @@ WildScene Wild::make() {
     for (int i = dice.upto(3); i > 0; --i) {
         const DVec3 position = dice.chance(.6) ? dice.arrow(2, 9) : point();
         scene.lights.push_back({position, color()});
+        Light& light = scene.lights.back();
+        if (dice.chance(.2)) {
+            Spot spot{point(), number(quarter_turns), number(quarter_turns), usual_or(not_negative, 0, 20)};
+            if (spot.falloff < spot.radius) std::swap(spot.radius, spot.falloff);
+            if (spot.look_at != light.position) light.spot = spot;
+        } else if (dice.chance(.2) && position != DVec3(0)) {
+            light.direction = position, light.position = DVec3(0);
+        }
     }
     scene.camera = camera();
-    scene.background = color();
+    scene.background = dice.chance(.2) ? Pigment(pattern()) : Pigment(color());
     scene.settings.ambient_light = color();
     scene.settings.max_trace_level = depth();
     scene.settings.linear = dice.chance(.3);

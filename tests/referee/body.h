@@ -9,6 +9,7 @@
 #include "tests/referee/box.h"
 #include "tests/referee/cone.h"
 #include "tests/referee/disc.h"
+#include "tests/referee/pattern.h"
 #include "tests/referee/torus.h"
 #include "tests/referee/triangle.h"
 
@@ -20,12 +21,14 @@ template <class R>
 struct Leaf {
     Shape shape;
     Material material;
+    Paint<R> paint;
     int first_face;
     std::array<Vector<R>, 3> rows;
     Vector<R> offset;
 
-    Leaf(const Shape& shape, const Material& material, int first_face, const glm::dmat4& m)
-        : shape(shape), material(material), first_face(first_face) {
+    Leaf(const Shape& shape, const Material& material, int first_face, const LeafMatrices& matrices)
+        : shape(shape), material(material), paint(material.rgb, matrices.material), first_face(first_face) {
+        const glm::dmat4& m = matrices.shape;
         const Vector<R> a{m[0].x, m[0].y, m[0].z}, b{m[1].x, m[1].y, m[1].z}, c{m[2].x, m[2].y, m[2].z};
         const R scale = R(1) / dot(a, cross(b, c));
         rows = {scale * cross(b, c), scale * cross(c, a), scale * cross(a, b)};
@@ -69,8 +72,8 @@ struct Body {
     Body(const Primitive& primitive, const std::vector<Material>& materials)
         : primitive(primitive), ior(materials[primitive.material].ior) {
         int faces = 0;
-        for_each_leaf(primitive, [&](const Primitive& leaf, const glm::dmat4& whole) {
-            leaves.emplace_back(leaf.shape, materials[leaf.material], faces, whole);
+        for_each_leaf_placed(primitive, [&](const Primitive& leaf, const LeafMatrices& matrices) {
+            leaves.emplace_back(leaf.shape, materials[leaf.material], faces, matrices);
             const Mesh* const mesh = std::get_if<Mesh>(&leaf.shape);
             faces += mesh ? static_cast<int>(mesh->data->triangles.size())
                           : std::visit([](const auto& kind) { return kind.faces; }, leaf.shape);
@@ -82,11 +85,9 @@ struct Body {
     bool transparent() const {
         return std::any_of(leaves.begin(), leaves.end(), [](const auto& leaf) { return leaf.material.refraction > 0; });
     }
-    const Material& material(int face) const {
-        auto leaf = leaves.end() - 1;
-        while (leaf->first_face > face) --leaf;
-        return leaf->material;
-    }
+    const Material& material(int face) const { return leaf_of(face).material; }
+    /// The colour at a point of a face.
+    Vector<R> color(int face, const Vector<R>& point) const { return leaf_of(face).paint.at(point); }
     bool surrounds(const Vector<R>& p) const {
         auto leaf = leaves.begin();
         return within(primitive, p, leaf);
@@ -98,6 +99,12 @@ struct Body {
     }
 
   private:
+    /// A mesh alone has more faces than its kind says.
+    const Leaf<R>& leaf_of(int face) const {
+        auto leaf = leaves.end() - 1;
+        while (leaf->first_face > face) --leaf;
+        return *leaf;
+    }
     /// By the operations; `leaf` goes on by those of the part.
     bool within(const Primitive& part, const Vector<R>& p, typename std::vector<Leaf<R>>::const_iterator& leaf) const {
         const auto combine = [&]<class Kind>(const Kind& kind) {

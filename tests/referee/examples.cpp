@@ -6,21 +6,21 @@
 namespace strahl {
 namespace {
 
-constexpr Material paint(const Color& rgb) {
+Material paint(const Color& rgb) {
     return {
         .rgb = rgb, .reflection = 0, .refraction = 0, .diffuse = .8, .ambient = .1, .specular = 0, .pow = 1, .ior = 1};
 }
-constexpr Material mirror(double share) {
+Material mirror(double share) {
     Material m = paint({.2, .3, .4});
     m.reflection = share, m.specular = .5, m.pow = 40;
     return m;
 }
-constexpr Material glass(double ior, const Color& rgb = {.9, .8, .7}) {
+Material glass(double ior, const Color& rgb = {.9, .8, .7}) {
     Material m = paint(rgb);
     m.reflection = .15, m.refraction = .8, m.diffuse = .1, m.ambient = 0, m.specular = .8, m.pow = 30, m.ior = ior;
     return m;
 }
-constexpr Material clear(double ior) {
+Material clear(double ior) {
     Material m = glass(ior);
     m.reflection = 0, m.refraction = 1, m.diffuse = 0, m.specular = 0;
     return m;

@@ -9,6 +9,7 @@
 // <cmath> declares them for g++ only.
 extern "C" __float128 sqrtf128(__float128) noexcept;
 extern "C" __float128 powf128(__float128, __float128) noexcept;
+extern "C" __float128 sinf128(__float128) noexcept;
 #endif
 
 namespace strahl {
@@ -17,6 +18,7 @@ namespace strahl {
 using Quadruple = __float128;
 inline Quadruple root(Quadruple a) { return sqrtf128(a); }
 inline Quadruple power(Quadruple a, Quadruple b) { return powf128(a, b); }
+inline Quadruple sine_of(Quadruple a) { return sinf128(a); }
 #else
 using Quadruple = long double;
 #endif
@@ -27,6 +29,10 @@ R root(R a) {
 template <std::floating_point R>
 R power(R a, R b) {
     return std::pow(a, b);
+}
+template <std::floating_point R>
+R sine_of(R a) {
+    return std::sin(a);
 }
 
 }  // namespace strahl

@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "tests/referee/dice.h"
+#include "tests/referee/random_pattern.h"
 
 namespace strahl {
 namespace {
@@ -172,6 +173,20 @@ Scene random_scene(std::uint64_t seed, const RandomScene& what) {
         const Material material = any_material(dice, what.transparent);
         put(shape, material, what.transformed && dice.chance(.5) ? steps(dice) : std::vector<Transformation>{});
     }
+    if (what.lights)
+        for (Light& light : scene.lights) {
+            if (dice.chance(.4)) {
+                Spot spot{dice.vector(-1, 1), dice.in(1, 30), 0, dice.chance(.5) ? 0 : dice.in(0, 20)};
+                spot.falloff = dice.chance(.2) ? spot.radius : dice.in(spot.radius, 60);
+                light.spot = spot;
+            } else if (dice.chance(.6)) {
+                light.direction = -light.position, light.position = DVec3(0);
+            }
+        }
+    if (what.patterns && dice.chance(.5)) scene.background = Pigment(random_pattern(dice));
+    if (what.patterns)
+        for (Material& material : scene.materials)
+            if (dice.chance(.5)) material.rgb = Pigment(random_pattern(dice));
     if (what.camera_inside) {
         camera.fov = dice.in(25, 55);
         const DVec3 beside = dice.arrow(0, .5);

@@ -23,6 +23,7 @@ struct Referee<R>::World {
     Scene scene;
     Vector<R> eye, right, down, forward;
     int width, height, depth;
+    Paint<R> sky;
     std::vector<Body<R>> bodies;
 
     Vector<R> see(const Line<R>& line, int generation, const std::vector<int>& inside, Signature& signature) const {
@@ -32,24 +33,26 @@ struct Referee<R>::World {
         for (int i = 0; i < static_cast<int>(bodies.size()); ++i)
             for (const auto& crossing : bodies[i].meet(line, i))
                 if (crossing.t > 0 && (body < 0 || crossing.t < hit.t)) body = i, hit = crossing;
-        if (body < 0) return signature.add(missed), scene.background;
+        if (body < 0) return signature.add(missed), sky.at(line.direction);
         signature.add(100 + 1000 * body + hit.face);
 
         const Material& material = bodies[body].material(hit.face);
-        const Vector<R> of = material.rgb, e = line.direction, p = line.origin + hit.t * e;
+        const Vector<R> e = line.direction, p = line.origin + hit.t * e, of = bodies[body].color(hit.face, p);
         Vector<R> n = unit(hit.normal);
         if (dot(e, n) > 0) n = R(-1) * n;
         const Vector<R> mirrored = unit(e - 2 * dot(e, n) * n);
         Vector<R> sum = R(material.ambient) * of * Vector<R>(scene.settings.ambient_light);
         for (const Light& light : scene.lights) {
-            const Vector<R> way = Vector<R>(light.position) - p, l = unit(way);
-            const R facing = dot(n, l), glance = dot(mirrored, l);
-            if (!(facing > 0)) continue;
+            const Vector<R> way = light.direction ? R(-1) * Vector<R>(*light.direction) : Vector<R>(light.position) - p;
+            const Vector<R> l = unit(way);
+            const R facing = dot(n, l), glance = dot(mirrored, l), shines = spot_share(light, l);
+            if (!(facing > 0) || !(shines > 0)) continue;
             signature.add(glance > 0 ? lit : lit + 10);
             Vector<R> answer = R(material.diffuse) * facing * of;
             const R highlight = glance > 0 ? R(material.specular) * power(glance, R(material.pow)) : R(0);
             answer = answer + Vector<R>(highlight, highlight, highlight);
-            sum = sum + arriving({p, l, body, hit.face}, root(dot(way, way)), signature) * light.color * answer;
+            const R distance = light.direction ? R(HUGE_VAL) : root(dot(way, way));
+            sum = sum + shines * arriving({p, l, body, hit.face}, distance, signature) * light.color * answer;
         }
         if (generation >= depth) return sum;
 
@@ -69,6 +72,23 @@ struct Referee<R>::World {
         return sum;
     }
 
+    /// The share of its light that a light sends along -l.
+    static R spot_share(const Light& light, const Vector<R>& l) {
+        if (!light.spot) return 1;
+        const auto cosine_of = [](double degrees) {
+            const R half = R(degrees) * R(3.14159265358979323846264338327950288L) / 360;
+            const R sine = sine_of(half);
+            return 1 - 2 * sine * sine;
+        };
+        const R cosine = -dot(unit(Vector<R>(light.spot->look_at) - Vector<R>(light.position)), l);
+        const R radius = cosine_of(light.spot->radius), falloff = cosine_of(light.spot->falloff);
+        if (!(cosine > 0) || cosine < falloff) return 0;
+        const R tight = light.spot->tightness == 0 ? R(1) : power(cosine, R(light.spot->tightness));
+        if (cosine >= radius) return tight;
+        const R u = (cosine - falloff) / (radius - falloff);
+        return tight * u * u * (3 - 2 * u);
+    }
+
     /// The share of a light that reaches the start of `line`, `distance` away from it.
     Vector<R> arriving(const Line<R>& line, R distance, Signature& signature) const {
         Vector<R> share{1, 1, 1};
@@ -78,7 +98,8 @@ struct Referee<R>::World {
                 if (!(crossing.t > 0 && crossing.t < distance)) continue;
                 const Material& material = bodies[i].material(crossing.face);
                 if (!(material.refraction > 0)) return signature.add(0), Vector<R>();
-                share = R(material.refraction) * share * Vector<R>(material.rgb);
+                const Vector<R> p = line.origin + crossing.t * line.direction;
+                share = R(material.refraction) * share * bodies[i].color(crossing.face, p);
                 crossed.add(i);
             }
         signature.add(crossed.value);
@@ -112,6 +133,7 @@ Referee<R>::Referee(const Scene& scene, const Camera& camera, int width, int hei
             width,
             height,
             depth,
+            Paint<R>(scene.background, glm::dmat4(1)),
             {}};
     for (const Primitive& p : scene.primitives) w.bodies.emplace_back(p, scene.materials);
     world = std::make_unique<const World>(std::move(w));

@@ -94,7 +94,7 @@ TEST_CASE("the order of separate bodies does not matter, nor, except for the las
 TEST_CASE("the number of threads and lanes does not matter") {
     // Products of round numbers are exact, and would not show whether they are fused with a sum.
     Scene scene = still_life();
-    for (Material& m : scene.materials) m.reflection *= .7, m.refraction *= .9, m.rgb *= .83, m.ior *= 1.01;
+    for (Material& m : scene.materials) m.reflection *= .7, m.refraction *= .9, m.rgb.color *= .83, m.ior *= 1.01;
     for (Primitive& primitive : scene.primitives) primitive.transformations.push_back(Rotate{{1, 2, 3}});
     for (const Precision precision : precisions) {
         const Frame frame = shoot(scene, precision, {.threads = 1, .simd = Simd::scalar});

@@ -95,12 +95,12 @@ class Whitted {
     Vec3<T> trace(const Vec3<T>& o, const Vec3<T>& d, int depth) const {
         if (depth == 0) return Vec3<T>(T(0));
         const auto hit = nearest(o, d);
-        if (!hit) return to<T>(scene.background);
+        if (!hit) return to<T>(scene.background.color);
         const Material& m = *hit->material;
         const Vec3<T> p = o + d * hit->t;
         const bool outside = times(d, hit->normal) < 0;
         const Vec3<T> n = outside ? hit->normal : -hit->normal, mirror = mirrored(d, n);
-        Vec3<T> sum = to<T>(m.rgb * m.ambient);
+        Vec3<T> sum = to<T>(m.rgb.color * m.ambient);
         for (const Light& light : scene.lights) {
             Vec3<T> l = to<T>(light.position) - p;
             const T distance = length(l);
@@ -113,7 +113,7 @@ class Whitted {
             const T shine = std::pow(std::max(times(mirror, l), T(0)), static_cast<T>(m.pow));
             for (int c = 0; c < 3; ++c)
                 sum[c] += share * static_cast<T>(light.color[c]) *
-                          static_cast<T>(m.rgb[c] * m.diffuse * cosine + m.specular * shine);
+                          static_cast<T>(m.rgb.color[c] * m.diffuse * cosine + m.specular * shine);
         }
         T reflection = static_cast<T>(m.reflection);
         if (m.refraction > 0) {

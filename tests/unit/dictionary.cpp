@@ -29,6 +29,16 @@ TEST_CASE("every word of the language is in the dictionary") {
     for (const std::string_view word : block_words) look(word);
     for (const std::string_view word : shape_words) look(word);
     for (const std::string_view word : mesh_words) look(word);
+    for (const std::string_view word : pattern_words) look(word);
+    look("colors");
+    std::apply(
+        [&](const auto&... kind) {
+            const auto look_in = [&]<class Kind>(const Kind&) {
+                std::apply([&](const auto&... field) { (look(field.name), ...); }, Kind::fields);
+            };
+            (look_in(kind), ...);
+        },
+        std::tuple<Checker, Gradient, Brick, Noise, Marble, Wood>());
     each_block([&](const char* word, const auto& parameters) {
         look(word);
         for (const Parameter& parameter : parameters) look(parameter.name);

@@ -33,7 +33,7 @@ TEST_CASE("NFF: bodies and materials") {
     CHECK(body<Sphere>(x) == Sphere{{1, 2, 3}, .5});
     CHECK(body<Cylinder>(x, 1) == Cylinder{DVec3(0), {0, 0, 2}, 1});
     CHECK(material(x, 1) == material(x, 0));
-    CHECK(material(x, 2).rgb == Color(0, 0, 1));
+    CHECK(material(x, 2).rgb == Pigment(0, 0, 1));
     CHECK(material(x, 2).ior == 1);
     CHECK(body<Cone>(x, 2) == Cone{DVec3(0), 1, {0, 0, 2}, 0});
     CHECK(body<Sphere>(x, 3).radius == 2);
@@ -62,7 +62,7 @@ TEST_CASE("NFF: polygons") {
     CHECK(data.normals.empty());
     CHECK(data.corner_normals.empty());
     CHECK(body<Mesh>(mesh, 1).data->triangles.size() == 2);
-    CHECK(material(mesh, 1).rgb == Color(1, 0, 0));
+    CHECK(material(mesh, 1).rgb == Pigment(1, 0, 0));
     CHECK(std::holds_alternative<SmoothTriangle>(mesh.scene.primitives[2].shape));
 
     const Imported bent = imported(view + grey + "pp 4 0 0 0 0 0 1 1 0 0 0 1 1 1 1 0 0 0 1 0 1 0 1 0 1\n");

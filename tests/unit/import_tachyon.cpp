@@ -74,7 +74,7 @@ TEST_CASE("Tachyon: triangles and vertex arrays") {
     CHECK(body<Triangle>(x) == Triangle{{0, 0, -1}, {1, 0, -1}, {0, 1, -1}});
     CHECK(body<SmoothTriangle>(x, 1) ==
           SmoothTriangle{{0, 0, -1}, {1, 0, -1}, {0, 1, -1}, {0, 0, -1}, {0, 1, -1}, {1, 0, -1}});
-    CHECK(material(x, 2).rgb == Color(.5, .5, 0));
+    CHECK(material(x, 2).rgb == Pigment(.5, .5, 0));
     CHECK(x.warnings == Told{"x:6: the corners' colours: each triangle has their mean"});
 
     const std::string vertices =
@@ -87,8 +87,8 @@ TEST_CASE("Tachyon: triangles and vertex arrays") {
     const Imported colored =
         imported(eye + vertices + "COLORS 1 0 0 1 0 0 1 0 0 1 0 .6\n" + white + "TRISTRIP 4 0 1 2 3 END_VERTEXARRAY");
     REQUIRE(colored.scene.primitives.size() == 2);
-    CHECK(material(colored, 0).rgb == Color(1, 0, 0));
-    CHECK(material(colored, 1).rgb.z == doctest::Approx(.2));
+    CHECK(material(colored, 0).rgb == Pigment(1, 0, 0));
+    CHECK(material(colored, 1).rgb.color.z == doctest::Approx(.2));
     CHECK(colored.warnings == Told{"x:5: COLORS: each triangle has the mean of its corners' colours"});
 }
 

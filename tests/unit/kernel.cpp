@@ -7,6 +7,8 @@
 #include <sstream>
 #include <string>
 
+#include "scene/leaves.h"
+#include "scene/overlap.h"
 #include "tests/referee/examples.h"
 #include "tests/referee/random_scene.h"
 #include "tests/referee/referee.h"
@@ -79,6 +81,17 @@ Verdict judge(const Frame& frame, const Referee<long double>& referee, const Pix
 struct Tally {
     long pixels = 0, excused = 0;
 };
+/// Does a pattern go on to the horizon? There it changes from one float to the next, and no shift explains anything.
+bool endless_pattern(const Scene& scene) {
+    return std::any_of(scene.primitives.begin(), scene.primitives.end(), [&](const Primitive& primitive) {
+        bool patterned = false;
+        for_each_leaf(primitive, [&](const Primitive& leaf, const glm::dmat4&) {
+            patterned |= scene.materials[leaf.material].rgb.pattern != nullptr;
+        });
+        return patterned && !world_bounds(primitive).finite();
+    });
+}
+
 /// Traces one scene in every way; those of fused_levels() must give the same bits.
 void hold(const Scene& scene, int depth, std::array<Tally, 3>& tally) {
     const Referee<long double> referee(scene, scene.camera, columns, rows, depth);
@@ -86,6 +99,7 @@ void hold(const Scene& scene, int depth, std::array<Tally, 3>& tally) {
     const View view{.camera = scene.camera, .width = columns, .height = rows, .depth = depth};
     for (const Precision precision : {Precision::float32, Precision::float64, Precision::extended}) {
         const Bounds allowed = bounds(precision);
+        const bool too_coarse = precision == Precision::float32 && endless_pattern(scene);
         Frame scalar;
         for (const Simd simd : all_levels()) {
             if (precision == Precision::extended && simd != Simd::scalar) continue;
@@ -98,6 +112,7 @@ void hold(const Scene& scene, int depth, std::array<Tally, 3>& tally) {
                 CHECK(std::memcmp(frame.rgb.data(), scalar.rgb.data(), 8 * frame.rgb.size()) == 0);
                 continue;
             }
+            if (too_coarse) continue;
             const Verdict verdict = judge(frame, referee, truth, allowed);
             CHECK_MESSAGE(verdict.wrong == 0, verdict.wrong << " pixels, the first: " << verdict.first);
             CHECK(verdict.excused <= std::max(8., .1 * columns * rows));
@@ -132,6 +147,26 @@ TEST_CASE("random scenes") {
         const RandomScene what{
             .transparent = seed % 4 != 0, .transformed = seed % 3 != 0, .camera_inside = seed % 5 == 4};
         hold(random_scene(seed, what), 2 + seed % 5, tally);
+    }
+    conclude(tally);
+}
+
+TEST_CASE("random scenes with patterns") {
+    std::array<Tally, 3> tally;
+    for (int seed = 0; seed < random_scenes; ++seed) {
+        CAPTURE(seed);
+        const RandomScene what{.transparent = seed % 3 != 0, .patterns = true, .camera_inside = seed % 5 == 4};
+        hold(random_scene(2000 + seed, what), 2 + seed % 4, tally);
+    }
+    conclude(tally);
+}
+
+TEST_CASE("random scenes with spots and parallel light") {
+    std::array<Tally, 3> tally;
+    for (int seed = 0; seed < random_scenes; ++seed) {
+        CAPTURE(seed);
+        const RandomScene what{.transparent = seed % 3 != 0, .lights = true, .camera_inside = seed % 5 == 4};
+        hold(random_scene(4000 + seed, what), 2 + seed % 4, tally);
     }
     conclude(tally);
 }

@@ -63,7 +63,7 @@ TEST_CASE("missing parameters") {
     CHECK(faults(" camera { }") ==
           Faults{"x.rt:1:2: 'camera' lacks 'position', 'look_at', 'up' (or 'sky'), 'fov' (or 'angle')"});
     check_fault("light { position <0,0,0> }", "2:1: 'light' lacks 'color'");
-    check_fault("light { color <1,1,1> }", "2:1: 'light' lacks 'position'");
+    check_fault("light { color <1,1,1> }", "2:1: 'light' lacks 'position' (or 'direction')");
     check_fault("background { }", "2:1: 'background' lacks 'color'");
     check_fault("flythrough { }", "2:1: 'flythrough' lacks 'duration', keys: it takes 2 to make a path");
     check_fault("flythrough { duration 1 key { } key { time 1 position <0,0,0> look_at <1,0,0> } }",
@@ -151,11 +151,11 @@ TEST_CASE("several errors are reported at once, each once, in the order of the t
                  "x.rt:4:43: ',' expected between the three numbers of a vector, but here comes '>'",
                  "x.rt:4:53: 'diffuse' of 'material' must be from 0 to 1e9, not '-1'",
                  "x.rt:4:68: a vector <x, y, z> expected for 'translate' of 'sphere', but here comes '}'",
-                 "x.rt:6:1: 'light' lacks 'position', 'color'"});
+                 "x.rt:6:1: 'light' lacks 'position' (or 'direction'), 'color'"});
     std::string many;
     for (int i = 0; i < 20; ++i) many += "light { }\n";
     const Faults told = faults(eye + many);
     REQUIRE(told.size() == 11);
-    CHECK(told[9] == "x.rt:11:1: 'light' lacks 'position', 'color'");
+    CHECK(told[9] == "x.rt:11:1: 'light' lacks 'position' (or 'direction'), 'color'");
     CHECK(told[10] == "x.rt: there may be more; these are the first 10");
 }

@@ -29,7 +29,7 @@ TEST_CASE("values out of range") {
     check_fault("global_settings { max_trace_level 257 }",
                 "2:35: 'max_trace_level' of 'global_settings' must be a whole number from 1 to 256, not '257'");
     check_fault("global_settings { max_trace_level 2.5 }",
-                "2:19: 'max_trace_level' must be a whole number from 1 to 256");
+                "2:35: 'max_trace_level' of 'global_settings' must be a whole number from 1 to 256, not '2.5'");
     check_fault("global_settings { ambient_light <1,1,-1> }",
                 "2:38: 'ambient_light' of 'global_settings' must be from 0 to 1e9, not '-1'");
     CHECK(faults(eye + "global_settings { assumed_gamma 2.2 }")

@@ -136,7 +136,8 @@ TEST_CASE("bodies made of bodies: a material for each part, or one for all of a 
     CHECK(
         has(dull,
             "\nintersection {\n  sphere { <0, 0, 1>, 1 texture { Grey_Gloss } }\n"
-            "  sphere { <0, 0.5, 1>, 1 texture { Grey_Mirror } translate <0, 0, 0.5> }\n  scale 2\n  scale Unit\n}\n"));
+            "  sphere { <0, 0.5, 1>, 1 translate <0, 0, 0.5> }\n  texture { Grey_Mirror }\n  scale 2\n"
+            "  scale Unit\n}\n"));
     const std::string glass = "material { rgb <1, 0, 0> reflection 0 refraction 1 diffuse 0 ior 1.5 }";
     const PovFiles clear = convert(lens("", glass));
     CHECK(has(clear.pov,
@@ -153,6 +154,28 @@ TEST_CASE("bodies made of bodies: a material for each part, or one for all of a 
     CHECK(count(mixed.pov, "texture { Green_Glass_Shadow }") == 1);
     CHECK(says(convert(lens("material { reflection 0 refraction 0 }", glass))));
     CHECK(has(convert(camera + "union { sphere { <0, 0, 1>, 1 } sphere { <0, 1, 1>, 1 } }").pov, "\nmerge {\n"));
+}
+
+TEST_CASE("patterns move with their bodies, and go through the parts that share them") {
+    const std::string chequered = "material { reflection 0 rgb checker { <1, 1, 1>, <0, 0, 0> scale 2 } }";
+    const std::string ball = "sphere { <0, 0, 1>, 1 translate <0, 0, 1> ";
+    const std::string pov = convert(camera + light + ball + chequered + " }").pov;
+    CHECK(has(pov, "pigment { checker rgb <1, 1, 1>, rgb <0, 0, 0> scale 2 }"));
+    CHECK(has(pov, "sphere { <0, 0, 1>, 1 texture { Checker_Gloss } translate <0, 0, 1>"));
+    CHECK_FALSE(has(pov, "#declare Noise"));
+    const std::string glass = "material { refraction .9 rgb noise { colors { 0 <1, 1, 1> 1 <0, 0, 1> } } }";
+    const std::string clear = convert(camera + light + "sphere { <0, 0, 1>, 1 scale 3 " + glass + " }").pov;
+    CHECK(has(clear, "#declare Noise = function(x, y, z)"));
+    CHECK(has(clear, "color_map { [0 rgb <1, 1, 1> filter 0.9] [1 rgb <0, 0, 1> filter 0.9] }"));
+    CHECK(has(clear, "{ Noise_Glass_Shadow scale 3"));
+    CHECK(has(clear, "{ Noise_Glass scale 3"));
+    // The parts have their composite's pattern, but not that of their own one beside it.
+    const std::string parts = "sphere { <0, 0, 1>, 1 rotate <0, 0, 9> } sphere { <0, 1, 1>, 1 rotate <0, 0, 8> ";
+    const std::string whole = convert(camera + "union { " + parts + "} " + chequered + " }").pov;
+    CHECK(count(whole, "texture { Checker_Gloss }") == 1);
+    const std::string first = "union { sphere { <0, 0, 1>, 1 " + chequered + " } ";
+    const std::string apart = convert(camera + first + parts + chequered + " } }").pov;
+    CHECK(count(apart, "texture { Checker_Gloss }") == 2);
 }
 
 TEST_CASE("with the camera in glass, bodies are listed in the file's order") {

@@ -13,7 +13,7 @@ using namespace strahl;
 namespace {
 
 /// All coefficients are 0 until a test sets them.
-constexpr Material dull{.rgb = {.5, .25, 1},
+const Material dull{.rgb = {.5, .25, 1},
                         .reflection = 0,
                         .refraction = 0,
                         .diffuse = 0,

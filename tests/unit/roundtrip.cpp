@@ -10,6 +10,8 @@
 #include "text/parse.h"
 #include "text/write.h"
 
+#include "tests/referee/random_pattern.h"
+
 using namespace strahl;
 
 namespace {
@@ -23,8 +25,8 @@ class RandomScenes {
         result = {};
         result.camera = camera();
         if (chance(3)) result.settings = {color(), std::uniform_int_distribution(1, 256)(random), chance(2)};
-        if (chance(2)) result.background = color();
-        for (int i = below(4); i > 0; --i) result.lights.push_back({position(), color()});
+        if (chance(2)) result.background = chance(3) ? Pigment(pattern()) : Pigment(color());
+        for (int i = below(6); i > 0; --i) result.lights.push_back(light());
         palette.resize(1 + below(4));
         for (Material& material : palette) material = chance(4) ? Material{} : random_material();
         for (int i = below(12); i > 0; --i) result.primitives.push_back(primitive(3));
@@ -50,6 +52,17 @@ class RandomScenes {
     double length() { return chance(6) ? std::exp(uniform(-300, 30)) : .25 + std::fabs(number(10)); }
     double positive() { return chance(6) ? std::exp(uniform(-20, 20)) : .25 + std::fabs(number(10)); }
     double not_negative() { return chance(6) ? 0 : chance(8) ? 1e9 : std::fabs(number(4)); }
+    Light light() {
+        Light own{position(), color()};
+        if (chance(3)) {
+            own.spot = Spot{position(), uniform(0, 45), uniform(45, 90), not_negative()};
+            if (own.spot->look_at == own.position) own.spot.reset();
+        } else if (chance(3)) {
+            own.direction = position(), own.position = DVec3(0);
+            if (*own.direction == DVec3(0)) own.direction = DVec3(0, 0, -1);
+        }
+        return own;
+    }
     Color color() { return {not_negative(), not_negative(), not_negative()}; }
 
     Material random_material() {
@@ -57,8 +70,8 @@ class RandomScenes {
         const auto fill = [&](const auto& field) {
             auto& value = material.*field.member;
             if (chance(2)) return;
-            if constexpr (std::is_same_v<decltype(value), DVec3&>)
-                value = color();
+            if constexpr (std::is_same_v<decltype(value), Pigment&>)
+                value = chance(3) ? Pigment(pattern()) : Pigment(color());
             else
                 value = field.range == Range::zero_to_one ? uniform(0, 1)
                         : field.range == Range::positive  ? positive()
@@ -66,6 +79,14 @@ class RandomScenes {
         };
         std::apply([&](const auto&... field) { (fill(field), ...); }, Material::fields);
         return material;
+    }
+    Pattern pattern() {
+        Dice dice(random());
+        Pattern own = random_pattern(dice);
+        if (chance(2)) own.transformations = transformations();
+        for (ColorStop& stop : own.colors)
+            if (chance(2)) stop.color = color();
+        return own;
     }
     int material_number() {
         const Material& material = palette[below(static_cast<int>(palette.size()))];

@@ -118,15 +118,17 @@ void attach(World& world, RTCGeometry geometry, int id) {
 
 }  // namespace
 
-World::World(const Scene& from, int threads) : background(to_float(from.background)) {
+World::World(const Scene& from, int threads) : background(to_float(from.background.color)) {
     device = rtcNewDevice(("threads=" + std::to_string(threads)).c_str());
     if (!device) throw std::runtime_error("Embree does not start");
     scene = rtcNewScene(device);
-    for (const Material& m : from.materials)
-        materials.push_back({to_float(from.settings.ambient_light * m.rgb * m.ambient), to_float(m.rgb * m.diffuse),
-                             to_float(m.rgb * m.refraction), static_cast<float>(m.specular), static_cast<float>(m.pow),
+    for (const Material& m : from.materials) {
+        const Color& rgb = m.rgb.color;
+        materials.push_back({to_float(from.settings.ambient_light * rgb * m.ambient), to_float(rgb * m.diffuse),
+                             to_float(rgb * m.refraction), static_cast<float>(m.specular), static_cast<float>(m.pow),
                              static_cast<float>(m.reflection), static_cast<float>(m.refraction),
                              static_cast<float>(m.ior)});
+    }
     for (const Light& light : from.lights) lights.push_back({to_float(light.position), to_float(light.color)});
     for (Group& group : groups) group.materials = &materials;
     const auto transparent = [&](int material) { return from.materials[material].refraction > 0; };

@@ -34,7 +34,7 @@ void put_camera(const Camera& camera, int width, int height, int depth) {
 void put_material(int number, const Material& m, const DVec3& ambient_light) {
     std::printf("TEXDEF m%d AMBIENT %.9g DIFFUSE %.9g SPECULAR %.9g OPACITY %.9g PHONG PLASTIC %.9g PHONG_SIZE %.9g",
                 number, m.ambient * ambient_light.x, m.diffuse, m.reflection, 1 - m.refraction, m.specular, m.pow);
-    put(" COLOR", m.rgb, " TEXFUNC 0\n");
+    put(" COLOR", m.rgb.color, " TEXFUNC 0\n");
 }
 
 /// Its cylinders are tubes: the ends are discs of their own.

@@ -1,0 +1,138 @@
+// Patterns: colours that vary through space. Each kind is a value from 0 to 1 at every point; a map makes it a colour.
+#pragma once
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <tuple>
+#include <variant>
+#include <vector>
+
+#include "scene/field.h"
+#include "scene/transformation.h"
+
+namespace strahl {
+
+/// The colour at a value of the pattern. Between two of them it changes linearly.
+struct ColorStop {
+    double at = 0;
+    Color color{0};
+    bool operator==(const ColorStop&) const = default;
+};
+
+/// Cubes with sides of 1, in turns of two colours. This, `Brick` and `Gradient` have their borders 1e-10 before whole
+/// numbers (as POV-Ray does), so that a face which lies there is of one colour.
+struct Checker {
+    static constexpr const char* name = "checker";
+    static constexpr const char* help = "cubes with sides of 1, in turns of two colours";
+    static constexpr std::array<const char*, 2> colors{"first colour", "second colour"};
+    static constexpr auto fields = std::make_tuple();
+    bool operator==(const Checker&) const = default;
+};
+
+/// Bricks in layers along y, every second layer half a brick further.
+struct Brick {
+    DVec3 size{8, 3, 4.5};
+    double mortar = .5;
+    static constexpr const char* name = "brick";
+    static constexpr const char* help = "bricks in layers along y, every second layer half a brick further";
+    static constexpr std::array<const char*, 2> colors{"mortar's colour", "bricks' colour"};
+    static constexpr auto fields =
+        std::make_tuple(Field{"brick_size", &Brick::size, "of a brick and its mortar", Range::positive},
+                        Field{"mortar", &Brick::mortar, "how thick the mortar is", Range::length_or_zero});
+    bool operator==(const Brick&) const = default;
+};
+
+/// From 0 to 1 along an axis, again and again.
+struct Gradient {
+    DVec3 axis{1, 0, 0};
+    static constexpr const char* name = "gradient";
+    static constexpr const char* help = "a ramp that starts anew every 1 along an axis";
+    static constexpr auto fields =
+        std::make_tuple(Field{"axis", &Gradient::axis, "the direction of the ramp, of any length", Range::direction});
+    bool operator==(const Gradient&) const = default;
+};
+
+/// A sum of noise n, coarse at first and finer in each octave: n(p) + omega n(lambda p) + omega^2 n(lambda^2 p) + ...
+///
+/// n is gradient noise (K. Perlin, "An image synthesizer", 1985, and "Improving noise", 2002) over the cells of whole
+/// coordinates, mostly between -.5 and .5. The corner (i, j, k) of a cell has the hash h = P(P(P(i) + j) + k), with the
+/// permutation polynomial P(x) = (34 x + 1) x mod 289 (I. McEwan, D. Sheets, M. Richardson, S. Gustavson, "Efficient
+/// computational noise in GLSL", 2012), so n repeats every 289. The digits a, b, c of h in base 7, the last one first,
+/// make the corner's gradient ((a - 3) / 3, (b - 3) / 3, (c - 2.5) / 2.5); with f the way from the corner to the point,
+/// gradient . f is interpolated by 6 t^5 - 15 t^4 + 10 t^3 along each axis, and the result halved.
+struct Octaves {
+    double octaves, omega = .5, lambda = 2;
+    bool operator==(const Octaves&) const = default;
+    static constexpr auto common = std::make_tuple(
+        Field{"octaves", &Octaves::octaves, "how many sizes of detail are summed", Range::octaves},
+        Field{"omega", &Octaves::omega, "how strong the detail of an octave is beside that before", Range::zero_to_one},
+        Field{"lambda", &Octaves::lambda, "how many times finer it is", Range::positive});
+};
+
+/// Noise alone.
+struct Noise : Octaves {
+    Noise() : Octaves{1} {}
+    static constexpr const char* name = "noise";
+    static constexpr const char* help = "clouds: noise around .5";
+    static constexpr auto fields = common;
+    bool operator==(const Noise&) const = default;
+};
+
+/// Layers across x that rise from 0 to 1 and fall again within a length of 1, moved by noise.
+struct Marble : Octaves {
+    double turbulence = 0;
+    Marble() : Octaves{6} {}
+    static constexpr const char* name = "marble";
+    static constexpr const char* help = "layers across x, 1 apart, that noise bends";
+    static constexpr auto fields = std::tuple_cat(
+        std::make_tuple(Field{"turbulence", &Marble::turbulence, "how far noise moves them", Range::zero_or_more}),
+        common);
+    bool operator==(const Marble&) const = default;
+};
+
+/// Rings around the z axis, likewise.
+struct Wood : Octaves {
+    double turbulence = 0;
+    Wood() : Octaves{6} {}
+    static constexpr const char* name = "wood";
+    static constexpr const char* help = "rings around the z axis, 1 apart, that noise bends";
+    static constexpr auto fields = std::tuple_cat(
+        std::make_tuple(Field{"turbulence", &Wood::turbulence, "how far noise moves them", Range::zero_or_more}),
+        common);
+    bool operator==(const Wood&) const = default;
+};
+
+using PatternKind = std::variant<Checker, Gradient, Brick, Noise, Marble, Wood>;
+
+/// Has it two colours by itself, in place of a map?
+template <class Kind>
+inline constexpr bool two_colored = requires {
+    Kind::colors;
+};
+
+struct Pattern {
+    PatternKind kind;
+    std::vector<ColorStop> colors;  // ascending, at least one; of kinds with two colours these are at 0 and 1
+    std::vector<Transformation> transformations;
+    bool operator==(const Pattern&) const = default;
+};
+
+/// A colour, the same everywhere or by a pattern; then `color` is the largest of all its colours, channel by channel,
+/// which is all that bounds of light have to know.
+struct Pigment {
+    Color color{0};
+    std::shared_ptr<const Pattern> pattern;
+
+    Pigment(const Color& color) : color(color) {}
+    Pigment(double red, double green, double blue) : color(red, green, blue) {}
+    explicit Pigment(Pattern own) : pattern(std::make_shared<const Pattern>(std::move(own))) {
+        for (const ColorStop& stop : pattern->colors)
+            for (int c = 0; c < 3; ++c) color[c] = std::max(color[c], stop.color[c]);
+    }
+    bool operator==(const Pigment& other) const {
+        return color == other.color && (pattern == other.pattern ||
+                                        (pattern && other.pattern && *pattern == *other.pattern));
+    }
+};
+
+}  // namespace strahl

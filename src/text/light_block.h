@@ -1,0 +1,12 @@
+// The block `light`.
+#pragma once
+#include <string_view>
+
+#include "scene/light.h"
+#include "text/reader.h"
+
+namespace strahl {
+
+Light read_light(Reader& reader, std::string_view word);
+
+}  // namespace strahl

@@ -1,0 +1,165 @@
+// Reads colours, and the patterns that may stand in their place.
+#include "text/pigment.h"
+
+#include "num/decimal.h"
+#include "text/reader.h"
+#include "text/transformations.h"
+
+namespace strahl {
+namespace {
+
+class PatternBlock {
+  public:
+    PatternBlock(Reader& reader, const Bounds& colors) : reader(reader), colors(colors) {}
+
+    /// Reads the pattern that `word` begins, to which `outer` belongs.
+    Pattern read(std::string_view word, Block& outer) {
+        const auto read_kinds = [&]<class... Kinds>(std::type_identity<std::variant<Kinds...>>) {
+            ((word == Kinds::name && (kind<Kinds>(word, outer), true)) || ...);
+        };
+        read_kinds(std::type_identity<PatternKind>{});
+        return std::move(pattern);
+    }
+
+  private:
+    template <class Kind>
+    void kind(std::string_view word, Block& outer) {
+        Kind kind;
+        Block block{word};
+        auto parameters = pattern_parameters(kind);
+        std::string_view colors_at, last;
+        reader.block(
+            block, parameters, words<Kind>(), [&] { two_colors<Kind>(block); },
+            [&](std::string_view inner) {
+                if (inner == "colors" && !two_colored<Kind>) return map(inner, colors_at, block), true;
+                if (!contains(transformation_words, inner)) return false;
+                pattern.transformations.push_back(read_transformation(reader, inner, block));
+                last = inner;
+                return true;
+            });
+        reader.require(block, {}, {{two_colored<Kind> || colors_at.data(), "'colors'"}});
+        check(kind, word, last, block);
+        outer.absorb(block);
+        pattern.kind = kind;
+    }
+    /// What may stand in the block besides its parameters.
+    template <class Kind>
+    static auto words() {
+        if constexpr (two_colored<Kind>)
+            return transformation_words;
+        else
+            return std::array<std::string_view, 4>{"colors", "rotate", "translate", "scale"};
+    }
+    template <class Kind>
+    void two_colors(Block& block) {
+        if constexpr (two_colored<Kind>)
+            for (const double at : {0., 1.}) {
+                if (at == 1) reader.lexer.accept(',');
+                Color color{0};
+                reader.read(color, colors, Kind::colors[static_cast<std::size_t>(at)], block);
+                pattern.colors.push_back({at, color});
+            }
+    }
+    void map(std::string_view word, std::string_view& first, Block& outer) {
+        const bool again = !reader.once(first, word);
+        Block block{word};
+        std::vector<ColorStop> stops;
+        reader.block(
+            block, {},
+            [&] {
+                while (reader.lexer.peek() != '}') add_stop(stops, block), reader.lexer.accept(',');
+            },
+            [](std::string_view) { return false; });
+        if (stops.empty() && block.good()) {
+            reader.diagnostics.add(word, "'colors' without a colour; a stop is, for instance, '0 <1, 1, 1>'");
+            block.bad = true;
+        }
+        outer.absorb(block);
+        if (!again) pattern.colors = std::move(stops);
+    }
+    void add_stop(std::vector<ColorStop>& stops, Block& block) {
+        const std::string_view at = reader.lexer.token();
+        reader.lexer.rewind(at);
+        ColorStop stop;
+        reader.read(stop.at, shares, "stop", block);
+        reader.lexer.accept(',');
+        reader.read(stop.color, colors, "colour", block);
+        const auto fault = [&](const std::string& message) {
+            reader.diagnostics.add(at, message);
+            block.bad = true;
+        };
+        if (block.good() && !stops.empty() && stop.at < stops.back().at)
+            fault("stops must rise: the one before is at " + text_of(stops.back().at));
+        if (stops.size() < most_stops)
+            stops.push_back(stop);
+        else if (block.good())
+            fault("more than " + std::to_string(most_stops) + " stops");
+    }
+    template <class Kind>
+    void check(const Kind& kind, std::string_view word, std::string_view last, Block& block) {
+        if (!block.good()) return;
+        const auto fault = [&](std::string_view at, const std::string& message) {
+            reader.diagnostics.add(at, message);
+            block.bad = true;
+        };
+        if constexpr (requires { kind.axis; })
+            if (kind.axis == DVec3(0)) fault(word, "this gradient is none: its axis has no direction");
+        const std::string why = transformations_fault(matrix(pattern.transformations));
+        if (!why.empty()) fault(last, "up to here the transformations of this " + std::string(word) + " " + why);
+    }
+
+    Reader& reader;
+    const Bounds& colors;
+    Pattern pattern;
+};
+
+}  // namespace
+
+void Reader::read(Pigment& value, const Bounds& bounds, std::string_view name, Block& block) {
+    if (lexer.peek() == '<') {
+        Color color{0};
+        read(color, bounds, name, block);
+        value = color;
+        return;
+    }
+    const std::string_view word = lexer.word();
+    if (word.empty())
+        lexer.fail("a vector <x, y, z> or a pattern expected for " + quoted(name) + " of " + quoted(block.name));
+    if (!contains(pattern_words, word) || lexer.peek() != '{') {
+        if (contains(pattern_words, word)) lexer.fail("'{' expected after " + quoted(word));
+        diagnostics.add(word, unknown_word(word, pattern_words, " for " + quoted(name) + " of " + quoted(block.name)));
+        throw ParseAbort{};
+    }
+    Pattern pattern = PatternBlock(*this, bounds).read(word, block);
+    if (!pattern.colors.empty()) value = Pigment(std::move(pattern));
+}
+
+std::string text_of(const Pigment& pigment) {
+    if (!pigment.pattern) return text_of(pigment.color);
+    const auto& [kind, colors, transformations] = *pigment.pattern;
+    std::string text = std::visit(
+        [&]<class Kind>(const Kind& own) {
+            std::string words(Kind::name);
+            words += " {";
+            if constexpr (two_colored<Kind>)
+                words += " " + text_of(colors[0].color) + ", " + text_of(colors[1].color);
+            const auto add = [&](const auto& field) {
+                if (own.*field.member == Kind().*field.member) return;
+                words += (words.back() == '{' ? " " : "  ") + std::string(field.name) + " " +
+                         text_of(own.*field.member);
+            };
+            std::apply([&](const auto&... field) { (add(field), ...); }, Kind::fields);
+            return words;
+        },
+        kind);
+    if (std::visit([]<class Kind>(const Kind&) { return !two_colored<Kind>; }, kind)) {
+        text += text.back() == '{' ? " colors {" : "  colors {";
+        for (const ColorStop& stop : colors)
+            text += std::string(&stop == &colors[0] ? " " : "  ") + text_of(stop.at) + " " + text_of(stop.color);
+        text += " }";
+    }
+    for (const Transformation& step : transformations) text += "  " + text_of(step);
+    return text + " }";
+}
+
+}  // namespace strahl

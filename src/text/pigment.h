@@ -1,0 +1,36 @@
+// The words of patterns, which may stand in place of a material's colour.
+#pragma once
+#include <array>
+#include <string>
+#include <string_view>
+#include <type_traits>
+
+#include "scene/pattern.h"
+#include "text/parameter.h"
+
+namespace strahl {
+
+template <class... Kinds>
+constexpr auto names_of(std::type_identity<std::variant<Kinds...>>) {
+    return std::array<std::string_view, sizeof...(Kinds)>{Kinds::name...};
+}
+inline constexpr auto pattern_words = names_of(std::type_identity<PatternKind>{});
+
+/// Most stops of a colour map, which are as many as POV-Ray's have.
+inline constexpr std::size_t most_stops = 256;
+
+/// The parameters of a kind.
+template <class Kind>
+auto pattern_parameters(Kind& kind) {
+    return std::apply(
+        [&](const auto&... field) {
+            return std::array<Parameter, sizeof...(field)>{
+                Parameter{field.name, &(kind.*field.member), bounds_of(field.range), field.help}...};
+        },
+        Kind::fields);
+}
+
+/// As a scene says it: a vector, or the block of a pattern.
+std::string text_of(const Pigment& pigment);
+
+}  // namespace strahl

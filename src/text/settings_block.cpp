@@ -1,0 +1,16 @@
+#include "text/settings_block.h"
+
+#include "text/blocks.h"
+
+namespace strahl {
+
+Settings read_settings(Reader& reader, std::string_view word) {
+    Block block{word};
+    SettingsText settings;
+    auto parameters = settings_parameters(settings);
+    reader.block(block, parameters);
+    if (!block.good()) return {};
+    return {settings.ambient_light, static_cast<int>(settings.max_trace_level), settings.assumed_gamma.has_value()};
+}
+
+}  // namespace strahl

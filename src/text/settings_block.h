@@ -1,0 +1,12 @@
+// The block `global_settings`.
+#pragma once
+#include <string_view>
+
+#include "scene/scene.h"
+#include "text/reader.h"
+
+namespace strahl {
+
+Settings read_settings(Reader& reader, std::string_view word);
+
+}  // namespace strahl

@@ -1,0 +1,147 @@
+// Patterns become kernels, each in the spaces of the bodies that have it.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "scene/error.h"
+#include "scene/leaves.h"
+#include "trace/world_arrays.h"
+
+namespace strahl {
+namespace {
+
+/// Borders are this much before whole coordinates: 1e-10, as in POV-Ray, if rounding leaves so much of it.
+template <class T>
+constexpr double border = std::max(1e-10, 0x1p6 * static_cast<double>(std::numeric_limits<T>::epsilon()));
+
+/// What is special about a kind: how the pattern's own space becomes the kernel's, whose coordinates may be shifted by
+/// `period` (0 where they may not).
+template <class T>
+struct KernelSpace {
+    PatternKernel<T>& kernel;
+    glm::dmat4 matrix{1};
+    DVec3 period{0};
+
+    void operator()(const Checker&) {
+        kernel.form = PatternForm::checker;
+        matrix[3] = {border<T>, border<T>, border<T>, 1};
+        period = DVec3(2);
+    }
+    void operator()(const Brick& brick) {
+        kernel.form = PatternForm::brick;
+        for (int c = 0; c < 3; ++c) {
+            matrix[c][c] = 1 / brick.size[c];
+            matrix[3][c] = (border<T> + brick.mortar) / brick.size[c];
+            kernel.mortar[c] = static_cast<T>(brick.mortar / brick.size[c]);
+        }
+        period = {1, 2, 1};
+    }
+    void operator()(const Gradient& gradient) {
+        kernel.form = PatternForm::ramp;
+        const DVec3 axis = normalize(gradient.axis);
+        for (int c = 0; c < 3; ++c) matrix[c] = {axis[c], 0, 0, 0};
+        matrix[3].x = border<T>;
+        kernel.border = static_cast<T>(border<T>);
+        period = {1, 0, 0};
+    }
+    void operator()(const Noise& noise) {
+        kernel.form = PatternForm::noise;
+        if (sum(noise, 1)) period = DVec3(289);
+    }
+    void operator()(const Marble& marble) {
+        kernel.form = PatternForm::layers;
+        if (sum(marble, marble.turbulence)) period = DVec3(289);
+    }
+    void operator()(const Wood& wood) {
+        kernel.form = PatternForm::rings;
+        if (sum(wood, wood.turbulence)) period = {0, 0, 289};
+    }
+    /// Does the sum repeat itself as the noise does?
+    bool sum(const Octaves& octaves, double turbulence) {
+        kernel.turbulence = static_cast<T>(turbulence);
+        kernel.octaves = static_cast<std::int32_t>(octaves.octaves);
+        kernel.omega = static_cast<T>(octaves.omega), kernel.lambda = static_cast<T>(octaves.lambda);
+        return octaves.lambda == std::floor(octaves.lambda);
+    }
+};
+
+/// The kernel of a pattern whose body's `to_world` is given, but for its stops and its material.
+template <class T>
+PatternKernel<T> kernel_of(const Pattern& pattern, const glm::dmat4& to_world, const Placement& placement) {
+    PatternKernel<T> kernel{};
+    KernelSpace<T> space{kernel};
+    std::visit(space, pattern.kind);
+    const glm::dmat4 own = space.matrix * glm::inverse(to_world * matrix(pattern.transformations));
+    // world = (scene - origin) * scale
+    DVec3 offset = transform_point(own, placement.origin);
+    for (int c = 0; c < 3; ++c) {
+        // Far from the pattern's origin a T has no digits left for where in a cell a point is. A double has.
+        if (space.period[c] > 0) offset[c] -= space.period[c] * std::round(offset[c] / space.period[c]);
+        for (int k = 0; k < 3; ++k) kernel.rows[c][k] = static_cast<T>(own[k][c] / placement.scale);
+    }
+    kernel.offset = cast<T>(offset);
+    return kernel;
+}
+
+}  // namespace
+
+template <class T>
+void WorldArrays<T>::add_stops(const Pattern& pattern, PatternKernel<T>& kernel) {
+    kernel.first_stop = static_cast<std::int32_t>(stops.size());
+    kernel.stops = static_cast<std::int32_t>(pattern.colors.size());
+    for (double before = 0; const ColorStop& stop : pattern.colors) {
+        stops.push_back({static_cast<T>(stop.at), static_cast<T>(1 / (stop.at - before)), cast<T>(stop.color)});
+        before = stop.at;
+    }
+}
+
+template <class T>
+void WorldArrays<T>::add_patterns(const Scene& scene, const Placement& placement) {
+    if (const Pattern* const pattern = scene.background.pattern.get()) {
+        sky = kernel_of<T>(*pattern, glm::dmat4(1), {});
+        add_stops(*pattern, sky);
+        world.sky = &sky;
+        world.stops = stops.data();
+    }
+    const auto has_pattern = [](const Material& m) { return m.rgb.pattern != nullptr; };
+    if (std::none_of(scene.materials.begin(), scene.materials.end(), has_pattern)) return;
+    world.first_pattern = static_cast<int>(materials.size());
+    std::vector<PatternKernel<T>> ranges(scene.materials.size());
+    for (std::size_t i = 0; i < ranges.size(); ++i)
+        if (has_pattern(scene.materials[i])) add_stops(*scene.materials[i].rgb.pattern, ranges[i]);
+    std::map<std::pair<int, std::array<double, 16>>, std::int32_t> numbers;
+    for (const Primitive& primitive : scene.primitives) {
+        first_leaf.push_back(static_cast<std::int32_t>(leaf_materials.size()));
+        for_each_leaf_placed(primitive, [&](const Primitive& leaf, const LeafMatrices& matrices) {
+            const Material& material = scene.materials[leaf.material];
+            if (!has_pattern(material)) return leaf_materials.push_back(leaf.material);
+            std::array<double, 16> values;
+            for (int i = 0; i < 16; ++i) values[i] = matrices.material[i / 4][i % 4];
+            const auto [entry, is_new] =
+                numbers.try_emplace({leaf.material, values}, static_cast<std::int32_t>(materials.size()));
+            leaf_materials.push_back(entry->second);
+            if (!is_new) return;
+            materials.push_back(MaterialKernel<T>(materials[leaf.material]));
+            PatternKernel<T> kernel = kernel_of<T>(*material.rgb.pattern, matrices.material, placement);
+            kernel.first_stop = ranges[leaf.material].first_stop, kernel.stops = ranges[leaf.material].stops;
+            kernel.ambient = cast<T>(scene.settings.ambient_light * material.ambient);
+            kernel.diffuse = static_cast<T>(material.diffuse);
+            kernel.refraction = static_cast<T>(material.refraction);
+            patterns.push_back(kernel);
+        });
+    }
+    if (static_cast<double>(materials.size()) > World<T>::capacity)
+        throw FileError(
+            "this scene has patterns in more bodies than can be told apart in this precision; trace it with "
+            "--precision double");
+    world.patterns = patterns.data();
+    world.stops = stops.data();
+}
+
+template void WorldArrays<float>::add_patterns(const Scene&, const Placement&);
+template void WorldArrays<double>::add_patterns(const Scene&, const Placement&);
+template void WorldArrays<long double>::add_patterns(const Scene&, const Placement&);
+
+}  // namespace strahl

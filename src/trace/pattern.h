@@ -1,0 +1,27 @@
+// Colours of patterns where rays cross surfaces: compiled once per precision and instruction set, in a file of its own.
+#pragma once
+#include "num/memory.h"
+#include "num/ray.h"
+#include "trace/world.h"
+
+namespace strahl::inline STRAHL_LEVEL {
+
+/// Has this material a pattern?
+template <class T>
+STRAHL_INLINE bool patterned(const World<T>& world, int material) {
+    return material >= world.first_pattern;
+}
+
+template <class S>
+struct PatternCalls {
+    using T = Element<S>;
+    /// Gives a pack of materials, known by their numbers, the colours that their patterns have at these positions.
+    static void paint(const World<T>& world, const int* materials, const Vec3<S>& position, MaterialKernel<S>& values);
+    /// The background in these directions.
+    static Vec3<S> sky(const World<T>& world, const Vec3<S>& direction);
+    /// Takes from the light what a surface of a transparent material takes in these lanes, `t` along the ray.
+    static void filter(const World<T>& world, int material, const Ray<S>& ray, const S& t, Mask<S> lanes,
+                       Vec3<S>& share);
+};
+
+}  // namespace strahl::inline STRAHL_LEVEL

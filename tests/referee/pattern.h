@@ -1,0 +1,123 @@
+// The referee's patterns, worked out from what scene/pattern.h says of them.
+#pragma once
+#include <cstdint>
+
+#include "scene/pattern.h"
+#include "tests/referee/line.h"
+
+namespace strahl::referee {
+
+template <class R>
+R whole_below(R x) {
+    const R low = static_cast<R>(static_cast<std::int64_t>(x));
+    return low > x ? low - 1 : low;
+}
+
+/// Noise at a point, corner by corner of its cell.
+template <class R>
+R noise(const Vector<R>& p) {
+    const auto permute = [](std::int64_t x) { return (34 * x + 1) * x % 289; };
+    const auto mod = [](std::int64_t x) { return (x % 289 + 289) % 289; };
+    const auto weight = [](R t) { return t * t * t * (6 * t * t - 15 * t + 10); };
+    const R at[3] = {p.x, p.y, p.z};
+    std::int64_t cell[3];
+    R from[3], sum = 0;
+    for (int c = 0; c < 3; ++c) {
+        const R low = whole_below(at[c]);
+        cell[c] = static_cast<std::int64_t>(low), from[c] = at[c] - low;
+    }
+    for (int corner = 0; corner < 8; ++corner) {
+        std::int64_t hash = 0;
+        R share = 1, way[3];
+        for (int c = 0; c < 3; ++c) {
+            const int up = corner >> c & 1;
+            hash = permute(mod(hash + cell[c] + up));
+            way[c] = from[c] - up;
+            share *= up ? weight(from[c]) : 1 - weight(from[c]);
+        }
+        const R third = R(1) / 3;
+        sum += share * ((hash % 7 - 3) * third * way[0] + (hash / 7 % 7 - 3) * third * way[1] +
+                        (R(hash / 49) - R(2.5)) / R(2.5) * way[2]);
+    }
+    return sum / 2;
+}
+template <class R>
+R octaves(const Octaves& own, const Vector<R>& p) {
+    R sum = 0, strength = 1, fineness = 1;
+    for (int i = 0; i < own.octaves; ++i, strength *= R(own.omega), fineness *= R(own.lambda))
+        sum += strength * noise(fineness * p);
+    return sum;
+}
+
+/// The value of each kind.
+template <class R>
+struct ValueAt {
+    Vector<R> p;
+    static constexpr double border = 1e-10;
+
+    static R fraction(R x) { return x - whole_below(x); }
+    static R up_and_down(R x) {
+        const R part = fraction(x);
+        return part < R(.5) ? 2 * part : 2 - 2 * part;
+    }
+    R operator()(const Checker&) const {
+        std::int64_t sum = 0;
+        for (const R x : {p.x, p.y, p.z}) sum += static_cast<std::int64_t>(whole_below(x + R(border)));
+        return sum % 2 != 0 ? 1 : 0;
+    }
+    R operator()(const Brick& brick) const {
+        const R mortar = brick.mortar;
+        const auto shifted = [&](R x) { return x + R(border) + mortar; };
+        const auto in_mortar = [&](R x, R size) { return fraction(x / size) * size <= mortar; };
+        const R x = shifted(p.x), y = shifted(p.y), z = shifted(p.z);
+        if (in_mortar(y, brick.size.y)) return 0;
+        const bool odd = static_cast<std::int64_t>(whole_below(y / R(brick.size.y))) % 2 != 0;
+        const R half_x = R(brick.size.x) / 2, half_z = R(brick.size.z) / 2;
+        return in_mortar(odd ? x + half_x : x, brick.size.x) || in_mortar(odd ? z : z + half_z, brick.size.z) ? 0 : 1;
+    }
+    R operator()(const Gradient& gradient) const {
+        const R value = fraction(dot(unit(Vector<R>(gradient.axis)), p) + R(border)) - R(border);
+        return value > 0 ? value : 0;
+    }
+    R operator()(const Noise& own) const {
+        const R value = R(.5) + octaves(own, p);
+        return value < 0 ? 0 : value > 1 ? 1 : value;
+    }
+    R operator()(const Marble& marble) const { return up_and_down(p.x + R(marble.turbulence) * octaves(marble, p)); }
+    R operator()(const Wood& wood) const {
+        return up_and_down(root(p.x * p.x + p.y * p.y) + R(wood.turbulence) * octaves(wood, p));
+    }
+};
+
+/// The colour of a pigment at a point of its own space, before the pattern's transformations are undone.
+template <class R>
+struct Paint {
+    Pigment pigment;
+    std::array<Vector<R>, 3> rows;
+    Vector<R> offset;
+
+    /// `to_world` takes the space of the material into the world.
+    Paint(const Pigment& pigment, const glm::dmat4& to_world) : pigment(pigment) {
+        if (!pigment.pattern) return;
+        const glm::dmat4 m = to_world * matrix(pigment.pattern->transformations);
+        const Vector<R> a{m[0].x, m[0].y, m[0].z}, b{m[1].x, m[1].y, m[1].z}, c{m[2].x, m[2].y, m[2].z};
+        const R scale = R(1) / dot(a, cross(b, c));
+        rows = {scale * cross(b, c), scale * cross(c, a), scale * cross(a, b)};
+        offset = {m[3].x, m[3].y, m[3].z};
+    }
+    Vector<R> at(const Vector<R>& point) const {
+        if (!pigment.pattern) return pigment.color;
+        const Vector<R> moved = point - offset, p{dot(rows[0], moved), dot(rows[1], moved), dot(rows[2], moved)};
+        const R value = std::visit(ValueAt<R>{p}, pigment.pattern->kind);
+        const std::vector<ColorStop>& stops = pigment.pattern->colors;
+        std::size_t next = 0;
+        while (next < stops.size() && value > R(stops[next].at)) ++next;
+        if (next == 0) return stops.front().color;
+        if (next == stops.size()) return stops.back().color;
+        const ColorStop &from = stops[next - 1], &to = stops[next];
+        const R share = (value - R(from.at)) / (R(to.at) - R(from.at));
+        return (1 - share) * Vector<R>(from.color) + share * Vector<R>(to.color);
+    }
+};
+
+}  // namespace strahl::referee

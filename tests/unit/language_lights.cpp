@@ -1,0 +1,44 @@
+// The scene language: lights.
+#include "tests/unit/language.h"
+
+using namespace strahl;
+using namespace strahl::language;
+
+namespace {
+
+Light light(const std::string& text) { return with_eye("light { color <1,1,1> " + text + " }").lights.at(0); }
+/// In line 3.
+void check_light(const std::string& text, const std::string& place, const std::string& message) {
+    check_fault("light { color <1,1,1>\n" + text + " }", place + ": " + message);
+}
+
+}  // namespace
+
+TEST_CASE("points, spots and parallel light") {
+    CHECK(light("position <1,2,3>") == Light{{1, 2, 3}, Color(1)});
+    CHECK(light("direction <0,0,-2>") == Light{{0, 0, 0}, Color(1), DVec3(0, 0, -2)});
+    CHECK(light("position <1,2,3> spot { look_at <0,0,0> }") ==
+          Light{{1, 2, 3}, Color(1), {}, Spot{{0, 0, 0}, 30, 45, 0}});
+    CHECK(light("spot { tightness 3 radius 20 falloff 20 look_at <0,0,0> } position <1,2,3>") ==
+          Light{{1, 2, 3}, Color(1), {}, Spot{{0, 0, 0}, 20, 20, 3}});
+}
+
+TEST_CASE("mistakes in lights") {
+    check_fault("light { color <1,1,1> }", "2:1: 'light' lacks 'position' (or 'direction')");
+    check_light("position <1,2,3> direction <0,0,1>", "3:18",
+                "'direction' says again what 'position' in line 3 says; only one of them may stand");
+    check_light("direction <0,0,0>", "3:1", "this 'direction' of 'light' has no direction");
+    check_light("direction <0,0,1> spot { look_at <0,0,0> }", "3:19",
+                "parallel light has no place from which a spot could shine; give it a 'position'");
+    check_light("position <1,2,3> spot { look_at <1,2,3> }", "3:18",
+                "this spot shines nowhere: 'look_at' is the light's own position");
+    check_light("position <1,2,3> spot { }", "3:18", "'spot' lacks 'look_at'");
+    check_light("position <1,2,3> spot { look_at <0,0,0> falloff 20 }", "3:18",
+                "the falloff of this spot, 20, is below its radius, 30");
+    check_light("position <1,2,3> spot { look_at <0,0,0> falloff 91 }", "3:49",
+                "'falloff' of 'spot' must be from 0 to 90 degrees, not '91'");
+    check_light("position <1,2,3> spot { look_at <0,0,0> } spot { look_at <0,0,0> }", "3:43",
+                "a second 'spot'; the first is in line 3");
+    check_light("position <1,2,3> spotlight { look_at <0,0,0> }", "3:18",
+                "unknown word 'spotlight' in 'light'; did you mean 'spot'?");
+}

@@ -1,0 +1,91 @@
+// The scene language: patterns in place of colours.
+#include "tests/unit/language.h"
+
+using namespace strahl;
+using namespace strahl::language;
+
+namespace {
+
+Pigment pigment(const std::string& text) {
+    return parse(eye + "sphere { <0,0,0>, 1 material { rgb " + text + " } }").materials[0].rgb;
+}
+/// Column 1 is the first of the pattern.
+void check_pattern(const std::string& text, const std::string& where, const std::string& message) {
+    check_fault("sphere{<0,0,0>,1 material{rgb\n" + text + "} }", where + ": " + message);
+}
+
+}  // namespace
+
+TEST_CASE("patterns and their defaults") {
+    const Pigment chequered = pigment("checker { <1,.5,0>, <.1,.2,.3> scale 2 rotate <0,0,45> }");
+    REQUIRE(chequered.pattern);
+    CHECK(chequered.color == Color(1, .5, .3));  // the largest of each channel
+    CHECK(*chequered.pattern ==
+          Pattern{Checker{}, {{0, {1, .5, 0}}, {1, {.1, .2, .3}}}, {Scale{DVec3(2)}, Rotate{{0, 0, 45}}}});
+    CHECK(*pigment("brick { <1,1,1> <0,0,0> mortar .2 brick_size <4,2,2> }").pattern ==
+          Pattern{Brick{{4, 2, 2}, .2}, {{0, Color(1)}, {1, Color(0)}}, {}});
+    CHECK(*pigment("gradient { colors { 0 <1,1,1>, 1 <0,0,0> } axis <0,0,2> }").pattern ==
+          Pattern{Gradient{{0, 0, 2}}, {{0, Color(1)}, {1, Color(0)}}, {}});
+    Marble marble;
+    marble.turbulence = .6, marble.octaves = 5;
+    CHECK(*pigment("marble { turbulence .6 octaves 5 colors { .2 <1,1,1> .2 <0,0,0> } }").pattern ==
+          Pattern{marble, {{.2, Color(1)}, {.2, Color(0)}}, {}});
+    CHECK(std::get<Noise>(pigment("noise { colors { 0 <1,1,1> } }").pattern->kind).octaves == 1);
+    CHECK(pigment("wood { colors { 0 <1,1,1> } }") ==
+          pigment("wood { octaves 6 omega .5 lambda 2 colors { 0 <1,1,1> } }"));
+}
+
+TEST_CASE("a material block changes a colour to a pattern and back") {
+    const Scene scene = parse(eye + "defaultmaterial { rgb checker { <1,1,1>, <0,0,0> } }\nsphere { <0,0,0>, 1 }\n"
+                                    "sphere { <0,0,0>, 2 material { rgb <1,0,0> } }\n"
+                                    "sphere { <0,0,0>, 3 material { pow 3 } }\n");
+    REQUIRE(scene.materials.size() == 3);
+    CHECK(scene.materials[0].rgb.pattern);
+    CHECK(!scene.materials[1].rgb.pattern);
+    CHECK(scene.materials[2].rgb == scene.materials[0].rgb);
+}
+
+TEST_CASE("mistakes in patterns") {
+    check_pattern("cheker { <1,1,1>, <0,0,0> }", "3:1",
+                  "unknown word 'cheker' for 'rgb' of 'material'; did you mean 'checker'?");
+    check_pattern("checker <1,1,1>", "3:9", "'{' expected after 'checker', but here comes '<'");
+    check_pattern("5", "3:1", "a vector <x, y, z> or a pattern expected for 'rgb' of 'material', but here comes '5'");
+    check_pattern("checker { <1,1,1> }", "3:19",
+                  "a vector <x, y, z> expected for 'second colour' of 'checker', but here comes '}'");
+    check_pattern("checker { <1,1,1>, <0,-1,0> }", "3:23",
+                  "'second colour' of 'checker' must be from 0 to 1e9, not '-1'");
+    check_pattern("checker { <1,1,1>, <0,0,0> colors { 0 <1,1,1> } }", "3:28",
+                  "unknown word 'colors' in 'checker'; known here: rotate, translate, scale");
+    check_pattern("marble { }", "3:1", "'marble' lacks 'colors'");
+    check_pattern("marble { colors { } }", "3:10",
+                  "'colors' without a colour; a stop is, for instance, '0 <1, 1, 1>'");
+    check_pattern("marble { colors { 0 <1,1,1> .5 <0,0,0> .4 <1,1,1> } }", "3:40",
+                  "stops must rise: the one before is at 0.5");
+    check_pattern("marble { colors { 0 <1,1,1> 1.5 <0,0,0> } }", "3:29",
+                  "'stop' of 'colors' must be from 0 to 1, not '1.5'");
+    check_pattern("marble { colors { 0 <1,1,1> <0,0,0> } }", "3:29",
+                  "a number expected for 'stop' of 'colors', but here comes '<'");
+    check_pattern("marble { colors { 0 <1,1,1> 1 } }", "3:31",
+                  "a vector <x, y, z> expected for 'colour' of 'colors', but here comes '}'");
+    check_pattern("marble { colors { 0 <1,1,1> } colors { 0 <1,1,1> } }", "3:31",
+                  "a second 'colors'; the first is in line 3");
+    check_pattern("marble { octaves 2.5 colors { 0 <1,1,1> } }", "3:18",
+                  "'octaves' of 'marble' must be a whole number from 1 to 10, not '2.5'");
+    check_pattern("wood { turbulance 1 colors { 0 <1,1,1> } }", "3:8",
+                  "unknown word 'turbulance' in 'wood'; did you mean 'turbulence'?");
+    check_pattern("gradient { axis <0,0,0> colors { 0 <1,1,1> } }", "3:1",
+                  "this gradient is none: its axis has no direction");
+    check_pattern("noise { colors { 0 <1,1,1> } scale 0 }", "3:36",
+                  "'scale' of 'noise' is 0, which would leave nothing of it; 1 changes nothing");
+    check_pattern("noise { colors { 0 <1,1,1> } translate <1e15,0,0> scale 2 }", "3:51",
+                  "up to here the transformations of this noise make it too large, too small or too far away "
+                  "(coordinates go up to 1e15)");
+    check_pattern("noise { colors { 0 <1,1,1> } scale <1,1,1e-13> }", "3:30",
+                  "up to here the transformations of this noise flatten it: one side shrinks more than 1e12 times as "
+                  "much as another");
+    std::string many = "noise { colors {";
+    for (int i = 0; i < 257; ++i) many += " 0 <1,1,1>";
+    check_pattern(many + " } }", "3:2578", "more than 256 stops");
+    check_fault("light { position <0,0,0> color checker { <1,1,1>, <0,0,0> } }",
+                "2:32: a vector <x, y, z> expected for 'color' of 'light', but here comes 'checker'");
+}
