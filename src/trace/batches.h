@@ -105,6 +105,7 @@ class Batches {
                 const Sight<T>& sight = workspace.sights[i];
                 sample.signature = sight.signature;
                 sample.glint = static_cast<float>(sight.glint);
+                sample.surface = sight.surface, sample.lit = sight.lit;
                 sample.distance = static_cast<float>(static_cast<double>(sight.distance) / scale);
             }
         }

@@ -40,7 +40,7 @@ class CellPicture {
     std::vector<TilePlace> places;
     std::vector<std::unique_ptr<Cells>> made;  // not finished ones
     std::vector<char> begun;
-    std::vector<std::vector<Strip>> thin;  // by tile, in its pixels
+    const Thin thin;
     std::mutex counting;
     Sampled sum;
     std::atomic<int> done = 0;
