@@ -53,4 +53,7 @@ class MeshBlock {
     PointJoiner points, normals;
 };
 
+/// Why a mesh can't be part of a body; empty if it can.
+std::string fault_as_part(const Mesh& mesh);
+
 }  // namespace strahl

@@ -281,12 +281,10 @@ void Parser::check(const Kind& shape, const Primitive& primitive, Block& block, 
         const std::string moved = transformed_fault(shape, matrix(primitive.transformations));
         if (!moved.empty()) return fault(ending.last, "up to here the transformations of this " + name + " " + moved);
     }
-    if (depth > 0 && !can_be_part<Kind>)
-        return fault(word, "a " + name + " can't be part of a body: only closed ones can");
+    if (depth == 0) return;
+    if (!can_be_part<Kind>) return fault(word, "a " + name + " can't be part of a body: only closed ones can");
     if constexpr (std::is_same_v<Kind, Mesh>)
-        if (const auto side = depth > 0 ? open_side(*shape.data) : std::nullopt)
-            fault(word, "this mesh can't be part of a body: it is open between " + text_of(side->first) + " and " +
-                            text_of(side->second));
+        if (const std::string open = fault_as_part(shape); !open.empty()) fault(word, open);
 }
 
 }  // namespace

@@ -19,11 +19,11 @@ inline constexpr int lattice_tile = 16;
 
 /// Pixels of a tile along a Z curve: packs are blocks of 4x4 or 4x2 pixels, whose rays have more in common than a
 /// row's.
-struct Spot {
+struct TileSpot {
     std::uint8_t x, y;
 };
-inline constexpr std::array<Spot, lattice_tile* lattice_tile> z_curve = [] {
-    std::array<Spot, lattice_tile * lattice_tile> spots{};
+inline constexpr std::array<TileSpot, lattice_tile* lattice_tile> z_curve = [] {
+    std::array<TileSpot, lattice_tile * lattice_tile> spots{};
     for (std::size_t i = 0; i < spots.size(); ++i)
         for (int bit = 0; bit < 4; ++bit) {
             spots[i].x |= (i >> 2 * bit & 1) << bit;
@@ -105,6 +105,7 @@ class Batches {
                 const Sight<T>& sight = workspace.sights[i];
                 sample.signature = sight.signature;
                 sample.glint = static_cast<float>(sight.glint);
+                sample.surface = sight.surface, sample.lit = sight.lit;
                 sample.distance = static_cast<float>(static_cast<double>(sight.distance) / scale);
             }
         }

@@ -1,8 +1,6 @@
 #include "trace/cell_picture.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <utility>
 
 namespace strahl {
@@ -11,7 +9,8 @@ void CellPicture::begin(const Scene& scene, const View& view, const Lattice& new
     region = new_region, most_contrast = contrast_for(error), largest_filled = largest;
     for (auto& cells : made)
         if (cells) spare.push_back(std::move(cells));
-    places.clear(), made.clear(), begun.clear(), thin.clear();
+    places.clear(), made.clear(), begun.clear();
+    thin.emplace(scene, view);
     sum = {}, done = 0;
     // Tiles and cells are those of the whole view; of a crop those that it touches.
     const auto down = [](int x) { return x / coarsest_cell * coarsest_cell; };
@@ -25,28 +24,6 @@ void CellPicture::begin(const Scene& scene, const View& view, const Lattice& new
         }
     made.resize(places.size());
     begun.resize(places.size());
-    thin.resize(places.size());
-    const int across = (right - 1) / tile_pixels - region.x / tile_pixels + 1, down_to = tiles() / across - 1;
-    const int first_x = region.x / tile_pixels, first_y = region.y / tile_pixels;
-    for (const Strip& strip : thin_strips(scene, view, coarsest_cell * std::numbers::sqrt2)) {
-        const auto tile = [](double at, int first, int last) {
-            return static_cast<int>(std::clamp(std::floor(at / tile_pixels) - first, -1., last + 1.));
-        };
-        const auto range = [&](double a, double b, int first, int last) {
-            return std::pair(std::max(tile(std::min(a, b) - strip.reach, first, last), 0),
-                             std::min(tile(std::max(a, b) + strip.reach, first, last), last));
-        };
-        const auto [left, right_end] = range(strip.x0, strip.x1, first_x, across - 1);
-        const auto [top, bottom_end] = range(strip.y0, strip.y1, first_y, down_to);
-        for (int y = top; y <= bottom_end; ++y)
-            for (int x = left; x <= right_end; ++x) {
-                if (!meets(strip, (first_x + x) * tile_pixels, (first_y + y) * tile_pixels, tile_pixels)) continue;
-                const TilePlace& place = places[y * across + x];
-                Strip own = strip;
-                own.x0 -= place.x, own.x1 -= place.x, own.y0 -= place.y, own.y1 -= place.y;
-                thin[y * across + x].push_back(own);
-            }
-    }
 }
 
 std::unique_ptr<Cells> CellPicture::make() {
@@ -62,7 +39,7 @@ void CellPicture::refine(int i, int finest, const Sink& sink, const std::atomic<
     if (std::exchange(begun[i], true) && !made[i]) return;  // finished before
     if (!made[i]) {
         made[i] = make();
-        made[i]->begin(place.columns, place.rows, most_contrast, largest_filled, thin[i]);
+        made[i]->begin(place.x, place.y, place.columns, place.rows, most_contrast, largest_filled, *thin);
     }
     Cells& cells = *made[i];
     cells.refine(finest, [&](std::span<const Point> points, CellSample* samples) {

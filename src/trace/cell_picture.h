@@ -3,6 +3,7 @@
 #include <atomic>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 #include "trace/cells.h"
@@ -13,8 +14,9 @@ namespace strahl {
 class CellPicture {
   public:
     CellPicture() = default;
-    /// A part of the view, with steps of 1; a pixel of it is the same as in the whole view. Cells of more than `largest_filled` pixels are always divided: stills want 2 or less, or shadows and reflections
-    /// of a few pixels are lost between the samples.
+    /// A part of the view, with steps of 1; a pixel of it is the same as in the whole view. Cells of more than
+    /// `largest_filled` pixels are always divided: stills want 2 or less, or shadows and reflections of a few pixels are
+    /// lost between the samples.
     CellPicture(const Scene& scene, const View& view, const Lattice& region, double error, int largest_filled = 2) {
         begin(scene, view, region, error, largest_filled);
     }
@@ -46,7 +48,7 @@ class CellPicture {
     std::vector<TilePlace> places;
     std::vector<std::unique_ptr<Cells>> made, spare;  // those in work, by tile; those of finished tiles
     std::vector<char> begun;
-    std::vector<std::vector<Strip>> thin;  // by tile, in its pixels
+    std::optional<Thin> thin;
     std::mutex mutex;  // of spare and sum
     Sampled sum;
     std::atomic<int> done = 0;

@@ -13,8 +13,6 @@ constexpr int side = tile_pixels + 1;      // of the lattice
 constexpr double steepest_gradient = .06;  // across a cell of one signature
 constexpr double most_glint = .1;          // difference of blunt highlights across a cell
 
-int thin_number(int x, int y) { return y / coarsest_cell * (tile_pixels / coarsest_cell) + x / coarsest_cell; }
-
 std::uint64_t key_of(Point p) { return std::uint64_t(std::uint32_t(p.x)) << 32 | std::uint32_t(p.y); }
 
 Point on_side(std::int32_t x, std::int32_t y, std::int32_t size, int number, std::int32_t along) {
@@ -32,21 +30,19 @@ Point on_side(std::int32_t x, std::int32_t y, std::int32_t size, int number, std
 
 }  // namespace
 
-void Cells::begin(int new_columns, int new_rows, double new_contrast, int largest_filled,
-                  std::span<const Strip> strips) {
-    columns = new_columns, rows = new_rows, contrast = new_contrast, largest = largest_filled * unit;
+void Cells::begin(int x, int y, int new_columns, int new_rows, double new_contrast, int largest_filled,
+                  const Thin& bodies) {
+    left = x, top = y, columns = new_columns, rows = new_rows;
+    contrast = new_contrast, largest = largest_filled * unit, thin = &bodies;
     samples.clear(), points.clear(), between.clear(), active.clear(), waiting.clear(), searches.clear();
     lattice.assign(side * side, -1);
     sums.assign(std::size_t(3) * columns * rows, 0);
     squares = 0;
-    for (auto& bodies : thin) bodies.clear();
-    for (int y = 0; y < rows; y += coarsest_cell)
-        for (int x = 0; x < columns; x += coarsest_cell) {
-            Cell cell{x * unit, y * unit, coarsest_cell * unit, {}};
+    for (int row = 0; row < rows; row += coarsest_cell)
+        for (int column = 0; column < columns; column += coarsest_cell) {
+            Cell cell{column * unit, row * unit, coarsest_cell * unit, {}};
             for (int k = 0; k < 4; ++k) cell.corners[k] = sample_at(on_side(cell.x, cell.y, cell.size, k, 0));
             waiting.push_back(cell);
-            for (const Strip& strip : strips)
-                if (meets(strip, x, y, coarsest_cell)) thin[thin_number(x, y)].push_back(strip);
         }
 }
 
@@ -108,12 +104,13 @@ void Cells::advance(Cell& cell, int finest) {
 }
 
 bool Cells::hides_something(const Cell& cell) const {
-    const std::vector<Strip>& strips = thin[thin_number(cell.x / unit, cell.y / unit)];
-    if (strips.empty()) return false;
-    double furthest = 0;
-    for (const int corner : cell.corners) furthest = std::max(furthest, double(samples[corner].distance));
-    const double scale = 1. / unit;
-    return hides_in(strips, cell.x * scale, cell.y * scale, cell.size * scale, furthest, contrast / 16);
+    const double s = double(cell.size) / unit, least = contrast / 16 / (s * s);
+    std::array<Corner, 4> corners;
+    for (int k = 0; k < 4; ++k) {
+        const Point& p = points[cell.corners[k]];
+        corners[k] = {left + p.x / double(unit), top + p.y / double(unit), &samples[cell.corners[k]]};
+    }
+    return thin->hides_in(corners, least);
 }
 
 void Cells::look_at_corners(Cell& cell, int finest) {
@@ -122,8 +119,10 @@ void Cells::look_at_corners(Cell& cell, int finest) {
     for (const int corner : cell.corners)
         least = std::min(least, samples[corner].glint), most = std::max(most, samples[corner].glint);
     const double s = double(cell.size) / unit, share = std::min(1., s * s);
-    const bool glints = !((most - least) * share <= most_glint), hidden = hides_something(cell);
-    if (large && (!equal || glints || hidden || cell.size > largest)) {
+    const bool glints = !((most - least) * share <= most_glint);
+    const bool known_rough = large && (!equal || glints || cell.size > largest);
+    const bool hidden = !known_rough && hides_something(cell);
+    if (known_rough || (large && hidden)) {
         if (cell.size <= finest) return waiting.push_back(cell);
         return divide(cell);
     }
@@ -131,7 +130,6 @@ void Cells::look_at_corners(Cell& cell, int finest) {
     const bool rough =
         !large && (glints || hidden || !(equal ? difference <= std::min(16 * contrast, steepest_gradient)
                                                : difference <= contrast));
-    
     if (!rough && !large && (equal ? cell.size <= unit / 4 : cell.size < unit / 2)) return finish(cell, mean(cell), spread(cell));
     if (cell.size <= finest) return waiting.push_back(cell);
     if (rough) return !hidden && begin_search(cell) ? active.push_back(cell) : go_on(cell);

@@ -30,7 +30,9 @@ struct CellSample {
     double rgb[3];            // linear, unclamped
     std::uint32_t signature;  // equal ones: see Sight
     float glint;
-    float distance;  // to the surface seen, in the scene's units; infinite for the background
+    float distance;     // to the surface seen, in the scene's units; infinite for the background
+    std::int32_t surface;
+    std::uint32_t lit;  // bit i: light i reaches that surface; the last one counts for all lights from most_lit on
 };
 
 /// Traces points of a tile; answers in their order.
@@ -39,13 +41,14 @@ using TracePoints = std::function<void(std::span<const Point>, CellSample*)>;
 inline constexpr int tile_pixels = 64;   // the side of a tile: enough samples at once to fill packs
 inline constexpr int coarsest_cell = 8;  // pixels; tiles begin at multiples of it
 
-/// A tile of columns x rows pixels, one after the other in the same memory. What a cell does depends on its own samples and `thin` alone, so that a pixel's value
-/// does not depend on how much of the picture is asked for.
+/// A tile of columns x rows pixels, at (x, y) in the view; one after the other in the same memory. What a cell does
+/// depends on its own samples and `thin` alone, so that a pixel's value does not depend on how much of the picture is
+/// asked for.
 class Cells {
   public:
     /// `contrast` is the difference of colour that a pixel may have, see contrast_for(). Cells of more than
     /// `largest_filled` pixels are always divided.
-    void begin(int columns, int rows, double contrast, int largest_filled, std::span<const Strip> thin);
+    void begin(int x, int y, int columns, int rows, double contrast, int largest_filled, const Thin& thin);
 
     /// Divides until no unfinished cell is larger than `pixels`, or with 0 until all are finished.
     void refine(int pixels, const TracePoints& trace);
@@ -91,11 +94,10 @@ class Cells {
     void fill(const Cell& cell);
     void finish(const Cell& cell, const std::array<double, 3>& color, double difference);
 
-    int columns = 0, rows = 0;
+    int left = 0, top = 0, columns = 0, rows = 0;
     std::int32_t largest = 0;
     double contrast = 0;
-    /// By cell of the coarsest size.
-    std::array<std::vector<Strip>, (tile_pixels / coarsest_cell) * (tile_pixels / coarsest_cell)> thin;
+    const Thin* thin = nullptr;
     std::vector<CellSample> samples;
     std::vector<Point> points;  // of the samples
     std::vector<int> lattice;   // samples at corners of pixels, -1 where there is none yet

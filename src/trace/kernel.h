@@ -82,7 +82,12 @@ struct Sight {
     std::uint32_t signature = 0;
     T glint = 0;                                         // what blunt highlights, of exponent 4, would bring
     T distance = std::numeric_limits<T>::infinity();     // of the camera ray's hit
+    std::int32_t surface = -1;                           // of that hit
+    std::uint32_t lit = 0;                               // bit i: light i reaches that hit, see most_lit
 };
+
+/// The last bit of Sight::lit, which counts for all lights from this number on.
+inline constexpr int most_lit = 31;
 
 /// How far rays are followed.
 template <class T>

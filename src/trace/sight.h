@@ -50,7 +50,8 @@ template <class S>
     for (int k = 0; k < lanes; ++k) {
         Sight<T>& sight = shading.batch.sights[static_cast<int>(pixels[k])];
         sight.signature += words.of[k];
-        if (shading.depth == 1) sight.distance = distances[k];
+        if (shading.depth == 1)
+            sight.distance = distances[k], sight.surface = static_cast<std::int32_t>(surfaces[k]);
     }
 }
 
@@ -87,7 +88,9 @@ template <class S>
         bool dark = true;
         for (int c = 0; c < 3; ++c) word = mixed(word, bits_of(shares[c][k])), dark = dark && shares[c][k] == 0;
         Sight<T>& sight = shading.batch.sights[static_cast<int>(pixels[k])];
-        if (!dark) sight.signature += word, sight.glint += glints[k];
+        if (dark) continue;
+        sight.signature += word, sight.glint += glints[k];
+        if (shading.depth == 1) sight.lit |= 1u << std::min(number, most_lit);
     }
 }
 

@@ -2,101 +2,83 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <limits>
 
 #include "num/vec_math.h"
-#include "scene/capsule.h"
+#include "trace/cells.h"
+#include "trace/kernel.h"
 
 namespace strahl {
 namespace {
 
-/// A camera's way from space to pixels.
-class Projection {
-  public:
-    explicit Projection(const View& view)
-        : frame(frame_of(view.camera, static_cast<double>(view.width) / view.height)),
-          eye(view.camera.position),
-          half_width(view.width / 2.),
-          half_height(view.height / 2.) {}
+using Quad = std::array<DVec3, 4>;
 
-    /// To the right, down, and forward from the eye.
-    DVec3 seen(const DVec3& p) const {
-        const DVec3 way = p - eye;
-        return {dot_product(way, frame.right), dot_product(way, frame.down), dot_product(way, frame.forward)};
-    }
-    double x(const DVec3& seen) const { return half_width * (1 + seen.x / (seen.z * frame.tan_x)); }
-    double y(const DVec3& seen) const { return half_height * (1 + seen.y / (seen.z * frame.tan_y)); }
-    /// Of balls of this radius, a bound: towards the picture's sides they appear longer.
-    double reach(const DVec3& seen, double radius) const {
-        const double slant = std::sqrt(1 + (seen.x * seen.x + seen.y * seen.y) / (seen.z * seen.z));
-        return std::max(half_width / frame.tan_x, half_height / frame.tan_y) * slant * radius / (seen.z - radius);
-    }
-
-  private:
-    const CameraFrame frame;
-    const DVec3 eye;
-    const double half_width, half_height;
-};
-
-constexpr double near_by = 4;  // radii; bodies nearer than so many are not thin
-constexpr int most_halvings = 6;
-
-/// Halves what is twice as far away at one end as at the other, so that `reach` fits both.
-void add_strips(const Projection& projection, const View& view, const DVec3& a, const DVec3& b, double radius,
-                double widest, int halvings, std::vector<Strip>& strips) {
-    if (halvings > 0 && std::max(a.z, b.z) > 2 * std::min(a.z, b.z)) {
-        const DVec3 middle = (a + b) / 2.;
-        add_strips(projection, view, a, middle, radius, widest, halvings - 1, strips);
-        add_strips(projection, view, middle, b, radius, widest, halvings - 1, strips);
-        return;
-    }
-    const Strip strip{.x0 = projection.x(a),
-                      .y0 = projection.y(a),
-                      .x1 = projection.x(b),
-                      .y1 = projection.y(b),
-                      .reach = std::max(projection.reach(a, radius), projection.reach(b, radius)),
-                      .nearest = std::min(a.z, b.z) - radius};
-    const bool beside = std::max(strip.x0, strip.x1) + strip.reach < 0 || std::max(strip.y0, strip.y1) + strip.reach < 0 ||
-                        std::min(strip.x0, strip.x1) - strip.reach > view.width ||
-                        std::min(strip.y0, strip.y1) - strip.reach > view.height;
-    if (!beside && 2 * strip.reach < widest) strips.push_back(strip);
+double square(const DVec3& v) { return dot_product(v, v); }
+DVec3 unit(const DVec3& v) { return (1 / std::sqrt(square(v))) * v; }
+DVec3 middle_of(const Quad& corners) { return .25 * (corners[0] + corners[1] + corners[2] + corners[3]); }
+/// As seen along a direction.
+double area(const Quad& corners, const DVec3& direction) {
+    return std::abs(dot_product(cross_product(corners[2] - corners[0], corners[3] - corners[1]), direction)) / 2;
 }
 
 }  // namespace
 
-std::vector<Strip> thin_strips(const Scene& scene, const View& view, double widest) {
-    const Projection projection(view);
-    std::vector<Strip> strips;
-    for (const Primitive& primitive : scene.primitives)
-        for (const Capsule& capsule : capsules_of(primitive)) {
-            DVec3 a = projection.seen(capsule.from), b = projection.seen(capsule.to);
-            const double nearest = near_by * capsule.radius;
-            if (a.z > b.z) std::swap(a, b);
-            if (!(b.z > nearest)) continue;
-            if (a.z < nearest) a = a + (nearest - a.z) / (b.z - a.z) * (b - a);
-            add_strips(projection, view, a, b, capsule.radius, widest, most_halvings, strips);
-        }
-    return strips;
+Thin::Thin(const Scene& scene, const View& view) : bodies(scene), lights(scene.lights), eye(view.camera.position) {
+    const CameraFrame frame = frame_of(view.camera, static_cast<double>(view.width) / view.height);
+    right = (2 * frame.tan_x / view.width) * frame.right, down = (2 * frame.tan_y / view.height) * frame.down;
+    diagonal = std::sqrt(square(right + down));
+    if (bodies.least() < std::numeric_limits<double>::infinity())
+        end = length(bodies.around().from - eye) + bodies.around().radius;
+    first = frame.forward + (view.shift_x - view.width / 2.) * right + (view.shift_y - view.height / 2.) * down;
 }
 
-bool meets(const Strip& strip, double x, double y, double size) {
-    // The square lies in a circle.
-    const double middle_x = x + size / 2, middle_y = y + size / 2;
-    const double dx = strip.x1 - strip.x0, dy = strip.y1 - strip.y0, squared = dx * dx + dy * dy;
-    const double along = (middle_x - strip.x0) * dx + (middle_y - strip.y0) * dy;
-    const double t = squared > 0 ? std::clamp(along / squared, 0., 1.) : 0.;
-    const double off_x = strip.x0 + t * dx - middle_x, off_y = strip.y0 + t * dy - middle_y;
-    const double reach = strip.reach + size * (std::numbers::sqrt2 / 2);
-    return off_x * off_x + off_y * off_y <= reach * reach;
+bool Thin::hides_in(const std::array<Corner, 4>& corners, double least) const {
+    double furthest = 0, nearest = end, brightest = 0;
+    std::uint32_t lit = 0;
+    for (const Corner& corner : corners) {
+        const double distance = std::min(double(corner.sample->distance), end);
+        furthest = std::max(furthest, distance), nearest = std::min(nearest, distance);
+        for (const double value : corner.sample->rgb) brightest = std::max(brightest, value);
+        lit |= corner.sample->lit;
+    }
+    // How far apart the corners are, at most. Where all bodies are larger, that is the end of it.
+    const double across = (corners[2].x - corners[0].x) * diagonal * (furthest + 2 * bodies.least());
+    if (across + furthest - nearest < .99 * bodies.least()) return false;
+    Quad places;
+    for (int k = 0; k < 4; ++k) places[k] = unit(first + corners[k].x * right + corners[k].y * down);
+    if (bodies.meets(from_eye(places, furthest), least)) return true;
+    const auto elsewhere = [&](const Corner& corner) { return corner.sample->surface != corners[0].sample->surface; };
+    if (lit == 0 || std::ranges::any_of(corners, elsewhere)) return false;
+    for (int k = 0; k < 4; ++k) places[k] = eye + double(corners[k].sample->distance) * places[k];
+    return hides_shadow(places, lit, least / brightest);  // all that a shadow can take
 }
 
-bool hides_in(const std::vector<Strip>& strips, double x, double y, double size, double furthest, double least_area) {
-    return std::ranges::any_of(strips, [&](const Strip& strip) {
-        const double width = 2 * strip.reach;
-        if (width > size * std::numbers::sqrt2 || strip.nearest > furthest) return false;
-        const double length = std::min(size, std::hypot(strip.x1 - strip.x0, strip.y1 - strip.y0)) + width;
-        return width * length >= least_area && meets(strip, x, y, size);
-    });
+Tube Thin::from_eye(const Quad& directions, double furthest) const {
+    const DVec3 axis = unit(middle_of(directions));
+    double growth = 0;  // squared
+    for (const DVec3& direction : directions) {
+        const double ahead = dot_product(direction, axis);
+        growth = std::max(growth, square(direction - ahead * axis) / (ahead * ahead));
+    }
+    return {.from = eye, .direction = axis, .length = furthest, .radius = 0, .growth = std::sqrt(growth),
+            .area = area(directions, axis) / growth};
+}
+
+bool Thin::hides_shadow(const Quad& points, std::uint32_t lit, double least) const {
+    const DVec3 middle = middle_of(points);
+    double squared = 0;
+    for (const DVec3& point : points) squared = std::max(squared, square(point - middle));
+    const double radius = std::sqrt(squared);
+    if (radius < bodies.least()) return false;
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        if (!(lit >> std::min<std::size_t>(i, most_lit) & 1)) continue;
+        const DVec3 way = lights[i].position - middle;
+        const double far = std::sqrt(square(way));
+        const Tube tube{.from = middle, .direction = way / far, .length = far, .radius = radius, .growth = -radius / far,
+                        .area = area(points, way / far) / squared};
+        if (bodies.meets(tube, least, points)) return true;
+    }
+    return false;
 }
 
 }  // namespace strahl

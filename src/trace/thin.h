@@ -1,28 +1,41 @@
-// Bodies so thin in the picture that samples may miss them. POV-Ray's adaptive anti-aliasing loses three quarters of the
-// light of wires .2 pixels thick, because nothing tells it that they are there.
+// Bodies so thin that samples at a cell's corners may miss them, and their shadows. POV-Ray's adaptive anti-aliasing
+// loses three quarters of the light of wires .2 pixels thick, because nothing tells it that they are there.
 #pragma once
 #include <array>
 #include <vector>
 
-#include "scene/scene.h"
 #include "trace/tracer.h"
+#include "trace/tube.h"
 
 namespace strahl {
 
-/// A body as the picture shows it, in pixels: no further than `reach` from the way between two points.
-struct Strip {
-    double x0, y0, x1, y1, reach;
-    double nearest;  // distance from the eye, in the scene's units
+struct CellSample;
+
+/// A corner of a cell, in pixels of the view.
+struct Corner {
+    double x, y;
+    const CellSample* sample;
 };
 
-/// Strips around the bodies that are thinner than `widest` pixels somewhere; there only.
-std::vector<Strip> thin_strips(const Scene& scene, const View& view, double widest);
+/// What the samples of a view may miss.
+class Thin {
+  public:
+    Thin(const Scene& scene, const View& view);
 
-/// May a strip have points in common with a square? In pixels.
-bool meets(const Strip& strip, double x, double y, double size);
+    /// May something lie between the corners that concerns at least the share `least` of the cell? A body that the
+    /// camera sees; and where the corners are on one surface, a body's shadow. Corners are in order around the cell.
+    bool hides_in(const std::array<Corner, 4>& corners, double least) const;
 
-/// The strips that meet a square, of `size` pixels, that samples at its corners may miss, and that cover enough of it.
-/// Those behind `furthest` can't be seen.
-bool hides_in(const std::vector<Strip>& strips, double x, double y, double size, double furthest, double least_area);
+  private:
+    using Quad = std::array<DVec3, 4>;
+    Tube from_eye(const Quad& directions, double furthest) const;
+    bool hides_shadow(const Quad& points, std::uint32_t lit, double least) const;
+
+    const ThinBodies bodies;
+    const std::vector<Light> lights;
+    DVec3 eye, first, right, down;  // the direction through (x, y) is that of first + x right + y down
+    double diagonal;                // of a pixel, at distance 1
+    double end = 0;                 // distance beyond which there are no bodies
+};
 
 }  // namespace strahl

@@ -4,13 +4,16 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <span>
 #include <vector>
 
+#include "num/vec_math.h"
 #include "scene/capsule.h"
 #include "tests/referee/random_scene.h"
 #include "tests/unit/scenes.h"
-#include "trace/thin.h"
 #include "trace/thread_pool.h"
+#include "trace/tracer.h"
+#include "trace/tube.h"
 
 using namespace strahl;
 
@@ -58,6 +61,16 @@ Scene dust() {
     return scene;
 }
 
+/// A floor, on which falls the shadow of a wire that is not in the picture: .2 pixels wide.
+const char* const shadow_of_wire = R"(
+camera { position <0, -1, 10>  look_at <0, 0, 0>  sky <0, 1, 0>  angle 20 }
+light { position <30, 5, 40>  color <1, 1, 1> }
+background { color <0, 0, 0> }
+defaultmaterial { rgb <1, 1, 1>  diffuse .8  ambient .1  specular 0  reflection 0 }
+plane { <0, 0, 0>, <1, 0, 0>, <0, 1, 0> }
+cylinder { <3.65, -.28, 5>, <3.9, 1.43, 5>, .0019 }
+)";
+
 }  // namespace
 
 TEST_CASE("capsules contain their bodies") {
@@ -80,27 +93,52 @@ TEST_CASE("capsules contain their bodies") {
     CHECK(tried > 300);
 }
 
-TEST_CASE("strips contain what the picture shows of thin bodies") {
-    const Scene scene = wires();
-    const View view{.camera = scene.camera, .width = 640, .height = 480};
-    const std::vector<Strip> strips = thin_strips(scene, view, 4);
-    CHECK(strips.size() >= 9);
-    const std::vector<double> exact = picture(scene, 640, {.grid = 8});
-    int seen = 0;
-    for (int y = 0; y < 480; ++y)
-        for (int x = 0; x < 640; ++x) {
-            if (exact[3 * (y * 640 + x)] == 0) continue;
-            ++seen;
-            CHECK(std::ranges::any_of(strips, [&](const Strip& strip) { return meets(strip, x, y, 1); }));
+TEST_CASE("tubes meet what points of them lie in") {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> anywhere(-1, 1), positive(0, 1);
+    const auto point = [&] { return DVec3(anywhere(random), anywhere(random), anywhere(random)); };
+    int met = 0, missed = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const double length_of_tube = 2 * positive(random), end = .3 * positive(random);
+        const DVec3 middle = point();
+        const Capsule capsule{middle, i % 3 == 0 ? middle : middle + point(), .01 + .2 * positive(random)};
+        Tube tube{.from = point(), .direction = normalize(point()), .length = length_of_tube, .radius = 0, .growth = 0,
+                  .area = 2};
+        tube.radius = i % 2 == 0 ? .3 * positive(random) : 0, tube.growth = (end - tube.radius) / length_of_tube;
+        const double radius = radius_at(tube, capsule);
+        double found = -1;  // of points of the tube in the capsule, those where it is widest
+        for (int k = 0; k < 40; ++k) {
+            const double along = k / 39. * tube.length, own = tube.radius + tube.growth * along;
+            const DVec3 at = tube.from + along * tube.direction, aside = cross_product(tube.direction, point());
+            if (distance_to(capsule, at + own * positive(random) * normalize(aside)) < 0) found = std::max(found, own);
         }
-    CHECK(seen > 900);
-    // One that is behind everything, or wider than the cell, hides nothing.
-    const Strip strip{.x0 = 3, .y0 = 1, .x1 = 4, .y1 = 1, .reach = .5, .nearest = 10};
-    CHECK(hides_in({strip}, 0, 0, 8, 11, .01));
-    CHECK(!hides_in({strip}, 0, 0, 8, 9, .01));
-    CHECK(!hides_in({strip}, 0, 0, .5, 11, .01));
-    CHECK(!hides_in({strip}, 0, 4, 8, 11, .01));
-    CHECK(!hides_in({strip}, 0, 0, 8, 11, 5));
+        CHECK(radius >= found - 1e-12);
+        met += found >= 0, missed += radius < 0;
+    }
+    CHECK(met > 300);
+    CHECK(missed > 5000);  // the bound is of use
+}
+
+TEST_CASE("thin bodies in a tube are found, and no others") {
+    Scene scene = wires();
+    const Tube tube{.from = {0, -10, 0}, .direction = {0, 1, 0}, .length = 11, .radius = 0, .growth = .1, .area = 2};
+    const auto meets = [&](const Shape& shape, const Tube& where, double least, std::span<const DVec3> own = {}) {
+        scene.primitives.resize(1);
+        scene.primitives[0].shape = shape;
+        return ThinBodies(scene).meets(where, least, own);
+    };
+    const Sphere small{{0, 0, 0}, .1}, large{{0, 0, 0}, 1.5}, beside{{1.2, 0, 0}, .1};
+    CHECK(meets(small, tube, .01));
+    CHECK(!meets(small, tube, .05));  // it covers .04 of 2.04
+    CHECK(!meets(large, tube, .01));
+    CHECK(!meets(beside, tube, .001));
+    Tube shorter = tube;
+    shorter.length = 9;
+    CHECK(!meets(small, shorter, .001));
+    const std::vector<DVec3> own{{0, -.1, 0}, {0, 0, .1}};
+    CHECK(!meets(small, tube, .01, own));
+    scene.primitives.clear();
+    CHECK(!ThinBodies(scene).meets(tube, 0));
 }
 
 TEST_CASE("wires and dust keep their light") {
@@ -117,4 +155,22 @@ TEST_CASE("wires and dust keep their light") {
         CHECK(missed == 0);
         CHECK(sum == doctest::Approx(exact_sum).epsilon(.01));
     }
+}
+
+TEST_CASE("shadows of wires keep their darkness") {
+    Scene scene = parse_scene(shadow_of_wire, "shadow_of_wire");
+    const std::vector<double> exact = picture(scene, 160, {.grid = 32}), ours = picture(scene, 160, {});
+    scene.primitives.pop_back();
+    const std::vector<double> without = picture(scene, 160, {});
+    double sum = 0, exact_sum = 0;
+    int missed = 0, concerned = 0;
+    for (std::size_t i = 0; i < exact.size(); i += 3) {
+        const double own = without[i] - ours[i], right = without[i] - exact[i];
+        sum += own, exact_sum += right;
+        concerned += right > .02, missed += right > .02 && own < right / 4;
+    }
+    CAPTURE(concerned);
+    CHECK(concerned > 80);
+    CHECK(missed == 0);
+    CHECK(sum == doctest::Approx(exact_sum).epsilon(.01));
 }
