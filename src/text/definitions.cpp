@@ -7,6 +7,19 @@
 #include "text/lexer.h"
 
 namespace strahl {
+namespace {
+
+int levels_in(const Primitive& primitive) {
+    int most = 0;
+    const auto look = [&]<class Kind>(const Kind& kind) {
+        if constexpr (is_composite<Kind>)
+            for (const Primitive& part : *kind.parts) most = std::max(most, 1 + levels_in(part));
+    };
+    std::visit(look, primitive.shape);
+    return most;
+}
+
+}  // namespace
 
 bool Definitions::can_add(std::string_view name, Diagnostics& diagnostics) const {
     if (contains(block_words, name) || contains(shape_words, name)) {
@@ -25,6 +38,7 @@ void Definitions::add(std::string_view name, const MaterialText& material, Diagn
     if (can_add(name, diagnostics)) materials.emplace(name, material);
 }
 void Definitions::add(std::string_view name, Body body, Diagnostics& diagnostics) {
+    body.levels = levels_in(body.primitive);
     if (can_add(name, diagnostics)) bodies.emplace(name, std::move(body));
 }
 
@@ -47,16 +61,6 @@ std::vector<std::string_view> Definitions::with_bodies(std::span<const std::stri
     std::vector<std::string_view> all(words.begin(), words.end());
     for (const auto& [name, body] : bodies) all.push_back(name);
     return all;
-}
-
-int Definitions::levels_in(const Primitive& primitive) {
-    int most = 0;
-    const auto look = [&]<class Kind>(const Kind& kind) {
-        if constexpr (is_composite<Kind>)
-            for (const Primitive& part : *kind.parts) most = std::max(most, 1 + levels_in(part));
-    };
-    std::visit(look, primitive.shape);
-    return most;
 }
 
 Primitive Definitions::renumbered(Primitive primitive, int by) {

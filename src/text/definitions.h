@@ -18,8 +18,8 @@ class Definitions {
         Primitive primitive;
         std::vector<MaterialText> written;
         std::size_t bodies = 0;  // it and all its parts
-        int levels = 0;          // of bodies in it
         bool good = true;        // no error was reported in it
+        int levels = 0;          // of bodies in it; `add` counts them
     };
 
     /// Names that are taken or words of the language are errors.
@@ -35,8 +35,6 @@ class Definitions {
 
     /// With `by` added to the numbers of its material and of its parts'.
     static Primitive renumbered(Primitive primitive, int by);
-
-    static int levels_in(const Primitive& primitive);
 
   private:
     bool can_add(std::string_view name, Diagnostics& diagnostics) const;

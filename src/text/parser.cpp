@@ -10,7 +10,6 @@
 #include "text/camera_blocks.h"
 #include "text/definitions.h"
 #include "text/light_block.h"
-#include "text/materials.h"
 #include "text/mesh_block.h"
 #include "text/parse.h"
 #include "text/reader.h"
@@ -175,11 +174,12 @@ void Parser::define(std::string_view) {
         diagnostics.add(word, unknown_word(word, definitions.with_bodies(known), where));
         throw ParseAbort{};
     }
-    const int levels = Definitions::levels_in(own.back());
-    definitions.add(name, {std::move(own.back()), written, bodies_read - before, levels, block.good()}, diagnostics);
+    if (!block.good()) own.back() = {}, written.resize(1);  // or bodies with too many parts could go on growing
+    const std::size_t bodies = block.good() ? bodies_read - before : 1;
+    definitions.add(name, {std::move(own.back()), written, bodies, block.good()}, diagnostics);
 }
 
-/// A body by its name, with more transformations and changes of its material.
+/// A body by its name.
 bool Parser::use(std::string_view word, std::vector<Primitive>& bodies, Block& outer, int depth) {
     const Definitions::Body* const defined = definitions.body(word);
     if (!defined) return false;
@@ -192,8 +192,8 @@ bool Parser::use(std::string_view word, std::vector<Primitive>& bodies, Block& o
     Ending ending;
     reader.block(
         block, shape_words, [] {}, [&](std::string_view inner) { return finish(inner, primitive, block, ending); });
-    if (block.good())
-        std::visit([&](const auto& shape) { check(shape, primitive, block, word, ending, depth); }, primitive.shape);
+    const auto look = [&](const auto& shape) { check(shape, primitive, block, word, ending, depth); };
+    if (block.good()) std::visit(look, primitive.shape);
     outer.absorb(block);
     bodies.push_back(std::move(primitive));
     return true;

@@ -164,7 +164,8 @@ TEST_CASE("few bodies and many are coloured alike") {
 TEST_CASE("numbers without sense make no pixel that is none") {
     const std::string floor = "plane { " + floor_points + "  material { rgb ";
     for (const std::string kind :
-         {"checker { <1, 1, 1>, <.5, .5, .5> ", "brick { <1, 1, 1>, <.5, .5, .5>  brick_size <1e-9, 1e9, 1>  mortar 1e9 ",
+         {"checker { <1, 1, 1>, <.5, .5, .5> ",
+          "brick { <1, 1, 1>, <.5, .5, .5>  brick_size <1e-9, 1e9, 1>  mortar 1e9 ",
           "noise { octaves 10  lambda 1e9  colors { 0 <1, 1, 1> .5 <0, 0, 0> .5 <1, 0, 0> } ",
           "wood { turbulence 1e9  lambda 1e-9  colors { 0 <1, 1, 1> 1 <0, 0, 0> } "})
         for (const std::string more : {"", "scale 1e-300 ", "translate <1e15, -1e15, 1e15> ", "scale 1e300 "})
