@@ -62,7 +62,10 @@ struct TorusKernel {
         const TorusProfile<S> profile{
             x, y2, k, along, along_d, middle, major, minor, sqrt(fma(x, x, y2)), width, shift, turned,
             starts_here, leaves};
-        return profile.crossings(nearest2, y * y, hit);
+        if constexpr (strahl::width<S> > 1)
+            return profile.call_crossings(nearest2, y * y, hit);
+        else
+            return profile.crossings(nearest2, y * y, hit);
     }
     /// What of `v` is at right angles to the axis, for a `v` that nearly is.
     template <class S>

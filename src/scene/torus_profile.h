@@ -80,6 +80,11 @@ struct TorusProfile {
                 hit};
     }
 
+    /// The same, whose code packs of one precision share: it is long, and a call costs nothing measurable beside it.
+    [[gnu::noinline]] Crossings<S, 4> call_crossings(S nearest2, S square, Mask<S> hit) const {
+        return crossings(nearest2, square, hit);
+    }
+
   private:
     /// F's extremes: the deeper minimum, and where `hump` says that there are any, the other and the maximum between.
     struct Extremes {
