@@ -30,9 +30,12 @@ struct CellSample {
     double rgb[3];            // linear, unclamped
     std::uint32_t signature;  // equal ones: see Sight
     float glint;
-    float distance;     // to the surface seen, in the scene's units; infinite for the background
+    // Of the surface seen:
+    float distance;  // in the scene's units; infinite for the background
     std::int32_t surface;
-    std::uint32_t lit;  // bit i: light i reaches that surface; the last one counts for all lights from most_lit on
+    std::uint32_t lit;               // bit i: light i reaches it; the last one counts for all lights from most_lit on
+    float reflected[3], reflection;  // direction and weight of the reflected ray
+    float further;                   // the longest way that rays went from there
 };
 
 /// Traces points of a tile; answers in their order.
@@ -41,8 +44,8 @@ using TracePoints = std::function<void(std::span<const Point>, CellSample*)>;
 inline constexpr int tile_pixels = 32;   // the side of a tile
 inline constexpr int coarsest_cell = 8;  // pixels; tiles begin at multiples of it
 
-/// A tile of columns x rows pixels, at (x, y) in the view. What a cell does depends on its own samples and `thin` alone,
-/// so that a pixel's value does not depend on how much of the picture is asked for.
+/// A tile of columns x rows pixels, at (x, y) in the view. What a cell does depends on its own samples and `thin`
+/// alone, so that a pixel's value does not depend on how much of the picture is asked for.
 class Cells {
   public:
     /// `contrast` is the difference of colour that a pixel may have, see contrast_for(). Cells of more than
