@@ -91,7 +91,7 @@ Mesh MeshBlock::take(std::string_view word, Block& block) {
     return {std::make_shared<const MeshData>(std::move(inline_data)), ""};
 }
 
-std::string fault_as_part(const Mesh& mesh) {
+std::string open_mesh_fault(const Mesh& mesh) {
     const auto side = open_side(*mesh.data);
     if (!side) return "";
     return "this mesh can't be part of a body: it is open between " + text_of(side->first) + " and " + text_of(side->second);

@@ -53,7 +53,15 @@ class MeshBlock {
     PointJoiner points, normals;
 };
 
-/// Why a mesh can't be part of a body; empty if it can.
-std::string fault_as_part(const Mesh& mesh);
+/// Why a body of this word can't be part of another one; empty if it can.
+std::string open_mesh_fault(const Mesh& mesh);
+template <class Kind>
+std::string fault_as_part(const Kind& kind, std::string_view word) {
+    if (!can_be_part<Kind>) return "a " + std::string(word) + " can't be part of a body: only closed ones can";
+    if constexpr (std::is_same_v<Kind, Mesh>)
+        return open_mesh_fault(kind);
+    else
+        return "";
+}
 
 }  // namespace strahl

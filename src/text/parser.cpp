@@ -281,10 +281,7 @@ void Parser::check(const Kind& shape, const Primitive& primitive, Block& block, 
         const std::string moved = transformed_fault(shape, matrix(primitive.transformations));
         if (!moved.empty()) return fault(ending.last, "up to here the transformations of this " + name + " " + moved);
     }
-    if (depth == 0) return;
-    if (!can_be_part<Kind>) return fault(word, "a " + name + " can't be part of a body: only closed ones can");
-    if constexpr (std::is_same_v<Kind, Mesh>)
-        if (const std::string open = fault_as_part(shape); !open.empty()) fault(word, open);
+    if (const std::string none = depth > 0 ? fault_as_part(shape, word) : ""; !none.empty()) fault(word, none);
 }
 
 }  // namespace

@@ -106,6 +106,9 @@ class Batches {
                 sample.signature = sight.signature;
                 sample.glint = static_cast<float>(sight.glint);
                 sample.surface = sight.surface, sample.lit = sight.lit;
+                for (int c = 0; c < 3; ++c) sample.reflected[c] = static_cast<float>(sight.reflected[c]);
+                sample.reflection = static_cast<float>(sight.reflection);
+                sample.further = static_cast<float>(static_cast<double>(sight.further) / scale);
                 sample.distance = static_cast<float>(static_cast<double>(sight.distance) / scale);
             }
         }

@@ -30,9 +30,12 @@ struct CellSample {
     double rgb[3];            // linear, unclamped
     std::uint32_t signature;  // equal ones: see Sight
     float glint;
-    float distance;     // to the surface seen, in the scene's units; infinite for the background
+    // Of the surface seen:
+    float distance;  // in the scene's units; infinite for the background
     std::int32_t surface;
-    std::uint32_t lit;  // bit i: light i reaches that surface; the last one counts for all lights from most_lit on
+    std::uint32_t lit;               // bit i: light i reaches it; the last one counts for all lights from most_lit on
+    float reflected[3], reflection;  // direction and weight of the reflected ray
+    float further;                   // the longest way that rays went from there
 };
 
 /// Traces points of a tile; answers in their order.

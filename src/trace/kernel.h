@@ -84,6 +84,8 @@ struct Sight {
     T distance = std::numeric_limits<T>::infinity();     // of the camera ray's hit
     std::int32_t surface = -1;                           // of that hit
     std::uint32_t lit = 0;                               // bit i: light i reaches that hit, see most_lit
+    T reflected[3] = {}, reflection = 0;                 // direction and weight of the ray reflected there
+    T further = 0;                                       // the longest way that rays went from there
 };
 
 /// The last bit of Sight::lit, which counts for all lights from this number on.

@@ -36,11 +36,16 @@ template <class S>
                                  HitWords<S>& words) {
     using T = Element<S>;
     alignas(64) T surfaces[width<S>], sides[width<S>], sources[width<S>], weights[width<S>], pixels[width<S>];
-    alignas(64) T distances[width<S>];
+    alignas(64) T distances[width<S>], reflected[3][width<S>], reflections[width<S>];
     store_lanes(surfaces, hit.surface), store_lanes(sides, select(hit.outside, S(1), S(0)));
     store_lanes(sources, source), store_lanes(weights, hit.weight), store_lanes(pixels, hit.pixel);
     store_lanes(distances, t);
     const auto depth = static_cast<std::uint32_t>(shading.depth);
+    if (shading.depth == 1) {
+        const Vec3<S> direction = reflect(hit);
+        for (int c = 0; c < 3; ++c) store_lanes(reflected[c], direction[c]);
+        store_lanes(reflections, hit.weight * hit.material.reflection);
+    }
     for (int k = 0; k < width<S>; ++k) {
         std::uint32_t word = mixed(depth, bits_of(surfaces[k]));
         word = mixed(word, bits_of(sides[k]));
@@ -50,8 +55,11 @@ template <class S>
     for (int k = 0; k < lanes; ++k) {
         Sight<T>& sight = shading.batch.sights[static_cast<int>(pixels[k])];
         sight.signature += words.of[k];
-        if (shading.depth == 1)
-            sight.distance = distances[k], sight.surface = static_cast<std::int32_t>(surfaces[k]);
+        if (shading.depth == 2) sight.further = std::max(sight.further, distances[k]);
+        if (shading.depth != 1) continue;
+        sight.distance = distances[k], sight.surface = static_cast<std::int32_t>(surfaces[k]);
+        for (int c = 0; c < 3; ++c) sight.reflected[c] = reflected[c][k];
+        sight.reflection = reflections[k];
     }
 }
 
@@ -65,7 +73,9 @@ template <class S>
     for (int k = 0; k < lanes; ++k) {
         if (!(weights[k] > shading.limits.noticed)) continue;
         const std::uint32_t word = mixed(~static_cast<std::uint32_t>(shading.depth), bits_of(sources[k]));
-        shading.batch.sights[static_cast<int>(pixels[k])].signature += mixed(word, bits_of(weights[k]));
+        Sight<T>& sight = shading.batch.sights[static_cast<int>(pixels[k])];
+        sight.signature += mixed(word, bits_of(weights[k]));
+        if (shading.depth == 2) sight.further = std::numeric_limits<T>::infinity();
     }
 }
 

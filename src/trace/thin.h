@@ -1,5 +1,6 @@
-// Bodies so thin that samples at a cell's corners may miss them, and their shadows. POV-Ray's adaptive anti-aliasing
-// loses three quarters of the light of wires .2 pixels thick, because nothing tells it that they are there.
+// Bodies so thin that samples at a cell's corners may miss them, their shadows, and their reflections in flat mirrors.
+// POV-Ray's adaptive anti-aliasing loses three quarters of the light of wires .2 pixels thick, because nothing tells it
+// that they are there.
 #pragma once
 #include <array>
 #include <vector>
@@ -23,13 +24,16 @@ class Thin {
     Thin(const Scene& scene, const View& view);
 
     /// May something lie between the corners that concerns at least the share `least` of the cell? A body that the
-    /// camera sees; and where the corners are on one surface, a body's shadow. Corners are in order around the cell.
+    /// camera sees; and where the corners are on one surface, a body's shadow, or its reflection if the surface is
+    /// flat. Corners are in order around the cell.
     bool hides_in(const std::array<Corner, 4>& corners, double least) const;
 
   private:
     using Quad = std::array<DVec3, 4>;
     Tube from_eye(const Quad& directions, double furthest) const;
-    bool hides_shadow(const Quad& points, std::uint32_t lit, double least) const;
+    bool hides_shadow(const Quad& points, double radius, std::uint32_t lit, double least) const;
+    bool hides_reflection(const Quad& points, double radius, const Quad& directions, double furthest,
+                          double least) const;
 
     const ThinBodies bodies;
     const std::vector<Light> lights;

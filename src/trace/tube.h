@@ -1,10 +1,10 @@
 // Bodies in a tube: what a bundle of rays may meet that a few rays of it miss.
 //
-// Tubes stand for rays that are known by some of their bundle only: between the corners of a cell, from there to a light.
-// Compare cone tracing (J. Amanatides, "Ray Tracing with Cones", SIGGRAPH 1984); here it only tells where to look.
+// Tubes stand for rays that are known by some of their bundle only: between the corners of a cell, from there to a
+// light. Compare cone tracing (J. Amanatides, "Ray Tracing with Cones", SIGGRAPH 1984); here it only tells where to
+// look.
 #pragma once
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -29,12 +29,13 @@ class ThinBodies {
   public:
     explicit ThinBodies(const Scene& scene);
 
-    /// The smallest radius, infinite if there are no bodies; and a ball around all.
-    double least() const { return nodes.empty() ? std::numeric_limits<double>::infinity() : nodes[0].least; }
+    bool empty() const { return nodes.empty(); }
+    /// The smallest radius, and a ball around all; not of no bodies.
+    double least() const { return nodes[0].least; }
     const Capsule& around() const { return nodes[0].around; }
 
-    /// Is a body in the tube that is thinner than it there, so that the corners of the bundle may miss it, and that hides
-    /// at least `least` of the bundle? Bodies around all of `own` do not count: the rays start there.
+    /// Is a body in the tube that is thinner than it there, so that the corners of the bundle may miss it, and that
+    /// hides at least `least` of the bundle? Bodies around all of `own` do not count: the rays start there.
     bool meets(const Tube& tube, double least, std::span<const DVec3> own = {}) const;
 
   private:
