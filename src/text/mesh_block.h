@@ -5,6 +5,7 @@
 #include <string>
 
 #include "mesh/join.h"
+#include "scene/composite.h"
 #include "scene/mesh.h"
 #include "text/reader.h"
 

@@ -61,9 +61,17 @@ bool in_range(const Kind& body) {
     return std::apply([&](const auto&... field) { return (good(field) && ...); }, Kind::fields);
 }
 /// A bounded body of any kind.
+/// A tetrahedron of its own: two of the usual one would share faces.
+Mesh mesh(Dice& dice) {
+    MeshData data = *Mesh::tetrahedron();
+    for (DVec3& point : data.points) point = point + dice.vector(-.2, .2);
+    return {.data = std::make_shared<const MeshData>(std::move(data)), .file = ""};
+}
+
 template <class... Kinds>
 Shape any_kind(Dice& dice, std::type_identity<std::variant<Kinds...>>) {
     const auto make = [&]<class Kind>(Kind body) -> Shape {
+        if constexpr (std::is_same_v<Kind, Mesh>) return mesh(dice);
         const auto fill = [&](auto& value) {
             if constexpr (std::is_same_v<decltype(value), DVec3&>)
                 value = dice.vector(-1.6, 1.6);

@@ -64,7 +64,7 @@ TEST_CASE("mistakes with names") {
                 "3:8: up to here the transformations of this ball make it too large, too small or too far away "
                 "(coordinates go up to 1e15)");
     check_fault("define thin disc { <0,0,0>, <0,0,1>, 1 }\nunion { thin { } }",
-                "3:9: a thin can't be part of a body: only closed ones but meshes can");
+                "3:9: a thin can't be part of a body: only closed ones can");
     // An error in a definition is told once.
     check_fault("define ball sphere { <0,0,0>, -1 }\nball { } ball { scale 2 }",
                 "2:31: 'radius' of 'sphere' must be greater than 0 (at least 2.3e-308) and at most 1e15, not '-1'");
