@@ -16,6 +16,7 @@ struct PovRequest {
     int width = 640, height = 480;
     int depth = 20;  // generations of rays
     int bits = 16;   // per channel, 8 or 16
+    int grid = 0;    // n > 0, for run_povray: the average of n x n rays in each pixel and the one through its middle
 };
 
 /// Both files, and warnings of what POV-Ray can't express exactly, which are also in the scene's comments.

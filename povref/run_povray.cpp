@@ -138,6 +138,10 @@ PovRun run_povray(const Scene& scene, PovRequest request, int threads, const std
     // Linear values are compared without a transfer curve.
     if (scene.settings.linear) words.push_back("File_Gamma=1.0");
     if (threads > 0) words.push_back("Work_Threads=" + std::to_string(threads));
+    if (request.grid > 0)
+        for (const char* const word : {"Antialias=On", "Sampling_Method=1", "Antialias_Threshold=0", "Jitter=Off"})
+            words.push_back(word);
+    if (request.grid > 0) words.push_back("Antialias_Depth=" + std::to_string(request.grid));
     const std::string log_path = scratch.path("log");
     const int status = run(words, scratch.path("."), log_path, stop);
     if (status == -1 || status == 127)

@@ -1,7 +1,9 @@
 // Runs POV-Ray on every scene.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <mutex>
@@ -13,6 +15,7 @@
 #include "povref/command_pov.h"
 #include "povref/run_povray.h"
 #include "scratch.h"
+#include "trace/thread_pool.h"
 
 using namespace strahl;
 
@@ -29,6 +32,26 @@ std::string check(const std::string& name, const Allowed& allowed, int width, in
     return disagreement + (theirs.warnings.empty() ? "" : "povray warns: " + theirs.warnings);
 }
 
+/// The largest difference between averages over a grid of rays, in steps of 16 bits.
+int worst_of_grids(const std::string& name, int grid) {
+    const Scene scene = read_scene(name);
+    const View view{.camera = scene.camera, .width = 64, .height = 48, .depth = scene.settings.max_trace_level};
+    const PovRun theirs =
+        run_povray(scene, {.cameras = {view.camera}, .width = 64, .height = 48, .depth = view.depth, .grid = grid}, 1);
+    const Lattice whole{.columns = 64, .rows = 48};
+    std::vector<double> ours(3 * 64 * 48);
+    ThreadPool pool(1);
+    Tracer(scene, Precision::float64)
+        .trace(view, Sampling{.grid = grid, .centre = true}, whole, pool,
+               [&](const Tile& tile) { place(tile, whole, ours); });
+    int worst = 0;
+    for (std::size_t i = 0; i < ours.size(); ++i) {
+        const auto steps = [](double value) { return static_cast<int>(std::lround(65535 * std::clamp(value, 0., 1.))); };
+        worst = std::max(worst, std::abs(steps(ours[i]) - steps(theirs.picture.values[i])));
+    }
+    return worst;
+}
+
 /// Runs a command line and returns its output.
 std::string output_of(const std::string& command) {
     std::FILE* pipe = popen((command + " 2>&1").c_str(), "r");
@@ -41,6 +64,14 @@ std::string output_of(const std::string& command) {
 }
 
 }  // namespace
+
+TEST_CASE("averages over grids agree with POV-Ray's") {
+    for (const char* const name : {"crosscheck/balls_of_mirror", "crosscheck/overbright", "crosscheck/shadow_coloured"})
+        for (const int grid : {2, 3}) {
+            CAPTURE(name);
+            CHECK(worst_of_grids(name, grid) <= 1);
+        }
+}
 
 TEST_CASE("every scene's picture agrees with POV-Ray's") {
     const std::vector<std::string> names = scene_names();
