@@ -7,7 +7,9 @@ if(TARGET strahl_show)
 else()
   target_sources(strahl PRIVATE src/show/without/command_view.cpp)
 endif()
-set_source_files_properties(src/main/main.cpp PROPERTIES COMPILE_DEFINITIONS STRAHL_VERSION="${PROJECT_VERSION}")
+# Reading options takes no time, but CLI11 takes long to compile.
+set_source_files_properties(src/main/main.cpp PROPERTIES COMPILE_DEFINITIONS STRAHL_VERSION="${PROJECT_VERSION}"
+                                                         COMPILE_OPTIONS -O0)
 set_target_properties(strahl PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR})
 
 install(TARGETS strahl RUNTIME DESTINATION bin)
