@@ -249,7 +249,7 @@ void compare(double rays, bool meshes) {
 double wanted_rays() {
     const char* const wanted = std::getenv("STRAHL_RAYS");
 #if defined(STRAHL_SANITIZED)
-    constexpr double usual = 1e4;
+    constexpr double usual = 3e4;
 #else
     constexpr double usual = 6e4;
 #endif
