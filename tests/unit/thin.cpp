@@ -84,7 +84,7 @@ cylinder { <-2.5, .7, 12>, <2.7, 1.7, 12>, .0048 }
 
 /// What ours and 1024 rays a pixel say of the last body of a scene, that is thin.
 void check_last_body(Scene scene) {
-    const std::vector<double> exact = picture(scene, 160, {.grid = 32}), ours = picture(scene, 160, {});
+    const std::vector<double> exact = picture(scene, 160, {.grid = 20}), ours = picture(scene, 160, {});
     scene.primitives.pop_back();
     const std::vector<double> without = picture(scene, 160, {});
     double sum = 0, exact_sum = 0;
@@ -172,7 +172,7 @@ TEST_CASE("thin bodies in a tube are found, and no others") {
 
 TEST_CASE("wires and dust keep their light") {
     for (const auto& [scene, width] : {std::pair(wires(), 640), std::pair(dust(), 320)}) {
-        const std::vector<double> exact = picture(scene, width, {.grid = 32}), ours = picture(scene, width, {});
+        const std::vector<double> exact = picture(scene, width, {.grid = 20}), ours = picture(scene, width, {});
         double sum = 0, exact_sum = 0;
         int missed = 0, concerned = 0;
         for (std::size_t i = 0; i < exact.size(); i += 3) {
