@@ -57,7 +57,7 @@ class Batches {
 
     Counts counts;  // its own memory: threads that count beside each other wait for each other
 
-    /// A tile of pixels, one ray each. Without sink, calls that were stopped are incomplete.
+    /// A tile of pixels, one ray each; a tile that was stopped is not handed on.
     void trace_tile(const Lattice& tile, const Sink& sink) {
         trace_spots(tile, 0, 0);
         if (limits.stopped()) return;

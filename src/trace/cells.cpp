@@ -28,6 +28,13 @@ Point on_side(std::int32_t x, std::int32_t y, std::int32_t size, int number, std
     }
 }
 
+/// The chord between the middles of the stretches where an edge crosses two sides of a cell.
+Parts chord_of(const std::array<Crossing, 2>& crossings, std::int32_t size) {
+    const auto& [first, second] = crossings;
+    const auto position = [&](const Crossing& c) { return (c.low + c.high) / (2. * size); };
+    return parts_of({first.number, second.number}, {position(first), position(second)});
+}
+
 }  // namespace
 
 void Cells::begin(int x, int y, int new_columns, int new_rows, double new_contrast, int largest_filled,
@@ -130,7 +137,8 @@ void Cells::look_at_corners(Cell& cell, int finest) {
     const bool rough =
         !large && (glints || hidden || !(equal ? difference <= std::min(16 * contrast, steepest_gradient)
                                                : difference <= contrast));
-    if (!rough && !large && (equal ? cell.size <= unit / 4 : cell.size < unit / 2)) return finish(cell, mean(cell), spread(cell));
+    const bool small = equal ? cell.size <= unit / 4 : cell.size < unit / 2;
+    if (!rough && small) return finish(cell, mean(cell), spread(cell));
     if (cell.size <= finest) return waiting.push_back(cell);
     if (rough) return !hidden && begin_search(cell) ? active.push_back(cell) : go_on(cell);
     cell.middle = sample_at({cell.x + cell.size / 2, cell.y + cell.size / 2});
@@ -208,9 +216,7 @@ void Cells::search(Cell& cell) {
         found = false;
     }
     if (found) {
-        const auto& [first, second] = crossings;
-        const auto position = [&](const Crossing& c) { return (c.low + c.high) / (2. * cell.size); };
-        const Parts parts = parts_of({first.number, second.number}, {position(first), position(second)});
+        const Parts parts = chord_of(crossings, cell.size);
         const double aside = std::min(fine / double(cell.size), parts.length / 4);
         for (int i = 0; i < 2; ++i) {
             const double away = i == 0 ? -aside : aside;
@@ -233,8 +239,7 @@ void Cells::look_beside(Cell& cell) {
     for (int part = 0; part < 2; ++part)
         if (samples[probes[part]].signature != samples[ends[part][0]].signature) return go_on(cell);
 
-    const auto position = [&](const Crossing& c) { return (c.low + c.high) / (2. * cell.size); };
-    const double first_area = parts_of({first.number, second.number}, {position(first), position(second)}).first_area;
+    const double first_area = chord_of(crossings, cell.size).first_area;
     const double s = double(cell.size) / unit;
     std::array<double, 3> color{};
     double uncertain = 0;
@@ -244,7 +249,8 @@ void Cells::look_beside(Cell& cell) {
             for (int c = 0; c < 3; ++c) {
                 const double value = samples[sample].rgb[c];
                 sum[c] += value;
-                low[c] = count > 0 ? std::min(low[c], value) : value, high[c] = count > 0 ? std::max(high[c], value) : value;
+                low[c] = count > 0 ? std::min(low[c], value) : value;
+                high[c] = count > 0 ? std::max(high[c], value) : value;
             }
             ++count;
         };

@@ -2,9 +2,8 @@
 //
 // Cells have their corners between pixels, so that the picture's value in a pixel is the sum over the cells in it. A
 // cell whose corners, and middle, have one signature is smooth: it is filled. Where an edge crosses a cell of a pixel or
-// less its ends are searched on the cell's sides, and it is taken for straight (compare J. Amanatides and D. Mitchell,
-// "Antialiasing of Interlaced Video Animation", 1990, and Genetti and Gordon, "Ray Tracing With Adaptive Supersampling
-// in Object Space", 1993). Everything else is divided.
+// less its ends are searched on the cell's sides, and it is taken for straight (compare J. Genetti and D. Gordon, "Ray
+// Tracing With Adaptive Supersampling in Object Space", Graphics Interface 1993). Everything else is divided.
 #pragma once
 #include <array>
 #include <functional>
