@@ -88,6 +88,7 @@ void BodyWriter::add(const Scene& scene, const Primitive& primitive) {
     const std::string head = head_of(primitive, [](int) { return ""; });
     if (material.transparent && how.shadow_copies) return add_clear(primitive, head, material, items);
     items.insert(items.begin(), dressed(*number, false));
+    if (how.hollow && !material.transparent) items.push_back("hollow");
     (material.transparent ? clear : solid) += block(head, items);
 }
 
@@ -102,7 +103,7 @@ void BodyWriter::add_mixed(const Primitive& primitive, bool clear_one) {
         return block(head_of(primitive, [&](int number) { return dressed(number, copy); }), all);
     };
     if (!clear_one) {
-        solid += text(false, {});
+        solid += how.hollow ? text(false, {"hollow"}) : text(false, {});
     } else if (!how.shadow_copies) {
         clear += text(false, {});
     } else {

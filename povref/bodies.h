@@ -12,6 +12,7 @@ struct PovBodies {
     const std::vector<PovMaterial>& materials;
     bool shadow_copies;  // some body has a copy that casts its shadow
     bool scaled;         // Unit is declared
+    bool hollow;         // opaque bodies have fog in them as well
 };
 
 /// Is a composite of several materials, or of one with another ior than its own?

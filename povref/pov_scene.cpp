@@ -181,6 +181,12 @@ std::string sky_section(const Scene& scene) {
     return heading("Background") + "sky_sphere { pigment { " + pigment_text(scene.background) + " } }\n";
 }
 
+std::string fog_section(const Scene& scene, const Plan& plan) {
+    if (!scene.fog) return "";
+    return heading("Fog") + comment("Opaque bodies are hollow: only transparent ones keep it out.") + "fog { distance " +
+           scaled(text_of(scene.fog->distance), plan) + " color rgb " + text_of(scene.fog->color) + " }\n";
+}
+
 /// A path as an .ini holds it. There is no way to escape a character in it.
 std::string quoted_path(const std::string& path) {
     const auto has = [&](const char* text) { return path.find(text) != path.npos; };
@@ -240,8 +246,9 @@ PovFiles write_pov(const Scene& scene, const PovRequest& request) {
     const Plan plan = plan_for(scene, request);
     const std::string ini_path = request.pov_path.substr(0, request.pov_path.rfind('.')) + ".ini";
     return {top(scene, request, plan) + camera_section(request, plan) + light_section(scene, plan) +
-                function_section(scene) + sky_section(scene) +
-                material_section(plan) + body_sections(scene, {plan.materials, plan.shadow_copies, plan.scaled}),
+                function_section(scene) + sky_section(scene) + fog_section(scene, plan) +
+                material_section(plan) +
+                body_sections(scene, {plan.materials, plan.shadow_copies, plan.scaled, scene.fog.has_value()}),
             ini_of(scene, request, plan, ini_path), warnings_of(plan)};
 }
 

@@ -25,10 +25,20 @@ struct Settings {
     bool operator==(const Settings&) const = default;
 };
 
+/// Between bodies all light weakens with the way t through the fog: of what comes from behind exp(-t / distance) is left,
+/// and the rest is the fog's colour (POV-Ray's fog_type 1). There is none in transparent bodies, and rays of light from
+/// lights do not weaken.
+struct Fog {
+    double distance = 1;
+    Color color{0};
+    bool operator==(const Fog&) const = default;
+};
+
 struct Scene {
     Camera camera;
     Settings settings;
     Pigment background{Color(0)};  // of rays that hit nothing; a pattern is asked for the unit direction of the ray
+    std::optional<Fog> fog;
     std::vector<Light> lights;
     /// No duplicates, in the order of first use by a primitive: of a composite its own, then those of its parts.
     std::vector<Material> materials;

@@ -33,7 +33,7 @@ inline constexpr auto composite_words = joined(shape_words, body_words);
 /// The words that open a block of the top level.
 inline constexpr auto block_words =
     joined(joined(std::array<std::string_view, 2>{"camera", "light"}, body_words),
-           std::array<std::string_view, 5>{"defaultmaterial", "background", "global_settings", "flythrough",
+           std::array<std::string_view, 6>{"defaultmaterial", "background", "fog", "global_settings", "flythrough",
                                            "define"});
 
 /// What `camera` and `key` have in common, with both ways to say which way is up and how wide the view is.
@@ -89,6 +89,10 @@ inline std::array<Parameter, 4> spot_parameters(Spot& spot) {
 inline std::array<Parameter, 1> background_parameters(Pigment& color) {
     return {{{"color", &color, not_negative, "the colour of rays that hit nothing", required}}};
 }
+inline std::array<Parameter, 2> fog_parameters(Fog& fog) {
+    return {{{"distance", &fog.distance, lengths, "how far one sees: over this way 63 % of the light is lost", required},
+             {"color", &fog.color, not_negative, "the colour of the fog", required}}};
+}
 
 /// The numbers of `global_settings` before they are checked.
 struct SettingsText {
@@ -123,6 +127,7 @@ void each_block(const Visit& visit) {
     Light light;
     Spot spot;
     Pigment background{Color(0)};
+    Fog fog;
     SettingsText settings;
     Material material;
     visit("material", material_parameters(material));
@@ -130,6 +135,7 @@ void each_block(const Visit& visit) {
     visit("spot", spot_parameters(spot));
     visit("camera", camera_parameters(eye, aspectratio));
     visit("background", background_parameters(background));
+    visit("fog", fog_parameters(fog));
     visit("global_settings", settings_parameters(settings));
     visit("flythrough", flythrough_parameters(path));
     visit("key", key_parameters(time, eye));

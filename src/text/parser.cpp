@@ -75,7 +75,7 @@ class Parser {
     Material default_material;
     std::size_t bodies_read = 0;
     std::vector<MaterialText> written;            // of the body being read and its parts
-    std::string_view background_at, settings_at;  // where these blocks are, of which a scene has one
+    std::string_view background_at, settings_at, fog_at;  // where these blocks are, of which a scene has one
 };
 
 Scene Parser::parse() {
@@ -118,10 +118,9 @@ void Parser::top_block(std::string_view word) {
     }
     if (word == "camera") return cameras.camera(word);
     if (word == "background") return background(word);
-    if (word == "global_settings") {
-        reader.once(settings_at, word);
-        return void(scene.settings = read_settings(reader, word));
-    }
+    if (word == "fog") return reader.once(fog_at, word), void(scene.fog = read_fog(reader, word));
+    if (word == "global_settings")
+        return reader.once(settings_at, word), void(scene.settings = read_settings(reader, word));
     if (word == "flythrough") return cameras.flythrough(word);
     diagnostics.add(word, unknown_word(word, definitions.with_bodies(block_words), ""));
     throw ParseAbort{};

@@ -13,4 +13,13 @@ Settings read_settings(Reader& reader, std::string_view word) {
     return {settings.ambient_light, static_cast<int>(settings.max_trace_level), settings.assumed_gamma.has_value()};
 }
 
+Fog read_fog(Reader& reader, std::string_view word) {
+    Block block{word};
+    Fog fog;
+    auto parameters = fog_parameters(fog);
+    reader.block(block, parameters);
+    reader.require(block, parameters);
+    return fog;
+}
+
 }  // namespace strahl

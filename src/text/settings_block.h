@@ -1,4 +1,4 @@
-// The block `global_settings`.
+// The blocks `global_settings` and `fog`.
 #pragma once
 #include <string_view>
 
@@ -8,5 +8,6 @@
 namespace strahl {
 
 Settings read_settings(Reader& reader, std::string_view word);
+Fog read_fog(Reader& reader, std::string_view word);
 
 }  // namespace strahl

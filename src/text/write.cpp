@@ -115,6 +115,10 @@ std::string settings_text(const Settings& settings) {
     return text.empty() ? text : "global_settings {\n" + text + "}\n";
 }
 
+std::string fog_text(const Fog& fog) {
+    return "fog { distance " + text_of(fog.distance) + "  color " + text_of(fog.color) + " }\n";
+}
+
 std::string primitives_text(const std::vector<Primitive>& primitives, const std::vector<Material>& materials) {
     std::string text;
     Material in_force;
@@ -158,6 +162,7 @@ std::string write_flythrough(const Flythrough& path) {
 std::string write_scene(const Scene& scene) {
     std::string text = write_camera(scene.camera) + settings_text(scene.settings);
     if (scene.background != Pigment(Color(0))) text += "background { color " + text_of(scene.background) + " }\n";
+    if (scene.fog) text += fog_text(*scene.fog);
     if (!scene.lights.empty()) text += "\n";
     for (const Light& light : scene.lights) text += light_text(light);
     if (!scene.primitives.empty()) text.append("\n").append(primitives_text(scene.primitives, scene.materials));

@@ -51,7 +51,8 @@ double own_light(const Scene& scene, const Material& m, double gain) {
 
 Bound bound_for(const Scene& scene, int depth) {
     // B(n) = max(background, own + (Kr + Kt) B(n - 1)) over all materials, from the last generation upwards.
-    const double background = largest(scene.background.color);
+    const double background =
+        std::max(largest(scene.background.color), scene.fog ? largest(scene.fog->color) : 0);
     std::vector<double> own;
     const double most_gain = gain(scene);
     for (const Material& m : scene.materials) own.push_back(own_light(scene, m, most_gain));

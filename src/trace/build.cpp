@@ -155,7 +155,14 @@ WorldArrays<T>::WorldArrays(const Scene& scene, const Placement& placement, Thre
     add_materials(scene);
     add_patterns(scene, placement);
     for (const Light& light : scene.lights) lights.push_back(light_kernel<T>(light, placement));
-    world.nested = world.transparent && transparent_bodies_overlap(scene);
+    if (scene.fog) {
+        world.fog = true;
+        world.fog_per = static_cast<T>(std::min<long double>(1 / (scene.fog->distance * placement.scale),
+                                                             std::numeric_limits<T>::max()));
+        world.fog_color = cast<T>(scene.fog->color);
+    }
+    // With fog rays have to know whether they are in a transparent body.
+    world.nested = world.transparent && (world.fog || transparent_bodies_overlap(scene));
     world.background = cast<T>(scene.background.color);
     world.materials = materials.data();
     world.lights = lights.data();

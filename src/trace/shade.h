@@ -2,6 +2,7 @@
 #pragma once
 #include <algorithm>
 
+#include "trace/fog.h"
 #include "trace/illuminate.h"
 #include "trace/scatter.h"
 
@@ -23,6 +24,8 @@ void shade_misses(const Shading<S>& shading) {
             const auto& d = shading.rays.open.direction;
             color = PatternCalls<S>::sky(world, {pick(d.x), pick(d.y), pick(d.z)});
         }
+        if (world.fog) [[unlikely]]
+            color = splat<S>(world.fog_color);
         add_light(shading.batch, pixel, pick.lanes, scale(weight, color));
     }
 }
@@ -150,7 +153,9 @@ bool shade_bin(const Shading<S>& shading, int bin) {
             within ? LaneIndices<S>(rays.inside_end[bin] + i, left) : LaneIndices<S>(shading.hits.of(bin) + i, left);
         const RayQueue<Element<S>>& from = within ? rays.inside : rays.open;
         const Element<S>* const t = within ? rays.inside.t : shading.hits.t;
-        const Hit<S> hit = make_hit(shading, bin, from, pick, t, material);
+        Hit<S> hit = make_hit(shading, bin, from, pick, t, material);
+        if (world.fog) [[unlikely]]
+            hit.weight = left_by_fog(world, S(hit.weight), S(hit.medium), pick(t));
         HitWords<S> words;
         if (shading.batch.sights) [[unlikely]]
             note_hits(shading, hit, pick(from.source), pick(t), pick.lanes, words);
@@ -159,7 +164,10 @@ bool shade_bin(const Shading<S>& shading, int bin) {
             dim = scatter(shading, hit);
         else
             truncate(shading, hit);
-        add_light(shading.batch, hit.pixel, pick.lanes, scale(hit.weight, illumination(shading, hit, dim, words)));
+        Vec3<S> light = scale(hit.weight, illumination(shading, hit, dim, words));
+        if (world.fog) [[unlikely]]
+            light = fma(pick(from.weight) - hit.weight, splat<S>(world.fog_color), light);
+        add_light(shading.batch, hit.pixel, pick.lanes, light);
     }
     next.inside_end[bin] = next.inside.count;
     return true;

@@ -22,6 +22,12 @@ STRAHL_INLINE std::uint32_t bits_of(T value) {
     }
 }
 
+/// What tells reflected from refracted rays: their weight, in fog only its magnitude, since fog dims them evenly.
+template <class T>
+STRAHL_INLINE std::uint32_t weight_word(const World<T>& world, T weight) {
+    return world.fog ? static_cast<std::uint32_t>(std::ilogb(weight)) : bits_of(weight);
+}
+
 /// The words of a pack of hits: where the light went from here.
 template <class S>
 struct HitWords {
@@ -50,7 +56,7 @@ template <class S>
         std::uint32_t word = mixed(depth, bits_of(surfaces[k]));
         word = mixed(word, bits_of(sides[k]));
         word = mixed(word, bits_of(sources[k]));
-        words.of[k] = weights[k] > shading.limits.noticed ? mixed(word, bits_of(weights[k])) | 1 : 0;
+        words.of[k] = weights[k] > shading.limits.noticed ? mixed(word, weight_word(shading.world, weights[k])) | 1 : 0;
     }
     for (int k = 0; k < lanes; ++k) {
         Sight<T>& sight = shading.batch.sights[static_cast<int>(pixels[k])];
@@ -74,7 +80,7 @@ template <class S>
         if (!(weights[k] > shading.limits.noticed)) continue;
         const std::uint32_t word = mixed(~static_cast<std::uint32_t>(shading.depth), bits_of(sources[k]));
         Sight<T>& sight = shading.batch.sights[static_cast<int>(pixels[k])];
-        sight.signature += mixed(word, bits_of(weights[k]));
+        sight.signature += mixed(word, weight_word(shading.world, weights[k]));
         if (shading.depth == 2) sight.further = std::numeric_limits<T>::infinity();
     }
 }

@@ -206,6 +206,9 @@ struct World {
     const std::int32_t* bodies = nullptr;  // likewise: the first surface of the body
 
     // What the scene contains; what it does not is not looked for.
+    bool fog = false;
+    T fog_per = 0;  // 1 over its distance
+    Vec3<T> fog_color{0};
     bool transparent = false;  // some body lets light through
     bool nested = false;       // transparent bodies may overlap: rays carry the list of those entered
 };

@@ -127,6 +127,7 @@ bool Shrinking::pass() {
     thin([](WildScene & w) -> auto& { return w.scene.lights; });
     attempt([](WildScene& w) { w.view.error = 0; });
     attempt([](WildScene& w) { w.scene.background = Color(0); });
+    attempt([](WildScene& w) { w.scene.fog.reset(); });
     attempt([](WildScene& w) { w.scene.settings.linear = false; });
     attempt([](WildScene& w) { w.scene.settings.ambient_light = Color(1); });
     attempt([](WildScene& w) { w.scene.camera.aspectratio.reset(); });

@@ -284,6 +284,7 @@ WildScene Wild::make() {
         }
     }
     scene.camera = camera();
+    if (dice.chance(.1)) scene.fog = Fog{usual_or(lengths, 1, 30), color()};
     scene.background = dice.chance(.2) ? Pigment(pattern()) : Pigment(color());
     scene.settings.ambient_light = color();
     scene.settings.max_trace_level = depth();

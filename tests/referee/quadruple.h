@@ -18,6 +18,7 @@ namespace strahl {
 using Quadruple = __float128;
 inline Quadruple root(Quadruple a) { return sqrtf128(a); }
 inline Quadruple power(Quadruple a, Quadruple b) { return powf128(a, b); }
+inline Quadruple exponential(Quadruple a) { return expf128(a); }
 inline Quadruple sine_of(Quadruple a) { return sinf128(a); }
 #else
 using Quadruple = long double;
@@ -29,6 +30,10 @@ R root(R a) {
 template <std::floating_point R>
 R power(R a, R b) {
     return std::pow(a, b);
+}
+template <std::floating_point R>
+R exponential(R a) {
+    return std::exp(a);
 }
 template <std::floating_point R>
 R sine_of(R a) {

@@ -191,6 +191,7 @@ Scene random_scene(std::uint64_t seed, const RandomScene& what) {
                 light.direction = -light.position, light.position = DVec3(0);
             }
         }
+    if (what.lights && dice.chance(.5)) scene.fog = Fog{dice.in(2, 30), dice.vector(0, 1)};
     if (what.patterns && dice.chance(.5)) scene.background = Pigment(random_pattern(dice));
     if (what.patterns)
         for (Material& material : scene.materials)

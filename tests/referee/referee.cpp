@@ -27,15 +27,24 @@ struct Referee<R>::World {
     std::vector<Body<R>> bodies;
 
     Vector<R> see(const Line<R>& line, int generation, const std::vector<int>& inside, Signature& signature) const {
-        enum : std::uint64_t { missed = 1, lit, total, through };
+        constexpr std::uint64_t missed = 1;
         int body = -1;
         Crossing<R> hit{};
         for (int i = 0; i < static_cast<int>(bodies.size()); ++i)
             for (const auto& crossing : bodies[i].meet(line, i))
                 if (crossing.t > 0 && (body < 0 || crossing.t < hit.t)) body = i, hit = crossing;
-        if (body < 0) return signature.add(missed), sky.at(line.direction);
+        if (body < 0) return signature.add(missed), scene.fog ? Vector<R>(scene.fog->color) : sky.at(line.direction);
         signature.add(100 + 1000 * body + hit.face);
+        const Vector<R> seen = sent(line, body, hit, generation, inside, signature);
+        if (!scene.fog || !inside.empty()) return seen;
+        const R left = exponential(-hit.t / R(scene.fog->distance));
+        return left * seen + (1 - left) * Vector<R>(scene.fog->color);
+    }
 
+    /// The light that a surface sends back along a line.
+    Vector<R> sent(const Line<R>& line, int body, const Crossing<R>& hit, int generation,
+                   const std::vector<int>& inside, Signature& signature) const {
+        enum : std::uint64_t { lit = 2, total, through };
         const Material& material = bodies[body].material(hit.face);
         const Vector<R> e = line.direction, p = line.origin + hit.t * e, of = bodies[body].color(hit.face, p);
         Vector<R> n = unit(hit.normal);

@@ -151,24 +151,20 @@ TEST_CASE("random scenes") {
     conclude(tally);
 }
 
-TEST_CASE("random scenes with patterns") {
-    std::array<Tally, 3> tally;
-    for (int seed = 0; seed < random_scenes; ++seed) {
-        CAPTURE(seed);
-        const RandomScene what{.transparent = seed % 3 != 0, .patterns = true, .camera_inside = seed % 5 == 4};
-        hold(random_scene(2000 + seed, what), 2 + seed % 4, tally);
+TEST_CASE("random scenes with patterns, or with fog, spots and parallel light") {
+    for (const bool patterns : {true, false}) {
+        CAPTURE(patterns);
+        std::array<Tally, 3> tally;
+        for (int seed = 0; seed < random_scenes; ++seed) {
+            CAPTURE(seed);
+            const RandomScene what{.transparent = seed % 3 != 0,
+                                   .lights = !patterns,
+                                   .patterns = patterns,
+                                   .camera_inside = seed % 5 == 4};
+            hold(random_scene((patterns ? 2000 : 4000) + seed, what), 2 + seed % 4, tally);
+        }
+        conclude(tally);
     }
-    conclude(tally);
-}
-
-TEST_CASE("random scenes with spots and parallel light") {
-    std::array<Tally, 3> tally;
-    for (int seed = 0; seed < random_scenes; ++seed) {
-        CAPTURE(seed);
-        const RandomScene what{.transparent = seed % 3 != 0, .lights = true, .camera_inside = seed % 5 == 4};
-        hold(random_scene(4000 + seed, what), 2 + seed % 4, tally);
-    }
-    conclude(tally);
 }
 
 TEST_CASE("every depth from 1 to 20, between two mirrors") {

@@ -1,4 +1,4 @@
-// The scene language: lights.
+// The scene language: lights and fog.
 #include "tests/unit/language.h"
 
 using namespace strahl;
@@ -21,6 +21,16 @@ TEST_CASE("points, spots and parallel light") {
           Light{{1, 2, 3}, Color(1), {}, Spot{{0, 0, 0}, 30, 45, 0}});
     CHECK(light("spot { tightness 3 radius 20 falloff 20 look_at <0,0,0> } position <1,2,3>") ==
           Light{{1, 2, 3}, Color(1), {}, Spot{{0, 0, 0}, 20, 20, 3}});
+}
+
+TEST_CASE("fog") {
+    CHECK(with_eye("fog { color <.1,.2,.3> distance 7 }").fog == Fog{7, {.1, .2, .3}});
+    CHECK(!with_eye("").fog);
+    check_fault("fog { color <1,1,1> }", "2:1: 'fog' lacks 'distance'");
+    check_fault("fog { color <1,1,1> distance 0 }",
+                "2:30: 'distance' of 'fog' must be greater than 0 (at least 2.3e-308) and at most 1e15, not '0'");
+    check_fault("fog { color <1,1,1> distance 1 }\nfog { color <1,1,1> distance 1 }",
+                "3:1: a second 'fog'; the first is in line 2");
 }
 
 TEST_CASE("mistakes in lights") {

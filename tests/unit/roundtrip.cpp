@@ -26,6 +26,7 @@ class RandomScenes {
         result.camera = camera();
         if (chance(3)) result.settings = {color(), std::uniform_int_distribution(1, 256)(random), chance(2)};
         if (chance(2)) result.background = chance(3) ? Pigment(pattern()) : Pigment(color());
+        if (chance(4)) result.fog = Fog{length(), color()};
         for (int i = below(6); i > 0; --i) result.lights.push_back(light());
         palette.resize(1 + below(4));
         for (Material& material : palette) material = chance(4) ? Material{} : random_material();
