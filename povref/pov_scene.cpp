@@ -28,6 +28,7 @@ struct Plan {
     bool shadow_copies = false;   // some body has a copy that casts its shadow
     bool bodies_overlap = false;  // transparent ones share space
     bool mixed = false;           // some transparent composite is of several materials
+    bool rectangles = false;      // some light is a rectangle without a grid
     bool near_one = false;        // some ior of 1 is written as a larger number
 };
 
@@ -39,6 +40,7 @@ Plan plan_for(const Scene& scene, const PovRequest& request) {
         plan.shadow_copies |= material.own_shadow;
         plan.near_one |= material.near_one;
     }
+    for (const Light& light : scene.lights) plan.rectangles |= light.area && light.area->columns == 0;
     plan.bodies_overlap = transparent_bodies_overlap(scene);
     for (const Primitive& primitive : scene.primitives)
         if (transparent(scene, primitive)) {
@@ -59,6 +61,11 @@ std::vector<std::string> warnings_of(const Plan& plan) {
         warnings.push_back(
             "in a transparent body made of bodies, each part has an interior of its own, whose ior bends rays; strahl "
             "has the one of the whole body");
+    if (plan.rectangles)
+        warnings.push_back(
+            "lights with an area are grids in POV-Ray, here of 16 by 16 points, and the mean of their light is "
+            "multiplied by that of their shadows; with `grid` each point becomes a light of its own, and the pictures "
+            "are equal");
     if (plan.bodies_overlap)
         warnings.push_back(
             "transparent bodies may share space; where a ray leaves one that it did not enter last, it goes on unbent, "
@@ -137,13 +144,20 @@ DVec3 place_of_parallel(const DVec3& direction, const Plan& plan) {
     return -far / plan.unit.unit * normalize(direction);
 }
 
+/// Grids are written as the points that they are: POV-Ray's own multiply the mean of the points' light by the mean of
+/// their shadows, even with area_illumination.
 std::string light_section(const Scene& scene, const Plan& plan) {
     if (scene.lights.empty()) return "";
     std::string text = heading("Lights");
-    for (const Light& light : scene.lights) {
+    for (const Light& light : points_of(scene.lights)) {
         const DVec3 place = light.direction ? place_of_parallel(*light.direction, plan) : light.position;
         std::vector<std::string> items{scaled(text_of(place), plan) + ", rgb " + text_of(light.color)};
         if (light.direction) items.insert(items.end(), {"parallel", "point_at 0"});
+        if (light.area) {
+            items.push_back("area_light " + scaled(text_of(light.area->u), plan) + ", " +
+                            scaled(text_of(light.area->v), plan) + ", 16, 16");
+            items.push_back("area_illumination on");
+        }
         if (light.spot) {
             items.insert(items.end(), {"spotlight", "point_at " + scaled(text_of(light.spot->look_at), plan)});
             for (const auto& [word, value] : {std::pair("radius ", light.spot->radius),

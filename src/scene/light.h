@@ -2,6 +2,7 @@
 #pragma once
 #include <optional>
 #include <tuple>
+#include <vector>
 
 #include "scene/field.h"
 
@@ -21,14 +22,45 @@ struct Spot {
         Field{"tightness", &Spot::tightness, "exponent by which light weakens off the axis", Range::zero_or_more});
 };
 
+/// A rectangle that shines from all its points, each in all directions; nobody sees it. With a grid it is that many
+/// points instead, those at its border on its edges, as POV-Ray's area_light has them.
+struct Area {
+    DVec3 u{0}, v{0};          // its edges, perpendicular to each other
+    int columns = 0, rows = 0;  // of the grid, 0 for none
+    bool operator==(const Area&) const = default;
+};
+
 /// A point that shines in all directions or, with a spot, in a cone. Or, with a direction, parallel light that shines
-/// in it from infinitely far away, and has no position.
+/// in it from infinitely far away, and has no position. Or a rectangle around its position.
 struct Light {
     DVec3 position{0};
     Color color{1};
     std::optional<DVec3> direction{};
     std::optional<Spot> spot{};
+    std::optional<Area> area{};
     bool operator==(const Light&) const = default;
 };
+
+/// How many lights one is to the tracer.
+inline std::size_t points_of(const Light& light) {
+    return light.area && light.area->columns > 0 ? std::size_t(light.area->columns) * light.area->rows : 1;
+}
+/// The same lights with grids as the points that they consist of, row by row.
+inline std::vector<Light> points_of(const std::vector<Light>& lights) {
+    std::vector<Light> all;
+    for (const Light& light : lights) {
+        if (!light.area || light.area->columns == 0) {
+            all.push_back(light);
+            continue;
+        }
+        const auto [u, v, columns, rows] = *light.area;
+        const auto offset = [](int i, int count) { return count > 1 ? double(i) / (count - 1) - .5 : 0; };
+        for (int j = 0; j < rows; ++j)
+            for (int i = 0; i < columns; ++i)
+                all.push_back({light.position + offset(i, columns) * u + offset(j, rows) * v,
+                               light.color / (double(columns) * rows)});
+    }
+    return all;
+}
 
 }  // namespace strahl

@@ -76,6 +76,7 @@ inline std::array<Parameter, 3> light_parameters(Light& light) {
              {"direction", &light.direction, directions, "of parallel light: where it shines to"},
              {"color", &light.color, not_negative, "its colour and strength", required}}};
 }
+inline constexpr std::array<std::string_view, 3> light_words{"spot", "edges", "grid"};
 inline std::array<Parameter, 4> spot_parameters(Spot& spot) {
     const Parameter look_at{"look_at", &spot.look_at, coordinates, "a point on the axis of its cone", required};
     return joined(std::array{look_at},

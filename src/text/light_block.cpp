@@ -1,6 +1,10 @@
 #include "text/light_block.h"
 
+#include <cmath>
+#include <string>
+
 #include "num/decimal.h"
+#include "num/vec_math.h"
 #include "text/blocks.h"
 
 namespace strahl {
@@ -21,16 +25,44 @@ Spot read_spot(Reader& reader, std::string_view word, Block& outer) {
     return spot;
 }
 
+/// `edges <u>, <v>` after its first word.
+void read_edges(Reader& reader, Area& area, Block& block) {
+    reader.read(area.u, coordinates, "edges", block);
+    reader.lexer.accept(',');
+    reader.read(area.v, coordinates, "edges", block);
+}
+/// `grid columns, rows` likewise.
+void read_grid(Reader& reader, Area& area, Block& block) {
+    double columns = 0, rows = 0;
+    reader.read(columns, grid_sizes, "grid", block);
+    reader.lexer.accept(',');
+    reader.read(rows, grid_sizes, "grid", block);
+    if (block.good()) area.columns = static_cast<int>(columns), area.rows = static_cast<int>(rows);
+}
+
+/// Why these edges span no rectangle, or "".
+std::string edges_fault(const Area& area) {
+    const double u = length(area.u), v = length(area.v);
+    constexpr double square = 1e-6;  // cosine of the angle between edges that people take for perpendicular
+    if (!(u > 0 && v > 0)) return "an edge of this light has no length";
+    if (std::abs(dot_product(1 / u * area.u, 1 / v * area.v)) > square)
+        return "the edges of this light are not perpendicular";
+    return "";
+}
+
 }  // namespace
 
 Light read_light(Reader& reader, std::string_view word) {
     Light light;
     Block block{word};
     auto parameters = light_parameters(light);
-    std::string_view spot_at;
+    std::string_view spot_at, edges_at, grid_at;
+    Area area;
     reader.block(
-        block, parameters, std::array<std::string_view, 1>{"spot"}, [] {},
+        block, parameters, light_words, [] {},
         [&](std::string_view inner) {
+            if (inner == "edges") return reader.once(edges_at, inner), read_edges(reader, area, block), true;
+            if (inner == "grid") return reader.once(grid_at, inner), read_grid(reader, area, block), true;
             if (inner != "spot") return false;
             const bool first = reader.once(spot_at, inner);
             const Spot spot = read_spot(reader, inner, block);
@@ -39,6 +71,15 @@ Light read_light(Reader& reader, std::string_view word) {
         });
     reader.require(block, parameters);
     if (!block.good()) return light;
+    const auto fault = [&](std::string_view at, const std::string& message) { reader.diagnostics.add(at, message); };
+    if (edges_at.data()) {
+        light.area = area;
+        if (const std::string why = edges_fault(area); !why.empty()) fault(edges_at, why);
+        if (light.direction) fault(edges_at, "parallel light has no place for a rectangle; give it a 'position'");
+        if (light.spot) fault(spot_at, "a spot is a point; a light with 'edges' shines in all directions");
+    } else if (grid_at.data()) {
+        fault(grid_at, "a grid of points needs 'edges'");
+    }
     if (light.direction && *light.direction == DVec3(0))
         reader.diagnostics.add(parameters[1].at, "this 'direction' of 'light' has no direction");
     if (light.spot && light.direction)

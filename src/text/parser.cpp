@@ -73,7 +73,7 @@ class Parser {
     MeshFiles mesh_files;
     Definitions definitions;
     Material default_material;
-    std::size_t bodies_read = 0;
+    std::size_t bodies_read = 0, points = 0;  // points: of lights
     std::vector<MaterialText> written;            // of the body being read and its parts
     std::string_view background_at, settings_at, fog_at;  // where these blocks are, of which a scene has one
 };
@@ -107,8 +107,9 @@ void Parser::top_block(std::string_view word) {
     if (body(word, scene.primitives, own, 0) || use(word, scene.primitives, own, 0))
         return settle(scene.primitives.back(), default_material);
     if (word == "light") {
-        limit(scene.lights.size(), limits.lights, word, "lights");
-        return scene.lights.push_back(read_light(reader, word));
+        scene.lights.push_back(read_light(reader, word));
+        points += points_of(scene.lights.back());
+        return limit(points, limits.lights + 1, word, "lights");
     }
     if (word == "define") return define(word);
     if (word == "defaultmaterial") {

@@ -92,6 +92,9 @@ std::string light_text(const Light& light) {
     std::string text = light.direction ? "light { direction " + text_of(*light.direction)
                                        : "light { position " + text_of(light.position);
     text += "  color " + text_of(light.color);
+    if (light.area) text += "  edges " + text_of(light.area->u) + ", " + text_of(light.area->v);
+    if (light.area && light.area->columns > 0)
+        text += "  grid " + std::to_string(light.area->columns) + ", " + std::to_string(light.area->rows);
     if (light.spot) {
         text += "  spot { look_at " + text_of(light.spot->look_at);
         const auto add = [&](const auto& field) {

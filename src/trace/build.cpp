@@ -45,6 +45,16 @@ LightKernel<T> light_kernel(const Light& light, const Placement& placement) {
         kernel.position = cast<T>(-normalize(*light.direction));
         kernel.finite = 0, kernel.far = std::numeric_limits<T>::infinity();
     }
+    if (light.area) {
+        // Shorter edges than this have no more digits; nothing that can be seen depends on their length.
+        constexpr double shortest = 1e-7;
+        const auto edge = [&](const DVec3& given) {
+            const double own = length(given);
+            return cast<T>(std::max(own * placement.scale, shortest) / own * given);
+        };
+        kernel.area = true;
+        kernel.u = edge(light.area->u), kernel.v = edge(light.area->v);
+    }
     if (light.spot) {
         const auto less_cosine = [](double degrees) {  // than 1, by how much
             const double sine = std::sin(degrees * (std::numbers::pi / 360));
@@ -142,8 +152,8 @@ void WorldArrays<T>::cull_for_lights() {
         const DVec3& point = place.point;
         const double margin = rounding(reach + std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)}));
         for (std::size_t i = 0; i < volumes.size(); ++i) {
-            cones.push_back(cone_of<T>(volumes[i], place, margin));
-            occluders.push_back(occluders_of(volumes, i, place, margin));
+            cones.push_back(light.area ? LightCone<T>() : cone_of<T>(volumes[i], place, margin));
+            occluders.push_back(light.area ? ~BodySet(0) : occluders_of(volumes, i, place, margin));
         }
     }
     world.cones = cones.data();
@@ -154,7 +164,7 @@ template <class T>
 WorldArrays<T>::WorldArrays(const Scene& scene, const Placement& placement, ThreadPool& pool) {
     add_materials(scene);
     add_patterns(scene, placement);
-    for (const Light& light : scene.lights) lights.push_back(light_kernel<T>(light, placement));
+    for (const Light& light : points_of(scene.lights)) lights.push_back(light_kernel<T>(light, placement));
     if (scene.fog) {
         world.fog = true;
         world.fog_per = static_cast<T>(std::min<long double>(1 / (scene.fog->distance * placement.scale),

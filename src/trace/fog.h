@@ -7,7 +7,7 @@
 
 namespace strahl::inline STRAHL_LEVEL {
 
-/// What fog leaves of the weights of rays that went as far as `t`. The light that it gives them has the weight they lost.
+/// What fog leaves of the weights of rays that went as far as `t`. Its light has the weight that they lost.
 template <class S>
 [[gnu::noinline]] S left_by_fog(const World<Element<S>>& world, const S& weight, const S& medium, const S& t) {
     alignas(64) Element<S> share[width<S>];

@@ -49,6 +49,32 @@ template <class S>
     return select(cosine > S(0), share, S(0));
 }
 
+/// Adds what a rectangle sends to the hits in these lanes.
+template <class S>
+[[gnu::noinline]] void add_area_light(const Shading<S>& shading, const Hit<S>& hit, int number, Mask<S> lanes,
+                                      const HitWords<S>& words, Vec3<S>& sum) {
+    using T = Element<S>;
+    const MaterialKernel<S>& material = hit.material;
+    const LightKernel<T>& light = shading.world.lights[number];
+    const Vec3<S> reflected = reflect(hit);
+    const LitHits<S> hits{lanes, hit.outside, hit.position, hit.normal, reflected, hit.surface, hit.weight,
+                          largest(material.diffuse), material.specular, material.pow, material.shines_from, hit.bin};
+    constexpr T usual = T(1) / 510;
+    const T error = shading.limits.error > T(0) ? shading.limits.error : usual;
+    const AreaMeans<S> means = AreaLightCalls<S>::means(shading.world, number, hits, error, visibility<S>);
+    shading.counts.shadow += means.rays;
+    if (shading.batch.sights) {
+        // Half shadows are told from light and from shadow, not from each other: their colours tell that.
+        Vec3<S> share;
+        for (int c = 0; c < 3; ++c)
+            share[c] = select(means.share[c] > S(0), select(means.share[c] < S(1), S(T(.5)), S(1)), S(0));
+        const Vec3<S> way = splat<S>(light.position) - hit.position;
+        note_light(shading, hit, words, number, share, S(dot(reflected, way) / sqrt(dot(way, way))), lanes);
+    }
+    for (int c = 0; c < 3; ++c)
+        sum[c] = fma(S(light.color[c]), fma(material.diffuse[c], means.diffuse[c], means.highlight[c]), sum[c]);
+}
+
 /// Ia Ka Of + sum over lights S Il [Kd Of (n.l) + Ks (h.l)^p]; at `dim` hits without lights that bring no more than
 /// `MaterialKernel::scattered`. `words` is only read where sights are wanted.
 template <class S>
@@ -65,6 +91,13 @@ STRAHL_INLINE Vec3<S> illumination(const Shading<S>& shading, const Hit<S>& hit,
     const S faint = select(dim, S(faint_share) * strongest, zero);
     for (int i = 0; i < world.light_count; ++i) {
         const LightKernel<Element<S>>& light = world.lights[i];
+        if (light.area) [[unlikely]] {
+            const Mask<S> lit = hit.active & ((strongest > faint) | glossy);
+            Vec3<S> copy = sum;
+            add_area_light(shading, hit, i, lit, words, copy);
+            sum = copy;
+            continue;
+        }
         const Vec3<S> to_light = fma(S(-light.finite), hit.position, splat<S>(light.position));
         const S facing = dot(hit.normal, to_light);
         if (none(hit.active & (facing > zero))) continue;

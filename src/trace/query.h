@@ -1,5 +1,6 @@
 // The two questions asked of geometry: which surface is nearest, and what light comes through.
 #pragma once
+#include "trace/area_light.h"
 #include "trace/form_functions.h"
 #include "trace/traverse.h"
 
@@ -145,14 +146,6 @@ STRAHL_INLINE Nearest<S> nearest(const World<Element<S>>& world, const Ray<S>& r
     return best;
 }
 
-/// Where shadow rays to a light start: on which body, by its bin, and whether on its outside. Only where there is a bin
-/// for each item.
-template <class S>
-struct Start {
-    int light, bin;
-    Mask<S> outside;
-};
-
 /// What the hierarchy takes from the light.
 template <class S>
 STRAHL_INLINE void occlude_in_hierarchy(const World<Element<S>>& world, const Ray<S>& ray, const S& distance,
@@ -221,15 +214,13 @@ template <class S>
     light = {select(suspects, left.share, light.share), select(suspects, left.limit, light.limit)};
 }
 
-/// The share of light, per channel, that comes from `distance` away along the ray: opaque bodies between take all of
-/// it, transparent ones Kt Of at each surface crossed. These are multiplied in one order for good: bodies outside the
-/// hierarchy by form and as declared, hot forms first, then those inside in the order of its leaves.
+/// See Visibility.
 template <class S>
 [[gnu::noinline]] Vec3<S> visibility(const World<Element<S>>& world, const Ray<S>& ray, const S& distance,
                                      Mask<S> active, const Start<S>& start) {
     const S one(1);
     Transmission<S> light{{one, one, one}, select(active, distance, S(-1))};
-    const BodySet set = world.bin_per_item ? world.occluders[start.light * world.bins + start.bin] : 0;
+    const BodySet set = world.bin_per_item ? world.occluders[start.light * world.bins + start.bin] & start.only : 0;
     bool dark = false;
     Mask<S> suspects = first_lanes<S>(0);
     const auto note = [&](const Span<S>&, Mask<S> exits) __attribute__((always_inline)) {

@@ -44,7 +44,8 @@ double growth_of(const Quad& directions, const DVec3& axis) {
 
 }  // namespace
 
-Thin::Thin(const Scene& scene, const View& view) : bodies(scene), lights(scene.lights), eye(view.camera.position) {
+Thin::Thin(const Scene& scene, const View& view)
+    : bodies(scene), lights(points_of(scene.lights)), eye(view.camera.position) {
     const CameraFrame frame = frame_of(view.camera, static_cast<double>(view.width) / view.height);
     right = (2 * frame.tan_x / view.width) * frame.right, down = (2 * frame.tan_y / view.height) * frame.down;
     diagonal = std::sqrt(square(right + down));
@@ -103,13 +104,15 @@ bool Thin::hides_shadow(const Quad& points, double radius, std::uint32_t lit, do
     const DVec3 middle = middle_of(points);
     for (std::size_t i = 0; i < lights.size(); ++i) {
         if (!(lit >> std::min<std::size_t>(i, most_lit) & 1)) continue;
-        const DVec3 way = lights[i].position - middle;
+        const Light& light = lights[i];
+        const DVec3 way = light.direction ? -2 * end / std::sqrt(square(*light.direction)) * *light.direction
+                                          : light.position - middle;
         const double far = std::sqrt(square(way));
         const Tube tube{.from = middle,
                         .direction = way / far,
                         .length = far,
                         .radius = radius,
-                        .growth = -radius / far,
+                        .growth = light.direction ? 0 : -radius / far,
                         .area = area(points, way / far) / (radius * radius)};
         if (bodies.meets(tube, least, points)) return true;
     }

@@ -23,6 +23,7 @@ inline constexpr int widest_pack = 16;
 /// in every element type (in float up to 2^24, see `World::capacity`).
 template <class Form, class T>
 struct Item {
+    using Kind = typename Form::Kind;
     static constexpr int faces = Form::Kind::faces;
     static constexpr bool has_exits = Form::Kind::bounded && Form::Kind::convex && Form::Kind::closed;
     typename Form::template Kernel<T> shape;
@@ -69,6 +70,8 @@ struct LightKernel {
     Vec3<T> axis{0};  // of the spot. The next two are 1 less the cosines of its radius and its falloff
     T radius = 0, falloff = 0, per = 0;  // per: 1 over their difference
     T tightness = 0;
+    bool area = false;
+    Vec3<T> u{0}, v{0};  // edges of a rectangle around its position
 };
 
 /// A body as seen from a point: around the direction `axis`, no further off than an angle with this cosine, and no

@@ -281,6 +281,9 @@ WildScene Wild::make() {
             if (spot.look_at != light.position) light.spot = spot;
         } else if (dice.chance(.2) && position != DVec3(0)) {
             light.direction = position, light.position = DVec3(0);
+        } else if (dice.chance(.2)) {
+            light.area = Area{{number(lengths), 0, 0}, {0, 0, number(lengths)}};
+            if (dice.chance(.5)) light.area->columns = 1 + dice.upto(6), light.area->rows = 1 + dice.upto(6);
         }
     }
     scene.camera = camera();

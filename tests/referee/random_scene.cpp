@@ -189,6 +189,9 @@ Scene random_scene(std::uint64_t seed, const RandomScene& what) {
                 light.spot = spot;
             } else if (dice.chance(.6)) {
                 light.direction = -light.position, light.position = DVec3(0);
+            } else if (dice.chance(.5)) {
+                const DVec3 u = dice.arrow(.2, 1);
+                light.area = Area{u, cross_product(u, dice.direction()), 1 + dice.upto(2), 1 + dice.upto(1)};
             }
         }
     if (what.lights && dice.chance(.5)) scene.fog = Fog{dice.in(2, 30), dice.vector(0, 1)};

@@ -9,7 +9,7 @@ namespace strahl {
 struct RandomScene {
     bool transparent = true;     // glass bodies, which may overlap or be nested
     bool transformed = true;     // primitives rotated, moved, scaled unevenly and mirrored
-    bool lights = false;         // spots and parallel light beside points, in half of the scenes fog
+    bool lights = false;         // spots, parallel light and grids beside points, in half of the scenes fog
     bool patterns = false;       // half of the materials have one in place of their colour
     bool camera_inside = false;  // the eye is in at least one transparent body
 };

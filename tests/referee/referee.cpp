@@ -144,6 +144,7 @@ Referee<R>::Referee(const Scene& scene, const Camera& camera, int width, int hei
             depth,
             Paint<R>(scene.background, glm::dmat4(1)),
             {}};
+    w.scene.lights = points_of(scene.lights);
     for (const Primitive& p : scene.primitives) w.bodies.emplace_back(p, scene.materials);
     world = std::make_unique<const World>(std::move(w));
 }

@@ -23,6 +23,24 @@ TEST_CASE("points, spots and parallel light") {
           Light{{1, 2, 3}, Color(1), {}, Spot{{0, 0, 0}, 20, 20, 3}});
 }
 
+TEST_CASE("rectangles and grids") {
+    CHECK(light("position <1,2,3> edges <2,0,0> <0,0,1>") ==
+          Light{{1, 2, 3}, Color(1), {}, {}, Area{{2, 0, 0}, {0, 0, 1}}});
+    const Light grid = light("edges <2,0,0>, <0,0,1> grid 3, 1 position <1,2,3>");
+    CHECK(grid == Light{{1, 2, 3}, Color(1), {}, {}, Area{{2, 0, 0}, {0, 0, 1}, 3, 1}});
+    CHECK(points_of(std::vector{grid}) ==
+          std::vector<Light>{{{0, 2, 3}, Color(1. / 3)}, {{1, 2, 3}, Color(1. / 3)}, {{2, 2, 3}, Color(1. / 3)}});
+    check_light("position <1,2,3> edges <2,0,0>, <1,1,0>", "3:18", "the edges of this light are not perpendicular");
+    check_light("position <1,2,3> edges <2,0,0>, <0,0,0>", "3:18", "an edge of this light has no length");
+    check_light("position <1,2,3> grid 2, 2", "3:18", "a grid of points needs 'edges'");
+    check_light("position <1,2,3> edges <2,0,0>, <0,1,0> grid 65, 2", "3:46",
+                "'grid' of 'light' must be a whole number from 1 to 64, not '65'");
+    check_light("direction <0,0,1> edges <2,0,0>, <0,1,0>", "3:19",
+                "parallel light has no place for a rectangle; give it a 'position'");
+    check_light("position <1,2,3> edges <2,0,0>, <0,1,0> spot { look_at <0,0,0> }", "3:41",
+                "a spot is a point; a light with 'edges' shines in all directions");
+}
+
 TEST_CASE("fog") {
     CHECK(with_eye("fog { color <.1,.2,.3> distance 7 }").fog == Fog{7, {.1, .2, .3}});
     CHECK(!with_eye("").fog);

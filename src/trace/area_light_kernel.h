@@ -1,0 +1,298 @@
+// Means over a rectangle of the light that it sends to a point.
+//
+// A rectangle of which nothing can be hidden is known without any shadow ray. Else it is divided into cells, as a pixel
+// is: shadow rays go to their corners, and cells whose corners are not all in the same light are divided further.
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <type_traits>
+
+#include "trace/area_light.h"
+#include "trace/items.h"
+#include "trace/shading_math.h"
+#include "trace/shaft.h"
+
+namespace strahl::inline STRAHL_LEVEL {
+
+/// The mean of the unit vectors from the origin to the rectangle [x1, x2] x [y1, y2] at the height h >= 0: the
+/// integrals of x / r, y / r and h / r in closed form.
+template <class E>
+Vec3<E> mean_direction(const E (&x)[2], const E (&y)[2], E h) {
+    const auto slope = [](E a, E squared) { return squared > 0 ? std::asinh(a / std::sqrt(squared)) : E(0); };
+    Vec3<E> sum{0};
+    for (int i = 0; i < 2; ++i)
+        for (int j = 0; j < 2; ++j) {
+            const E a = x[i], b = y[j], sign = i == j ? 1 : -1;
+            const E p = a * a + h * h, q = b * b + h * h, r = std::sqrt(p + b * b);
+            sum.x += sign * (b * r + p * slope(b, p)) / 2;
+            sum.y += sign * (a * r + q * slope(a, q)) / 2;
+            if (h > 0) sum.z += sign * h * (a * slope(b, p) + b * slope(a, q) - h * std::atan(a * b / (h * r)));
+        }
+    return scale(1 / ((x[1] - x[0]) * (y[1] - y[0])), sum);
+}
+
+/// Squares of a rectangle, by their corner with the smallest coordinates, in units of the smallest squares.
+struct AreaCells {
+    static constexpr int side = 64, largest = 8, most = side * side;  // side: of the rectangle
+    int count = 0;
+    std::array<std::uint8_t, most> x, y;
+    void add(int cell_x, int cell_y) {
+        x[count] = static_cast<std::uint8_t>(cell_x), y[count] = static_cast<std::uint8_t>(cell_y);
+        ++count;
+    }
+};
+
+/// The means for one hit.
+template <class S>
+class AreaSum {
+    using T = Element<S>;
+    static constexpr int side = AreaCells::side, row = side + 1;
+
+  public:
+    AreaSum(const World<T>& world, int number, const LitHits<S>& hits, int k, Visibility<S> visibility)
+        : world(world), visibility(visibility), position(at(hits.position, k)), normal(at(hits.normal, k)),
+          reflected(at(hits.reflected, k)), surface(lane(hits.surface, k)), specular(lane(hits.specular, k)),
+          pow(lane(hits.pow, k)), shines_from(lane(hits.shines_from, k)),
+          start{number, hits.bin, first_lanes<S>((bits(hits.outside) >> k & 1) ? width<S> : 0)} {
+        const LightKernel<T>& light = world.lights[number];
+        u = light.u, v = light.v;
+        middle = light.position - position;
+        first = middle - scale(T(.5), u + v);
+        brightest = lane(hits.weight, k) * (lane(hits.diffuse, k) + specular) * largest(light.color);
+    }
+
+    void add_up(T error) {
+        const Vec3<T> ways[4]{first, first + u, first + u + v, first + v};
+        int faced = 0;
+        for (const Vec3<T>& way : ways) faced += dot(normal, way) > T(0);
+        if (faced == 0) return;
+        look_around(ways);
+        glossy = may_shine(ways);
+        if (clear && faced == 4 && !glossy) {
+            const T mean = mean_cosine();
+            diffuse = Vec3<T>(mean), share = Vec3<T>(T(1));
+            return;
+        }
+        known.fill(0);
+        AreaCells cells, mixed;
+        int size = clear && faced < 4 ? 2 : AreaCells::largest;
+        for (int y = 0; y < side; y += size)
+            for (int x = 0; x < side; x += size) cells.add(x, y);
+        for (;; size /= 2) {
+            trace_corners(cells, size);
+            split(cells, mixed, size);
+            add(cells, size);
+            constexpr T off = T(.3);  // of the light of a cell that an edge crosses anywhere: its standard deviation
+            const T left = off * brightest * std::sqrt(static_cast<T>(mixed.count)) * area(size);
+            if (size == 1 || !(left > error)) break;
+            divide(mixed, cells, size / 2);
+        }
+        add(mixed, size);
+        if (faced == 4 && whole > 0) diffuse = scale(mean_cosine() / whole, diffuse);
+    }
+
+    Vec3<T> diffuse{0}, highlight{0}, share{0};
+    std::int64_t rays = 0;
+
+  private:
+    static Vec3<T> at(const Vec3<S>& v, int k) { return {lane(v.x, k), lane(v.y, k), lane(v.z, k)}; }
+    static T area(int size) { return T(size * size) / T(side * side); }
+
+    /// What can be in the way, if anything.
+    void look_around(const Vec3<T> (&ways)[4]) {
+        const Shaft<T> shaft(position, ways, u, v, world.rounding);
+        const ShaftStart<T> from{surface, start.light, start.bin, bool(bits(start.outside) & 1)};
+        if (world.bin_per_item) {
+            start.only = bodies_in<S>(world, shaft, from);
+            clear = start.only == 0;
+        } else {
+            clear = !anything_in<S>(world, shaft, from);
+        }
+    }
+
+    /// Can the highlight of any point of the rectangle be seen?
+    bool may_shine(const Vec3<T> (&ways)[4]) const {
+        if (!(specular > T(0))) return false;
+        const T length = sqrt(dot(middle, middle)), along = dot(reflected, middle) / length;
+        T cosine(1);
+        for (const Vec3<T>& way : ways) cosine = min(cosine, dot(way, middle) / (length * sqrt(dot(way, way))));
+        if (!(along < cosine)) return true;  // it is reflected towards a point of the cone around the rectangle
+        const T sine = sqrt(max(T(1) - cosine * cosine, T(0))), across = sqrt(max(T(1) - along * along, T(0)));
+        return !(along * cosine + across * sine < shines_from);
+    }
+
+    /// The mean of n.l over the rectangle, all of which is above the surface. A small one is summed up at 4 by 4 points
+    /// of Gauss and Legendre: the closed form would cancel.
+    T mean_cosine() const {
+        const T width_squared = dot(u, u), height_squared = dot(v, v);
+        if (dot(middle, middle) > T(1000) * max(width_squared, height_squared)) {
+            constexpr T points[4]{T(-.861136311594052575), T(-.339981043584856265), T(.339981043584856265),
+                                  T(.861136311594052575)};
+            constexpr T weights[4]{T(.173927422568726929), T(.326072577431273071), T(.326072577431273071),
+                                   T(.173927422568726929)};
+            T sum(0);
+            for (int i = 0; i < 4; ++i)
+                for (int j = 0; j < 4; ++j) {
+                    const Vec3<T> way = fma(points[i] / 2, u, fma(points[j] / 2, v, middle));
+                    sum += weights[i] * weights[j] * (dot(normal, way) / sqrt(dot(way, way)));
+                }
+            return sum;
+        }
+        using E = std::conditional_t<std::is_same_v<T, float>, double, T>;
+        const auto wide = [](const Vec3<T>& a) { return Vec3<E>(E(a.x), E(a.y), E(a.z)); };
+        const auto length = [](const Vec3<E>& a) { return std::sqrt(dot(a, a)); };
+        const Vec3<E> to = wide(middle), w = cross(wide(u), wide(v)), n = wide(normal);
+        const Vec3<E> axes[3]{scale(1 / length(wide(u)), wide(u)), scale(1 / length(wide(v)), wide(v)),
+                              scale((dot(w, to) < 0 ? -1 : 1) / length(w), w)};
+        const E x = dot(to, axes[0]), y = dot(to, axes[1]), half_x = length(wide(u)) / 2, half_y = length(wide(v)) / 2;
+        const Vec3<E> mean = mean_direction({x - half_x, x + half_x}, {y - half_y, y + half_y}, dot(to, axes[2]));
+        E cosine(0);
+        for (int c = 0; c < 3; ++c) cosine += mean[c] * dot(n, axes[c]);
+        return static_cast<T>(cosine);
+    }
+
+    /// The way to points of the rectangle, by their coordinates in units of the smallest cells.
+    Vec3<S> way_to(const S& x, const S& y) const {
+        constexpr T unit = T(1) / side;
+        return fma(x * S(unit), splat<S>(u), fma(y * S(unit), splat<S>(v), splat<S>(first)));
+    }
+
+    /// Shadow rays to those corners of cells that no earlier ones had.
+    void trace_corners(const AreaCells& cells, int size) {
+        std::array<std::int16_t, row * row> list;
+        int count = 0;
+        for (int i = 0; i < cells.count; ++i)
+            for (const int corner : corners_of(cells.x[i], cells.y[i], size))
+                if (known[corner] == 0) known[corner] = dark_side, list[count++] = static_cast<std::int16_t>(corner);
+        for (int i = 0; i < count; i += width<S>) trace_pack(list.data() + i, std::min(count - i, width<S>));
+    }
+    void trace_pack(const std::int16_t* corners, int lanes) {
+        alignas(64) T xs[width<S>] = {}, ys[width<S>] = {};
+        for (int k = 0; k < lanes; ++k) xs[k] = T(corners[k] % row), ys[k] = T(corners[k] / row);
+        const Vec3<S> way = way_to(load_lanes<S>(xs), load_lanes<S>(ys));
+        const S distance = sqrt(dot(way, way));
+        const Mask<S> faces = first_lanes<S>(lanes) & (dot(splat<S>(normal), way) > S(0)) & (distance > S(0));
+        if (none(faces)) return;
+        Vec3<S> arrives(S(1), S(1), S(1));
+        if (!clear) {
+            const Ray<S> ray{splat<S>(position), scale(S(1) / distance, way), S(surface)};
+            arrives = visibility(world, ray, distance, faces, start);
+            rays += strahl::count(faces);
+        }
+        alignas(64) T found[3][width<S>];
+        for (int c = 0; c < 3; ++c) store_lanes(found[c], arrives[c]);
+        for (unsigned left = bits(faces); left; left &= left - 1) {
+            const int k = std::countr_zero(left);
+            known[corners[k]] = faced_side;
+            for (int c = 0; c < 3; ++c) shares[c][corners[k]] = found[c][k];
+        }
+    }
+
+    static std::array<int, 4> corners_of(int x, int y, int size) {
+        const int corner = y * row + x;
+        return {corner, corner + size, corner + size * row, corner + size * row + size};
+    }
+    /// The mean share of the corners that face the surface. Is it that of each?
+    Vec3<T> mean_share(int x, int y, int size, bool& even) const {
+        Vec3<T> sum{0};
+        int count = 0, last = -1;
+        even = true;
+        for (const int corner : corners_of(x, y, size)) {
+            if (known[corner] != faced_side) continue;
+            for (int c = 0; c < 3; ++c) {
+                sum[c] += shares[c][corner];
+                even = even && (last < 0 || shares[c][corner] == shares[c][last]);
+            }
+            ++count, last = corner;
+        }
+        return count > 1 ? scale(T(1) / T(count), sum) : sum;
+    }
+
+    /// Leaves those cells whose corners are in the same light; the others become `mixed`.
+    void split(AreaCells& cells, AreaCells& mixed, int size) const {
+        const int all = cells.count;
+        cells.count = mixed.count = 0;
+        for (int i = 0; i < all; ++i) {
+            const int x = cells.x[i], y = cells.y[i];
+            bool even;
+            mean_share(x, y, size, even);
+            (even ? cells : mixed).add(x, y);
+        }
+    }
+    static void divide(const AreaCells& cells, AreaCells& quarters, int size) {
+        quarters.count = 0;
+        for (int i = 0; i < cells.count; ++i)
+            for (int k = 0; k < 4; ++k) quarters.add(cells.x[i] + k % 2 * size, cells.y[i] + k / 2 * size);
+    }
+
+    /// Adds the light of cells: what their middles send, and of highlights a grid so fine that they are smooth on it.
+    void add(const AreaCells& cells, int size) {
+        for (int i = 0; i < cells.count; i += width<S>) {
+            const int lanes = std::min(cells.count - i, width<S>);
+            alignas(64) T xs[width<S>] = {}, ys[width<S>] = {}, cosines[width<S>], shines[width<S>];
+            for (int k = 0; k < lanes; ++k) xs[k] = T(cells.x[i + k]), ys[k] = T(cells.y[i + k]);
+            const S x = load_lanes<S>(xs), y = load_lanes<S>(ys), half(T(size) / 2);
+            const Vec3<S> way = way_to(x + half, y + half);
+            store_lanes(cosines, max(dot(splat<S>(normal), way), S(0)) / sqrt(dot(way, way)));
+            store_lanes(shines, glossy ? mean_highlight(x, y, size) : S(0));
+            for (int k = 0; k < lanes; ++k) {
+                bool even;
+                const Vec3<T> arrives = mean_share(cells.x[i + k], cells.y[i + k], size, even);
+                whole = fma(cosines[k], area(size), whole);
+                diffuse = fma(cosines[k] * area(size), arrives, diffuse);
+                highlight = fma(shines[k] * area(size), arrives, highlight);
+                share = fma(area(size), arrives, share);
+            }
+        }
+    }
+    /// Ks (h.l)^p over cells.
+    S mean_highlight(const S& x, const S& y, int size) const {
+        // A highlight's brightness falls by the exponential of -1/2 in the angle 1 / sqrt(p).
+        const T reach = sqrt(max(dot(u, u), dot(v, v)) * (pow + T(1)) / dot(middle, middle));
+        const T wanted = std::ceil(reach * T(2 * size) / T(side));
+        const int n = wanted < T(8) ? std::max(1, static_cast<int>(wanted)) : 8;
+        S sum(0);
+        for (int i = 0; i < n * n; ++i) {
+            const T dx = (T(i % n) + T(.5)) * T(size) / T(n), dy = (T(i / n) + T(.5)) * T(size) / T(n);
+            const Vec3<S> way = way_to(x + S(dx), y + S(dy));
+            const S length = sqrt(dot(way, way));
+            const S shine = min(max(dot(splat<S>(reflected), way) / length, S(0)), S(1));
+            const Mask<S> shines = (shine > S(shines_from)) & (dot(splat<S>(normal), way) > S(0));
+            if (any(shines)) sum = sum + select(shines, power_of_uniform(shine, pow), S(0));
+        }
+        return sum * S(specular / T(n * n));
+    }
+
+    static constexpr std::uint8_t dark_side = 1, faced_side = 2;
+    const World<T>& world;
+    Visibility<S> visibility;
+    Vec3<T> position, normal, reflected, u, v, middle, first;  // the last two from the position
+    T surface, specular, pow, shines_from, brightest, whole = 0;
+    Start<S> start;
+    bool clear = false, glossy = false;
+    std::array<std::uint8_t, row * row> known;  // of each corner: nothing, or on which side of the surface it is
+    std::array<T, row * row> shares[3];         // of the light of those on the side it faces
+};
+
+template <class S>
+AreaMeans<S> AreaLightCalls<S>::means(const World<T>& world, int light, const LitHits<S>& hits, T error,
+                                      Visibility<S> visibility) {
+    alignas(64) T lanes[9][width<S>] = {};
+    AreaMeans<S> result;
+    for (unsigned left = bits(hits.lanes); left; left &= left - 1) {
+        const int k = std::countr_zero(left);
+        AreaSum<S> sum(world, light, hits, k, visibility);
+        sum.add_up(error);
+        result.rays += sum.rays;
+        for (int c = 0; c < 3; ++c)
+            lanes[c][k] = sum.diffuse[c], lanes[3 + c][k] = sum.highlight[c], lanes[6 + c][k] = sum.share[c];
+    }
+    for (int c = 0; c < 3; ++c) {
+        result.diffuse[c] = load_lanes<S>(lanes[c]), result.highlight[c] = load_lanes<S>(lanes[3 + c]);
+        result.share[c] = load_lanes<S>(lanes[6 + c]);
+    }
+    return result;
+}
+
+}  // namespace strahl::inline STRAHL_LEVEL

@@ -1,0 +1,119 @@
+// Rectangles that shine, against many points in their place.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include "tests/unit/levels.h"
+#include "tests/unit/scenes.h"
+#include "text/parse.h"
+
+using namespace strahl;
+
+namespace {
+
+const std::string stage = R"(
+camera { position <0, -9, 4>  look_at <0, 0, 0.8>  up <0, 0, -1>  fov 22 }
+defaultmaterial { rgb <0.8, 0.3, 0.2>  reflection 0  diffuse 0.8  ambient 0.05  specular 0.5  pow 40 }
+plane { <0, 0, 0>, <1, 0, 0>, <0, 1, 0>  material { rgb <0.6, 0.6, 0.55>  specular 0 } }
+)";
+const std::string lamp = "light { position <-1, -1, 4>  color <1, .9, .8>  edges <2, 0, 0>, <0, 1.5, 0> }\n";
+const std::string bodies = R"(
+sphere { <-1, 0, 1>, 1 }
+box { <0.8, 1, 0>, <2, 2.2, 2> }
+cylinder { <1, -2, 0>, <1, -2, 1.5>, 0.3 }
+sphere { <-1.5, -2.5, 0.6>, 0.5  material { rgb <0.9, 0.6, 0.5>  ambient 0  diffuse 0.05  refraction 0.85  ior 1.3 } }
+)";
+/// More than are looked at one after the other.
+std::string many_balls() {
+    std::string text;
+    for (int i = 0; i < 81; ++i)
+        text += "sphere { <" + std::to_string(i % 9 * .5 - 2) + ", " + std::to_string(i / 9 * .5 - 2) + ", " +
+                std::to_string(.2 + .1 * (i % 4)) + ">, .2 }\n";
+    return text;
+}
+
+/// The same with n * n points, at the middles of as many rectangles, in place of each rectangle.
+Scene with_points(Scene scene, int n) {
+    std::vector<Light> lights;
+    for (const Light& light : scene.lights)
+        for (int i = 0; i < n * n; ++i)
+            lights.push_back({light.position + ((i % n + .5) / n - .5) * light.area->u +
+                                  ((i / n + .5) / n - .5) * light.area->v,
+                              light.color / (double(n) * n)});
+    scene.lights = lights;
+    return scene;
+}
+
+Frame picture(const Scene& scene, Precision precision, Simd simd = Simd::automatic, double error = 0) {
+    const View view{.camera = scene.camera, .width = 40, .height = 30, .depth = 4, .error = error};
+    return render(scene, view, precision, 2, simd);
+}
+
+struct Deviation {
+    double root_mean_square = 0, largest = 0;
+};
+Deviation difference(const Frame& a, const Frame& b) {
+    Deviation result;
+    double sum = 0;
+    for (std::size_t i = 0; i < a.rgb.size(); ++i) {
+        const double off = std::abs(a.rgb[i] - b.rgb[i]);
+        sum += off * off, result.largest = std::max(result.largest, off);
+    }
+    result.root_mean_square = std::sqrt(sum / double(a.rgb.size()));
+    return result;
+}
+
+}  // namespace
+
+TEST_CASE("what nothing can hide is the mean over the rectangle") {
+    // The middles of 60 by 60 cells are off by about the square of a cell, seen from here.
+    for (const char* light :
+         {"position <-1, -1, 4>  edges <2, 0, 0>, <0, 1.5, 0>", "position <0, 0, .5>  edges <0, 1, 0>, <.5, 0, 0>",
+          "position <3, 2, 2>  edges <0, 0, 1>, <-.6, .8, 0>",
+          "position <-1, 0, 3>  edges <1e-5, 0, 0>, <0, 2e-5, 0>"}) {
+        CAPTURE(light);
+        const Scene scene = parse_scene(stage + "light { color <1, 1, 1>  " + light + " }", "x");
+        const Frame points = picture(with_points(scene, 60), Precision::float64);
+        const Deviation off = difference(picture(scene, Precision::float64), points);
+        CHECK(off.largest < 3e-4);
+        CHECK(off.root_mean_square < 3e-5);
+        CHECK(difference(picture(scene, Precision::float32), picture(scene, Precision::float64)).largest < 1e-4);
+    }
+}
+
+TEST_CASE("soft shadows and highlights, of few bodies and of many") {
+    for (const std::string& what : {bodies, many_balls()}) {
+        const Scene scene = parse_scene(stage + lamp + what, "x");
+        const Frame points = picture(with_points(scene, 48), Precision::float64);
+        const Deviation off = difference(picture(scene, Precision::float64), points);
+        MESSAGE("root mean square " << 510 * off.root_mean_square << "/510, largest " << 255 * off.largest << "/255");
+        CHECK(off.root_mean_square < .5 / 510);
+        CHECK(off.largest < 4. / 255);
+        const Deviation fine = difference(picture(scene, Precision::float64, Simd::automatic, 1e-4), points);
+        CHECK(fine.root_mean_square < .25 / 510);
+        CHECK(fine.root_mean_square < off.root_mean_square);
+        CHECK(difference(picture(scene, Precision::float32), points).root_mean_square < .5 / 510);
+    }
+}
+
+TEST_CASE("every level gives the same picture of soft shadows") {
+    for (const std::string& what : {bodies, many_balls()}) {
+        const Scene scene = parse_scene(stage + lamp + what, "x");
+        for (const Precision precision : {Precision::float32, Precision::float64}) {
+            const Frame scalar = picture(scene, precision, Simd::scalar);
+            for (const Simd simd : fused_levels())
+                CHECK(std::memcmp(picture(scene, precision, simd).rgb.data(), scalar.rgb.data(),
+                                  8 * scalar.rgb.size()) == 0);
+        }
+    }
+}
+
+TEST_CASE("a rectangle that is partly below the horizon shines by what is above") {
+    const Scene scene =
+        parse_scene(stage + "light { position <0, 2, 0>  color <1, 1, 1>  edges <1, 0, 0>, <0, 0, 2> }", "x");
+    const Frame points = picture(with_points(scene, 64), Precision::float64);
+    CHECK(difference(picture(scene, Precision::float64), points).largest < .005);
+}
