@@ -19,17 +19,25 @@ namespace strahl::inline STRAHL_LEVEL {
 /// integrals of x / r, y / r and h / r in closed form.
 template <class E>
 Vec3<E> mean_direction(const E (&x)[2], const E (&y)[2], E h) {
-    const auto slope = [](E a, E squared) { return squared > 0 ? std::asinh(a / std::sqrt(squared)) : E(0); };
-    Vec3<E> sum{0};
+    E r[2][2];
     for (int i = 0; i < 2; ++i)
-        for (int j = 0; j < 2; ++j) {
-            const E a = x[i], b = y[j], sign = i == j ? 1 : -1;
-            const E p = a * a + h * h, q = b * b + h * h, r = std::sqrt(p + b * b);
-            sum.x += sign * (b * r + p * slope(b, p)) / 2;
-            sum.y += sign * (a * r + q * slope(a, q)) / 2;
-            if (h > 0) sum.z += sign * h * (a * slope(b, p) + b * slope(a, q) - h * std::atan(a * b / (h * r)));
-        }
-    return scale(1 / ((x[1] - x[0]) * (y[1] - y[0])), sum);
+        for (int j = 0; j < 2; ++j) r[i][j] = std::sqrt(x[i] * x[i] + y[j] * y[j] + h * h);
+    // The integral of 1 / r along an edge, from b1 to b2 at the squared distance p.
+    const auto along = [](E b1, E r1, E b2, E r2, E p) {
+        const auto sum = [p](E b, E r) { return b < 0 ? p / (r - b) : b + r; };
+        return p > 0 ? std::log(sum(b2, r2) / sum(b1, r1)) : E(0);
+    };
+    Vec3<E> total{0};
+    for (int i = 0; i < 2; ++i) {
+        const E sign = i == 1 ? 1 : -1, p = x[i] * x[i] + h * h, q = y[i] * y[i] + h * h;
+        const E along_y = along(y[0], r[i][0], y[1], r[i][1], p), along_x = along(x[0], r[0][i], x[1], r[1][i], q);
+        total.x += sign * (y[1] * r[i][1] - y[0] * r[i][0] + p * along_y) / 2;
+        total.y += sign * (x[1] * r[1][i] - x[0] * r[0][i] + q * along_x) / 2;
+        total.z += sign * h * (x[i] * along_y + y[i] * along_x);
+        for (int j = 0; h > 0 && j < 2; ++j)
+            total.z -= (i == j ? h : -h) * h * std::atan(x[i] * y[j] / (h * r[i][j]));
+    }
+    return scale(1 / ((x[1] - x[0]) * (y[1] - y[0])), total);
 }
 
 /// Squares of a rectangle, by their corner with the smallest coordinates, in units of the smallest squares.
@@ -83,7 +91,7 @@ class AreaSum {
             trace_corners(cells, size);
             split(cells, mixed, size);
             add(cells, size);
-            constexpr T off = T(.3);  // of the light of a cell that an edge crosses anywhere: its standard deviation
+            constexpr T off = T(.15);  // of the light of a cell that an edge crosses, as measured
             const T left = off * brightest * std::sqrt(static_cast<T>(mixed.count)) * area(size);
             if (size == 1 || !(left > error)) break;
             divide(mixed, cells, size / 2);
