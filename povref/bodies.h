@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "povref/materials.h"
+#include "povref/motions.h"
 #include "scene/scene.h"
 
 namespace strahl {
@@ -12,6 +13,7 @@ struct PovBodies {
     const std::vector<PovMaterial>& materials;
     bool shadow_copies;  // some body has a copy that casts its shadow
     bool scaled;         // Unit is declared
+    PovMotions& motions;
 };
 
 /// Is a composite of several materials, or of one with another ior than its own?

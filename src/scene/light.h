@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "scene/field.h"
+#include "scene/transformation.h"
 
 namespace strahl {
 
@@ -28,6 +29,7 @@ struct Light {
     Color color{1};
     std::optional<DVec3> direction{};
     std::optional<Spot> spot{};
+    std::optional<Motion> motion{};  // of its place, its direction and the point that its spot looks at
     bool operator==(const Light&) const = default;
 };
 
