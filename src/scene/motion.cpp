@@ -49,7 +49,7 @@ DVec3 degrees_of(const glm::dquat& q) {
 DVec3 rotation_at(const Window<MotionKey>& w) {
     const auto& [from, about] = rotation_curve(w);
     const DVec3& start = w.key[1]->rotate;
-    if (from.knots == 0) return start;
+    if (from.knots == 0) return start;  // written in different ways
     const double h = from.share(w.h), g = 1 - h;
     return degrees_of(quaternion(start) * exponential(about[0] * (1 - g * g * g)) *
                       exponential(about[1] * (h * h * (3 - 2 * h))) * exponential(about[2] * (h * h * h)));
@@ -128,8 +128,12 @@ RotationCurve rotation_curve(const Window<MotionKey>& w) {
 MotionKey key_at(const Motion& motion, double time) {
     const auto [key, w] = moment_among(motion.keys, 0, time);
     if (key) return *key;
-    MotionKey moment{time, point_at(w, &MotionKey::translate), rotation_at(w)};
-    for (int c = 0; c < 3; ++c) moment.scale[c] = number_at(w, [c](const MotionKey& k) { return k.scale[c]; });
+    const MotionKey &from = *w.key[1], &to = *w.key[2];
+    MotionKey moment{time, from.translate, from.rotate, from.scale};
+    if (from.translate != to.translate) moment.translate = point_at(w, &MotionKey::translate);
+    if (from.rotate != to.rotate) moment.rotate = rotation_at(w);
+    if (from.scale != to.scale)
+        for (int c = 0; c < 3; ++c) moment.scale[c] = number_at(w, [c](const MotionKey& k) { return k.scale[c]; });
     return moment;
 }
 
