@@ -14,12 +14,6 @@ namespace {
 
 using Items = std::vector<std::string>;
 
-Items placement(const Primitive& primitive) {
-    Items items;
-    for (const Transformation& step : primitive.transformations) items.push_back(step_text(step));
-    return items;
-}
-
 /// The material of all its surfaces, if they have the same, and a pattern of it goes on through all.
 std::optional<int> only_material(const Scene& scene, const Primitive& primitive) {
     std::optional<int> first;
@@ -36,17 +30,18 @@ std::optional<int> only_material(const Scene& scene, const Primitive& primitive)
 /// A body without its closing brace. POV-Ray's own word `union` keeps the surfaces inside; `dress(material)` are the
 /// words that give a part of a composite its material, if that is not the whole's: then its pattern is the whole's too.
 template <class Dress>
-std::string head_of(const Primitive& primitive, const Dress& dress, const std::string& indent = "") {
+std::string head_of(const Primitive& primitive, PovMotions& motions, const Dress& dress,
+                    const std::string& indent = "") {
     return std::visit(
         [&]<class Kind>(const Kind& kind) {
             if constexpr (is_composite<Kind>) {
                 std::string text = Kind::operation == Operation::unite ? "merge {" : std::string(Kind::name) + " {";
                 const std::string inner = indent + "  ";
                 for (const Primitive& part : *kind.parts) {
-                    Items items = placement(part);
+                    Items items = statements(part.transformations, motions);
                     if (part.material != primitive.material) items.insert(items.begin(), dress(part.material));
                     std::erase(items, "");
-                    text += "\n" + inner + block(head_of(part, dress, inner), items, inner);
+                    text += "\n" + inner + block(head_of(part, motions, dress, inner), items, inner);
                     text.pop_back();
                 }
                 return text;
@@ -83,9 +78,9 @@ void BodyWriter::add(const Scene& scene, const Primitive& primitive) {
     const std::optional<int> number = only_material(scene, primitive);
     if (!number) return add_mixed(primitive, transparent(scene, primitive));
     const PovMaterial& material = how.materials[*number];
-    Items items = placement(primitive);
+    Items items = statements(primitive.transformations, how.motions);
     if (how.scaled) items.push_back("scale Unit");
-    const std::string head = head_of(primitive, [](int) { return ""; });
+    const std::string head = head_of(primitive, how.motions, [](int) { return ""; });
     if (material.transparent && how.shadow_copies) return add_clear(primitive, head, material, items);
     items.insert(items.begin(), dressed(*number, false));
     if (how.hollow && !material.transparent) items.push_back("hollow");
@@ -94,13 +89,13 @@ void BodyWriter::add(const Scene& scene, const Primitive& primitive) {
 
 /// A composite whose parts have materials of their own.
 void BodyWriter::add_mixed(const Primitive& primitive, bool clear_one) {
-    Items items = placement(primitive);
+    Items items = statements(primitive.transformations, how.motions);
     if (how.scaled) items.push_back("scale Unit");
     const auto text = [&](bool copy, std::initializer_list<const char*> more) {
         Items all{dressed(primitive.material, copy)};
         all.insert(all.end(), items.begin(), items.end());
         all.insert(all.end(), more.begin(), more.end());
-        return block(head_of(primitive, [&](int number) { return dressed(number, copy); }), all);
+        return block(head_of(primitive, how.motions, [&](int number) { return dressed(number, copy); }), all);
     };
     if (!clear_one) {
         solid += how.hollow ? text(false, {"hollow"}) : text(false, {});

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "povref/materials.h"
+#include "povref/motions.h"
 #include "scene/scene.h"
 
 namespace strahl {
@@ -13,6 +14,7 @@ struct PovBodies {
     bool shadow_copies;  // some body has a copy that casts its shadow
     bool scaled;         // Unit is declared
     bool hollow;         // opaque bodies have fog in them as well
+    PovMotions& motions;
 };
 
 /// Is a composite of several materials, or of one with another ior than its own?

@@ -9,6 +9,7 @@
 #include "image/transfer.h"
 #include "povref/run_povray.h"
 #include "povref/verdict.h"
+#include "scene/motion.h"
 #include "text/file.h"
 #include "text/parse.h"
 #include "text/utf8.h"
@@ -72,13 +73,16 @@ void print_row(const std::string& path, const Verdict& verdict, double ours, dou
 /// Returns whether the two pictures agree.
 bool check(const CrosscheckOptions& options, const std::string& path, const std::atomic<bool>* stop) {
     const Scene scene = parse_scene(read_text(path), path);
-    const View view{.camera = scene.camera,
+    if (options.time) flight_for("--time", scene, path);
+    const View view{.camera = camera_at(scene, options.time),
                     .width = options.width,
                     .height = options.height,
-                    .depth = options.depth.value_or(scene.settings.max_trace_level)};
+                    .depth = options.depth.value_or(scene.settings.max_trace_level),
+                    .time = options.time.value_or(0)};
     const PovRun theirs = run_povray(scene,
                                      {.title = fs::path(path).filename().string(),
                                       .cameras = {view.camera},
+                                      .time = view.time,
                                       .width = view.width,
                                       .height = view.height,
                                       .depth = view.depth},

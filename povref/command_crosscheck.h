@@ -11,8 +11,9 @@ struct CrosscheckOptions {
     std::vector<std::string> scenes;
     std::string sheet;  // a picture of both and their difference; with several scenes its name includes theirs
     int width = 320, height = 240;
-    std::optional<int> depth;  // 1 to 256; by default the scene's max_trace_level
-    int threads = 0;           // of each program; 0: all processors
+    std::optional<double> time;  // a moment of the flight, in seconds
+    std::optional<int> depth;    // 1 to 256; by default the scene's max_trace_level
+    int threads = 0;             // of each program; 0: all processors
 };
 
 /// Prints a table, in Markdown, to standard output. Returns the exit status: 0 if no scene has a pixel off the edges

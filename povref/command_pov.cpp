@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "povref/pov_scene.h"
+#include "scene/motion.h"
 #include "text/file.h"
 #include "text/parse.h"
 #include "text/utf8.h"
@@ -13,13 +14,12 @@ namespace strahl {
 namespace {
 
 /// Frame n is the view at n / fps seconds; a path that loops ends one frame before it would repeat its first.
-std::vector<Camera> frames(const Scene& scene, double fps) {
-    const Flythrough& path = *scene.flythrough;
+std::vector<Camera> frames(const Scene& scene, const Flythrough& path, double fps) {
     const double last = path.duration * fps;
     if (!(last < 1e5)) throw UsageError("these are more than 100000 frames; choose a smaller --fps");
     std::vector<Camera> cameras;
     for (int n = 0; path.loop ? n < last - 1e-9 : n <= last + 1e-9; ++n)
-        cameras.push_back(camera_at(path, scene.camera, n / fps));
+        cameras.push_back(camera_at(scene, n / fps));
     return cameras;
 }
 
@@ -43,8 +43,6 @@ int pov_command(const PovOptions& options) {
     check(options);
     const bool piped = options.scene == "-";
     const Scene scene = parse_scene(read_text(options.scene), piped ? "standard input" : options.scene);
-    if ((options.animation || options.time) && !scene.flythrough)
-        throw UsageError("'" + options.scene + "' has no flythrough, so there is no --time and no --animation");
     PovRequest request{.title = piped ? "A scene" : fs::path(options.scene).filename().string(),
                        .pov_path = options.output,
                        .picture_path = fs::path(options.output).replace_extension(".png").string(),
@@ -53,10 +51,12 @@ int pov_command(const PovOptions& options) {
                        .depth = options.depth.value_or(scene.settings.max_trace_level),
                        .bits = options.bits};
     if (options.animation) {
-        request.cameras = frames(scene, options.fps);
+        request.cameras = frames(scene, flight_for("--animation", scene, options.scene), options.fps);
         request.fps = options.fps;
     } else {
-        request.cameras = {options.time ? camera_at(*scene.flythrough, scene.camera, *options.time) : scene.camera};
+        if (options.time) flight_for("--time", scene, options.scene);
+        request.cameras = {camera_at(scene, options.time)};
+        request.time = options.time.value_or(0);
     }
     const PovFiles files = write_pov(scene, request);
     write_file(options.output, files.pov);

@@ -8,10 +8,12 @@
 #include "povref/bodies.h"
 #include "povref/layout.h"
 #include "povref/materials.h"
+#include "povref/motions.h"
 #include "povref/pigments.h"
 #include "povref/unit.h"
 #include "scene/error.h"
 #include "scene/leaves.h"
+#include "scene/motion.h"
 #include "scene/overlap.h"
 #include "text/messages.h"
 
@@ -20,7 +22,7 @@ namespace {
 
 /// What decides how the scene is written, and which comments and warnings it gets.
 struct Plan {
-    Unit unit;
+    Unit unit{};
     std::vector<PovMaterial> materials;
     bool scaled = false;          // Unit is declared
     bool inside = false;          // a camera is in a transparent body
@@ -30,10 +32,26 @@ struct Plan {
     bool mixed = false;           // some transparent composite is of several materials
     bool rectangles = false;      // some light is a rectangle without a grid
     bool near_one = false;        // some ior of 1 is written as a larger number
+    bool moves = false;           // bodies or lights do, in an animation
 };
 
 Plan plan_for(const Scene& scene, const PovRequest& request) {
-    Plan plan{.unit = unit_for(scene, request.cameras), .materials = pov_materials(scene, request.depth)};
+    Plan plan{.materials = pov_materials(scene, request.depth)};
+    Sizes sizes;
+    const auto look = [&](const Scene& moment, const std::vector<Camera>& cameras) {
+        sizes.add(moment, cameras);
+        plan.bodies_overlap |= transparent_bodies_overlap(moment);
+        for (const Primitive& primitive : moment.primitives)
+            if (transparent(moment, primitive)) {
+                for (const Camera& camera : cameras) plan.inside |= contains(primitive, camera.position);
+                plan.mixed |= mixed(moment, primitive);
+            }
+    };
+    plan.moves = Movers(scene).any();
+    for (std::size_t n = 0; plan.moves && n < request.cameras.size(); ++n)
+        look(at(scene, static_cast<double>(n) / request.fps), {request.cameras[n]});
+    if (!plan.moves) look(scene, request.cameras);
+    plan.unit = unit_for(sizes);
     plan.scaled = plan.unit.unit != 1;
     for (const PovMaterial& material : plan.materials) {
         plan.keyword |= material.keyword;
@@ -41,12 +59,6 @@ Plan plan_for(const Scene& scene, const PovRequest& request) {
         plan.near_one |= material.near_one;
     }
     for (const Light& light : scene.lights) plan.rectangles |= light.area && light.area->columns == 0;
-    plan.bodies_overlap = transparent_bodies_overlap(scene);
-    for (const Primitive& primitive : scene.primitives)
-        if (transparent(scene, primitive)) {
-            for (const Camera& camera : request.cameras) plan.inside |= contains(primitive, camera.position);
-            plan.mixed |= mixed(scene, primitive);
-        }
     return plan;
 }
 
@@ -146,25 +158,27 @@ DVec3 place_of_parallel(const DVec3& direction, const Plan& plan) {
 
 /// Grids are written as the points that they are: POV-Ray's own multiply the mean of the points' light by the mean of
 /// their shadows, even with area_illumination.
-std::string light_section(const Scene& scene, const Plan& plan) {
+std::string light_section(const Scene& scene, const Plan& plan, PovMotions& motions) {
     if (scene.lights.empty()) return "";
     std::string text = heading("Lights");
     for (const Light& light : points_of(scene.lights)) {
         const DVec3 place = light.direction ? place_of_parallel(*light.direction, plan) : light.position;
-        std::vector<std::string> items{scaled(text_of(place), plan) + ", rgb " + text_of(light.color)};
+        const auto placed = [&](const DVec3& p) { return light.motion ? text_of(p) : scaled(text_of(p), plan); };
+        std::vector<std::string> items{placed(place) + ", rgb " + text_of(light.color)};
         if (light.direction) items.insert(items.end(), {"parallel", "point_at 0"});
         if (light.area) {
-            items.push_back("area_light " + scaled(text_of(light.area->u), plan) + ", " +
-                            scaled(text_of(light.area->v), plan) + ", 16, 16");
+            items.push_back("area_light " + placed(light.area->u) + ", " + placed(light.area->v) + ", 16, 16");
             items.push_back("area_illumination on");
         }
         if (light.spot) {
-            items.insert(items.end(), {"spotlight", "point_at " + scaled(text_of(light.spot->look_at), plan)});
+            items.insert(items.end(), {"spotlight", "point_at " + placed(light.spot->look_at)});
             for (const auto& [word, value] : {std::pair("radius ", light.spot->radius),
                                               std::pair("falloff ", light.spot->falloff),
                                               std::pair("tightness ", light.spot->tightness)})
                 items.push_back(word + text_of(value));
         }
+        if (light.motion) items.push_back(motions.use(*light.motion));
+        if (light.motion && plan.scaled) items.push_back("scale Unit");
         text += block("light_source {", items);
     }
     return text;
@@ -239,6 +253,9 @@ std::string ini_of(const Scene& scene, const PovRequest& request, const Plan& pl
     if (request.fps > 0)
         text += "\n" + comment("Frame N is the view at N/" + text_of(request.fps) + " seconds.", ";") +
                 "Initial_Frame=0\nFinal_Frame=" + std::to_string(request.cameras.size() - 1) + "\n";
+    if (plan.moves)
+        text += "Initial_Clock=0\nFinal_Clock=" +
+                text_of(static_cast<double>(request.cameras.size() - 1) / request.fps) + "\n";
     if (plan.inside)
         text += "\n" +
                 comment(
@@ -256,13 +273,19 @@ std::string ini_of(const Scene& scene, const PovRequest& request, const Plan& pl
 
 }  // namespace
 
-PovFiles write_pov(const Scene& scene, const PovRequest& request) {
+PovFiles write_pov(const Scene& whole, const PovRequest& request) {
+    const bool animated = request.fps > 0;
+    const Scene still = animated ? Scene{} : at(whole, request.time);
+    const Scene& scene = animated ? whole : still;
     const Plan plan = plan_for(scene, request);
     const std::string ini_path = request.pov_path.substr(0, request.pov_path.rfind('.')) + ".ini";
-    return {top(scene, request, plan) + camera_section(request, plan) + light_section(scene, plan) +
-                function_section(scene) + sky_section(scene) + fog_section(scene, plan) +
-                material_section(plan) +
-                body_sections(scene, {plan.materials, plan.shadow_copies, plan.scaled, scene.fog.has_value()}),
+    PovMotions motions;
+    const std::string lights = light_section(scene, plan, motions);
+    const std::string bodies = body_sections(
+        scene, {plan.materials, plan.shadow_copies, plan.scaled, scene.fog.has_value(), motions});
+    return {top(scene, request, plan) + camera_section(request, plan) + motions.section() + lights +
+                function_section(scene) + sky_section(scene) + fog_section(scene, plan) + material_section(plan) +
+                bodies,
             ini_of(scene, request, plan, ini_path), warnings_of(plan)};
 }
 

@@ -13,6 +13,7 @@ struct PovRequest {
     std::string picture_path{};     // a .png
     std::vector<Camera> cameras{};  // one for a still; one per frame for an animation
     double fps = 0;                 // of the animation
+    double time = 0;                // of moving bodies, in a still
     int width = 640, height = 480;
     int depth = 20;  // generations of rays
     int bits = 16;   // per channel, 8 or 16

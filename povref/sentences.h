@@ -24,6 +24,7 @@ inline std::string step_text(const Transformation& step) {
                        ", 0, 0, 0>";
             return "scale " + (f.x == f.y && f.y == f.z ? text_of(f.x) : text_of(f));
         }
+        std::string operator()(const Motion&) const { return ""; }  // patterns have none, for others see motions.h
     } words;
     return std::visit(words, step);
 }

@@ -46,8 +46,7 @@ bool has_horizon(const Scene& scene) {
 
 }  // namespace
 
-Unit unit_for(const Scene& scene, const std::vector<Camera>& cameras) {
-    double farthest = 0, smallest = std::numeric_limits<double>::infinity();
+void Sizes::add(const Scene& scene, const std::vector<Camera>& cameras) {
     for (const Camera& camera : cameras) {
         for (const Primitive& primitive : scene.primitives)
             farthest = std::max(farthest, reach(primitive, camera.position));
@@ -58,8 +57,12 @@ Unit unit_for(const Scene& scene, const std::vector<Camera>& cameras) {
         const DVec3 size = world_bounds(primitive).size();
         smallest = std::min({smallest, size.x, size.y, size.z});
     }
+    horizon |= has_horizon(scene);
+}
+
+Unit unit_for(const Sizes& sizes) {
+    const auto [farthest, smallest, horizon] = sizes;
     if (farthest == 0) return {};
-    const bool horizon = has_horizon(scene);
     const double least = std::max((horizon ? 150 : 3e4) / farthest, 1 / smallest), most = 1e6 / farthest;
     const bool good = least <= 1 && farthest <= (horizon ? 1e4 : 1e6);
     const double unit = good ? 1 : std::min(round_up(least), round_up(most));

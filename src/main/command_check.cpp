@@ -9,6 +9,7 @@
 
 #include "main/exit_status.h"
 #include "scene/leaves.h"
+#include "scene/motion.h"
 #include "scene/overlap.h"
 #include "text/file.h"
 #include "text/parse.h"
@@ -97,6 +98,10 @@ std::string summary(const Scene& scene) {
              << '\n';
     else
         text << "none\n";
+    if (const Movers movers(scene); movers.any())
+        text << "  motion       " << movers.last_key << " s: "
+             << counted(movers.bodies.size(), movers.bodies.size() == 1 ? "body" : "bodie") << ", "
+             << counted(movers.lights.size(), "light") << '\n';
     return text.str();
 }
 

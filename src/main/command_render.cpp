@@ -17,6 +17,7 @@
 #include "main/interrupt.h"
 #include "main/progress.h"
 #include "main/stats.h"
+#include "scene/motion.h"
 #include "text/file.h"
 #include "text/parse.h"
 #include "text/utf8.h"
@@ -117,14 +118,16 @@ void check_size(const Lattice& part, const std::string& ending) {
                          " are free; choose a smaller --size, or render it in parts with --crop");
 }
 
-Camera camera_of(const Scene& scene, std::optional<double> time) {
-    return time ? camera_at(*scene.flythrough, scene.camera, *time) : scene.camera;
-}
+/// A moment of the scene.
+struct Shot {
+    Camera camera;
+    double time;
+};
+Shot shot_of(const Scene& scene, std::optional<double> time) { return {camera_at(scene, time), time.value_or(0)}; }
 
 class Renderer {
   public:
-    /// `camera` is that of the first frame.
-    Renderer(const RenderOptions& o, Scene scene, const Camera& camera, const Lattice& lattice, FileFormat file_format,
+    Renderer(const RenderOptions& o, Scene scene, const Shot& first, const Lattice& lattice, FileFormat file_format,
              Stats& sums)
         : options(o),
           format(file_format),
@@ -132,7 +135,7 @@ class Renderer {
           stats(sums),
           pool(o.threads),
           loading(preload_picture_library(Interrupt::ask)),
-          accuracy(choose(scene, camera)),
+          accuracy(choose(scene, first)),
           tracer(std::move(scene), accuracy.precision, o.simd) {
         stats.accuracy = accuracy;
         stats.threads = pool.size();
@@ -146,12 +149,12 @@ class Renderer {
 
     /// Traces and writes one picture. If interrupted, writes the finished part to a file of its own and returns
     /// false.
-    bool render(const Camera& camera, const std::string& path, const std::string& ending, const std::string& label) {
+    bool render(const Shot& shot, const std::string& path, const std::string& ending, const std::string& label) {
         Picture picture{part.columns, part.rows, 3, std::vector<double>(3 * pixels())};
         watch.lap();
-        tracer.prepare(camera, pool);
+        tracer.prepare(view(shot, accuracy.depth, accuracy.dropped), pool);
         stats.build_seconds += watch.lap();
-        const std::uint64_t done = trace(camera, picture, label);
+        const std::uint64_t done = trace(shot, picture, label);
         stats.trace_seconds += watch.lap();
         const bool whole = done == pixels();
         using namespace std::chrono_literals;
@@ -174,7 +177,7 @@ class Renderer {
 
   private:
     /// Without --error only light that the file can't show is pruned, and depth and precision are the defaults.
-    Accuracy choose(const Scene& scene, const Camera& camera) {
+    Accuracy choose(const Scene& scene, const Shot& shot) {
         const double unseen = half_step(format);
         // The curve that encodes linear light enlarges errors where it is steep.
         const double steepest = format.linear && format.bits != 32 ? steepest_srgb : 1;
@@ -185,20 +188,21 @@ class Renderer {
                     .dropped = unseen};
         }
         stats.error = *options.error;
-        return choose_accuracy(scene, view(camera, 1, 0), *options.error / steepest, options.precision, options.depth,
+        return choose_accuracy(scene, view(shot, 1, 0), *options.error / steepest, options.precision, options.depth,
                                pool, options.simd);
     }
-    View view(const Camera& camera, int depth, double dropped) const {
-        return {.camera = camera,
+    View view(const Shot& shot, int depth, double dropped) const {
+        return {.camera = shot.camera,
                 .width = options.size.width,
                 .height = options.size.height,
                 .depth = depth,
-                .error = dropped};
+                .error = dropped,
+                .time = shot.time};
     }
     std::uint64_t pixels() const { return std::uint64_t(part.columns) * part.rows; }
 
     /// Returns the number of finished pixels; the others stay black.
-    std::uint64_t trace(const Camera& camera, Picture& picture, const std::string& label) {
+    std::uint64_t trace(const Shot& shot, Picture& picture, const std::string& label) {
         Progress progress(options.quiet, label);
         std::atomic<std::uint64_t> done = 0;
         const auto keep = [&](const Tile& tile) {
@@ -206,7 +210,7 @@ class Renderer {
             const std::uint64_t size = std::uint64_t(tile.lattice.columns) * tile.lattice.rows;
             progress.advance(done.fetch_add(size) + size, pixels());
         };
-        const View seen = view(camera, accuracy.depth, accuracy.dropped);
+        const View seen = view(shot, accuracy.depth, accuracy.dropped);
         if (stats.sampling.grid > 0) {
             stats.rays += tracer.trace(seen, stats.sampling, part, pool, keep, interrupt.flag());
         } else {
@@ -253,7 +257,7 @@ bool render_frames(const RenderOptions& options, const Lattice& part, Renderer& 
         const std::string path = numbered(options.output, frame);
         if (options.resume && !renderer.interrupted() && is_finished(path, part)) continue;
         const std::string label = "frame " + std::to_string(frame) + " of " + std::to_string(last) + " ";
-        if (!renderer.render(camera_of(renderer.scene(), frame / options.fps), path, ending, label)) {
+        if (!renderer.render(shot_of(renderer.scene(), frame / options.fps), path, ending, label)) {
             std::cerr << "strahl: the same command with --resume continues from there\n";
             return false;
         }
@@ -279,16 +283,15 @@ int render_command(const RenderOptions& options) {
     Stopwatch watch;
     Scene scene = parse_scene(read_text(options.scene), options.scene == "-" ? "standard input" : options.scene);
     stats.parse_seconds = watch.lap();
-    if ((options.time || options.frames) && !scene.flythrough)
-        throw UsageError(std::string(options.time ? "--time" : "--frames") +
-                         " needs a scene with a flythrough { }, and " + options.scene + " has none");
+    if (options.time || options.frames)
+        flight_for(options.time ? "--time" : "--frames", scene, options.scene);
 
     const FileFormat format{options.bits ? options.bits : ending == ".exr" ? 32 : 8, scene.settings.linear};
-    const Camera camera =
-        camera_of(scene, options.frames ? std::optional(options.frames->first / options.fps) : options.time);
-    Renderer renderer(options, std::move(scene), camera, part, format, stats);
+    const Shot first =
+        shot_of(scene, options.frames ? std::optional(options.frames->first / options.fps) : options.time);
+    Renderer renderer(options, std::move(scene), first, part, format, stats);
     stats.finished = options.frames ? render_frames(options, part, renderer, ending)
-                                    : renderer.render(camera, options.output, ending, "");
+                                    : renderer.render(first, options.output, ending, "");
     if (!options.stats.empty()) write_file(options.stats, to_json(stats));
     return stats.finished ? exit_status::done : exit_status::interrupted;
 }

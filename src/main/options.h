@@ -108,7 +108,7 @@ inline CLI::Option* add_bits(CLI::App* command, int& value, const std::vector<in
     return command->add_option("--bits", value, help)->check(CLI::IsMember(choices).description(""))->type_name("N");
 }
 inline CLI::Option* add_time(CLI::App* command, std::optional<double>& value) {
-    return command->add_option("--time", value, "A moment of the scene's flythrough, in seconds")
+    return command->add_option("--time", value, "A moment of the scene's flythrough and motions, in seconds")
         ->check(numbers(0, 1e9))
         ->type_name("T");
 }

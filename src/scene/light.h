@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "scene/field.h"
+#include "scene/transformation.h"
 
 namespace strahl {
 
@@ -38,6 +39,7 @@ struct Light {
     std::optional<DVec3> direction{};
     std::optional<Spot> spot{};
     std::optional<Area> area{};
+    std::optional<Motion> motion{};  // of its place, direction, edges, and of what its spot looks at
     bool operator==(const Light&) const = default;
 };
 
@@ -57,8 +59,9 @@ inline std::vector<Light> points_of(const std::vector<Light>& lights) {
         const auto offset = [](int i, int count) { return count > 1 ? double(i) / (count - 1) - .5 : 0; };
         for (int j = 0; j < rows; ++j)
             for (int i = 0; i < columns; ++i)
-                all.push_back({light.position + offset(i, columns) * u + offset(j, rows) * v,
-                               light.color / (double(columns) * rows)});
+                all.push_back({.position = light.position + offset(i, columns) * u + offset(j, rows) * v,
+                               .color = light.color / (double(columns) * rows),
+                               .motion = light.motion});
     }
     return all;
 }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "scene/motion.h"
+
 namespace strahl {
 namespace {
 
@@ -51,6 +53,7 @@ glm::dmat4 matrix(const Scale& s) {
     for (int i = 0; i < 3; ++i) m[i][i] = s.by[i];
     return m;
 }
+glm::dmat4 matrix(const Motion& motion) { return strahl::matrix(at(motion, 0)); }
 
 }  // namespace
 
@@ -68,6 +71,8 @@ double similarity(std::span<const Transformation> steps) {
             const double x = std::fabs(scale->by.x);
             if (std::fabs(scale->by.y) != x || std::fabs(scale->by.z) != x) return 0;
             factor *= x;
+        } else if (const Motion* const motion = std::get_if<Motion>(&step)) {
+            factor *= similarity(at(*motion, 0));
         }
     return factor;
 }

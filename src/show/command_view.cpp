@@ -1,6 +1,7 @@
 // strahl view: reads the scene and opens the window.
 #include "show/command_view.h"
 
+#include "scene/motion.h"
 #include "show/reload.h"
 #include "show/viewer.h"
 #include "text/parse.h"
@@ -12,8 +13,7 @@ int view_command(const ViewOptions& options) {
     std::string text = read_text(options.scene);
     const auto scene =
         std::make_shared<const Scene>(scene_for_window(text, options.scene == "-" ? "standard input" : options.scene));
-    if (options.time && !scene->flythrough)
-        throw UsageError("--time needs a scene with a flythrough { }, and " + options.scene + " has none");
+    if (options.time) flight_for("--time", *scene, options.scene);
     Viewer(options, scene, std::move(text), began).run();
     return 0;
 }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "num/decimal.h"
+#include "scene/motion.h"
 #include "text/write.h"
 
 namespace strahl {
@@ -20,11 +21,11 @@ Session::Session(std::shared_ptr<const Scene> first_scene, std::optional<int> de
 
 void Session::replace(std::shared_ptr<const Scene> newer, bool opened) {
     const bool moved = opened || newer->camera != scene->camera;
-    const bool on_scene_path = path && scene->flythrough && *path == *scene->flythrough;
+    const bool on_scene_path = path && path == flight_of(*scene);
     if (newer->flythrough != scene->flythrough) recorded = {};  // probably pasted into the file
     scene = std::move(newer);
-    if (on_scene_path || opened) path = scene->flythrough && !opened ? scene->flythrough : std::nullopt;
-    if (opened) recorded = {}, cameras = {}, clock = {};
+    if (on_scene_path || opened) path = opened ? std::nullopt : flight_of(*scene);
+    if (opened) recorded = {}, cameras = {}, clock = {}, time = 0;
     if (moved && !path) camera = scene->camera, speed = default_speed(camera);
 }
 
@@ -66,10 +67,8 @@ Answer Session::perform(Command command, double now) {
 
 Answer Session::play(double now) {
     if (flying()) return stop(now), Answer{"flight ended", ""};
-    if (recorded.keys.size() >= 2 || scene->flythrough)
-        path = recorded.keys.size() >= 2 ? recorded : *scene->flythrough;
-    else
-        path = orbit_path(camera, scene->camera), clock.set(0, now);
+    path = recorded.keys.size() >= 2 ? recorded : flight_of(*scene);
+    if (!path) path = orbit_path(camera, scene->camera), clock.set(0, now);
     if (!path->loop && clock.at(now) >= path->duration) clock.set(0, now);
     clock.run(now);
     follow(now);
@@ -111,8 +110,8 @@ void Session::stop(double now) {
 }
 
 bool Session::go_to(double seconds, double now) {
-    if (!scene->flythrough) return false;
-    path = scene->flythrough;
+    path = flight_of(*scene);
+    if (!path) return false;
     clock.hold(now);
     clock.set(seconds, now);
     follow(now);
@@ -120,7 +119,7 @@ bool Session::go_to(double seconds, double now) {
 }
 
 void Session::steer(const CameraInput& input, double now) {
-    stop(now);
+    if (!path || !path->keys.empty()) stop(now);
     CameraInput scaled = input;
     // In orbit a push turns by a radian per second.
     scaled.push *= orbiting ? DVec3(speed / default_speed(scene->camera)) : DVec3(speed);
@@ -130,7 +129,8 @@ void Session::steer(const CameraInput& input, double now) {
 std::optional<Answer> Session::follow(double now) {
     if (!path) return std::nullopt;
     const double seconds = clock.at(now);
-    camera = camera_at(*path, scene->camera, seconds);
+    time = seconds;
+    if (!path->keys.empty()) camera = camera_at(*path, scene->camera, seconds);
     if (path->loop || seconds < path->duration || !clock.running()) return std::nullopt;
     stop(now);
     return Answer{"end of the flight", ""};

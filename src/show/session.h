@@ -30,10 +30,10 @@ class Session {
     /// Commands that concern only the window (quit, still, full screen, help, info) have no effect here.
     Answer perform(Command command, double now);
 
-    /// Moves to a moment of the scene's flythrough, if it has one, and pauses there.
+    /// Moves to a moment of the scene's flight, if anything moves, and pauses there.
     bool go_to(double seconds, double now);
 
-    /// Moves the camera; ends a flight. `push` is in seconds at the current speed.
+    /// Moves the camera; ends a flight on which it was not free. `push` is in seconds at the current speed.
     void steer(const CameraInput& input, double now);
     void change_speed(double factor) { speed *= factor; }
     /// Moves the camera along the flight to this moment. Returns a response if the flight has ended.
@@ -47,6 +47,7 @@ class Session {
 
     std::shared_ptr<const Scene> scene;
     Camera camera;
+    double time = 0;  // of moving bodies, in seconds: as `camera` that of the last moment followed
     bool orbiting = false;
     double speed = 1;           // units of the scene per second
     int finest = finest_level;  // while moving
@@ -60,8 +61,8 @@ class Session {
     void stop(double now);
 
     std::optional<int> own_depth;
-    std::optional<Flythrough> path;  // on which the camera flies now
-    FlightClock clock;               // also runs for the scene's path while no flight is under way
+    std::optional<Flythrough> path;  // on which the camera flies now; without keys it is free, and only bodies move
+    FlightClock clock;               // keeps the moment while no flight is under way
     Flythrough recorded;
     std::array<std::optional<Camera>, 9> cameras;
 };

@@ -94,6 +94,7 @@ void TraceThread::first_picture() {
     const Steps steps = steps_of(level);
     const Lattice pixels = pixels_of(level, view.width, view.height);
     spare.resize(pixels.columns, pixels.rows);
+    tracer->prepare(view, pool);  // a coarser picture would not save this time
     const auto start = Clock::now();
     const Counts rays = tracer->trace(
         view, pixels, pool, [&](const Tile& tile) { store(tile, *table, steps, spare); }, &stop);

@@ -56,7 +56,7 @@ double Viewer::now() const { return std::chrono::duration<double>(Clock::now() -
 
 void Viewer::add_still() {
     View view = wanted.view;
-    view.camera = session.camera, view.depth = session.depth();
+    view.camera = session.camera, view.depth = session.depth(), view.time = session.time;
     view.error = half_step({8, session.scene->settings.linear});
     if (options.still_size.width > 0) view.width = options.still_size.width, view.height = options.still_size.height;
     const std::string name = still_name(path);
@@ -188,9 +188,11 @@ void Viewer::order() {
                     .width = width,
                     .height = height,
                     .depth = session.depth(),
-                    .error = half_step({8, session.scene->settings.linear})};
+                    .error = half_step({8, session.scene->settings.linear}),
+                    .time = session.time};
     const bool same = wanted.scene == session.scene && wanted.view.camera == view.camera &&
-                      wanted.view.width == width && wanted.view.height == height && wanted.view.depth == view.depth;
+                      wanted.view.width == width && wanted.view.height == height && wanted.view.depth == view.depth &&
+                      wanted.view.time == view.time;
     if (same && wanted.moving == moving) return;
     if (!same && marked) toggle_stability();
     wanted = {wanted.number + (same ? 0 : 1), session.scene, view, moving, 0.8 / options.fps, session.finest};

@@ -93,7 +93,7 @@ class Viewer {
     double next_move = 0, last_move = 0;  // of the camera
     double last_draw = -1;
     bool moving = false;
-    Motion motion;
+    MotionLog motion;
 };
 
 }  // namespace strahl

@@ -12,19 +12,19 @@ namespace strahl {
 
 void log_line(const std::string& text) { std::cout << "// " << printable(text) << std::endl; }
 
-void Motion::begin(double now) { *this = {}, start = now; }
+void MotionLog::begin(double now) { *this = {}, start = now; }
 
-void Motion::picture(double now, int level) { times.push_back(now), levels.push_back(level); }
+void MotionLog::picture(double now, int level) { times.push_back(now), levels.push_back(level); }
 
-void Motion::drawn(double seconds) { drawing += seconds, ++draws; }
+void MotionLog::drawn(double seconds) { drawing += seconds, ++draws; }
 
-double Motion::rate(double now) const {
+double MotionLog::rate(double now) const {
     const double window = std::min(1.0, now - start);
     const auto from = std::ranges::lower_bound(times, now - window);
     return window > 0 ? static_cast<double>(times.end() - from) / window : 0;
 }
 
-std::string Motion::report(double now) const {
+std::string MotionLog::report(double now) const {
     std::vector<int> sorted = levels;
     std::ranges::sort(sorted);
     char text[200];

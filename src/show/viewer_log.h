@@ -9,7 +9,7 @@ namespace strahl {
 void log_line(const std::string& text);
 
 /// Figures of a motion from start to end. Times are in seconds.
-class Motion {
+class MotionLog {
   public:
     void begin(double now);
     void picture(double now, int level);

@@ -19,7 +19,7 @@ constexpr std::array<T, n + m> joined(const std::array<T, n>& first, const std::
 }
 
 /// What may follow the arguments of a body.
-inline constexpr auto shape_words = joined(std::array<std::string_view, 1>{"material"}, transformation_words);
+inline constexpr auto shape_words = joined(std::array<std::string_view, 2>{"material", "motion"}, transformation_words);
 
 /// What may stand in a mesh besides that.
 inline constexpr std::array<std::string_view, 3> mesh_words{"file", Triangle::name, SmoothTriangle::name};
@@ -71,12 +71,25 @@ inline std::array<Parameter, 2> flythrough_parameters(Flythrough& path) {
          {"loop", &path.loop, {}, "closes the path: from the last key it continues to the first", "the path ends"}}};
 }
 
+/// A key of a motion as its block says it.
+struct MotionKeyText {
+    double time = 0;
+    Scale scale;
+    DVec3 rotate{0}, translate{0};
+};
+inline std::array<Parameter, 4> motion_parameters(MotionKeyText& key) {
+    return {{{"time", &key.time, seconds, "when it is so, in seconds", required},
+             {"scale", &key.scale, anything, "factors; between keys of the same sign each", "`1`"},
+             {"rotate", &key.rotate, anything, "degrees about x, then y, then z"},
+             {"translate", &key.translate, coordinates, "how far it is moved"}}};
+}
+
 inline std::array<Parameter, 3> light_parameters(Light& light) {
     return {{{"position", &light.position, coordinates, "where the light is", required, "direction"},
              {"direction", &light.direction, directions, "of parallel light: where it shines to"},
              {"color", &light.color, not_negative, "its colour and strength", required}}};
 }
-inline constexpr std::array<std::string_view, 3> light_words{"spot", "edges", "grid"};
+inline constexpr std::array<std::string_view, 4> light_words{"spot", "edges", "grid", "motion"};
 inline std::array<Parameter, 4> spot_parameters(Spot& spot) {
     const Parameter look_at{"look_at", &spot.look_at, coordinates, "a point on the axis of its cone", required};
     return joined(std::array{look_at},
@@ -125,6 +138,7 @@ void each_block(const Visit& visit) {
     std::optional<double> aspectratio;
     double time = 0;
     Flythrough path;
+    MotionKeyText moment;
     Light light;
     Spot spot;
     Pigment background{Color(0)};
@@ -140,6 +154,7 @@ void each_block(const Visit& visit) {
     visit("global_settings", settings_parameters(settings));
     visit("flythrough", flythrough_parameters(path));
     visit("key", key_parameters(time, eye));
+    visit("motion", motion_parameters(moment));
 }
 
 }  // namespace strahl

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "text/blocks.h"
+#include "text/motion_block.h"
 
 namespace strahl {
 
@@ -65,9 +66,7 @@ void CameraBlocks::check_times(const Flythrough& read_path, std::span<const KeyP
     const std::vector<Keyframe>& keys = read_path.keys;
     for (std::size_t i = 0; i < keys.size(); ++i)
         if (i > 0 && !(keys[i].time > keys[i - 1].time))
-            reader.diagnostics.add(places[i].time, "times must rise: the key before, in " +
-                                                       reader.diagnostics.line(places[i - 1].time) +
-                                                       ", is not earlier than this one");
+            require_rising(reader.diagnostics, keys[i - 1].time, keys[i].time, places[i - 1].time, places[i].time);
         else if (keys[i].time > read_path.duration)
             reader.diagnostics.add(places[i].time, "this is after the end, which 'duration' in " +
                                                        reader.diagnostics.line(duration) + " sets");

@@ -5,7 +5,9 @@
 
 #include "num/decimal.h"
 #include "num/vec_math.h"
+#include "scene/motion.h"
 #include "text/blocks.h"
+#include "text/motion_block.h"
 
 namespace strahl {
 namespace {
@@ -52,17 +54,23 @@ std::string edges_fault(const Area& area) {
 
 }  // namespace
 
-Light read_light(Reader& reader, std::string_view word) {
+Light read_light(Reader& reader, const TextLimits& limits, std::string_view word) {
     Light light;
     Block block{word};
     auto parameters = light_parameters(light);
-    std::string_view spot_at, edges_at, grid_at;
+    std::string_view spot_at, motion_at, edges_at, grid_at;
     Area area;
     reader.block(
         block, parameters, light_words, [] {},
         [&](std::string_view inner) {
             if (inner == "edges") return reader.once(edges_at, inner), read_edges(reader, area, block), true;
             if (inner == "grid") return reader.once(grid_at, inner), read_grid(reader, area, block), true;
+            if (inner == "motion") {
+                const bool first = reader.once(motion_at, inner);
+                Motion motion = read_motion(reader, limits, inner, block);
+                if (first) light.motion = std::move(motion);
+                return true;
+            }
             if (inner != "spot") return false;
             const bool first = reader.once(spot_at, inner);
             const Spot spot = read_spot(reader, inner, block);
@@ -87,6 +95,10 @@ Light read_light(Reader& reader, std::string_view word) {
                                "parallel light has no place from which a spot could shine; give it a 'position'");
     else if (light.spot && light.spot->look_at == light.position)
         reader.diagnostics.add(spot_at, "this spot shines nowhere: 'look_at' is the light's own position");
+    if (light.motion)
+        for (const MotionKey& key : light.motion->keys)
+            if (const std::string fault = transformations_fault(matrix(at(*light.motion, key.time))); !fault.empty())
+                reader.diagnostics.add(motion_at, "at " + text_of(key.time) + " s this motion of a light would " + fault);
     return light;
 }
 

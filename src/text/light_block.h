@@ -3,10 +3,11 @@
 #include <string_view>
 
 #include "scene/light.h"
+#include "text/parse.h"
 #include "text/reader.h"
 
 namespace strahl {
 
-Light read_light(Reader& reader, std::string_view word);
+Light read_light(Reader& reader, const TextLimits& limits, std::string_view word);
 
 }  // namespace strahl

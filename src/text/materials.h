@@ -61,6 +61,7 @@ class MaterialHash {
             void operator()(const Rotate& step) const { add(hash, step.degrees); }
             void operator()(const Translate& step) const { add(hash, step.by); }
             void operator()(const Scale& step) const { add(hash, step.by); }
+            void operator()(const Motion&) const {}  // a pattern moves only with its body
         } values{hash};
         for (const Transformation& step : transformations) std::visit(values, step);
     }

@@ -5,12 +5,14 @@
 #include <utility>
 
 #include "num/decimal.h"
+#include "scene/motion.h"
 #include "text/blocks.h"
 #include "text/bodies.h"
 #include "text/camera_blocks.h"
 #include "text/definitions.h"
 #include "text/light_block.h"
 #include "text/mesh_block.h"
+#include "text/motion_block.h"
 #include "text/parse.h"
 #include "text/reader.h"
 #include "text/settings_block.h"
@@ -107,7 +109,7 @@ void Parser::top_block(std::string_view word) {
     if (body(word, scene.primitives, own, 0) || use(word, scene.primitives, own, 0))
         return settle(scene.primitives.back(), default_material);
     if (word == "light") {
-        scene.lights.push_back(read_light(reader, word));
+        scene.lights.push_back(read_light(reader, limits, word));
         points += points_of(scene.lights.back());
         return limit(points, limits.lights + 1, word, "lights");
     }
@@ -208,7 +210,8 @@ bool Parser::finish(std::string_view word, Primitive& primitive, Block& block, E
     }
     if (!contains(shape_words, word)) return false;
     limit(primitive.transformations.size(), limits.transformations, word, "transformations of one primitive");
-    primitive.transformations.push_back(read_transformation(reader, word, block));
+    primitive.transformations.push_back(word == "motion" ? read_motion(reader, limits, word, block)
+                                                         : read_transformation(reader, word, block));
     ending.last = word;
     return true;
 }
@@ -278,8 +281,12 @@ void Parser::check(const Kind& shape, const Primitive& primitive, Block& block, 
     };
     if (const char* const none = shape.fault()) return fault(word, "this " + name + " is none: " + none);
     if (!ending.last.empty()) {
-        const std::string moved = transformed_fault(shape, matrix(primitive.transformations));
-        if (!moved.empty()) return fault(ending.last, "up to here the transformations of this " + name + " " + moved);
+        for (const double time : key_times(primitive.transformations)) {
+            const std::string moved = transformed_fault(shape, matrix(at(primitive.transformations, time)));
+            if (moved.empty()) continue;
+            const std::string when = time > 0 ? " at " + text_of(time) + " s" : "";
+            return fault(ending.last, "up to here the transformations of this " + name + when + " " + moved);
+        }
     }
     if (const std::string none = depth > 0 ? fault_as_part(shape, word) : ""; !none.empty()) fault(word, none);
 }

@@ -21,6 +21,19 @@ void Reader::read(DVec3& value, const Bounds& bounds, std::string_view name, Blo
     if (!lexer.accept('>')) lexer.fail("'>' expected after the three numbers of a vector");
 }
 
+void Reader::read(Scale& value, const Bounds& bounds, std::string_view name, Block& block) {
+    DVec3& by = value.by;
+    const bool vector = lexer.peek() == '<';
+    const std::string_view at = lexer.token();
+    if (vector)
+        read(by, bounds, name, block);
+    else
+        read(by.x, bounds, name, block), by.y = by.z = by.x;
+    if (by.x != 0 && by.y != 0 && by.z != 0) return;
+    diagnostics.add(at, "'scale' of " + quoted(block.name) + " is 0, which would leave nothing of it; 1 changes nothing");
+    block.bad = true;
+}
+
 void Reader::read(Parameter& parameter, std::string_view word, Block& block) {
     const bool first = once(parameter.at, word);
     if (!first) block.bad = true;
@@ -33,6 +46,7 @@ void Reader::read(Parameter& parameter, std::string_view word, Block& block) {
         void operator()(bool* target) const { *target = true; }
         void operator()(double* target) const { read(*target, *target); }
         void operator()(DVec3* target) const { read(*target, *target); }
+        void operator()(Scale* target) const { read(*target, *target); }
         void operator()(Pigment* target) const { read(*target, *target); }
         void operator()(std::optional<double>* target) const { read(double(), *target); }
         void operator()(std::optional<DVec3>* target) const { read(DVec3(), *target); }

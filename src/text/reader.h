@@ -30,6 +30,8 @@ class Reader {
     /// Values out of bounds are reported, and reading continues.
     void read(double& value, const Bounds& bounds, std::string_view name, Block& block);
     void read(DVec3& value, const Bounds& bounds, std::string_view name, Block& block);
+    /// A number is that factor in all directions.
+    void read(Scale& value, const Bounds& bounds, std::string_view name, Block& block);
     void read(Pigment& value, const Bounds& bounds, std::string_view name, Block& block);
 
     /// Reads `{ ... }`: first `arguments()`, then words. `item(word)` reads the value of a word and returns whether it

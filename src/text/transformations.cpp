@@ -1,6 +1,7 @@
 #include "text/transformations.h"
 
 #include "num/decimal.h"
+#include "scene/motion.h"
 
 namespace strahl {
 
@@ -8,17 +9,19 @@ Transformation read_transformation(Reader& reader, std::string_view word, Block&
     DVec3 v{0};
     if (word == "rotate") return reader.read(v, anything, word, block), Rotate{v};
     if (word == "translate") return reader.read(v, coordinates, word, block), Translate{v};
-    const std::string_view at = (reader.lexer.peek(), reader.lexer.token());
-    if (reader.lexer.peek() == '<')
-        reader.read(v, anything, word, block);
-    else
-        reader.read(v.x, anything, word, block), v.y = v.z = v.x;
-    if (v.x == 0 || v.y == 0 || v.z == 0) {
-        reader.diagnostics.add(
-            at, "'scale' of " + quoted(block.name) + " is 0, which would leave nothing of it; 1 changes nothing");
-        block.bad = true;
+    Scale scale;
+    return reader.read(scale, anything, word, block), scale;
+}
+
+std::string text_of(const Motion& motion, const std::string& new_line) {
+    const std::string inner = new_line + (new_line == " " ? "" : "  ");
+    std::string text = "motion {";
+    for (const MotionKey& key : motion.keys) {
+        text.append(inner).append("key { time ").append(text_of(key.time));
+        for (const Transformation& step : steps_of(key)) text.append("  ").append(text_of(step));
+        text += " }";
     }
-    return Scale{v};
+    return text.append(new_line).append("}");
 }
 
 std::string text_of(const Transformation& step) {
@@ -28,6 +31,7 @@ std::string text_of(const Transformation& step) {
         std::string operator()(const Scale& s) const {
             return "scale " + (s.by.x == s.by.y && s.by.y == s.by.z ? text_of(s.by.x) : text_of(s.by));
         }
+        std::string operator()(const Motion& motion) const { return text_of(motion, " "); }
     } words;
     return std::visit(words, step);
 }

@@ -18,6 +18,8 @@ Transformation read_transformation(Reader& reader, std::string_view word, Block&
 
 /// As a scene says it: "rotate <0, 0, 90>".
 std::string text_of(const Transformation& step);
+/// With each key after a `new_line`, which is a space or a line break and what lines begin with.
+std::string text_of(const Motion& motion, const std::string& new_line);
 
 /// The condition number of the linear part of a transformation, in Frobenius norms (at most three times too large): how
 /// much more it shrinks one direction than another. Its largest entry should be about 1.

@@ -79,7 +79,11 @@ std::string primitive_text(const Primitive& primitive, const std::vector<Materia
         primitive.shape);
     const std::string new_line = std::string("\n").append(indent);
     std::vector<std::string> items;
-    for (const Transformation& step : primitive.transformations) items.push_back(text_of(step));
+    for (const Transformation& step : primitive.transformations) {
+        const Motion* const motion = std::get_if<Motion>(&step);
+        lines |= motion != nullptr;
+        items.push_back(motion ? text_of(*motion, new_line + "  ") : text_of(step));
+    }
     if (own != base) items.push_back("material { " + parameters(own, base) + " }");
     std::size_t length = text.size();
     for (const std::string& item : items) length += 2 + item.size();
@@ -104,6 +108,7 @@ std::string light_text(const Light& light) {
         std::apply([&](const auto&... field) { (add(field), ...); }, Spot::fields);
         text += " }";
     }
+    if (light.motion) return text + "\n  " + text_of(*light.motion, "\n  ") + "\n}\n";
     return text + " }\n";
 }
 

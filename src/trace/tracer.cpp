@@ -38,8 +38,8 @@ Tracer::Tracer(Scene scene, Precision precision, Simd simd) {
 Tracer::~Tracer() = default;
 Tracer::Tracer(Tracer&&) noexcept = default;
 Tracer& Tracer::operator=(Tracer&&) noexcept = default;
-const Scene& Tracer::scene() const { return implementation->tracer->scene; }
-void Tracer::prepare(const Camera& camera, ThreadPool& pool) { implementation->tracer->prepare(camera, pool); }
+const Scene& Tracer::scene() const { return implementation->tracer->scene(); }
+void Tracer::prepare(const View& view, ThreadPool& pool) { implementation->tracer->prepare(view, pool); }
 Precision Tracer::precision() const { return implementation->precision; }
 Simd Tracer::simd() const { return implementation->simd; }
 
@@ -53,6 +53,7 @@ Counts Tracer::trace(const View& view, const Sampling& sampling, const Lattice& 
                      const Sink& sink, const std::atomic<bool>* stop) {
     if (sampling.grid == 1 && !sampling.centre) return trace(view, region, pool, sink, stop);
     if (sampling.grid > 0) return implementation->tracer->trace_grids(view, sampling, region, pool, sink, stop);
+    prepare(view, pool);
     CellPicture picture(scene(), view, region, sampling.error);
     return trace(view, picture, 0, pool, sink, stop);
 }

@@ -68,6 +68,7 @@ struct View {
     int depth = 20;                   // generations of rays, the primary ray being the first; 1 to 256
     double shift_x = 0, shift_y = 0;  // of the sampling point from the pixel's centre, in pixels
     double error = 0;  // a pixel may lack this much light in a channel: weak rays are left out until they add up to it
+    double time = 0;   // in seconds: where moving bodies and lights are
 };
 
 /// Throws FileError if the scene has more surfaces than numbers of this precision can tell apart: 2^24 in float. So
@@ -83,9 +84,9 @@ class Tracer {
     Tracer(Tracer&&) noexcept;
     Tracer& operator=(Tracer&&) noexcept;
 
-    /// Builds what tracing for this camera needs, if it is not there yet: cameras near the scene share it. Otherwise
-    /// `trace` does.
-    void prepare(const Camera& camera, ThreadPool& pool);
+    /// Builds what tracing for this view needs, if it is not there yet: cameras near the scene share it, and where
+    /// nothing moves all times do. Otherwise `trace` does.
+    void prepare(const View& view, ThreadPool& pool);
 
     /// Traces the lattice on all threads of the pool and returns when it is done or `stop` became true; tiles that
     /// were handed to the sink are whole in both cases. Not to be called from two threads at once.
@@ -102,6 +103,7 @@ class Tracer {
     Counts trace(const View& view, CellPicture& picture, int finest, ThreadPool& pool, const Sink& sink,
                  const std::atomic<bool>* stop = nullptr);
 
+    /// As it is at the time of the last view: nothing in it moves.
     const Scene& scene() const;
     Precision precision() const;
     Simd simd() const;

@@ -8,19 +8,21 @@
 #include "trace/batches.h"
 #include "trace/bound.h"
 #include "trace/cell_picture.h"
+#include "trace/stage.h"
 #include "trace/thread_pool.h"
 
 namespace strahl {
 
 struct AnyTracer {
-    explicit AnyTracer(Scene&& own) : scene(std::move(own)) {}
+    explicit AnyTracer(Scene&& own) : stage(std::move(own)) {}
     virtual ~AnyTracer() = default;
-    virtual void prepare(const Camera&, ThreadPool&) = 0;
+    virtual void prepare(const View&, ThreadPool&) = 0;
     virtual Counts trace(const View&, const Lattice&, ThreadPool&, const Sink&, const std::atomic<bool>*) = 0;
     virtual Counts trace_grids(const View&, const Sampling&, const Lattice&, ThreadPool&, const Sink&,
                                const std::atomic<bool>*) = 0;
     virtual Counts trace_cells(const View&, CellPicture&, int, ThreadPool&, const Sink&, const std::atomic<bool>*) = 0;
-    const Scene scene;
+    const Scene& scene() const { return stage.scene(); }
+    Stage stage;
 };
 
 /// A bound in T; infinite before it could overflow when multiplied.
@@ -52,13 +54,15 @@ template <class T>
 class TracerOf : public AnyTracer {
   public:
     TracerOf(Scene&& own, Simd simd)
-        : AnyTracer(std::move(own)), extent(extent_of(scene)), kernel(kernel_for<T>(simd)) {}
+        : AnyTracer(std::move(own)), extent(extent_of(scene())), kernel(kernel_for<T>(simd)) {}
 
-    void prepare(const Camera& camera, ThreadPool& pool) override {
-        const Placement wanted = placement(extent, camera.position);
-        if (built && wanted == placed) return;
+    void prepare(const View& view, ThreadPool& pool) override {
+        const bool moved = stage.set(view.time, pool);
+        if (moved) extent = extent_of(scene());
+        const Placement wanted = placement(extent, view.camera.position);
+        if (built && wanted == placed && !moved) return;
         built.reset();
-        built = std::make_unique<BuiltWorld<T>>(scene, wanted, pool);
+        built = std::make_unique<BuiltWorld<T>>(scene(), wanted, pool);
         placed = wanted;
     }
 
@@ -103,11 +107,11 @@ class TracerOf : public AnyTracer {
     template <class Work>
     Counts each(const View& view, int tiles, double noticed, ThreadPool& pool, const std::atomic<bool>* stop,
                 const Work& work) {
-        prepare(view.camera, pool);
+        prepare(view, pool);
         while (static_cast<int>(workspaces.size()) < pool.size())
             workspaces.push_back(std::make_unique<Workspace<T>>());
 
-        const Bound bound = bound_for(scene, view.depth);
+        const Bound bound = bound_for(scene(), view.depth);
         std::vector<T> brightest;
         for (const double most : bound.brightest) brightest.push_back(upper<T>(most));
         const Eye<T> eye = eye_of<T>(view, placed);

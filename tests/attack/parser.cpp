@@ -1,4 +1,5 @@
 // Any bytes either give a FileError or a scene that survives being written and parsed again.
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -6,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "scene/motion.h"
 #include "text/parse.h"
 #include "text/write.h"
 
@@ -16,12 +18,25 @@ namespace {
     std::abort();
 }
 
+bool finite(const glm::dmat4& m) {
+    bool all = true;
+    for (int i = 0; i < 16; ++i) all &= std::isfinite(m[i / 4][i % 4]);
+    return all;
+}
+
 void check(const strahl::Scene& scene) {
     const std::string text = strahl::write_scene(scene);
     try {
         if (strahl::parse_scene(text, "written") != scene) fail("written and parsed again it is another scene:", text);
     } catch (const strahl::FileError& error) {
         fail("what was written does not parse:", std::string(error.what()) + "\n" + text);
+    }
+    for (const double time : {0., .1, 1.7, 1e15}) {
+        const strahl::Scene now = at(scene, time);
+        if (strahl::Movers(now).any()) fail("at a moment something moves:", text);
+        for (const strahl::Primitive& primitive : now.primitives)
+            for (const strahl::Transformation& step : primitive.transformations)
+                if (!finite(strahl::matrix({&step, 1}))) fail("a motion leaves the range of numbers:", text);
     }
     if (!scene.flythrough) return;
     for (const double share : {-.1, 0., .3, .5, .99, 1., 1.7}) {

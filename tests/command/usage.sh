@@ -50,6 +50,8 @@ refuse "standard output" -o - --format bmp --stats -
 sed '/^flythrough/,$d' scene.rt >still.rt
 expect 2 "needs a scene with a flythrough" render still.rt -o x.bmp --time 1
 expect 2 "needs a scene with a flythrough" render still.rt -o x.bmp --frames 0-1
+expect 2 "needs a scene with a flythrough" crosscheck still.rt --time 1
+expect 2 "needs a scene with a flythrough" pov still.rt -o x.pov --animation
 
 rm still.rt
 expect_only scene.rt

@@ -160,6 +160,31 @@ TEST_CASE("a flight can start at any moment") {
     CHECK(!Session(scene_of("")).go_to(1, 0));
 }
 
+TEST_CASE("what moves plays without a flythrough, and the camera is free meanwhile") {
+    Session session(scene_of("sphere { <0,0,0>, 1 motion { key { time 1 } key { time 5 translate <1,0,0> } } }"));
+    CHECK(session.time == 0);
+    session.perform({Action::play}, 10);
+    session.follow(12.5);
+    CHECK(session.time == 2.5);
+    CHECK(session.camera == camera);
+    session.steer({.push = {1, 0, 0}}, 13);
+    CHECK(session.under_way());
+    const Camera there = session.camera;
+    session.follow(14);
+    CHECK(session.time == 4);
+    CHECK(session.camera == there);
+    CHECK(there != camera);
+    CHECK(session.perform({Action::pause}, 14.25).note == "paused at 4.25 s");
+    CHECK(session.time == 4.25);
+    session.perform({Action::pause}, 20);
+    CHECK(session.follow(21));  // over
+    CHECK(!session.flying());
+    CHECK(session.camera == there);
+    CHECK(session.go_to(1.5, 30));
+    CHECK(session.time == 1.5);
+    CHECK(session.paused());
+}
+
 TEST_CASE("without a flythrough the flight orbits the scene") {
     Session session(scene_of(""));
     session.perform({Action::play}, 0);

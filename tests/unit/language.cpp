@@ -1,5 +1,6 @@
 // The scene language: valid scenes.
 #include "tests/unit/language.h"
+#include "text/write.h"
 
 using namespace strahl;
 using namespace strahl::language;
@@ -132,4 +133,16 @@ TEST_CASE("lines may end in a carriage return, in a line feed, or in both") {
         REQUIRE(told.size() == 1);
         CHECK(told[0].starts_with("x.rt:6:19: "));
     }
+}
+
+TEST_CASE("many materials are fast, and numbered in the order of use") {
+    std::string text = "camera { position <0,-9,0> look_at <0,0,0> up <0,0,-1> fov 25 }\n";
+    constexpr int count = 20000;
+    for (int i = 0; i < 2 * count; ++i)
+        text += "sphere { <0,0,0>, 1 material { pow " + std::to_string(i % count) + " } }\n";
+    const Scene scene = parse_scene(text, "many");
+    REQUIRE(scene.materials.size() == count);
+    for (int i = 0; i < 2 * count; ++i) REQUIRE(scene.primitives[i].material == i % count);
+    CHECK(scene.materials[count - 1].pow == count - 1);
+    CHECK(parse_scene(write_scene(scene), "written") == scene);
 }

@@ -91,7 +91,7 @@ TEST_CASE("composites that can't be") {
     check_fault("union { " + many + "intersection { " + ball + ball + "} }",
                 "2:1: this union is none: it consists of more than 64 bodies");
     check_fault("union { " + ball + "camera_ }",
-                "2:31: unknown word 'camera_' in 'union'; known here: material, rotate, translate, scale, sphere, "
+                "2:31: unknown word 'camera_' in 'union'; known here: material, motion, rotate, translate, scale, sphere, "
                 "plane, cylinder, cone, box, disc, torus, triangle, smooth_triangle, mesh, union, intersection, "
                 "difference");
     check_fault("union { material { }\nmaterial { } " + ball + "}", "3:1: a second 'material'; the first is in line 2");

@@ -51,7 +51,7 @@ TEST_CASE("the nearest known word is offered") {
     check_fault("sphere { <0,0,0>, 1 trans <1,1,1> }",
                 "2:21: unknown word 'trans' in 'sphere'; did you mean 'translate'?");
     check_fault("sphere { <0,0,0>, 1 pigment { color <1,1,1> } }",
-                "2:21: unknown word 'pigment' in 'sphere'; known here: material, rotate, translate, scale");
+                "2:21: unknown word 'pigment' in 'sphere'; known here: material, motion, rotate, translate, scale");
 }
 
 TEST_CASE("missing parameters") {

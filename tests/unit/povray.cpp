@@ -14,6 +14,7 @@
 #include "image/picture.h"
 #include "povref/command_pov.h"
 #include "povref/run_povray.h"
+#include "scene/motion.h"
 #include "scratch.h"
 #include "trace/thread_pool.h"
 
@@ -129,24 +130,28 @@ TEST_CASE("povray renders an emitted .ini without warnings, to Strahl's picture"
     }
 }
 
-TEST_CASE("an animation of ten frames agrees frame by frame") {
+TEST_CASE("animations of ten frames agree frame by frame") {
     const Scratch scratch;
-    const Scene scene = read_scene("crosscheck/flight");
-    REQUIRE(pov_command({.scene = STRAHL_SOURCE "/scenes/crosscheck/flight.rt",
-                         .output = scratch / "flight.pov",
-                         .animation = true,
-                         .fps = 4.5,
-                         .width = 64,
-                         .height = 48}) == 0);
-    const std::string log = output_of("povray '" + (scratch / "flight.ini") + "'");
-    CHECK_MESSAGE(log.find("Rendering frame 10 of 10") != std::string::npos, log);
-    Tracer tracer(scene, Precision::float64);
-    for (int n = 0; n < 10; ++n) {
-        CAPTURE(n);
-        const View view{.camera = camera_at(*scene.flythrough, scene.camera, n / 4.5), .width = 64, .height = 48};
-        const Picture theirs = read_picture(scratch / ("flight" + std::to_string(n) + ".png"));
-        const Verdict verdict = judge(tracer, view, render(scene, view), theirs);
-        CHECK_MESSAGE(fault(verdict, {}).empty(), fault(verdict, {}));
+    for (const auto& [name, fps] : {std::pair("flight", 4.5), {"motion", 3.75}}) {
+        CAPTURE(name);
+        const Scene scene = read_scene(std::string("crosscheck/") + name);
+        REQUIRE(pov_command({.scene = std::string(STRAHL_SOURCE "/scenes/crosscheck/") + name + ".rt",
+                             .output = scratch / "film.pov",
+                             .animation = true,
+                             .fps = fps,
+                             .width = 64,
+                             .height = 48}) == 0);
+        const std::string log = output_of("povray '" + (scratch / "film.ini") + "'");
+        CHECK_MESSAGE(log.find("Rendering frame 10 of 10") != std::string::npos, log);
+        Tracer tracer(scene, Precision::float64);
+        for (int n = 0; n < 10; ++n) {
+            CAPTURE(n);
+            const double time = n / fps;
+            const View view{.camera = camera_at(scene, time), .width = 64, .height = 48, .time = time};
+            const Picture theirs = read_picture(scratch / ("film" + std::to_string(n) + ".png"));
+            const Verdict verdict = judge(tracer, view, render(scene, view), theirs);
+            CHECK_MESSAGE(fault(verdict, {}).empty(), fault(verdict, {}));
+        }
     }
 }
 

@@ -231,6 +231,18 @@ TEST_CASE("an animation holds every frame's camera") {
     CHECK(has(files.pov, "#declare Eye = array[10] {"));
     CHECK(has(files.pov, "location  Eye[frame_number]"));
     CHECK(has(files.ini, "Initial_Frame=0\nFinal_Frame=9\n"));
+    CHECK_FALSE(has(files.ini, "Clock"));
+    // What moves does so by the clock; equal motions are declared once.
+    const std::string motion = "motion { key { time 1 } key { time 3 translate <0, 0, 8> } }";
+    const Scene moving = parse_scene(camera + light + "sphere { <0, 0, 0>, 1 " + motion + " }\n" + "sphere { <3, 0, 0>, 1 " +
+                                         motion + " }", "test");
+    const PovFiles moved = write_pov(moving, request);
+    CHECK(has(moved.ini, "Initial_Clock=0\nFinal_Clock=1.8\n"));
+    CHECK(has(moved.pov, "#if (clock > 1 & clock < 3)"));
+    CHECK(count(moved.pov, "#declare Motion_") == 1);
+    CHECK(count(moved.pov, " transform { Motion_1 }") == 2);
+    request.fps = 0, request.time = 3;
+    CHECK(count(write_pov(moving, request).pov, " translate <0, 0, 8>") == 2);
 }
 
 TEST_CASE("every scene has a current reference picture") {

@@ -92,7 +92,7 @@ void passes(const std::string& path) {
     const Frame exact = render(scene, view, Precision::extended);
     Tracer tracer(scene, Precision::float32);
     ThreadPool pool;
-    tracer.prepare(view.camera, pool);
+    tracer.prepare(view, pool);
     constexpr int rounds = 7;
     std::vector<double> seconds[finest_level + 1];
     for (int round = 0; round < rounds; ++round) {

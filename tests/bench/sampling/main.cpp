@@ -29,7 +29,7 @@ struct Result {
 Result refine(Tracer& tracer, const View& view, double error, ThreadPool& pool) {
     const Lattice whole{.columns = view.width, .rows = view.height};
     Result result{.rgb = std::vector<double>(std::size_t(3) * view.width * view.height)};
-    tracer.prepare(view.camera, pool);
+    tracer.prepare(view, pool);
     const auto start = std::chrono::steady_clock::now();
     CellPicture picture(tracer.scene(), view, whole, error);
     result.rays =
@@ -42,7 +42,7 @@ Result refine(Tracer& tracer, const View& view, double error, ThreadPool& pool) 
 Result render(Tracer& tracer, const View& view, const Sampling& sampling, ThreadPool& pool) {
     const Lattice whole{.columns = view.width, .rows = view.height};
     Result result{.rgb = std::vector<double>(std::size_t(3) * view.width * view.height)};
-    tracer.prepare(view.camera, pool);
+    tracer.prepare(view, pool);
     const auto start = std::chrono::steady_clock::now();
     result.rays = tracer.trace(view, sampling, whole, pool, [&](const Tile& tile) { place(tile, whole, result.rgb); });
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

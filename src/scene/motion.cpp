@@ -1,0 +1,218 @@
+#include "scene/motion.h"
+
+#include <glm/gtc/quaternion.hpp>
+#include <memory>
+#include <numbers>
+#include <utility>
+
+#include "num/vec_math.h"
+#include "scene/error.h"
+
+namespace strahl {
+namespace {
+
+/// A turn about a vector by its length, in radians.
+glm::dquat exponential(const DVec3& turn) {
+    const double half = length(turn) / 2;
+    if (half == 0) return {1, 0, 0, 0};
+    const DVec3 v = turn / (2 * half) * std::sin(half);
+    return {std::cos(half), v.x, v.y, v.z};
+}
+/// The shorter one of the two turns that a rotation is. Of half a turn, which both are, the one that is written.
+DVec3 logarithm(const glm::dquat& q) {
+    const DVec3 v(q.x, q.y, q.z);
+    const double sine = length(v);
+    if (sine == 0) return DVec3(0);
+    const bool longer = q.w < -1e-9;
+    return v / sine * (longer ? -2 * std::atan2(sine, -q.w) : 2 * std::atan2(sine, q.w));
+}
+
+/// Of a Rotate.
+glm::dquat quaternion(const DVec3& degrees) {
+    glm::dquat product{1, 0, 0, 0};
+    for (int axis = 0; axis < 3; ++axis) {
+        DVec3 turn{0};
+        turn[axis] = std::remainder(degrees[axis], 720) * (std::numbers::pi / 180);
+        product = exponential(turn) * product;
+    }
+    return product;
+}
+/// The degrees of a Rotate. About z by what is left after x, so that rounding does not show where both have one axis.
+DVec3 degrees_of(const glm::dquat& q) {
+    const glm::dmat3 m = glm::mat3_cast(q);  // m[column][row]
+    const double x = std::atan2(m[1][2], m[2][2]), y = std::atan2(0 - m[0][2], std::hypot(m[0][0], m[0][1]));
+    const double s = std::sin(x), c = std::cos(x);
+    const double z = std::atan2(s * m[2][0] - c * m[1][0], c * m[1][1] - s * m[2][1]);
+    return DVec3(x, y, z) * (180 / std::numbers::pi);
+}
+
+DVec3 rotation_at(const Window<MotionKey>& w) {
+    const auto& [from, about] = rotation_curve(w);
+    const DVec3& start = w.key[1]->rotate;
+    if (from.knots == 0) return start;  // written in different ways
+    const double h = from.share(w.h), g = 1 - h;
+    return degrees_of(quaternion(start) * exponential(about[0] * (1 - g * g * g)) *
+                      exponential(about[1] * (h * h * (3 - 2 * h))) * exponential(about[2] * (h * h * h)));
+}
+
+bool moves(const Primitive& primitive) {
+    const auto moving_part = []<class Kind>(const Kind& kind) {
+        if constexpr (is_composite<Kind>)
+            return std::ranges::any_of(*kind.parts, moves);
+        else
+            return false;
+    };
+    const auto is_motion = [](const Transformation& step) { return std::holds_alternative<Motion>(step); };
+    return std::ranges::any_of(primitive.transformations, is_motion) || std::visit(moving_part, primitive.shape);
+}
+
+double last_key(const Primitive& primitive) {
+    double last = 0;
+    for (const Transformation& step : primitive.transformations)
+        if (const Motion* const motion = std::get_if<Motion>(&step)) last = std::max(last, motion->keys.back().time);
+    const auto look = [&]<class Kind>(const Kind& kind) {
+        if constexpr (is_composite<Kind>)
+            for (const Primitive& part : *kind.parts) last = std::max(last, last_key(part));
+    };
+    std::visit(look, primitive.shape);
+    return last;
+}
+
+void append(std::vector<Transformation>& steps, const MotionKey& key) {
+    if (key.scale != DVec3(1)) steps.push_back(Scale{key.scale});
+    if (key.rotate != DVec3(0)) steps.push_back(Rotate{key.rotate});
+    if (key.translate != DVec3(0)) steps.push_back(Translate{key.translate});
+}
+void append(std::vector<Transformation>& steps, std::span<const Transformation> moving, double time) {
+    for (const Transformation& step : moving)
+        if (const Motion* const motion = std::get_if<Motion>(&step))
+            append(steps, key_at(*motion, time));
+        else
+            steps.push_back(step);
+}
+
+/// Sets `now`, which is `moving` at some moment, to another one.
+void move(Primitive& now, const Primitive& moving, double time) {
+    now.transformations.clear();
+    append(now.transformations, moving.transformations, time);
+    const auto move_parts = [&]<class Kind>(const Kind& kind) {
+        if constexpr (is_composite<Kind>) {
+            if (std::ranges::none_of(*kind.parts, moves)) return;
+            std::vector<Primitive> parts = *kind.parts;
+            for (std::size_t i = 0; i < parts.size(); ++i) move(parts[i], (*kind.parts)[i], time);
+            std::get<Kind>(now.shape).parts = std::make_shared<const std::vector<Primitive>>(std::move(parts));
+        }
+    };
+    std::visit(move_parts, moving.shape);
+}
+
+double wrapped(const Scene& scene, double time) {
+    if (!scene.flythrough || !scene.flythrough->loop) return time;
+    const double period = scene.flythrough->duration;
+    return time - period * std::floor(time / period);
+}
+
+}  // namespace
+
+RotationCurve rotation_curve(const Window<MotionKey>& w) {
+    const auto turn = [](const MotionKey& a, const MotionKey& b) {
+        return a.rotate == b.rotate ? DVec3(0) : logarithm(conjugate(quaternion(a.rotate)) * quaternion(b.rotate));
+    };
+    const std::array<DVec3, 3> turns = w.differences(turn);
+    RotationCurve curve{spline(w, turns)};
+    const DVec3 first = curve.spline.m / 3., last = curve.spline.n / 3.;
+    curve.about = {first, logarithm(exponential(-first) * exponential(turns[1]) * exponential(-last)), last};
+    return curve;
+}
+
+MotionKey key_at(const Motion& motion, double time) {
+    const auto [key, w] = moment_among(motion.keys, 0, time);
+    if (key) return *key;
+    const MotionKey &from = *w.key[1], &to = *w.key[2];
+    MotionKey moment{time, from.translate, from.rotate, from.scale};
+    if (from.translate != to.translate) moment.translate = point_at(w, &MotionKey::translate);
+    if (from.rotate != to.rotate) moment.rotate = rotation_at(w);
+    if (from.scale != to.scale)
+        for (int c = 0; c < 3; ++c) moment.scale[c] = number_at(w, [c](const MotionKey& k) { return k.scale[c]; });
+    return moment;
+}
+
+std::vector<Transformation> steps_of(const MotionKey& key) {
+    std::vector<Transformation> steps;
+    append(steps, key);
+    return steps;
+}
+std::vector<Transformation> at(const Motion& motion, double time) { return steps_of(key_at(motion, time)); }
+std::vector<Transformation> at(std::span<const Transformation> steps, double time) {
+    std::vector<Transformation> still;
+    append(still, steps, time);
+    return still;
+}
+
+std::vector<double> key_times(std::span<const Transformation> steps) {
+    std::vector<double> times;
+    for (const Transformation& step : steps)
+        if (const Motion* const motion = std::get_if<Motion>(&step))
+            for (const MotionKey& key : motion->keys) times.push_back(key.time);
+    return times.empty() ? std::vector<double>{0} : times;
+}
+
+Movers::Movers(const Scene& scene) {
+    for (std::size_t i = 0; i < scene.primitives.size(); ++i)
+        if (moves(scene.primitives[i])) {
+            bodies.push_back(static_cast<std::int32_t>(i));
+            last_key = std::max(last_key, strahl::last_key(scene.primitives[i]));
+        }
+    for (std::size_t i = 0; i < scene.lights.size(); ++i)
+        if (const auto& motion = scene.lights[i].motion) {
+            lights.push_back(static_cast<std::int32_t>(i));
+            last_key = std::max(last_key, motion->keys.back().time);
+        }
+}
+
+void move_bodies(Scene& now, const Scene& scene, std::span<const std::int32_t> bodies, double time) {
+    time = wrapped(scene, time);
+    for (const std::int32_t i : bodies) move(now.primitives[i], scene.primitives[i], time);
+}
+
+void move_lights(Scene& now, const Scene& scene, std::span<const std::int32_t> lights, double time) {
+    time = wrapped(scene, time);
+    for (const std::int32_t i : lights) {
+        Light& light = now.lights[i] = scene.lights[i];
+        const glm::dmat4 m = matrix(at(*light.motion, time));
+        light.motion.reset();
+        if (light.direction)
+            light.direction = glm::dmat3(m) * *light.direction;
+        else
+            light.position = transform_point(m, light.position);
+        if (light.area) light.area->u = glm::dmat3(m) * light.area->u, light.area->v = glm::dmat3(m) * light.area->v;
+        if (light.spot) light.spot->look_at = transform_point(m, light.spot->look_at);
+    }
+}
+
+Scene at(const Scene& scene, double time) {
+    Scene now = scene;
+    const Movers movers(scene);
+    move_bodies(now, scene, movers.bodies, time);
+    move_lights(now, scene, movers.lights, time);
+    return now;
+}
+
+Camera camera_at(const Scene& scene, std::optional<double> time) {
+    return time && scene.flythrough ? camera_at(*scene.flythrough, scene.camera, *time) : scene.camera;
+}
+
+std::optional<Flythrough> flight_of(const Scene& scene) {
+    std::optional<Flythrough> flight = scene.flythrough;
+    const Movers movers(scene);
+    if (movers.any() && !flight) flight.emplace();
+    if (flight && !flight->loop) flight->duration = std::max(flight->duration, movers.last_key);
+    return flight;
+}
+Flythrough flight_for(const char* option, const Scene& scene, const std::string& file) {
+    if (auto flight = flight_of(scene)) return std::move(*flight);
+    throw UsageError(std::string(option) + " needs a scene with a flythrough { } or a motion { }, and " + file +
+                     " has neither");
+}
+
+}  // namespace strahl
