@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "num/vec_math.h"
 #include "scene/error.h"
 #include "scene/leaves.h"
 #include "scene/overlap.h"
@@ -53,7 +54,10 @@ LightKernel<T> light_kernel(const Light& light, const Placement& placement) {
             return cast<T>(std::max(own * placement.scale, shortest) / own * given);
         };
         kernel.area = true;
-        kernel.u = edge(light.area->u), kernel.v = edge(light.area->v);
+        // What moves unevenly scaled may lose its right angles.
+        const DVec3 along = normalize(light.area->u);
+        kernel.u = edge(light.area->u);
+        kernel.v = edge(light.area->v - dot_product(light.area->v, along) * along);
     }
     if (light.spot) {
         const auto less_cosine = [](double degrees) {  // than 1, by how much
