@@ -1,6 +1,7 @@
 // Bodies and lights that move: the scene as it is at a moment.
 #pragma once
 #include <cstdint>
+#include <glm/gtc/quaternion.hpp>
 #include <optional>
 #include <span>
 #include <string>
@@ -29,6 +30,7 @@ std::vector<double> key_times(std::span<const Transformation> steps);
 /// first.
 struct RotationCurve {
     Spline spline;
+    glm::dquat start{1, 0, 0, 0};
     std::array<DVec3, 3> about{};
 };
 RotationCurve rotation_curve(const Window<MotionKey>& window);
