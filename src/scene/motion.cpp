@@ -157,7 +157,7 @@ std::vector<double> key_times(std::span<const Transformation> steps) {
     for (const Transformation& step : steps)
         if (const Motion* const motion = std::get_if<Motion>(&step))
             for (const MotionKey& key : motion->keys) times.push_back(key.time);
-    return times.empty() ? std::vector<double>{0} : times;
+    return times;
 }
 
 Movers::Movers(const Scene& scene) {

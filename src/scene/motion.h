@@ -21,7 +21,7 @@ MotionKey key_at(const Motion& motion, double time);
 std::vector<Transformation> steps_of(const MotionKey& key);
 std::vector<Transformation> at(const Motion& motion, double time);
 std::vector<Transformation> at(std::span<const Transformation> steps, double time);
-/// The times of all their keys; without a motion only 0.
+/// The times of the keys of all motions among them.
 std::vector<double> key_times(std::span<const Transformation> steps);
 
 /// The curve of rotations between two keys (M.-J. Kim, M.-S. Kim, S. Y. Shin, "A General Construction Scheme for Unit
