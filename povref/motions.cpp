@@ -43,7 +43,7 @@ std::string between_text(const Window<MotionKey>& w) {
     } else if (from.scale != DVec3(1)) {
         text += "    " + step_text(Scale{from.scale}) + "\n";
     }
-    if (const auto [spline, about] = rotation_curve(w); spline.knots > 0)
+    if (const auto [spline, start, about] = rotation_curve(w); spline.knots > 0)
         text += share_text(spline) + "    Turn(" + text_of(about[2]) + ", Share*Share*Share)\n    Turn(" +
                 text_of(about[1]) + ", Share*Share*(3 - 2*Share))\n    Turn(" + text_of(about[0]) +
                 ", 1 - (1 - Share)*(1 - Share)*(1 - Share))\n";

@@ -1,6 +1,5 @@
 #include "scene/motion.h"
 
-#include <glm/gtc/quaternion.hpp>
 #include <memory>
 #include <numbers>
 #include <utility>
@@ -31,9 +30,11 @@ DVec3 logarithm(const glm::dquat& q) {
 glm::dquat quaternion(const DVec3& degrees) {
     glm::dquat product{1, 0, 0, 0};
     for (int axis = 0; axis < 3; ++axis) {
-        DVec3 turn{0};
-        turn[axis] = std::remainder(degrees[axis], 720) * (std::numbers::pi / 180);
-        product = exponential(turn) * product;
+        if (degrees[axis] == 0) continue;
+        const double half = std::remainder(degrees[axis], 720) * (std::numbers::pi / 360);
+        DVec3 v{0};
+        v[axis] = std::sin(half);
+        product = glm::dquat(std::cos(half), v.x, v.y, v.z) * product;
     }
     return product;
 }
@@ -47,11 +48,10 @@ DVec3 degrees_of(const glm::dquat& q) {
 }
 
 DVec3 rotation_at(const Window<MotionKey>& w) {
-    const auto& [from, about] = rotation_curve(w);
-    const DVec3& start = w.key[1]->rotate;
-    if (from.knots == 0) return start;  // written in different ways
-    const double h = from.share(w.h), g = 1 - h;
-    return degrees_of(quaternion(start) * exponential(about[0] * (1 - g * g * g)) *
+    const auto [spline, start, about] = rotation_curve(w);
+    if (spline.knots == 0) return w.key[1]->rotate;  // written in different ways
+    const double h = spline.share(w.h), g = 1 - h;
+    return degrees_of(start * exponential(about[0] * (1 - g * g * g)) *
                       exponential(about[1] * (h * h * (3 - 2 * h))) * exponential(about[2] * (h * h * h)));
 }
 
@@ -115,11 +115,14 @@ double wrapped(const Scene& scene, double time) {
 }  // namespace
 
 RotationCurve rotation_curve(const Window<MotionKey>& w) {
-    const auto turn = [](const MotionKey& a, const MotionKey& b) {
-        return a.rotate == b.rotate ? DVec3(0) : logarithm(conjugate(quaternion(a.rotate)) * quaternion(b.rotate));
-    };
-    const std::array<DVec3, 3> turns = w.differences(turn);
-    RotationCurve curve{spline(w, turns)};
+    std::array<glm::dquat, 4> at_keys;
+    for (int i = 0; i < 4; ++i)
+        if (w.key[i]) at_keys[i] = quaternion(w.key[i]->rotate);
+    std::array<DVec3, 3> turns{DVec3(0), DVec3(0), DVec3(0)};
+    for (int i = 0; i < 3; ++i)
+        if (w.key[i] && w.key[i + 1] && w.key[i]->rotate != w.key[i + 1]->rotate)
+            turns[i] = logarithm(conjugate(at_keys[i]) * at_keys[i + 1]);
+    RotationCurve curve{spline(w, turns), at_keys[1]};
     const DVec3 first = curve.spline.m / 3., last = curve.spline.n / 3.;
     curve.about = {first, logarithm(exponential(-first) * exponential(turns[1]) * exponential(-last)), last};
     return curve;
@@ -154,7 +157,7 @@ std::vector<double> key_times(std::span<const Transformation> steps) {
     for (const Transformation& step : steps)
         if (const Motion* const motion = std::get_if<Motion>(&step))
             for (const MotionKey& key : motion->keys) times.push_back(key.time);
-    return times.empty() ? std::vector<double>{0} : times;
+    return times;
 }
 
 Movers::Movers(const Scene& scene) {

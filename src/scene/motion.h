@@ -1,6 +1,7 @@
 // Bodies and lights that move: the scene as it is at a moment.
 #pragma once
 #include <cstdint>
+#include <glm/gtc/quaternion.hpp>
 #include <optional>
 #include <span>
 #include <string>
@@ -20,7 +21,7 @@ MotionKey key_at(const Motion& motion, double time);
 std::vector<Transformation> steps_of(const MotionKey& key);
 std::vector<Transformation> at(const Motion& motion, double time);
 std::vector<Transformation> at(std::span<const Transformation> steps, double time);
-/// The times of all their keys; without a motion only 0.
+/// The times of the keys of all motions among them.
 std::vector<double> key_times(std::span<const Transformation> steps);
 
 /// The curve of rotations between two keys (M.-J. Kim, M.-S. Kim, S. Y. Shin, "A General Construction Scheme for Unit
@@ -29,6 +30,7 @@ std::vector<double> key_times(std::span<const Transformation> steps);
 /// first.
 struct RotationCurve {
     Spline spline;
+    glm::dquat start{1, 0, 0, 0};
     std::array<DVec3, 3> about{};
 };
 RotationCurve rotation_curve(const Window<MotionKey>& window);

@@ -59,9 +59,11 @@ bool may_overlap(const Body& a, const Body& b) {
 Box world_bounds(const Primitive& primitive) { return transformed_bounds(primitive, glm::dmat4(1)); }
 
 Box transformed_bounds(const Primitive& primitive, const glm::dmat4& to_world) {
+    return transformed_bounds(primitive.shape, to_world * matrix(primitive.transformations));
+}
+Box transformed_bounds(const Shape& any, const glm::dmat4& m) {
     return std::visit(
         [&](const auto& shape) {
-            const glm::dmat4 m = to_world * matrix(primitive.transformations);
             const Box own = shape.bounds();
             if (m == glm::dmat4(1)) return own;
             if constexpr (requires { shape.bounds(m); })
@@ -69,7 +71,7 @@ Box transformed_bounds(const Primitive& primitive, const glm::dmat4& to_world) {
             else
                 return own.finite() ? transformed(own, m) : own;
         },
-        primitive.shape);
+        any);
 }
 
 std::optional<HalfSpace> half_space(const Primitive& primitive) {

@@ -8,6 +8,8 @@ namespace strahl {
 Box world_bounds(const Primitive& primitive);
 /// The same if the world is transformed once more.
 Box transformed_bounds(const Primitive& primitive, const glm::dmat4& to_world);
+/// The same of a shape.
+Box transformed_bounds(const Shape& shape, const glm::dmat4& to_world);
 /// The half-space that a primitive of an unbounded kind is.
 std::optional<HalfSpace> half_space(const Primitive& primitive);
 

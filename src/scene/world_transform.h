@@ -9,13 +9,15 @@
 
 namespace strahl {
 
-/// The box around a transformed box.
+/// The box around a transformed box. Rounding keeps order, so that the least sums are those of the least terms, added as
+/// transform_point does.
 inline Box transformed(const Box& local, const glm::dmat4& m) {
-    Box box;
-    for (int corner = 0; corner < 8; ++corner)
-        box.add(transform_point(m, {corner & 1 ? local.high.x : local.low.x, corner & 2 ? local.high.y : local.low.y,
-                                    corner & 4 ? local.high.z : local.low.z}));
-    return box;
+    Box along[3];
+    for (int i = 0; i < 3; ++i)
+        along[i].add(DVec3(m[i]) * local.low[i]), along[i].add(DVec3(m[i]) * local.high[i]);
+    const DVec3 moved(m[3]);
+    return {(along[0].low + along[1].low) + (along[2].low + moved),
+            (along[0].high + along[1].high) + (along[2].high + moved)};
 }
 
 /// The half-space on the side of a plane that its unit normal points away from. `point` is on the plane.

@@ -6,6 +6,8 @@
 #include <tuple>
 #include <type_traits>
 
+#include "num/decimal.h"
+#include "scene/motion.h"
 #include "scene/scene.h"
 #include "scene/world_transform.h"
 #include "text/transformations.h"
@@ -68,6 +70,17 @@ std::string transformed_fault(const Kind& shape, const glm::dmat4& m) {
     if (!inside) return reach_fault;
     if (std::string flat = flat_fault(m); !flat.empty()) return flat;
     return fault ? std::string("leave nothing of it: ") + fault : "";
+}
+
+/// The same for transformations some of which may be motions: at the keys of these.
+template <class Kind>
+std::string moved_fault(const Kind& shape, std::span<const Transformation> steps) {
+    const std::vector<double> times = key_times(steps);
+    if (times.empty()) return transformed_fault(shape, matrix(steps));
+    for (const double time : times)
+        if (std::string fault = transformed_fault(shape, matrix(at(steps, time))); !fault.empty())
+            return "at " + text_of(time) + " s " + fault;
+    return "";
 }
 
 }  // namespace strahl

@@ -4,8 +4,6 @@
 #include <optional>
 #include <utility>
 
-#include "num/decimal.h"
-#include "scene/motion.h"
 #include "text/blocks.h"
 #include "text/bodies.h"
 #include "text/camera_blocks.h"
@@ -281,12 +279,8 @@ void Parser::check(const Kind& shape, const Primitive& primitive, Block& block, 
     };
     if (const char* const none = shape.fault()) return fault(word, "this " + name + " is none: " + none);
     if (!ending.last.empty()) {
-        for (const double time : key_times(primitive.transformations)) {
-            const std::string moved = transformed_fault(shape, matrix(at(primitive.transformations, time)));
-            if (moved.empty()) continue;
-            const std::string when = time > 0 ? " at " + text_of(time) + " s" : "";
-            return fault(ending.last, "up to here the transformations of this " + name + when + " " + moved);
-        }
+        const std::string moved = moved_fault(shape, primitive.transformations);
+        if (!moved.empty()) return fault(ending.last, "up to here the transformations of this " + name + " " + moved);
     }
     if (const std::string none = depth > 0 ? fault_as_part(shape, word) : ""; !none.empty()) fault(word, none);
 }

@@ -66,7 +66,7 @@ void WorldArrays<T>::add_items(const Scene& scene, const Placement& placement, T
             const Primitive& primitive = scene.primitives[i];
             const WorldTransform to_world{matrix(primitive.transformations), similarity(primitive.transformations),
                                           placement.origin, placement.scale};
-            const Box whole = world_bounds(primitive);
+            const Box whole = transformed_bounds(primitive.shape, to_world.matrix);
             const Box box{to_world.place(whole.low), to_world.place(whole.high)};
             if (box.finite())
                 for (int c = 0; c < 3; ++c) reach = std::max({reach, std::abs(box.low[c]), std::abs(box.high[c])});

@@ -65,8 +65,10 @@ void WorldArrays<T>::make_hierarchy(ThreadPool& pool) {
     for (int form = 0; form < Forms::size; ++form)
         if (forms[form].boxes != &boxes[starts[form]])
             std::copy_n(forms[form].boxes, forms[form].in_hierarchy, &boxes[starts[form]]);
-    hierarchy = build_hierarchy(std::move(boxes), size, rounding(reach), pool);
-    trim_memory();
+    // Where light passes bodies, their order in the leaves is that in which their colours are multiplied.
+    hierarchy = moving && !world.transparent ? moving->fit(std::move(boxes), starts, rounding(reach), pool)
+                                             : build_hierarchy(std::move(boxes), size, rounding(reach), pool);
+    if (!moving) trim_memory();  // what moves needs as much again soon
 
     // Item i in the order of the leaves becomes item places[i] of its form.
     const auto form_at = [&](std::int32_t i) {

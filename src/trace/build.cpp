@@ -165,7 +165,8 @@ void WorldArrays<T>::cull_for_lights() {
 }
 
 template <class T>
-WorldArrays<T>::WorldArrays(const Scene& scene, const Placement& placement, ThreadPool& pool) {
+WorldArrays<T>::WorldArrays(const Scene& scene, const Placement& placement, ThreadPool& pool, MovingHierarchy* moving)
+    : moving(moving) {
     add_materials(scene);
     add_patterns(scene, placement);
     for (const Light& light : points_of(scene.lights)) lights.push_back(light_kernel<T>(light, placement));
@@ -197,8 +198,8 @@ WorldArrays<T>::WorldArrays(const Scene& scene, const Placement& placement, Thre
 }
 
 template <class T>
-BuiltWorld<T>::BuiltWorld(const Scene& scene, const Placement& placement, ThreadPool& pool)
-    : arrays(std::make_unique<WorldArrays<T>>(scene, placement, pool)) {}
+BuiltWorld<T>::BuiltWorld(const Scene& scene, const Placement& placement, ThreadPool& pool, MovingHierarchy* moving)
+    : arrays(std::make_unique<WorldArrays<T>>(scene, placement, pool, moving)) {}
 template <class T>
 BuiltWorld<T>::~BuiltWorld() = default;
 template <class T>

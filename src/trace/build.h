@@ -10,6 +10,7 @@
 namespace strahl {
 
 class ThreadPool;
+class MovingHierarchy;
 
 /// Where a world's coordinates start and how long its unit is: world = (scene - origin) * scale. The scale is a power
 /// of two and the origin on a coarse grid, so that both are exact wherever numbers are of a sane size.
@@ -42,7 +43,8 @@ struct WorldArrays;
 template <class T>
 class BuiltWorld {
   public:
-    BuiltWorld(const Scene& scene, const Placement& placement, ThreadPool& pool);
+    /// `moving` is what was kept of the same scene at other moments.
+    BuiltWorld(const Scene& scene, const Placement& placement, ThreadPool& pool, MovingHierarchy* moving = nullptr);
     ~BuiltWorld();
     const World<T>& world() const;
     /// Transparent bodies, by surface number, that hold a point of the scene, in the order declared.

@@ -16,7 +16,6 @@ using namespace hierarchy_cut;
 
 constexpr int leaf_items = 16;  // most items of a leaf
 static_assert(leaf_items <= LeafCode::most_items);
-constexpr float item_cost = .25f;    // of that of a binary node
 constexpr int deepest_cut = 30;      // from this depth on, in the middle: 2^30 items have no more than 60 levels
 constexpr int shared_items = 16384;  // on more than these all threads work together
 constexpr int chunk_items = 8192;    // a thread's piece of such work
@@ -26,14 +25,10 @@ class Builder {
     Builder(Buffer<ItemBox> boxes, std::int32_t size, double margin, ThreadPool& workers)
         : entries(boxes.get()), pool(workers) {
         result.order = uninitialized_buffer<std::int32_t>(size);
-        // Half a unit in the last place was lost when the corner was rounded, and half a one is lost here.
-        const Quad grow = Quad{} + static_cast<float>(margin), units = Quad{} + 0x1p-22f;
         share_out(pool, size, chunk_items, [&](std::int32_t first, std::int32_t last) {
             for (ItemBox* e = entries + first; e < entries + last; ++e) {
-                const Bounds box = bounds_of(*e);
-                const Quad low = box.low - (grow + maximum(box.low, -box.low) * units);
-                const Quad high = box.high + (grow + maximum(box.high, -box.high) * units);
-                for (int c = 0; c < 3; ++c) e->low[c] = low[c], e->high[c] = high[c];
+                const Bounds box = grown(bounds_of(*e), margin);
+                for (int c = 0; c < 3; ++c) e->low[c] = box.low[c], e->high[c] = box.high[c];
                 e->item = static_cast<std::int32_t>(e - entries);
             }
         });

@@ -20,6 +20,7 @@ class Stage {
         now = at(*moving, 0);
     }
     const Scene& scene() const { return now; }
+    bool moves() const { return moving.has_value(); }
 
     /// Moves what moves, by all threads. Returns whether the scene is another one now.
     bool set(double wanted, ThreadPool& pool) {

@@ -8,6 +8,7 @@
 #include "trace/batches.h"
 #include "trace/bound.h"
 #include "trace/cell_picture.h"
+#include "trace/moving_hierarchy.h"
 #include "trace/stage.h"
 #include "trace/thread_pool.h"
 
@@ -62,7 +63,7 @@ class TracerOf : public AnyTracer {
         const Placement wanted = placement(extent, view.camera.position);
         if (built && wanted == placed && !moved) return;
         built.reset();
-        built = std::make_unique<BuiltWorld<T>>(scene(), wanted, pool);
+        built = std::make_unique<BuiltWorld<T>>(scene(), wanted, pool, stage.moves() ? &moving : nullptr);
         placed = wanted;
     }
 
@@ -150,6 +151,7 @@ class TracerOf : public AnyTracer {
     }
 
     Extent extent;
+    MovingHierarchy moving;
     Kernel<T> kernel;
     Placement placed;
     std::unique_ptr<BuiltWorld<T>> built;

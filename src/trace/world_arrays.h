@@ -10,6 +10,7 @@
 #include "trace/build.h"
 #include "trace/hierarchy.h"
 #include "trace/light_culling.h"
+#include "trace/moving_hierarchy.h"
 #include "trace/thread_pool.h"
 #include "trace/world.h"
 
@@ -127,7 +128,9 @@ struct WorldArrays {
     };
     std::vector<Body> transparent;  // only in nested worlds
 
-    WorldArrays(const Scene& scene, const Placement& placement, ThreadPool& pool);
+    MovingHierarchy* const moving;  // of the world at the moments before, or nullptr
+
+    WorldArrays(const Scene& scene, const Placement& placement, ThreadPool& pool, MovingHierarchy* moving);
 
     /// What coordinates may be off, the largest of them being `furthest`.
     static double rounding(double furthest) {

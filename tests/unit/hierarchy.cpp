@@ -12,6 +12,7 @@
 #include "scene/error.h"
 #include "scene/scene.h"
 #include "trace/duplicates.h"
+#include "trace/moving_hierarchy.h"
 #include "trace/thread_pool.h"
 #include "trace/tracer.h"
 #include "trace/world.h"
@@ -49,39 +50,76 @@ bool holds(const Node& node, int child, const ItemBox& box, float margin) {
     return true;
 }
 
+/// Is every item in one leaf of items of its form, and does every box around it contain it with the margin?
+void check_hierarchy(const Hierarchy& hierarchy, const std::vector<ItemBox>& boxes, float margin) {
+    const int count = static_cast<int>(boxes.size());
+    std::vector<int> met(count, 0), parent(hierarchy.size, -1), child(hierarchy.size, -1);
+    for (int n = 0; n < hierarchy.size; ++n)
+        for (int c = 0; c < hierarchy.nodes[n].children; ++c)
+            if (hierarchy.nodes[n].leaves[c] == 0) {
+                const int below = hierarchy.nodes[n].first[c];
+                REQUIRE((below > 0 && below < hierarchy.size));
+                CHECK(parent[below] == -1);
+                parent[below] = n, child[below] = c;
+            }
+    int lost = 0, deepest = 0, others = 0;
+    for (int n = 0; n < hierarchy.size; ++n)
+        for (int c = 0; c < hierarchy.nodes[n].children; ++c)
+            for (int i = 0; i < LeafCode::items(hierarchy.nodes[n].leaves[c]); ++i) {
+                const int item = hierarchy.order[hierarchy.nodes[n].first[c] + i];
+                ++met[item];
+                others += boxes[item].form != LeafCode::form(hierarchy.nodes[n].leaves[c]);
+                int level = 1;
+                for (int at = n, by = c; at >= 0; by = child[at], at = parent[at], ++level)
+                    lost += !holds(hierarchy.nodes[at], by, boxes[item], margin);
+                deepest = std::max(deepest, level);
+            }
+    CHECK(lost == 0);
+    CHECK(others == 0);
+    CHECK(deepest <= Hierarchy::most_levels);
+    CHECK(std::count(met.begin(), met.end(), 1) == count);
+}
+
 }  // namespace
 
 TEST_CASE("every item is in one leaf of items of its form, and all boxes around it contain it with the margin") {
     for (const int count : {1, 2, 17, 300, 60000}) {
         const std::vector<ItemBox> boxes = clustered_boxes(count);
-        const float margin = .25f;
-        const Hierarchy hierarchy = built(boxes, margin, 2);
-        std::vector<int> met(count, 0), parent(hierarchy.size, -1), child(hierarchy.size, -1);
-        for (int n = 0; n < hierarchy.size; ++n)
-            for (int c = 0; c < hierarchy.nodes[n].children; ++c)
-                if (hierarchy.nodes[n].leaves[c] == 0) {
-                    const int below = hierarchy.nodes[n].first[c];
-                    REQUIRE((below > 0 && below < hierarchy.size));
-                    CHECK(parent[below] == -1);
-                    parent[below] = n, child[below] = c;
-                }
-        int lost = 0, deepest = 0, others = 0;
-        for (int n = 0; n < hierarchy.size; ++n)
-            for (int c = 0; c < hierarchy.nodes[n].children; ++c)
-                for (int i = 0; i < LeafCode::items(hierarchy.nodes[n].leaves[c]); ++i) {
-                    const int item = hierarchy.order[hierarchy.nodes[n].first[c] + i];
-                    ++met[item];
-                    others += boxes[item].form != LeafCode::form(hierarchy.nodes[n].leaves[c]);
-                    int level = 1;
-                    for (int at = n, by = c; at >= 0; by = child[at], at = parent[at], ++level)
-                        lost += !holds(hierarchy.nodes[at], by, boxes[item], margin);
-                    deepest = std::max(deepest, level);
-                }
-        CHECK(lost == 0);
-        CHECK(others == 0);
-        CHECK(deepest <= Hierarchy::most_levels);
-        CHECK(std::count(met.begin(), met.end(), 1) == count);
+        check_hierarchy(built(boxes, .25, 2), boxes, .25f);
     }
+}
+
+TEST_CASE("a hierarchy is fitted to items that move, and built anew where they have changed places") {
+    ThreadPool pool(2);
+    std::vector<ItemBox> boxes = clustered_boxes(60000);
+    std::ranges::sort(boxes, {}, &ItemBox::form);
+    std::vector<std::int32_t> starts{0, 0, 0, 60000};
+    for (const int form : {0, 1})
+        starts[form + 1] = static_cast<std::int32_t>(std::ranges::upper_bound(boxes, form, {}, &ItemBox::form) - boxes.begin());
+    MovingHierarchy moving;
+    const auto fitted = [&] {
+        Buffer<ItemBox> copies = uninitialized_buffer<ItemBox>(boxes.size());
+        std::copy(boxes.begin(), boxes.end(), copies.get());
+        return moving.fit(std::move(copies), starts, .25, pool);
+    };
+    const auto same_leaves = [&](const Hierarchy& a, const Hierarchy& b) {
+        return a.size == b.size && std::equal(a.order.get(), a.order.get() + boxes.size(), b.order.get());
+    };
+    const auto move = [&](ItemBox& box, float by) { box.low[1] += by, box.high[1] += by; };
+    const Hierarchy first = fitted();
+    CHECK(same_leaves(first, built(boxes, .25, 1)));
+    std::mt19937 random(5);
+    for (ItemBox& box : boxes) move(box, 1e-3f * static_cast<float>(random() % 3));
+    const Hierarchy second = fitted();
+    CHECK(same_leaves(second, first));
+    check_hierarchy(second, boxes, .25f);
+    for (ItemBox& box : boxes) move(box, static_cast<float>(random() % 2000));
+    const Hierarchy third = fitted();
+    CHECK(!same_leaves(third, first));
+    CHECK(same_leaves(third, built(boxes, .25, 1)));
+    // With other forms the leaves of before would be wrong.
+    boxes[starts[1]].form = 0, ++starts[1];
+    check_hierarchy(fitted(), boxes, .25f);
 }
 
 TEST_CASE("the hierarchy does not depend on the number of threads") {

@@ -164,6 +164,32 @@ TEST_CASE("pictures do not depend on the moments traced before, nor on averages"
         }
 }
 
+TEST_CASE("among many bodies pictures do not depend on the moments traced before, glass or none") {
+    for (const std::string material : {"", "material { refraction .8 ior 1.1 }"}) {
+        std::string text = "camera { position <0,-30,9> look_at <0,0,0> sky <0,0,1> angle 45 }\n"
+                           "light { position <-9,-20,30> color <1,1,1> } defaultmaterial { reflection .3 }\n";
+        for (int i = 0; i < 400; ++i) {
+            const auto place = [i](int k) {
+                const auto one = [&](int n) { return std::to_string((i * n * k + n) % 17 - 8); };
+                return "<" + one(7) + "," + one(11) + "," + one(23) + ">";
+            };
+            text += "sphere { <0,0,0>, .6 motion { key { time 0 translate " + place(1) + " } key { time 1 translate " +
+                    place(2) + " } } " + (i % 2 ? material : "") + " }\n";
+        }
+        const Scene moving = parse_scene(text, "test");
+        Tracer tracer(moving, Precision::float32);
+        ThreadPool pool(2);
+        const Lattice whole{.columns = 60, .rows = 45};
+        for (const double time : {0., .01, .02, .5, .9, .03}) {
+            CAPTURE(time);
+            Frame frame{60, 45, std::vector<double>(3 * 60 * 45)};
+            const View view{.camera = moving.camera, .width = 60, .height = 45, .depth = 5, .time = time};
+            tracer.trace(view, whole, pool, [&](const Tile& tile) { place(tile, whole, frame.rgb); });
+            CHECK(frame == picture(at(moving, time), 0, Precision::float32));
+        }
+    }
+}
+
 TEST_CASE("a scene lasts until its last key, and begins anew with a flythrough that loops") {
     const std::string ball = "sphere { <0,0,0>, 1 motion { key { time 1 } key { time 5 translate <4,0,0> } } }";
     const std::string keys = " key { time 0 position <0,-9,0> look_at <0,0,0> } key { time 2 position <0,9,0> look_at <0,0,1> } }";

@@ -253,6 +253,40 @@ await 'waiting for'
 quit
 grep -q 'still dropped: scene-' log || fault "it is not said which still was dropped"
 
+echo "-- bodies that move: played, paused, and looked at from elsewhere meanwhile"
+put "$camera
+$world
+sphere { <-3, 0, 1>, 1  motion { key { time 0 }  key { time 20  translate <0, 6, 3>  scale 2 } } }"
+start scene.rt --size 320x240
+await 'finished'
+still moving.png --size 320x240
+shows moving.png
+xdotool key f
+await 'flying from'
+sleep 0.5
+xdotool key space
+await 'paused at '
+seconds=${line##*paused at }
+seconds=${seconds% s}
+await 'finished'
+still moved.png --size 320x240 --time "$seconds"
+shows moved.png
+(($(different_pixels moving.png moved.png) > 0)) || fault "nothing moved in $seconds s"
+xdotool keydown w
+sleep 0.3
+xdotool keyup w
+await 'rest after'
+shows_other moved.png
+xdotool key space
+await 'flight continues'
+xdotool key r
+await "the scene's camera"
+quit
+start scene.rt --size 320x240 --time "$seconds"
+await 'finished'
+shows moved.png
+quit
+
 echo "-- so small that every picture is complete while the camera still moves"
 start scene.rt --size 64x48
 xdotool keydown w

@@ -1,6 +1,7 @@
-// How long a frame of a moving scene waits before rays are traced: bench_motion [BALLS [FRAMES [THREADS]]]
+// How long a frame of a moving scene waits before rays are traced: bench_motion [BALLS [FRAMES [THREADS [WORLDS]]]]
 //
-// Balls in a cube, each on a way of its own through three keys, or turning about the middle besides. Prints medians.
+// Balls in a cube, each on a way of its own through three keys, or turning about the middle besides. Prints medians and
+// ranges; the first frame builds the hierarchy.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -9,6 +10,7 @@
 
 #include "tests/bench/measure.h"
 #include "trace/build.h"
+#include "trace/moving_hierarchy.h"
 #include "trace/stage.h"
 
 namespace {
@@ -35,28 +37,30 @@ Scene balls(int count, bool turning) {
     return scene;
 }
 
-double median(std::vector<double> values) {
-    std::ranges::sort(values);
-    return 1000 * values[values.size() / 2];
-}
-
 template <class T>
 void measure(const Scene& scene, const char* what, int frames, ThreadPool& pool) {
     Stage stage{Scene(scene)};
     std::vector<double> moved, made, whole;
     std::unique_ptr<BuiltWorld<T>> world;
+    MovingHierarchy moving;
     for (int frame = 0; frame < frames; ++frame) {
         const double start = bench::seconds();
-        stage.set(2. * (frame + 1) / (frames + 1), pool);
+        stage.set(1.9 / 25 * frame / 3 + .05, pool);
         const double set = bench::seconds();
         const Placement placed = placement(extent_of(stage.scene()), scene.camera.position);
         world.reset();
-        world = std::make_unique<BuiltWorld<T>>(stage.scene(), placed, pool);
+        world = std::make_unique<BuiltWorld<T>>(stage.scene(), placed, pool, &moving);
         const double end = bench::seconds();
         moved.push_back(set - start), made.push_back(end - set), whole.push_back(end - start);
     }
-    std::printf("%s: scene of the moment %.1f ms, world %.1f ms, together %.1f ms (least %.1f)\n", what, median(moved),
-                median(made), median(whole), 1000 * *std::ranges::min_element(whole));
+    const auto print = [&](const char* stage, std::vector<double> seconds) {
+        std::ranges::sort(seconds);
+        std::printf("  %s %.1f (%.1f to %.1f)", stage, 1000 * seconds[seconds.size() / 2], 1000 * seconds.front(),
+                    1000 * seconds.back());
+    };
+    std::printf("%s, in ms:", what);
+    print("scene", moved), print("world", made), print("together", whole);
+    std::puts("");
 }
 
 }  // namespace
@@ -66,7 +70,8 @@ int main(int argc, char** argv) {
     const int count = argument(1, 100000), frames = argument(2, 30);
     ThreadPool pool(argument(3, 0));
     const Scene moved = balls(count, false), turned = balls(count, true);
+    const int worlds = argument(4, 3);
     measure<float>(moved, "float", frames, pool);
-    measure<double>(moved, "double", frames, pool);
-    measure<float>(turned, "float, turning", frames, pool);
+    if (worlds > 1) measure<double>(moved, "double", frames, pool);
+    if (worlds > 2) measure<float>(turned, "float, turning", frames, pool);
 }
