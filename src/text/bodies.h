@@ -5,8 +5,10 @@
 #include <string>
 #include <tuple>
 #include <type_traits>
+#include <vector>
 
 #include "scene/scene.h"
+#include "scene/split_unions.h"
 #include "scene/world_transform.h"
 #include "text/transformations.h"
 
@@ -68,6 +70,16 @@ std::string transformed_fault(const Kind& shape, const glm::dmat4& m) {
     if (!inside) return reach_fault;
     if (std::string flat = flat_fault(m); !flat.empty()) return flat;
     return fault ? std::string("leave nothing of it: ") + fault : "";
+}
+
+/// Why a body consists of too many that belong together, or "".
+inline std::string crowd_fault(const Primitive& primitive, const std::vector<Material>& list) {
+    if (leaves_of(primitive.shape) <= most_leaves) return "";
+    std::vector<Material> materials = list;
+    int most = 0;
+    for (const Primitive& piece : split_union(primitive, materials)) most = std::max(most, leaves_of(piece.shape));
+    if (most <= most_leaves) return "";
+    return std::to_string(most) + " of its bodies belong together, and at most " + std::to_string(most_leaves) + " may";
 }
 
 }  // namespace strahl

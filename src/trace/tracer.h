@@ -102,6 +102,7 @@ class Tracer {
     Counts trace(const View& view, CellPicture& picture, int finest, ThreadPool& pool, const Sink& sink,
                  const std::atomic<bool>* stop = nullptr);
 
+    /// As it is traced, see split_unions.h.
     const Scene& scene() const;
     Precision precision() const;
     Simd simd() const;
