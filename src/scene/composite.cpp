@@ -51,7 +51,7 @@ const char* Composite<operation>::fault() const {
         if (!fits_composite(part.shape)) return "a mesh that is a part of it is open, and has no inside";
         leaves += leaves_of(part.shape);
     }
-    return leaves > most_leaves ? "it consists of more than 64 bodies" : nullptr;
+    return leaves > most_parts ? "it consists of more than 100000 bodies" : nullptr;
 }
 
 template <Operation operation>

@@ -55,17 +55,6 @@ DVec3 rotation_at(const Window<MotionKey>& w) {
                       exponential(about[1] * (h * h * (3 - 2 * h))) * exponential(about[2] * (h * h * h)));
 }
 
-bool moves(const Primitive& primitive) {
-    const auto moving_part = []<class Kind>(const Kind& kind) {
-        if constexpr (is_composite<Kind>)
-            return std::ranges::any_of(*kind.parts, moves);
-        else
-            return false;
-    };
-    const auto is_motion = [](const Transformation& step) { return std::holds_alternative<Motion>(step); };
-    return std::ranges::any_of(primitive.transformations, is_motion) || std::visit(moving_part, primitive.shape);
-}
-
 double last_key(const Primitive& primitive) {
     double last = 0;
     for (const Transformation& step : primitive.transformations)
@@ -113,6 +102,17 @@ double wrapped(const Scene& scene, double time) {
 }
 
 }  // namespace
+
+bool moves(const Primitive& primitive) {
+    const auto moving_part = []<class Kind>(const Kind& kind) {
+        if constexpr (is_composite<Kind>)
+            return std::ranges::any_of(*kind.parts, moves);
+        else
+            return false;
+    };
+    const auto is_motion = [](const Transformation& step) { return std::holds_alternative<Motion>(step); };
+    return std::ranges::any_of(primitive.transformations, is_motion) || std::visit(moving_part, primitive.shape);
+}
 
 RotationCurve rotation_curve(const Window<MotionKey>& w) {
     std::array<glm::dquat, 4> at_keys;

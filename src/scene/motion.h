@@ -35,6 +35,9 @@ struct RotationCurve {
 };
 RotationCurve rotation_curve(const Window<MotionKey>& window);
 
+/// Does the body, or a part of it, have a motion?
+bool moves(const Primitive& primitive);
+
 /// The bodies and lights of a scene that move, or of which parts do.
 struct Movers {
     explicit Movers(const Scene& scene);

@@ -46,7 +46,6 @@ struct SeenTriangle {
         crossed = one_sign(of_a, of_b, of_c);
         if (none((of_a == zero) | (of_b == zero) | (of_c == zero))) [[likely]]
             return;
-        of_a = exact_area(of_a, b, c), of_b = exact_area(of_b, c, a), of_c = exact_area(of_c, a, b);
         crossed = one_sign(side(of_a, b, c), side(of_b, c, a), side(of_c, a, b));
         of_a = select(of_a + of_b + of_c == zero, S(1), of_a);  // where areas underflow any point of it will do
     }
@@ -57,12 +56,13 @@ struct SeenTriangle {
         const S zero(0);
         return ((u > zero) & (v > zero) & (w > zero)) | ((u < zero) & (v < zero) & (w < zero));
     }
-    /// The two products are rounded; if they differ their difference has the right sign.
-    STRAHL_INLINE static S area(const Vec3<S>& p, const Vec3<S>& q) { return p.x * q.y - p.y * q.x; }
-    /// If they do not, what they lack has.
-    STRAHL_INLINE static S exact_area(S area, const Vec3<S>& p, const Vec3<S>& q) {
-        const S lacking = fma(p.x, q.y, -(p.x * q.y)) - fma(p.y, q.x, -(p.y * q.x));
-        return select(area == S(0), lacking, area);
+    /// The difference of two products and of what rounding took from the second: off by two units in the last place,
+    /// however much cancels. So the sign is right, and where the line passes a narrow triangle is known as well as its
+    /// corners are. (W. Kahan; C.-P. Jeannerod, N. Louvet, J.-M. Muller, "Further Analysis of Kahan's Algorithm for the
+    /// Accurate Computation of 2x2 Determinants", 2013)
+    STRAHL_INLINE static S area(const Vec3<S>& p, const Vec3<S>& q) {
+        const S second = p.y * q.x;
+        return fma(p.x, q.y, -second) - fma(p.y, q.x, -second);
     }
     /// The sign of the area if the line were moved by next to nothing, and across by next to nothing of that.
     STRAHL_INLINE static S side(const S& area, const Vec3<S>& p, const Vec3<S>& q) {

@@ -5,10 +5,12 @@
 #include <string>
 #include <tuple>
 #include <type_traits>
+#include <vector>
 
 #include "num/decimal.h"
 #include "scene/motion.h"
 #include "scene/scene.h"
+#include "scene/split_unions.h"
 #include "scene/world_transform.h"
 #include "text/transformations.h"
 
@@ -81,6 +83,16 @@ std::string moved_fault(const Kind& shape, std::span<const Transformation> steps
         if (std::string fault = transformed_fault(shape, matrix(at(steps, time))); !fault.empty())
             return "at " + text_of(time) + " s " + fault;
     return "";
+}
+
+/// Why a body consists of too many that belong together, or "".
+inline std::string crowd_fault(const Primitive& primitive, const std::vector<Material>& list) {
+    if (leaves_of(primitive.shape) <= most_leaves) return "";
+    std::vector<Material> materials = list;
+    int most = 0;
+    for (const Primitive& piece : split_union(primitive, materials)) most = std::max(most, leaves_of(piece.shape));
+    if (most <= most_leaves) return "";
+    return std::to_string(most) + " of its bodies belong together, and at most " + std::to_string(most_leaves) + " may";
 }
 
 }  // namespace strahl

@@ -4,12 +4,14 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <tuple>
 #include <type_traits>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
-#include "scene/material.h"
+#include "scene/scene.h"
 
 namespace strahl {
 
@@ -79,6 +81,20 @@ class Materials {
         const auto [entry, is_new] = numbers.try_emplace(material, static_cast<int>(list.size()));
         if (is_new) list.push_back(material);
         return last = entry->second;
+    }
+    /// Works out what material a body that was read has, and its parts: they start from that of their composite,
+    /// wherever it stands in the text. Before, materials are numbers among `written`.
+    void settle(Primitive& primitive, const Material& base, const std::vector<MaterialText>& written) {
+        const Material own = written[primitive.material].on(base);
+        primitive.material = number(own);
+        const auto settle_parts = [&]<class Kind>(Kind& kind) {
+            if constexpr (is_composite<Kind>) {
+                std::vector<Primitive> parts = *kind.parts;
+                for (Primitive& part : parts) settle(part, own, written);
+                kind.parts = std::make_shared<const std::vector<Primitive>>(std::move(parts));
+            }
+        };
+        std::visit(settle_parts, primitive.shape);
     }
     std::vector<Material> list;
 

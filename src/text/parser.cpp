@@ -56,7 +56,6 @@ class Parser {
     bool body(std::string_view word, std::vector<Primitive>& bodies, Block& outer, int depth);
     template <class Kind>
     void shape(std::string_view word, std::vector<Primitive>& bodies, Block& outer, int depth);
-    void settle(Primitive& primitive, const Material& base);
     template <class Kind>
     void check(const Kind& shape, const Primitive& primitive, Block& block, std::string_view word, const Ending& ending,
                int depth);
@@ -104,8 +103,12 @@ Scene Parser::parse() {
 void Parser::top_block(std::string_view word) {
     Block own{word};
     written.clear();
-    if (body(word, scene.primitives, own, 0) || use(word, scene.primitives, own, 0))
-        return settle(scene.primitives.back(), default_material);
+    if (body(word, scene.primitives, own, 0) || use(word, scene.primitives, own, 0)) {
+        materials.settle(scene.primitives.back(), default_material, written);
+        const std::string fault = own.good() ? crowd_fault(scene.primitives.back(), materials.list) : "";
+        if (!fault.empty()) diagnostics.add(word, "this " + std::string(word) + " can't be divided: " + fault);
+        return;
+    }
     if (word == "light") {
         scene.lights.push_back(read_light(reader, limits, word));
         points += points_of(scene.lights.back());
@@ -251,21 +254,6 @@ void Parser::shape(std::string_view word, std::vector<Primitive>& bodies, Block&
     outer.absorb(block);
     primitive.shape = std::move(kind);
     bodies.push_back(std::move(primitive));
-}
-
-/// Works out what material a body that was read has, and its parts: they start from that of their composite, wherever
-/// it stands in the text. A composite is numbered before its parts.
-void Parser::settle(Primitive& primitive, const Material& base) {
-    const Material own = written[primitive.material].on(base);
-    primitive.material = materials.number(own);
-    const auto settle_parts = [&]<class Kind>(Kind& kind) {
-        if constexpr (is_composite<Kind>) {
-            std::vector<Primitive> parts = *kind.parts;
-            for (Primitive& part : parts) settle(part, own);
-            kind.parts = std::make_shared<const std::vector<Primitive>>(std::move(parts));
-        }
-    };
-    std::visit(settle_parts, primitive.shape);
 }
 
 /// Reports why a body is invalid: by its arguments, its transformations, or because it can't be a part.

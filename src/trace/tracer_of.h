@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "scene/split_unions.h"
 #include "trace/batches.h"
 #include "trace/bound.h"
 #include "trace/cell_picture.h"
@@ -15,7 +16,7 @@
 namespace strahl {
 
 struct AnyTracer {
-    explicit AnyTracer(Scene&& own) : stage(std::move(own)) {}
+    explicit AnyTracer(Scene&& own) : stage(with_split_unions(std::move(own))) {}
     virtual ~AnyTracer() = default;
     virtual void prepare(const View&, ThreadPool&) = 0;
     virtual Counts trace(const View&, const Lattice&, ThreadPool&, const Sink&, const std::atomic<bool>*) = 0;

@@ -1,6 +1,7 @@
 // Scenes made by hand. Most use the same camera, in front and a little above.
 #include "tests/referee/examples.h"
 
+#include <memory>
 #include <utility>
 
 namespace strahl {
@@ -232,6 +233,34 @@ void media(std::vector<Example>& list) {
     add("black glass", room().put(ball, glass(1.2, Color(0))));
 }
 
+/// Beads on strings in a net of unions, more than one composite may have, and marbles with a mark that stands in one.
+void unions(std::vector<Example>& list) {
+    const auto united = [](std::vector<Primitive> parts) {
+        return Union{std::make_shared<const std::vector<Primitive>>(std::move(parts))};
+    };
+    Material layered = paint({.9, .8, .6});
+    layered.rgb = Pigment(Pattern{Gradient{{1, 2, .5}}, {{0, {.9, .3, .1}}, {1, {.2, .5, .9}}}, {Scale{DVec3(.7)}}});
+    Stage stage;
+    stage.put(ground, white).light({2, -5, 6}, {.4, .4, .5});
+    const int plain = static_cast<int>(stage.scene.materials.size());
+    stage.scene.materials.insert(stage.scene.materials.end(), {mirror(.3), layered, glass(1.4), red});
+    std::vector<Primitive> strings, marbles;
+    for (int string = 0; string < 4; ++string) {  // two of them of more bodies than stay together
+        std::vector<Primitive> beads;
+        for (int i = 0; i < (string < 2 ? 40 : 70); ++i)
+            beads.push_back(
+                {Sphere{{.03 * i - 1, 0, 0}, .08}, i % 3 ? plain + 1 : plain, {Translate{{0, 0, .01 * i}}}});
+        beads.push_back({Cuboid{{-1.2, -.1, -.1}, {-1, .1, .1}}, plain + 1, {Rotate{{40, 0, 0}}}});
+        strings.push_back({united(beads), string % 2 ? plain + 1 : plain, {Translate{{0, .3 * string, 0}}}});
+    }
+    for (int i = 0; i < 30; ++i)
+        marbles.push_back({Sphere{{.3 * (i % 6), .3 * (i / 6), 0}, .13}, plain + 2, {Translate{{0, 0, .02 * i}}}});
+    marbles.push_back({Cuboid{{.6, .3, 0}, {.8, .35, .9}}, plain + 3, {}});
+    stage.scene.primitives.push_back({united(strings), plain + 1, {Rotate{{10, 0, 30}}, Translate{{0, -.5, 0}}}});
+    stage.scene.primitives.push_back({united(marbles), plain + 2, {Translate{{-.2, -1.6, -.9}}}});
+    list.push_back({"unions of many bodies", stage.scene, 5});
+}
+
 }  // namespace
 
 Scene facing_mirrors() {
@@ -245,7 +274,7 @@ Scene facing_mirrors() {
 
 std::vector<Example> examples() {
     std::vector<Example> list;
-    terms(list), shapes(list), places(list), media(list);
+    terms(list), shapes(list), places(list), media(list), unions(list);
     list.push_back({"facing mirrors", facing_mirrors(), 20});
     return list;
 }

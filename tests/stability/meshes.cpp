@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <vector>
 
 #include "scene/mesh.h"
@@ -96,7 +97,45 @@ void aim_at_sides(double most) {
     CHECK(lost < rays / 2);
 }
 
+/// Of rays at triangles far longer than wide, seen from as far away as they are long, those that hit outside the box of
+/// the triangle, by more than the boxes of a hierarchy are grown.
+template <class T>
+void aim_at_needles() {
+    constexpr double rounding = 32 * static_cast<double>(std::numeric_limits<T>::epsilon());
+    Dice dice;
+    int hits = 0, outside = 0;
+    double worst = 0;
+    for (int i = 0; i < 200'000; ++i) {
+        const double length = std::exp2(dice(0, 40)), far = length * dice(.3, 1);
+        const auto near = [&] { return naive::to<T>(2. * dice.direction()); };
+        const TriangleKernel<T> needle{near(), near(), near() + naive::to<T>(DVec3(0, -length, 0))};
+        const Vec3<T> from = naive::to<T>(far * dice.direction());
+        const T u = static_cast<T>(dice(0, 1)), v = (1 - u) * static_cast<T>(dice(0, 1));
+        const Vec3<T> aim = (needle.a * u + needle.b * v + needle.c * (1 - u - v)) - from;
+        const Ray<T> ray{from, aim / naive::length(aim), T(-1)};
+        const Span<T> span = needle.span(ray, T(-1));
+        if (!span.hit || !(span.far > 0)) continue;
+        const DVec3 at = naive::to<double>(naive::to<long double>(from) +
+                                           naive::to<long double>(ray.direction) * static_cast<long double>(span.far));
+        const Box box = needle.bounds();
+        double off = 0;
+        for (int c = 0; c < 3; ++c)
+            off = std::max({off, box.low[c] - at[c], at[c] - box.high[c]});
+        off /= rounding * (length + 4);
+        ++hits, outside += off > 1, worst = std::max(worst, off);
+    }
+    MESSAGE(hits << " hits of needles: " << outside << " outside their boxes, by up to " << worst
+                 << " of what these are grown by");
+    CHECK(hits > 10'000);
+    CHECK(outside == 0);
+}
+
 }  // namespace
+
+TEST_CASE("a line hits a triangle within its box, however narrow it is") {
+    aim_at_needles<float>();
+    aim_at_needles<double>();
+}
 
 TEST_CASE("no line through a side or a corner of a closed mesh is lost or counted twice") {
     const char* const wanted = std::getenv("STRAHL_RAYS");

@@ -86,10 +86,13 @@ TEST_CASE("composites that can't be") {
     check_fault("union { " + ball + "\ncylinder { <0,0,0>, <0,0,0>, 1 } }",
                 "3:1: this cylinder is none: base and cap are the same point");
     std::string many;
-    for (int i = 0; i < 63; ++i) many += ball;
-    CHECK(with_eye("union { " + many + "intersection { " + ball + "} }").primitives.size() == 1);
-    check_fault("union { " + many + "intersection { " + ball + ball + "} }",
-                "2:1: this union is none: it consists of more than 64 bodies");
+    for (int i = 0; i < 1023; ++i) many += ball;
+    CHECK(with_eye("union { " + many + ball + ball + "}").primitives.size() == 1);
+    CHECK(with_eye("difference { " + many + ball + "}").primitives.size() == 1);
+    check_fault("union { difference { " + many + ball + ball + "} }",
+                "2:1: this union can't be divided: 1025 of its bodies belong together, and at most 1024 may");
+    check_fault("union { " + many + ball + ball + "material { refraction .5 } }",
+                "2:1: this union can't be divided: 1025 of its bodies belong together, and at most 1024 may");
     check_fault("union { " + ball + "camera_ }",
                 "2:31: unknown word 'camera_' in 'union'; known here: material, motion, rotate, translate, scale, sphere, "
                 "plane, cylinder, cone, box, disc, torus, triangle, smooth_triangle, mesh, union, intersection, "
