@@ -19,6 +19,7 @@ struct FlatScene {
     std::vector<Body<Sphere>> spheres;
     std::vector<Body<Plane>> planes;
     std::vector<Body<Cylinder>> cylinders;
+    std::vector<Body<MeshData>> meshes;  // of flat triangles
 };
 
 /// Throws std::invalid_argument for ellipsoids and their like, and for other kinds: the peers have none.
@@ -36,8 +37,11 @@ inline FlatScene flatten(const Scene& scene) {
             flat.cylinders.push_back({{moved(c->base), moved(c->cap), c->radius * factor}, material});
         else if (const auto* p = std::get_if<Plane>(&primitive.shape))
             flat.planes.push_back({{moved(p->a), moved(p->b), moved(p->c)}, material});
-        else
-            throw std::invalid_argument("the scene has bodies that are not spheres, planes or cylinders");
+        else if (const auto* mesh = std::get_if<Mesh>(&primitive.shape); mesh && mesh->data->normals.empty()) {
+            flat.meshes.push_back({*mesh->data, material});
+            for (DVec3& p : flat.meshes.back().shape.points) p = moved(p);
+        } else
+            throw std::invalid_argument("the scene has bodies that are not spheres, planes, cylinders or flat meshes");
     }
     return flat;
 }

@@ -31,7 +31,6 @@ void occluded(const int* valid, RTCScene scene, Context* context, RTCRay4* rays)
 }
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
-constexpr unsigned planes_id = 4;  // after Embree's geometries
 
 void flags(int* valid, Mask<S> mask) {
     float lane[lanes];

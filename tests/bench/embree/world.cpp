@@ -116,6 +116,35 @@ void attach(World& world, RTCGeometry geometry, int id) {
     world.empty = false;
 }
 
+/// All meshes that are opaque, or all that are transparent, as one.
+void attach_meshes(World& world, const std::vector<Body<MeshData>>& meshes, bool clear) {
+    std::size_t points = 0, triangles = 0;
+    const auto own = [&](const Body<MeshData>& mesh) {
+        return (world.materials[mesh.material].refraction > 0) == clear;
+    };
+    for (const auto& mesh : meshes)
+        if (own(mesh)) points += mesh.shape.points.size(), triangles += mesh.shape.triangles.size();
+    if (triangles == 0) return;
+    const RTCGeometry geometry = rtcNewGeometry(world.device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    auto* point = static_cast<float*>(
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), points));
+    auto* corner = static_cast<unsigned*>(
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(unsigned), triangles));
+    std::size_t before = 0;
+    for (const auto& mesh : meshes) {
+        if (!own(mesh)) continue;
+        for (const DVec3& p : mesh.shape.points)
+            for (int c = 0; c < 3; ++c) *point++ = static_cast<float>(p[c]);
+        for (const auto& triangle : mesh.shape.triangles)
+            for (const int i : triangle) *corner++ = static_cast<unsigned>(before) + i;
+        before += mesh.shape.points.size();
+        world.groups[4 + clear].material.resize(world.groups[4 + clear].material.size() + mesh.shape.triangles.size(),
+                                                mesh.material);
+    }
+    if (clear) rtcSetGeometryOccludedFilterFunction(geometry, pass_through);
+    attach(world, geometry, 4 + clear);
+}
+
 }  // namespace
 
 World::World(const Scene& from, int threads) : background(to_float(from.background.color)) {
@@ -172,6 +201,7 @@ World::World(const Scene& from, int threads) : background(to_float(from.backgrou
             rtcSetGeometryOccludedFunction(geometry, occlude_cylinder);
             attach(*this, geometry, 2 + clear);
         }
+        attach_meshes(*this, flat.meshes, clear);
     }
     rtcCommitScene(scene);
     if (rtcGetDeviceError(device) != RTC_ERROR_NONE) throw std::runtime_error("Embree can't build the scene");

@@ -1,4 +1,4 @@
-// A scene in Embree's input: balls are its sphere points, cylinders user geometry; planes stay outside, in a plain
+// A scene in Embree's input: balls are its sphere points, cylinders user geometry, meshes its triangles; planes stay outside, in a plain
 // loop.
 #pragma once
 #include <embree3/rtcore.h>
@@ -36,7 +36,7 @@ struct World {
     RTCDevice device;
     RTCScene scene;
     bool empty = true;            // no bodies but planes
-    std::array<Group, 4> groups;  // by geometry: balls and cylinders, opaque and transparent
+    std::array<Group, 6> groups;  // by geometry: balls, cylinders and triangles, opaque and transparent
     std::vector<PlaneKernel<float>> planes;
     std::vector<int> plane_material;
     std::vector<Surface<float>> materials;

@@ -54,7 +54,7 @@ void put_scene(const Scene& scene, int width, int height) {
     const bench::FlatScene flat = bench::flatten(scene);
     std::printf("BEGIN_SCENE\nRESOLUTION %d %d\n", width, height);
     put_camera(scene.camera, width, height, scene.settings.max_trace_level);
-    put("BACKGROUND", scene.background);
+    put("BACKGROUND", scene.background.color);
     for (const Light& light : scene.lights) {
         put("LIGHT CENTER", light.position, "");
         put(" RAD 1e-9 COLOR", light.color);
@@ -71,6 +71,13 @@ void put_scene(const Scene& scene, int width, int height) {
         std::printf(" RAD %.9g m%d\n", body.shape.radius, body.material);
     }
     for (const auto& body : flat.cylinders) put_cylinder(body);
+    for (const auto& body : flat.meshes)
+        for (const auto& [a, b, c] : body.shape.triangles) {
+            put("TRI V0", body.shape.points[a], "");
+            put(" V1", body.shape.points[b], "");
+            put(" V2", body.shape.points[c], "");
+            std::printf(" m%d\n", body.material);
+        }
     std::puts("END_SCENE");
 }
 
