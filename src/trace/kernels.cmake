@@ -13,6 +13,7 @@ string(REGEX REPLACE ".*using Shape = std::variant<([^>]*)>.*" "\\1" strahl_kind
 string(REGEX REPLACE "[ \n]*,[ \n]*" ";" strahl_kinds "${strahl_kinds}")
 list(REMOVE_ITEM strahl_kinds Mesh Intersection Difference)  # have other kinds' kernels
 
+set(STRAHL_KERNELS "" CACHE PATH "A build folder to take SIMD kernels from in place of compiling them once more")
 function(strahl_kernel level elements)
   set(folder ${CMAKE_BINARY_DIR}/kernels/${level})
   set(sources)
@@ -42,6 +43,14 @@ function(strahl_kernel level elements)
     file(CONFIGURE OUTPUT ${folder}/${CMAKE_MATCH_1}.cpp CONTENT "${content}}\n")
     list(APPEND sources ${folder}/${CMAKE_MATCH_1}.cpp)
   endforeach()
+  target_compile_definitions(strahl_trace PRIVATE STRAHL_KERNEL_${level})
+  if(STRAHL_KERNELS AND NOT level STREQUAL scalar)
+    # The same text, compiled the same way.
+    list(TRANSFORM sources REPLACE "^${CMAKE_BINARY_DIR}/(.*)$" "${STRAHL_KERNELS}/CMakeFiles/kernel_${level}.dir/\\1.o")
+    set_source_files_properties(${sources} PROPERTIES EXTERNAL_OBJECT ON GENERATED ON)
+    target_sources(strahl_trace PRIVATE ${sources})
+    return()
+  endif()
   add_library(kernel_${level} OBJECT ${sources})
   target_link_libraries(kernel_${level} PRIVATE strahl_flags)
   target_compile_definitions(kernel_${level} PRIVATE STRAHL_LEVEL=${level})
@@ -57,7 +66,6 @@ function(strahl_kernel level elements)
     target_compile_options(kernel_${level} PRIVATE -O1)
   endif()
   target_sources(strahl_trace PRIVATE $<TARGET_OBJECTS:kernel_${level}>)
-  target_compile_definitions(strahl_trace PRIVATE STRAHL_KERNEL_${level})
 endfunction()
 
 # The levels to build: all that the compiler can, or this machine's alone, which takes a third of the time. The scalar
