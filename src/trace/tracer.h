@@ -103,7 +103,7 @@ class Tracer {
     Counts trace(const View& view, CellPicture& picture, int finest, ThreadPool& pool, const Sink& sink,
                  const std::atomic<bool>* stop = nullptr);
 
-    /// As it is at the time of the last view: nothing in it moves.
+    /// As it is at the time of the last view; at time 0 it may be as declared.
     const Scene& scene() const;
     Precision precision() const;
     Simd simd() const;
