@@ -132,7 +132,8 @@ const std::string moved_to[] = {"translate <1,-2,.5>", "rotate <0,0,90>", "scale
 
 TEST_CASE("a picture at a key is that of the scene with the key's transformations written out") {
     const Scene moving = world_with([](int i) {
-        return "motion { key { time .5 rotate <9,0,7> } key { time 1 " + moved_to[i] + " } key { time 2 translate <1,1,1> } }";
+        return "motion { key { time .5 rotate <9,0,7> } key { time 1 " + moved_to[i] +
+               " } key { time 2 translate <1,1,1> } }";
     });
     Scene still = world_with([](int i) { return i < 2 ? std::string() : moved_to[i]; });
     still.lights[0].position += DVec3(1, -2, .5);
@@ -195,7 +196,8 @@ TEST_CASE("among many bodies pictures do not depend on the moments traced before
 
 TEST_CASE("a scene lasts until its last key, and begins anew with a flythrough that loops") {
     const std::string ball = "sphere { <0,0,0>, 1 motion { key { time 1 } key { time 5 translate <4,0,0> } } }";
-    const std::string keys = " key { time 0 position <0,-9,0> look_at <0,0,0> } key { time 2 position <0,9,0> look_at <0,0,1> } }";
+    const std::string keys =
+        " key { time 0 position <0,-9,0> look_at <0,0,0> } key { time 2 position <0,9,0> look_at <0,0,1> } }";
     CHECK(!flight_of(with_eye("sphere { <0,0,0>, 1 }")));
     CHECK(flight_of(with_eye(ball))->duration == 5);
     CHECK(flight_of(with_eye(ball))->keys.empty());
@@ -269,9 +271,10 @@ TEST_CASE("mistakes in motions") {
                 "another");
     for (const std::string block : {"camera { position <0,0,0> ", "defaultmaterial { ", "background { ",
                                     "sphere { <0,0,0>, 1 material { "})
-        CHECK(message(eye + block + "motion { key { time 0 } } }").find("unknown word 'motion' in '") != std::string::npos);
+        CHECK(message(eye + block + "motion { key { time 0 } } }").find("unknown word 'motion' in '") != block.npos);
     TextLimits limits;
     limits.keys = 2;
-    CHECK_THROWS_WITH(parse_scene(eye + "sphere { <0,0,0>, 1 motion { key { time 0 } key { time 1 } key { time 2 } } }", "x", limits),
+    const std::string three = "sphere { <0,0,0>, 1 motion { key { time 0 } key { time 1 } key { time 2 } } }";
+    CHECK_THROWS_WITH(parse_scene(eye + three, "x", limits),
                       doctest::Contains("more than 2 keys"));
 }
