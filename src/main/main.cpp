@@ -89,7 +89,7 @@ void add_view(CLI::App& app, Action& action) {
     add_scene(command, o->scene);
     add_parsed(command, "--size", o->size, parse_window_size, "Size of the window in pixels", "WxH");
     command->add_flag("--fullscreen", o->full_screen, "Start in full screen (F11)");
-    command->add_flag("--fly", o->fly, "Start flying: along the scene's flythrough, or else around it; what moves moves");
+    command->add_flag("--fly", o->fly, "Start flying: along the scene's flythrough or around it; play what moves");
     add_time(command, o->time);
     add_fps(command, o->fps, "Pictures per second in motion, 60 by default; the resolution adapts to it")
         ->check(numbers(1, 1000));

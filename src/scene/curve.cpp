@@ -16,6 +16,12 @@ double slope_between(double left, double right, double seconds_left, double seco
     return (a + b) * (interval / unit) / (a * l / left + b * r / right);
 }
 
+/// How far the knots of a chord lie apart. hypot takes a third of the time that a moving body needs.
+double knots_of(const DVec3& chord) {
+    const double squared = dot_product(chord, chord);
+    return std::sqrt(squared > 1e-200 ? std::sqrt(squared) : length(chord));
+}
+
 }  // namespace
 
 Monotone monotone(const Interval& i, double before, double here, double after) {
@@ -26,7 +32,7 @@ Monotone monotone(const Interval& i, double before, double here, double after) {
 
 Spline spline(const Interval& interval, const std::array<DVec3, 3>& chords) {
     const auto& [left, here, right] = chords;
-    const double knots = std::sqrt(length(here));
+    const double knots = knots_of(here);
     if (knots == 0) return {};
     // Without a neighbour the curve starts straight; beside a chord of length 0 its velocity is 0.
     Spline result{here, here, knots};
@@ -35,11 +41,11 @@ Spline spline(const Interval& interval, const std::array<DVec3, 3>& chords) {
         return ka > 0 ? a / ka - (a + b) / (ka + kb) + b / kb : DVec3(0);
     };
     if (interval.key_before) {
-        before = std::sqrt(length(left));
+        before = knots_of(left);
         result.m = velocity(left, before, here, knots) * knots;
     }
     if (interval.key_after) {
-        after = std::sqrt(length(right));
+        after = knots_of(right);
         result.n = velocity(right, after, here, knots) * knots;
     }
     result.way = monotone(interval, before, knots, after);

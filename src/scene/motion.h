@@ -56,8 +56,8 @@ Scene at(const Scene& scene, double time);
 /// The camera of a scene at a time of its flythrough, if it has one; without a time, or a flythrough, its own camera.
 Camera camera_at(const Scene& scene, std::optional<double> time);
 
-/// The flythrough of a scene, until the last key of its motions if it does not loop; for a scene of which only bodies or
-/// lights move, one without keys, on which the camera is free. Nothing if nothing moves.
+/// The flythrough of a scene, until the last key of its motions if it does not loop; for a scene of which only bodies
+/// or lights move, one without keys, on which the camera is free. Nothing if nothing moves.
 std::optional<Flythrough> flight_of(const Scene& scene);
 /// The same of the scene in `file`. Throws UsageError if nothing moves, so that there is no use for an `option`.
 Flythrough flight_for(const char* option, const Scene& scene, const std::string& file);

@@ -53,14 +53,21 @@ glm::dmat4 matrix(const Scale& s) {
     for (int i = 0; i < 3; ++i) m[i][i] = s.by[i];
     return m;
 }
-glm::dmat4 matrix(const Motion& motion) { return strahl::matrix(at(motion, 0)); }
+void multiply(glm::dmat4& product, std::span<const Transformation> steps) {
+    const auto one = [&]<class Step>(const Step& step) {
+        if constexpr (std::is_same_v<Step, Motion>)
+            multiply(product, at(step, 0));
+        else
+            product = matrix(step) * product;
+    };
+    for (const Transformation& step : steps) std::visit(one, step);
+}
 
 }  // namespace
 
 glm::dmat4 matrix(std::span<const Transformation> steps) {
     glm::dmat4 product{1};
-    for (const Transformation& step : steps)
-        product = std::visit([](const auto& s) { return matrix(s); }, step) * product;
+    multiply(product, steps);
     return product;
 }
 

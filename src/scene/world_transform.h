@@ -9,7 +9,7 @@
 
 namespace strahl {
 
-/// The box around a transformed box. Rounding keeps order, so that the least sums are those of the least terms, added as
+/// The box around a transformed box. Rounding keeps order, so the least sums are those of the least terms, added as
 /// transform_point does.
 inline Box transformed(const Box& local, const glm::dmat4& m) {
     Box along[3];

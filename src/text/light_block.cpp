@@ -98,7 +98,8 @@ Light read_light(Reader& reader, const TextLimits& limits, std::string_view word
     if (light.motion)
         for (const MotionKey& key : light.motion->keys)
             if (const std::string fault = transformations_fault(matrix(at(*light.motion, key.time))); !fault.empty())
-                reader.diagnostics.add(motion_at, "at " + text_of(key.time) + " s this motion of a light would " + fault);
+                reader.diagnostics.add(motion_at,
+                                       "at " + text_of(key.time) + " s this motion of a light would " + fault);
     return light;
 }
 

@@ -25,8 +25,8 @@ void check(Reader& reader, const Motion& motion, std::span<const KeyPlace> place
         if (!changes_sign(before.scale, key.scale)) continue;
         block.bad = true;
         reader.diagnostics.add(place.scale.data() ? place.scale : place.key,
-                               "on the way to this key 'scale' would be 0: its sign must be that in the key before, in " +
-                                   reader.diagnostics.line(places[i - 1].key));
+                               "on the way to this key 'scale' would be 0: its sign must be that in the key before, "
+                               "in " + reader.diagnostics.line(places[i - 1].key));
     }
 }
 

@@ -30,7 +30,8 @@ void Reader::read(Scale& value, const Bounds& bounds, std::string_view name, Blo
     else
         read(by.x, bounds, name, block), by.y = by.z = by.x;
     if (by.x != 0 && by.y != 0 && by.z != 0) return;
-    diagnostics.add(at, "'scale' of " + quoted(block.name) + " is 0, which would leave nothing of it; 1 changes nothing");
+    diagnostics.add(
+        at, "'scale' of " + quoted(block.name) + " is 0, which would leave nothing of it; 1 changes nothing");
     block.bad = true;
 }
 

@@ -11,34 +11,43 @@
 
 namespace strahl {
 
-/// Begins at time 0. Scenes in which nothing moves are kept once and never touched.
+/// Begins at time 0, at which bodies are as they are declared (see matrix). Whether any moves is looked up when another
+/// time is asked for, so that other scenes are not searched.
 class Stage {
   public:
-    explicit Stage(Scene&& own) : now(std::move(own)), movers(now) {
-        if (!movers.any()) return;
-        moving = std::move(now);
-        now = at(*moving, 0);
+    explicit Stage(Scene&& own) : now(std::move(own)) {
+        if (std::ranges::any_of(now.lights, [](const Light& light) { return light.motion.has_value(); })) {
+            begin();
+            move_lights(now, *moving, movers->lights, 0);
+        }
     }
     const Scene& scene() const { return now; }
     bool moves() const { return moving.has_value(); }
 
     /// Moves what moves, by all threads. Returns whether the scene is another one now.
     bool set(double wanted, ThreadPool& pool) {
-        if (!moving || wanted == time) return false;
-        constexpr std::int32_t share = 1024;  // a thread's piece of work
-        share_out(pool, static_cast<std::int32_t>(movers.bodies.size()), share,
-                  [&](std::int32_t first, std::int32_t last) {
-                      move_bodies(now, *moving, std::span(movers.bodies).subspan(first, last - first), wanted);
-                  });
-        move_lights(now, *moving, movers.lights, wanted);
+        if (wanted == time) return false;
+        if (!movers) begin();
         time = wanted;
+        if (!moving) return false;
+        constexpr std::int32_t share = 1024;  // a thread's piece of work
+        share_out(pool, static_cast<std::int32_t>(movers->bodies.size()), share,
+                  [&](std::int32_t first, std::int32_t last) {
+                      move_bodies(now, *moving, std::span(movers->bodies).subspan(first, last - first), wanted);
+                  });
+        move_lights(now, *moving, movers->lights, wanted);
         return true;
     }
 
   private:
+    void begin() {
+        movers.emplace(now);
+        if (movers->any()) moving = now;
+    }
+
     Scene now;
-    Movers movers;
-    std::optional<Scene> moving;  // only if something moves
+    std::optional<Movers> movers;  // once they are looked up
+    std::optional<Scene> moving;   // only if something moves
     double time = 0;
 };
 

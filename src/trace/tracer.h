@@ -103,7 +103,7 @@ class Tracer {
     Counts trace(const View& view, CellPicture& picture, int finest, ThreadPool& pool, const Sink& sink,
                  const std::atomic<bool>* stop = nullptr);
 
-    /// As it is traced at the time of the last view: nothing in it moves, and unions are split (split_unions.h).
+    /// As it is at the time of the last view, with unions split (split_unions.h); at time 0 motions may be as declared.
     const Scene& scene() const;
     Precision precision() const;
     Simd simd() const;

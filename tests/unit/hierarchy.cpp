@@ -95,7 +95,8 @@ TEST_CASE("a hierarchy is fitted to items that move, and built anew where they h
     std::ranges::sort(boxes, {}, &ItemBox::form);
     std::vector<std::int32_t> starts{0, 0, 0, 60000};
     for (const int form : {0, 1})
-        starts[form + 1] = static_cast<std::int32_t>(std::ranges::upper_bound(boxes, form, {}, &ItemBox::form) - boxes.begin());
+        starts[form + 1] =
+            static_cast<std::int32_t>(std::ranges::upper_bound(boxes, form, {}, &ItemBox::form) - boxes.begin());
     MovingHierarchy moving;
     const auto fitted = [&] {
         Buffer<ItemBox> copies = uninitialized_buffer<ItemBox>(boxes.size());

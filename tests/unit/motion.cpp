@@ -1,6 +1,7 @@
 // Bodies and lights that move: their values, their pictures, and what the language says of them.
 #include <cmath>
 #include <numbers>
+#include <random>
 
 #include "num/vec_math.h"
 #include "scene/motion.h"
@@ -131,7 +132,8 @@ const std::string moved_to[] = {"translate <1,-2,.5>", "rotate <0,0,90>", "scale
 
 TEST_CASE("a picture at a key is that of the scene with the key's transformations written out") {
     const Scene moving = world_with([](int i) {
-        return "motion { key { time .5 rotate <9,0,7> } key { time 1 " + moved_to[i] + " } key { time 2 translate <1,1,1> } }";
+        return "motion { key { time .5 rotate <9,0,7> } key { time 1 " + moved_to[i] +
+               " } key { time 2 translate <1,1,1> } }";
     });
     Scene still = world_with([](int i) { return i < 2 ? std::string() : moved_to[i]; });
     still.lights[0].position += DVec3(1, -2, .5);
@@ -165,22 +167,24 @@ TEST_CASE("pictures do not depend on the moments traced before, nor on averages"
 }
 
 TEST_CASE("among many bodies pictures do not depend on the moments traced before, glass or none") {
-    for (const std::string material : {"", "material { refraction .8 ior 1.1 }"}) {
+    for (const bool glass : {false, true}) {
         std::string text = "camera { position <0,-30,9> look_at <0,0,0> sky <0,0,1> angle 45 }\n"
                            "light { position <-9,-20,30> color <1,1,1> } defaultmaterial { reflection .3 }\n";
+        std::mt19937 random(2);
         for (int i = 0; i < 400; ++i) {
-            const auto place = [i](int k) {
-                const auto one = [&](int n) { return std::to_string((i * n * k + n) % 17 - 8); };
-                return "<" + one(7) + "," + one(11) + "," + one(23) + ">";
+            const auto place = [&random] {
+                const auto one = [&random] { return std::to_string(int(random() % 2000) - 1000) + "e-2"; };
+                return "<" + one() + "," + one() + "," + one() + ">";
             };
-            text += "sphere { <0,0,0>, .6 motion { key { time 0 translate " + place(1) + " } key { time 1 translate " +
-                    place(2) + " } } " + (i % 2 ? material : "") + " }\n";
+            text += "sphere { <0,0,0>, .6 motion { key { time 0 translate " + place() + " } key { time 1 translate " +
+                    place() + " } } material { rgb <." + std::to_string(31 + i * 7 % 68) + ",.7,.9> " +
+                    (glass ? "refraction .93" : "") + " } }\n";
         }
         const Scene moving = parse_scene(text, "test");
         Tracer tracer(moving, Precision::float32);
         ThreadPool pool(2);
         const Lattice whole{.columns = 60, .rows = 45};
-        for (const double time : {0., .01, .02, .5, .9, .03}) {
+        for (const double time : {0., .03, .06, .09, .5, .9, .86}) {
             CAPTURE(time);
             Frame frame{60, 45, std::vector<double>(3 * 60 * 45)};
             const View view{.camera = moving.camera, .width = 60, .height = 45, .depth = 5, .time = time};
@@ -192,7 +196,8 @@ TEST_CASE("among many bodies pictures do not depend on the moments traced before
 
 TEST_CASE("a scene lasts until its last key, and begins anew with a flythrough that loops") {
     const std::string ball = "sphere { <0,0,0>, 1 motion { key { time 1 } key { time 5 translate <4,0,0> } } }";
-    const std::string keys = " key { time 0 position <0,-9,0> look_at <0,0,0> } key { time 2 position <0,9,0> look_at <0,0,1> } }";
+    const std::string keys =
+        " key { time 0 position <0,-9,0> look_at <0,0,0> } key { time 2 position <0,9,0> look_at <0,0,1> } }";
     CHECK(!flight_of(with_eye("sphere { <0,0,0>, 1 }")));
     CHECK(flight_of(with_eye(ball))->duration == 5);
     CHECK(flight_of(with_eye(ball))->keys.empty());
@@ -266,9 +271,10 @@ TEST_CASE("mistakes in motions") {
                 "another");
     for (const std::string block : {"camera { position <0,0,0> ", "defaultmaterial { ", "background { ",
                                     "sphere { <0,0,0>, 1 material { "})
-        CHECK(message(eye + block + "motion { key { time 0 } } }").find("unknown word 'motion' in '") != std::string::npos);
+        CHECK(message(eye + block + "motion { key { time 0 } } }").find("unknown word 'motion' in '") != block.npos);
     TextLimits limits;
     limits.keys = 2;
-    CHECK_THROWS_WITH(parse_scene(eye + "sphere { <0,0,0>, 1 motion { key { time 0 } key { time 1 } key { time 2 } } }", "x", limits),
+    const std::string three = "sphere { <0,0,0>, 1 motion { key { time 0 } key { time 1 } key { time 2 } } }";
+    CHECK_THROWS_WITH(parse_scene(eye + three, "x", limits),
                       doctest::Contains("more than 2 keys"));
 }

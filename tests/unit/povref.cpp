@@ -234,8 +234,8 @@ TEST_CASE("an animation holds every frame's camera") {
     CHECK_FALSE(has(files.ini, "Clock"));
     // What moves does so by the clock; equal motions are declared once.
     const std::string motion = "motion { key { time 1 } key { time 3 translate <0, 0, 8> } }";
-    const Scene moving = parse_scene(camera + light + "sphere { <0, 0, 0>, 1 " + motion + " }\n" + "sphere { <3, 0, 0>, 1 " +
-                                         motion + " }", "test");
+    const std::string two = "sphere { <0, 0, 0>, 1 " + motion + " } sphere { <3, 0, 0>, 1 " + motion + " }";
+    const Scene moving = parse_scene(camera + light + two, "test");
     const PovFiles moved = write_pov(moving, request);
     CHECK(has(moved.ini, "Initial_Clock=0\nFinal_Clock=1.8\n"));
     CHECK(has(moved.pov, "#if (clock > 1 & clock < 3)"));
