@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <iostream>
 
+#include "image/pixels.h"
 #include "povref/pov_scene.h"
 #include "text/file.h"
 #include "text/parse.h"
@@ -42,7 +43,7 @@ int pov_command(const PovOptions& options) {
     namespace fs = std::filesystem;
     check(options);
     const bool piped = options.scene == "-";
-    const Scene scene = parse_scene(read_text(options.scene), piped ? "standard input" : options.scene);
+    const Scene scene = parse_scene(read_text(options.scene), piped ? "standard input" : options.scene, {}, read_pixels);
     if ((options.animation || options.time) && !scene.flythrough)
         throw UsageError("'" + options.scene + "' has no flythrough, so there is no --time and no --animation");
     PovRequest request{.title = piped ? "A scene" : fs::path(options.scene).filename().string(),
@@ -59,8 +60,7 @@ int pov_command(const PovOptions& options) {
         request.cameras = {options.time ? camera_at(*scene.flythrough, scene.camera, *options.time) : scene.camera};
     }
     const PovFiles files = write_pov(scene, request);
-    write_file(options.output, files.pov);
-    write_file(ini_path(options), files.ini);
+    write(files, options.output);
     for (const std::string& warning : files.warnings) std::cerr << "strahl: warning: " << printable(warning) << '\n';
     return 0;
 }

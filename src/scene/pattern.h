@@ -4,10 +4,12 @@
 #include <array>
 #include <memory>
 #include <tuple>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
 #include "scene/field.h"
+#include "scene/image.h"
 #include "scene/transformation.h"
 
 namespace strahl {
@@ -102,17 +104,20 @@ struct Wood : Octaves {
     bool operator==(const Wood&) const = default;
 };
 
-using PatternKind = std::variant<Checker, Gradient, Brick, Noise, Marble, Wood>;
+using PatternKind = std::variant<Checker, Gradient, Brick, Noise, Marble, Wood, ImagePattern>;
 
 /// Has it two colours by itself, in place of a map?
 template <class Kind>
 inline constexpr bool two_colored = requires {
     Kind::colors;
 };
+/// Or a map of colours? Images have neither.
+template <class Kind>
+inline constexpr bool has_map = !two_colored<Kind> && !std::is_same_v<Kind, ImagePattern>;
 
 struct Pattern {
     PatternKind kind;
-    std::vector<ColorStop> colors;  // ascending, at least one; of kinds with two colours these are at 0 and 1
+    std::vector<ColorStop> colors;  // ascending; those of kinds with two are at 0 and 1, images have none, others some
     std::vector<Transformation> transformations;
     bool operator==(const Pattern&) const = default;
 };
@@ -126,8 +131,14 @@ struct Pigment {
     Pigment(const Color& color) : color(color) {}
     Pigment(double red, double green, double blue) : color(red, green, blue) {}
     explicit Pigment(Pattern own) : pattern(std::make_shared<const Pattern>(std::move(own))) {
-        for (const ColorStop& stop : pattern->colors)
-            for (int c = 0; c < 3; ++c) color[c] = std::max(color[c], stop.color[c]);
+        const auto include = [&](const Color& own) {
+            for (int c = 0; c < 3; ++c) color[c] = std::max(color[c], own[c]);
+        };
+        for (const ColorStop& stop : pattern->colors) include(stop.color);
+        if (const ImagePattern* const image = std::get_if<ImagePattern>(&pattern->kind)) {
+            include(image->pixels->largest);
+            if (image->once) include(*image->once);
+        }
     }
     bool operator==(const Pigment& other) const {
         return color == other.color && (pattern == other.pattern ||

@@ -55,6 +55,7 @@ class MaterialHash {
         if (!pigment.pattern) return;
         const auto& [kind, colors, transformations] = *pigment.pattern;
         std::visit([&]<class Kind>(const Kind& own) { add_fields(hash, own, Kind::fields); }, kind);
+        if (const ImagePattern* const image = std::get_if<ImagePattern>(&kind)) hash ^= std::hash<std::string>()(image->file);
         for (const ColorStop& stop : colors) add(hash, stop.at), add(hash, stop.color);
         struct {
             std::size_t& hash;

@@ -1,7 +1,11 @@
 // Reads colours, and the patterns that may stand in their place.
 #include "text/pigment.h"
 
+#include <algorithm>
+
 #include "num/decimal.h"
+#include "scene/error.h"
+#include "text/blocks.h"
 #include "text/reader.h"
 #include "text/transformations.h"
 
@@ -29,15 +33,16 @@ class PatternBlock {
         auto parameters = pattern_parameters(kind);
         std::string_view colors_at, last;
         reader.block(
-            block, parameters, words<Kind>(), [&] { two_colors<Kind>(block); },
+            block, parameters, words<Kind>(), [&] { arguments(kind, block); },
             [&](std::string_view inner) {
-                if (inner == "colors" && !two_colored<Kind>) return map(inner, colors_at, block), true;
+                if (inner == "colors" && has_map<Kind>) return map(inner, colors_at, block), true;
+                if (image_part(kind, inner, block)) return true;
                 if (!contains(transformation_words, inner)) return false;
                 pattern.transformations.push_back(read_transformation(reader, inner, block));
                 last = inner;
                 return true;
             });
-        reader.require(block, {}, {{two_colored<Kind> || colors_at.data(), "'colors'"}});
+        reader.require(block, {}, {{!has_map<Kind> || colors_at.data(), "'colors'"}});
         check(kind, word, last, block);
         outer.absorb(block);
         pattern.kind = kind;
@@ -47,11 +52,13 @@ class PatternBlock {
     static auto words() {
         if constexpr (two_colored<Kind>)
             return transformation_words;
+        else if constexpr (has_map<Kind>)
+            return joined(std::array<std::string_view, 1>{"colors"}, transformation_words);
         else
-            return std::array<std::string_view, 4>{"colors", "rotate", "translate", "scale"};
+            return joined(std::array<std::string_view, 2>{"map", "once"}, transformation_words);
     }
     template <class Kind>
-    void two_colors(Block& block) {
+    void arguments(Kind& kind, Block& block) {
         if constexpr (two_colored<Kind>)
             for (const double at : {0., 1.}) {
                 if (at == 1) reader.lexer.accept(',');
@@ -59,6 +66,38 @@ class PatternBlock {
                 reader.read(color, colors, Kind::colors[static_cast<std::size_t>(at)], block);
                 pattern.colors.push_back({at, color});
             }
+        else if constexpr (!has_map<Kind>)
+            file(kind, block);
+    }
+    void file(ImagePattern& image, Block& block) {
+        const std::string_view given = reader.lexer.quotation("the name of a picture");
+        try {
+            image.pixels = reader.files.pixels(given);
+            image.file = given;
+        } catch (const FileError& error) {
+            reader.diagnostics.add(given, error.what());
+            block.bad = true;
+        }
+    }
+    /// Reads what follows `map` or `once`; false if it is another word or no image.
+    template <class Kind>
+    bool image_part(Kind& kind, std::string_view word, Block& block) {
+        if constexpr (!std::is_same_v<Kind, ImagePattern>) {
+            return false;
+        } else if (word == "map") {
+            block.bad |= !reader.once(map_at, word);
+            const std::string_view name = reader.lexer.word();
+            const auto known = std::ranges::find(image_maps, name);
+            if (name.empty()) reader.lexer.fail("a word such as 'spherical' expected after 'map'");
+            if (known != image_maps.end()) return kind.map = static_cast<ImageMap>(known - image_maps.begin()), true;
+            reader.diagnostics.add(name, unknown_word(name, image_maps, " after 'map'"));
+            return block.bad = true;
+        } else if (word == "once") {
+            block.bad |= !reader.once(once_at, word);
+            reader.read(kind.once.emplace(), colors, word, block);
+            return true;
+        }
+        return false;
     }
     void map(std::string_view word, std::string_view& first, Block& outer) {
         const bool again = !reader.once(first, word);
@@ -111,7 +150,19 @@ class PatternBlock {
     Reader& reader;
     const Bounds& colors;
     Pattern pattern;
+    std::string_view map_at, once_at;
 };
+
+bool whole(const Pattern& pattern) {
+    const ImagePattern* const image = std::get_if<ImagePattern>(&pattern.kind);
+    return image ? image->pixels != nullptr : !pattern.colors.empty();
+}
+std::string words_of(const ImagePattern& image) {
+    std::string words = " \"" + image.file + "\"";
+    if (image.map != ImageMap::planar)
+        words.append("  map ").append(image_maps[static_cast<std::size_t>(image.map)]);
+    return image.once ? words + "  once " + text_of(*image.once) : words;
+}
 
 }  // namespace
 
@@ -131,7 +182,7 @@ void Reader::read(Pigment& value, const Bounds& bounds, std::string_view name, B
         throw ParseAbort{};
     }
     Pattern pattern = PatternBlock(*this, bounds).read(word, block);
-    if (!pattern.colors.empty()) value = Pigment(std::move(pattern));
+    if (whole(pattern)) value = Pigment(std::move(pattern));
 }
 
 std::string text_of(const Pigment& pigment) {
@@ -143,6 +194,8 @@ std::string text_of(const Pigment& pigment) {
             words += " {";
             if constexpr (two_colored<Kind>)
                 words += " " + text_of(colors[0].color) + ", " + text_of(colors[1].color);
+            else if constexpr (!has_map<Kind>)
+                words += words_of(own);
             const auto add = [&](const auto& field) {
                 if (own.*field.member == Kind().*field.member) return;
                 words += (words.back() == '{' ? " " : "  ") + std::string(field.name) + " " +
@@ -152,7 +205,7 @@ std::string text_of(const Pigment& pigment) {
             return words;
         },
         kind);
-    if (std::visit([]<class Kind>(const Kind&) { return !two_colored<Kind>; }, kind)) {
+    if (std::visit([]<class Kind>(const Kind&) { return has_map<Kind>; }, kind)) {
         text += text.back() == '{' ? " colors {" : "  colors {";
         for (const ColorStop& stop : colors)
             text += std::string(&stop == &colors[0] ? " " : "  ") + text_of(stop.at) + " " + text_of(stop.color);

@@ -58,6 +58,13 @@ struct KernelSpace {
         kernel.form = PatternForm::rings;
         if (sum(wood, wood.turbulence)) period = {0, 0, 289};
     }
+    void operator()(const ImagePattern& image) {
+        kernel.form = PatternForm::image;
+        kernel.image = {nullptr, image.pixels->width, image.pixels->height, image.map, image.once.has_value(),
+                        cast<T>(image.once.value_or(Color(0))), static_cast<T>(border<T>)};
+        if (image.once || image.map == ImageMap::spherical) return;
+        period = image.map == ImageMap::planar ? DVec3(1, 1, 0) : DVec3(0, 0, 1);
+    }
     /// Does the sum repeat itself as the noise does?
     bool sum(const Octaves& octaves, double turbulence) {
         kernel.turbulence = static_cast<T>(turbulence);
@@ -87,8 +94,29 @@ PatternKernel<T> kernel_of(const Pattern& pattern, const glm::dmat4& to_world, c
 
 }  // namespace
 
+/// Linear light from a value that is sRGB-encoded (IEC 61966-2-1).
+float decoded(float v) {
+    return static_cast<float>(v <= .04045 ? v / 12.92 : std::pow((v + .055) / 1.055, 2.4));
+}
+
 template <class T>
-void WorldArrays<T>::add_stops(const Pattern& pattern, PatternKernel<T>& kernel) {
+const float* WorldArrays<T>::add_pixels(const std::shared_ptr<const Pixels>& from, bool linear) {
+    std::shared_ptr<const Pixels>& own = pixels[from.get()];
+    if (!own) {
+        own = from;
+        if (linear && !from->linear) {
+            const auto copy = std::make_shared<Pixels>(*from);
+            std::ranges::transform(copy->values, copy->values.begin(), decoded);
+            own = copy;
+        }
+    }
+    return own->values.data();
+}
+
+template <class T>
+void WorldArrays<T>::add_colors(const Pattern& pattern, PatternKernel<T>& kernel, bool linear) {
+    if (const auto* const image = std::get_if<ImagePattern>(&pattern.kind))
+        kernel.image.pixels = add_pixels(image->pixels, linear);
     kernel.first_stop = static_cast<std::int32_t>(stops.size());
     kernel.stops = static_cast<std::int32_t>(pattern.colors.size());
     for (double before = 0; const ColorStop& stop : pattern.colors) {
@@ -101,7 +129,7 @@ template <class T>
 void WorldArrays<T>::add_patterns(const Scene& scene, const Placement& placement) {
     if (const Pattern* const pattern = scene.background.pattern.get()) {
         sky = kernel_of<T>(*pattern, glm::dmat4(1), {});
-        add_stops(*pattern, sky);
+        add_colors(*pattern, sky, scene.settings.linear);
         world.sky = &sky;
         world.stops = stops.data();
     }
@@ -110,7 +138,8 @@ void WorldArrays<T>::add_patterns(const Scene& scene, const Placement& placement
     world.first_pattern = static_cast<int>(materials.size());
     std::vector<PatternKernel<T>> ranges(scene.materials.size());
     for (std::size_t i = 0; i < ranges.size(); ++i)
-        if (has_pattern(scene.materials[i])) add_stops(*scene.materials[i].rgb.pattern, ranges[i]);
+        if (has_pattern(scene.materials[i]))
+            add_colors(*scene.materials[i].rgb.pattern, ranges[i], scene.settings.linear);
     std::map<std::pair<int, std::array<double, 16>>, std::int32_t> numbers;
     for (const Primitive& primitive : scene.primitives) {
         first_leaf.push_back(static_cast<std::int32_t>(leaf_materials.size()));
@@ -126,6 +155,7 @@ void WorldArrays<T>::add_patterns(const Scene& scene, const Placement& placement
             materials.push_back(MaterialKernel<T>(materials[leaf.material]));
             PatternKernel<T> kernel = kernel_of<T>(*material.rgb.pattern, matrices.material, placement);
             kernel.first_stop = ranges[leaf.material].first_stop, kernel.stops = ranges[leaf.material].stops;
+            kernel.image.pixels = ranges[leaf.material].image.pixels;
             kernel.ambient = cast<T>(scene.settings.ambient_light * material.ambient);
             kernel.diffuse = static_cast<T>(material.diffuse);
             kernel.refraction = static_cast<T>(material.refraction);

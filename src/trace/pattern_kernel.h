@@ -1,6 +1,6 @@
 // The patterns themselves. scene/pattern.h says what they are.
 #pragma once
-#include "trace/items.h"
+#include "trace/image_kernel.h"
 
 namespace strahl::inline STRAHL_LEVEL {
 
@@ -91,12 +91,10 @@ STRAHL_INLINE S wave(const S& x) {
     return S(1) - abs(fma(S(2), fraction(x), S(-1)));
 }
 
-/// The value of a pattern at a point of the world, from 0 to 1; where coordinates are too large for numbers 0.
+/// The value of a pattern at a point of its space, from 0 to 1; where coordinates are too large for numbers 0.
 template <class S>
-STRAHL_INLINE S value_at(const PatternKernel<Element<S>>& pattern, const Vec3<S>& position) {
+STRAHL_INLINE S value_at(const PatternKernel<Element<S>>& pattern, const Vec3<S>& p) {
     using T = Element<S>;
-    Vec3<S> p;
-    for (int c = 0; c < 3; ++c) p[c] = dot(splat<S>(pattern.rows[c]), position) + S(pattern.offset[c]);
     S value(0);
     const auto moved = [&](const S& x) {
         return pattern.turbulence == 0 ? x : fma(S(pattern.turbulence), octaves_at(pattern, p), x);
@@ -120,6 +118,8 @@ STRAHL_INLINE S value_at(const PatternKernel<Element<S>>& pattern, const Vec3<S>
         case PatternForm::rings:
             value = wave(moved(sqrt(fma(p.x, p.x, p.y * p.y))));
             break;
+        case PatternForm::image:
+            break;
     }
     return select((value >= S(0)) & (value <= S(1)), value, S(0));
 }
@@ -128,7 +128,10 @@ STRAHL_INLINE S value_at(const PatternKernel<Element<S>>& pattern, const Vec3<S>
 template <class S>
 [[gnu::noinline]] Vec3<S> color_at(const World<Element<S>>& world, const PatternKernel<Element<S>>& pattern,
                                    const Vec3<S>& position) {
-    const S value = value_at(pattern, position);
+    Vec3<S> p;
+    for (int c = 0; c < 3; ++c) p[c] = dot(splat<S>(pattern.rows[c]), position) + S(pattern.offset[c]);
+    if (pattern.form == PatternForm::image) return image_color(pattern.image, p);
+    const S value = value_at(pattern, p);
     const auto* stop = world.stops + pattern.first_stop;
     Vec3<S> color = splat<S>(stop->color);
     for (int i = 1; i < pattern.stops; ++i) {

@@ -9,6 +9,7 @@
 namespace strahl {
 
 struct Node;
+enum class ImageMap : std::int32_t;
 
 /// Shares and weights above 1, of glass brighter than white or of total reflection, grow no further than this, or in
 /// float they would become infinite and, times 0, NaN.
@@ -42,7 +43,17 @@ struct MaterialKernel {
 };
 
 /// What the value of a pattern is made from.
-enum class PatternForm : std::int32_t { checker, brick, ramp, noise, layers, rings };
+enum class PatternForm : std::int32_t { checker, brick, ramp, noise, layers, rings, image };
+/// A picture that a pattern has its colours from, see scene/image.h.
+template <class T>
+struct ImageKernel {
+    const float* pixels;
+    std::int32_t width, height;
+    ImageMap map;
+    bool once;
+    Vec3<T> around;  // where it is there once: the colour outside
+    T border;        // and how much before 0 and 1 it begins and ends
+};
 /// The pattern of a material in the space of one body, whose point p = rows * world + offset.
 template <class T>
 struct PatternKernel {
@@ -51,6 +62,7 @@ struct PatternKernel {
     Vec3<T> rows[3], offset;
     Vec3<T> mortar;  // its share of a brick along each axis
     T border, turbulence, omega, lambda;
+    ImageKernel<T> image;
     Vec3<T> ambient;        // Ia Ka
     T diffuse, refraction;  // Kd, Kt
 };

@@ -8,6 +8,7 @@
 #include "num/vec_math.h"
 #include "scene/overlap.h"
 #include "tests/attack/wild_values.h"
+#include "tests/referee/random_pattern.h"
 #include "text/blocks.h"
 #include "text/bodies.h"
 #include "text/materials.h"
@@ -59,6 +60,7 @@ Pattern Wild::pattern() {
                 value = bounds.whole ? 1 + dice.upto(9) : usual_or(bounds, 0, 1);
         };
         std::apply([&](const auto&... field) { (fill_field(field), ...); }, Kind::fields);
+        if constexpr (std::is_same_v<Kind, ImagePattern>) kind = random_image(dice);
         pattern.kind = kind;
         return two_colored<Kind>;
     };
@@ -69,7 +71,8 @@ Pattern Wild::pattern() {
         ((number++ == wanted ? void(two = fill(Kinds())) : void()), ...);
         return two;
     }(std::type_identity<PatternKind>{});
-    for (int i = two ? 1 : dice.upto(4); i >= 0; --i) {
+    const bool image = std::holds_alternative<ImagePattern>(pattern.kind);
+    for (int i = image ? -1 : two ? 1 : dice.upto(4); i >= 0; --i) {
         const double before = pattern.colors.empty() ? 0 : pattern.colors.back().at;
         const double at = dice.chance(.2) ? before : dice.in(before, 1);
         pattern.colors.push_back({two ? 1. - i : at, color()});

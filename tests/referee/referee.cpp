@@ -123,7 +123,12 @@ struct Referee<R>::World {
 };
 
 template <class R>
-Referee<R>::Referee(const Scene& scene, const Camera& camera, int width, int height, int depth) {
+Referee<R>::Referee(const Scene& given, const Camera& camera, int width, int height, int depth) {
+    Scene scene = given;
+    if (scene.settings.linear) {
+        decode(scene.background);
+        for (Material& material : scene.materials) decode(material.rgb);
+    }
     const CameraFrame frame = frame_of(camera, double(width) / height);
     World w{scene,
             camera.position,

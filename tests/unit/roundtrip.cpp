@@ -7,6 +7,7 @@
 #include <random>
 #include <string>
 
+#include "image/pixels.h"
 #include "text/parse.h"
 #include "text/write.h"
 
@@ -184,7 +185,7 @@ class RandomScenes {
     std::vector<Material> palette;
 };
 
-Scene reparsed(const Scene& scene) { return parse_scene(write_scene(scene), "written"); }
+Scene reparsed(const Scene& scene) { return parse_scene(write_scene(scene), "written", {}, made_up_pixels); }
 
 }  // namespace
 
@@ -195,7 +196,7 @@ TEST_CASE("random scenes") {
         const std::string text = write_scene(scene);
         CAPTURE(text);
         try {
-            const Scene again = parse_scene(text, "written");
+            const Scene again = parse_scene(text, "written", {}, made_up_pixels);
             CHECK(again == scene);
             CHECK(write_scene(again) == text);
             ++whole;
@@ -215,8 +216,8 @@ TEST_CASE("scenes of this project") {
         if (entry.path().extension() != ".rt") continue;
         const std::string path = entry.path().string();
         CAPTURE(path);
-        const Scene scene = parse_scene(read_text(path), path);
-        CHECK(parse_scene(write_scene(scene), path) == scene);  // files of meshes are beside it
+        const Scene scene = parse_scene(read_text(path), path, {}, read_pixels);
+        CHECK(parse_scene(write_scene(scene), path, {}, read_pixels) == scene);  // files of meshes are beside it
     }
 }
 
