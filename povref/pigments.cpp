@@ -64,12 +64,21 @@ std::string pigment_text(const Pigment& pigment, const std::string& more) {
     return text;
 }
 
+std::string normal_text(const Bump& bump) {
+    if (!bump.pattern) return "";
+    // What it calls a size of 1 is 0.1 / accuracy times the sum over the corners, scene/pattern.h says which.
+    constexpr double size_of_height = 3 / (4 * .1);
+    std::string text = "normal { function { " + std::visit(ValueText{}, bump.pattern->kind) + " } " +
+                       text_of(size_of_height * bump.height) + " accuracy " + text_of(Bump::step);
+    for (const Transformation& step : bump.pattern->transformations) text += " " + step_text(step);
+    return text + " }";
+}
+
 std::string function_section(const Scene& scene) {
     const auto any = [&](const auto& test) {
-        const auto is = [&](const Pigment& pigment) {
-            return pigment.pattern && std::visit(test, pigment.pattern->kind);
-        };
-        return is(scene.background) || std::ranges::any_of(scene.materials, is, &Material::rgb);
+        const auto is = [&](const auto& own) { return own.pattern && std::visit(test, own.pattern->kind); };
+        return is(scene.background) || std::ranges::any_of(scene.materials, is, &Material::rgb) ||
+               std::ranges::any_of(scene.materials, is, &Material::bump);
     };
     const bool images = any([]<class Kind>(const Kind&) { return std::is_same_v<Kind, ImagePattern>; });
     const bool maps = any([]<class Kind>(const Kind&) { return has_map<Kind>; });

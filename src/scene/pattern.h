@@ -146,4 +146,24 @@ struct Pigment {
     }
 };
 
+/// Bends normals as if a pattern of values raised the surface: n - height G, where G is the pattern's gradient. Both are
+/// in the pattern's own space, so that bumps that are scaled keep their slopes (K. Perlin, "An image synthesizer", 1985,
+/// adds gradients to normals). G is the difference quotient over the corners of a tetrahedron, all `step` away, which
+/// is how POV-Ray has it: the sum of value(p + step v) v over its four directions v, times 3 / (4 step). Where a surface
+/// is seen from behind, its normal is turned round before it is bent.
+struct Bump {
+    std::shared_ptr<const Pattern> pattern;  // without colours; null if there is none
+    double height = 0;
+    static constexpr double step = .02;
+    /// Directions of length 1.
+    static constexpr std::array<DVec3, 4> corners{DVec3(0.942809041582063366, -1. / 3, 0),
+                                                  DVec3(-0.471404520791031683, -1. / 3, 0.816496580927726033),
+                                                  DVec3(-0.471404520791031683, -1. / 3, -0.816496580927726033),
+                                                  DVec3(0, 1, 0)};
+    bool operator==(const Bump& other) const {
+        return height == other.height &&
+               (pattern == other.pattern || (pattern && other.pattern && *pattern == *other.pattern));
+    }
+};
+
 }  // namespace strahl

@@ -14,43 +14,53 @@ namespace {
 
 class PatternBlock {
   public:
+    /// `colors` are the bounds of colours, or of the height.
     PatternBlock(Reader& reader, const Bounds& colors) : reader(reader), colors(colors) {}
 
-    /// Reads the pattern that `word` begins, to which `outer` belongs.
+    /// Reads the pattern that `word` begins, to which `outer` belongs: one with colours, or if it `bends` normals one
+    /// with a height.
+    template <bool bends = false>
     Pattern read(std::string_view word, Block& outer) {
         const auto read_kinds = [&]<class... Kinds>(std::type_identity<std::variant<Kinds...>>) {
-            ((word == Kinds::name && (kind<Kinds>(word, outer), true)) || ...);
+            ((word == Kinds::name && (kind<Kinds, bends && has_map<Kinds>>(word, outer), true)) || ...);
         };
         read_kinds(std::type_identity<PatternKind>{});
         return std::move(pattern);
     }
+    double height = 0;
 
   private:
-    template <class Kind>
+    template <class Kind, bool bends>
     void kind(std::string_view word, Block& outer) {
         Kind kind;
         Block block{word};
         auto parameters = pattern_parameters(kind);
         std::string_view colors_at, last;
         reader.block(
-            block, parameters, words<Kind>(), [&] { arguments(kind, block); },
+            block, parameters, words<Kind, bends>(), [&] { arguments(kind, block); },
             [&](std::string_view inner) {
-                if (inner == "colors" && has_map<Kind>) return map(inner, colors_at, block), true;
+                if (bends && inner == "height") return read_height(inner, block), true;
+                if (inner == "colors" && has_map<Kind> && !bends) return map(inner, colors_at, block), true;
                 if (image_part(kind, inner, block)) return true;
                 if (!contains(transformation_words, inner)) return false;
                 pattern.transformations.push_back(read_transformation(reader, inner, block));
                 last = inner;
                 return true;
             });
-        reader.require(block, {}, {{!has_map<Kind> || colors_at.data(), "'colors'"}});
+        if (bends)
+            reader.require(block, {}, {{height_at.data() != nullptr, "'height'"}});
+        else
+            reader.require(block, {}, {{!has_map<Kind> || colors_at.data(), "'colors'"}});
         check(kind, word, last, block);
         outer.absorb(block);
         pattern.kind = kind;
     }
     /// What may stand in the block besides its parameters.
-    template <class Kind>
+    template <class Kind, bool bends>
     static auto words() {
-        if constexpr (two_colored<Kind>)
+        if constexpr (bends)
+            return joined(std::array<std::string_view, 1>{"height"}, transformation_words);
+        else if constexpr (two_colored<Kind>)
             return transformation_words;
         else if constexpr (has_map<Kind>)
             return joined(std::array<std::string_view, 1>{"colors"}, transformation_words);
@@ -98,6 +108,10 @@ class PatternBlock {
             return true;
         }
         return false;
+    }
+    void read_height(std::string_view word, Block& block) {
+        block.bad |= !reader.once(height_at, word);
+        reader.read(height, colors, word, block);
     }
     void map(std::string_view word, std::string_view& first, Block& outer) {
         const bool again = !reader.once(first, word);
@@ -150,7 +164,7 @@ class PatternBlock {
     Reader& reader;
     const Bounds& colors;
     Pattern pattern;
-    std::string_view map_at, once_at;
+    std::string_view map_at, once_at, height_at;
 };
 
 bool whole(const Pattern& pattern) {
@@ -185,13 +199,29 @@ void Reader::read(Pigment& value, const Bounds& bounds, std::string_view name, B
     if (whole(pattern)) value = Pigment(std::move(pattern));
 }
 
-std::string text_of(const Pigment& pigment) {
-    if (!pigment.pattern) return text_of(pigment.color);
-    const auto& [kind, colors, transformations] = *pigment.pattern;
+void Reader::read(Bump& value, const Bounds& bounds, std::string_view name, Block& block) {
+    const std::string_view word = lexer.word();
+    if (word == "none") return void(value = {});
+    if (word.empty()) lexer.fail("a pattern or 'none' expected for " + quoted(name) + " of " + quoted(block.name));
+    if (!contains(bump_words, word)) {
+        constexpr auto known = joined(bump_words, std::array<std::string_view, 1>{"none"});
+        diagnostics.add(word, unknown_word(word, known, " for " + quoted(name) + " of " + quoted(block.name)));
+        throw ParseAbort{};
+    }
+    PatternBlock reading(*this, bounds);
+    value.pattern = std::make_shared<const Pattern>(reading.read<true>(word, block));
+    value.height = reading.height;
+}
+
+namespace {
+
+/// `first` is what stands before the parameters.
+std::string block_text(const Pattern& pattern, const std::string& first) {
+    const auto& [kind, colors, transformations] = pattern;
     std::string text = std::visit(
         [&]<class Kind>(const Kind& own) {
             std::string words(Kind::name);
-            words += " {";
+            words += " {" + first;
             if constexpr (two_colored<Kind>)
                 words += " " + text_of(colors[0].color) + ", " + text_of(colors[1].color);
             else if constexpr (!has_map<Kind>)
@@ -205,7 +235,7 @@ std::string text_of(const Pigment& pigment) {
             return words;
         },
         kind);
-    if (std::visit([]<class Kind>(const Kind&) { return has_map<Kind>; }, kind)) {
+    if (!colors.empty() && std::visit([]<class Kind>(const Kind&) { return has_map<Kind>; }, kind)) {
         text += text.back() == '{' ? " colors {" : "  colors {";
         for (const ColorStop& stop : colors)
             text += std::string(&stop == &colors[0] ? " " : "  ") + text_of(stop.at) + " " + text_of(stop.color);
@@ -213,6 +243,15 @@ std::string text_of(const Pigment& pigment) {
     }
     for (const Transformation& step : transformations) text += "  " + text_of(step);
     return text + " }";
+}
+
+}  // namespace
+
+std::string text_of(const Pigment& pigment) {
+    return pigment.pattern ? block_text(*pigment.pattern, "") : text_of(pigment.color);
+}
+std::string text_of(const Bump& bump) {
+    return bump.pattern ? block_text(*bump.pattern, " height " + text_of(bump.height)) : "none";
 }
 
 }  // namespace strahl

@@ -33,6 +33,7 @@ class Reader {
     void read(double& value, const Bounds& bounds, std::string_view name, Block& block);
     void read(DVec3& value, const Bounds& bounds, std::string_view name, Block& block);
     void read(Pigment& value, const Bounds& bounds, std::string_view name, Block& block);
+    void read(Bump& value, const Bounds& bounds, std::string_view name, Block& block);
 
     /// Reads `{ ... }`: first `arguments()`, then words. `item(word)` reads the value of a word and returns whether it
     /// knows the word; `words` are all words that it knows.

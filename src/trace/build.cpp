@@ -155,7 +155,9 @@ WorldArrays<T>::WorldArrays(const Scene& scene, const Placement& placement, Thre
     add_materials(scene);
     add_patterns(scene, placement);
     for (const Light& light : scene.lights) lights.push_back(light_kernel<T>(light, placement));
-    world.nested = world.transparent && transparent_bodies_overlap(scene);
+    const auto bent_glass = [](const Material& m) { return m.refraction > 0 && m.bump.pattern; };
+    world.nested = world.transparent && (transparent_bodies_overlap(scene) ||
+                                         std::any_of(scene.materials.begin(), scene.materials.end(), bent_glass));
     world.background = cast<T>(scene.background.color);
     world.materials = materials.data();
     world.lights = lights.data();

@@ -50,10 +50,10 @@ template <class S>
 }
 
 /// Ia Ka Of + sum over lights S Il [Kd Of (n.l) + Ks (h.l)^p]; at `dim` hits without lights that bring no more than
-/// `MaterialKernel::scattered`. `words` is only read where sights are wanted.
+/// `MaterialKernel::scattered`. `rare` is only read where that is.
 template <class S>
 STRAHL_INLINE Vec3<S> illumination(const Shading<S>& shading, const Hit<S>& hit, Mask<S> dim,
-                                   const HitWords<S>& words) {
+                                   const RareHit<S>& rare) {
     const MaterialKernel<S>& material = hit.material;
     const auto& world = shading.world;
     const S zero(0);
@@ -93,8 +93,11 @@ STRAHL_INLINE Vec3<S> illumination(const Shading<S>& shading, const Hit<S>& hit,
         shading.counts.shadow += count(faces);
         Vec3<S> share =
             visibility(world, Ray<S>{hit.position, l, hit.surface}, distance, faces, {i, hit.bin, hit.outside});
-        if (shading.batch.sights) [[unlikely]]
-            note_light(shading, hit, words, i, Vec3<S>(share), S(dot(reflected, l)), faces);
+        if (shading.rare) [[unlikely]] {
+            // A light that only the bent normal faces is behind the surface.
+            if (world.bumps) share = select(dot(rare.flat, l) > S(0), share, splat<S>(Vec3<Element<S>>(0)));
+            if (shading.batch.sights) note_light(shading, hit, rare, i, Vec3<S>(share), S(dot(reflected, l)), faces);
+        }
         if (light.spot) [[unlikely]]
             share = scale(spot_share(light, Vec3<S>(l)), share);
         cosine = select(faces, cosine, zero);  // at the light itself it is NaN

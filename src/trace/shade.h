@@ -34,20 +34,21 @@ class HitMaterial {
 
   public:
     MaterialKernel<S> values;
+    int numbers[width<S>];  // of each lane; only set where not all lanes are known to have the same
     bool uniform() const { return number >= 0; }
     STRAHL_INLINE void broadcast(const World<T>& world, int own) {
         if (own == number) return;
         values = splat_item<MaterialKernel<S>, S>(world.materials[own]);
         number = own;
     }
-    STRAHL_INLINE void load(const World<T>& world, const int* numbers) {
+    STRAHL_INLINE void load(const World<T>& world) {
         if (std::all_of(numbers, numbers + width<S>, [&](int m) { return m == numbers[0]; }))
             return broadcast(world, numbers[0]);
         values = gather_items<MaterialKernel<S>, S>(world.materials, numbers);
         number = -1;
     }
-    /// Gives it the colours that the patterns of these materials have at these points.
-    STRAHL_INLINE void paint(const World<T>& world, const int* numbers, const Vec3<S>& position) {
+    /// Gives it the colours that the patterns have at these points.
+    STRAHL_INLINE void paint(const World<T>& world, const Vec3<S>& position) {
         MaterialKernel<S> copy = values;
         PatternCalls<S>::paint(world, numbers, Vec3<S>(position), copy);
         values = copy;
@@ -105,16 +106,14 @@ STRAHL_INLINE Hit<S> make_hit(const Shading<S>& shading, int bin, const RayQueue
         hit = surface_at(world, own, ray, pick(t));
         material.broadcast(world, own.material);
         if (patterned(world, own.material)) [[unlikely]] {
-            int materials[width<S>];
-            std::fill_n(materials, width<S>, own.material);
-            material.paint(world, materials, hit.point.position);
+            std::fill_n(material.numbers, width<S>, own.material);
+            material.paint(world, hit.point.position);
         }
     } else {
-        int materials[width<S>];
-        hit = surfaces_at(world, own.form, shading.hits.surface, pick, ray, pick(t), materials);
-        material.load(world, materials);
+        hit = surfaces_at(world, own.form, shading.hits.surface, pick, ray, pick(t), material.numbers);
+        material.load(world);
         if (world.patterns) [[unlikely]]
-            material.paint(world, materials, hit.point.position);
+            material.paint(world, hit.point.position);
     }
     const Mask<S> outside = dot(ray.direction, hit.point.normal) < S(0);
     return {first_lanes<S>(pick.lanes),
@@ -150,16 +149,19 @@ bool shade_bin(const Shading<S>& shading, int bin) {
             within ? LaneIndices<S>(rays.inside_end[bin] + i, left) : LaneIndices<S>(shading.hits.of(bin) + i, left);
         const RayQueue<Element<S>>& from = within ? rays.inside : rays.open;
         const Element<S>* const t = within ? rays.inside.t : shading.hits.t;
-        const Hit<S> hit = make_hit(shading, bin, from, pick, t, material);
-        HitWords<S> words;
-        if (shading.batch.sights) [[unlikely]]
-            note_hits(shading, hit, pick(from.source), pick(t), pick.lanes, words);
+        Hit<S> hit = make_hit(shading, bin, from, pick, t, material);
+        RareHit<S> rare;
+        if (shading.rare) [[unlikely]] {
+            rare.flat = hit.normal;
+            if (world.bumps) hit.normal = PatternCalls<S>::bent(world, material.numbers, hit.position, rare.flat);
+            if (shading.batch.sights) note_hits(shading, hit, pick(from.source), pick(t), pick.lanes, rare);
+        }
         Mask<S> dim = first_lanes<S>(0);
         if (shading.depth < shading.limits.depth)
-            dim = scatter(shading, hit);
+            dim = scatter(shading, hit, rare);
         else
             truncate(shading, hit);
-        add_light(shading.batch, hit.pixel, pick.lanes, scale(hit.weight, illumination(shading, hit, dim, words)));
+        add_light(shading.batch, hit.pixel, pick.lanes, scale(hit.weight, illumination(shading, hit, dim, rare)));
     }
     next.inside_end[bin] = next.inside.count;
     return true;

@@ -43,7 +43,7 @@ struct MaterialKernel {
 };
 
 /// What the value of a pattern is made from.
-enum class PatternForm : std::int32_t { checker, brick, ramp, noise, layers, rings, image };
+enum class PatternForm : std::int32_t { checker, brick, ramp, noise, layers, rings, image, constant };
 /// A picture that a pattern has its colours from, see scene/image.h.
 template <class T>
 struct ImageKernel {
@@ -65,6 +65,15 @@ struct PatternKernel {
     ImageKernel<T> image;
     Vec3<T> ambient;        // Ia Ka
     T diffuse, refraction;  // Kd, Kt
+};
+/// The bump of a material in the space of one body: n is bent to n + |columns^T n| times the sum of value(p + step)
+/// bend. The steps are in the kernel's space of the pattern. Without columns there is none.
+template <class T>
+struct BumpKernel {
+    PatternKernel<T> pattern;
+    Vec3<T> columns[3];  // what the axes of the pattern's space are in the world, the longest of length 1
+    Vec3<T> steps[4], bends[4];
+    bool flat;
 };
 template <class T>
 struct ColorStopKernel {
@@ -206,9 +215,10 @@ struct World {
     T rounding = 0;  // what the coordinates of points on bodies may be off
     const MaterialKernel<T>* materials = nullptr;
     // Materials with patterns follow those without: each as often as there are bodies in spaces of their own that have
-    // it, with the largest colour of the pattern as its colour.
+    // it, with the largest colour of the pattern as its colour. The first ones are not used where there are bumps.
     int first_pattern = std::numeric_limits<int>::max();
     const PatternKernel<T>* patterns = nullptr;  // of these materials; null if there are none
+    const BumpKernel<T>* bumps = nullptr;  // likewise; then all materials are among these. Null if there are no bumps
     const ColorStopKernel<T>* stops = nullptr;
     const LightKernel<T>* lights = nullptr;
     int light_count = 0;
@@ -219,7 +229,7 @@ struct World {
 
     // What the scene contains; what it does not is not looked for.
     bool transparent = false;  // some body lets light through
-    bool nested = false;       // transparent bodies may overlap: rays carry the list of those entered
+    bool nested = false;       // such bodies overlap, or bumps bend rays back: rays carry the list of those entered
 };
 
 }  // namespace strahl

@@ -91,6 +91,9 @@ Material Wild::material() {
     const auto fill = [&](auto& value, const Bounds& bounds) {
         if constexpr (std::is_same_v<decltype(value), Pigment&>) {
             value = dice.chance(.25) ? Pigment(pattern()) : Pigment(color());
+        } else if constexpr (std::is_same_v<decltype(value), Bump&>) {
+            if (dice.chance(.2)) value = random_bump(dice);
+            if (value.pattern && dice.chance(.3)) value.height = number(not_negative);
         } else if (!dice.chance(.3)) {  // the default is a value too
             value = dice.chance(.3) ? dice.upto(1) : usual_or(bounds, 0, 1);
             if (!bounds.contains(value)) value = 1;

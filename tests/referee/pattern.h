@@ -170,4 +170,22 @@ struct Paint {
     }
 };
 
+/// A normal, bent where it turns towards the eye; `to_world` as above.
+template <class R>
+Vector<R> bent(const Bump& bump, const glm::dmat4& to_world, const Vector<R>& point, const Vector<R>& normal) {
+    if (!bump.pattern) return normal;
+    const glm::dmat4 m = to_world * matrix(bump.pattern->transformations);
+    const Vector<R> a{m[0].x, m[0].y, m[0].z}, b{m[1].x, m[1].y, m[1].z}, c{m[2].x, m[2].y, m[2].z};
+    const R volume = dot(a, cross(b, c));
+    const Vector<R> x = R(1) / volume * cross(b, c), y = R(1) / volume * cross(c, a), z = R(1) / volume * cross(a, b);
+    const Vector<R> moved = point - Vector<R>{m[3].x, m[3].y, m[3].z}, p{dot(x, moved), dot(y, moved), dot(z, moved)};
+    Vector<R> own = unit(Vector<R>{dot(a, normal), dot(b, normal), dot(c, normal)});
+    const R step = R(Bump::step);
+    for (const DVec3& corner : Bump::corners) {
+        const R value = std::visit(ValueAt<R>{p + step * Vector<R>(corner)}, bump.pattern->kind);
+        own = own - R(bump.height) * value * 3 / (4 * step) * Vector<R>(corner);
+    }
+    return unit(own.x * x + own.y * y + own.z * z);
+}
+
 }  // namespace strahl::referee

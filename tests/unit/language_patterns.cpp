@@ -72,6 +72,40 @@ TEST_CASE("images, and what can be wrong with them") {
     check_fault(sphere("image { \"wood.png\" }"), "2:45: cannot read 'wood.png': no pictures are read here");
 }
 
+TEST_CASE("bumps, and what can be wrong with them") {
+    const auto bump = [](const std::string& text) {
+        return parse(eye + "sphere { <0,0,0>, 1 material { bump " + text + " } }").materials[0].bump;
+    };
+    const Bump noise = bump("noise { height .3 octaves 2 scale .2 }");
+    Noise kind;
+    kind.octaves = 2;
+    CHECK(noise.height == .3);
+    CHECK(*noise.pattern == Pattern{kind, {}, {Scale{DVec3(.2)}}});
+    CHECK(bump("none") == Bump{});
+    CHECK(!parse(eye + "sphere { <0,0,0>, 1 }").materials[0].patterned());
+    const Scene scene = parse(eye + "defaultmaterial { bump wood { height 1 } }\nsphere { <0,0,0>, 1 }\n"
+                                    "sphere { <0,0,0>, 2 material { bump none } }\n"
+                                    "sphere { <0,0,0>, 3 material { bump wood { height 2 } } }\n");
+    REQUIRE(scene.materials.size() == 3);
+    CHECK(scene.materials[0].patterned());
+    CHECK(scene.materials[1].bump == Bump{});
+    CHECK(scene.materials[2].bump != scene.materials[0].bump);
+    const auto check = [](const std::string& text, const std::string& where, const std::string& message) {
+        check_fault("sphere{<0,0,0>,1 material{bump\n" + text + "} }", where + ": " + message);
+    };
+    check("noise { }", "3:1", "'noise' lacks 'height'");
+    check("nois { height 1 }", "3:1", "unknown word 'nois' for 'bump' of 'material'; did you mean 'noise'?");
+    check("checker { height 1 }", "3:1",
+          "unknown word 'checker' for 'bump' of 'material'; known here: gradient, noise, marble, wood, none");
+    check("<1,1,1>", "3:1", "a pattern or 'none' expected for 'bump' of 'material', but here comes '<'");
+    check("noise { height 1 height 1 }", "3:18", "a second 'height'; the first is in line 3");
+    check("noise { height -1 }", "3:16", "'height' of 'noise' must be from 0 to 1e9, not '-1'");
+    check("noise { height 1 colors { 0 <1,1,1> } }", "3:18",
+          "unknown word 'colors' in 'noise'; known here: octaves, omega, lambda, height, rotate, translate, scale");
+    check("gradient { height 1 axis <0,0,0> }", "3:1", "this gradient is none: its axis has no direction");
+    check("noise { height 1 scale 0 }", "3:24", "'scale' of 'noise' is 0, which would leave nothing of it; 1 changes nothing");
+}
+
 TEST_CASE("a material block changes a colour to a pattern and back") {
     const Scene scene = parse(eye + "defaultmaterial { rgb checker { <1,1,1>, <0,0,0> } }\nsphere { <0,0,0>, 1 }\n"
                                     "sphere { <0,0,0>, 2 material { rgb <1,0,0> } }\n"

@@ -162,6 +162,40 @@ TEST_CASE("few bodies and many are coloured alike") {
     }
 }
 
+TEST_CASE("bumps are as steep as their height says, and no light comes from behind") {
+    for (const Precision precision : {Precision::float32, Precision::float64, Precision::extended})
+        for (const double height : {0., .4, 1.})
+            for (const std::string space : {"", "scale 5 ", "scale <1, 3, 1> ", "translate <1e9, 0, 0> "}) {
+                CAPTURE(std::string(name(precision)));
+                CAPTURE(height);
+                CAPTURE(space);
+                const auto lit = [&](const DVec3& towards, const std::string& more) {
+                    Scene scene = flat("light { direction <0, 0, -1>  color <1, 1, 1> } plane { " + floor_points +
+                                           "  material { rgb <1, 1, 1>  ambient 0  diffuse 1  bump gradient { height " +
+                                           std::to_string(height) + "  " + space + "} } " + more + " }",
+                                       8, ".3, .2, 0");
+                    scene.lights[0].direction = -towards;
+                    return picture(scene, precision, 1, 1).rgb[0];
+                };
+                const double slope = 1 / std::sqrt(1 + height * height), tolerance = 1e-4;
+                CHECK(lit({0, 0, 1}, "") == doctest::Approx(slope).epsilon(tolerance));
+                CHECK(lit({-3, 0, 4}, "") == doctest::Approx((.8 + .6 * height) * slope).epsilon(tolerance));
+                CHECK(lit({-3, 0, 4}, "rotate <0, 0, 180>") == doctest::Approx((.8 - .6 * height) * slope).epsilon(tolerance));
+                CHECK(lit({-4, 0, -1}, "") == 0);
+            }
+}
+
+TEST_CASE("bumps leave outlines and what is inside as they are") {
+    const std::string balls = "light { position <9, 20, 30>  color <1, 1, 1> } union { sphere { <-1, 0, 0>, 2 } "
+                              "sphere { <1, .5, 0>, 1.5 }  rotate <10, 20, 30>  material { ";
+    const Frame smooth = picture(flat(balls + "diffuse 1  refraction .5  ior 1 } }"));
+    const Frame bumpy = picture(flat(balls + "diffuse 1  refraction .5  ior 1  bump noise { height .3  scale .3 } } }"));
+    const Frame flat_bumps = picture(flat(balls + "diffuse 1  refraction .5  ior 1  bump noise { height 0 } } }"));
+    CHECK(different(smooth, bumpy, .01) > 500);
+    CHECK(different(smooth, flat_bumps, 1e-12) == 0);
+    for (std::size_t i = 0; i < smooth.rgb.size(); ++i) CHECK((smooth.rgb[i] > 0) == (bumpy.rgb[i] > 0));
+}
+
 TEST_CASE("where images are") {
     // Four pixels, two by two: red and green above, blue and white below.
     const auto four = [](const std::string&) {

@@ -73,6 +73,8 @@ class RandomScenes {
             if (chance(2)) return;
             if constexpr (std::is_same_v<decltype(value), Pigment&>)
                 value = chance(3) ? Pigment(pattern()) : Pigment(color());
+            else if constexpr (std::is_same_v<decltype(value), Bump&>)
+                value = chance(2) ? Bump{} : bump();
             else
                 value = field.range == Range::zero_to_one ? uniform(0, 1)
                         : field.range == Range::positive  ? positive()
@@ -87,6 +89,12 @@ class RandomScenes {
         if (chance(2)) own.transformations = transformations();
         for (ColorStop& stop : own.colors)
             if (chance(2)) stop.color = color();
+        return own;
+    }
+    Bump bump() {
+        Dice dice(random());
+        Bump own = random_bump(dice);
+        if (chance(2)) own.height = not_negative();
         return own;
     }
     int material_number() {
