@@ -22,7 +22,7 @@ std::optional<int> only_material(const Scene& scene, const Primitive& primitive)
     for_each_leaf_placed(primitive, [&](const Primitive& leaf, const LeafMatrices& matrices) {
         if (!first) first = leaf.material;
         same &= leaf.material == *first;
-        same &= !scene.materials[leaf.material].rgb.pattern || matrices.material == whole;
+        same &= !scene.materials[leaf.material].patterned() || matrices.material == whole;
     });
     return same ? first : std::nullopt;
 }

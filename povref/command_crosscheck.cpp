@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "image/compare.h"
+#include "image/pixels.h"
 #include "image/transfer.h"
 #include "povref/run_povray.h"
 #include "povref/verdict.h"
@@ -72,7 +73,7 @@ void print_row(const std::string& path, const Verdict& verdict, double ours, dou
 
 /// Returns whether the two pictures agree.
 bool check(const CrosscheckOptions& options, const std::string& path, const std::atomic<bool>* stop) {
-    const Scene scene = parse_scene(read_text(path), path);
+    const Scene scene = parse_scene(read_text(path), path, {}, read_pixels);
     if (options.time) flight_for("--time", scene, path);
     const View view{.camera = camera_at(scene, options.time),
                     .width = options.width,

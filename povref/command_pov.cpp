@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <iostream>
 
+#include "image/pixels.h"
 #include "povref/pov_scene.h"
 #include "scene/motion.h"
 #include "text/file.h"
@@ -42,7 +43,7 @@ int pov_command(const PovOptions& options) {
     namespace fs = std::filesystem;
     check(options);
     const bool piped = options.scene == "-";
-    const Scene scene = parse_scene(read_text(options.scene), piped ? "standard input" : options.scene);
+    const Scene scene = parse_scene(read_text(options.scene), piped ? "standard input" : options.scene, {}, read_pixels);
     PovRequest request{.title = piped ? "A scene" : fs::path(options.scene).filename().string(),
                        .pov_path = options.output,
                        .picture_path = fs::path(options.output).replace_extension(".png").string(),
@@ -59,8 +60,7 @@ int pov_command(const PovOptions& options) {
         request.time = options.time.value_or(0);
     }
     const PovFiles files = write_pov(scene, request);
-    write_file(options.output, files.pov);
-    write_file(ini_path(options), files.ini);
+    write(files, options.output);
     for (const std::string& warning : files.warnings) std::cerr << "strahl: warning: " << printable(warning) << '\n';
     return 0;
 }

@@ -47,9 +47,12 @@ std::vector<std::string> finish(const Material& m, const std::string& opacity, b
     return terms;
 }
 
-std::string texture(const std::string& pigment, const std::vector<std::string>& finish, const std::string& indent) {
+std::string texture(const std::string& pigment, const std::vector<std::string>& finish, const std::string& indent,
+                    const Bump& bump = {}) {
+    const std::string normal = normal_text(bump);
     return "texture {\n" + indent + "  pigment { " + pigment + " }\n" + indent +
-           block("  finish {", finish, indent + "  ") + indent + "}";
+           (normal.empty() ? "" : "  " + normal + "\n" + indent) + block("  finish {", finish, indent + "  ") + indent +
+           "}";
 }
 
 /// The transmitted share as the pigment has it; with the keyword, which also applies to total reflection, relative to
@@ -71,18 +74,19 @@ bool needs_layers(const Material& m, bool keyword) {
 std::string seen_through(const Material& m, bool keyword) {
     const std::string share = transmitted_text(m, keyword);
     if (!needs_layers(m, keyword))
-        return texture(pigment_text(m.rgb, " transmit " + share), finish(m, "(1 - " + share + ")", keyword), "  ");
-    return texture("rgb 0 transmit 2" + (share == "1" ? "" : "*" + share), {"ambient 0", "diffuse 0"}, "  ") + "\n  " +
-           texture(pigment_text(m.rgb, " transmit 0.5"), finish(m, "0.5", keyword), "  ");
+        return texture(pigment_text(m.rgb, " transmit " + share), finish(m, "(1 - " + share + ")", keyword), "  ",
+                       m.bump);
+    return texture("rgb 0 transmit 2" + (share == "1" ? "" : "*" + share), {"ambient 0", "diffuse 0"}, "  ", m.bump) +
+           "\n  " + texture(pigment_text(m.rgb, " transmit 0.5"), finish(m, "0.5", keyword), "  ", m.bump);
 }
 
 PovMaterial describe(const Material& m, const std::string& name, const Circumstances& scene) {
     PovMaterial pov{.name = name};
-    pov.patterned = m.rgb.pattern != nullptr;
+    pov.patterned = m.patterned();
     pov.transparent = m.refraction > 0;
     if (!pov.transparent) {
         pov.declaration =
-            "#declare " + name + " = " + texture(pigment_text(m.rgb), finish(m, "", false), "") + "\n";
+            "#declare " + name + " = " + texture(pigment_text(m.rgb), finish(m, "", false), "", m.bump) + "\n";
         return pov;
     }
     // Total reflection has the share Kr + Kt here, and 1 in POV-Ray unless the old keyword `refraction` changes it.

@@ -4,6 +4,7 @@
 
 #include "num/decimal.h"
 #include "num/vec_math.h"
+#include "povref/images.h"
 #include "povref/layout.h"
 #include "povref/sentences.h"
 
@@ -31,6 +32,7 @@ std::string moved(const std::string& coordinate, const Kind& kind) {
 struct ValueText {
     std::string operator()(const Checker&) const { return ""; }
     std::string operator()(const Brick&) const { return ""; }
+    std::string operator()(const ImagePattern&) const { return ""; }
     std::string operator()(const Gradient& gradient) const {
         const DVec3 axis = normalize(gradient.axis);
         return "Fraction(" + text_of(axis.x) + "*x + " + text_of(axis.y) + "*y + " + text_of(axis.z) + "*z + 1e-10)";
@@ -51,6 +53,8 @@ std::string pigment_text(const Pigment& pigment, const std::string& more) {
         text = "function { " + value + " } color_map {";
         for (const ColorStop& stop : colors) text += " [" + text_of(stop.at) + " " + color(stop.color) + "]";
         text += " }";
+    } else if (const auto* const image = std::get_if<ImagePattern>(&kind)) {
+        text = image_text(*image, more);
     } else {
         const Brick* const brick = std::get_if<Brick>(&kind);
         text = std::string(brick ? "brick " : "checker ") + color(colors[0].color) + ", " + color(colors[1].color);
@@ -60,17 +64,30 @@ std::string pigment_text(const Pigment& pigment, const std::string& more) {
     return text;
 }
 
+std::string normal_text(const Bump& bump) {
+    if (!bump.pattern) return "";
+    // What it calls a size of 1 is 0.1 / accuracy times the sum over the corners, scene/pattern.h says which.
+    constexpr double size_of_height = 3 / (4 * .1);
+    std::string text = "normal { function { " + std::visit(ValueText{}, bump.pattern->kind) + " } " +
+                       text_of(size_of_height * bump.height) + " accuracy " + text_of(Bump::step);
+    for (const Transformation& step : bump.pattern->transformations) text += " " + step_text(step);
+    return text + " }";
+}
+
 std::string function_section(const Scene& scene) {
     const auto any = [&](const auto& test) {
-        const auto is = [&](const Pigment& pigment) {
-            return pigment.pattern && std::visit(test, pigment.pattern->kind);
-        };
-        return is(scene.background) || std::ranges::any_of(scene.materials, is, &Material::rgb);
+        const auto is = [&](const auto& own) { return own.pattern && std::visit(test, own.pattern->kind); };
+        return is(scene.background) || std::ranges::any_of(scene.materials, is, &Material::rgb) ||
+               std::ranges::any_of(scene.materials, is, &Material::bump);
     };
-    if (!any([]<class Kind>(const Kind&) { return !two_colored<Kind>; })) return "";
-    std::string text = heading("Patterns") +
-                       "#declare Fraction = function(a) { a - floor(a) };\n"
-                       "#declare Wave = function(a) { 1 - abs(2*Fraction(a) - 1) };\n";
+    const bool images = any([]<class Kind>(const Kind&) { return std::is_same_v<Kind, ImagePattern>; });
+    const bool maps = any([]<class Kind>(const Kind&) { return has_map<Kind>; });
+    if (!images && !maps) return "";
+    std::string text = heading("Patterns") + (images ? image_macro(scene.settings.linear) : "");
+    if (!maps) return text;
+    text +=
+        "#declare Fraction = function(a) { a - floor(a) };\n"
+        "#declare Wave = function(a) { 1 - abs(2*Fraction(a) - 1) };\n";
     if (!any([](const auto& kind) { return requires { kind.octaves; }; })) return text;
     text += comment(
         "Gradient noise over cells of whole coordinates, their corners hashed by a permutation polynomial. POV-Ray's "

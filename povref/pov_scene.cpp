@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "num/decimal.h"
 #include "num/vec_math.h"
@@ -15,6 +16,7 @@
 #include "scene/leaves.h"
 #include "scene/motion.h"
 #include "scene/overlap.h"
+#include "text/file.h"
 #include "text/messages.h"
 
 namespace strahl {
@@ -220,11 +222,15 @@ std::string quoted_path(const std::string& path) {
     const auto has = [&](const char* text) { return path.find(text) != path.npos; };
     const bool steers = std::ranges::any_of(path, [](unsigned char c) { return c < ' ' || c == 0x7F; });
     if (steers || (has("\"") && has("'")) || has("\\\"") || has("\\'"))
-        throw UsageError("POV-Ray's .ini files can't hold the name " + quoted(path) +
+        throw UsageError("POV-Ray's .ini files can't hold the name " + strahl::quoted(path) +
                          "; choose one without line breaks and quotes");
     if (path.find_first_of(" ;#'\"") == path.npos) return path;
     const std::string quote(path.find('"') == path.npos ? "\"" : "'");
     return quote + path + quote;
+}
+
+std::string ini_beside(const std::string& pov_path) {
+    return std::filesystem::path(pov_path).replace_extension(".ini").string();
 }
 
 /// The shell command that runs POV-Ray, which splits its arguments at spaces again.
@@ -236,8 +242,9 @@ std::string command(const std::string& ini_path) {
     return "povray '" + escaped + "'";
 }
 
-std::string ini_of(const Scene& scene, const PovRequest& request, const Plan& plan, const std::string& path) {
-    std::string text = comment(request.title + " for POV-Ray 3.7, to be run by", ";") + ";   " + command(path) + "\n" +
+std::string ini_of(const Scene& scene, const PovRequest& request, const Plan& plan, bool pictures) {
+    std::string text = comment(request.title + " for POV-Ray 3.7, to be run by", ";") + ";   " +
+                       command(ini_beside(request.pov_path)) + "\n" +
                        "Input_File_Name=" + quoted_path(request.pov_path) +
                        "\nOutput_File_Name=" + quoted_path(request.picture_path) + "\n\n" +
                        "Width=" + std::to_string(request.width) + "\nHeight=" + std::to_string(request.height) + "\n" +
@@ -256,6 +263,9 @@ std::string ini_of(const Scene& scene, const PovRequest& request, const Plan& pl
     if (plan.moves)
         text += "Initial_Clock=0\nFinal_Clock=" +
                 text_of(static_cast<double>(request.cameras.size() - 1) / request.fps) + "\n";
+    const std::string folder = std::filesystem::path(request.pov_path).parent_path().string();
+    if (pictures && !folder.empty())
+        text += "\n" + comment("Pictures are beside the scene.", ";") + "Library_Path=" + quoted_path(folder) + "\n";
     if (plan.inside)
         text += "\n" +
                 comment(
@@ -278,15 +288,23 @@ PovFiles write_pov(const Scene& whole, const PovRequest& request) {
     const Scene still = animated ? Scene{} : at(whole, request.time);
     const Scene& scene = animated ? whole : still;
     const Plan plan = plan_for(scene, request);
-    const std::string ini_path = request.pov_path.substr(0, request.pov_path.rfind('.')) + ".ini";
     PovMotions motions;
     const std::string lights = light_section(scene, plan, motions);
     const std::string bodies = body_sections(
         scene, {plan.materials, plan.shadow_copies, plan.scaled, scene.fog.has_value(), motions});
+    std::vector<PovPicture> pictures = pictures_of(scene);
     return {top(scene, request, plan) + camera_section(request, plan) + motions.section() + lights +
                 function_section(scene) + sky_section(scene) + fog_section(scene, plan) + material_section(plan) +
                 bodies,
-            ini_of(scene, request, plan, ini_path), warnings_of(plan)};
+            ini_of(scene, request, plan, !pictures.empty()), warnings_of(plan), std::move(pictures)};
+}
+
+void write(const PovFiles& files, const std::string& pov_path) {
+    const std::filesystem::path path(pov_path);
+    write_file(pov_path, files.pov);
+    write_file(ini_beside(pov_path), files.ini);
+    for (const PovPicture& own : files.pictures)
+        write_picture(own.picture, (path.parent_path() / own.name).string(), {own.picture.bits, false});
 }
 
 }  // namespace strahl

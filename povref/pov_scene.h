@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "povref/images.h"
 #include "scene/scene.h"
 
 namespace strahl {
@@ -24,7 +25,10 @@ struct PovRequest {
 struct PovFiles {
     std::string pov, ini;
     std::vector<std::string> warnings;
+    std::vector<PovPicture> pictures;
 };
+/// Writes all of them: the pictures into the folder of the .pov.
+void write(const PovFiles& files, const std::string& pov_path);
 
 /// POV-Ray 3.7 renders these to the same picture as Strahl, up to rounding. The scene is equal term by term, and its
 /// camera's axes are written out, so that the handedness of the world does not matter.

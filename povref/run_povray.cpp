@@ -132,8 +132,7 @@ PovRun run_povray(const Scene& scene, PovRequest request, int threads, const std
     request.picture_path = "scene.png";
     request.bits = 16;
     const PovFiles files = write_pov(scene, request);
-    write_file(scratch.path("scene.pov"), files.pov);
-    write_file(scratch.path("scene.ini"), files.ini);
+    write(files, scratch.path("scene.pov"));
     std::vector<std::string> words{"povray", "scene.ini", "Warning_Console=On", "Verbose=Off"};
     // Linear values are compared without a transfer curve.
     if (scene.settings.linear) words.push_back("File_Gamma=1.0");

@@ -65,7 +65,7 @@ void Builder::set_material(Material changed) {
         auto& value = changed.*field.member;
         if constexpr (std::is_same_v<decltype(value), double&>)
             limit(value, field.range, field.name);
-        else
+        else if constexpr (std::is_same_v<decltype(value), Pigment&>)
             for (int i = 0; i < 3; ++i) limit(value.color[i], field.range, field.name);
     };
     std::apply([&](const auto&... field) { (limit_field(field), ...); }, Material::fields);

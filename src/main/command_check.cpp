@@ -7,6 +7,7 @@
 #include <sstream>
 #include <utility>
 
+#include "image/pixels.h"
 #include "main/exit_status.h"
 #include "scene/leaves.h"
 #include "scene/motion.h"
@@ -109,7 +110,7 @@ std::string summary(const Scene& scene) {
 
 int check_command(const CheckOptions& options) {
     const std::string file = options.scene == "-" ? "standard input" : options.scene;
-    const Scene scene = parse_scene(read_text(options.scene), file);
+    const Scene scene = parse_scene(read_text(options.scene), file, {}, read_pixels);
     write_file("-", options.print ? write_scene(scene) : show(file).text + ": no errors\n" + summary(scene));
     return exit_status::done;
 }

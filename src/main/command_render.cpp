@@ -12,6 +12,7 @@
 
 #include "image/memory.h"
 #include "image/picture.h"
+#include "image/pixels.h"
 #include "image/transfer.h"
 #include "main/exit_status.h"
 #include "main/interrupt.h"
@@ -281,7 +282,8 @@ int render_command(const RenderOptions& options) {
     stats.size = options.size;
     stats.crop = options.crop;
     Stopwatch watch;
-    Scene scene = parse_scene(read_text(options.scene), options.scene == "-" ? "standard input" : options.scene);
+    Scene scene = parse_scene(read_text(options.scene), options.scene == "-" ? "standard input" : options.scene, {},
+                              read_pixels);
     stats.parse_seconds = watch.lap();
     if (options.time || options.frames)
         flight_for(options.time ? "--time" : "--frames", scene, options.scene);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "image/picture.h"
+#include "image/pixels.h"
 #include "image/transfer.h"
 #include "main/exit_status.h"
 #include "text/file.h"
@@ -58,7 +59,8 @@ int stability_command(const StabilityOptions& options) {
         if (const std::string fault = format_fault(options.output, 0); !fault.empty()) throw UsageError(fault);
     refuse_overwriting("-o", options.output, "the scene", options.scene);
     if (!options.output.empty()) require_picture_library();
-    const Scene scene = parse_scene(read_text(options.scene), options.scene == "-" ? "standard input" : options.scene);
+    const Scene scene = parse_scene(read_text(options.scene), options.scene == "-" ? "standard input" : options.scene,
+                                    {}, read_pixels);
     const View view{.camera = scene.camera,
                     .width = options.size.width,
                     .height = options.size.height,

@@ -16,8 +16,11 @@ struct Material {
     double specular = 1;     // Ks, the highlight
     double pow = 50;         // p, the highlight's exponent
     double ior = 1;          // index of refraction of the body
+    Bump bump;
 
     bool operator==(const Material&) const = default;
+    /// Does it depend on the place?
+    bool patterned() const { return rgb.pattern || bump.pattern; }
 
     static constexpr auto fields = std::make_tuple(
         Field{"rgb", &Material::rgb, "colour of the body", Range::zero_or_more},
@@ -30,7 +33,8 @@ struct Material {
               Range::zero_or_more},
         Field{"pow", &Material::pow, "exponent of the highlight: the larger, the smaller the highlight",
               Range::zero_or_more},
-        Field{"ior", &Material::ior, "index of refraction", Range::positive});
+        Field{"ior", &Material::ior, "index of refraction", Range::positive},
+        Field{"bump", &Material::bump, "a pattern that bends normals, see below", Range::zero_or_more});
 };
 
 }  // namespace strahl

@@ -4,10 +4,12 @@
 #include <array>
 #include <memory>
 #include <tuple>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
 #include "scene/field.h"
+#include "scene/image.h"
 #include "scene/transformation.h"
 
 namespace strahl {
@@ -102,17 +104,20 @@ struct Wood : Octaves {
     bool operator==(const Wood&) const = default;
 };
 
-using PatternKind = std::variant<Checker, Gradient, Brick, Noise, Marble, Wood>;
+using PatternKind = std::variant<Checker, Gradient, Brick, Noise, Marble, Wood, ImagePattern>;
 
 /// Has it two colours by itself, in place of a map?
 template <class Kind>
 inline constexpr bool two_colored = requires {
     Kind::colors;
 };
+/// Or a map of colours? Images have neither.
+template <class Kind>
+inline constexpr bool has_map = !two_colored<Kind> && !std::is_same_v<Kind, ImagePattern>;
 
 struct Pattern {
     PatternKind kind;
-    std::vector<ColorStop> colors;  // ascending, at least one; of kinds with two colours these are at 0 and 1
+    std::vector<ColorStop> colors;  // ascending; those of kinds with two are at 0 and 1, images have none, others some
     std::vector<Transformation> transformations;
     bool operator==(const Pattern&) const = default;
 };
@@ -126,12 +131,38 @@ struct Pigment {
     Pigment(const Color& color) : color(color) {}
     Pigment(double red, double green, double blue) : color(red, green, blue) {}
     explicit Pigment(Pattern own) : pattern(std::make_shared<const Pattern>(std::move(own))) {
-        for (const ColorStop& stop : pattern->colors)
-            for (int c = 0; c < 3; ++c) color[c] = std::max(color[c], stop.color[c]);
+        const auto include = [&](const Color& own) {
+            for (int c = 0; c < 3; ++c) color[c] = std::max(color[c], own[c]);
+        };
+        for (const ColorStop& stop : pattern->colors) include(stop.color);
+        if (const ImagePattern* const image = std::get_if<ImagePattern>(&pattern->kind)) {
+            include(image->pixels->largest);
+            if (image->once) include(*image->once);
+        }
     }
     bool operator==(const Pigment& other) const {
         return color == other.color && (pattern == other.pattern ||
                                         (pattern && other.pattern && *pattern == *other.pattern));
+    }
+};
+
+/// Bends normals as if a pattern of values raised the surface: n - height G, where G is the pattern's gradient. Both are
+/// in the pattern's own space, so that bumps that are scaled keep their slopes (K. Perlin, "An image synthesizer", 1985,
+/// adds gradients to normals). G is the difference quotient over the corners of a tetrahedron, all `step` away, which
+/// is how POV-Ray has it: the sum of value(p + step v) v over its four directions v, times 3 / (4 step). Where a surface
+/// is seen from behind, its normal is turned round before it is bent.
+struct Bump {
+    std::shared_ptr<const Pattern> pattern;  // without colours; null if there is none
+    double height = 0;
+    static constexpr double step = .02;
+    /// Directions of length 1.
+    static constexpr std::array<DVec3, 4> corners{DVec3(0.942809041582063366, -1. / 3, 0),
+                                                  DVec3(-0.471404520791031683, -1. / 3, 0.816496580927726033),
+                                                  DVec3(-0.471404520791031683, -1. / 3, -0.816496580927726033),
+                                                  DVec3(0, 1, 0)};
+    bool operator==(const Bump& other) const {
+        return height == other.height &&
+               (pattern == other.pattern || (pattern && other.pattern && *pattern == *other.pattern));
     }
 };
 

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <utility>
 
+#include "image/pixels.h"
 #include "text/parse.h"
 #include "trace/tracer.h"
 
@@ -41,7 +42,7 @@ std::optional<std::string> text_of(const std::string& path) try { return read_te
 }  // namespace
 
 Scene scene_for_window(const std::string& text, const std::string& path) {
-    Scene scene = parse_scene(text, path);
+    Scene scene = parse_scene(text, path, {}, read_pixels);
     check_capacity(scene, Precision::float32);
     return scene;
 }

@@ -70,6 +70,14 @@ std::string body_table(std::type_identity<std::variant<Kinds...>>) {
     return "| body | arguments | values | meaning |\n|---|---|---|---|\n" + (body_rows<Kinds>() + ...);
 }
 
+void image_rows(const auto& add) {
+    add("\"NAME\"", "required", "a path, relative to the scene's folder", ImagePattern::help);
+    std::string maps;
+    for (const std::string_view map : image_maps) maps += (maps.empty() ? "" : ", ") + code(map);
+    add("`map`", code(image_maps[0]), maps.c_str(), "where its colours go");
+    add("`once`", "it repeats", not_negative.words, "it is there once, and around it is this colour");
+}
+
 template <class Kind>
 std::string pattern_rows() {
     std::string rows, name = code(Kind::name);
@@ -80,8 +88,10 @@ std::string pattern_rows() {
     };
     if constexpr (two_colored<Kind>)
         add("two colours", "required", not_negative.words, Kind::help);
-    else
+    else if constexpr (has_map<Kind>)
         add("`colors`", "required", "see above", Kind::help);
+    else
+        image_rows(add);
     Kind kind;
     if constexpr (std::tuple_size_v<decltype(Kind::fields)> > 0)
         for (const Parameter& p : pattern_parameters(kind))

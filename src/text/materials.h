@@ -54,9 +54,15 @@ class MaterialHash {
     static void add(std::size_t& hash, const DVec3& v) { add(hash, v.x), add(hash, v.y), add(hash, v.z); }
     static void add(std::size_t& hash, const Pigment& pigment) {
         add(hash, pigment.color);
-        if (!pigment.pattern) return;
-        const auto& [kind, colors, transformations] = *pigment.pattern;
+        if (pigment.pattern) add(hash, *pigment.pattern);
+    }
+    static void add(std::size_t& hash, const Bump& bump) {
+        if (bump.pattern) add(hash, bump.height), add(hash, *bump.pattern);
+    }
+    static void add(std::size_t& hash, const Pattern& pattern) {
+        const auto& [kind, colors, transformations] = pattern;
         std::visit([&]<class Kind>(const Kind& own) { add_fields(hash, own, Kind::fields); }, kind);
+        if (const ImagePattern* const image = std::get_if<ImagePattern>(&kind)) hash ^= std::hash<std::string>()(image->file);
         for (const ColorStop& stop : colors) add(hash, stop.at), add(hash, stop.color);
         struct {
             std::size_t& hash;

@@ -1,8 +1,5 @@
 #include "text/mesh_block.h"
 
-#include <filesystem>
-
-#include "mesh/read_mesh.h"
 #include "text/blocks.h"
 
 namespace strahl {
@@ -23,12 +20,8 @@ void MeshBlock::file(std::string_view word, Block& block) {
     const std::string_view given = reader.lexer.quotation("the name of a file");
     if (!reader.once(file_at, word)) return;
     name = given;
-    const std::filesystem::path path(name);
-    const std::string whole = (path.is_absolute() ? path : std::filesystem::path(folder) / path).string();
-    std::shared_ptr<const MeshData>& data = files[whole];
     try {
-        if (!data) data = std::make_shared<const MeshData>(read_mesh(whole));
-        from_file = data;
+        from_file = reader.files.mesh(name);
     } catch (const FileError& error) {
         reader.diagnostics.add(given, error.what());
         block.bad = true;

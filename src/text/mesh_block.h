@@ -1,6 +1,5 @@
 // The contents of a `mesh` block: triangles, or the name of a file.
 #pragma once
-#include <map>
 #include <memory>
 #include <string>
 
@@ -24,15 +23,10 @@ void read_arguments(Reader& reader, Kind& kind, Block& block) {
     std::apply([&](const auto&... field) { (argument(field), ...); }, Kind::fields);
 }
 
-/// Files of triangles that the scene has named so far, by their paths.
-using MeshFiles = std::map<std::string, std::shared_ptr<const MeshData>>;
-
 /// One mesh while it is read. Equal points become one.
 class MeshBlock {
   public:
-    /// Names of files are relative to `folder`.
-    MeshBlock(Reader& reader, std::string folder, MeshFiles& files)
-        : reader(reader), folder(std::move(folder)), files(files) {}
+    explicit MeshBlock(Reader& reader) : reader(reader) {}
     /// Reads what follows a word of `mesh_words`; false if it is none of these.
     bool part(std::string_view word, Block& block);
     /// The mesh, once its block is closed. Errors are reported at its `word`.
@@ -46,8 +40,7 @@ class MeshBlock {
     void add(const SmoothTriangle& triangle);
 
     Reader& reader;
-    std::string folder, name;
-    MeshFiles& files;
+    std::string name;
     std::string_view file_at, triangle_at;
     std::shared_ptr<const MeshData> from_file;
     MeshData inline_data;  // but for its points and normals

@@ -1,5 +1,6 @@
 // From scene text to Scene.
 #pragma once
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -16,9 +17,14 @@ struct TextLimits {
     std::size_t keys = 1 << 20;
 };
 
+/// Reads the picture file at a path, which a scene names. Throws FileError. The program's own is in image/pixels.h.
+using ReadPixels = std::function<Pixels(const std::string& path)>;
+
 /// Parses scene text (UTF-8). `file` is only the name used in messages. Throws FileError whose what() lists up to 10
-/// errors, each as "file:line:column: message", the line itself, and a caret under the error. Columns count characters.
-Scene parse_scene(std::string_view text, std::string_view file, const TextLimits& limits = {});
+/// errors, each as "file:line:column: message", the line itself, and a caret under the error. Columns count characters. Without
+/// `read_pixels` it is an error to name a picture.
+Scene parse_scene(std::string_view text, std::string_view file, const TextLimits& limits = {},
+                  const ReadPixels& read_pixels = {});
 
 /// Reads a whole file, or standard input for "-". Throws FileError if it can't be read or is larger than `limit` bytes.
 std::string read_text(const std::string& path, std::size_t limit = std::size_t(1) << 30);

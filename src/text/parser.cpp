@@ -1,6 +1,5 @@
 // The parser: the blocks of the scene language.
 #include <array>
-#include <filesystem>
 #include <optional>
 #include <utility>
 
@@ -32,12 +31,11 @@ constexpr auto words_in<Composite<operation>> = composite_words;
 
 class Parser {
   public:
-    Parser(std::string_view text, std::string_view file, Diagnostics& diagnostics, const TextLimits& limits)
+    Parser(std::string_view text, Diagnostics& diagnostics, SceneFiles& files, const TextLimits& limits)
         : limits(limits),
-          folder(std::filesystem::path(file).parent_path().string()),
           text(text),
           diagnostics(diagnostics),
-          reader(text, diagnostics, block_words),
+          reader(text, diagnostics, block_words, files),
           cameras(reader, limits) {}
     Scene parse();
 
@@ -62,14 +60,12 @@ class Parser {
     void limit(std::size_t count, std::size_t most, std::string_view at, const char* what);
 
     const TextLimits& limits;
-    const std::string folder;
     std::string_view text;
     Diagnostics& diagnostics;
     Reader reader;
     CameraBlocks cameras;
     Scene scene;
     Materials materials;
-    MeshFiles mesh_files;
     Definitions definitions;
     Material default_material;
     std::size_t bodies_read = 0, points = 0;  // points: of lights
@@ -238,7 +234,7 @@ void Parser::shape(std::string_view word, std::vector<Primitive>& bodies, Block&
     Ending ending;
     constexpr bool is_mesh = std::is_same_v<Kind, Mesh>;
     std::optional<MeshBlock> mesh;  // costs more than most bodies
-    if (is_mesh) mesh.emplace(reader, folder, mesh_files);
+    if (is_mesh) mesh.emplace(reader);
     std::vector<Primitive> parts;
     reader.block(
         block, words_in<Kind>, [&] { read_arguments(reader, kind, block); },
@@ -275,7 +271,8 @@ void Parser::check(const Kind& shape, const Primitive& primitive, Block& block, 
 
 }  // namespace
 
-Scene parse_scene(std::string_view text, std::string_view file, const TextLimits& limits) {
+Scene parse_scene(std::string_view text, std::string_view file, const TextLimits& limits,
+                  const ReadPixels& read_pixels) {
     if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
     Diagnostics diagnostics(text, file);
     if (const std::size_t i = find_invalid(text); i != text.npos) {
@@ -283,7 +280,8 @@ Scene parse_scene(std::string_view text, std::string_view file, const TextLimits
                                                            : "not UTF-8; save the file in that encoding");
         diagnostics.check();
     }
-    return Parser(text, file, diagnostics, limits).parse();
+    SceneFiles files(file, read_pixels);
+    return Parser(text, diagnostics, files, limits).parse();
 }
 
 }  // namespace strahl

@@ -1,7 +1,11 @@
 // Reads colours, and the patterns that may stand in their place.
 #include "text/pigment.h"
 
+#include <algorithm>
+
 #include "num/decimal.h"
+#include "scene/error.h"
+#include "text/blocks.h"
 #include "text/reader.h"
 #include "text/transformations.h"
 
@@ -10,48 +14,61 @@ namespace {
 
 class PatternBlock {
   public:
+    /// `colors` are the bounds of colours, or of the height.
     PatternBlock(Reader& reader, const Bounds& colors) : reader(reader), colors(colors) {}
 
-    /// Reads the pattern that `word` begins, to which `outer` belongs.
+    /// Reads the pattern that `word` begins, to which `outer` belongs: one with colours, or if it `bends` normals one
+    /// with a height.
+    template <bool bends = false>
     Pattern read(std::string_view word, Block& outer) {
         const auto read_kinds = [&]<class... Kinds>(std::type_identity<std::variant<Kinds...>>) {
-            ((word == Kinds::name && (kind<Kinds>(word, outer), true)) || ...);
+            ((word == Kinds::name && (kind<Kinds, bends && has_map<Kinds>>(word, outer), true)) || ...);
         };
         read_kinds(std::type_identity<PatternKind>{});
         return std::move(pattern);
     }
+    double height = 0;
 
   private:
-    template <class Kind>
+    template <class Kind, bool bends>
     void kind(std::string_view word, Block& outer) {
         Kind kind;
         Block block{word};
         auto parameters = pattern_parameters(kind);
         std::string_view colors_at, last;
         reader.block(
-            block, parameters, words<Kind>(), [&] { two_colors<Kind>(block); },
+            block, parameters, words<Kind, bends>(), [&] { arguments(kind, block); },
             [&](std::string_view inner) {
-                if (inner == "colors" && !two_colored<Kind>) return map(inner, colors_at, block), true;
+                if (bends && inner == "height") return read_height(inner, block), true;
+                if (inner == "colors" && has_map<Kind> && !bends) return map(inner, colors_at, block), true;
+                if (image_part(kind, inner, block)) return true;
                 if (!contains(transformation_words, inner)) return false;
                 pattern.transformations.push_back(read_transformation(reader, inner, block));
                 last = inner;
                 return true;
             });
-        reader.require(block, {}, {{two_colored<Kind> || colors_at.data(), "'colors'"}});
+        if (bends)
+            reader.require(block, {}, {{height_at.data() != nullptr, "'height'"}});
+        else
+            reader.require(block, {}, {{!has_map<Kind> || colors_at.data(), "'colors'"}});
         check(kind, word, last, block);
         outer.absorb(block);
         pattern.kind = kind;
     }
     /// What may stand in the block besides its parameters.
-    template <class Kind>
+    template <class Kind, bool bends>
     static auto words() {
-        if constexpr (two_colored<Kind>)
+        if constexpr (bends)
+            return joined(std::array<std::string_view, 1>{"height"}, transformation_words);
+        else if constexpr (two_colored<Kind>)
             return transformation_words;
+        else if constexpr (has_map<Kind>)
+            return joined(std::array<std::string_view, 1>{"colors"}, transformation_words);
         else
-            return std::array<std::string_view, 4>{"colors", "rotate", "translate", "scale"};
+            return joined(std::array<std::string_view, 2>{"map", "once"}, transformation_words);
     }
     template <class Kind>
-    void two_colors(Block& block) {
+    void arguments(Kind& kind, Block& block) {
         if constexpr (two_colored<Kind>)
             for (const double at : {0., 1.}) {
                 if (at == 1) reader.lexer.accept(',');
@@ -59,6 +76,42 @@ class PatternBlock {
                 reader.read(color, colors, Kind::colors[static_cast<std::size_t>(at)], block);
                 pattern.colors.push_back({at, color});
             }
+        else if constexpr (!has_map<Kind>)
+            file(kind, block);
+    }
+    void file(ImagePattern& image, Block& block) {
+        const std::string_view given = reader.lexer.quotation("the name of a picture");
+        try {
+            image.pixels = reader.files.pixels(given);
+            image.file = given;
+        } catch (const FileError& error) {
+            reader.diagnostics.add(given, error.what());
+            block.bad = true;
+        }
+    }
+    /// Reads what follows `map` or `once`; false if it is another word or no image.
+    template <class Kind>
+    bool image_part(Kind& kind, std::string_view word, Block& block) {
+        if constexpr (!std::is_same_v<Kind, ImagePattern>) {
+            return false;
+        } else if (word == "map") {
+            block.bad |= !reader.once(map_at, word);
+            const std::string_view name = reader.lexer.word();
+            const auto known = std::ranges::find(image_maps, name);
+            if (name.empty()) reader.lexer.fail("a word such as 'spherical' expected after 'map'");
+            if (known != image_maps.end()) return kind.map = static_cast<ImageMap>(known - image_maps.begin()), true;
+            reader.diagnostics.add(name, unknown_word(name, image_maps, " after 'map'"));
+            return block.bad = true;
+        } else if (word == "once") {
+            block.bad |= !reader.once(once_at, word);
+            reader.read(kind.once.emplace(), colors, word, block);
+            return true;
+        }
+        return false;
+    }
+    void read_height(std::string_view word, Block& block) {
+        block.bad |= !reader.once(height_at, word);
+        reader.read(height, colors, word, block);
     }
     void map(std::string_view word, std::string_view& first, Block& outer) {
         const bool again = !reader.once(first, word);
@@ -111,7 +164,19 @@ class PatternBlock {
     Reader& reader;
     const Bounds& colors;
     Pattern pattern;
+    std::string_view map_at, once_at, height_at;
 };
+
+bool whole(const Pattern& pattern) {
+    const ImagePattern* const image = std::get_if<ImagePattern>(&pattern.kind);
+    return image ? image->pixels != nullptr : !pattern.colors.empty();
+}
+std::string words_of(const ImagePattern& image) {
+    std::string words = " \"" + image.file + "\"";
+    if (image.map != ImageMap::planar)
+        words.append("  map ").append(image_maps[static_cast<std::size_t>(image.map)]);
+    return image.once ? words + "  once " + text_of(*image.once) : words;
+}
 
 }  // namespace
 
@@ -131,18 +196,36 @@ void Reader::read(Pigment& value, const Bounds& bounds, std::string_view name, B
         throw ParseAbort{};
     }
     Pattern pattern = PatternBlock(*this, bounds).read(word, block);
-    if (!pattern.colors.empty()) value = Pigment(std::move(pattern));
+    if (whole(pattern)) value = Pigment(std::move(pattern));
 }
 
-std::string text_of(const Pigment& pigment) {
-    if (!pigment.pattern) return text_of(pigment.color);
-    const auto& [kind, colors, transformations] = *pigment.pattern;
+void Reader::read(Bump& value, const Bounds& bounds, std::string_view name, Block& block) {
+    const std::string_view word = lexer.word();
+    if (word == "none") return void(value = {});
+    if (word.empty()) lexer.fail("a pattern or 'none' expected for " + quoted(name) + " of " + quoted(block.name));
+    if (!contains(bump_words, word)) {
+        constexpr auto known = joined(bump_words, std::array<std::string_view, 1>{"none"});
+        diagnostics.add(word, unknown_word(word, known, " for " + quoted(name) + " of " + quoted(block.name)));
+        throw ParseAbort{};
+    }
+    PatternBlock reading(*this, bounds);
+    value.pattern = std::make_shared<const Pattern>(reading.read<true>(word, block));
+    value.height = reading.height;
+}
+
+namespace {
+
+/// `first` is what stands before the parameters.
+std::string block_text(const Pattern& pattern, const std::string& first) {
+    const auto& [kind, colors, transformations] = pattern;
     std::string text = std::visit(
         [&]<class Kind>(const Kind& own) {
             std::string words(Kind::name);
-            words += " {";
+            words += " {" + first;
             if constexpr (two_colored<Kind>)
                 words += " " + text_of(colors[0].color) + ", " + text_of(colors[1].color);
+            else if constexpr (!has_map<Kind>)
+                words += words_of(own);
             const auto add = [&](const auto& field) {
                 if (own.*field.member == Kind().*field.member) return;
                 words += (words.back() == '{' ? " " : "  ") + std::string(field.name) + " " +
@@ -152,7 +235,7 @@ std::string text_of(const Pigment& pigment) {
             return words;
         },
         kind);
-    if (std::visit([]<class Kind>(const Kind&) { return !two_colored<Kind>; }, kind)) {
+    if (!colors.empty() && std::visit([]<class Kind>(const Kind&) { return has_map<Kind>; }, kind)) {
         text += text.back() == '{' ? " colors {" : "  colors {";
         for (const ColorStop& stop : colors)
             text += std::string(&stop == &colors[0] ? " " : "  ") + text_of(stop.at) + " " + text_of(stop.color);
@@ -160,6 +243,15 @@ std::string text_of(const Pigment& pigment) {
     }
     for (const Transformation& step : transformations) text += "  " + text_of(step);
     return text + " }";
+}
+
+}  // namespace
+
+std::string text_of(const Pigment& pigment) {
+    return pigment.pattern ? block_text(*pigment.pattern, "") : text_of(pigment.color);
+}
+std::string text_of(const Bump& bump) {
+    return bump.pattern ? block_text(*bump.pattern, " height " + text_of(bump.height)) : "none";
 }
 
 }  // namespace strahl

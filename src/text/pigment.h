@@ -16,6 +16,16 @@ constexpr auto names_of(std::type_identity<std::variant<Kinds...>>) {
 }
 inline constexpr auto pattern_words = names_of(std::type_identity<PatternKind>{});
 
+template <class... Kinds>
+constexpr auto names_with_map(std::type_identity<std::variant<Kinds...>>) {
+    std::array<std::string_view, (0 + ... + has_map<Kinds>)> names;
+    std::size_t i = 0;
+    ((has_map<Kinds> ? void(names[i++] = Kinds::name) : void()), ...);
+    return names;
+}
+/// Those that can bend normals.
+inline constexpr auto bump_words = names_with_map(std::type_identity<PatternKind>{});
+
 /// Most stops of a colour map, which are as many as POV-Ray's have.
 inline constexpr std::size_t most_stops = 256;
 
@@ -32,5 +42,7 @@ auto pattern_parameters(Kind& kind) {
 
 /// As a scene says it: a vector, or the block of a pattern.
 std::string text_of(const Pigment& pigment);
+/// Likewise: "none", or the block of a pattern.
+std::string text_of(const Bump& bump);
 
 }  // namespace strahl

@@ -49,6 +49,7 @@ void Reader::read(Parameter& parameter, std::string_view word, Block& block) {
         void operator()(DVec3* target) const { read(*target, *target); }
         void operator()(Scale* target) const { read(*target, *target); }
         void operator()(Pigment* target) const { read(*target, *target); }
+        void operator()(Bump* target) const { read(*target, *target); }
         void operator()(std::optional<double>* target) const { read(double(), *target); }
         void operator()(std::optional<DVec3>* target) const { read(DVec3(), *target); }
     } visitor{read_as};

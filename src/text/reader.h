@@ -9,6 +9,7 @@
 
 #include "text/lexer.h"
 #include "text/parameter.h"
+#include "text/scene_files.h"
 
 namespace strahl {
 
@@ -24,8 +25,9 @@ struct Block {
 
 class Reader {
   public:
-    Reader(std::string_view text, Diagnostics& diagnostics, std::span<const std::string_view> blocks)
-        : lexer(text, diagnostics), diagnostics(diagnostics), blocks(blocks) {}
+    Reader(std::string_view text, Diagnostics& diagnostics, std::span<const std::string_view> blocks,
+           SceneFiles& files)
+        : lexer(text, diagnostics), diagnostics(diagnostics), blocks(blocks), files(files) {}
 
     /// Values out of bounds are reported, and reading continues.
     void read(double& value, const Bounds& bounds, std::string_view name, Block& block);
@@ -33,6 +35,7 @@ class Reader {
     /// A number is that factor in all directions.
     void read(Scale& value, const Bounds& bounds, std::string_view name, Block& block);
     void read(Pigment& value, const Bounds& bounds, std::string_view name, Block& block);
+    void read(Bump& value, const Bounds& bounds, std::string_view name, Block& block);
 
     /// Reads `{ ... }`: first `arguments()`, then words. `item(word)` reads the value of a word and returns whether it
     /// knows the word; `words` are all words that it knows.
@@ -83,6 +86,7 @@ class Reader {
     Lexer lexer;
     Diagnostics& diagnostics;
     const std::span<const std::string_view> blocks;  // words that open a top-level block
+    SceneFiles& files;
 
   private:
     void open(const Block& block);

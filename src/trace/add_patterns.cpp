@@ -58,6 +58,13 @@ struct KernelSpace {
         kernel.form = PatternForm::rings;
         if (sum(wood, wood.turbulence)) period = {0, 0, 289};
     }
+    void operator()(const ImagePattern& image) {
+        kernel.form = PatternForm::image;
+        kernel.image = {nullptr, image.pixels->width, image.pixels->height, image.map, image.once.has_value(),
+                        cast<T>(image.once.value_or(Color(0))), static_cast<T>(border<T>)};
+        if (image.once || image.map == ImageMap::spherical) return;
+        period = image.map == ImageMap::planar ? DVec3(1, 1, 0) : DVec3(0, 0, 1);
+    }
     /// Does the sum repeat itself as the noise does?
     bool sum(const Octaves& octaves, double turbulence) {
         kernel.turbulence = static_cast<T>(turbulence);
@@ -85,51 +92,104 @@ PatternKernel<T> kernel_of(const Pattern& pattern, const glm::dmat4& to_world, c
     return kernel;
 }
 
+template <class T>
+BumpKernel<T> bump_of(const Bump& bump, const glm::dmat4& to_world, const Placement& placement) {
+    BumpKernel<T> kernel{};
+    kernel.flat = !bump.pattern;
+    if (kernel.flat) return kernel;
+    kernel.pattern = kernel_of<T>(*bump.pattern, to_world, placement);
+    KernelSpace<T> space{kernel.pattern};
+    std::visit(space, bump.pattern->kind);
+    const glm::dmat4 own = to_world * matrix(bump.pattern->transformations), back = glm::inverse(own);
+    double longest = 0;
+    for (int c = 0; c < 3; ++c) longest = std::max(longest, length(DVec3(own[c])));
+    for (int c = 0; c < 3; ++c) kernel.columns[c] = cast<T>(DVec3(own[c]) / longest);
+    const double strength = -bump.height * 3 / (4 * Bump::step) * longest;
+    for (std::size_t i = 0; i < Bump::corners.size(); ++i) {
+        const DVec3& v = Bump::corners[i];
+        for (int c = 0; c < 3; ++c) {
+            const DVec3 row(space.matrix[0][c], space.matrix[1][c], space.matrix[2][c]);
+            kernel.steps[i][c] = static_cast<T>(Bump::step * dot_product(row, v));
+            kernel.bends[i][c] = static_cast<T>(strength * dot_product(DVec3(back[c]), v));
+        }
+    }
+    return kernel;
+}
+
+/// Linear light from a value that is sRGB-encoded (IEC 61966-2-1).
+float decoded(float v) {
+    return static_cast<float>(v <= .04045 ? v / 12.92 : std::pow((v + .055) / 1.055, 2.4));
+}
+
 }  // namespace
 
 template <class T>
-void WorldArrays<T>::add_stops(const Pattern& pattern, PatternKernel<T>& kernel) {
+const float* WorldArrays<T>::add_pixels(const std::shared_ptr<const Pixels>& from, bool linear) {
+    std::shared_ptr<const Pixels>& own = pixels[from.get()];
+    if (!own) {
+        own = from;
+        if (linear && !from->linear) {
+            const auto copy = std::make_shared<Pixels>(*from);
+            std::ranges::transform(copy->values, copy->values.begin(), decoded);
+            own = copy;
+        }
+    }
+    return own->values.data();
+}
+
+template <class T>
+void WorldArrays<T>::add_colors(const Pigment& pigment, PatternKernel<T>& kernel, bool linear) {
+    const Pattern* const pattern = pigment.pattern.get();
+    if (const auto* const image = pattern ? std::get_if<ImagePattern>(&pattern->kind) : nullptr)
+        kernel.image.pixels = add_pixels(image->pixels, linear);
     kernel.first_stop = static_cast<std::int32_t>(stops.size());
-    kernel.stops = static_cast<std::int32_t>(pattern.colors.size());
-    for (double before = 0; const ColorStop& stop : pattern.colors) {
+    const std::vector<ColorStop> colors = pattern ? pattern->colors : std::vector{ColorStop{0, pigment.color}};
+    for (double before = 0; const ColorStop& stop : colors) {
         stops.push_back({static_cast<T>(stop.at), static_cast<T>(1 / (stop.at - before)), cast<T>(stop.color)});
         before = stop.at;
     }
+    kernel.stops = static_cast<std::int32_t>(colors.size());
 }
 
 template <class T>
 void WorldArrays<T>::add_patterns(const Scene& scene, const Placement& placement) {
     if (const Pattern* const pattern = scene.background.pattern.get()) {
         sky = kernel_of<T>(*pattern, glm::dmat4(1), {});
-        add_stops(*pattern, sky);
+        add_colors(scene.background, sky, scene.settings.linear);
         world.sky = &sky;
         world.stops = stops.data();
     }
-    const auto has_pattern = [](const Material& m) { return m.rgb.pattern != nullptr; };
-    if (std::none_of(scene.materials.begin(), scene.materials.end(), has_pattern)) return;
+    const bool any_bumps = std::ranges::any_of(scene.materials, [](const Material& m) { return m.bump.pattern != nullptr; });
+    const auto varies = [&](const Material& m) { return any_bumps || m.patterned(); };
+    if (std::ranges::none_of(scene.materials, varies)) return;
     world.first_pattern = static_cast<int>(materials.size());
     std::vector<PatternKernel<T>> ranges(scene.materials.size());
     for (std::size_t i = 0; i < ranges.size(); ++i)
-        if (has_pattern(scene.materials[i])) add_stops(*scene.materials[i].rgb.pattern, ranges[i]);
+        if (varies(scene.materials[i])) add_colors(scene.materials[i].rgb, ranges[i], scene.settings.linear);
     std::map<std::pair<int, std::array<double, 16>>, std::int32_t> numbers;
     for (const Primitive& primitive : scene.primitives) {
         first_leaf.push_back(static_cast<std::int32_t>(leaf_materials.size()));
         for_each_leaf_placed(primitive, [&](const Primitive& leaf, const LeafMatrices& matrices) {
             const Material& material = scene.materials[leaf.material];
-            if (!has_pattern(material)) return leaf_materials.push_back(leaf.material);
-            std::array<double, 16> values;
-            for (int i = 0; i < 16; ++i) values[i] = matrices.material[i / 4][i % 4];
+            if (!varies(material)) return leaf_materials.push_back(leaf.material);
+            std::array<double, 16> values{};  // those of the matrix, if they matter
+            for (int i = 0; i < 16 && material.patterned(); ++i) values[i] = matrices.material[i / 4][i % 4];
             const auto [entry, is_new] =
                 numbers.try_emplace({leaf.material, values}, static_cast<std::int32_t>(materials.size()));
             leaf_materials.push_back(entry->second);
             if (!is_new) return;
             materials.push_back(MaterialKernel<T>(materials[leaf.material]));
-            PatternKernel<T> kernel = kernel_of<T>(*material.rgb.pattern, matrices.material, placement);
+            const Pattern* const pattern = material.rgb.pattern.get();
+            PatternKernel<T> kernel{};
+            kernel.form = PatternForm::constant;
+            if (pattern) kernel = kernel_of<T>(*pattern, matrices.material, placement);
             kernel.first_stop = ranges[leaf.material].first_stop, kernel.stops = ranges[leaf.material].stops;
+            kernel.image.pixels = ranges[leaf.material].image.pixels;
             kernel.ambient = cast<T>(scene.settings.ambient_light * material.ambient);
             kernel.diffuse = static_cast<T>(material.diffuse);
             kernel.refraction = static_cast<T>(material.refraction);
             patterns.push_back(kernel);
+            if (any_bumps) bumps.push_back(bump_of<T>(material.bump, matrices.material, placement));
         });
     }
     if (static_cast<double>(materials.size()) > World<T>::capacity)
@@ -137,6 +197,7 @@ void WorldArrays<T>::add_patterns(const Scene& scene, const Placement& placement
             "this scene has patterns in more bodies than can be told apart in this precision; trace it with "
             "--precision double");
     world.patterns = patterns.data();
+    if (any_bumps) world.bumps = bumps.data();
     world.stops = stops.data();
 }
 

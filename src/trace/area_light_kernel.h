@@ -60,7 +60,7 @@ class AreaSum {
   public:
     AreaSum(const World<T>& world, int number, const LitHits<S>& hits, int k, Visibility<S> visibility)
         : world(world), visibility(visibility), position(at(hits.position, k)), normal(at(hits.normal, k)),
-          reflected(at(hits.reflected, k)), surface(lane(hits.surface, k)), specular(lane(hits.specular, k)),
+          flat(at(hits.flat, k)), reflected(at(hits.reflected, k)), surface(lane(hits.surface, k)), specular(lane(hits.specular, k)),
           pow(lane(hits.pow, k)), shines_from(lane(hits.shines_from, k)),
           start{number, hits.bin, first_lanes<S>((bits(hits.outside) >> k & 1) ? width<S> : 0)} {
         const LightKernel<T>& light = world.lights[number];
@@ -73,7 +73,7 @@ class AreaSum {
     void add_up(T error) {
         const Vec3<T> ways[4]{first, first + u, first + u + v, first + v};
         int faced = 0;
-        for (const Vec3<T>& way : ways) faced += dot(normal, way) > T(0);
+        for (const Vec3<T>& way : ways) faced += dot(normal, way) > T(0) && dot(flat, way) > T(0);
         if (faced == 0) return;
         look_around(ways);
         glossy = may_shine(ways);
@@ -180,7 +180,8 @@ class AreaSum {
         for (int k = 0; k < lanes; ++k) xs[k] = T(corners[k] % row), ys[k] = T(corners[k] / row);
         const Vec3<S> way = way_to(load_lanes<S>(xs), load_lanes<S>(ys));
         const S distance = sqrt(dot(way, way));
-        const Mask<S> faces = first_lanes<S>(lanes) & (dot(splat<S>(normal), way) > S(0)) & (distance > S(0));
+        const Mask<S> faces = first_lanes<S>(lanes) & (dot(splat<S>(normal), way) > S(0)) &
+                              (dot(splat<S>(flat), way) > S(0)) & (distance > S(0));
         if (none(faces)) return;
         Vec3<S> arrives(S(1), S(1), S(1));
         if (!clear) {
@@ -275,7 +276,7 @@ class AreaSum {
     static constexpr std::uint8_t dark_side = 1, faced_side = 2;
     const World<T>& world;
     Visibility<S> visibility;
-    Vec3<T> position, normal, reflected, u, v, middle, first;  // the last two from the position
+    Vec3<T> position, normal, flat, reflected, u, v, middle, first;  // the last two from the position
     T surface, specular, pow, shines_from, brightest, whole = 0;
     Start<S> start;
     bool clear = false, glossy = false;

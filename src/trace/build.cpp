@@ -176,8 +176,10 @@ WorldArrays<T>::WorldArrays(const Scene& scene, const Placement& placement, Thre
                                                              std::numeric_limits<T>::max()));
         world.fog_color = cast<T>(scene.fog->color);
     }
+    const auto bent_glass = [](const Material& m) { return m.refraction > 0 && m.bump.pattern; };
     // With fog rays have to know whether they are in a transparent body.
-    world.nested = world.transparent && (world.fog || transparent_bodies_overlap(scene));
+    world.nested = world.transparent && (world.fog || transparent_bodies_overlap(scene) ||
+                                         std::any_of(scene.materials.begin(), scene.materials.end(), bent_glass));
     world.background = cast<T>(scene.background.color);
     world.materials = materials.data();
     world.lights = lights.data();

@@ -52,12 +52,13 @@ template <class S>
 /// Adds what a rectangle sends to the hits in these lanes.
 template <class S>
 [[gnu::noinline]] void add_area_light(const Shading<S>& shading, const Hit<S>& hit, int number, Mask<S> lanes,
-                                      const HitWords<S>& words, Vec3<S>& sum) {
+                                      const RareHit<S>& rare, Vec3<S>& sum) {
     using T = Element<S>;
     const MaterialKernel<S>& material = hit.material;
     const LightKernel<T>& light = shading.world.lights[number];
     const Vec3<S> reflected = reflect(hit);
-    const LitHits<S> hits{lanes, hit.outside, hit.position, hit.normal, reflected, hit.surface, hit.weight,
+    const LitHits<S> hits{lanes, hit.outside, hit.position, hit.normal,
+                          shading.world.bumps ? rare.flat : hit.normal, reflected, hit.surface, hit.weight,
                           largest(material.diffuse), material.specular, material.pow, material.shines_from, hit.bin};
     constexpr T usual = T(1) / 510;
     const T error = shading.limits.error > T(0) ? shading.limits.error : usual;
@@ -69,17 +70,17 @@ template <class S>
         for (int c = 0; c < 3; ++c)
             share[c] = select(means.share[c] > S(0), select(means.share[c] < S(1), S(T(.5)), S(1)), S(0));
         const Vec3<S> way = splat<S>(light.position) - hit.position;
-        note_light(shading, hit, words, number, share, S(dot(reflected, way) / sqrt(dot(way, way))), lanes);
+        note_light(shading, hit, rare, number, share, S(dot(reflected, way) / sqrt(dot(way, way))), lanes);
     }
     for (int c = 0; c < 3; ++c)
         sum[c] = fma(S(light.color[c]), fma(material.diffuse[c], means.diffuse[c], means.highlight[c]), sum[c]);
 }
 
 /// Ia Ka Of + sum over lights S Il [Kd Of (n.l) + Ks (h.l)^p]; at `dim` hits without lights that bring no more than
-/// `MaterialKernel::scattered`. `words` is only read where sights are wanted.
+/// `MaterialKernel::scattered`. `rare` is only read where that is.
 template <class S>
 STRAHL_INLINE Vec3<S> illumination(const Shading<S>& shading, const Hit<S>& hit, Mask<S> dim,
-                                   const HitWords<S>& words) {
+                                   const RareHit<S>& rare) {
     const MaterialKernel<S>& material = hit.material;
     const auto& world = shading.world;
     const S zero(0);
@@ -94,7 +95,7 @@ STRAHL_INLINE Vec3<S> illumination(const Shading<S>& shading, const Hit<S>& hit,
         if (light.area) [[unlikely]] {
             const Mask<S> lit = hit.active & ((strongest > faint) | glossy);
             Vec3<S> copy = sum;
-            add_area_light(shading, hit, i, lit, words, copy);
+            add_area_light(shading, hit, i, lit, rare, copy);
             sum = copy;
             continue;
         }
@@ -126,8 +127,11 @@ STRAHL_INLINE Vec3<S> illumination(const Shading<S>& shading, const Hit<S>& hit,
         shading.counts.shadow += count(faces);
         Vec3<S> share =
             visibility(world, Ray<S>{hit.position, l, hit.surface}, distance, faces, {i, hit.bin, hit.outside});
-        if (shading.batch.sights) [[unlikely]]
-            note_light(shading, hit, words, i, Vec3<S>(share), S(dot(reflected, l)), faces);
+        if (shading.rare) [[unlikely]] {
+            // A light that only the bent normal faces is behind the surface.
+            if (world.bumps) share = select(dot(rare.flat, l) > S(0), share, splat<S>(Vec3<Element<S>>(0)));
+            if (shading.batch.sights) note_light(shading, hit, rare, i, Vec3<S>(share), S(dot(reflected, l)), faces);
+        }
         if (light.spot) [[unlikely]]
             share = scale(spot_share(light, Vec3<S>(l)), share);
         cosine = select(faces, cosine, zero);  // at the light itself it is NaN

@@ -115,7 +115,8 @@ bool trace_generation(const World<T>& world, const Limits<T>& limits, const Gene
     intersect<S>(world, rays.open, list);
     RayQueue<T>& refracted = refracted_queue(workspace);
     next.open.count = next.inside.count = refracted.count = 0;
-    const Shading<S> shading{world, limits, rays, list, batch, next, refracted, workspace, counts, depth};
+    const Shading<S> shading{world, limits, rays, list, batch, next, refracted, workspace, counts, depth,
+                             batch.sights != nullptr || world.bumps != nullptr};
     shade_misses(shading);
     for (int bin = 0; bin < world.bins; ++bin)
         if (!shade_bin(shading, bin)) return false;

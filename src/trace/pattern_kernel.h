@@ -1,6 +1,6 @@
 // The patterns themselves. scene/pattern.h says what they are.
 #pragma once
-#include "trace/items.h"
+#include "trace/image_kernel.h"
 
 namespace strahl::inline STRAHL_LEVEL {
 
@@ -91,12 +91,10 @@ STRAHL_INLINE S wave(const S& x) {
     return S(1) - abs(fma(S(2), fraction(x), S(-1)));
 }
 
-/// The value of a pattern at a point of the world, from 0 to 1; where coordinates are too large for numbers 0.
+/// The value of a pattern at a point of its space, from 0 to 1; where coordinates are too large for numbers 0.
 template <class S>
-STRAHL_INLINE S value_at(const PatternKernel<Element<S>>& pattern, const Vec3<S>& position) {
+[[gnu::noinline]] S value_at(const PatternKernel<Element<S>>& pattern, const Vec3<S>& p) {
     using T = Element<S>;
-    Vec3<S> p;
-    for (int c = 0; c < 3; ++c) p[c] = dot(splat<S>(pattern.rows[c]), position) + S(pattern.offset[c]);
     S value(0);
     const auto moved = [&](const S& x) {
         return pattern.turbulence == 0 ? x : fma(S(pattern.turbulence), octaves_at(pattern, p), x);
@@ -120,6 +118,9 @@ STRAHL_INLINE S value_at(const PatternKernel<Element<S>>& pattern, const Vec3<S>
         case PatternForm::rings:
             value = wave(moved(sqrt(fma(p.x, p.x, p.y * p.y))));
             break;
+        case PatternForm::image:
+        case PatternForm::constant:
+            break;
     }
     return select((value >= S(0)) & (value <= S(1)), value, S(0));
 }
@@ -128,7 +129,10 @@ STRAHL_INLINE S value_at(const PatternKernel<Element<S>>& pattern, const Vec3<S>
 template <class S>
 [[gnu::noinline]] Vec3<S> color_at(const World<Element<S>>& world, const PatternKernel<Element<S>>& pattern,
                                    const Vec3<S>& position) {
-    const S value = value_at(pattern, position);
+    Vec3<S> p;
+    for (int c = 0; c < 3; ++c) p[c] = dot(splat<S>(pattern.rows[c]), position) + S(pattern.offset[c]);
+    if (pattern.form == PatternForm::image) return image_color(pattern.image, p);
+    const S value = value_at(pattern, p);
     const auto* stop = world.stops + pattern.first_stop;
     Vec3<S> color = splat<S>(stop->color);
     for (int i = 1; i < pattern.stops; ++i) {
@@ -143,9 +147,27 @@ template <class S>
     return color;
 }
 
+/// The normal, bent; of length 1 or as it was.
 template <class S>
-void PatternCalls<S>::paint(const World<T>& world, const int* materials, const Vec3<S>& position,
-                            MaterialKernel<S>& values) {
+[[gnu::noinline]] Vec3<S> bent_by(const BumpKernel<Element<S>>& bump, const Vec3<S>& position, const Vec3<S>& normal) {
+    const auto& pattern = bump.pattern;
+    Vec3<S> p, sum = splat<S>(Vec3<Element<S>>(0)), own;
+    for (int c = 0; c < 3; ++c) {
+        p[c] = dot(splat<S>(pattern.rows[c]), position) + S(pattern.offset[c]);
+        own[c] = dot(splat<S>(bump.columns[c]), normal);
+    }
+    for (int i = 0; i < 4; ++i)
+        sum = fma(value_at(pattern, p + splat<S>(bump.steps[i])), splat<S>(bump.bends[i]), sum);
+    const Vec3<S> n = fma(sqrt(dot(own, own)), sum, normal);
+    const S squared = dot(n, n), length = sqrt(squared);
+    return select((squared > S(0)) & (squared < S(std::numeric_limits<Element<S>>::max())), scale(S(1) / length, n),
+                  normal);
+}
+
+/// Calls visit(which, lanes) for each of the patterned materials in a pack.
+template <class S, class Visit>
+STRAHL_INLINE void each_pattern(const World<Element<S>>& world, const int* materials, const Visit& visit) {
+    using T = Element<S>;
     alignas(64) T numbers[width<S>];
     for (int k = 0; k < width<S>; ++k) numbers[k] = static_cast<T>(materials[k]);
     const S number = load_lanes<S>(numbers);
@@ -153,14 +175,32 @@ void PatternCalls<S>::paint(const World<T>& world, const int* materials, const V
     while (any(left)) {
         const T own = lane(number, first(left));
         const Mask<S> lanes = left & (number == S(own));
-        const PatternKernel<T>& pattern = world.patterns[static_cast<int>(own) - world.first_pattern];
+        visit(static_cast<int>(own) - world.first_pattern, lanes);
+        left = left & !lanes;
+    }
+}
+
+template <class S>
+void PatternCalls<S>::paint(const World<T>& world, const int* materials, const Vec3<S>& position,
+                            MaterialKernel<S>& values) {
+    each_pattern<S>(world, materials, [&](int which, Mask<S> lanes) {
+        const PatternKernel<T>& pattern = world.patterns[which];
         const Vec3<S> color = color_at(world, pattern, position);
         for (int c = 0; c < 3; ++c) {
             values.ambient[c] = select(lanes, S(pattern.ambient[c]) * color[c], values.ambient[c]);
             values.diffuse[c] = select(lanes, S(pattern.diffuse) * color[c], values.diffuse[c]);
         }
-        left = left & !lanes;
-    }
+    });
+}
+
+template <class S>
+Vec3<S> PatternCalls<S>::bent(const World<T>& world, const int* materials, const Vec3<S>& position,
+                              const Vec3<S>& normal) {
+    Vec3<S> all = normal;
+    each_pattern<S>(world, materials, [&](int which, Mask<S> lanes) {
+        if (!world.bumps[which].flat) all = select(lanes, bent_by(world.bumps[which], position, normal), all);
+    });
+    return all;
 }
 
 template <class S>

@@ -89,12 +89,13 @@ inline constexpr float far_ratio = 16;
 /// ratio magnifies (L. Giraud, J. Langou, M. Rozloznik, "The Loss of Orthogonality in the Gram-Schmidt
 /// Orthogonalization Process", 2005).
 template <class S>
-[[gnu::noinline]] Vec3<S> refract_far(const Hit<S>& hit, const S& ratio, const S& s, S& cosine_squared) {
-    Vec3<S> across = fma(s, hit.normal, hit.direction);
-    across = fma(-dot(across, hit.normal), hit.normal, across);
+[[gnu::noinline]] Vec3<S> refract_far(const Hit<S>& hit, const Vec3<S>& normal, const S& ratio, const S& s,
+                                      S& cosine_squared) {
+    Vec3<S> across = fma(s, normal, hit.direction);
+    across = fma(-dot(across, normal), normal, across);
     const Vec3<S> beyond = scale(ratio, across);
     cosine_squared = S(1) - dot(beyond, beyond);
-    return fma(-sqrt(max(cosine_squared, S(0))), hit.normal, beyond);
+    return fma(-sqrt(max(cosine_squared, S(0))), normal, beyond);
 }
 
 /// Where rays that start on the one item of a bin leave it.
@@ -129,11 +130,21 @@ STRAHL_INLINE void keep_inside(const Shading<S>& shading, const Hit<S>& hit, Bra
     push(shading, queue, hit, within);
 }
 
+/// The mirrored direction where there are bumps. One that would go under the surface is mirrored again: by the surface
+/// itself, as POV-Ray does, either in place of the bent normal or, where that faces away from where the ray goes, after it.
+template <class S>
+[[gnu::noinline, gnu::cold]] Vec3<S> reflect_bent(const Hit<S>& hit, const Vec3<S>& flat) {
+    const Vec3<S> mirrored = reflect(hit);
+    const Mask<S> under = dot(mirrored, flat) < S(0), turned = dot(mirrored, hit.normal) < S(0);
+    const Vec3<S> from = select(turned, hit.direction, mirrored);
+    return select(under, fma(S(-2) * dot(from, flat), flat, from), mirrored);
+}
+
 /// Queues reflected and refracted rays that can still be seen. The lanes whose own light can hardly be.
 template <class S>
-STRAHL_INLINE Mask<S> scatter(const Shading<S>& shading, const Hit<S>& hit) {
+STRAHL_INLINE Mask<S> scatter(const Shading<S>& shading, const Hit<S>& hit, const RareHit<S>& known) {
     const MaterialKernel<S>& material = hit.material;
-    const auto& [world, limits, rays, hits, batch, next, refracted_queue, workspace, counts, depth] = shading;
+    const auto& [world, limits, rays, hits, batch, next, refracted_queue, workspace, counts, depth, rare] = shading;
     const S zero(0), brightest(limits.brightest[limits.depth - depth]);
     Contribution<S> light(hit.weight * material.scattered, hit.active & (material.scattered > zero));
     const Mask<S> glass = hit.active & (material.refraction > zero);
@@ -141,8 +152,13 @@ STRAHL_INLINE Mask<S> scatter(const Shading<S>& shading, const Hit<S>& hit) {
         prune(shading, hit.pixel, light);
         return light.pruned;
     }
+    const auto mirrored = [&]() __attribute__((always_inline)) {
+        if (rare && world.bumps) [[unlikely]]
+            return reflect_bent(hit, known.flat);
+        return reflect(hit);
+    };
     if (!world.transparent || none(glass)) {
-        Branch<S> reflected = branch(hit, hit.active, reflect(hit), material.reflection, hit.medium);
+        Branch<S> reflected = branch(hit, hit.active, mirrored(), material.reflection, hit.medium);
         Contribution<S> part(reflected.weight * brightest, reflected.mask);
         prune(shading, hit.pixel, part, light);
         reflected.mask = reflected.mask & !part.pruned;
@@ -152,18 +168,21 @@ STRAHL_INLINE Mask<S> scatter(const Shading<S>& shading, const Hit<S>& hit) {
     }
     S b = select(hit.outside, S(1) / material.ior, material.ior), medium = hit.medium;
     if (world.nested) change_medium(shading, hit, glass, b, medium);
-    const S s = -dot(hit.direction, hit.normal);
+    Vec3<S> normal = hit.normal;
+    if (rare && world.bumps) [[unlikely]]
+        normal = select(dot(hit.direction, normal) > S(0), -normal, normal);  // bent away from the eye: its other side
+    const S s = -dot(hit.direction, normal);
     S k = fma(b * b, fma(s, s, S(-1)), S(1));
-    Vec3<S> beyond = fma(fma(b, s, -sqrt(max(k, zero))), hit.normal, scale(b, hit.direction));
+    Vec3<S> beyond = fma(fma(b, s, -sqrt(max(k, zero))), normal, scale(b, hit.direction));
     const Mask<S> far = glass & (b > S(far_ratio));
     if (any(far)) {
         S far_k;
-        const Vec3<S> far_beyond = refract_far(hit, b, s, far_k);
+        const Vec3<S> far_beyond = refract_far(hit, Vec3<S>(normal), b, s, far_k);
         k = select(far, far_k, k), beyond = select(far, far_beyond, beyond);
     }
     const Mask<S> total = glass & (k < zero);
     const S all = material.reflection + material.refraction;
-    Branch<S> reflected = branch(hit, hit.active, reflect(hit), select(total, all, material.reflection), hit.medium);
+    Branch<S> reflected = branch(hit, hit.active, mirrored(), select(total, all, material.reflection), hit.medium);
     Branch<S> refracted = branch(hit, glass & !total, beyond, material.refraction, medium);
     Contribution<S> reflected_part(reflected.weight * brightest, reflected.mask);
     Contribution<S> refracted_part(refracted.weight * brightest, refracted.mask);

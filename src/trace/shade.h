@@ -37,20 +37,21 @@ class HitMaterial {
 
   public:
     MaterialKernel<S> values;
+    int numbers[width<S>];  // of each lane; only set where not all lanes are known to have the same
     bool uniform() const { return number >= 0; }
     STRAHL_INLINE void broadcast(const World<T>& world, int own) {
         if (own == number) return;
         values = splat_item<MaterialKernel<S>, S>(world.materials[own]);
         number = own;
     }
-    STRAHL_INLINE void load(const World<T>& world, const int* numbers) {
+    STRAHL_INLINE void load(const World<T>& world) {
         if (std::all_of(numbers, numbers + width<S>, [&](int m) { return m == numbers[0]; }))
             return broadcast(world, numbers[0]);
         values = gather_items<MaterialKernel<S>, S>(world.materials, numbers);
         number = -1;
     }
-    /// Gives it the colours that the patterns of these materials have at these points.
-    STRAHL_INLINE void paint(const World<T>& world, const int* numbers, const Vec3<S>& position) {
+    /// Gives it the colours that the patterns have at these points.
+    STRAHL_INLINE void paint(const World<T>& world, const Vec3<S>& position) {
         MaterialKernel<S> copy = values;
         PatternCalls<S>::paint(world, numbers, Vec3<S>(position), copy);
         values = copy;
@@ -108,16 +109,14 @@ STRAHL_INLINE Hit<S> make_hit(const Shading<S>& shading, int bin, const RayQueue
         hit = surface_at(world, own, ray, pick(t));
         material.broadcast(world, own.material);
         if (patterned(world, own.material)) [[unlikely]] {
-            int materials[width<S>];
-            std::fill_n(materials, width<S>, own.material);
-            material.paint(world, materials, hit.point.position);
+            std::fill_n(material.numbers, width<S>, own.material);
+            material.paint(world, hit.point.position);
         }
     } else {
-        int materials[width<S>];
-        hit = surfaces_at(world, own.form, shading.hits.surface, pick, ray, pick(t), materials);
-        material.load(world, materials);
+        hit = surfaces_at(world, own.form, shading.hits.surface, pick, ray, pick(t), material.numbers);
+        material.load(world);
         if (world.patterns) [[unlikely]]
-            material.paint(world, materials, hit.point.position);
+            material.paint(world, hit.point.position);
     }
     const Mask<S> outside = dot(ray.direction, hit.point.normal) < S(0);
     return {first_lanes<S>(pick.lanes),
@@ -156,15 +155,18 @@ bool shade_bin(const Shading<S>& shading, int bin) {
         Hit<S> hit = make_hit(shading, bin, from, pick, t, material);
         if (world.fog) [[unlikely]]
             hit.weight = left_by_fog(world, S(hit.weight), S(hit.medium), pick(t));
-        HitWords<S> words;
-        if (shading.batch.sights) [[unlikely]]
-            note_hits(shading, hit, pick(from.source), pick(t), pick.lanes, words);
+        RareHit<S> rare;
+        if (shading.rare) [[unlikely]] {
+            rare.flat = hit.normal;
+            if (world.bumps) hit.normal = PatternCalls<S>::bent(world, material.numbers, hit.position, rare.flat);
+            if (shading.batch.sights) note_hits(shading, hit, pick(from.source), pick(t), pick.lanes, rare);
+        }
         Mask<S> dim = first_lanes<S>(0);
         if (shading.depth < shading.limits.depth)
-            dim = scatter(shading, hit);
+            dim = scatter(shading, hit, rare);
         else
             truncate(shading, hit);
-        Vec3<S> light = scale(hit.weight, illumination(shading, hit, dim, words));
+        Vec3<S> light = scale(hit.weight, illumination(shading, hit, dim, rare));
         if (world.fog) [[unlikely]]
             light = fma(pick(from.weight) - hit.weight, splat<S>(world.fog_color), light);
         add_light(shading.batch, hit.pixel, pick.lanes, light);

@@ -20,6 +20,7 @@ struct Shading {
     Workspace<T>& workspace;
     Counts& counts;
     int depth;
+    bool rare;  // sights are noted, or there are bumps
 
     bool full() const { return next.open.count + refracted.count > batch_rays || next.inside.count > batch_rays; }
 };
@@ -51,6 +52,14 @@ struct Hit {
     const MaterialKernel<S>& material;
     bool uniform;  // all lanes have the same material
     int bin;
+};
+
+/// What is only known of a pack of hits where it is rare: the words of their samples' signatures, which tell where the
+/// light went from here, and the normals before they were bent.
+template <class S>
+struct RareHit {
+    std::uint32_t words[width<S>];
+    Vec3<S> flat;
 };
 
 template <class S>

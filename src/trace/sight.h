@@ -28,18 +28,12 @@ STRAHL_INLINE std::uint32_t weight_word(const World<T>& world, T weight) {
     return world.fog ? static_cast<std::uint32_t>(std::ilogb(weight)) : bits_of(weight);
 }
 
-/// The words of a pack of hits: where the light went from here.
-template <class S>
-struct HitWords {
-    std::uint32_t of[width<S>];
-};
-
 /// Notes a pack of hits in the signatures of their samples, those of hits that can be seen: which surface from which
 /// side, from where, how weak and after how many bounces. The weight tells reflected, refracted and totally reflected
 /// rays apart.
 template <class S>
 [[gnu::noinline]] void note_hits(const Shading<S>& shading, const Hit<S>& hit, const S& source, const S& t, int lanes,
-                                 HitWords<S>& words) {
+                                 RareHit<S>& rare) {
     using T = Element<S>;
     alignas(64) T surfaces[width<S>], sides[width<S>], sources[width<S>], weights[width<S>], pixels[width<S>];
     alignas(64) T distances[width<S>], reflected[3][width<S>], reflections[width<S>];
@@ -56,11 +50,11 @@ template <class S>
         std::uint32_t word = mixed(depth, bits_of(surfaces[k]));
         word = mixed(word, bits_of(sides[k]));
         word = mixed(word, bits_of(sources[k]));
-        words.of[k] = weights[k] > shading.limits.noticed ? mixed(word, weight_word(shading.world, weights[k])) | 1 : 0;
+        rare.words[k] = weights[k] > shading.limits.noticed ? mixed(word, weight_word(shading.world, weights[k])) | 1 : 0;
     }
     for (int k = 0; k < lanes; ++k) {
         Sight<T>& sight = shading.batch.sights[static_cast<int>(pixels[k])];
-        sight.signature += words.of[k];
+        sight.signature += rare.words[k];
         if (shading.depth == 2) sight.further = std::max(sight.further, distances[k]);
         if (shading.depth != 1) continue;
         sight.distance = distances[k], sight.surface = static_cast<std::int32_t>(surfaces[k]);
@@ -88,7 +82,7 @@ template <class S>
 /// Notes which share of a light reaches the hits in the lanes of `lit`: surfaces that face away count as dark. And the
 /// light that a highlight of exponent 4 would bring: where that varies, a sharper one may lie between two samples.
 template <class S>
-[[gnu::noinline]] void note_light(const Shading<S>& shading, const Hit<S>& hit, const HitWords<S>& words, int number,
+[[gnu::noinline]] void note_light(const Shading<S>& shading, const Hit<S>& hit, const RareHit<S>& rare, int number,
                                   const Vec3<S>& share, const S& shine, Mask<S> lit) {
     using T = Element<S>;
     alignas(64) T shares[3][width<S>], glints[width<S>], pixels[width<S>];
@@ -99,8 +93,8 @@ template <class S>
     store_lanes(pixels, hit.pixel);
     for (unsigned left = bits(lit); left != 0; left &= left - 1) {
         const int k = std::countr_zero(left);
-        if (words.of[k] == 0) continue;
-        std::uint32_t word = mixed(words.of[k], static_cast<std::uint32_t>(number));
+        if (rare.words[k] == 0) continue;
+        std::uint32_t word = mixed(rare.words[k], static_cast<std::uint32_t>(number));
         bool dark = true;
         for (int c = 0; c < 3; ++c) word = mixed(word, bits_of(shares[c][k])), dark = dark && shares[c][k] == 0;
         Sight<T>& sight = shading.batch.sights[static_cast<int>(pixels[k])];

@@ -9,6 +9,7 @@
 namespace strahl {
 
 struct Node;
+enum class ImageMap : std::int32_t;
 
 /// Shares and weights above 1, of glass brighter than white or of total reflection, grow no further than this, or in
 /// float they would become infinite and, times 0, NaN.
@@ -43,7 +44,17 @@ struct MaterialKernel {
 };
 
 /// What the value of a pattern is made from.
-enum class PatternForm : std::int32_t { checker, brick, ramp, noise, layers, rings };
+enum class PatternForm : std::int32_t { checker, brick, ramp, noise, layers, rings, image, constant };
+/// A picture that a pattern has its colours from, see scene/image.h.
+template <class T>
+struct ImageKernel {
+    const float* pixels;
+    std::int32_t width, height;
+    ImageMap map;
+    bool once;
+    Vec3<T> around;  // where it is there once: the colour outside
+    T border;        // and how much before 0 and 1 it begins and ends
+};
 /// The pattern of a material in the space of one body, whose point p = rows * world + offset.
 template <class T>
 struct PatternKernel {
@@ -52,8 +63,18 @@ struct PatternKernel {
     Vec3<T> rows[3], offset;
     Vec3<T> mortar;  // its share of a brick along each axis
     T border, turbulence, omega, lambda;
+    ImageKernel<T> image;
     Vec3<T> ambient;        // Ia Ka
     T diffuse, refraction;  // Kd, Kt
+};
+/// The bump of a material in the space of one body: n is bent to n + |columns^T n| times the sum of value(p + step)
+/// bend. The steps are in the kernel's space of the pattern. Without columns there is none.
+template <class T>
+struct BumpKernel {
+    PatternKernel<T> pattern;
+    Vec3<T> columns[3];  // what the axes of the pattern's space are in the world, the longest of length 1
+    Vec3<T> steps[4], bends[4];
+    bool flat;
 };
 template <class T>
 struct ColorStopKernel {
@@ -197,9 +218,10 @@ struct World {
     T rounding = 0;  // what the coordinates of points on bodies may be off
     const MaterialKernel<T>* materials = nullptr;
     // Materials with patterns follow those without: each as often as there are bodies in spaces of their own that have
-    // it, with the largest colour of the pattern as its colour.
+    // it, with the largest colour of the pattern as its colour. The first ones are not used where there are bumps.
     int first_pattern = std::numeric_limits<int>::max();
     const PatternKernel<T>* patterns = nullptr;  // of these materials; null if there are none
+    const BumpKernel<T>* bumps = nullptr;  // likewise; then all materials are among these. Null if there are no bumps
     const ColorStopKernel<T>* stops = nullptr;
     const LightKernel<T>* lights = nullptr;
     int light_count = 0;
@@ -213,7 +235,7 @@ struct World {
     T fog_per = 0;  // 1 over its distance
     Vec3<T> fog_color{0};
     bool transparent = false;  // some body lets light through
-    bool nested = false;       // transparent bodies may overlap: rays carry the list of those entered
+    bool nested = false;       // such bodies overlap, or bumps bend rays back: rays carry the list of those entered
 };
 
 }  // namespace strahl

@@ -2,6 +2,8 @@
 #pragma once
 #include <array>
 #include <atomic>
+#include <map>
+#include <memory>
 #include <type_traits>
 #include <vector>
 
@@ -100,8 +102,10 @@ struct WorldArrays {
     std::vector<ItemRange> loops;
     std::vector<MaterialKernel<T>> materials;
     std::vector<PatternKernel<T>> patterns;
+    std::vector<BumpKernel<T>> bumps;
     std::vector<ColorStopKernel<T>> stops;
     PatternKernel<T> sky;
+    std::map<const Pixels*, std::shared_ptr<const Pixels>> pixels;  // by those of the scene, which may be encoded
     // Only where there are patterns: the material of each leaf of the scene, and the first leaf of each primitive.
     std::vector<std::int32_t> leaf_materials, first_leaf;
     std::vector<LightKernel<T>> lights;
@@ -146,7 +150,8 @@ struct WorldArrays {
     void add_composites(const Scene& scene, const Placement& placement, ThreadPool& pool);
     // add_patterns.cpp
     void add_patterns(const Scene& scene, const Placement& placement);
-    void add_stops(const Pattern& pattern, PatternKernel<T>& kernel);
+    void add_colors(const Pigment& pigment, PatternKernel<T>& kernel, bool linear);
+    const float* add_pixels(const std::shared_ptr<const Pixels>& from, bool linear);
     /// The number of a primitive's material, or of its leaf's, the number of which goes on by one.
     int material_of(const Primitive& primitive, std::int32_t& leaf) const {
         return leaf_materials.empty() ? primitive.material : leaf_materials[leaf++];

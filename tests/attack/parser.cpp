@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "scene/motion.h"
+#include "tests/referee/random_pattern.h"
 #include "text/parse.h"
 #include "text/write.h"
 
@@ -27,7 +28,8 @@ bool finite(const glm::dmat4& m) {
 void check(const strahl::Scene& scene) {
     const std::string text = strahl::write_scene(scene);
     try {
-        if (strahl::parse_scene(text, "written") != scene) fail("written and parsed again it is another scene:", text);
+        if (strahl::parse_scene(text, "written", {}, strahl::made_up_pixels) != scene)
+            fail("written and parsed again it is another scene:", text);
     } catch (const strahl::FileError& error) {
         fail("what was written does not parse:", std::string(error.what()) + "\n" + text);
     }
@@ -54,7 +56,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     limits.primitives = 1000;
     strahl::Scene scene;
     try {
-        scene = strahl::parse_scene(text, "fuzz", limits);
+        scene = strahl::parse_scene(text, "fuzz", limits, strahl::made_up_pixels);
     } catch (const strahl::FileError& error) {
         const std::string_view message = error.what();
         if (!message.starts_with("fuzz:") || message.size() > 20000) fail("a strange message:", error.what());

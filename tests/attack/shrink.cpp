@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "scene/field.h"
+#include "tests/referee/random_pattern.h"
 #include "text/parse.h"
 #include "text/write.h"
 
@@ -38,7 +39,7 @@ class Shrinking {
 
 bool valid(const WildScene& wild) {
     try {
-        parse_scene(write_scene(wild.scene), "shrunk");
+        parse_scene(write_scene(wild.scene), "shrunk", {}, made_up_pixels);
         return true;
     } catch (const FileError&) {
         return false;

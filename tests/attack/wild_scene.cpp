@@ -8,6 +8,7 @@
 #include "num/vec_math.h"
 #include "scene/overlap.h"
 #include "tests/attack/wild_values.h"
+#include "tests/referee/random_pattern.h"
 #include "text/blocks.h"
 #include "text/bodies.h"
 #include "text/materials.h"
@@ -59,6 +60,7 @@ Pattern Wild::pattern() {
                 value = bounds.whole ? 1 + dice.upto(9) : usual_or(bounds, 0, 1);
         };
         std::apply([&](const auto&... field) { (fill_field(field), ...); }, Kind::fields);
+        if constexpr (std::is_same_v<Kind, ImagePattern>) kind = random_image(dice);
         pattern.kind = kind;
         return two_colored<Kind>;
     };
@@ -69,7 +71,8 @@ Pattern Wild::pattern() {
         ((number++ == wanted ? void(two = fill(Kinds())) : void()), ...);
         return two;
     }(std::type_identity<PatternKind>{});
-    for (int i = two ? 1 : dice.upto(4); i >= 0; --i) {
+    const bool image = std::holds_alternative<ImagePattern>(pattern.kind);
+    for (int i = image ? -1 : two ? 1 : dice.upto(4); i >= 0; --i) {
         const double before = pattern.colors.empty() ? 0 : pattern.colors.back().at;
         const double at = dice.chance(.2) ? before : dice.in(before, 1);
         pattern.colors.push_back({two ? 1. - i : at, color()});
@@ -88,6 +91,9 @@ Material Wild::material() {
     const auto fill = [&](auto& value, const Bounds& bounds) {
         if constexpr (std::is_same_v<decltype(value), Pigment&>) {
             value = dice.chance(.25) ? Pigment(pattern()) : Pigment(color());
+        } else if constexpr (std::is_same_v<decltype(value), Bump&>) {
+            if (dice.chance(.2)) value = random_bump(dice);
+            if (value.pattern && dice.chance(.3)) value.height = number(not_negative);
         } else if (!dice.chance(.3)) {  // the default is a value too
             value = dice.chance(.3) ? dice.upto(1) : usual_or(bounds, 0, 1);
             if (!bounds.contains(value)) value = 1;

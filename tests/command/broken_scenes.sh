@@ -36,6 +36,31 @@ broken 2:1 "key" "$camera\nflythrough { duration 1 }"
 broken 2:1 "" "$camera\n\xff\xfe"
 broken 2:1 "" "$camera\n\x00"
 
+# Pictures that are not there, cut off, too wide, forged, not opaque, or of no format that is read.
+echo "$camera" >plain.rt
+"$strahl" render plain.rt -o whole.png --size 64x48
+"$strahl" render plain.rt -o wide.png --size 40000x1
+head -c 60 whole.png >cut.png
+head -c $(($(wc -c <whole.png) - 30)) whole.png >half.png
+head -c 3000 /dev/urandom >noise.png
+# 100,000 pixels wide and high, says this header.
+{ printf 'BM\x00\x00\x00\x00\x00\x00\x00\x00\x36\x00\x00\x00\x28\x00\x00\x00\xa0\x86\x01\x00\xa0\x86\x01\x00'
+  printf '\x01\x00\x18\x00'; head -c 1000 /dev/zero; } >forged.bmp
+textured="$camera\nsphere { <0,0,0>, 1  material { rgb image"
+broken 2:46 "cannot read 'none.png': there is no such file" "$textured { \"none.png\" } } }"
+broken 2:46 "cannot read 'cut.png': its header speaks of more than is in the file" "$textured { \"cut.png\" } } }"
+broken 2:46 "cannot read 'half.png' as a picture" "$textured { \"half.png\" } } }"
+broken 2:46 "'noise.png' as a picture: it is no .bmp, .png or .exr file" "$textured { \"noise.png\" } } }"
+broken 2:46 "it has 40000x1 pixels, and at most 32768 may be side by side" "$textured { \"wide.png\" } } }"
+broken 2:46 "cannot read 'forged.bmp'" "$textured { \"forged.bmp\" } } }"
+broken 2:46 "is a folder" "$textured { \".\" } } }"
+broken 2:61 "did you mean 'planar'" "$textured { \"whole.png\" map planer } } }"
+broken 2:45 "the name of a picture" "$textured { <1,1,1> } } }"
+echo -e "$textured { \"whole.png\" } } }" >textured.rt
+expect 0 "no errors" check textured.rt
+mkdir -p below && echo -e "$textured { \"../whole.png\" } } }" >below/textured.rt
+expect 0 "no errors" check below/textured.rt
+
 # Up to ten errors at once.
 for ((i = 0; i < 30; ++i)); do echo "sphere { <0,0,0>, -1 }"; done >many.rt
 count=$("$strahl" check many.rt 2>&1 | grep -c 'many.rt:[0-9]*:[0-9]*: ')

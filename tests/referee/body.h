@@ -22,12 +22,17 @@ struct Leaf {
     Shape shape;
     Material material;
     Paint<R> paint;
+    glm::dmat4 material_to_world;
     int first_face;
     std::array<Vector<R>, 3> rows;
     Vector<R> offset;
 
     Leaf(const Shape& shape, const Material& material, int first_face, const LeafMatrices& matrices)
-        : shape(shape), material(material), paint(material.rgb, matrices.material), first_face(first_face) {
+        : shape(shape),
+          material(material),
+          paint(material.rgb, matrices.material),
+          material_to_world(matrices.material),
+          first_face(first_face) {
         const glm::dmat4& m = matrices.shape;
         const Vector<R> a{m[0].x, m[0].y, m[0].z}, b{m[1].x, m[1].y, m[1].z}, c{m[2].x, m[2].y, m[2].z};
         const R scale = R(1) / dot(a, cross(b, c));
@@ -87,6 +92,10 @@ struct Body {
     }
     const Material& material(int face) const { return leaf_of(face).material; }
     /// The colour at a point of a face.
+    Vector<R> bent(int face, const Vector<R>& point, const Vector<R>& normal) const {
+        const Leaf<R>& leaf = leaf_of(face);
+        return referee::bent(leaf.material.bump, leaf.material_to_world, point, normal);
+    }
     Vector<R> color(int face, const Vector<R>& point) const { return leaf_of(face).paint.at(point); }
     bool surrounds(const Vector<R>& p) const {
         auto leaf = leaves.begin();

@@ -1,5 +1,7 @@
 // The referee's patterns, worked out from what scene/pattern.h says of them.
 #pragma once
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 #include "scene/pattern.h"
@@ -79,6 +81,7 @@ struct ValueAt {
         const R value = fraction(dot(unit(Vector<R>(gradient.axis)), p) + R(border)) - R(border);
         return value > 0 ? value : 0;
     }
+    R operator()(const ImagePattern&) const { return 0; }  // has no map
     R operator()(const Noise& own) const {
         const R value = R(.5) + octaves(own, p);
         return value < 0 ? 0 : value > 1 ? 1 : value;
@@ -88,6 +91,51 @@ struct ValueAt {
         return up_and_down(root(p.x * p.x + p.y * p.y) + R(wood.turbulence) * octaves(wood, p));
     }
 };
+
+/// Makes sRGB-encoded images linear light.
+inline void decode(Pigment& pigment) {
+    const auto* const image = pigment.pattern ? std::get_if<ImagePattern>(&pigment.pattern->kind) : nullptr;
+    if (!image || image->pixels->linear) return;
+    Pixels pixels = *image->pixels;
+    for (float& v : pixels.values)
+        v = static_cast<float>(v <= .04045 ? v / 12.92 : std::pow((v + .055) / 1.055, 2.4));
+    Pattern pattern = *pigment.pattern;
+    std::get<ImagePattern>(pattern.kind).pixels = std::make_shared<const Pixels>(std::move(pixels));
+    pigment = Pigment(std::move(pattern));
+}
+
+/// The angle of (x, y) in turns, from -1/2 to 1/2.
+template <class R>
+R turns(R x, R y) {
+    return angle_of(x, y) / (2 * angle_of(R(-1), R(0)));
+}
+template <class R>
+Vector<R> color_in(const ImagePattern& image, const Vector<R>& p) {
+    R u = p.x, v = p.y;
+    if (image.map != ImageMap::planar) u = turns(p.x, p.y), u = u < 0 ? u + 1 : u;
+    if (image.map == ImageMap::spherical) v = 2 * turns(root(p.x * p.x + p.y * p.y), p.z) + R(.5);
+    if (image.map == ImageMap::cylindrical) v = p.z;
+    if (image.once && !(u >= 0 && u < 1 && v >= 0 && v < 1)) return *image.once;
+    const Pixels& pixels = *image.pixels;
+    const auto at = [&](std::int64_t x, std::int64_t y, int c) {
+        const auto within = [&](std::int64_t i, std::int64_t size) {
+            return image.once ? std::clamp<std::int64_t>(i, 0, size - 1) : (i % size + size) % size;
+        };
+        const std::int64_t pixel = within(y, pixels.height) * pixels.width + within(x, pixels.width);
+        return R(pixels.values[static_cast<std::size_t>(3 * pixel + c)]);
+    };
+    const R x = u * pixels.width - R(.5), y = (1 - v) * pixels.height - R(.5);
+    const R left = whole_below(x), top = whole_below(y), right = x - left, down = y - top;
+    Vector<R> color;
+    for (int c = 0; c < 3; ++c) {
+        const auto in_row = [&](R row) {
+            const auto i = static_cast<std::int64_t>(left), j = static_cast<std::int64_t>(row);
+            return (1 - right) * at(i, j, c) + right * at(i + 1, j, c);
+        };
+        (c == 0 ? color.x : c == 1 ? color.y : color.z) = (1 - down) * in_row(top) + down * in_row(top + 1);
+    }
+    return color;
+}
 
 /// The colour of a pigment at a point of its own space, before the pattern's transformations are undone.
 template <class R>
@@ -108,6 +156,8 @@ struct Paint {
     Vector<R> at(const Vector<R>& point) const {
         if (!pigment.pattern) return pigment.color;
         const Vector<R> moved = point - offset, p{dot(rows[0], moved), dot(rows[1], moved), dot(rows[2], moved)};
+        if (const auto* const image = std::get_if<ImagePattern>(&pigment.pattern->kind))
+            return color_in(*image, p);
         const R value = std::visit(ValueAt<R>{p}, pigment.pattern->kind);
         const std::vector<ColorStop>& stops = pigment.pattern->colors;
         std::size_t next = 0;
@@ -119,5 +169,23 @@ struct Paint {
         return (1 - share) * Vector<R>(from.color) + share * Vector<R>(to.color);
     }
 };
+
+/// A normal, bent where it turns towards the eye; `to_world` as above.
+template <class R>
+Vector<R> bent(const Bump& bump, const glm::dmat4& to_world, const Vector<R>& point, const Vector<R>& normal) {
+    if (!bump.pattern) return normal;
+    const glm::dmat4 m = to_world * matrix(bump.pattern->transformations);
+    const Vector<R> a{m[0].x, m[0].y, m[0].z}, b{m[1].x, m[1].y, m[1].z}, c{m[2].x, m[2].y, m[2].z};
+    const R volume = dot(a, cross(b, c));
+    const Vector<R> x = R(1) / volume * cross(b, c), y = R(1) / volume * cross(c, a), z = R(1) / volume * cross(a, b);
+    const Vector<R> moved = point - Vector<R>{m[3].x, m[3].y, m[3].z}, p{dot(x, moved), dot(y, moved), dot(z, moved)};
+    Vector<R> own = unit(Vector<R>{dot(a, normal), dot(b, normal), dot(c, normal)});
+    const R step = R(Bump::step);
+    for (const DVec3& corner : Bump::corners) {
+        const R value = std::visit(ValueAt<R>{p + step * Vector<R>(corner)}, bump.pattern->kind);
+        own = own - R(bump.height) * value * 3 / (4 * step) * Vector<R>(corner);
+    }
+    return unit(own.x * x + own.y * y + own.z * z);
+}
 
 }  // namespace strahl::referee

@@ -10,6 +10,7 @@
 extern "C" __float128 sqrtf128(__float128) noexcept;
 extern "C" __float128 powf128(__float128, __float128) noexcept;
 extern "C" __float128 sinf128(__float128) noexcept;
+extern "C" __float128 atan2f128(__float128, __float128) noexcept;
 #endif
 
 namespace strahl {
@@ -20,6 +21,7 @@ inline Quadruple root(Quadruple a) { return sqrtf128(a); }
 inline Quadruple power(Quadruple a, Quadruple b) { return powf128(a, b); }
 inline Quadruple exponential(Quadruple a) { return expf128(a); }
 inline Quadruple sine_of(Quadruple a) { return sinf128(a); }
+inline Quadruple angle_of(Quadruple x, Quadruple y) { return atan2f128(y, x); }
 #else
 using Quadruple = long double;
 #endif
@@ -38,6 +40,11 @@ R exponential(R a) {
 template <std::floating_point R>
 R sine_of(R a) {
     return std::sin(a);
+}
+/// Of (x, y) from the x axis.
+template <std::floating_point R>
+R angle_of(R x, R y) {
+    return std::atan2(y, x);
 }
 
 }  // namespace strahl

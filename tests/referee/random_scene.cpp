@@ -199,6 +199,9 @@ Scene random_scene(std::uint64_t seed, const RandomScene& what) {
     if (what.patterns)
         for (Material& material : scene.materials)
             if (dice.chance(.5)) material.rgb = Pigment(random_pattern(dice));
+    if (what.bumps)
+        for (Material& material : scene.materials)
+            if (dice.chance(.6)) material.bump = random_bump(dice);
     if (what.camera_inside) {
         camera.fov = dice.in(25, 55);
         const DVec3 beside = dice.arrow(0, .5);

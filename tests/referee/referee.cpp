@@ -44,18 +44,20 @@ struct Referee<R>::World {
     /// The light that a surface sends back along a line.
     Vector<R> sent(const Line<R>& line, int body, const Crossing<R>& hit, int generation,
                    const std::vector<int>& inside, Signature& signature) const {
-        enum : std::uint64_t { lit = 2, total, through };
+        enum : std::uint64_t { lit = 2, total, through, under };
         const Material& material = bodies[body].material(hit.face);
         const Vector<R> e = line.direction, p = line.origin + hit.t * e, of = bodies[body].color(hit.face, p);
         Vector<R> n = unit(hit.normal);
         if (dot(e, n) > 0) n = R(-1) * n;
+        const Vector<R> flat = n;
+        n = bodies[body].bent(hit.face, p, n);
         const Vector<R> mirrored = unit(e - 2 * dot(e, n) * n);
         Vector<R> sum = R(material.ambient) * of * Vector<R>(scene.settings.ambient_light);
         for (const Light& light : scene.lights) {
             const Vector<R> way = light.direction ? R(-1) * Vector<R>(*light.direction) : Vector<R>(light.position) - p;
             const Vector<R> l = unit(way);
             const R facing = dot(n, l), glance = dot(mirrored, l), shines = spot_share(light, l);
-            if (!(facing > 0) || !(shines > 0)) continue;
+            if (!(facing > 0) || !(dot(flat, l) > 0) || !(shines > 0)) continue;
             signature.add(glance > 0 ? lit : lit + 10);
             Vector<R> answer = R(material.diffuse) * facing * of;
             const R highlight = glance > 0 ? R(material.specular) * power(glance, R(material.pow)) : R(0);
@@ -68,16 +70,25 @@ struct Referee<R>::World {
         R share = material.reflection;
         if (material.refraction > 0) {
             auto [ratio, after] = pass(body, inside);
-            const R s = -dot(e, n), k = 1 - ratio * ratio * (1 - s * s);
+            const Vector<R> before = dot(e, n) > 0 ? R(-1) * n : n;  // on the ray's side
+            const R s = -dot(e, before), k = 1 - ratio * ratio * (1 - s * s);
             signature.add(k < 0 ? total : through);
             if (k < 0) {
                 share += R(material.refraction);
             } else {
-                const Line<R> bent{p, unit(ratio * e + (ratio * s - root(k)) * n), body, hit.face};
+                const Line<R> bent{p, unit(ratio * e + (ratio * s - root(k)) * before), body, hit.face};
                 sum = sum + R(material.refraction) * see(bent, generation + 1, after, signature);
             }
         }
-        if (share > 0) sum = sum + share * see({p, mirrored, body, hit.face}, generation + 1, inside, signature);
+        if (share > 0) {
+            Vector<R> away = mirrored;
+            if (dot(away, flat) < 0) {
+                signature.add(under);
+                if (dot(away, n) < 0) away = e;
+                away = away - 2 * dot(away, flat) * flat;
+            }
+            sum = sum + share * see({p, away, body, hit.face}, generation + 1, inside, signature);
+        }
         return sum;
     }
 
@@ -132,7 +143,12 @@ struct Referee<R>::World {
 };
 
 template <class R>
-Referee<R>::Referee(const Scene& scene, const Camera& camera, int width, int height, int depth) {
+Referee<R>::Referee(const Scene& given, const Camera& camera, int width, int height, int depth) {
+    Scene scene = given;
+    if (scene.settings.linear) {
+        decode(scene.background);
+        for (Material& material : scene.materials) decode(material.rgb);
+    }
     const CameraFrame frame = frame_of(camera, double(width) / height);
     World w{scene,
             camera.position,

@@ -30,7 +30,8 @@ TEST_CASE("every word of the language is in the dictionary") {
     for (const std::string_view word : shape_words) look(word);
     for (const std::string_view word : mesh_words) look(word);
     for (const std::string_view word : pattern_words) look(word);
-    look("colors");
+    for (const std::string_view word : {"colors", "map", "once", "height", "none"}) look(word);
+    for (const std::string_view word : image_maps) look(word);
     std::apply(
         [&](const auto&... kind) {
             const auto look_in = [&]<class Kind>(const Kind&) {

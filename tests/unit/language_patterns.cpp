@@ -35,6 +35,77 @@ TEST_CASE("patterns and their defaults") {
           pigment("wood { octaves 6 omega .5 lambda 2 colors { 0 <1,1,1> } }"));
 }
 
+TEST_CASE("images, and what can be wrong with them") {
+    int read = 0;
+    const auto grey = [&](const std::string& path) {
+        if (path != "folder/wood.png") throw FileError("no '" + path + "'");
+        ++read;
+        return Pixels{2, 1, false, {.2f, .2f, .2f, .6f, .6f, .6f}, Color(.6f)};
+    };
+    const auto sphere = [](const std::string& image) {
+        return "sphere { <0,0,0>, 1 material { rgb " + image + " } }\n";
+    };
+    const auto scene = [&](const std::string& text) { return parse_scene(eye + text, "folder/x.rt", {}, grey); };
+    const Scene two = scene(sphere("image { \"wood.png\" }") +
+                            sphere("image { \"wood.png\" once <0,1,0> map cylindrical rotate <90,0,0> }"));
+    CHECK(read == 1);
+    const Pigment plain = two.materials[0].rgb, changed = two.materials[1].rgb;
+    CHECK(plain.color == Color(.6f));
+    CHECK(changed.color == Color(.6f, 1, .6f));
+    const auto& image = std::get<ImagePattern>(plain.pattern->kind);
+    CHECK(image.map == ImageMap::planar);
+    CHECK(!image.once);
+    CHECK(*changed.pattern ==
+          Pattern{ImagePattern{"wood.png", image.pixels, ImageMap::cylindrical, Color(0, 1, 0)}, {}, {Rotate{{90, 0, 0}}}});
+    CHECK(plain != changed);
+    const auto check = [&](const std::string& text, const std::string& said) {
+        CHECK_THROWS_WITH_AS(scene(sphere(text)), doctest::Contains(said.c_str()), FileError);
+    };
+    check("image { \"steel.png\" }", "2:45: no 'folder/steel.png'\n");
+    check("image { map planar }", "the name of a picture");
+    check("image { \"wood.png\" map round }", "2:59: unknown word 'round' after 'map'; known here: planar, spherical");
+    check("image { \"wood.png\" map 3 }", "2:59: a word such as 'spherical' expected after 'map'");
+    check("image { \"wood.png\" map planar map planar }", "2:66: a second 'map'; the first is in line 2");
+    check("image { \"wood.png\" once <1,1,1> once <1,1,1> }", "2:68: a second 'once'");
+    check("image { \"wood.png\" once <1,1,-1> }", "'once' of 'image' must be from 0 to 1e9, not '-1'");
+    check("image { \"wood.png\" colors { 0 <1,1,1> } }", "unknown word 'colors' in 'image'; known here: map, once, rotate");
+    check_fault(sphere("image { \"wood.png\" }"), "2:45: cannot read 'wood.png': no pictures are read here");
+}
+
+TEST_CASE("bumps, and what can be wrong with them") {
+    const auto bump = [](const std::string& text) {
+        return parse(eye + "sphere { <0,0,0>, 1 material { bump " + text + " } }").materials[0].bump;
+    };
+    const Bump noise = bump("noise { height .3 octaves 2 scale .2 }");
+    Noise kind;
+    kind.octaves = 2;
+    CHECK(noise.height == .3);
+    CHECK(*noise.pattern == Pattern{kind, {}, {Scale{DVec3(.2)}}});
+    CHECK(bump("none") == Bump{});
+    CHECK(!parse(eye + "sphere { <0,0,0>, 1 }").materials[0].patterned());
+    const Scene scene = parse(eye + "defaultmaterial { bump wood { height 1 } }\nsphere { <0,0,0>, 1 }\n"
+                                    "sphere { <0,0,0>, 2 material { bump none } }\n"
+                                    "sphere { <0,0,0>, 3 material { bump wood { height 2 } } }\n");
+    REQUIRE(scene.materials.size() == 3);
+    CHECK(scene.materials[0].patterned());
+    CHECK(scene.materials[1].bump == Bump{});
+    CHECK(scene.materials[2].bump != scene.materials[0].bump);
+    const auto check = [](const std::string& text, const std::string& where, const std::string& message) {
+        check_fault("sphere{<0,0,0>,1 material{bump\n" + text + "} }", where + ": " + message);
+    };
+    check("noise { }", "3:1", "'noise' lacks 'height'");
+    check("nois { height 1 }", "3:1", "unknown word 'nois' for 'bump' of 'material'; did you mean 'noise'?");
+    check("checker { height 1 }", "3:1",
+          "unknown word 'checker' for 'bump' of 'material'; known here: gradient, noise, marble, wood, none");
+    check("<1,1,1>", "3:1", "a pattern or 'none' expected for 'bump' of 'material', but here comes '<'");
+    check("noise { height 1 height 1 }", "3:18", "a second 'height'; the first is in line 3");
+    check("noise { height -1 }", "3:16", "'height' of 'noise' must be from 0 to 1e9, not '-1'");
+    check("noise { height 1 colors { 0 <1,1,1> } }", "3:18",
+          "unknown word 'colors' in 'noise'; known here: octaves, omega, lambda, height, rotate, translate, scale");
+    check("gradient { height 1 axis <0,0,0> }", "3:1", "this gradient is none: its axis has no direction");
+    check("noise { height 1 scale 0 }", "3:24", "'scale' of 'noise' is 0, which would leave nothing of it; 1 changes nothing");
+}
+
 TEST_CASE("a material block changes a colour to a pattern and back") {
     const Scene scene = parse(eye + "defaultmaterial { rgb checker { <1,1,1>, <0,0,0> } }\nsphere { <0,0,0>, 1 }\n"
                                     "sphere { <0,0,0>, 2 material { rgb <1,0,0> } }\n"

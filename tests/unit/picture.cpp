@@ -11,6 +11,7 @@
 #include <limits>
 #include <random>
 
+#include "image/pixels.h"
 #include "image/transfer.h"
 #include "scratch.h"
 #include "text/file.h"
@@ -202,6 +203,34 @@ TEST_CASE("broken files are reported with name and reason") {
     std::memcpy(&bytes[18], &size, 4), std::memcpy(&bytes[22], &size, 4);
     write_file(folder / "huge.bmp", bytes);
     CHECK(says(reading("huge.bmp"), "huge.bmp"));
+}
+
+TEST_CASE("pictures as patterns: grey is of three equal colours, and what no pattern can be is refused") {
+    const Scratch folder;
+    const auto written = [&](const Picture& picture, const char* name, int bits) {
+        write_picture(picture, folder / name, {bits, false});
+        return folder / name;
+    };
+    const Pixels grey = read_pixels(written({2, 1, 1, {0, 1}, 8}, "grey.png", 8));
+    CHECK(grey.values == std::vector<float>{0, 0, 0, 1, 1, 1});
+    CHECK(grey.largest == Color(1));
+    CHECK(!grey.linear);
+    const Pixels opaque = read_pixels(written({1, 2, 4, {.5, 0, 1, 1, 0, .25, 0, 1}, 16}, "opaque.png", 16));
+    CHECK(opaque.values == std::vector<float>{32768 / 65535.f, 0, 1, 0, 16384 / 65535.f, 0});
+    CHECK(opaque.largest == Color(32768 / 65535.f, 16384 / 65535.f, 1));
+    const Pixels bright = read_pixels(written({1, 1, 3, {5, .5, 1e6}, 32}, "bright.exr", 32));
+    CHECK(bright.linear);
+    CHECK(bright.largest == Color(5, .5, 1e6));
+    const auto refused = [&](const Picture& picture, const char* name, int bits, const char* why) {
+        const std::string said = fault_of([&] { read_pixels(written(picture, name, bits)); });
+        CAPTURE(said);
+        CHECK(says(said, why));
+    };
+    refused({2, 1, 4, {1, 1, 1, 1, 1, 1, 1, .5}, 8}, "glass.png", 8, "not opaque, the first at column 1, row 0");
+    refused({1, 1, 3, {1, -1, 1}, 32}, "dark.exr", 32, "it has the value -1 at column 0, row 0");
+    refused({1, 1, 3, {1, nan, 1}, 32}, "none.exr", 32, "it has the value nan");
+    refused({1, 1, 3, {1, 2e9, 1}, 32}, "sun.exr", 32, "it has the value 2e+09");
+    refused({1, 32769, 1, std::vector<double>(32769), 8}, "long.png", 8, "at most 32768 may be side by side");
 }
 
 TEST_CASE("the library may be preloaded, even twice") {

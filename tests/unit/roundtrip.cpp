@@ -7,6 +7,7 @@
 #include <random>
 #include <string>
 
+#include "image/pixels.h"
 #include "text/parse.h"
 #include "text/write.h"
 
@@ -77,6 +78,8 @@ class RandomScenes {
             if (chance(2)) return;
             if constexpr (std::is_same_v<decltype(value), Pigment&>)
                 value = chance(3) ? Pigment(pattern()) : Pigment(color());
+            else if constexpr (std::is_same_v<decltype(value), Bump&>)
+                value = chance(2) ? Bump{} : bump();
             else
                 value = field.range == Range::zero_to_one ? uniform(0, 1)
                         : field.range == Range::positive  ? positive()
@@ -91,6 +94,12 @@ class RandomScenes {
         if (chance(2)) own.transformations = transformations();
         for (ColorStop& stop : own.colors)
             if (chance(2)) stop.color = color();
+        return own;
+    }
+    Bump bump() {
+        Dice dice(random());
+        Bump own = random_bump(dice);
+        if (chance(2)) own.height = not_negative();
         return own;
     }
     int material_number() {
@@ -209,7 +218,7 @@ TEST_CASE("random scenes") {
         const std::string text = write_scene(scene);
         CAPTURE(text);
         try {
-            const Scene again = parse_scene(text, "written");
+            const Scene again = parse_scene(text, "written", {}, made_up_pixels);
             CHECK(again == scene);
             CHECK(write_scene(again) == text);
             ++whole;
@@ -229,8 +238,8 @@ TEST_CASE("scenes of this project") {
         if (entry.path().extension() != ".rt") continue;
         const std::string path = entry.path().string();
         CAPTURE(path);
-        const Scene scene = parse_scene(read_text(path), path);
-        CHECK(parse_scene(write_scene(scene), path) == scene);  // files of meshes are beside it
+        const Scene scene = parse_scene(read_text(path), path, {}, read_pixels);
+        CHECK(parse_scene(write_scene(scene), path, {}, read_pixels) == scene);  // files of meshes are beside it
     }
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "image/pixels.h"
 #include "scene/scene.h"
 #include "text/parse.h"
 
@@ -24,7 +25,7 @@ inline std::vector<std::string> scene_names() {
 
 inline Scene read_scene(const std::string& name) {
     const std::string path = std::string(STRAHL_SOURCE) + "/scenes/" + name + ".rt";
-    return parse_scene(read_text(path), path);
+    return parse_scene(read_text(path), path, {}, read_pixels);
 }
 
 }  // namespace strahl

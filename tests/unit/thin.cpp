@@ -43,7 +43,7 @@ std::vector<double> picture(const Scene& scene, int width, const Sampling& sampl
 
 Scene wires() {
     const std::string path = STRAHL_SOURCE "/tests/bench/sampling/wires.rt";
-    return parse_scene(read_text(path), path);
+    return parse_scene(read_text(path), path, {}, read_pixels);
 }
 
 /// 400 balls, so far away that they are .05 to .3 pixels wide at 320x240.

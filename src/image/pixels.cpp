@@ -1,0 +1,43 @@
+#include "image/pixels.h"
+
+#include <algorithm>
+
+#include "image/picture.h"
+#include "num/decimal.h"
+
+namespace strahl {
+
+Pixels read_pixels(const std::string& path) {
+    const auto fail = [&](const std::string& why) { throw FileError("cannot use '" + path + "': " + why); };
+    constexpr std::uint64_t most_values = std::uint64_t(1) << 27;
+    constexpr double largest_value = 1e9;  // as of colours in the text
+    constexpr int most_pixels = 1 << 15;  // along a side. Of a float's 24 bits 9 are left for places between pixels
+    const Picture picture = read_picture(path, most_values);
+    const std::string size = std::to_string(picture.width) + "x" + std::to_string(picture.height);
+    if (std::max(picture.width, picture.height) > most_pixels)
+        fail("it has " + size + " pixels, and at most " + std::to_string(most_pixels) + " may be side by side");
+    if (picture.channels > 4) fail("it has " + std::to_string(picture.channels) + " channels, and no colours");
+    const bool grey = picture.channels < 3, alpha = picture.channels % 2 == 0;
+    Pixels pixels{picture.width, picture.height, picture.bits == 32, {}};
+    const auto count = std::size_t(picture.width) * static_cast<unsigned>(picture.height);
+    pixels.values.reserve(3 * count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const double* const own = &picture.values[i * static_cast<unsigned>(picture.channels)];
+        const auto at = [&] {
+            return " at column " + std::to_string(i % unsigned(picture.width)) + ", row " +
+                   std::to_string(i / unsigned(picture.width));
+        };
+        if (alpha && own[picture.channels - 1] != 1)
+            fail("it has pixels that are not opaque, the first" + at() + "; save it without an alpha channel");
+        for (int c = 0; c < 3; ++c) {
+            const double value = own[grey ? 0 : c];
+            if (!(value >= 0 && value <= largest_value))
+                fail("it has the value " + text_of(value) + at() + "; values from 0 to 1e9 are colours");
+            pixels.values.push_back(static_cast<float>(value));
+            pixels.largest[c] = std::max(pixels.largest[c], double(pixels.values.back()));
+        }
+    }
+    return pixels;
+}
+
+}  // namespace strahl

@@ -1,0 +1,32 @@
+#include "text/scene_files.h"
+
+#include <filesystem>
+
+#include "mesh/read_mesh.h"
+
+namespace strahl {
+
+SceneFiles::SceneFiles(std::string_view scene, ReadPixels read_pixels)
+    : folder(std::filesystem::path(scene).parent_path().string()), read_pixels(std::move(read_pixels)) {}
+
+std::string SceneFiles::path_of(std::string_view name) const {
+    const std::filesystem::path path(name);
+    return (path.is_absolute() ? path : std::filesystem::path(folder) / path).string();
+}
+
+std::shared_ptr<const MeshData> SceneFiles::mesh(std::string_view name) {
+    const std::string path = path_of(name);
+    std::shared_ptr<const MeshData>& data = meshes[path];
+    if (!data) data = std::make_shared<const MeshData>(read_mesh(path));
+    return data;
+}
+
+std::shared_ptr<const Pixels> SceneFiles::pixels(std::string_view name) {
+    const std::string path = path_of(name);
+    if (!read_pixels) throw FileError("cannot read '" + path + "': no pictures are read here");
+    std::shared_ptr<const Pixels>& data = pictures[path];
+    if (!data) data = std::make_shared<const Pixels>(read_pixels(path));
+    return data;
+}
+
+}  // namespace strahl

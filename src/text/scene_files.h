@@ -1,0 +1,29 @@
+// The files that a scene names: meshes and pictures, each of which is read once.
+#pragma once
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "scene/mesh_data.h"
+#include "text/parse.h"
+
+namespace strahl {
+
+/// Names are relative to the folder of the scene. All throw FileError.
+class SceneFiles {
+  public:
+    SceneFiles(std::string_view scene, ReadPixels read_pixels);
+    std::shared_ptr<const MeshData> mesh(std::string_view name);
+    std::shared_ptr<const Pixels> pixels(std::string_view name);
+
+  private:
+    std::string path_of(std::string_view name) const;
+
+    const std::string folder;
+    const ReadPixels read_pixels;
+    std::map<std::string, std::shared_ptr<const MeshData>> meshes;  // by their paths
+    std::map<std::string, std::shared_ptr<const Pixels>> pictures;
+};
+
+}  // namespace strahl
