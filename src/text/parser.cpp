@@ -108,7 +108,7 @@ void Parser::top_block(std::string_view word) {
     if (word == "light") {
         scene.lights.push_back(read_light(reader, limits, word));
         points += points_of(scene.lights.back());
-        return limit(points, limits.lights + 1, word, "lights");
+        return limit(points - 1, limits.lights, word, "lights");
     }
     if (word == "define") return define(word);
     if (word == "defaultmaterial") {

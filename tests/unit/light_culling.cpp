@@ -54,7 +54,8 @@ TEST_CASE("light culling does not change pictures") {
         CAPTURE(name);
         const Scene scene = read_scene(name);
         if (scene.primitives.size() > most_item_bins) continue;
-        CHECK(largest_difference(scene, Precision::float64) < 1e-8);
+        // Mirrors among mirrors magnify what another placement rounds; a shadow more or less is a hundredth at least.
+        CHECK(largest_difference(scene, Precision::float64) < 1e-6);
         ++seen;
     }
     CHECK(seen >= 50 / every);
