@@ -74,7 +74,7 @@ struct ShaftStart {
 
 /// Is an item certainly not in the way? Convex bodies never are for their own outside, nor is what is flat.
 template <class T, class Item>
-bool beside_item(const Shaft<T>& shaft, const Item& item, const ShaftStart<T>& start) {
+[[gnu::flatten]] bool beside_item(const Shaft<T>& shaft, const Item& item, const ShaftStart<T>& start) {
     using Kind = typename Item::Kind;
     const bool own = start.surface >= item.surface && start.surface < item.surface + T(Item::faces);
     if constexpr (!Kind::bounded) {

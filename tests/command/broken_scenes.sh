@@ -2,6 +2,8 @@
 # Scenes with errors: exit status 3, place, line and caret, and never a crash.
 set -uo pipefail
 source "$(dirname "$0")/expect.sh"
+# Pictures that end early are among the faults.
+export LSAN_OPTIONS="suppressions=$source_folder/tests/command/leaks.txt"
 
 camera='camera { position <0,-9,0> look_at <0,0,0> up <0,0,-1> fov 25 }'
 # broken PLACE TEXT SCENE: the message begins with the place, quotes the line, has a caret, and contains the text.

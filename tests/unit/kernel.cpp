@@ -25,7 +25,7 @@ namespace {
 #if defined(STRAHL_SANITIZED) || LDBL_MANT_DIG == 113
 constexpr int columns = 17, rows = 9, random_scenes = 8;
 #else
-constexpr int columns = 49, rows = 37, random_scenes = 120;
+constexpr int columns = 49, rows = 37, random_scenes = 90;
 #endif
 
 /// A value may be off by `tolerance`. A pixel that is off by more must be explained by a shift of `reach` pixels: an
