@@ -149,19 +149,24 @@ xdotool key 1
 await 'camera 1'
 shows flown.png
 
+# Flies for a moment and waits until the paused picture is finished; sets `seconds`.
+fly_and_pause() {
+    xdotool key f
+    await 'flying from'
+    sleep 0.5
+    xdotool key space
+    await 'paused at '
+    seconds=${line##*paused at }
+    seconds=${seconds% s}
+    await 'finished'
+}
+
 echo "-- the flight: played, paused, a still of it"
 put "$camera
 $world
 $path"
 await 'read again'
-xdotool key f
-await 'flying from'
-sleep 0.5
-xdotool key space
-await 'paused at '
-seconds=${line##*paused at }
-seconds=${seconds% s}
-await 'finished'
+fly_and_pause
 still paused.png --size 320x240 --time "$seconds"
 shows paused.png
 xdotool key s
@@ -261,14 +266,7 @@ start scene.rt --size 320x240
 await 'finished'
 still moving.png --size 320x240
 shows moving.png
-xdotool key f
-await 'flying from'
-sleep 0.5
-xdotool key space
-await 'paused at '
-seconds=${line##*paused at }
-seconds=${seconds% s}
-await 'finished'
+fly_and_pause
 still moved.png --size 320x240 --time "$seconds"
 shows moved.png
 (($(different_pixels moving.png moved.png) > 0)) || fault "nothing moved in $seconds s"
