@@ -54,8 +54,8 @@ TEST_CASE("light culling does not change pictures") {
         CAPTURE(name);
         const Scene scene = read_scene(name);
         if (scene.primitives.size() > most_item_bins) continue;
-        // Mirrors among mirrors magnify what another placement rounds; a shadow more or less is a hundredth at least.
-        CHECK(largest_difference(scene, Precision::float64) < 1e-6);
+        // The demo's mirrors among mirrors magnify what another placement rounds.
+        CHECK(largest_difference(scene, Precision::float64) < (name == "demo" ? 1e-6 : 1e-8));
         ++seen;
     }
     CHECK(seen >= 50 / every);
