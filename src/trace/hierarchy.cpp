@@ -103,7 +103,7 @@ class Builder {
         });
         const std::int32_t count = end - begin;
         if (depth < deepest_cut && count > 2) {
-            const Scale scale(part.extents.middles, bins_for(count));
+            const BinScale scale(part.extents.middles, bins_for(count));
             const auto sort = [this, scale](std::int32_t first, std::int32_t last) {
                 Bins sum(scale.bins);
                 for (std::int32_t i = first; i < last; ++i) {
@@ -174,7 +174,7 @@ class Builder {
         if (from.cut.axis == by_form) {
             at = divide(from.begin, from.end, [form = from.cut.bin](const ItemBox& e) { return e.form == form; });
         } else if (from.cut.axis != in_the_middle) {
-            const Scale scale(from.extents.middles, bins_for(from.count()));
+            const BinScale scale(from.extents.middles, bins_for(from.count()));
             at = divide(from.begin, from.end,
                         [axis = from.cut.axis, low = scale.from[from.cut.axis],
                          per_bin = scale.per_bin[from.cut.axis], bin = static_cast<float>(from.cut.bin)](

@@ -49,10 +49,10 @@ struct Extents {
 inline int bins_for(std::int32_t count) { return count <= 16 ? 4 : count <= 64 ? 8 : most_bins; }
 
 /// How far along the bins of each axis a box's centre is.
-struct Scale {
+struct BinScale {
     int bins;
     Quad from, per_bin, last;
-    Scale(const Bounds& middles, int own)
+    BinScale(const Bounds& middles, int own)
         : bins(own), from(middles.low), per_bin(Quad{} + static_cast<float>(bins)), last(per_bin - 1) {
         per_bin /= middles.high - middles.low;
         for (int i = 0; i < 3; ++i)
