@@ -2,8 +2,8 @@
 # What the scripts `strahl`, `tests/run` and `tests/attack/run` share: Debian packages, and building a preset.
 # shellcheck disable=SC2034  # the lists are for those scripts
 
-build_packages=(g++ cmake ninja-build pkg-config libglfw3-dev libgl-dev libglm-dev libopenimageio-dev libimgui-dev
-    libcli11-dev)
+build_packages=(g++ cmake ninja-build pkg-config libglfw3-dev libgl-dev libglm-dev libopenimageio-dev zlib1g-dev
+    libimgui-dev libcli11-dev)
 test_packages=(doctest-dev povray xvfb xauth libgl1-mesa-dri xdotool imagemagick openimageio-tools)
 attack_packages=(clang-16 libclang-rt-16-dev)
 

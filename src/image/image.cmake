@@ -1,6 +1,7 @@
-# Pictures, and a module with OpenImageIO that is loaded only when a picture file is read or written.
+# Pictures, written with zlib, and a module with OpenImageIO that is loaded only when a picture file is read.
+pkg_check_modules(ZLIB REQUIRED IMPORTED_TARGET zlib)
 strahl_module(image src/image strahl_text)
-target_link_libraries(strahl_image PRIVATE ${CMAKE_DL_LIBS})
+target_link_libraries(strahl_image PRIVATE ${CMAKE_DL_LIBS} PkgConfig::ZLIB)
 
 # Not find_package(OpenImageIO): that of Debian 12 is broken (it requires a missing iconvert).
 pkg_check_modules(OIIO REQUIRED IMPORTED_TARGET OpenImageIO>=2.4)

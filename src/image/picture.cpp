@@ -1,4 +1,4 @@
-// Picture files: endings, quantisation, and loading of the module that encodes and decodes.
+// Picture files: endings, quantisation, and loading of the module that decodes.
 #include "image/picture.h"
 
 #include <dlfcn.h>
@@ -8,16 +8,15 @@
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
-#include <limits>
 #include <memory>
 #include <system_error>
 #include <thread>
 
 #include "image/memory.h"
 #include "image/oiio/module.h"
+#include "image/picture_writer.h"
 #include "image/recognise.h"
 #include "image/transfer.h"
-#include "text/file.h"
 
 #if defined(__SANITIZE_ADDRESS__)
 #include <sanitizer/lsan_interface.h>
@@ -29,7 +28,6 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Library {
-    decltype(&strahl_encode_picture) encode;
     decltype(&strahl_decode_picture) decode;
 };
 
@@ -76,8 +74,7 @@ Library load_library() {
     // check before.
     std::atexit(__lsan_do_leak_check);
 #endif
-    return {reinterpret_cast<decltype(&strahl_encode_picture)>(::dlsym(handle, "strahl_encode_picture")),
-            reinterpret_cast<decltype(&strahl_decode_picture)>(::dlsym(handle, "strahl_decode_picture"))};
+    return {reinterpret_cast<decltype(&strahl_decode_picture)>(::dlsym(handle, "strahl_decode_picture"))};
 }
 
 /// Loaded once per process, on first use.
@@ -85,6 +82,8 @@ const Library& library() {
     static const Library loaded = load_library();
     return loaded;
 }
+
+}  // namespace
 
 std::string ending_of(const std::string& path) {
     const auto dot = path.find_last_of("./");
@@ -95,16 +94,6 @@ std::string ending_of(const std::string& path) {
 }
 
 int bits_of(const std::string& ending, int bits) { return bits ? bits : ending == ".exr" ? 32 : 8; }
-
-template <class T>
-std::vector<T> quantised(const Picture& picture, bool linear) {
-    std::vector<T> codes(picture.values.size());
-    std::transform(picture.values.begin(), picture.values.end(), codes.begin(),
-                   [=](double v) { return static_cast<T>(quantise(v, linear, std::numeric_limits<T>::max())); });
-    return codes;
-}
-
-}  // namespace
 
 double half_step(FileFormat format) {
     if (format.bits > 16) return 0;
@@ -125,23 +114,9 @@ std::string format_fault(const std::string& path, int bits) {
 }
 
 void write_picture(const Picture& picture, const std::string& path, FileFormat format, const std::string& ending) {
-    const std::string& named = path == "-" ? ending : path;
-    if (const std::string fault = format_fault(named, format.bits); !fault.empty()) throw OutputError(fault);
-    const std::string kind = ending_of(named);
-    if (kind == ".bmp" && picture.channels != 3)
-        throw OutputError("cannot write '" + path + "': a .bmp file holds red, green and blue; choose .png or .exr");
-    const int bits = bits_of(kind, format.bits);
-    const Library& module = library();
-    std::string result;
-    const auto encode = [&](const auto& codes) {
-        return module.encode({picture.width, picture.height, picture.channels, bits, codes.data()}, kind.c_str(),
-                             result);
-    };
-    const bool done = bits == 8    ? encode(quantised<std::uint8_t>(picture, format.linear))
-                      : bits == 16 ? encode(quantised<std::uint16_t>(picture, format.linear))
-                                   : encode(std::vector<float>(picture.values.begin(), picture.values.end()));
-    if (!done) throw OutputError("cannot write '" + path + "': " + result);
-    write_file(path, result);
+    PictureWriter writer(picture.width, picture.height, picture.channels, path == "-" ? ending : path, format);
+    writer.put(0, 0, picture.width, picture.height, picture.values.data());
+    writer.write(path);
 }
 
 Picture read_picture(const std::string& path, std::uint64_t most) {
@@ -151,19 +126,6 @@ Picture read_picture(const std::string& path, std::uint64_t most) {
     if (!library().decode({path, format, std::min(most, possible), available_memory()}, picture, reason))
         throw FileError("cannot read '" + path + "' as a picture: " + reason.substr(0, reason.find('\n')));
     return picture;
-}
-
-std::future<void> preload_picture_library(std::function<void()> failed) try {
-    return std::async(std::launch::async, [failed = std::move(failed)] {
-        try {
-            library();
-        } catch (...) {
-            if (failed) failed();
-            throw;
-        }
-    });
-} catch (const std::system_error&) {
-    tell_threads();
 }
 
 void require_picture_library() { library(); }

@@ -1,8 +1,6 @@
 // Reading and writing picture files. Callers need not know the library behind it.
 #pragma once
 #include <cstdint>
-#include <functional>
-#include <future>
 #include <string>
 #include <vector>
 
@@ -17,10 +15,19 @@ struct Picture {
     int bits = 32;  // of the file it came from: 8, 16, or 32 for float
 };
 
+/// How hard PNG is compressed: faster than pictures are traced, or as small as zlib makes it.
+enum class Compression { fast, small };
+
 struct FileFormat {
     int bits = 0;         // 8 for .bmp, 8 or 16 for .png, 32 (float) for .exr; 0 takes the first of these
     bool linear = false;  // the scene's `assumed_gamma 1`: 8- and 16-bit files are sRGB-encoded
+    Compression compression = Compression::fast;
 };
+
+/// ".png" of "a/b.PNG"; in lower case.
+std::string ending_of(const std::string& path);
+/// `bits`, or the default of the ending.
+int bits_of(const std::string& ending, int bits);
 
 /// Empty if write_picture can write this ending (.bmp .png .exr) with these bits, else a message that says what to do.
 /// `bits` 0 means the default of the ending. `path` may be the ending alone.
@@ -40,13 +47,7 @@ inline constexpr std::uint64_t most_values_read = std::uint64_t(1) << 28;
 /// FileError, also if the picture has more than `most` values or more than there is memory for.
 Picture read_picture(const std::string& path, std::uint64_t most = most_values_read);
 
-/// Starts loading the picture library in the background, which takes 0.2 s, so that write_picture need not wait. Keep
-/// the future until the end of main: its destructor waits for the loading, and a program that ends meanwhile can crash
-/// in the library's own start-up. If it is missing or does not load, `failed` is called at once, the future throws
-/// OutputError, and so does every read and write that follows.
-[[nodiscard]] std::future<void> preload_picture_library(std::function<void()> failed = {});
-
-/// The same in the foreground, before work whose result would be lost without the library. Throws OutputError.
+/// Loads the library that reads pictures, before work whose result would be lost without it. Throws OutputError.
 void require_picture_library();
 
 }  // namespace strahl

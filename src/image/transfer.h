@@ -15,7 +15,7 @@ inline double srgb(double v) { return v <= 0.0031308 ? steepest_srgb * v : 1.055
 /// round(steps * clamp(v, 0, 1)), halves up; sRGB-encoded first where the scene declares linear light. NaN becomes 0.
 inline std::uint16_t quantise(double v, bool linear, int steps) {
     const double clamped = v > 0 ? std::min(v, 1.0) : 0.0;
-    return static_cast<std::uint16_t>(std::floor((linear ? srgb(clamped) : clamped) * steps + 0.5));
+    return static_cast<std::uint16_t>(static_cast<int>((linear ? srgb(clamped) : clamped) * steps + 0.5));
 }
 
 }  // namespace strahl

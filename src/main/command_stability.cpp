@@ -58,7 +58,6 @@ int stability_command(const StabilityOptions& options) {
     if (!options.output.empty())
         if (const std::string fault = format_fault(options.output, 0); !fault.empty()) throw UsageError(fault);
     refuse_overwriting("-o", options.output, "the scene", options.scene);
-    if (!options.output.empty()) require_picture_library();
     const Scene scene = parse_scene(read_text(options.scene), options.scene == "-" ? "standard input" : options.scene,
                                     {}, read_pixels);
     const View view{.camera = scene.camera,

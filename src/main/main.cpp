@@ -60,6 +60,9 @@ void add_render(CLI::App& app, Action& action) {
                      "LEVEL");
     add_threads(command, o->threads);
     add_bits(command, o->bits, {8, 16, 32}, "Bits per channel: 8, or 16 for .png (.exr always holds 32-bit floats)");
+    add_choice<Compression>(command, "--compression", o->compression,
+                            {{"fast", Compression::fast}, {"small", Compression::small}},
+                            "Of .png: fast (default), or small, which takes about a second per megapixel", "KIND");
     add_choice<std::string>(command, "--format", o->format, {{"bmp", "bmp"}, {"png", "png"}, {"exr", "exr"}},
                             "Format for standard output: bmp, png or exr", "KIND");
     add_time(command, o->time);

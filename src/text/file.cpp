@@ -1,23 +1,19 @@
 // Whole files out: temporary file, then rename.
 #include "text/file.h"
 
-#include <dirent.h>
 #include <fcntl.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
-#include <climits>
-#include <csignal>
 #include <cstdio>
-#include <ctime>
 #include <filesystem>
-#include <memory>
-#include <stdexcept>
-#include <string_view>
+#include <optional>
 #include <system_error>
+#include <utility>
+#include <vector>
+
+#include "text/temporary.h"
 
 namespace strahl {
 namespace {
@@ -34,145 +30,6 @@ namespace fs = std::filesystem;
     throw OutputError(told);
 }
 
-/// While it lives, writing past the limit of file sizes fails with EFBIG instead of ending the program.
-class NoFileSizeSignal {
-  public:
-    NoFileSizeSignal() {
-        ::sigemptyset(&signal);
-        ::sigaddset(&signal, SIGXFSZ);
-        ::pthread_sigmask(SIG_BLOCK, &signal, &before);
-    }
-    ~NoFileSizeSignal() {
-        // The signal goes to the thread that wrote. Unblocked while it waits, it would end the program after all.
-        if (const timespec now{}; !::sigismember(&before, SIGXFSZ))
-            while (::sigtimedwait(&signal, nullptr, &now) < 0 && errno == EINTR) continue;
-        ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
-    }
-    NoFileSizeSignal(const NoFileSizeSignal&) = delete;
-
-  private:
-    sigset_t signal, before;
-};
-
-/// Writes everything, or says why not (an errno). Pipes and devices may keep it waiting for ever: a signal ends that,
-/// and is noticed because they get pieces that are written as a whole or not at all.
-int write_all(int file, std::string_view bytes) {
-    const NoFileSizeSignal guard;
-    struct stat status {};
-    const bool is_file = ::fstat(file, &status) == 0 && S_ISREG(status.st_mode);
-    while (!bytes.empty()) {
-        const ssize_t written =
-            ::write(file, bytes.data(), is_file ? bytes.size() : std::min<size_t>(bytes.size(), PIPE_BUF));
-        if (written < 0 && !(is_file && errno == EINTR)) return errno;
-        if (written > 0) bytes.remove_prefix(static_cast<std::size_t>(written));
-    }
-    return 0;
-}
-
-/// Waits until the disk has it: an errno if it has not. File systems that know no such thing are left alone.
-int synced(int file) {
-    while (::fsync(file) != 0)
-        if (errno != EINTR) return errno == EINVAL || errno == ENOTSUP ? 0 : errno;
-    return 0;
-}
-
-int write_and_close(int file, std::string_view bytes) {
-    const int error = write_all(file, bytes);
-    return ::close(file) == 0 || error ? error : errno;
-}
-
-/// A name is lost in a power cut until its folder is on the disk. A folder that may not be read can't be asked for
-/// that.
-int sync_folder(const fs::path& folder) {
-    const int file = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (file < 0) return 0;
-    const int error = synced(file);
-    ::close(file);
-    return error;
-}
-
-/// Removes what killed programs left in a folder: temporary files that nobody has locked. The folder is not listed by
-/// std::filesystem, which ends the program where memory runs out on the way.
-void remove_left(const fs::path& folder) {
-    const std::unique_ptr<DIR, int (*)(DIR*)> list(::opendir(folder.empty() ? "." : folder.c_str()), ::closedir);
-    if (!list) return;
-    while (const dirent* entry = ::readdir(list.get())) {
-        const std::string_view name = entry->d_name;
-        if (!name.starts_with(".strahl-") || !name.ends_with(".tmp")) continue;
-        const fs::path path = folder / name;
-        const int file = ::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
-        if (file < 0) continue;
-        if (::flock(file, LOCK_EX | LOCK_NB) == 0) ::unlink(path.c_str());
-        ::close(file);
-    }
-}
-
-/// Where the bytes are until they get their name. It has a name of its own only where that can't be helped: a file
-/// without one is gone when the program is killed. It is locked while it lives, so that nobody takes it for one that
-/// was left.
-class Temporary {
-  public:
-    /// A file that is to stay whatever happens has an ending that nobody removes.
-    Temporary(const fs::path& beside, bool stays) : folder(beside.parent_path()), ending(stays ? ".copy" : ".tmp") {
-        file = ::open(folder.empty() ? "." : folder.c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, 0666);
-        if (file >= 0 && ::access(link().c_str(), F_OK) == 0) {  // without /proc it could get no name later
-            ::flock(file, LOCK_EX | LOCK_NB);
-            return;
-        }
-        if (file >= 0) ::close(file);
-        named([&](const char* path) {
-            file = ::open(path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-            if (file < 0) return false;
-            struct stat status {};
-            ::flock(file, LOCK_EX | LOCK_NB);
-            if (::fstat(file, &status) == 0 && status.st_nlink > 0) return true;
-            ::close(file);  // somebody was faster and took it for one that was left
-            return file = -1, errno = EEXIST, false;
-        });
-    }
-    ~Temporary() {
-        if (file >= 0) ::close(file);
-        if (!name.empty()) ::unlink(name.c_str());
-    }
-    Temporary(const Temporary&) = delete;
-
-    bool opened() const { return file >= 0; }
-    int descriptor() const { return file; }
-    const fs::path& path() const { return name; }
-
-    /// Gives it a name if it has none yet; an errno, or 0.
-    int give_name() {
-        if (!name.empty()) return 0;
-        return named([&](const char* path) {
-            return ::linkat(AT_FDCWD, link().c_str(), AT_FDCWD, path, AT_SYMLINK_FOLLOW) == 0;
-        })
-                   ? 0
-                   : errno;
-    }
-    /// The name stays, or has become another one.
-    void keep() { name.clear(); }
-
-  private:
-    std::string link() const { return "/proc/self/fd/" + std::to_string(file); }
-
-    template <class Make>
-    bool named(Make make) {
-        for (int i = 0; i < 1000; ++i) {
-            name = folder / (".strahl-" + std::to_string(::getpid()) + "-" + std::to_string(i) + ending);
-            if (make(name.c_str())) return true;
-            if (errno != EEXIST) break;
-        }
-        const int error = errno;
-        name.clear();
-        errno = error;
-        return false;
-    }
-
-    fs::path folder, name;
-    const char* const ending;
-    int file = -1;
-};
-
 /// The older file's owner as far as we may, and its permissions without set-user-ID and set-group-ID: these were given
 /// to the bytes that were there.
 void take_over(int file, const struct stat& old) {
@@ -184,16 +41,31 @@ void take_over(int file, const struct stat& old) {
     static_cast<void>(::fchmod(file, mode));
 }
 
+/// The bytes of one file to another, from where that one stands: an errno, or 0.
+int copy(int from, int to, off_t size) {
+    std::vector<char> block(1 << 20);
+    for (off_t at = 0; at < size;) {
+        const ssize_t got = ::pread(from, block.data(), block.size(), at);
+        if (got < 0 && errno == EINTR) continue;
+        if (got <= 0) return got < 0 ? errno : EIO;
+        if (const int error = write_all(to, {block.data(), static_cast<std::size_t>(got)})) return error;
+        at += got;
+    }
+    return 0;
+}
+
 /// Overwrites in place a file that has several names: a rename would leave the others with the older bytes. Room is
 /// found first; `begun` says whether older bytes may be lost if it fails after all.
-int overwrite(const fs::path& target, std::string_view bytes, off_t old_size, bool& begun) {
+int overwrite(const fs::path& target, int source, off_t old_size, bool& begun) {
+    struct stat status {};
+    if (::fstat(source, &status) != 0) return errno;
     const int file = ::open(target.c_str(), O_WRONLY | O_CLOEXEC);
     if (file < 0) return errno;
-    const auto size = static_cast<off_t>(bytes.size());
+    const off_t size = status.st_size;
     int error = 0;
     if (const NoFileSizeSignal guard; size > old_size) error = ::posix_fallocate(file, old_size, size - old_size);
     begun = !error;
-    if (!error) error = write_all(file, bytes);
+    if (!error) error = copy(source, file, size);
     if (::ftruncate(file, begun ? size : old_size) != 0 && !error) error = errno;
     if (!error) error = synced(file);
     return ::close(file) == 0 || error ? error : errno;
@@ -209,50 +81,90 @@ fs::path follow_links(fs::path path) {
 
 }  // namespace
 
-void write_file(const std::string& path, std::string_view bytes) {
-    if (path == "-") {
-        std::fflush(stdout);
-        if (const int error = write_all(STDOUT_FILENO, bytes)) fail("standard output", error);
-        return;
-    }
-    const fs::path target = follow_links(path);
+struct OutputFile::Implementation {
+    std::string path;
+    fs::path target;
     struct stat old {};
-    const bool exists = ::stat(target.c_str(), &old) == 0;
-    if (!exists && errno == ELOOP) fail(path, ELOOP);
-    if (exists && S_ISDIR(old.st_mode)) fail(path, EISDIR);
-    // A rename would replace a read-only file, which its owner did not mean, or a device by a plain file.
-    if (exists && ::access(target.c_str(), W_OK) != 0) fail(path, errno);
-    if (exists && !S_ISREG(old.st_mode)) {
-        const int file = ::open(target.c_str(), O_WRONLY | O_CLOEXEC);
-        if (const int error = file < 0 ? errno : write_and_close(file, bytes)) fail(path, error);
-        return;
+    bool exists = false;
+    int direct = -1;  // standard output, a pipe or a device
+    std::optional<Temporary> temporary;
+
+    ~Implementation() {
+        if (direct > STDERR_FILENO) ::close(direct);
     }
-    const bool in_place = exists && old.st_nlink > 1;
-    remove_left(target.parent_path());
-    Temporary temporary(target, in_place);
-    if (!temporary.opened()) fail(path, errno);
-    if (exists) take_over(temporary.descriptor(), old);
-    int error = write_all(temporary.descriptor(), bytes);
-    if (!error) error = synced(temporary.descriptor());
-    if (!error) error = temporary.give_name();
-    if (!error && in_place) {
-        bool begun = false;
+    bool in_place() const { return exists && old.st_nlink > 1; }
+
+    void open() {
+        if (path == "-") {
+            std::fflush(stdout);
+            direct = STDOUT_FILENO;
+            return;
+        }
+        target = follow_links(path);
+        exists = ::stat(target.c_str(), &old) == 0;
+        if (!exists && errno == ELOOP) fail(path, ELOOP);
+        if (exists && S_ISDIR(old.st_mode)) fail(path, EISDIR);
+        // A rename would replace a read-only file, which its owner did not mean, or a device by a plain file.
+        if (exists && ::access(target.c_str(), W_OK) != 0) fail(path, errno);
+        if (exists && !S_ISREG(old.st_mode)) {
+            direct = ::open(target.c_str(), O_WRONLY | O_CLOEXEC);
+            if (direct < 0) fail(path, errno);
+            return;
+        }
+        remove_left(target.parent_path());
+        temporary.emplace(target, in_place());
+        if (!temporary->opened()) fail(path, errno);
+        if (exists) take_over(temporary->descriptor(), old);
+    }
+
+    /// Makes the copy, which is on the disk, the content of the older file.
+    int replace() {
+        if (!in_place()) {
+            if (std::rename(temporary->path().c_str(), target.c_str()) != 0) return errno;
+            temporary->keep();
+            return 0;
+        }
         // From here on the copy may be all that a power cut leaves.
-        error = sync_folder(target.parent_path());
-        if (!error) error = overwrite(target, bytes, old.st_size, begun);
+        if (const int error = sync_folder(target.parent_path())) return error;
+        bool begun = false;
+        const int error = overwrite(target, temporary->descriptor(), old.st_size, begun);
         if (error && begun) {
-            const std::string copy = temporary.path().string();
-            temporary.keep();
+            const std::string copy = temporary->path().string();
+            temporary->keep();
             fail(path, error, "; all of it is in '" + copy + "'");
         }
-    } else if (!error) {
-        if (std::rename(temporary.path().c_str(), target.c_str()) != 0)
-            error = errno;
-        else
-            temporary.keep();
+        return error;
     }
-    if (!error) error = sync_folder(target.parent_path());
-    if (error) fail(path, error);
+
+    int finish() {
+        if (direct >= 0) return direct == STDOUT_FILENO || ::close(std::exchange(direct, -1)) == 0 ? 0 : errno;
+        int error = synced(temporary->descriptor());
+        if (!error) error = temporary->give_name();
+        if (!error) error = replace();
+        return error ? error : sync_folder(target.parent_path());
+    }
+};
+
+OutputFile::OutputFile(const std::string& path) : implementation(std::make_unique<Implementation>()) {
+    implementation->path = path;
+    implementation->open();
+}
+OutputFile::~OutputFile() = default;
+
+void OutputFile::append(std::string_view bytes) {
+    const auto& [path, target, old, exists, direct, temporary] = *implementation;
+    if (const int error = write_all(direct >= 0 ? direct : temporary->descriptor(), bytes))
+        fail(path == "-" ? "standard output" : path, error);
+}
+
+void OutputFile::finish() {
+    if (const int error = implementation->finish()) fail(implementation->path, error);
+}
+
+void write_file(const std::string& path, std::string_view bytes) {
+    OutputFile file(path);
+    file.append(bytes);
+    file.finish();
 }
 
 bool same_file(const std::string& a, const std::string& b) {

@@ -1,5 +1,6 @@
 // Whole files out, never half of one: every file that the program writes goes through here.
 #pragma once
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -7,13 +8,27 @@
 
 namespace strahl {
 
-/// Makes `bytes` the content of the file `path`; "-" is standard output. A temporary file in the same folder is
+/// The new content of the file `path`, piece by piece; "-" is standard output. A temporary file in the same folder is
 /// renamed over `path` once it is on the disk, so that an older file stays as it was until then and if anything fails,
-/// a power cut included. When this returns, the name is on the disk too. Symbolic links stay links. A file with several
-/// names keeps them: it is overwritten in place, with a copy beside it meanwhile. Temporary files that killed programs
-/// left in the folder are removed, but not such a copy. An existing file keeps its permissions, but for set-user-ID and
-/// set-group-ID, and its owner where we may give it away. Devices and pipes are written to directly. Throws
-/// OutputError.
+/// a power cut included. When finish() returns, the name is on the disk too. Symbolic links stay links. A file with
+/// several names keeps them: it is overwritten in place, with a copy beside it meanwhile. Temporary files that killed
+/// programs left in the folder are removed, but not such a copy. An existing file keeps its permissions, but for
+/// set-user-ID and set-group-ID, and its owner where we may give it away. Devices and pipes are written to directly.
+/// Throws OutputError.
+class OutputFile {
+  public:
+    explicit OutputFile(const std::string& path);
+    ~OutputFile();
+    void append(std::string_view bytes);
+    /// Nothing has the name before; without it nothing is left.
+    void finish();
+
+  private:
+    struct Implementation;
+    std::unique_ptr<Implementation> implementation;
+};
+
+/// All of a file at once.
 void write_file(const std::string& path, std::string_view bytes);
 
 /// Would bytes written to one of these paths be in the way of the other's? Not of "-", devices and pipes.

@@ -143,7 +143,7 @@ Scene bubble() {
 /// stability_pictures FOLDER
 int main(int count, char** words) {
     if (count != 2) return std::cerr << "usage: stability_pictures FOLDER\n", 2;
-    const auto library = preload_picture_library();
+
     const std::vector<Pair> pairs{
         {"far", far_ball()},
         {"ground", huge_ground(), Precision::float64},

@@ -7,12 +7,6 @@
 
 namespace strahl {
 
-/// A picture as a file holds it: uint8, uint16 or float by `bits`, row by row from the top.
-struct Codes {
-    int width, height, channels, bits;
-    const void* data;
-};
-
 /// A file to read, and what of it may be allocated.
 struct Wanted {
     const std::string& path;
@@ -24,9 +18,6 @@ struct Wanted {
 }  // namespace strahl
 
 extern "C" {
-/// The bytes of a file with this ending (".png", say), or false and the reason in `result`. Never throws.
-[[gnu::visibility("default")]] bool strahl_encode_picture(const strahl::Codes& codes, const char* ending,
-                                                          std::string& result);
 /// The picture in a file, or false and the reason. Never throws.
 [[gnu::visibility("default")]] bool strahl_decode_picture(const strahl::Wanted& wanted, strahl::Picture& picture,
                                                           std::string& reason);

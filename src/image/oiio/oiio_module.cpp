@@ -2,7 +2,6 @@
 #include "image/oiio/module.h"
 
 // One such file only: these headers compile the fmt library into whatever includes them.
-#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
@@ -13,27 +12,6 @@
 namespace {
 
 using namespace OIIO;
-
-TypeDesc type_of(int bits) { return bits == 8 ? TypeDesc::UINT8 : bits == 16 ? TypeDesc::UINT16 : TypeDesc::FLOAT; }
-
-bool encode(const strahl::Codes& codes, const char* ending, std::string& result) {
-    const std::string name = std::string("picture") + ending;
-    const auto output = ImageOutput::create(name);
-    if (!output) return result = geterror(), false;
-    ImageSpec spec(codes.width, codes.height, codes.channels, type_of(codes.bits));
-    // Only names what the values are: OpenImageIO writes the matching chunk and leaves the values alone.
-    spec.attribute("oiio:ColorSpace", codes.bits == 32 ? "Linear" : "sRGB");
-    spec.attribute("oiio:UnassociatedAlpha", 1);  // else it would divide colours by alpha
-    if (codes.bits == 32) spec.attribute("compression", "zip");
-    spec.attribute("DateTime", "");  // the same picture makes the same file
-    std::vector<unsigned char> bytes;
-    Filesystem::IOVecOutput memory(bytes);
-    if (!output->set_ioproxy(&memory) || !output->open(name, spec) ||
-        !output->write_image(type_of(codes.bits), codes.data) || !output->close())
-        return result = output->geterror(), false;
-    result.assign(bytes.begin(), bytes.end());
-    return true;
-}
 
 /// Reads the values in the file's own type, so that no rounding but the division by `max` comes between. A few rows at
 /// a time: memory is written to only for what the file really holds, whatever its header promises.
@@ -118,10 +96,6 @@ bool guarded(std::string& reason, Work work) {
 }
 
 }  // namespace
-
-bool strahl_encode_picture(const strahl::Codes& codes, const char* ending, std::string& result) {
-    return guarded(result, [&] { return encode(codes, ending, result); });
-}
 
 bool strahl_decode_picture(const strahl::Wanted& wanted, strahl::Picture& picture, std::string& reason) {
     return guarded(reason, [&] { return decode(wanted, picture, reason); });

@@ -1,0 +1,114 @@
+#include "image/picture_writer.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cstdint>
+#include <type_traits>
+
+#include "image/transfer.h"
+#include "text/file.h"
+
+namespace strahl {
+namespace {
+
+/// What the file holds of `count` values.
+template <class T>
+void store(const T* values, std::size_t count, int bits, bool linear, std::byte* codes) {
+    const auto quantised = [&](auto* to, int steps) {
+        using Code = std::remove_pointer_t<decltype(to)>;
+        if (linear)
+            for (std::size_t i = 0; i < count; ++i) to[i] = static_cast<Code>(quantise(values[i], true, steps));
+        else
+            for (std::size_t i = 0; i < count; ++i) to[i] = static_cast<Code>(quantise(values[i], false, steps));
+    };
+    if (bits == 8)
+        quantised(reinterpret_cast<std::uint8_t*>(codes), 255);
+    else if (bits == 16)
+        quantised(reinterpret_cast<std::uint16_t*>(codes), 65535);
+    else
+        std::copy_n(values, count, reinterpret_cast<float*>(codes));
+}
+
+Layout layout_of(int width, int height, int channels, const std::string& named, int bits) {
+    if (const std::string fault = format_fault(named, bits); !fault.empty()) throw OutputError(fault);
+    const std::string ending = ending_of(named);
+    assert(channels >= 1 && channels <= 4);
+    if (ending == ".bmp" && channels != 3)
+        throw OutputError("cannot write '" + named + "': a .bmp file holds red, green and blue; choose .png or .exr");
+    return {width, height, channels, bits_of(ending, bits)};
+}
+
+}  // namespace
+
+struct PictureWriter::Band {
+    std::atomic<std::size_t> missing = 0;  // pixels
+    std::vector<std::byte> codes;
+    EncodedBand encoded;
+};
+
+PictureWriter::PictureWriter(int width, int height, int channels, const std::string& named, FileFormat own_format)
+    : format(own_format),
+      encoder(encoder_for(ending_of(named), layout_of(width, height, channels, named, own_format.bits),
+                          own_format.compression)) {
+    for (int i = 0; i < encoder->bands(); ++i) {
+        bands.push_back(std::make_unique<Band>());
+        bands.back()->missing = std::size_t(width) * unsigned(encoder->rows(i));
+    }
+}
+PictureWriter::~PictureWriter() = default;
+
+void PictureWriter::put(int x, int y, int columns, int rows, const double* values) {
+    put_any(x, y, columns, rows, values);
+}
+void PictureWriter::put(int x, int y, int columns, int rows, const float* values) {
+    put_any(x, y, columns, rows, values);
+}
+
+std::byte* PictureWriter::codes_of(Band& band, int rows) {
+    const std::lock_guard lock(mutex);
+    if (band.codes.empty()) band.codes.resize(encoder->layout.row_bytes() * unsigned(rows));
+    return band.codes.data();
+}
+
+template <class T>
+void PictureWriter::put_any(int x, int y, int columns, int rows, const T* values) {
+    const Layout& layout = encoder->layout;
+    const auto count = std::size_t(columns) * unsigned(layout.channels);
+    for (int done = 0; done < rows;) {
+        // Those that go to one band, in the order of the picture.
+        const auto place = [&](int row) { return encoder->bottom_up() ? layout.height - 1 - y - row : y + row; };
+        const int i = place(done) / band_rows;
+        Band& band = *bands[unsigned(i)];
+        std::byte* const codes = codes_of(band, encoder->rows(i));
+        const int first = done;
+        for (; done < rows && place(done) / band_rows == i; ++done) {
+            const std::size_t row = unsigned(place(done) % band_rows), pixel = row * unsigned(layout.width) + unsigned(x);
+            std::byte* const to = codes + pixel * unsigned(layout.channels * layout.bits / 8);
+            store(values + unsigned(done) * count, count, layout.bits, format.linear, to);
+        }
+        const auto pixels = std::size_t(columns) * unsigned(done - first);
+        if (band.missing.fetch_sub(pixels) == pixels) encode(i);
+    }
+}
+
+void PictureWriter::encode(int i) {
+    Band& band = *bands[unsigned(i)];
+    band.encoded = encoder->encode(codes_of(band, encoder->rows(i)), encoder->rows(i));
+    band.codes = {};
+    band.missing = 0;
+}
+
+void PictureWriter::write(const std::string& path) {
+    OutputFile file(path);
+    std::vector<std::string> notes;
+    for (int i = 0; i < encoder->bands(); ++i) {
+        if (bands[unsigned(i)]->missing > 0) encode(i);
+        notes.push_back(bands[unsigned(i)]->encoded.note);
+    }
+    encoder->assemble(
+        notes, [&](int i) { return std::move(bands[unsigned(i)]->encoded.bytes); },
+        [&](std::string_view bytes) { file.append(bytes); });
+    file.finish();
+}
+
+}  // namespace strahl

@@ -1,0 +1,91 @@
+// What is wrong with the options of `render`, found before anything is traced.
+#include "main/render_options.h"
+
+#include <unistd.h>
+
+#include <filesystem>
+
+#include "image/memory.h"
+#include "image/picture.h"
+#include "text/file.h"
+
+namespace strahl {
+namespace {
+
+/// Would `path` be overwritten by one of the pictures?
+bool is_picture(const RenderOptions& options, const std::string& path) {
+    if (!options.frames) return same_file(options.output, path);
+    const auto [first, last] = *options.frames;
+    const auto digit = [&](std::size_t i) { return path[i] >= '0' && path[i] <= '9'; };
+    // Only a number that is in the name can be its frame's.
+    for (std::size_t start = 0; start < path.size(); ++start) {
+        std::int64_t frame = 0;
+        for (std::size_t i = start; i < path.size() && digit(i) && frame <= last; ++i) {
+            frame = 10 * frame + (path[i] - '0');
+            if (frame < first || frame > last) continue;
+            if (same_file(numbered(options.output, static_cast<int>(frame)), path)) return true;
+        }
+    }
+    return false;
+}
+
+}  // namespace
+
+std::string check(const RenderOptions& options) {
+    if (options.output.empty()) throw UsageError("no output file. Add -o FILE, which ends in .bmp, .png or .exr");
+    const bool to_stdout = options.output == "-";
+    if (to_stdout && options.format.empty())
+        throw UsageError("-o - writes the picture to standard output and needs its format: --format bmp, png or exr");
+    if (!to_stdout && !options.format.empty())
+        throw UsageError("--format is for standard output (-o -); otherwise the file's ending chooses its format");
+    if (to_stdout && options.frames)
+        throw UsageError("--frames writes numbered files; -o needs a file name such as film-%04d.png");
+    if (to_stdout && options.stats == "-")
+        throw UsageError("picture and statistics can't both go to standard output; write one of them to a file");
+    if (options.frames && options.time) throw UsageError("--frames and --time exclude each other");
+    if (options.resume && !options.frames) throw UsageError("--resume goes with --frames");
+    const std::string ending =
+        to_stdout ? "." + options.format : std::filesystem::path(options.output).extension().string();
+    if (const std::string fault = format_fault(to_stdout ? ending : options.output, options.bits); !fault.empty())
+        throw UsageError(fault);
+    if (!supported(options.simd))
+        throw UsageError("this processor does not support " + std::string(name(options.simd)) + "; --simd auto uses " +
+                         name(best_simd()));
+    if (options.crop) require_within(*options.crop, options.size);
+    return ending;
+}
+
+void check_size(const Lattice& part, const std::string& ending) {
+    const std::string size = std::to_string(part.columns) + "x" + std::to_string(part.rows);
+    const double pixels = double(part.columns) * part.rows;
+    if (ending == ".bmp" && 3 * pixels + 4. * part.rows > 2e9)
+        throw UsageError(size + " pixels are too many for a .bmp file (2 GB); choose .png or .exr");
+    // The values in double, the same in float, and the encoded file.
+    const double needed = 48 * pixels, available = available_memory();
+    if (needed > available)
+        throw UsageError("a picture of " + size + " pixels needs " + bytes_in_words(needed) + " of memory, and " +
+                         bytes_in_words(available) +
+                         " are free; choose a smaller --size, or render it in parts with --crop");
+}
+
+void require_writable(const std::string& path) {
+    namespace fs = std::filesystem;
+    if (path == "-") return;
+    std::error_code error;
+    const fs::path folder = fs::path(path).has_parent_path() ? fs::path(path).parent_path() : fs::path(".");
+    const auto fail = [&](const std::string& why) { throw OutputError("cannot write '" + path + "': " + why); };
+    if (fs::is_directory(path, error)) fail("it is a folder; name a file in it");
+    if (!fs::exists(folder, error)) fail("its folder does not exist; make that first");
+    if (!fs::is_directory(folder, error)) fail("'" + folder.string() + "' is not a folder");
+    if (access(folder.c_str(), W_OK) != 0) fail("no permission to write to its folder");
+}
+
+void require_different_files(const RenderOptions& options) {
+    if (is_picture(options, options.scene))
+        throw UsageError("-o would overwrite the scene '" + options.scene + "'; give it another name");
+    refuse_overwriting("--stats", options.stats, "the scene", options.scene);
+    if (is_picture(options, options.stats))
+        throw UsageError("--stats '" + options.stats + "' would overwrite the picture; give it another name");
+}
+
+}  // namespace strahl

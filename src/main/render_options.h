@@ -1,0 +1,47 @@
+// The options of `render`, and checks of them.
+#pragma once
+#include <optional>
+#include <string>
+
+#include "image/picture.h"
+#include "main/values.h"
+#include "trace/tracer.h"
+
+namespace strahl {
+
+struct RenderOptions {
+    std::string scene;   // a file, or "-" for standard input
+    std::string output;  // a file, or "-" for standard output
+    std::string format;  // "bmp", "png" or "exr", for standard output only
+    int bits = 0;        // per channel; 0 is the format's default
+    Compression compression = Compression::fast;
+    Size size;           // of the whole picture, even if only a crop of it is rendered
+    std::optional<Lattice> crop;
+    std::optional<int> depth;            // 1 to 256; by default the scene's max_trace_level, or what `error` needs
+    std::optional<Precision> precision;  // by default double, or what `error` needs
+    std::optional<double> error;         // largest error of the file's values; see --error
+    Sampling sampling;                   // its error is `error`, if that is given
+    Simd simd = Simd::automatic;
+    int threads = 0;             // 0: all processors
+    std::optional<double> time;  // seconds into the flythrough
+    std::optional<FrameRange> frames;
+    double fps = 25;
+    bool resume = false;  // skips frames whose files exist, and whole
+    std::string stats;    // a JSON file, or empty
+    bool quiet = false;
+};
+
+/// Checks the options that do not depend on the scene. Returns the ending that chooses the format. This and the
+/// following functions throw UsageError.
+std::string check(const RenderOptions& options);
+
+/// Refuses pictures that the format or the memory of this machine can't hold.
+void check_size(const Lattice& part, const std::string& ending);
+
+/// Nothing that was asked for, and not the scene, may be overwritten by something else.
+void require_different_files(const RenderOptions& options);
+
+/// Fails before tracing rather than after hours of it. Throws OutputError.
+void require_writable(const std::string& path);
+
+}  // namespace strahl
