@@ -194,7 +194,7 @@ void Screen::draw(const std::function<void()>& overlay) {
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = {static_cast<float>(columns), static_cast<float>(rows)};
     // In a small window the panels shrink before they overlap.
-    io.FontGlobalScale = std::clamp(std::min(io.DisplaySize.x / 760, io.DisplaySize.y / 430) / scale, 0.6f, 1.f);
+    io.FontGlobalScale = std::clamp(std::min(io.DisplaySize.x / 760, io.DisplaySize.y / 570) / scale, 0.5f, 1.f);
     ImGui_ImplOpenGL3_NewFrame();
     if (!io.Fonts->TexID) ImGui_ImplOpenGL3_CreateFontsTexture();
     ImGui::NewFrame();

@@ -1,6 +1,8 @@
 // Traces for the window.
 #include "show/trace_thread.h"
 
+#include <malloc.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -163,6 +165,7 @@ void TraceThread::refine() {
     state.seconds += seconds_since(start);
     complete = state.finished() && !next;
     announce(lock);
+    if (level == averaged_level) ::malloc_trim(0);  // at rest the system may have what the passes needed
 }
 
 }  // namespace strahl

@@ -136,6 +136,9 @@ TEST_CASE("a changed scene file is read again, a broken one reported, a touched 
     reload.open(folder / "nothing.rt");
     REQUIRE(next());
     CHECK(loaded->fault.find("nothing.rt") != std::string::npos);
+    reload.open("/dev/zero");
+    REQUIRE(next());
+    CHECK(loaded->fault == "/dev/zero: this is no file");
     put(scene_text + " ");  // still the one that is watched
     REQUIRE(next());
     CHECK(loaded->path == path);
