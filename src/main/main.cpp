@@ -87,8 +87,14 @@ PixelSize parse_window_size(std::string_view text) {
     return {size.width, size.height};
 }
 
+int view_until_interrupted(const ViewOptions& options) {
+    const Interrupt interrupt;
+    const int status = view_command(options, interrupt.flag());
+    return *interrupt.flag() ? exit_status::interrupted : status;
+}
+
 void add_view(CLI::App& app, Action& action) {
-    auto [command, o] = add_command(app, action, "view", "Fly through a scene in a window", view_command);
+    auto [command, o] = add_command(app, action, "view", "Fly through a scene in a window", view_until_interrupted);
     add_scene(command, o->scene);
     add_parsed(command, "--size", o->size, parse_window_size, "Size of the window in pixels", "WxH");
     command->add_flag("--fullscreen", o->full_screen, "Start in full screen (F11)");
@@ -99,11 +105,14 @@ void add_view(CLI::App& app, Action& action) {
     add_depth(command, o->depth);
     add_threads(command, o->threads);
     add_parsed(command, "--still-size", o->still_size, parse_window_size,
-               "Size of stills (key S); by default that of the window", "WxH");
+               "Size of stills (F12); by default that of the picture in the window", "WxH");
+    command->add_option("--still-folder", o->still_folder, "Where stills are saved; by default here")->type_name("DIR");
+    add_choice<std::string>(command, "--still-format", o->still_ending, {{"bmp", ".bmp"}, {"png", ".png"}},
+                            "Format of stills: bmp (default) or png", "KIND");
     command->add_flag("--verbose", o->verbose, "Log events to standard output");
     command->footer(
-        "H lists the keys. The scene is read again whenever its file changes; drop another file on the\n"
-        "window to open it. The word view may be omitted: strahl scenes/article.rt --fly");
+        "H lists the keys. The scene is read again whenever its file changes, and waited for until it has no\n"
+        "error; drop another file on the window to open it. The word view may be omitted: strahl scenes/article.rt --fly");
 }
 
 void add_check(CLI::App& app, Action& action) {

@@ -7,15 +7,30 @@
 #include "text/parse.h"
 
 namespace strahl {
+namespace {
 
-int view_command(const ViewOptions& options) {
+Loaded load_first(const std::string& path, std::string& text) try {
+    text = read_text(path);
+    const std::string name = path == "-" ? "standard input" : path;
+    return {path, std::make_shared<const Scene>(scene_for_window(text, name)), "", true};
+} catch (const FileError& error) {
+    if (path == "-") throw;  // it does not change any more
+    return {path, nullptr, error.what(), true};
+}
+
+}  // namespace
+
+int view_command(const ViewOptions& options, const std::atomic<bool>* interrupted) {
     const auto began = Viewer::Clock::now();
-    std::string text = read_text(options.scene);
-    const auto scene =
-        std::make_shared<const Scene>(scene_for_window(text, options.scene == "-" ? "standard input" : options.scene));
-    if (options.time) flight_for("--time", *scene, options.scene);
-    Viewer(options, scene, std::move(text), began).run();
-    return 0;
+    std::string text;
+    const Loaded loaded = load_first(options.scene, text);
+    if (loaded.scene && options.time) flight_for("--time", *loaded.scene, options.scene);
+    try {
+        return Viewer(options, loaded, std::move(text), began, interrupted).run();
+    } catch (const WindowError&) {
+        if (!loaded.scene) throw FileError(loaded.fault);
+        throw;
+    }
 }
 
 }  // namespace strahl

@@ -1,5 +1,6 @@
 // strahl view: the window.
 #pragma once
+#include <atomic>
 #include <optional>
 #include <string>
 
@@ -13,7 +14,9 @@ struct PixelSize {
 struct ViewOptions {
     std::string scene;     // a file, or "-" for standard input
     PixelSize size;        // of the window; by default 960 wide, with the aspect ratio of the scene's camera
-    PixelSize still_size;  // of stills; by default that of the window
+    PixelSize still_size;  // of stills; by default that of the picture in the window
+    std::string still_folder;           // by default the one that the program was started in
+    std::string still_ending = ".bmp";  // or ".png"
     bool full_screen = false;
     std::optional<int> depth;    // 1 to 256; by default the scene's max_trace_level
     int threads = 0;             // 0: all processors
@@ -23,8 +26,10 @@ struct ViewOptions {
     bool verbose = false;
 };
 
-/// Returns the exit status. Throws FileError for the scene, UsageError for options that do not suit it, and
-/// std::runtime_error with advice if no window can be opened.
-int view_command(const ViewOptions& options);
+/// Returns the exit status: 1 if a still could not be written. A scene with an error, or none yet, is waited for in the
+/// window. Once `interrupted` becomes true the window closes as if by Esc: when the stills are done. Throws UsageError
+/// for options that do not suit the scene, and if no window can be opened FileError for the scene, or
+/// std::runtime_error with advice.
+int view_command(const ViewOptions& options, const std::atomic<bool>* interrupted);
 
 }  // namespace strahl

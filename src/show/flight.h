@@ -1,4 +1,4 @@
-// Flights: a clock that can be paused, an orbit for scenes without a path, and recorded paths.
+// Flights: a clock that can be paused, and an orbit for scenes without a path.
 #pragma once
 #include "scene/camera.h"
 
@@ -8,21 +8,20 @@ namespace strahl {
 class FlightClock {
   public:
     bool running() const { return runs; }
-    double at(double now) const { return runs ? passed + (now - since) : passed; }
+    double at(double now) const { return runs ? passed + speed * (now - since) : passed; }
     void run(double now) { passed = at(now), since = now, runs = true; }
     void hold(double now) { passed = at(now), runs = false; }
     void set(double seconds, double now) { passed = seconds, since = now; }
+    /// Seconds of flight in a second; 1 to begin with.
+    double rate() const { return speed; }
+    void set_rate(double rate, double now) { set(at(now), now), speed = rate; }
 
   private:
-    double passed = 0, since = 0;
+    double passed = 0, since = 0, speed = 1;
     bool runs = false;
 };
 
 /// A slow orbit from where the camera is around what the scene's camera looks at.
 Flythrough orbit_path(const Camera& camera, const Camera& scene_camera);
-
-/// `path` with the camera added as a key, `seconds` after the last one. The key omits values that equal those of the
-/// scene's camera. A path that returns to its first key loops.
-Flythrough with_key(Flythrough path, const Camera& camera, const Camera& scene_camera, double seconds);
 
 }  // namespace strahl

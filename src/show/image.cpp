@@ -50,48 +50,38 @@ TransferTable::TransferTable(bool is_linear) : linear(is_linear) {
 
 std::uint32_t TransferTable::operator()(double v) const { return quantise(v, linear, 255); }
 
-void encode(const Tile& tile, const TransferTable& table, std::uint32_t* rgba) {
-    const auto encode_all = [&](const auto& values) {
+std::vector<std::uint32_t> encoded(const Tile& tile, const TransferTable& table) {
+    std::vector<std::uint32_t> rgba(std::size_t(tile.lattice.columns) * tile.lattice.rows);
+    const auto encode = [&](const auto& values) {
         const auto code = [&](std::size_t i) { return table(values[i]); };
-        for (std::size_t i = 0; i < values.size(); i += 3)
-            *rgba++ = code(i) | code(i + 1) << 8 | code(i + 2) << 16 | 0xff000000u;
+        for (std::size_t i = 0; i < rgba.size(); ++i)
+            rgba[i] = code(3 * i) | code(3 * i + 1) << 8 | code(3 * i + 2) << 16 | 0xff000000u;
     };
-    std::visit(encode_all, tile.rgb);
+    std::visit(encode, tile.rgb);
+    return rgba;
 }
 
-void store(const Tile& tile, const TransferTable& table, Steps steps, Image& level) {
-    const Lattice& part = tile.lattice;
-    const auto values = std::get<std::span<const float>>(tile.rgb);
-    for (int row = 0; row < part.rows; ++row) {
-        const Tile line{{.columns = part.columns, .rows = 1},
-                        values.subspan(std::size_t(3) * row * part.columns, std::size_t(3) * part.columns)};
-        encode(line, table, &level.rgba[std::size_t(part.y / steps.y + row) * level.width + part.x / steps.x]);
-    }
-}
-
-void store_blocks(const Lattice& tile, const std::uint32_t* rgba, Steps steps, Image& whole) {
-    for (int row = 0; row < tile.rows; ++row)
-        for (int column = 0; column < tile.columns; ++column) {
-            const int x = tile.x + column * tile.step_x, y = tile.y + row * tile.step_y;
-            const int right = std::min(x + steps.x, whole.width), bottom = std::min(y + steps.y, whole.height);
-            const std::uint32_t color = *rgba++;
-            for (int to = y; to < bottom; ++to)
-                std::fill_n(&whole.rgba[std::size_t(to) * whole.width + x], right - x, color);
+void store(const Lattice& pixels, const std::uint32_t* rgba, Steps steps, Image& level) {
+    for (int row = 0; row < pixels.rows; ++row)
+        for (int column = 0; column < pixels.columns; ++column) {
+            const int x = (pixels.x + column * pixels.step_x) / steps.x;
+            const int y = (pixels.y + row * pixels.step_y) / steps.y;
+            level.rgba[std::size_t(y) * level.width + x] = *rgba++;
         }
 }
 
-void expand(const Image& level, Steps steps, Image& whole) {
-    assert(level.width == (whole.width + steps.x - 1) / steps.x);
-    const int shift = std::countr_zero(static_cast<unsigned>(steps.y));
-    std::vector<std::uint32_t> above(whole.width), below(whole.width);
+void expand(const Image& level, Steps ratio, Image& finer) {
+    assert(level.width == (finer.width + ratio.x - 1) / ratio.x);
+    const int shift = std::countr_zero(static_cast<unsigned>(ratio.y));
+    std::vector<std::uint32_t> above(finer.width), below(finer.width);
     for (int row = 0; row < level.height; ++row) {
         const int next = std::min(row + 1, level.height - 1);
-        if (row == 0) widen(level.rgba.data(), level.width, steps.x, below);
+        if (row == 0) widen(level.rgba.data(), level.width, ratio.x, below);
         above.swap(below);
-        widen(&level.rgba[std::size_t(next) * level.width], level.width, steps.x, below);
-        for (int y = row * steps.y; y < std::min((row + 1) * steps.y, whole.height); ++y)
-            for (int x = 0; x < whole.width; ++x)
-                whole.rgba[std::size_t(y) * whole.width + x] = blend(above[x], below[x], y & (steps.y - 1), shift);
+        widen(&level.rgba[std::size_t(next) * level.width], level.width, ratio.x, below);
+        for (int y = row * ratio.y; y < std::min((row + 1) * ratio.y, finer.height); ++y)
+            for (int x = 0; x < finer.width; ++x)
+                finer.rgba[std::size_t(y) * finer.width + x] = blend(above[x], below[x], y & (ratio.y - 1), shift);
     }
 }
 

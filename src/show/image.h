@@ -41,16 +41,13 @@ class TransferTable {
 };
 
 /// The pixels of a tile as 8-bit colours, row by row.
-void encode(const Tile& tile, const TransferTable& table, std::uint32_t* rgba);
+std::vector<std::uint32_t> encoded(const Tile& tile, const TransferTable& table);
 
-/// Stores a tile in the coarse image of a level: pixel (x, y) goes to column x / steps.x, row y / steps.y.
-void store(const Tile& tile, const TransferTable& table, Steps steps, Image& level);
+/// Stores 8-bit pixels, row by row, in the image of a level: pixel (x, y) goes to column x / steps.x, row y / steps.y.
+void store(const Lattice& pixels, const std::uint32_t* rgba, Steps steps, Image& level);
 
-/// Stores a tile's pixels in the whole picture as blocks, each as large as the steps of the tile's level. A block
-/// covers only pixels of later passes.
-void store_blocks(const Lattice& tile, const std::uint32_t* rgba, Steps steps, Image& whole);
-
-/// Enlarges the coarse image of a level to the whole picture: known pixels are exact, those between are interpolated.
-void expand(const Image& level, Steps steps, Image& whole);
+/// Makes of the image of a level that of a finer one, whose steps are smaller by `ratio`: known pixels are exact, those
+/// between are interpolated.
+void expand(const Image& level, Steps ratio, Image& finer);
 
 }  // namespace strahl

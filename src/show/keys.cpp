@@ -3,6 +3,8 @@
 
 #include <GLFW/glfw3.h>
 
+#include <span>
+
 namespace strahl {
 namespace {
 
@@ -14,48 +16,53 @@ char letter_of(int key, int scancode) {
     return foreign && key >= GLFW_KEY_A && key <= GLFW_KEY_Z ? static_cast<char>(key) : '\0';
 }
 
-std::optional<Command> command_of_letter(char letter) {
-    switch (letter) {
-        case 'F':
-            return Command{Action::play};
-        case 'P':
-            return Command{Action::record};
-        case 'R':
-            return Command{Action::reset};
-        case 'C':
-            return Command{Action::print_camera};
-        case 'H':
-            return Command{Action::help};
-        case 'I':
-            return Command{Action::info};
-        case 'X':
-            return Command{Action::stability};
-        default:
-            return std::nullopt;
-    }
+struct Meaning {
+    int key;
+    Command command;
+};
+/// Keys by their letters, alone or with Shift, and with Ctrl.
+constexpr Meaning letters[] = {
+    {'F', {Action::play}},        {'P', {Action::add_key}}, {'R', {Action::reset}}, {'V', {Action::fill}},
+    {'C', {Action::copy_camera}}, {'H', {Action::help}},    {'I', {Action::info}},  {'X', {Action::stability}},
+    {'N', {Action::quiet}},
+};
+constexpr Meaning control_letters[] = {
+    {'S', {Action::still}}, {'Z', {Action::undo}}, {'Y', {Action::redo}}, {'N', {Action::clear_path}}};
+/// Keys that are the same in all layouts.
+constexpr Meaning other_keys[] = {
+    {GLFW_KEY_ESCAPE, {Action::quit}},       {GLFW_KEY_SPACE, {Action::pause}},
+    {GLFW_KEY_F11, {Action::full_screen}},   {GLFW_KEY_F12, {Action::still}},
+    {GLFW_KEY_HOME, {Action::rewind}},       {GLFW_KEY_END, {Action::to_end}},
+    {GLFW_KEY_LEFT, {Action::step, -1}},     {GLFW_KEY_RIGHT, {Action::step, 1}},
+    {GLFW_KEY_PAGE_UP, {Action::to_key, -1}}, {GLFW_KEY_PAGE_DOWN, {Action::to_key, 1}},
+    {GLFW_KEY_INSERT, {Action::set_key}},    {GLFW_KEY_DELETE, {Action::delete_key}},
+};
+
+std::optional<Command> find(std::span<const Meaning> meanings, int key) {
+    for (const Meaning& meaning : meanings)
+        if (meaning.key == key) return meaning.command;
+    return std::nullopt;
 }
 
 }  // namespace
 
 std::optional<Command> command_of_key(int key, int scancode, int modifiers, bool third_level) {
-    switch (key) {
-        case GLFW_KEY_ESCAPE:
-            return Command{Action::quit};
-        case GLFW_KEY_SPACE:
-            return Command{Action::pause};
-        case GLFW_KEY_TAB:
-            return modifiers & GLFW_MOD_ALT ? std::nullopt : std::optional(Command{Action::change_style});
-        case GLFW_KEY_F11:
-            return Command{Action::full_screen};
-        default:
-            break;
+    const bool shift = modifiers & GLFW_MOD_SHIFT, alone = !(modifiers & (GLFW_MOD_ALT | GLFW_MOD_SUPER));
+    if (key == GLFW_KEY_TAB) return alone ? std::optional(Command{Action::change_style}) : std::nullopt;
+    if (auto command = find(other_keys, key)) {
+        if (shift && command->action == Action::step) command->number *= 25;
+        return command;
     }
-    if (modifiers & GLFW_MOD_CONTROL && letter_of(key, scancode) == 'S') return Command{Action::still};
-    if (third_level || modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER)) return std::nullopt;
+    const char letter = letter_of(key, scancode);
+    if (modifiers & GLFW_MOD_CONTROL && alone) {
+        if (letter == 'Z' && shift) return Command{Action::redo};
+        return find(control_letters, letter);
+    }
+    if (third_level || !alone) return std::nullopt;
     for (const int first : {GLFW_KEY_1, GLFW_KEY_KP_1})
-        if (key >= first && key < first + 9)
-            return Command{modifiers & GLFW_MOD_SHIFT ? Action::store : Action::recall, key - first + 1};
-    return command_of_letter(letter_of(key, scancode));
+        if (key >= first && key < first + 9) return Command{shift ? Action::store : Action::recall, key - first + 1};
+    if (letter == 'C' && shift) return Command{Action::copy_path};
+    return find(letters, letter);
 }
 
 std::optional<Command> command_of_character(unsigned character) {

@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <sstream>
 
 #include "show/keys.h"
 
@@ -60,34 +61,52 @@ void draw_info(const Overlay& overlay) {
     });
 }
 
-void draw_fault(const std::string& fault) {
+/// At most half of the window; the log has the rest.
+void draw_fault(const Overlay& overlay) {
     panel("fault", 0.5f, 1, [&] {
+        const float font = ImGui::GetFontSize(), wide = ImGui::GetIO().DisplaySize.x - 4 * font;
+        const float lowest = ImGui::GetIO().DisplaySize.y / 2;
+        ImGui::PushTextWrapPos(wide);
         ImGui::PushStyleColor(ImGuiCol_Text, alarm);
-        ImGui::TextUnformatted("The scene file has an error; this is the previous picture");
+        ImGui::TextUnformatted(overlay.fault_title.c_str());
         ImGui::PopStyleColor();
         ImGui::Spacing();
-        ImGui::TextUnformatted(fault.c_str());
+        std::istringstream lines(overlay.fault);
+        for (std::string line; std::getline(lines, line);) {
+            const float height = ImGui::CalcTextSize(line.c_str(), nullptr, false, wide).y;
+            if (ImGui::GetCursorPosY() + height + 3 * font > lowest) {
+                ImGui::TextUnformatted("... and more on standard output (N hides this)");
+                break;
+            }
+            ImGui::TextUnformatted(line.c_str());
+        }
+        ImGui::PopTextWrapPos();
     });
 }
 
 void draw_notes(const Overlay& overlay) {
     panel("notes", 1, 0, [&] {
+        ImGui::PushTextWrapPos(ImGui::GetIO().DisplaySize.x - 4 * ImGui::GetFontSize());
         for (const std::string& note : overlay.notes) ImGui::TextUnformatted(note.c_str());
-        if (overlay.still_share < 0) return;
-        ImGui::TextUnformatted(overlay.still_text.c_str());
-        ImGui::ProgressBar(static_cast<float>(overlay.still_share),
-                           {ImGui::GetFontSize() * 18, ImGui::GetFontSize() * 0.4f}, "");
+        for (const Overlay::Progress& work : overlay.progress) {
+            ImGui::TextUnformatted(work.text.c_str());
+            ImGui::ProgressBar(static_cast<float>(work.share),
+                               {ImGui::GetFontSize() * 18, ImGui::GetFontSize() * 0.4f}, "");
+        }
+        ImGui::PopTextWrapPos();
     });
 }
 
 /// Small crosses, since single pixels are hard to see: orange where float differs, red where double does.
 void draw_marks(const Overlay& overlay) {
-    const ImVec2 size = ImGui::GetIO().DisplaySize;
     const float reach = ImGui::GetFontSize() / 5;
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    const auto place = [](int from, int length, int pixel, int pixels) {
+        return static_cast<float>(from + length * (pixel + .5) / pixels);
+    };
     for (const Mark& mark : overlay.marks) {
-        const ImVec2 at{size.x * (static_cast<float>(mark.x) + .5f) / static_cast<float>(overlay.width),
-                        size.y * (static_cast<float>(mark.y) + .5f) / static_cast<float>(overlay.height)};
+        const ImVec2 at{place(overlay.area.x, overlay.area.width, mark.x, overlay.width),
+                        place(overlay.area.y, overlay.area.height, mark.y, overlay.height)};
         const ImU32 color = mark.in_double ? IM_COL32(255, 0, 25, 255) : IM_COL32(255, 153, 0, 255);
         list.AddLine({at.x - reach, at.y}, {at.x + reach, at.y}, color, 1.5f);
         list.AddLine({at.x, at.y - reach}, {at.x, at.y + reach}, color, 1.5f);
@@ -99,8 +118,8 @@ void draw_marks(const Overlay& overlay) {
 void draw_overlay(const Overlay& overlay) {
     draw_marks(overlay);
     if (!overlay.info.empty()) draw_info(overlay);
-    if (!overlay.fault.empty()) draw_fault(overlay.fault);
-    if (!overlay.notes.empty() || overlay.still_share >= 0) draw_notes(overlay);
+    if (!overlay.fault.empty()) draw_fault(overlay);
+    if (!overlay.notes.empty() || !overlay.progress.empty()) draw_notes(overlay);
     if (overlay.help) draw_help();
 }
 

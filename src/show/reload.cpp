@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 
 #include <chrono>
+#include <filesystem>
 #include <utility>
 
 #include "image/pixels.h"
@@ -91,6 +92,10 @@ void Reload::loop(std::stop_token quit) {
             std::string content;
             Loaded loaded{*other, nullptr, "", true};
             try {
+                // A device or a pipe might never end.
+                std::error_code error;
+                if (std::filesystem::exists(*other, error) && !std::filesystem::is_regular_file(*other, error))
+                    throw FileError(*other + ": this is no file");
                 content = read_text(*other);
                 loaded = load(*other, content);
                 loaded.opened = true;

@@ -10,8 +10,11 @@ namespace {
 
 constexpr double headroom = 0.75;  // share of the budget that a finer level may need
 constexpr int patience = 6;        // observations before it is tried
+constexpr int sixteenth = finest_level - 4;
 
 }  // namespace
+
+double allowed_seconds(int level, double budget) { return level <= sixteenth ? 4 * budget : budget; }
 
 double Resolution::seconds_for(int l) const {
     std::array<double, 5> sorted = costs;
@@ -30,8 +33,10 @@ void Resolution::observe(double pixels, double seconds) {
 int Resolution::choose(int new_width, int new_height, double budget, int finest) {
     width = new_width, height = new_height;
     if (observed == 0) return std::min(level, finest);
-    for (; level > 0 && seconds_for(level) > budget; --level) since = 0;
-    if (since >= patience && level < finest_level && seconds_for(level + 1) < headroom * budget) ++level, since = 0;
+    const auto allowed = [&](int l) { return allowed_seconds(l, budget); };
+    for (; level > 0 && seconds_for(level) > allowed(level); --level) since = 0;
+    if (since >= patience && level < finest_level && seconds_for(level + 1) < headroom * allowed(level + 1))
+        ++level, since = 0;
     return std::min(level, finest);
 }
 

@@ -4,9 +4,13 @@
 
 namespace strahl {
 
+/// The seconds that a picture of this level may take, given the `budget` at full rate.
+double allowed_seconds(int level, double budget);
+
 /// Learns the cost of a pixel and chooses the resolution level (see progressive.h) that fits into the time available.
 /// The level falls when most of the last pictures took too long. It rises only after a while, one level at a time and
-/// with headroom, so that it does not oscillate. A single slow picture changes nothing.
+/// with headroom, so that it does not oscillate. A single slow picture changes nothing. Below 1/16 of the pixels little
+/// can be made out: where those do not fit the rate falls first, to a quarter.
 class Resolution {
   public:
     /// Reports that `pixels` were traced in `seconds`.

@@ -6,9 +6,11 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <filesystem>
-#include <stdexcept>
+
+#include "show/icon.h"
 
 namespace strahl {
 namespace {
@@ -16,7 +18,7 @@ namespace {
 [[noreturn]] void fail(const std::string& why) {
     const char* reason = nullptr;
     glfwGetError(&reason);
-    throw std::runtime_error("cannot open a window: " + why + (reason ? std::string(" (") + reason + ")" : "") +
+    throw WindowError("cannot open a window: " + why + (reason ? std::string(" (") + reason + ")" : "") +
                              "\nTo render without a window: strahl render SCENE -o picture.png");
 }
 
@@ -37,6 +39,14 @@ void load_font(float scale) {
     ImFontConfig config;
     config.SizePixels = std::max(8.f, 13 * scale);
     fonts.AddFontDefault(&config);
+}
+
+void set_icon(GLFWwindow* window) {
+    Image images[] = {icon(16), icon(32), icon(48), icon(128)};
+    std::array<GLFWimage, std::size(images)> icons;
+    for (std::size_t i = 0; i < icons.size(); ++i)
+        icons[i] = {images[i].width, images[i].height, reinterpret_cast<unsigned char*>(images[i].rgba.data())};
+    glfwSetWindowIcon(window, static_cast<int>(icons.size()), icons.data());
 }
 
 void set_style(float scale) {
@@ -75,6 +85,8 @@ struct Screen::Functions {
     decltype(&::glTexImage2D) TexImage2D = Found{"glTexImage2D"};
     decltype(&::glTexSubImage2D) TexSubImage2D = Found{"glTexSubImage2D"};
     decltype(&::glViewport) Viewport = Found{"glViewport"};
+    decltype(&::glClearColor) ClearColor = Found{"glClearColor"};
+    decltype(&::glClear) Clear = Found{"glClear"};
 };
 
 Screen::Screen(const std::string& title, int width, int height, bool default_size, bool full) {
@@ -96,8 +108,12 @@ void Screen::make_window(const std::string& title, int width, int height, bool d
     glfwWindowHint(GLFW_BLUE_BITS, 8);
     glfwWindowHint(GLFW_DEPTH_BITS, 0);
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
+    glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE);  // full screen stays when another window gets the focus
+    glfwWindowHintString(GLFW_X11_CLASS_NAME, "Strahl");
+    glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "strahl");
     glfw = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
     if (!glfw) fail("no OpenGL");
+    set_icon(glfw);
     glfwMakeContextCurrent(glfw);
     gl = std::make_unique<Functions>();
     const auto* version = reinterpret_cast<const char*>(gl->GetString(GL_VERSION));
@@ -149,6 +165,7 @@ void Screen::upload(const Fresh& fresh) {
         gl->TexSubImage2D(GL_TEXTURE_2D, 0, 0, fresh.first_row, image.width, fresh.rows, GL_RGBA, GL_UNSIGNED_BYTE,
                           data);
     texture_width = image.width, texture_height = image.height;
+    picture_width = fresh.width, picture_height = fresh.height;
     const int filter = fresh.steps == Steps{} ? GL_NEAREST : GL_LINEAR;
     gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
     gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
@@ -177,22 +194,35 @@ void Screen::draw(const std::function<void()>& overlay) {
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = {static_cast<float>(columns), static_cast<float>(rows)};
     // In a small window the panels shrink before they overlap.
-    io.FontGlobalScale = std::clamp(std::min(io.DisplaySize.x / 760, io.DisplaySize.y / 430) / scale, 0.6f, 1.f);
+    io.FontGlobalScale = std::clamp(std::min(io.DisplaySize.x / 760, io.DisplaySize.y / 570) / scale, 0.5f, 1.f);
     ImGui_ImplOpenGL3_NewFrame();
     if (!io.Fonts->TexID) ImGui_ImplOpenGL3_CreateFontsTexture();
     ImGui::NewFrame();
-    if (texture_width > 0)
-        ImGui::GetBackgroundDrawList()->AddImage(reinterpret_cast<void*>(static_cast<std::uintptr_t>(texture)), {0, 0},
-                                                 io.DisplaySize, {left, top}, {right, bottom});
+    if (texture_width > 0) {
+        const ScreenArea at = area();
+        const ImVec2 corner{static_cast<float>(at.x), static_cast<float>(at.y)};
+        const ImVec2 other{corner.x + static_cast<float>(at.width), corner.y + static_cast<float>(at.height)};
+        ImGui::GetBackgroundDrawList()->AddImage(reinterpret_cast<void*>(static_cast<std::uintptr_t>(texture)), corner,
+                                                 other, {left, top}, {right, bottom});
+    }
     overlay();
     ImGui::Render();
     gl->Viewport(0, 0, columns, rows);
+    gl->ClearColor(0, 0, 0, 1);
+    gl->Clear(GL_COLOR_BUFFER_BIT);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     glfwSwapBuffers(glfw);
 }
 
+bool Screen::full_screen() const { return glfwGetWindowMonitor(glfw); }
+
+ScreenArea Screen::area() const {
+    if (picture_width == 0) return {0, 0, width(), height()};
+    return fitted(static_cast<double>(picture_width) / picture_height, width(), height());
+}
+
 void Screen::toggle_full_screen() {
-    if (glfwGetWindowMonitor(glfw)) {
+    if (full_screen()) {
         glfwSetWindowMonitor(glfw, nullptr, old_x, old_y, old_width, old_height, GLFW_DONT_CARE);
         return;
     }

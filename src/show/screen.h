@@ -2,18 +2,24 @@
 #pragma once
 #include <functional>
 #include <memory>
+#include <stdexcept>
 #include <string>
 
+#include "show/framing.h"
 #include "show/trace_thread.h"
 
 struct GLFWwindow;
 
 namespace strahl {
 
+/// There is no display, or no suitable OpenGL; the message says what to do instead.
+struct WindowError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
 class Screen {
   public:
-    /// Size in pixels; a default size grows with the monitor's scale. Throws std::runtime_error with advice if there is
-    /// no display or no suitable OpenGL. Only one at a time.
+    /// Size in pixels; a default size grows with the monitor's scale. Throws WindowError. Only one at a time.
     Screen(const std::string& title, int width, int height, bool default_size, bool full);
     ~Screen();
     Screen(const Screen&) = delete;
@@ -28,6 +34,9 @@ class Screen {
     /// Shows the uploaded picture, and on it what `overlay` draws with ImGui.
     void draw(const std::function<void()>& overlay);
     void toggle_full_screen();
+    bool full_screen() const;
+    /// Where the picture is on the screen.
+    ScreenArea area() const;
 
   private:
     struct Functions;
@@ -38,6 +47,7 @@ class Screen {
     std::unique_ptr<Functions> gl;
     unsigned texture = 0;
     int texture_width = 0, texture_height = 0;
+    int picture_width = 0, picture_height = 0;
     float left = 0, top = 0, right = 1, bottom = 1;           // of the part of the texture that is shown
     float scale = 0;                                          // of the overlay: 1 at a usual pixel density
     int old_x = 0, old_y = 0, old_width = 0, old_height = 0;  // before full screen

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <utility>
 
 #include "num/decimal.h"
@@ -12,21 +13,44 @@
 namespace strahl {
 namespace {
 
-constexpr double seconds_per_key = 3;  // of recorded paths
+constexpr double seconds_per_key = 3;  // of keys that are added
+
+std::optional<double> motion_end_of(const Scene& scene) {
+    const Movers movers(scene);
+    return movers.any() ? std::optional(movers.last_key) : std::nullopt;
+}
+
+/// "1.77 s"
+std::string seconds_text(double seconds) { return text_of(rounded_time(seconds)) + " s"; }
 
 }  // namespace
 
 Session::Session(std::shared_ptr<const Scene> first_scene, std::optional<int> depth)
-    : scene(std::move(first_scene)), camera(scene->camera), speed(default_speed(camera)), own_depth(depth) {}
+    : scene(std::move(first_scene)),
+      editor(scene->flythrough),
+      camera(scene->camera),
+      speed(default_speed(camera)),
+      own_depth(depth),
+      motion_end(motion_end_of(*scene)) {}
 
 void Session::replace(std::shared_ptr<const Scene> newer, bool opened) {
     const bool moved = opened || newer->camera != scene->camera;
-    const bool on_scene_path = path && path == flight_of(*scene);
-    if (newer->flythrough != scene->flythrough) recorded = {};  // probably pasted into the file
     scene = std::move(newer);
-    if (on_scene_path || opened) path = opened ? std::nullopt : flight_of(*scene);
-    if (opened) recorded = {}, cameras = {}, clock = {}, time = 0;
+    motion_end = motion_end_of(*scene);
+    if (opened)
+        path.reset(), editor = PathEditor(scene->flythrough), cameras = {}, clock = {}, time = 0;
+    else
+        editor.reload(scene->flythrough);
+    if (path && !around) path = flight();
     if (moved && !path) camera = scene->camera, speed = default_speed(camera);
+}
+
+std::optional<Flythrough> Session::flight() const {
+    const bool keys = editor.path().keys.size() >= 2;
+    if (!keys && !motion_end) return std::nullopt;
+    Flythrough all = keys ? editor.path() : Flythrough{};
+    if (!all.loop) all.duration = std::max(all.duration, motion_end.value_or(0));
+    return all;
 }
 
 Answer Session::perform(Command command, double now) {
@@ -35,8 +59,24 @@ Answer Session::perform(Command command, double now) {
             return play(now);
         case Action::pause:
             return pause(now);
-        case Action::record:
-            return record();
+        case Action::rewind:
+            return step_to(0, now);
+        case Action::to_end:
+            return step_to(flight().value_or(Flythrough{}).duration, now);
+        case Action::step:
+            return step_to(flight_time(now) + command.number / 25., now);
+        case Action::to_key:
+            return to_key(command.number, now);
+        case Action::add_key:
+        case Action::set_key:
+        case Action::delete_key:
+        case Action::clear_path:
+        case Action::undo:
+        case Action::redo:
+            return edit(command.action, now);
+        case Action::copy_path:
+            if (editor.path().keys.size() < 2) return {"there is no path to copy", ""};
+            return {"path copied", write_flythrough(editor.path())};
         case Action::change_style:
             orbiting = !orbiting;
             return {orbiting ? "orbiting" : "flying freely", ""};
@@ -58,8 +98,8 @@ Answer Session::perform(Command command, double now) {
         case Action::recall:
             stop(now);
             return recall(command.number);
-        case Action::print_camera:
-            return {"camera printed", write_camera(camera)};
+        case Action::copy_camera:
+            return {"camera copied", write_camera(camera)};
         default:
             return {};
     }
@@ -67,9 +107,11 @@ Answer Session::perform(Command command, double now) {
 
 Answer Session::play(double now) {
     if (flying()) return stop(now), Answer{"flight ended", ""};
-    path = recorded.keys.size() >= 2 ? recorded : flight_of(*scene);
-    if (!path) path = orbit_path(camera, scene->camera), clock.set(0, now);
-    if (!path->loop && clock.at(now) >= path->duration) clock.set(0, now);
+    path = flight();
+    around = !path;
+    const bool over = !path || (!path->loop && clock.at(now) >= path->duration);
+    if (around) path = orbit_path(camera, scene->camera);
+    clock.set(over ? 0 : flight_time(now), now);
     clock.run(now);
     follow(now);
     return {"flying from " + text_of(std::round(100 * clock.at(now)) / 100) + " s", ""};
@@ -79,20 +121,79 @@ Answer Session::pause(double now) {
     if (!flying()) return play(now);
     if (!clock.running()) return clock.run(now), Answer{"flight continues", ""};
     clock.hold(now);
+    // To a moment that `render --time` can be given.
     follow(now);
-    double seconds = clock.at(now);
-    if (path->loop && path->duration > 0) seconds -= path->duration * std::floor(seconds / path->duration);
-    seconds = std::round(1000 * seconds) / 1000;  // so that `render --time` can be given the same moment
-    clock.set(seconds, now);
+    clock.set(rounded_time(time), now);
     follow(now);
-    return {"paused at " + text_of(seconds) + " s", ""};
+    return {"paused at " + seconds_text(time), ""};
 }
 
-Answer Session::record() {
-    recorded = with_key(std::move(recorded), camera, scene->camera, seconds_per_key);
-    const std::size_t keys = recorded.keys.size();
-    return {"key " + std::to_string(keys) + " added" + (keys < 2 ? "; a path needs two" : ""),
-            keys < 2 ? "" : write_flythrough(recorded)};
+Answer Session::step_to(double seconds, double now) {
+    if (!go_to(seconds, now)) return {"there is no path, and nothing moves", ""};
+    return {"at " + seconds_text(time), ""};
+}
+
+Answer Session::to_key(int step, double now) {
+    const std::vector<Keyframe>& keys = editor.path().keys;
+    const double from = flight_time(now);
+    const Keyframe* found = nullptr;
+    for (const Keyframe& key : keys) {
+        if (step < 0 && key.time < from - 0.0005) found = &key;
+        if (step > 0 && key.time > from + 0.0005 && !found) found = &key;
+    }
+    if (!found) return {step < 0 ? "there is no key before" : "there is no key after", ""};
+    const double there = found->time;
+    if (!go_to(there, now)) {  // a single key is no flight yet
+        stop(now), clock.set(there, now);
+        camera = camera_of(*found, scene->camera);
+    }
+    return {"key " + std::to_string(*key_at(editor.path(), there) + 1) + " at " + seconds_text(there), ""};
+}
+
+Answer Session::edit(Action action, double now) {
+    const double moment = rounded_time(flight_time(now));
+    const auto there = key_at(editor.path(), moment);
+    std::string note;
+    switch (action) {
+        case Action::undo:
+            note = editor.undo() ? "undone" : "there is nothing to undo";
+            break;
+        case Action::redo:
+            note = editor.redo() ? "redone" : "there is nothing to redo";
+            break;
+        case Action::clear_path:
+            editor.change({}), clock.set(0, now);
+            note = "a new path";
+            break;
+        case Action::set_key:
+            editor.change(with_key(editor.path(), key_of(camera, scene->camera, moment)));
+            note = "key at " + seconds_text(moment) + (there ? " changed" : " set");
+            break;
+        case Action::delete_key:
+            if (!there) return {"there is no key at " + seconds_text(moment) + "; PgUp and PgDn go to keys", ""};
+            editor.change(without_key(editor.path(), *there));
+            note = "key at " + seconds_text(moment) + " deleted";
+            break;
+        default:
+            return add_key(now);
+    }
+    path_changed(now);
+    return {note, ""};
+}
+
+Answer Session::add_key(double now) {
+    editor.change(continued(editor.path(), key_of(camera, scene->camera, 0), seconds_per_key));
+    const std::vector<Keyframe>& keys = editor.path().keys;
+    stop(now), clock.set(keys.back().time, now);
+    return {"key " + std::to_string(keys.size()) + " added at " + seconds_text(keys.back().time) +
+                (keys.size() < 2 ? "; a path needs two" : ""),
+            ""};
+}
+
+void Session::path_changed(double now) {
+    if (!path || around) return;
+    path = flight();
+    follow(now);
 }
 
 Answer Session::recall(int number) {
@@ -104,32 +205,55 @@ Answer Session::recall(int number) {
     return {"camera " + std::to_string(number), ""};
 }
 
+double Session::flight_time(double now) const {
+    const double seconds = clock.at(now);
+    const bool loops = path && path->loop && path->duration > 0;
+    return loops ? seconds - path->duration * std::floor(seconds / path->duration) : seconds;
+}
+
 void Session::stop(double now) {
-    clock.hold(now);
+    clock.set(flight_time(now), now), clock.hold(now);
     path.reset();
 }
 
 bool Session::go_to(double seconds, double now) {
-    path = flight_of(*scene);
+    path = flight(), around = false;
     if (!path) return false;
     clock.hold(now);
-    clock.set(seconds, now);
+    clock.set(path->loop ? seconds : std::clamp(seconds, 0., path->duration), now);
     follow(now);
     return true;
 }
 
-void Session::steer(const CameraInput& input, double now) {
-    if (!path || !path->keys.empty()) stop(now);
+Answer Session::steer(const CameraInput& input, double now) {
+    std::string note;
+    if (path && !path->keys.empty()) {
+        if (clock.running()) note = "flight ended at " + seconds_text(time) + "; F continues";
+        stop(now);
+    }
     CameraInput scaled = input;
     // In orbit a push turns by a radian per second.
     scaled.push *= orbiting ? DVec3(speed / default_speed(scene->camera)) : DVec3(speed);
     camera = orbiting ? orbit(camera, scaled) : fly(camera, scaled);
+    return {note, ""};
+}
+
+Answer Session::change_speed(double factor, double now) {
+    char text[80];
+    if (path && !path->keys.empty()) {
+        clock.set_rate(std::clamp(clock.rate() * factor, 1e-3, 1e3), now);
+        if (std::abs(clock.rate() - 1) < 1e-6) clock.set_rate(1, now);
+        std::snprintf(text, sizeof text, "flight at %.3g times its speed", clock.rate());
+    } else {
+        speed *= factor;
+        std::snprintf(text, sizeof text, "speed %.3g a second", speed);
+    }
+    return {text, ""};
 }
 
 std::optional<Answer> Session::follow(double now) {
     if (!path) return std::nullopt;
-    const double seconds = clock.at(now);
-    time = seconds;
+    const double seconds = time = flight_time(now);
     if (!path->keys.empty()) camera = camera_at(*path, scene->camera, seconds);
     if (path->loop || seconds < path->duration || !clock.running()) return std::nullopt;
     stop(now);

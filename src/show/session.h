@@ -9,13 +9,15 @@
 #include "show/camera_control.h"
 #include "show/flight.h"
 #include "show/keys.h"
+#include "show/path_editor.h"
 #include "show/progressive.h"
 
 namespace strahl {
 
-/// The response to a command: a short note for the window and the log, and scene text for standard output.
+/// The response to a command: a short note for the window and the log, and scene text for the clipboard and standard
+/// output.
 struct Answer {
-    std::string note, print;
+    std::string note, text;
 };
 
 class Session {
@@ -30,22 +32,30 @@ class Session {
     /// Commands that concern only the window (quit, still, full screen, help, info) have no effect here.
     Answer perform(Command command, double now);
 
-    /// Moves to a moment of the scene's flight, if anything moves, and pauses there.
+    /// Moves to a moment of the flight, if anything moves, and pauses there.
     bool go_to(double seconds, double now);
 
-    /// Moves the camera; ends a flight on which it was not free. `push` is in seconds at the current speed.
-    void steer(const CameraInput& input, double now);
-    void change_speed(double factor) { speed *= factor; }
+    /// Moves the camera; ends a flight on which it was not free, and says so. `push` is in seconds at the current speed.
+    Answer steer(const CameraInput& input, double now);
+    /// Of a flight on which the camera is not free, or else of the camera.
+    Answer change_speed(double factor, double now);
+    /// Makes a change of the path that `editor` holds take effect on the flight.
+    void path_changed(double now);
     /// Moves the camera along the flight to this moment. Returns a response if the flight has ended.
     std::optional<Answer> follow(double now);
 
     bool flying() const { return path.has_value(); }
     bool paused() const { return flying() && !clock.running(); }
     bool under_way() const { return flying() && clock.running(); }
-    double flight_time(double now) const { return clock.at(now); }
+    /// The moment of the flight, or where the last one ended, in seconds.
+    double flight_time(double now) const;
     const std::optional<Flythrough>& flight_path() const { return path; }
+    /// The path as it is edited, or without keys if there is none, until the last key of the scene's motions if it does
+    /// not loop. Nothing if nothing moves.
+    std::optional<Flythrough> flight() const;
 
     std::shared_ptr<const Scene> scene;
+    PathEditor editor;
     Camera camera;
     double time = 0;  // of moving bodies, in seconds: as `camera` that of the last moment followed
     bool orbiting = false;
@@ -56,14 +66,18 @@ class Session {
   private:
     Answer play(double now);
     Answer pause(double now);
-    Answer record();
+    Answer step_to(double seconds, double now);
+    Answer to_key(int step, double now);
+    Answer edit(Action action, double now);
+    Answer add_key(double now);
     Answer recall(int number);
     void stop(double now);
 
     std::optional<int> own_depth;
-    std::optional<Flythrough> path;  // on which the camera flies now; without keys it is free, and only bodies move
-    FlightClock clock;               // keeps the moment while no flight is under way
-    Flythrough recorded;
+    std::optional<double> motion_end;  // the last key of what moves
+    std::optional<Flythrough> path;    // on which the camera flies now; without keys it is free, and only bodies move
+    bool around = false;               // that path is an orbit
+    FlightClock clock;                 // keeps the moment while no flight is under way
     std::array<std::optional<Camera>, 9> cameras;
 };
 

@@ -1,6 +1,7 @@
 // Renders in three precisions and lists the pixels that differ.
 #include "show/stability_check.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "image/transfer.h"
@@ -15,13 +16,20 @@ StabilityCheck::~StabilityCheck() { cancel(); }
 
 void StabilityCheck::start(std::shared_ptr<const Scene> scene, const View& view) {
     cancel();
+    share = 0;
     thread = std::thread([this, scene = std::move(scene), view] {
         Agreements agreements(*scene, threads,
                               [linear = scene->settings.linear](double v) { return quantise(v, linear, 255); });
-        const auto map = agreements.of(view, {.columns = view.width, .rows = view.height}, nullptr, &stop);
-        for (std::size_t i = 0; i < map.size(); ++i)
-            if (map[i] != Agreement::all)
-                marks.push_back({int(i) % view.width, int(i) / view.width, map[i] == Agreement::not_float64});
+        constexpr int band = 64;  // rows at a time
+        for (int y = 0; y < view.height && !stop; y += band) {
+            const Lattice rows{.y = y, .columns = view.width, .rows = std::min(band, view.height - y)};
+            const auto map = agreements.of(view, rows, nullptr, &stop);
+            for (std::size_t i = 0; i < map.size(); ++i)
+                if (map[i] != Agreement::all)
+                    marks.push_back({int(i) % view.width, y + int(i) / view.width, map[i] == Agreement::not_float64});
+            share = double(y + rows.rows) / view.height;
+            notify();
+        }
         ready = true;
         notify();
     });

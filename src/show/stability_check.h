@@ -28,6 +28,8 @@ class StabilityCheck {
     /// Ends what is under way; takes at most one tile in long double.
     void cancel();
     bool under_way() const { return thread.joinable() && !ready; }
+    /// The share of the picture that is done, 0 to 1.
+    double progress() const { return share; }
     /// The marks, once, when they are ready.
     std::optional<std::vector<Mark>> take();
 
@@ -35,6 +37,7 @@ class StabilityCheck {
     const int threads;
     const std::function<void()> notify;
     std::atomic<bool> stop = false, ready = false;
+    std::atomic<double> share = 0;
     std::vector<Mark> marks;
     std::thread thread;
 };

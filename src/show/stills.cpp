@@ -2,6 +2,7 @@
 #include "show/stills.h"
 
 #include <fcntl.h>
+#include <malloc.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -13,6 +14,7 @@
 #include <utility>
 
 #include "image/picture.h"
+#include "num/decimal.h"
 #include "trace/thread_pool.h"
 
 namespace strahl {
@@ -69,6 +71,11 @@ void Stills::loop(std::stop_token quit, int threads) {
         finished.push_back(std::move(outcome));
         queue.pop_front();
         share = 0;
+        if (queue.empty()) {
+            // What a still needed, some hundred bytes a pixel, goes back to the system.
+            pool.reset();
+            ::malloc_trim(0);
+        }
         lock.unlock();
         notify();
     }
@@ -90,7 +97,7 @@ Stills::Outcome Stills::make(const Still& still, ThreadPool& pool) try {
     Tracer tracer(*still.scene, Precision::float64);
     tracer.trace(view, Sampling{}, whole, pool, keep, &stop);
     if (stop) return {};
-    const std::string path = reserve_file(still.name, ".bmp");
+    const std::string path = reserve_file(still.name, still.ending);
     try {
         write_picture(picture, path, {.linear = still.scene->settings.linear});
     } catch (...) {
@@ -115,14 +122,20 @@ std::string reserve_file(const std::string& name, const std::string& ending) {
     }
 }
 
-std::string still_name(const std::string& scene_path) {
+std::string still_name(const std::string& scene_path, std::optional<double> moment) {
     const std::time_t now = std::time(nullptr);
     std::tm local{};
     ::localtime_r(&now, &local);
     char text[32];
     std::strftime(text, sizeof text, "-%Y%m%d-%H%M%S", &local);
     const std::string stem = scene_path == "-" ? "scene" : std::filesystem::path(scene_path).stem().string();
-    return stem + text;
+    return stem + text + (moment ? "-at-" + text_of(*moment) + "s" : "");
+}
+
+std::string folder_fault(const std::string& name) {
+    const std::string parent = std::filesystem::path(name).parent_path(), folder = parent.empty() ? "." : parent;
+    if (::access(folder.c_str(), W_OK | X_OK) == 0) return "";
+    return "cannot write '" + name + "': " + std::generic_category().message(errno);
 }
 
 }  // namespace strahl

@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -18,6 +19,7 @@ struct Still {
     std::shared_ptr<const Scene> scene;
     View view;
     std::string name;  // of the file, without ending; "-2", "-3", ... is added if that exists
+    std::string ending = ".bmp";
 };
 
 /// A queue of stills. They are traced in double on all threads, at low priority: they use the processor time that the
@@ -58,10 +60,13 @@ class Stills {
     std::jthread thread;
 };
 
-/// Creates an empty file `name`.bmp, or `name`-2.bmp, ... if that exists. The caller fills it. Throws FileError.
+/// Creates an empty file `name``ending`, or `name`-2`ending`, ... if that exists. The caller fills it. Throws FileError.
 std::string reserve_file(const std::string& name, const std::string& ending);
 
-/// "article-20260131-235959" for a scene file and this moment.
-std::string still_name(const std::string& scene_path);
+/// "article-20260131-235959" for a scene file and now; with a moment of its flight "article-20260131-235959-at-1.5s".
+std::string still_name(const std::string& scene_path, std::optional<double> moment);
+
+/// Why no file can be made in the folder of this name, or "".
+std::string folder_fault(const std::string& name);
 
 }  // namespace strahl

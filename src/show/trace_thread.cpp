@@ -1,6 +1,8 @@
 // Traces for the window.
 #include "show/trace_thread.h"
 
+#include <malloc.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -32,7 +34,7 @@ bool TraceThread::outdated(const Order& newer) const {
     if (work == Work::refining) return newer.number != state.number;
     const bool useless = newer.scene != scene_in_work || newer.view.width != view_in_work.width ||
                          newer.view.height != view_in_work.height || newer.view.depth != view_in_work.depth;
-    return useless || (level_in_work > 0 && seconds_since(work_began) > 4 * budget_in_work);
+    return useless || (level_in_work > 0 && seconds_since(work_began) > 4 * allowed_seconds(level_in_work, budget_in_work));
 }
 
 void TraceThread::want(Order newer) {
@@ -96,30 +98,33 @@ void TraceThread::first_picture() {
     spare.resize(pixels.columns, pixels.rows);
     tracer->prepare(view, pool);  // a coarser picture would not save this time
     const auto start = Clock::now();
-    const Counts rays = tracer->trace(
-        view, pixels, pool, [&](const Tile& tile) { store(tile, *table, steps, spare); }, &stop);
+    const auto keep = [&](const Tile& tile) { store(tile.lattice, encoded(tile, *table).data(), steps, spare); };
+    const Counts rays = tracer->trace(view, pixels, pool, keep, &stop);
     const double seconds = seconds_since(start);
     if (built) resolution.observe(count(pixels), seconds);  // a stopped one would have taken even longer
     if (stop) return;
-    done = level, coarse = level < finest_level, traced = count(pixels);
+    done = level;
     std::unique_lock lock(mutex);
     std::swap(shown, spare);
     shown_steps = steps;
     new_from = 0, new_to = shown.height;
-    state = {order.number, view.width, view.height, level, traced / (double(view.width) * view.height) / 2, seconds, rays};
+    const double share = count(pixels) / (double(view.width) * view.height) / 2;
+    state = {order.number, view.width, view.height, level, share, seconds, rays};
     complete = state.finished() && !next;
     announce(lock);
 }
 
-/// Enlarges the image of a level to the whole picture; further passes write into it tile by tile.
-void TraceThread::begin_refining() {
-    spare.resize(order.view.width, order.view.height);
-    expand(shown, shown_steps, spare);  // only this thread writes to `shown`
+/// Makes the image on the screen that of the level whose pixels come next.
+void TraceThread::begin_pass(int level) {
+    const Steps steps = steps_of(level);
+    if (steps == shown_steps) return;
+    const Lattice pixels = pixels_of(level, order.view.width, order.view.height);
+    spare.resize(pixels.columns, pixels.rows);
+    expand(shown, {shown_steps.x / steps.x, shown_steps.y / steps.y}, spare);  // only this thread writes to `shown`
     std::lock_guard lock(mutex);
     std::swap(shown, spare);
-    shown_steps = {};
+    shown_steps = steps;
     new_from = 0, new_to = shown.height;
-    coarse = false;
 }
 
 /// The pixels of a level that the one before lacks, or in the end the averages over all.
@@ -135,19 +140,18 @@ Counts TraceThread::trace_level(int level, const Sink& keep) {
 }
 
 void TraceThread::refine() {
-    if (coarse) begin_refining();
     const View& view = order.view;
     const int level = done + 1;
-    const Steps steps = steps_of(std::min(level, finest_level));
+    begin_pass(std::min(level, finest_level));
+    const Steps steps = shown_steps;
     const double all = double(view.width) * view.height;
     const auto keep = [&](const Tile& tile) {
-        std::vector<std::uint32_t> rgba(std::size_t(tile.lattice.columns) * tile.lattice.rows);
-        encode(tile, *table, rgba.data());
+        const std::vector<std::uint32_t> rgba = encoded(tile, *table);
         std::unique_lock lock(mutex);
         const Lattice& part = tile.lattice;
-        store_blocks(part, rgba.data(), steps, shown);
-        new_from = std::min(new_from, part.y);
-        new_to = std::max(new_to, std::min(part.y + (part.rows - 1) * part.step_y + steps.y, view.height));
+        store(part, rgba.data(), steps, shown);
+        new_from = std::min(new_from, part.y / steps.y);
+        new_to = std::max(new_to, (part.y + (part.rows - 1) * part.step_y) / steps.y + 1);
         state.share += count(part) / all / 2;
         announce(lock);
     };
@@ -161,6 +165,7 @@ void TraceThread::refine() {
     state.seconds += seconds_since(start);
     complete = state.finished() && !next;
     announce(lock);
+    if (level == averaged_level) ::malloc_trim(0);  // at rest the system may have what the passes needed
 }
 
 }  // namespace strahl

@@ -37,10 +37,10 @@ struct Refinement {
     bool finished() const { return number > 0 && level == averaged_level; }
 };
 
-/// New rows of the picture on the screen: of an image that represents `width` x `height` pixels.
+/// New rows of the picture on the screen: of the image of a level, which represents `width` x `height` pixels.
 struct Fresh {
     const Image& image;
-    Steps steps;  // of the image's level; 1 for the whole picture
+    Steps steps;  // of that level; 1 for the whole picture
     int width, height;
     int first_row, rows;
 };
@@ -72,7 +72,7 @@ class TraceThread {
     void loop(std::stop_token quit);
     bool accept(std::stop_token quit);
     void first_picture();
-    void begin_refining();
+    void begin_pass(int level);
     void refine();
     Counts trace_level(int level, const Sink& keep);
     void announce(std::unique_lock<std::mutex>& lock);
@@ -83,10 +83,8 @@ class TraceThread {
     std::optional<Tracer> tracer;
     std::optional<TransferTable> table;
     Resolution resolution;
-    Image spare;          // pictures are made here and then swapped with the one on the screen
-    int done = -1;        // the finest level of `order` that is complete
-    bool coarse = false;  // the image on the screen is that of a level, not the whole picture
-    double traced = 0;    // pixels of `order`
+    Image spare;    // pictures are made here and then swapped with the one on the screen
+    int done = -1;  // the finest level of `order` that is complete
 
     // Shared between threads.
     std::mutex mutex;

@@ -17,8 +17,8 @@ namespace strahl {
 namespace {
 
 constexpr double forever = std::numeric_limits<double>::infinity();
-constexpr double note_seconds = 3;
 constexpr double rest_interval = 0.05;  // seconds between drawings while a resting picture is refined
+constexpr double signal_interval = 0.2;  // seconds until a signal is noticed
 
 std::string title_of(const std::string& path) {
     const std::string name = path == "-" ? "standard input" : std::filesystem::path(path).filename().string();
@@ -32,35 +32,64 @@ PixelSize window_size(const ViewOptions& options, const Scene& scene) {
     return {width, static_cast<int>(std::lround(std::clamp(height, 240., 960.)))};
 }
 
+/// The first scene; or an empty one, until there is one without an error.
+std::shared_ptr<const Scene> scene_to_show(const Loaded& loaded) {
+    if (loaded.scene) return loaded.scene;
+    Scene empty;
+    empty.camera.look_at = {0, 1, 0};
+    return std::make_shared<const Scene>(std::move(empty));
+}
+
 }  // namespace
 
-Viewer::Viewer(const ViewOptions& o, std::shared_ptr<const Scene> scene, std::string text, Clock::time_point began)
+Viewer::Viewer(const ViewOptions& o, const Loaded& first, std::string text, Clock::time_point began,
+               const std::atomic<bool>* signal)
     : options(o),
       start(began),
+      interrupted(signal),
       path(o.scene),
-      session(scene, o.depth),
-      screen(title_of(path), window_size(o, *scene).width, window_size(o, *scene).height, o.size.width == 0,
-             o.full_screen),
+      session(scene_to_show(first), o.depth),
+      screen(title_of(path), window_size(o, *session.scene).width, window_size(o, *session.scene).height,
+             o.size.width == 0, o.full_screen),
       tracing(o.threads, glfwPostEmptyEvent),
       stills(o.threads, glfwPostEmptyEvent),
       stability(o.threads, glfwPostEmptyEvent),
       reload(path, std::move(text), glfwPostEmptyEvent) {
     connect();
-    if (options.time) session.go_to(*options.time, now());
-    if (options.fly) perform({session.flying() ? Action::pause : Action::play});
+    waiting = !first.scene;
+    if (!waiting) start_scene();
+    fault = first.fault, fault_until = forever;
+    if (waiting) log_line("waiting until the scene has no error\n" + fault);
 }
 
 Viewer::~Viewer() = default;
 
 double Viewer::now() const { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
+/// What the options ask of a scene that is shown for the first time.
+void Viewer::start_scene() {
+    if (options.time) session.go_to(*options.time, now());
+    if (options.fly) log_line(session.perform({session.flying() ? Action::pause : Action::play}, now()).note);
+}
+
 void Viewer::add_still() {
-    View view = wanted.view;
-    view.camera = session.camera, view.depth = session.depth(), view.time = session.time;
-    view.error = half_step({8, session.scene->settings.linear});
+    if (screen.width() == 0) return;  // an icon
+    const Framing frame = framing(session.camera, screen.width(), screen.height(), fill);
+    View view{.camera = frame.camera,
+              .width = frame.area.width,
+              .height = frame.area.height,
+              .depth = session.depth(),
+              .error = half_step({8, session.scene->settings.linear}),
+              .time = session.time};
     if (options.still_size.width > 0) view.width = options.still_size.width, view.height = options.still_size.height;
-    const std::string name = still_name(path);
-    stills.add({session.scene, view, name});
+    const bool in_flight = session.flying() || session.time != 0;
+    const std::string name = (std::filesystem::path(options.still_folder) /
+                              still_name(path, in_flight ? std::optional(rounded_time(session.time)) : std::nullopt));
+    if (const std::string why = folder_fault(name); !why.empty()) {
+        failed = true;
+        return announce(why);
+    }
+    stills.add({session.scene, view, name, options.still_ending});
     log_line("still queued: " + name + ", " + std::to_string(view.width) + "x" + std::to_string(view.height));
     still_told = now(), draws_due = 2;
 }
@@ -71,11 +100,13 @@ void Viewer::handle_reload() {
     draws_due = 2;
     fault = loaded->fault;
     if (!loaded->scene) {
-        fault_until = loaded->opened ? now() + 10 : forever;
-        log_line("the scene has an error; the picture stays\n" + fault);
+        fault_until = loaded->opened && !waiting ? now() + 10 : forever;
+        log_line((waiting ? "the scene has an error\n" : "the scene has an error; the picture stays\n") + fault);
         return;
     }
-    session.replace(loaded->scene, loaded->opened);
+    const bool first = std::exchange(waiting, false);
+    session.replace(loaded->scene, loaded->opened || first);
+    if (first) start_scene();
     if (session.paused()) session.follow(now());
     if (loaded->opened) glfwSetWindowTitle(screen.window(), title_of(path = loaded->path).c_str());
     log_line((loaded->opened ? "opened " : "read again: ") + path);
@@ -85,15 +116,16 @@ void Viewer::handle_reload() {
 void Viewer::toggle_stability() {
     stability.cancel();
     marks.clear(), draws_due = 2;
-    marked = !marked && !moving && wanted.scene;
+    if (!marked && moving) return note("X marks a picture at rest: Space pauses");
+    marked = !marked && wanted.scene;
     if (!marked) return;
     View view = wanted.view;
     view.error = 0;
     stability.start(wanted.scene, view);
-    note("rendering this view in float, double and long double");
 }
 
 void Viewer::handle_stability() {
+    if (stability.under_way()) draws_due = std::max(draws_due, 1);
     auto found = stability.take();
     if (!found) return;
     marks = std::move(*found);
@@ -105,9 +137,8 @@ void Viewer::handle_stability() {
 void Viewer::handle_stills() {
     for (const Stills::Outcome& outcome : stills.outcomes()) {
         const std::string text = outcome.fault.empty() ? "still saved: " + outcome.path : outcome.fault;
-        log_line(text);
-        notes.push_back({text, now() + 2 * note_seconds});
-        draws_due = 2;
+        failed |= !outcome.fault.empty();
+        announce(text);
     }
     const int pending = stills.pending();
     if (pending > 0 && now() - still_told > 2) {
@@ -118,17 +149,25 @@ void Viewer::handle_stills() {
     if (quitting && pending == 0) closed = true;
 }
 
-void Viewer::note(const std::string& text) {
-    if (text.empty()) return;
-    if (options.verbose) log_line(text);
+void Viewer::show(const std::string& text, double seconds) {
     if (notes.size() >= 3) notes.pop_front();
-    notes.push_back({text, now() + note_seconds});
+    notes.push_back({text, now() + seconds});
     draws_due = 2;
 }
 
+void Viewer::note(const std::string& text) {
+    if (text.empty()) return;
+    if (options.verbose) log_line(text);
+    show(text, 3);
+}
+
+void Viewer::announce(const std::string& text) { log_line(text), show(text, 6); }
+
 void Viewer::tell(const Answer& answer) {
     note(answer.note);
-    if (!answer.print.empty()) std::fputs(answer.print.c_str(), stdout), std::fflush(stdout);
+    if (answer.text.empty()) return;
+    glfwSetClipboardString(screen.window(), answer.text.c_str());
+    std::fputs(answer.text.c_str(), stdout), std::fflush(stdout);
 }
 
 bool Viewer::in_motion() const { return session.under_way() || controls.active(now()); }
@@ -148,10 +187,8 @@ double Viewer::next_draw() const {
 void Viewer::wait() {
     double until = next_draw();
     if (moving || in_motion()) until = std::min(until, next_move);
-    const double left = until - now();
-    if (left == forever)
-        glfwWaitEvents();
-    else if (left > 0)
+    const double left = std::min(until - now(), signal_interval);
+    if (left > 0)
         glfwWaitEventsTimeout(left);
     else
         glfwPollEvents();
@@ -171,8 +208,8 @@ void Viewer::move() {
     next_move = std::max(next_move + frame, moment);
     // If the machine can't keep up, the camera slows down instead of jumping; a flight follows the clock in any case.
     const double passed = std::min(moment - std::exchange(last_move, moment), 0.1);
-    const CameraInput input = controls.take(passed, moment);
-    if (!(input == CameraInput{})) session.steer(input, moment);
+    const CameraInput input = controls.take(passed);
+    if (!(input == CameraInput{})) tell(session.steer(input, moment));
     if (const auto ended = session.follow(moment)) tell(*ended);
     if (in_motion()) return;
     moving = false;
@@ -184,18 +221,21 @@ void Viewer::move() {
 void Viewer::order() {
     const int width = screen.width(), height = screen.height();
     if (width == 0 || height == 0) return;
-    const View view{.camera = session.camera,
-                    .width = width,
-                    .height = height,
+    const Framing frame = framing(session.camera, width, height, fill);
+    const View view{.camera = frame.camera,
+                    .width = frame.area.width,
+                    .height = frame.area.height,
                     .depth = session.depth(),
                     .error = half_step({8, session.scene->settings.linear}),
                     .time = session.time};
     const bool same = wanted.scene == session.scene && wanted.view.camera == view.camera &&
-                      wanted.view.width == width && wanted.view.height == height && wanted.view.depth == view.depth &&
+                      wanted.view.width == view.width && wanted.view.height == view.height && wanted.view.depth == view.depth &&
                       wanted.view.time == view.time;
     if (same && wanted.moving == moving) return;
     if (!same && marked) toggle_stability();
-    wanted = {wanted.number + (same ? 0 : 1), session.scene, view, moving, 0.8 / options.fps, session.finest};
+    // Where drawing limits the rate there is more time to trace.
+    const double interval = std::clamp(draw_seconds, 1 / options.fps, 2 / options.fps);
+    wanted = {wanted.number + (same ? 0 : 1), session.scene, view, moving, 0.8 * interval, session.finest};
     tracing.want(wanted);
 }
 
@@ -212,6 +252,7 @@ void Viewer::draw() {
     last_draw = moment;
     if (draws_due > 0) --draws_due;
     motion.drawn(now() - moment);
+    draw_seconds += 0.2 * (now() - moment - draw_seconds);
     if (moving && state.number != before) motion.picture(now(), state.level);
     if (options.verbose && update && before == 0) {
         char text[80];
@@ -230,18 +271,35 @@ void Viewer::log_finished() {
     log_line(text);
 }
 
-void Viewer::run() {
+/// A signal ends the window as Esc does, but the next one ends the program at once.
+void Viewer::handle_interrupt() {
+    if (!*interrupted || quitting) return;
+    log_line("interrupted");
+    quit();
+}
+
+/// In full screen, when it has not moved for a while.
+void Viewer::hide_pointer() {
+    const bool hide = screen.full_screen() && now() > pointer_moved + 2;
+    if (hide == std::exchange(pointer_hidden, hide)) return;
+    glfwSetInputMode(screen.window(), GLFW_CURSOR, hide ? GLFW_CURSOR_HIDDEN : GLFW_CURSOR_NORMAL);
+}
+
+int Viewer::run() {
     while (!closed) {
         move();
         order();
         draw();
         if (options.verbose) log_finished();
+        hide_pointer();
         wait();
         handle_reload();
         handle_stills();
         handle_stability();
+        handle_interrupt();
     }
     if (options.verbose) log_line("quit");
+    return failed ? 1 : 0;
 }
 
 }  // namespace strahl

@@ -21,21 +21,25 @@ namespace strahl {
 class Viewer {
   public:
     using Clock = std::chrono::steady_clock;
-    /// `text` is the text of the scene; `began` is when the user started the program.
-    Viewer(const ViewOptions& options, std::shared_ptr<const Scene> scene, std::string text, Clock::time_point began);
+    /// `first` is the scene and `text` its text; `began` is when the user started the program.
+    Viewer(const ViewOptions& options, const Loaded& first, std::string text, Clock::time_point began,
+           const std::atomic<bool>* interrupted);
     ~Viewer();
-    /// Runs until the user quits.
-    void run();
+    /// Runs until the user quits or the program is interrupted. Returns the exit status.
+    int run();
 
   private:
     // Input, see viewer_input.cpp
     void connect();
     void on_key(int key, int scancode, int action, int modifiers);
+    void on_button(bool pressed);
     void on_cursor(double x, double y);
     void perform(Command command);
+    void perform_here(Action action);
     void quit();
 
     // Other threads
+    void start_scene();
     void add_still();
     void handle_reload();
     void handle_stills();
@@ -51,15 +55,21 @@ class Viewer {
     void order();
     void draw();
     void log_finished();
+    void handle_interrupt();
+    void hide_pointer();
 
     // Output
     Overlay overlay();
     std::vector<std::pair<std::string, std::string>> info() const;
+    void show(const std::string& text, double seconds);
     void note(const std::string& text);
+    /// Notes that are logged in any case.
+    void announce(const std::string& text);
     void tell(const Answer& answer);
 
     const ViewOptions options;
     const Clock::time_point start;
+    const std::atomic<bool>* const interrupted;
     std::string path;  // of the scene
     Session session;
     Controls controls;
@@ -69,8 +79,9 @@ class Viewer {
     StabilityCheck stability;
     Reload reload;
 
-    bool quitting = false, closed = false;
-    bool help = false, with_info = false;
+    bool quitting = false, closed = false, failed = false;
+    bool help = false, with_info = false, quiet = false, fill = false;
+    bool waiting = false;  // for the first scene without an error
     std::vector<Mark> marks;  // of the picture on the screen
     bool marked = false;      // marks are shown or being computed
     std::string fault;
@@ -82,8 +93,9 @@ class Viewer {
     std::deque<Note> notes;
 
     bool pushing = false;  // the character that follows belongs to a key that moves the camera
-    bool dragging = false;
-    double cursor_x = 0, cursor_y = 0;
+    Pointer pointer;
+    double pointer_moved = 0;
+    bool pointer_hidden = false;
     double still_told = 0;
 
     Order wanted;
@@ -91,7 +103,7 @@ class Viewer {
     std::uint64_t told = 0;  // the last picture logged as finished
     int draws_due = 0;
     double next_move = 0, last_move = 0;  // of the camera
-    double last_draw = -1;
+    double last_draw = -1, draw_seconds = 0;
     bool moving = false;
     MotionLog motion;
 };

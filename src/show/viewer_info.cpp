@@ -47,16 +47,22 @@ std::vector<std::pair<std::string, std::string>> Viewer::info() const {
 
 Overlay Viewer::overlay() {
     Overlay overlay;
+    overlay.marks = marks, overlay.width = state.width, overlay.height = state.height, overlay.area = screen.area();
+    if (quiet) return overlay;
     overlay.help = help, overlay.share = state.share, overlay.fault = fault;
+    overlay.fault_title = waiting ? "The scene is shown once this is mended"
+                                  : "The scene file has an error; this is the previous picture";
     if (with_info) overlay.info = info();
     for (const Note& n : notes) overlay.notes.push_back(n.text);
     if (const int pending = stills.pending(); pending > 0) {
-        overlay.still_share = stills.progress();
-        overlay.still_text = format("%s still: %.0f %%", quitting ? "Finishing the" : "A", 100 * stills.progress()) +
-                             (pending > 1 ? format(", %d more waiting", pending - 1) : "") +
-                             (quitting ? "; Esc drops it" : "");
+        const double share = stills.progress();
+        overlay.progress.push_back({format("%s still: %.0f %%", quitting ? "Finishing the" : "A", 100 * share) +
+                                        (pending > 1 ? format(", %d more waiting", pending - 1) : "") +
+                                        (quitting ? "; Esc drops it" : ""),
+                                    share});
     }
-    overlay.marks = marks, overlay.width = state.width, overlay.height = state.height;
+    if (stability.under_way())
+        overlay.progress.push_back({"This view in float, double and long double", stability.progress()});
     return overlay;
 }
 

@@ -3,9 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
-#include <utility>
+#include <optional>
 
 #include "show/viewer.h"
 
@@ -29,14 +28,11 @@ void Viewer::connect() {
     });
     glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) { viewer_of(w).on_cursor(x, y); });
     glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int) {
-        if (button == GLFW_MOUSE_BUTTON_LEFT) viewer_of(w).dragging = action == GLFW_PRESS;
+        if (button == GLFW_MOUSE_BUTTON_LEFT) viewer_of(w).on_button(action == GLFW_PRESS);
     });
     glfwSetScrollCallback(window, [](GLFWwindow* w, double, double y) {
         Viewer& viewer = viewer_of(w);
-        viewer.session.change_speed(std::pow(1.25, y));
-        char text[60];
-        std::snprintf(text, sizeof text, "speed %.3g a second", viewer.session.speed);
-        viewer.note(text);
+        viewer.tell(viewer.session.change_speed(std::pow(1.25, y), viewer.now()));
     });
     glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
         if (count > 0) viewer_of(w).reload.open(paths[0]);
@@ -53,29 +49,41 @@ void Viewer::connect() {
 void Viewer::on_key(int key, int scancode, int action, int modifiers) {
     const auto push = push_of_key(key);
     pushing = push.has_value();
-    if (action == GLFW_REPEAT) return;
     GLFWwindow* const window = screen.window();
+    const bool third_level = glfwGetKey(window, GLFW_KEY_RIGHT_ALT);
+    if (action == GLFW_REPEAT) {
+        const auto command = push ? std::nullopt : command_of_key(key, scancode, modifiers, third_level);
+        if (command && command->action == Action::step) perform(*command);
+        return;
+    }
     const auto down = [&](int a, int b) { return glfwGetKey(window, a) || glfwGetKey(window, b); };
     controls.faster = down(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
     if (action == GLFW_RELEASE) {
-        if (push && controls.release(*push, now())) add_still();
+        if (push) controls.release(*push);
         return;
     }
     const bool combined = modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER);
     if (push && !combined)
-        controls.press(*push, now());
-    else if (const auto command = command_of_key(key, scancode, modifiers, glfwGetKey(window, GLFW_KEY_RIGHT_ALT)))
+        controls.press(*push);
+    else if (const auto command = command_of_key(key, scancode, modifiers, third_level))
         perform(*command);
 }
 
+void Viewer::on_button(bool pressed) {
+    double x = 0, y = 0;
+    glfwGetCursorPos(screen.window(), &x, &y);
+    pressed ? pointer.press(x, y) : pointer.release();
+}
+
 void Viewer::on_cursor(double x, double y) {
-    const double right = x - std::exchange(cursor_x, x), down = y - std::exchange(cursor_y, y);
-    if (!dragging) return;
-    // The view turns by the angle that the mouse crosses in the picture.
+    pointer_moved = now();
+    const auto way = pointer.move(x, y);
+    if (!way) return;
+    // The view turns by the angle that the pointer crosses in the picture.
     int width = 1;
     glfwGetWindowSize(screen.window(), &width, nullptr);
     const double angle = 2 * session.camera.fov * std::numbers::pi / 180 / std::max(width, 1);
-    controls.drag(right * angle, -down * angle, now());
+    controls.drag(way->x * angle, -way->y * angle, now());
 }
 
 void Viewer::perform(Command command) {
@@ -84,25 +92,38 @@ void Viewer::perform(Command command) {
             return quit();
         case Action::still:
             return add_still();
-        case Action::help:
-            help = !help, draws_due = 2;
-            return;
-        case Action::info:
-            with_info = !with_info, draws_due = 2;
-            return;
         case Action::stability:
             return toggle_stability();
+        case Action::help:
+        case Action::info:
+        case Action::quiet:
+        case Action::fill:
         case Action::full_screen:
-            return screen.toggle_full_screen();
+            return perform_here(command.action);
         default:
             tell(session.perform(command, now()));
     }
 }
 
+/// Commands that concern only the window.
+void Viewer::perform_here(Action action) {
+    draws_due = 2;
+    if (action == Action::help) help = !help;
+    if (action == Action::info) with_info = !with_info;
+    if (action == Action::quiet) quiet = !quiet;
+    if (action == Action::help || action == Action::info) quiet = false;
+    if (action == Action::full_screen) pointer.release(), screen.toggle_full_screen();
+    if (action != Action::fill) return;
+    fill = !fill;
+    note(!session.camera.aspectratio ? "this camera has no aspectratio and always fills the window"
+         : fill                      ? "the view is widened to fill the window"
+                                     : "the camera's own proportions");
+}
+
 void Viewer::quit() {
     if (!quitting && stills.pending() > 0) {
         quitting = true;
-        log_line("waiting for " + std::to_string(stills.pending()) + " still(s); Esc again drops them");
+        log_line("waiting for " + std::to_string(stills.pending()) + " still(s); Esc or a signal drops them");
         draws_due = 2;
         return;
     }

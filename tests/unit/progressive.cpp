@@ -49,24 +49,30 @@ TEST_CASE("every level has twice the pixels of the one before, from every 16th t
         CHECK(count(pixels_of(level, 64, 48)) == 2 * count(pixels_of(level - 1, 64, 48)));
 }
 
-TEST_CASE("blocks never cover a traced pixel, and leave no pixel uncovered") {
-    const int width = 37, height = 29;
-    Image whole;
-    whole.resize(width, height);
-    std::vector<bool> traced(width * height);
-    for (int level = 0; level <= finest_level; ++level) {
-        const Lattice lattice = level == 0 ? pixels_of(0, width, height) : new_pixels_of(level, width, height);
+TEST_CASE("a picture that is refined is smooth between pixels of the level before, and exact at all that are known") {
+    const auto color = [](int x, int y) { return static_cast<std::uint32_t>(3 * x + 2 * y); };  // a ramp
+    const int width = 49, height = 33;
+    Image level;
+    for (int l = 0; l <= finest_level; ++l) {
+        const Steps steps = steps_of(l);
+        const Lattice all = pixels_of(l, width, height), newer = l == 0 ? all : new_pixels_of(l, width, height);
+        Image finer;
+        finer.resize(all.columns, all.rows);
+        if (l > 0) {
+            const Steps before = steps_of(l - 1);
+            expand(level, {before.x / steps.x, before.y / steps.y}, finer);
+        }
+        // 48 and 32 are on every level: the ramp is met everywhere, to rounding, without the new pixels.
+        if (l > 0)
+            visit(all, [&](int x, int y) {
+                const int got = int(finer.rgba[y / steps.y * all.columns + x / steps.x]), exact = int(color(x, y));
+                CHECK(std::abs(got - exact) <= 1);
+            });
         std::vector<std::uint32_t> colors;
-        visit(lattice, [&](int x, int y) { colors.push_back(y * width + x); });  // each pixel its own colour
-        store_blocks(lattice, colors.data(), steps_of(level), whole);
-        visit(lattice, [&](int x, int y) { traced[y * width + x] = true; });
-        const Steps steps = steps_of(level);
-        for (int y = 0; y < height; ++y)
-            for (int x = 0; x < width; ++x) {
-                const int corner = y / steps.y * steps.y * width + x / steps.x * steps.x;
-                CHECK(whole.rgba[y * width + x] == static_cast<std::uint32_t>(corner));
-                if (traced[y * width + x]) CHECK(corner == y * width + x);
-            }
+        visit(newer, [&](int x, int y) { colors.push_back(color(x, y)); });
+        store(newer, colors.data(), steps, finer);
+        level = finer;
+        visit(all, [&](int x, int y) { CHECK(level.rgba[y / steps.y * all.columns + x / steps.x] == color(x, y)); });
     }
 }
 
@@ -108,7 +114,8 @@ TEST_CASE("tiles are stored where their pixels belong") {
     const std::vector<float> rgb{0, .5f, 1, 2, -1, .25f};
     Image level;
     level.resize(4, 3);
-    store({{8, 4, 2, 1, 4, 2}, std::span<const float>(rgb)}, table, {4, 2}, level);
+    const Lattice pixels{8, 4, 2, 1, 4, 2};
+    store(pixels, encoded({pixels, std::span<const float>(rgb)}, table).data(), {4, 2}, level);
     CHECK(level.rgba[2 * 4 + 2] == (128u << 8 | 255u << 16 | 0xff000000u));
     CHECK(level.rgba[2 * 4 + 3] == (255u | 64u << 16 | 0xff000000u));
     CHECK(level.rgba[2 * 4 + 1] == 0);
@@ -167,6 +174,15 @@ TEST_CASE("the resolution settles at the budget and stays there") {
     CHECK(run(resolution, 100, 0.9 * budget / all, budget).back() == finest_level);
     CHECK(run(resolution, 100, 1e-3, budget).back() == 0);
     CHECK(run(resolution, 100, 1e-12, budget, 3).back() == 3);
+}
+
+TEST_CASE("below 1/16 of the pixels the rate falls first") {
+    Resolution resolution;
+    const double budget = 0.010, sixteenth = count(pixels_of(finest_level - 4, 640, 480));
+    CHECK(run(resolution, 100, 2 * budget / sixteenth, budget).back() == finest_level - 4);
+    CHECK(run(resolution, 100, 3.9 * budget / sixteenth, budget).back() == finest_level - 4);
+    CHECK(run(resolution, 100, 6 * budget / sixteenth, budget).back() == finest_level - 5);
+    CHECK(run(resolution, 100, 0.3 * budget / sixteenth, budget).back() == finest_level - 3);
 }
 
 TEST_CASE("one or two slow pictures change nothing") {

@@ -38,6 +38,7 @@ TEST_CASE("stills equal rendered pictures and replace no file") {
         std::ofstream(folder / "still.bmp") << "mine";
         Stills stills(2, [] {});
         for (int i = 0; i < 3; ++i) stills.add({scene, view, folder / "still"});
+        stills.add({scene, view, folder / "still", ".png"});
         CHECK(stills.pending() > 0);
         REQUIRE(soon([&] { return stills.pending() == 0; }));
         std::set<std::string> paths;
@@ -45,11 +46,12 @@ TEST_CASE("stills equal rendered pictures and replace no file") {
             CHECK(outcome.fault == "");
             paths.insert(outcome.path);
         }
-        CHECK(paths == std::set<std::string>{folder / "still-2.bmp", folder / "still-3.bmp", folder / "still-4.bmp"});
+        CHECK(paths == std::set<std::string>{folder / "still-2.bmp", folder / "still-3.bmp", folder / "still-4.bmp",
+                                                folder / "still.png"});
         CHECK(stills.outcomes().empty());
     }
     CHECK(bytes_of(folder / "still.bmp") == "mine");
-    CHECK(folder.files() == 4);
+    CHECK(folder.files() == 5);
     std::vector<double> rgb(3 * 20 * 15);
     const Lattice whole{.columns = 20, .rows = 15};
     ThreadPool pool(2);
@@ -82,10 +84,18 @@ TEST_CASE("a still that can't be written reports the reason") {
 }
 
 TEST_CASE("a still is named after its scene and the time") {
-    const std::string name = still_name("some/where/article.rt");
+    const std::string name = still_name("some/where/article.rt", {});
     CHECK(name.starts_with("article-20"));
     CHECK(name.size() == std::string("article-20260131-235959").size());
-    CHECK(still_name("-").starts_with("scene-"));
+    CHECK(still_name("-", {}).starts_with("scene-"));
+    CHECK(still_name("-", 12.5).ends_with("-at-12.5s"));
+}
+
+TEST_CASE("a folder without stills is known before they are traced") {
+    const Scratch folder;
+    CHECK(folder_fault(folder / "still") == "");
+    CHECK(folder_fault("still") == "");
+    CHECK(folder_fault(folder / "missing/still").find("No such file") != std::string::npos);
 }
 
 TEST_CASE("a changed scene file is read again, a broken one reported, a touched one ignored") {
@@ -126,6 +136,9 @@ TEST_CASE("a changed scene file is read again, a broken one reported, a touched 
     reload.open(folder / "nothing.rt");
     REQUIRE(next());
     CHECK(loaded->fault.find("nothing.rt") != std::string::npos);
+    reload.open("/dev/zero");
+    REQUIRE(next());
+    CHECK(loaded->fault == "/dev/zero: this is no file");
     put(scene_text + " ");  // still the one that is watched
     REQUIRE(next());
     CHECK(loaded->path == path);

@@ -1,0 +1,77 @@
+#!/usr/bin/env bash
+# What hands do to the window besides flying: full screen, drags, signals, broken files; with real keys and mouse on a
+# virtual display.
+#
+#   tests/window/hands.sh STRAHL
+#
+# Exit status: 0 all as expected, 1 not, 77 a tool is missing.
+set -uo pipefail
+
+strahl=$(readlink -f -- "$1")
+here=$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")
+source "$here/display.sh"
+own_display 800x400 "import compare" "$strahl"
+source "$here/window.sh"
+
+echo "-- a scene that is missing, then broken, is waited for"
+start_log 'waiting until' scene.rt --size 320x240
+put "shpere { }"
+await 'scene.rt:1:1'
+flat=${camera/fov 12/fov 12 aspectratio 2}
+put "$flat
+$world
+$path"
+await 'read again'
+await 'finished 320x160'
+
+echo "-- the picture keeps its camera's proportions, or fills the window"
+still picture.png --size 320x160
+convert -size 320x240 xc:black picture.png -geometry +0+40 -composite bars.png
+shows bars.png
+xdotool key v
+await 'finished 320x240'
+put "$camera
+$world
+$path"
+await 'read again'
+await 'finished 320x240'
+still filled.png --size 320x240
+shows filled.png
+
+echo "-- a click moves nothing, a drag from elsewhere only by its own length"
+xdotool mousemove --window "$id" 10 10 mousedown 1 mousemove_relative 1 1 mouseup 1
+xdotool key F11
+await 'finished 800x400'
+still full.png --size 800x400
+shows full.png
+xdotool mousemove --window "$id" 700 300 mousedown 1 mousemove_relative 1 0 mouseup 1 key c
+await 'camera copied'
+await 'look_at <0, 0, 0>'
+xdotool key F11
+await 'finished 320x240'
+
+echo "-- the wheel while the path is flown"
+xdotool key f
+await 'flying from 0 s'
+xdotool mousemove --window "$id" 100 100 click 4
+await 'flight at 1.25 times its speed'
+xdotool key x
+await 'X marks a picture at rest'
+xdotool key f
+
+echo "-- a signal waits for stills, as Esc does; one that can't be written is told at once"
+xdotool key F12
+await 'still queued'
+kill -TERM "$pid"
+await 'interrupted'
+await 'still saved: '
+wait "$pid"
+(($? == 130)) || fault "after a signal the exit status is not 130"
+start_log 'first picture' scene.rt --size 64x48 --still-folder missing --still-format png
+xdotool key F12
+await "cannot write 'missing/scene-"
+xdotool key Escape
+wait "$pid"
+(($? == 1)) || fault "a still was not written, and the exit status is not 1"
+pid=
+finish

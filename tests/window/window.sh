@@ -1,0 +1,99 @@
+# Sourced by the tests of the window: opens it in a folder of its own, waits for what it logs, and compares what it shows
+# with pictures of `strahl render`. `strahl` is the program; the display is there already.
+
+work=$(mktemp -d)
+pid=
+trap '[[ -n $pid ]] && kill "$pid" 2>/dev/null; rm -rf "$work"' EXIT
+cd "$work" || exit 1
+faults=0
+fault() {
+    printf 'FAULT: %s\n' "$*"
+    ((++faults))
+}
+
+# start ARGUMENT...: opens the window and waits for its first picture.
+start() { start_log 'first picture' "$@"; }
+# start_log TEXT ARGUMENT...: opens the window and waits for this in its log.
+start_log() {
+    : >log
+    read_lines=0
+    "$strahl" "${@:2}" --verbose >log 2>&1 &
+    pid=$!
+    await "$1" || {
+        cat log
+        exit 1
+    }
+    id=$(xdotool search --pid "$pid" | tail -n 1)
+    # Without a window manager keys go where the mouse is.
+    xdotool mousemove --window "$id" 100 100
+}
+
+# await TEXT: waits for a line that contains it, after the last awaited one, and puts it into $line.
+await() {
+    local i number
+    for ((i = 0; i < 600; ++i)); do
+        if number=$(tail -n "+$((read_lines + 1))" log | grep -n -m 1 -F -e "$1"); then
+            line=${number#*:}
+            read_lines=$((read_lines + ${number%%:*}))
+            return 0
+        fi
+        kill -0 "$pid" 2>/dev/null || break
+        sleep 0.1
+    done
+    fault "there was no '$1' after line $read_lines of what the window says:"
+    cat log
+    return 1
+}
+
+different_pixels() { compare -metric AE "$1" "$2" null: 2>&1; }
+
+# shows FILE: after a while (notes disappear after some seconds) the window shows exactly this picture.
+shows() {
+    local i
+    for ((i = 0; i < 60; ++i)); do
+        import -window "$id" shot.png
+        [[ $(different_pixels shot.png "$1") == 0 ]] && return
+        sleep 0.25
+    done
+    fault "the window does not show $1: $(different_pixels shot.png "$1") pixels differ"
+    [[ -n ${STRAHL_KEEP-} ]] && cp shot.png "$1" "$STRAHL_KEEP"
+}
+shows_other() {
+    local i
+    for ((i = 0; i < 60; ++i)); do
+        import -window "$id" shot.png
+        [[ $(different_pixels shot.png "$1") != 0 ]] && return
+        sleep 0.25
+    done
+    fault "the window still shows $1"
+}
+
+# still FILE ARGUMENT...: renders what the window should show.
+still() { "$strahl" render scene.rt -o "$1" --precision float --quiet "${@:2}" || fault "render $*"; }
+
+quit() {
+    xdotool key Escape
+    wait "$pid"
+    local status=$?
+    ((status == 0)) || fault "the window ended with status $status"
+    pid=
+}
+
+world='light { position <-5, 0, 10>  color <.9, .9, .9> }
+sphere { <0, 0, 2>, 2  material { rgb <1, .2, .2> } }
+sphere { <2.5, -2, 1>, 1  material { rgb <.2, 1, .2>  refraction .6  ior 1.3 } }
+plane { <0, 0, 0>, <1, 0, 0>, <0, 1, 0> }'
+camera='camera { position <5, -20, 18>  look_at <0, 0, 0>  up <0, 0, -1>  fov 12 }'
+path='flythrough { duration 60  key { time 0  position <5, -20, 18>  look_at <0, 0, 0> }
+  key { time 60  position <15, -20, 10>  look_at <0, 0, 0> } }'
+# put TEXT: replaces the content of the scene file.
+put() {
+    printf '%s\n' "$1" >scene.new
+    mv scene.new scene.rt
+}
+
+# finish: the exit status of the test.
+finish() {
+    ((faults == 0)) || exit 1
+    echo "as expected"
+}
