@@ -37,6 +37,16 @@ void Builder::set_camera(const Camera& camera) {
 void Builder::add_light(Light light) {
     if (scene.lights.size() == limits.lights) words.fail("more than " + std::to_string(limits.lights) + " lights");
     if (!within(light.position, coordinates)) return warn("a light is left out: coordinates go up to 1e15");
+    if (light.direction && !has_direction(*light.direction))
+        return warn("a directional light is left out: it has no direction");
+    if (light.spot && !(within(light.spot->look_at, coordinates) && light.spot->look_at != light.position))
+        return warn("a spotlight is left out: it has no direction");
+    if (Spot* const spot = light.spot ? &*light.spot : nullptr) {
+        const double radius = std::clamp(spot->radius, 0., 90.), falloff = std::clamp(spot->falloff, radius, 90.);
+        if (radius != spot->radius || falloff != spot->falloff)
+            warn("the spotlight's angles are brought into the range from 0 to 90 degrees");
+        spot->radius = radius, spot->falloff = falloff;
+    }
     for (int i = 0; i < 3; ++i) {
         const double component = std::clamp(light.color[i], not_negative.low, not_negative.high);
         if (component != light.color[i]) warn("the light's colour is brought into the range from 0 to 1e9");
@@ -45,11 +55,11 @@ void Builder::add_light(Light light) {
     scene.lights.push_back(light);
 }
 
-void Builder::add_distant_light(const DVec3& towards, const Color& color) {
-    if (!has_direction(towards)) return warn("a directional light is left out: it has no direction");
-    warn("lights have a place: this directional light becomes one far away");
-    distant.push_back({scene.lights.size(), towards / largest(towards)});
-    add_light({.position = DVec3(0), .color = color});
+void Builder::set_fog(Fog fog) {
+    const double distance = std::clamp(fog.distance, lengths.low, lengths.high);
+    if (distance != fog.distance) warn("the fog's distance is " + text_of(distance) + " instead");
+    fog.distance = distance;
+    scene.fog = fog;
 }
 
 void Builder::set_material(Material changed) {
@@ -194,7 +204,6 @@ double Builder::reach() const {
 
 void Builder::place_far() {
     const double far = std::min(1e4 * std::pow(10, std::ceil(std::log10(reach()))), largest_coordinate / 2);
-    for (const DistantLight& light : distant) scene.lights[light.number].position = far * light.towards;
     for (const EndlessCylinder& each : endless) {
         auto& cylinder = std::get<Cylinder>(scene.primitives[each.number].shape);
         cylinder.base = each.centre - far * each.axis, cylinder.cap = each.centre + far * each.axis;
@@ -203,7 +212,7 @@ void Builder::place_far() {
 
 Imported Builder::finish(std::string_view file) {
     end_mesh();
-    if (!distant.empty() || !endless.empty()) place_far();
+    if (!endless.empty()) place_far();
     scene.materials = std::move(materials.list);
     return {.scene = std::move(scene), .size = size, .warnings = warnings.told(file)};
 }

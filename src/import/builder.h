@@ -26,9 +26,9 @@ class Builder {
 
     /// Fails if the camera sees nothing.
     void set_camera(const Camera& camera);
+    /// Values out of range are brought into it; a light without a direction that it needs is left out.
     void add_light(Light light);
-    /// A light from everywhere in that direction, `towards` it. Lights are points: it is put far away.
-    void add_distant_light(const DVec3& towards, const Color& color);
+    void set_fog(Fog fog);
 
     /// The material of the bodies that follow. Values out of range are brought into it.
     void set_material(Material material);
@@ -65,10 +65,6 @@ class Builder {
         std::size_t number;  // in the list of primitives
         DVec3 centre, axis;
     };
-    struct DistantLight {
-        std::size_t number;
-        DVec3 towards;
-    };
 
     template <class Value>
     bool fits(const Value& value, Range range, const char* name, const char* kind);
@@ -90,7 +86,6 @@ class Builder {
     std::size_t bodies = 0;
 
     std::vector<EndlessCylinder> endless;
-    std::vector<DistantLight> distant;
 };
 
 }  // namespace strahl

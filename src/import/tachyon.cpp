@@ -78,7 +78,7 @@ class TachyonReader {
             scene.warn("PERSPECTIVE_DOF: everything is in focus here");
         }
         const double zoom = named_number("ZOOM"), pixel = named_number("ASPECTRATIO");
-        if (named_number("ANTIALIASING") > 0) scene.warn("ANTIALIASING: one ray for each pixel here");
+        named_number("ANTIALIASING");  // how is for those to say who render
         const double depth = named_number("RAYDEPTH");
         scene.scene.settings.max_trace_level = static_cast<int>(std::clamp(depth, 1., 256.));
         if (scene.scene.settings.max_trace_level != depth)
@@ -139,9 +139,8 @@ class TachyonReader {
         if (named_number("RAD") > 0) scene.warn("the lamp's ball is not shown: lights are points here");
         if (spot) {
             words.expect("DIRECTION");
-            words.vector("DIRECTION");
-            named_number("FALLOFF_START"), named_number("FALLOFF_END");
-            scene.warn("SPOTLIGHT: it shines in all directions here");
+            light.spot = Spot{.look_at = light.position + bodies.vector("DIRECTION")};
+            light.spot->radius = named_number("FALLOFF_START"), light.spot->falloff = named_number("FALLOFF_END");
         }
         if (words.accept("ATTENUATION")) {
             named_number("CONSTANT"), named_number("LINEAR"), named_number("QUADRATIC");
@@ -152,18 +151,29 @@ class TachyonReader {
     }
     void read_directional_light() {
         words.expect("DIRECTION");
-        const DVec3 direction = bodies.vector("DIRECTION");
-        scene.add_distant_light(-direction, named_color("COLOR"));
+        Light light{.direction = bodies.vector("DIRECTION")};
+        light.color = named_color("COLOR");
+        scene.add_light(light);
     }
 
+    /// From one colour to the other as the direction's component along the axis rises between two values.
     void read_gradient() {
-        words.choose({"SKY_SPHERE", "SKY_ORTHO_PLANE"});
+        const bool sphere = words.choose({"SKY_SPHERE", "SKY_ORTHO_PLANE"}) == "SKY_SPHERE";
         words.expect("UPDIR");
-        words.vector("UPDIR");
-        named_number("TOPVAL"), named_number("BOTTOMVAL");
+        const DVec3 up = bodies.vector("UPDIR");
+        const double top_at = named_number("TOPVAL"), bottom_at = named_number("BOTTOMVAL");
         const Color top = named_color("TOPCOLOR"), bottom = named_color("BOTTOMCOLOR");
-        scene.scene.background = .5 * (top + bottom);
-        scene.warn("BACKGROUND_GRADIENT: the mean of both colours everywhere");
+        constexpr double most = 1.5;  // gradients repeat: this one after 2 most
+        const double size = length(up);
+        if (!sphere || !(size > 0 && std::isfinite(size)) || !(-most <= bottom_at && bottom_at < top_at && top_at <= most)) {
+            scene.scene.background = .5 * (top + bottom);
+            return scene.warn("BACKGROUND_GRADIENT: the mean of both colours everywhere");
+        }
+        const auto stop_at = [&](double v) { return tidy((v + most) / (2 * most)); };
+        const DVec3 axis = up / size;
+        scene.scene.background = Pigment({.kind = Gradient{axis},
+                                          .colors = {{stop_at(bottom_at), bottom}, {stop_at(top_at), top}},
+                                          .transformations = {Scale{DVec3(2 * most)}, Translate{-most * axis}}});
     }
     /// Nothing of the sky is hidden in our ambient light.
     void add_sky(const Color& color) {
@@ -203,10 +213,15 @@ class TachyonReader {
         }
     }
     void read_fog() {
-        if (!same_word(words.peek(), "START")) words.choose({"LINEAR", "EXP", "EXP2", "OFF"});
-        for (const char* const word : {"START", "END", "DENSITY"}) named_number(word);
-        named_color("COLOR");
-        scene.warn("FOG is left out");
+        const std::string kind(same_word(words.peek(), "START") ? "OFF" : words.choose({"LINEAR", "EXP", "EXP2", "OFF"}));
+        const double start = named_number("START");
+        named_number("END");
+        const double density = named_number("DENSITY");
+        const Color color = named_color("COLOR");
+        if (kind == "OFF" || density == 0) return;
+        if (kind != "EXP") return scene.warn("FOG " + kind + " is left out: fog is EXP here");
+        if (start > 0) scene.warn("FOG: it starts at the eye here");
+        scene.set_fog({.distance = tidy(1 / density), .color = color});
     }
     void skip_clipping() {
         words.expect("NUMPLANES");

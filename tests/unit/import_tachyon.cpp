@@ -28,6 +28,30 @@ TEST_CASE("Tachyon: camera and lights, mirrored in z") {
     CHECK(imported(start + "frustum -1 2 -1 1 end_camera").warnings.size() == 1);
 }
 
+TEST_CASE("Tachyon: parallel light, spotlights, fog and skies") {
+    const Imported lit = imported(eye + "DIRECTIONAL_LIGHT DIRECTION 0 -1 2 COLOR 1 .5 1\nSPOTLIGHT CENTER 1 2 3 RAD 0 "
+                                        "DIRECTION 0 0 2 FALLOFF_START 20 FALLOFF_END 45 COLOR 1 1 0\n");
+    CHECK(lit.scene.lights.at(0) == Light{.color = {1, .5, 1}, .direction = DVec3(0, -1, -2)});
+    CHECK(lit.scene.lights.at(1) ==
+          Light{.position = {1, 2, -3}, .color = {1, 1, 0}, .spot = Spot{{1, 2, -5}, 20, 45}});
+    CHECK(lit.warnings.empty());
+
+    const Imported foggy = imported(eye + "FOG EXP START 0 END 9 DENSITY .1 COLOR 1 .5 .2");
+    CHECK(foggy.scene.fog == Fog{10, {1, .5, .2}});
+    CHECK(foggy.warnings.empty());
+    CHECK(imported(eye + "FOG START 0 END 9 DENSITY .1 COLOR 1 .5 .2").scene.fog == std::nullopt);
+
+    const std::string gradient = eye + "BACKGROUND_GRADIENT SKY_SPHERE UPDIR 0 0 2 TOPVAL .9 BOTTOMVAL -.3 ";
+    const Imported sky = imported(gradient + "TOPCOLOR 1 0 0 BOTTOMCOLOR 0 0 1");
+    REQUIRE(sky.scene.background.pattern);
+    const Pattern& pattern = *sky.scene.background.pattern;
+    CHECK(std::get<Gradient>(pattern.kind).axis == DVec3(0, 0, -1));
+    CHECK(pattern.colors == std::vector<ColorStop>{{.4, {0, 0, 1}}, {.8, {1, 0, 0}}});
+    const auto at = glm::inverse(matrix(pattern.transformations)) * glm::dvec4(0, 0, .9, 1);  // .9 down
+    CHECK(-at.z == doctest::Approx(.2));  // (-.9 + 1.5) / 3
+    CHECK(sky.warnings.empty());
+}
+
 TEST_CASE("Tachyon: bodies and textures") {
     const Imported x = imported(
         eye +
@@ -93,12 +117,10 @@ TEST_CASE("Tachyon: triangles and vertex arrays") {
 }
 
 TEST_CASE("Tachyon: what has no counterpart is told, and something near is done") {
-    const Imported x = imported(eye + "DIRECTIONAL_LIGHT DIRECTION 0 -1 2 COLOR 1 1 1\nSPHERE CENTER 0 0 40 RAD 2 " +
-                                white + "CYLINDER CENTER 0 0 0 AXIS 0 2 0 RAD 1 " + white);
-    CHECK(x.scene.lights.at(0).position == DVec3(0, 5e5, 1e6));
+    const Imported x =
+        imported(eye + "SPHERE CENTER 0 0 40 RAD 2 " + white + "CYLINDER CENTER 0 0 0 AXIS 0 2 0 RAD 1 " + white);
     CHECK(body<Cylinder>(x, 1) == Cylinder{{0, -1e6, 0}, {0, 1e6, 0}, 1});
-    CHECK(x.warnings == Told{"x:4: lights have a place: this directional light becomes one far away",
-                             "x:6: cylinders have ends: this endless one gets them far away"});
+    CHECK(x.warnings == Told{"x:5: cylinders have ends: this endless one gets them far away"});
 
     CHECK(imported(eye + "CYLINDER CENTER 9e14 0 0 AXIS 1 0 0 RAD 1 " + white).scene.primitives.empty());
 
@@ -116,10 +138,12 @@ TEST_CASE("Tachyon: what has no counterpart is told, and something near is done"
     CHECK(open.scene.lights.at(0).color == Color(.6));
 
     for (const char* const text :
-         {"FOG START 0 END 1 DENSITY 1 COLOR 1 1 1", "FOG LINEAR START 0 END 1 DENSITY 1 COLOR 1 1 1",
+         {"FOG EXP START 2 END 1 DENSITY 1 COLOR 1 1 1", "FOG LINEAR START 0 END 1 DENSITY 1 COLOR 1 1 1",
           "LIGHT CENTER 0 0 0 RAD 1 COLOR 1 1 1", "INCLUDE other.dat",
           "LIGHT CENTER 0 0 0 RAD 0 ATTENUATION CONSTANT 1 LINEAR 0 QUADRATIC 0 COLOR 1 1 1",
-          "SPOTLIGHT CENTER 0 0 0 RAD 0 DIRECTION 0 0 1 FALLOFF_START .1 FALLOFF_END .2 COLOR 1 1 1",
+          "SPOTLIGHT CENTER 0 0 0 RAD 0 DIRECTION 0 0 0 FALLOFF_START 1 FALLOFF_END 2 COLOR 1 1 1",
+          "SPOTLIGHT CENTER 0 0 0 RAD 0 DIRECTION 0 0 1 FALLOFF_START 5 FALLOFF_END 2 COLOR 1 1 1",
+          "DIRECTIONAL_LIGHT DIRECTION 0 0 0 COLOR 1 1 1",
           "START_CLIPGROUP NUMPLANES 1 0 0 1 5 END_CLIPGROUP", "SPHERE CENTER 0 0 0 RAD 1 nowhere",
           "SKY_LIGHT NUMSAMPLES 9 COLOR 1 1 1", "SCAPE RES 9 9 SCALE 1 1 CENTER 0 0 0 nowhere",
           "SPHERE CENTER 0 0 0 RAD 0 TEXTURE AMBIENT 0 DIFFUSE 1 SPECULAR 0 OPACITY 1 COLOR 1 1 1 TEXFUNC 0",
@@ -128,7 +152,7 @@ TEST_CASE("Tachyon: what has no counterpart is told, and something near is done"
           "TEXDEF a AMBIENT 0 DIFFUSE 1 SPECULAR 0 OPACITY 1 OUTLINE 1 OUTLINE_WIDTH .5 COLOR 1 1 1 TEXFUNC 0",
           "TEXDEF a AMBIENT 0 DIFFUSE 1 SPECULAR 0 OPACITY 1 PHONG METAL 1 PHONG_SIZE 9 COLOR 1 1 1 TEXFUNC 0",
           "IMAGEDEF ::a FORMAT RGB24 RESOLUTION 2 1 1 ENCODING HEX fff 000", "SHADER_MODE LOW END_SHADER_MODE",
-          "BACKGROUND_GRADIENT SKY_SPHERE UPDIR 0 1 0 TOPVAL 1 BOTTOMVAL 0 TOPCOLOR 1 1 1 BOTTOMCOLOR 0 0 0"}) {
+          "BACKGROUND_GRADIENT SKY_ORTHO_PLANE UPDIR 0 1 0 TOPVAL 1 BOTTOMVAL 0 TOPCOLOR 1 1 1 BOTTOMCOLOR 0 0 0"}) {
         INFO(text);
         const Told told = imported(eye + text + "\nLIGHT CENTER 0 0 0 RAD 0 COLOR 1 1 1").warnings;
         CHECK(!told.empty());
