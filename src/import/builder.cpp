@@ -39,6 +39,7 @@ void Builder::add_light(Light light) {
     if (!within(light.position, coordinates)) return warn("a light is left out: coordinates go up to 1e15");
     if (light.direction && !has_direction(*light.direction))
         return warn("a directional light is left out: it has no direction");
+    if (light.direction && !within(*light.direction, directions)) *light.direction /= largest(*light.direction);
     if (light.spot && !(within(light.spot->look_at, coordinates) && light.spot->look_at != light.position))
         return warn("a spotlight is left out: it has no direction");
     if (Spot* const spot = light.spot ? &*light.spot : nullptr) {

@@ -24,7 +24,8 @@ BEGIN_SCENE
 RESOLUTION 64 48
 CAMERA ZOOM 1 ASPECTRATIO 1 ANTIALIASING 0 RAYDEPTH 4 CENTER 0 0 -5 VIEWDIR 0 0 1 UPDIR 0 1 0 END_CAMERA
 DIRECTIONAL_LIGHT DIRECTION 0 -1 1 COLOR 1 1 1
-SPHERE CENTER 1 0 0 RAD 1 TEXTURE AMBIENT .1 DIFFUSE .9 SPECULAR 0 OPACITY 1 COLOR 1 .3 .1 TEXFUNC 0
+SPHERE CENTER 1 0 0 RAD 1 TEXTURE AMBIENT .1 DIFFUSE .9 SPECULAR 0 OPACITY 1
+OUTLINE 1 OUTLINE_WIDTH .5 COLOR 1 .3 .1 TEXFUNC 0
 END_SCENE
 DAT
 
@@ -38,7 +39,7 @@ expect_same printed.rt balls.rt
 "$strahl" import - <balls.nff 2>/dev/null | grep -q '^camera {' || fault "standard input is not imported"
 expect 0 "" render balls.rt -o balls.bmp --size 64x48
 
-expect 0 "ball.dat:4: lights have a place" import ball.dat -o ball.rt
+expect 0 "ball.dat:6: OUTLINE: bodies have no outlines here" import ball.dat -o ball.rt
 expect 0 "1 sphere" check ball.rt
 # The ball is to the right, and lit from above.
 expect 0 "" render ball.rt -o ball.bmp --size 64x48
