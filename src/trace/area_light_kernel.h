@@ -6,39 +6,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <type_traits>
 
 #include "trace/area_light.h"
+#include "trace/area_mean.h"
 #include "trace/items.h"
 #include "trace/shading_math.h"
 #include "trace/shaft.h"
 
 namespace strahl::inline STRAHL_LEVEL {
-
-/// The mean of the unit vectors from the origin to the rectangle [x1, x2] x [y1, y2] at the height h >= 0: the
-/// integrals of x / r, y / r and h / r in closed form.
-template <class E>
-Vec3<E> mean_direction(const E (&x)[2], const E (&y)[2], E h) {
-    E r[2][2];
-    for (int i = 0; i < 2; ++i)
-        for (int j = 0; j < 2; ++j) r[i][j] = std::sqrt(x[i] * x[i] + y[j] * y[j] + h * h);
-    // The integral of 1 / r along an edge, from b1 to b2 at the squared distance p.
-    const auto along = [](E b1, E r1, E b2, E r2, E p) {
-        const auto sum = [p](E b, E r) { return b < 0 ? p / (r - b) : b + r; };
-        return p > 0 ? std::log(sum(b2, r2) / sum(b1, r1)) : E(0);
-    };
-    Vec3<E> total{0};
-    for (int i = 0; i < 2; ++i) {
-        const E sign = i == 1 ? 1 : -1, p = x[i] * x[i] + h * h, q = y[i] * y[i] + h * h;
-        const E along_y = along(y[0], r[i][0], y[1], r[i][1], p), along_x = along(x[0], r[0][i], x[1], r[1][i], q);
-        total.x += sign * (y[1] * r[i][1] - y[0] * r[i][0] + p * along_y) / 2;
-        total.y += sign * (x[1] * r[1][i] - x[0] * r[0][i] + q * along_x) / 2;
-        total.z += sign * h * (x[i] * along_y + y[i] * along_x);
-        for (int j = 0; h > 0 && j < 2; ++j)
-            total.z -= (i == j ? h : -h) * h * std::atan(x[i] * y[j] / (h * r[i][j]));
-    }
-    return scale(1 / ((x[1] - x[0]) * (y[1] - y[0])), total);
-}
 
 /// Squares of a rectangle, by their corner with the smallest coordinates, in units of the smallest squares.
 struct AreaCells {
@@ -60,8 +35,8 @@ class AreaSum {
   public:
     AreaSum(const World<T>& world, int number, const LitHits<S>& hits, int k, Visibility<S> visibility)
         : world(world), visibility(visibility), position(at(hits.position, k)), normal(at(hits.normal, k)),
-          flat(at(hits.flat, k)), reflected(at(hits.reflected, k)), surface(lane(hits.surface, k)), specular(lane(hits.specular, k)),
-          pow(lane(hits.pow, k)), shines_from(lane(hits.shines_from, k)),
+          flat(at(hits.flat, k)), reflected(at(hits.reflected, k)), surface(lane(hits.surface, k)),
+          specular(lane(hits.specular, k)), pow(lane(hits.pow, k)), shines_from(lane(hits.shines_from, k)),
           start{number, hits.bin, first_lanes<S>((bits(hits.outside) >> k & 1) ? width<S> : 0)} {
         const LightKernel<T>& light = world.lights[number];
         u = light.u, v = light.v;
@@ -78,7 +53,7 @@ class AreaSum {
         look_around(ways);
         glossy = may_shine(ways);
         if (clear && faced == 4 && !glossy) {
-            const T mean = mean_cosine();
+            const T mean = mean_cosine(normal, middle, u, v);
             diffuse = Vec3<T>(mean), share = Vec3<T>(T(1));
             return;
         }
@@ -97,7 +72,7 @@ class AreaSum {
             divide(mixed, cells, size / 2);
         }
         add(mixed, size);
-        if (faced == 4 && whole > 0) diffuse = scale(mean_cosine() / whole, diffuse);
+        if (faced == 4 && whole > 0) diffuse = scale(mean_cosine(normal, middle, u, v) / whole, diffuse);
     }
 
     Vec3<T> diffuse{0}, highlight{0}, share{0};
@@ -128,36 +103,6 @@ class AreaSum {
         if (!(along < cosine)) return true;  // it is reflected towards a point of the cone around the rectangle
         const T sine = sqrt(max(T(1) - cosine * cosine, T(0))), across = sqrt(max(T(1) - along * along, T(0)));
         return !(along * cosine + across * sine < shines_from);
-    }
-
-    /// The mean of n.l over the rectangle, all of which is above the surface. A small one is summed up at 4 by 4 points
-    /// of Gauss and Legendre: the closed form would cancel.
-    T mean_cosine() const {
-        const T width_squared = dot(u, u), height_squared = dot(v, v);
-        if (dot(middle, middle) > T(1000) * max(width_squared, height_squared)) {
-            constexpr T points[4]{T(-.861136311594052575), T(-.339981043584856265), T(.339981043584856265),
-                                  T(.861136311594052575)};
-            constexpr T weights[4]{T(.173927422568726929), T(.326072577431273071), T(.326072577431273071),
-                                   T(.173927422568726929)};
-            T sum(0);
-            for (int i = 0; i < 4; ++i)
-                for (int j = 0; j < 4; ++j) {
-                    const Vec3<T> way = fma(points[i] / 2, u, fma(points[j] / 2, v, middle));
-                    sum += weights[i] * weights[j] * (dot(normal, way) / sqrt(dot(way, way)));
-                }
-            return sum;
-        }
-        using E = std::conditional_t<std::is_same_v<T, float>, double, T>;
-        const auto wide = [](const Vec3<T>& a) { return Vec3<E>(E(a.x), E(a.y), E(a.z)); };
-        const auto length = [](const Vec3<E>& a) { return std::sqrt(dot(a, a)); };
-        const Vec3<E> to = wide(middle), w = cross(wide(u), wide(v)), n = wide(normal);
-        const Vec3<E> axes[3]{scale(1 / length(wide(u)), wide(u)), scale(1 / length(wide(v)), wide(v)),
-                              scale((dot(w, to) < 0 ? -1 : 1) / length(w), w)};
-        const E x = dot(to, axes[0]), y = dot(to, axes[1]), half_x = length(wide(u)) / 2, half_y = length(wide(v)) / 2;
-        const Vec3<E> mean = mean_direction({x - half_x, x + half_x}, {y - half_y, y + half_y}, dot(to, axes[2]));
-        E cosine(0);
-        for (int c = 0; c < 3; ++c) cosine += mean[c] * dot(n, axes[c]);
-        return static_cast<T>(cosine);
     }
 
     /// The way to points of the rectangle, by their coordinates in units of the smallest cells.
@@ -202,18 +147,25 @@ class AreaSum {
         const int corner = y * row + x;
         return {corner, corner + size, corner + size * row, corner + size * row + size};
     }
-    /// The mean share of the corners that face the surface. Is it that of each?
-    Vec3<T> mean_share(int x, int y, int size, bool& even) const {
-        Vec3<T> sum{0};
-        int count = 0, last = -1;
-        even = true;
+    /// Are the corners that face the surface in the same light?
+    bool is_even(int x, int y, int size) const {
+        int last = -1;
         for (const int corner : corners_of(x, y, size)) {
             if (known[corner] != faced_side) continue;
-            for (int c = 0; c < 3; ++c) {
-                sum[c] += shares[c][corner];
-                even = even && (last < 0 || shares[c][corner] == shares[c][last]);
-            }
-            ++count, last = corner;
+            for (int c = 0; c < 3; ++c)
+                if (last >= 0 && shares[c][corner] != shares[c][last]) return false;
+            last = corner;
+        }
+        return true;
+    }
+    /// The mean share of these corners.
+    Vec3<T> mean_share(int x, int y, int size) const {
+        Vec3<T> sum{0};
+        int count = 0;
+        for (const int corner : corners_of(x, y, size)) {
+            if (known[corner] != faced_side) continue;
+            for (int c = 0; c < 3; ++c) sum[c] += shares[c][corner];
+            ++count;
         }
         return count > 1 ? scale(T(1) / T(count), sum) : sum;
     }
@@ -224,9 +176,7 @@ class AreaSum {
         cells.count = mixed.count = 0;
         for (int i = 0; i < all; ++i) {
             const int x = cells.x[i], y = cells.y[i];
-            bool even;
-            mean_share(x, y, size, even);
-            (even ? cells : mixed).add(x, y);
+            (is_even(x, y, size) ? cells : mixed).add(x, y);
         }
     }
     static void divide(const AreaCells& cells, AreaCells& quarters, int size) {
@@ -246,8 +196,7 @@ class AreaSum {
             store_lanes(cosines, max(dot(splat<S>(normal), way), S(0)) / sqrt(dot(way, way)));
             store_lanes(shines, glossy ? mean_highlight(x, y, size) : S(0));
             for (int k = 0; k < lanes; ++k) {
-                bool even;
-                const Vec3<T> arrives = mean_share(cells.x[i + k], cells.y[i + k], size, even);
+                const Vec3<T> arrives = mean_share(cells.x[i + k], cells.y[i + k], size);
                 whole = fma(cosines[k], area(size), whole);
                 diffuse = fma(cosines[k] * area(size), arrives, diffuse);
                 highlight = fma(shines[k] * area(size), arrives, highlight);
