@@ -8,7 +8,7 @@ pkg_check_modules(OIIO REQUIRED IMPORTED_TARGET OpenImageIO>=2.4)
 add_library(strahl_picture_module MODULE src/image/oiio/oiio_module.cpp)
 target_link_libraries(strahl_picture_module PRIVATE strahl_flags PkgConfig::OIIO)
 # Its place relative to the programs is the same in the build folder as when installed.
-set_target_properties(strahl_picture_module PROPERTIES OUTPUT_NAME strahl_image CXX_VISIBILITY_PRESET hidden
+set_target_properties(strahl_picture_module PROPERTIES OUTPUT_NAME strahl_image CXX_VISIBILITY_PRESET hidden NO_SONAME ON
                       LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/lib/strahl)
 # So that a program that links strahl_image can be run as soon as it is built.
 add_dependencies(strahl_image strahl_picture_module)

@@ -9,9 +9,7 @@ else()
 endif()
 # Reading options takes no time, but CLI11 takes long to compile.
 set_source_files_properties(src/main/main.cpp PROPERTIES COMPILE_DEFINITIONS STRAHL_VERSION="${PROJECT_VERSION}"
-                                                         COMPILE_OPTIONS -O0)
+                                                         COMPILE_OPTIONS -O0 SKIP_PRECOMPILE_HEADERS ON)
 set_target_properties(strahl PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR})
 
-install(TARGETS strahl RUNTIME DESTINATION bin)
-install(DIRECTORY scenes assets DESTINATION share/strahl)
-install(FILES LICENSE README.md DESTINATION share/doc/strahl)
+include(src/main/package.cmake)

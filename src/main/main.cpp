@@ -17,6 +17,7 @@
 #include "main/interrupt.h"
 #include "main/options.h"
 #include "main/options_convert.h"
+#include "main/options_reference.h"
 #include "povref/command_crosscheck.h"
 #include "scene/error.h"
 #include "show/command_view.h"
@@ -230,6 +231,7 @@ int run(int argc, char** argv) {
     CLI::App app{"Strahl, a fast and exact ray tracer.", "strahl"};
     app.set_version_flag("--version", version, "Print the version and the SIMD level in use");
     app.set_help_flag("-h,--help", "Print this help; strahl COMMAND --help describes a command");
+    add_reference(app, STRAHL_VERSION);
     app.require_subcommand(1);
     app.get_formatter()->column_width(26);
     Action action;

@@ -46,6 +46,21 @@ CLI::Option* add_parsed(CLI::App* command, const char* name, Value& value, Parse
         ->type_name(form);
 }
 
+/// One of these words; they are its name too, for `words_of`.
+inline CLI::Validator one_of(const std::vector<std::string>& words) {
+    std::string name;
+    for (const std::string& word : words) name += (name.empty() ? "" : "|") + word;
+    return CLI::IsMember(words).description("").name(name);
+}
+/// The words that an option's value is one of, if it is.
+inline std::optional<std::vector<std::string>> words_of(const CLI::Option& option) try {
+    const std::string& name = const_cast<CLI::Option&>(option).get_validator(0)->get_name();
+    if (name.empty()) return std::nullopt;
+    return CLI::detail::split(name, '|');
+} catch (const CLI::OptionNotFound&) {  // it has no validator
+    return std::nullopt;
+}
+
 /// An option whose value is one of some words.
 template <class Value>
 CLI::Option* add_choice(CLI::App* command, const char* name, Value& value,
@@ -60,7 +75,7 @@ CLI::Option* add_choice(CLI::App* command, const char* name, Value& value,
                     if (word == text) value = choice;
             },
             help)
-        ->check(CLI::IsMember(known).description(""))
+        ->check(one_of(known))
         ->type_name(form);
 }
 

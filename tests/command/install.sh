@@ -12,6 +12,31 @@ expect_file x.png
 expect_file moved/share/doc/strahl/LICENSE
 for scene in moved/share/strahl/scenes/*.rt; do expect 0 "no errors" check "$scene"; done
 
+# What other programs read about it.
+share=moved/share
+for file in applications/strahl.desktop mime/packages/strahl.xml icons/hicolor/scalable/apps/strahl.svg \
+    metainfo/strahl.metainfo.xml vim/vimfiles/ftdetect/strahl.vim; do expect_file "$share/$file"; done
+gzip -dc $share/man/man1/strahl.1.gz >page
+grep -qF 'Rays in each pixel' page || fault "the manual page does not tell of --samples"
+grep -q 'syn keyword strahlBlock .*torus' $share/vim/vimfiles/syntax/strahl.vim || fault "vim does not know a torus"
+grep -q '#compdef strahl' $share/zsh/vendor-completions/_strahl || fault "zsh has no completion"
+grep -q 'strahl.*-l precision -x -a .float double extended' $share/fish/vendor_completions.d/strahl.fish ||
+    fault "fish does not complete --precision"
+completed() { # WORD...: what bash offers for the last one
+    bash -c 'source "$0" && COMP_WORDS=("$@") COMP_CWORD=$(($# - 1)) && _strahl && echo "${COMPREPLY[*]}"' \
+        $share/bash-completion/completions/strahl "$@"
+}
+[[ $(completed strahl cro) == crosscheck ]] || fault "bash completes 'cro' as '$(completed strahl cro)'"
+[[ $(completed strahl render --prec) == --precision ]] || fault "bash does not complete --prec"
+[[ $(completed strahl render --precision d) == double ]] || fault "bash does not complete the values of --precision"
+expect 2 "not in {man,bash" --reference nonsense
+if command -v dpkg-shlibdeps >/dev/null; then
+    (cd "$build_folder" && cpack -G DEB -B "$work/package") >log 2>&1 || fault "cpack: $(tail -5 log)"
+    dpkg-deb -c package/*.deb | grep -q ' ./usr/bin/strahl$' || fault "the package lacks the program"
+    dpkg-deb -f package/*.deb Depends | grep -q libglfw3 || fault "the package does not depend on GLFW"
+    rm -rf package
+fi
+
 # Where HOME can't be written, ccache has no place for its cache; the build goes on without it.
 unwritable=(env -u CCACHE_DIR -u XDG_CACHE_HOME HOME=/dev/null/none)
 object=CMakeFiles/strahl_scene.dir/src/scene/transformation.cpp.o

@@ -1,0 +1,81 @@
+#include "text/syntax.h"
+
+#include <set>
+#include <string_view>
+#include <tuple>
+
+#include "text/blocks.h"
+
+namespace strahl {
+namespace {
+
+struct Words {
+    std::set<std::string> blocks, parameters, patterns;
+};
+
+Words words_of_language() {
+    Words words;
+    const auto add = [](std::set<std::string>& to, const auto& from) {
+        for (const std::string_view word : from) to.emplace(word);
+    };
+    add(words.blocks, block_words), add(words.blocks, mesh_words);
+    add(words.patterns, pattern_words);
+    add(words.parameters, shape_words), add(words.parameters, image_maps), add(words.parameters, light_words);
+    add(words.parameters, std::initializer_list<std::string_view>{"colors", "map", "once", "height", "none"});
+    std::apply(
+        [&](const auto&... kind) {
+            const auto add_fields = [&]<class Kind>(const Kind&) {
+                std::apply([&](const auto&... field) { (words.parameters.emplace(field.name), ...); }, Kind::fields);
+            };
+            (add_fields(kind), ...);
+        },
+        std::tuple<Checker, Gradient, Brick, Noise, Marble, Wood>());
+    each_block([&](const char* word, const auto& parameters) {
+        words.blocks.emplace(word);
+        for (const Parameter& parameter : parameters) words.parameters.emplace(parameter.name);
+    });
+    for (const std::string& word : words.blocks) words.parameters.erase(word);
+    return words;
+}
+
+std::string joined(const std::set<std::string>& words, const char* between) {
+    std::string all;
+    for (const std::string& word : words) all += (all.empty() ? "" : between) + word;
+    return all;
+}
+
+}  // namespace
+
+std::string vim_syntax() {
+    const Words words = words_of_language();
+    return "\" Scenes of Strahl, *.rt.\nif exists(\"b:current_syntax\")\n  finish\nendif\n"
+           "syn keyword strahlBlock " + joined(words.blocks, " ") +
+           "\nsyn keyword strahlParameter " + joined(words.parameters, " ") +
+           "\nsyn keyword strahlPattern " + joined(words.patterns, " ") +
+           "\nsyn match strahlNumber \"[-+]\\?\\%(\\d\\+\\.\\?\\d*\\|\\.\\d\\+\\)\\%([eE][-+]\\?\\d\\+\\)\\?\"\n"
+           "syn region strahlString start=+\"+ end=+\"+ oneline\n"
+           "syn match strahlComment \"//.*$\" contains=@Spell\n"
+           "syn region strahlComment start=\"/\\*\" end=\"\\*/\" contains=@Spell\n"
+           "hi def link strahlBlock Structure\nhi def link strahlParameter Identifier\n"
+           "hi def link strahlPattern Function\nhi def link strahlNumber Number\n"
+           "hi def link strahlString String\nhi def link strahlComment Comment\n"
+           "setlocal commentstring=//\\ %s\nlet b:current_syntax = \"strahl\"\n";
+}
+
+std::string textmate_grammar() {
+    const Words words = words_of_language();
+    const auto rule = [](const char* name, const std::string& match) {
+        return std::string("    { \"name\": \"") + name + ".strahl\", \"match\": \"" + match + "\" },\n";
+    };
+    const auto any = [](const std::set<std::string>& all) { return "\\\\b(" + joined(all, "|") + ")\\\\b"; };
+    return "{\n  \"name\": \"Strahl scene\",\n  \"scopeName\": \"source.strahl\",\n  \"fileTypes\": [\"rt\"],\n"
+           "  \"patterns\": [\n" +
+           rule("comment.line.double-slash", "//.*$") +
+           "    { \"name\": \"comment.block.strahl\", \"begin\": \"/\\\\*\", \"end\": \"\\\\*/\" },\n" +
+           rule("string.quoted.double", "\\\"[^\\\"]*\\\"") + rule("storage.type", any(words.blocks)) +
+           rule("support.function", any(words.patterns)) + rule("variable.parameter", any(words.parameters)) +
+           "    { \"name\": \"constant.numeric.strahl\", "
+           "\"match\": \"[-+]?(\\\\d+\\\\.?\\\\d*|\\\\.\\\\d+)([eE][-+]?\\\\d+)?\" }\n  ]\n}\n";
+}
+
+}  // namespace strahl
