@@ -3,8 +3,10 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 
+#include "image/encoder.h"
 #include "image/memory.h"
 #include "image/picture.h"
 #include "text/file.h"
@@ -43,7 +45,8 @@ std::string check(const RenderOptions& options) {
     if (to_stdout && options.stats == "-")
         throw UsageError("picture and statistics can't both go to standard output; write one of them to a file");
     if (options.frames && options.time) throw UsageError("--frames and --time exclude each other");
-    if (options.resume && !options.frames) throw UsageError("--resume goes with --frames");
+    if (to_stdout && (options.resume || options.share))
+        throw UsageError("--resume and --part need a file; standard output keeps nothing");
     const std::string ending =
         to_stdout ? "." + options.format : std::filesystem::path(options.output).extension().string();
     if (const std::string fault = format_fault(to_stdout ? ending : options.output, options.bits); !fault.empty())
@@ -55,17 +58,18 @@ std::string check(const RenderOptions& options) {
     return ending;
 }
 
-void check_size(const Lattice& part, const std::string& ending) {
+void check_size(const Lattice& part, const std::string& ending, bool to_pipe) {
     const std::string size = std::to_string(part.columns) + "x" + std::to_string(part.rows);
     const double pixels = double(part.columns) * part.rows;
     if (ending == ".bmp" && 3 * pixels + 4. * part.rows > 2e9)
         throw UsageError(size + " pixels are too many for a .bmp file (2 GB); choose .png or .exr");
-    // The values in double, the same in float, and the encoded file.
-    const double needed = 48 * pixels, available = available_memory();
+    // Some bands at once, each as it comes, filtered and packed; the whole file if it goes to a pipe.
+    const double row = (ending == ".exr" ? 12. : 6.) * part.columns, band = row * std::min(part.rows, band_rows);
+    const double needed = 12 * band + (to_pipe ? row * part.rows : 0), available = available_memory();
     if (needed > available)
         throw UsageError("a picture of " + size + " pixels needs " + bytes_in_words(needed) + " of memory, and " +
-                         bytes_in_words(available) +
-                         " are free; choose a smaller --size, or render it in parts with --crop");
+                         bytes_in_words(available) + " are free; choose a smaller --size, " +
+                         (to_pipe ? "or write it to a file" : "or render it in parts with --crop"));
 }
 
 void require_writable(const std::string& path) {

@@ -15,6 +15,7 @@ namespace {
 constexpr int longest_side = 1'000'000;
 constexpr int largest_grid = 256;
 constexpr int last_frame = 999'999'999;
+constexpr int most_shares = 1'000'000;
 
 /// Whole numbers with one separator between them and nothing else.
 template <std::size_t count>
@@ -75,6 +76,13 @@ Sampling parse_samples(std::string_view text) {
     return {.grid = (*n)[0], .centre = centre};
 }
 
+Share parse_share(std::string_view text) {
+    const auto n = numbers<2>(text, '/');
+    if (!n || (*n)[0] < 1 || (*n)[1] < (*n)[0] || (*n)[1] > most_shares)
+        throw UsageError("--part is a number and that of all parts, 1/16 to 16/16 for instance, not " + quoted(text));
+    return {(*n)[0], (*n)[1]};
+}
+
 FrameRange parse_frames(std::string_view text) {
     if (const auto one = numbers<1>(text, '-'); one && (*one)[0] <= last_frame) return {(*one)[0], (*one)[0]};
     const auto n = numbers<2>(text, '-');
@@ -97,6 +105,10 @@ void require_within(const Lattice& crop, Size picture) {
 std::string before_ending(const std::string& path, std::string_view insertion) {
     const std::string ending = std::filesystem::path(path).extension().string();
     return path.substr(0, path.size() - ending.size()) + std::string(insertion) + ending;
+}
+
+std::string part_path(const std::string& path, Share share) {
+    return path + ".part-" + std::to_string(share.part) + "-of-" + std::to_string(share.parts);
 }
 
 std::string numbered(const std::string& path, int frame) {

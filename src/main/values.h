@@ -10,6 +10,10 @@ namespace strahl {
 struct Size {
     int width = 640, height = 480;
 };
+/// Part `part` of `parts`, counted from 1.
+struct Share {
+    int part = 1, parts = 1;
+};
 struct FrameRange {
     int first = 0, last = 0;
 };
@@ -20,6 +24,8 @@ Size parse_size(std::string_view text);
 Lattice parse_crop(std::string_view text);
 /// "1", one ray through each pixel's middle, "4x4", a grid of 16, or "4x4+1", that and one through the middle.
 Sampling parse_samples(std::string_view text);
+/// "3/16".
+Share parse_share(std::string_view text);
 /// "A-B", or "A" for one frame: 0 <= A <= B < 10^9.
 FrameRange parse_frames(std::string_view text);
 
@@ -29,6 +35,9 @@ void require_within(const Lattice& crop, Size picture);
 /// The file of a frame: `path` with its "%d", "%4d" or "%04d" replaced by the number (padded with zeros), or, if it has
 /// none, with "-0042" inserted before the ending.
 std::string numbered(const std::string& path, int frame);
+
+/// The file of a share of one picture: "a.png.part-3-of-16".
+std::string part_path(const std::string& path, Share share);
 
 /// `path` with `insertion` inserted before its ending.
 std::string before_ending(const std::string& path, std::string_view insertion);
