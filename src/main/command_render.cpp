@@ -36,15 +36,18 @@ bool is_finished(const std::string& path, const Lattice& part) {
 
 /// Those of the share, if there is one.
 bool render_frames(const RenderOptions& options, const Lattice& part, Renderer& renderer, const std::string& ending) {
-    const auto [first, last] = *options.frames;
     const Share share = options.share.value_or(Share{});
-    for (int frame = first + share.part - 1; frame <= last; frame += share.parts) {
-        const std::string path = numbered(options.output, frame);
-        if (options.resume && !renderer.interrupted() && is_finished(path, part)) continue;
-        const std::string label = "frame " + std::to_string(frame) + " of " + std::to_string(last) + " ";
-        if (!renderer.render(shot_of(renderer.scene(), frame / options.fps), path, ending, label)) return false;
-    }
-    return true;
+    const bool stream = options.output == "-";
+    if (stream) write_file("-", stream_head(ending, {part.columns, part.rows}, options.fps));
+    int count = 0;
+    return options.frames->each([&](int frame) {
+        if (count++ % share.parts != share.part - 1) return true;
+        const std::string path = stream ? "-" : numbered(options.output, frame);
+        if (options.resume && !renderer.interrupted() && is_finished(path, part)) return true;
+        const std::string last = std::to_string(options.frames->last());
+        const std::string label = "frame " + std::to_string(frame) + " of " + last + " ";
+        return renderer.render(shot_of(renderer.scene(), frame / options.fps), path, ending, label);
+    });
 }
 
 /// A scene, and a hash of its text and its pictures.
@@ -69,7 +72,8 @@ int render_command(const RenderOptions& options) {
     const std::string ending = check(options);
     const Lattice part = options.crop.value_or(Lattice{0, 0, options.size.width, options.size.height});
     check_size(part, ending, options.output == "-");
-    require_writable(options.frames ? numbered(options.output, options.frames->first) : options.output);
+    require_writable(options.frames && options.output != "-" ? numbered(options.output, options.frames->first())
+                                                              : options.output);
     if (!options.stats.empty()) require_writable(options.stats);
     require_different_files(options);
 
@@ -86,7 +90,7 @@ int render_command(const RenderOptions& options) {
 
     const FileFormat format{bits_of(ending_of(ending), options.bits), scene.settings.linear, options.compression};
     const Shot first =
-        shot_of(scene, options.frames ? std::optional(options.frames->first / options.fps) : options.time);
+        shot_of(scene, options.frames ? std::optional(options.frames->first() / options.fps) : options.time);
     Renderer renderer(options, std::move(scene), std::move(hash), first, part, format, stats);
     stats.finished = options.frames ? render_frames(options, part, renderer, ending)
                                     : renderer.render(first, options.output, ending, "", options.share);

@@ -44,13 +44,16 @@ inline void add_render(CLI::App& app, Action& action) {
     add_choice<Compression>(command, "--compression", o->compression,
                             {{"fast", Compression::fast}, {"small", Compression::small}},
                             "Of .png: fast (default), or small, which takes about a second per megapixel", "KIND");
-    add_choice<std::string>(command, "--format", o->format, {{"bmp", "bmp"}, {"png", "png"}, {"exr", "exr"}},
-                            "Format for standard output: bmp, png or exr", "KIND");
+    add_choice<std::string>(
+        command, "--format", o->format,
+        {{"bmp", "bmp"}, {"png", "png"}, {"exr", "exr"}, {"ppm", "ppm"}, {"y4m", "y4m"}},
+        "Format for standard output: bmp, png or exr; or ppm or y4m, of which --frames makes a stream", "KIND");
     add_time(command, o->time);
     add_parsed(
         command, "--frames", o->frames, parse_frames,
-        "Frames of the flythrough, as numbered files: %04d in FILE becomes the number; else it goes before the ending",
-        "A-B");
+        "Frames of the flythrough, 0-99 or 1-3,5,7-20:2, as numbered files: %04d in FILE becomes the number; else it "
+        "goes before the ending",
+        "LIST");
     add_fps(command, o->fps, "Frames per second of the flythrough, 25 by default; frame N is at N/F seconds");
     add_parsed(command, "--part", o->share, parse_share,
                "Part K of N: every Nth frame, or bands of one picture, which strahl join puts together", "K/N");

@@ -17,15 +17,15 @@ namespace {
 /// Would `path` be overwritten by one of the pictures?
 bool is_picture(const RenderOptions& options, const std::string& path) {
     if (!options.frames) return same_file(options.output, path);
-    const auto [first, last] = *options.frames;
     const auto digit = [&](std::size_t i) { return path[i] >= '0' && path[i] <= '9'; };
     // Only a number that is in the name can be its frame's.
     for (std::size_t start = 0; start < path.size(); ++start) {
         std::int64_t frame = 0;
-        for (std::size_t i = start; i < path.size() && digit(i) && frame <= last; ++i) {
+        for (std::size_t i = start; i < path.size() && digit(i) && frame < 1'000'000'000; ++i) {
             frame = 10 * frame + (path[i] - '0');
-            if (frame < first || frame > last) continue;
-            if (same_file(numbered(options.output, static_cast<int>(frame)), path)) return true;
+            if (frame < 1'000'000'000 && options.frames->has(static_cast<int>(frame)) &&
+                same_file(numbered(options.output, static_cast<int>(frame)), path))
+                return true;
         }
     }
     return false;
@@ -37,11 +37,14 @@ std::string check(const RenderOptions& options) {
     if (options.output.empty()) throw UsageError("no output file. Add -o FILE, which ends in .bmp, .png or .exr");
     const bool to_stdout = options.output == "-";
     if (to_stdout && options.format.empty())
-        throw UsageError("-o - writes the picture to standard output and needs its format: --format bmp, png or exr");
+        throw UsageError(
+            "-o - writes the picture to standard output and needs its format: --format bmp, png, exr, ppm or y4m");
     if (!to_stdout && !options.format.empty())
         throw UsageError("--format is for standard output (-o -); otherwise the file's ending chooses its format");
-    if (to_stdout && options.frames)
-        throw UsageError("--frames writes numbered files; -o needs a file name such as film-%04d.png");
+    if (to_stdout && options.frames && options.format != "ppm" && options.format != "y4m")
+        throw UsageError(
+            "--frames writes numbered files, for which -o needs a name such as film-%04d.png, or a stream to standard "
+            "output: -o - --format ppm or y4m");
     if (to_stdout && options.stats == "-")
         throw UsageError("picture and statistics can't both go to standard output; write one of them to a file");
     if (options.frames && options.time) throw UsageError("--frames and --time exclude each other");
@@ -49,6 +52,8 @@ std::string check(const RenderOptions& options) {
         throw UsageError("--resume and --part need a file; standard output keeps nothing");
     const std::string ending =
         to_stdout ? "." + options.format : std::filesystem::path(options.output).extension().string();
+    if (!to_stdout && (ending_of(ending) == ".ppm" || ending_of(ending) == ".y4m"))
+        throw UsageError("a " + ending + " goes to standard output alone: -o - --format " + ending.substr(1));
     if (const std::string fault = format_fault(to_stdout ? ending : options.output, options.bits); !fault.empty())
         throw UsageError(fault);
     if (!supported(options.simd))

@@ -12,7 +12,7 @@ namespace strahl {
 struct RenderOptions {
     std::string scene;   // a file, or "-" for standard input
     std::string output;  // a file, or "-" for standard output
-    std::string format;  // "bmp", "png" or "exr", for standard output only
+    std::string format;  // "bmp", "png", "exr", "ppm" or "y4m", for standard output only
     int bits = 0;        // per channel; 0 is the format's default
     Compression compression = Compression::fast;
     Size size;           // of the whole picture, even if only a crop of it is rendered
@@ -24,7 +24,7 @@ struct RenderOptions {
     Simd simd = Simd::automatic;
     int threads = 0;             // 0: all processors
     std::optional<double> time;  // seconds into the flythrough
-    std::optional<FrameRange> frames;
+    std::optional<FrameList> frames;
     double fps = 25;
     std::optional<Share> share;  // of the frames, or of the bands of one picture
     bool resume = false;         // skips frames whose files exist, and whole; goes on with an interrupted picture

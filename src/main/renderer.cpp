@@ -95,12 +95,14 @@ void Renderer::tell_interrupted(const std::string& done, const std::string& path
         said += " before anything of " + in_quotes(path) + " was finished";
     } else if (shared) {
         said += "; " + done + " of the part are finished";
+    } else if (path == "-" && options.frames) {
+        said += "; the stream ends with the frame before";
     } else {
         const std::string file = path == "-" ? path : before_ending(path, ".part");
         writer.write(file);
         said += "; the finished part (" + done + ") is in " + (file == "-" ? "standard output" : in_quotes(file));
     }
-    if (kept || options.frames) said += "; the same command with --resume continues from there";
+    if (kept || (options.frames && path != "-")) said += "; the same command with --resume continues from there";
     std::cerr << "strahl: " << said << '\n';
 }
 

@@ -24,7 +24,7 @@ refuse() { expect 2 "$1" render scene.rt "${@:2}"; }
 refuse "Add -o FILE"
 refuse ".bmp, .png or .exr" -o x.jpg
 refuse ".bmp, .png or .exr" -o x
-refuse "--format bmp, png or exr" -o -
+refuse "--format bmp, png, exr, ppm or y4m" -o -
 refuse "the file's ending chooses its format" -o x.png --format png
 refuse "--format" -o - --format jpg
 refuse "choose .png for 16" -o x.bmp --bits 16
