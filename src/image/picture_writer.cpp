@@ -111,7 +111,7 @@ void PictureWriter::save(const std::shared_ptr<BandFile>& file) {
         file->append(i, band.encoded);
         band.in = file;
         bytes_held -= band.encoded.bytes.size();
-        band.encoded = {};
+        std::string().swap(band.encoded.bytes);  // an assignment would keep the memory
     }
     file->sync();
 }
