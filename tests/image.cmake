@@ -1,6 +1,7 @@
 # Files, pictures and their comparison, and the parts of the commands that need nothing else.
 strahl_test(file strahl_text)
 strahl_test(picture strahl_image)
+strahl_test(bands strahl_image)
 strahl_test(hostile_pictures strahl_image)
 strahl_test(compare strahl_image)
 strahl_test(progress strahl_flags)

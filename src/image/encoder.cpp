@@ -50,6 +50,8 @@ class Bmp : public Encoder {
 std::unique_ptr<Encoder> encoder_for(std::string_view ending, const Layout& layout, Compression compression) {
     if (ending == ".png") return png_encoder(layout, compression);
     if (ending == ".exr") return exr_encoder(layout);
+    if (ending == ".ppm") return ppm_encoder(layout);
+    if (ending == ".y4m") return y4m_encoder(layout);
     assert(ending == ".bmp");
     return std::make_unique<Bmp>(layout);
 }

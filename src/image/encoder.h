@@ -51,10 +51,15 @@ class Encoder {
     const Layout layout;
 };
 
-/// For a file with this ending (".bmp", ".png" or ".exr", in lower case).
+/// For a file with this ending (".bmp", ".png" or ".exr", in lower case), or a picture of a stream (".ppm", ".y4m").
 std::unique_ptr<Encoder> encoder_for(std::string_view ending, const Layout& layout, Compression compression);
 
 std::unique_ptr<Encoder> png_encoder(const Layout& layout, Compression compression);
 std::unique_ptr<Encoder> exr_encoder(const Layout& layout);
+std::unique_ptr<Encoder> ppm_encoder(const Layout& layout);
+std::unique_ptr<Encoder> y4m_encoder(const Layout& layout);
+
+/// What precedes the first picture of a stream.
+std::string stream_head(std::string_view ending, const Layout& layout, double fps);
 
 }  // namespace strahl

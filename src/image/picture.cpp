@@ -102,6 +102,8 @@ double half_step(FileFormat format) {
 
 std::string format_fault(const std::string& path, int bits) {
     const std::string ending = ending_of(path);
+    if (ending == ".ppm" || ending == ".y4m")  // streams
+        return bits_of(ending, bits) == 8 ? "" : "a " + ending + " stream has 8 bits per channel";
     if (ending != ".bmp" && ending != ".png" && ending != ".exr")
         return "pictures are written as .bmp, .png or .exr; give '" + path + "' one of these endings";
     bits = bits_of(ending, bits);

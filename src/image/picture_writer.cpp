@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cstdint>
+#include <map>
 #include <type_traits>
 
 #include "image/transfer.h"
@@ -40,12 +41,6 @@ Layout layout_of(int width, int height, int channels, const std::string& named, 
 
 }  // namespace
 
-struct PictureWriter::Band {
-    std::atomic<std::size_t> missing = 0;  // pixels
-    std::vector<std::byte> codes;
-    EncodedBand encoded;
-};
-
 PictureWriter::PictureWriter(int width, int height, int channels, const std::string& named, FileFormat own_format)
     : format(own_format),
       encoder(encoder_for(ending_of(named), layout_of(width, height, channels, named, own_format.bits),
@@ -82,31 +77,60 @@ void PictureWriter::put_any(int x, int y, int columns, int rows, const T* values
         std::byte* const codes = codes_of(band, encoder->rows(i));
         const int first = done;
         for (; done < rows && place(done) / band_rows == i; ++done) {
-            const std::size_t row = unsigned(place(done) % band_rows), pixel = row * unsigned(layout.width) + unsigned(x);
+            const std::size_t row = unsigned(place(done) % band_rows);
+            const std::size_t pixel = row * unsigned(layout.width) + unsigned(x);
             std::byte* const to = codes + pixel * unsigned(layout.channels * layout.bits / 8);
             store(values + unsigned(done) * count, count, layout.bits, format.linear, to);
         }
         const auto pixels = std::size_t(columns) * unsigned(done - first);
-        if (band.missing.fetch_sub(pixels) == pixels) encode(i);
+        if (band.missing.fetch_sub(pixels) == pixels) encode(band, encoder->rows(i));
     }
 }
 
-void PictureWriter::encode(int i) {
-    Band& band = *bands[unsigned(i)];
-    band.encoded = encoder->encode(codes_of(band, encoder->rows(i)), encoder->rows(i));
-    band.codes = {};
-    band.missing = 0;
+void PictureWriter::encode(Band& band, int rows) {
+    band.encoded = encoder->encode(codes_of(band, rows), rows);
+    std::vector<std::byte>().swap(band.codes);
+    bytes_held += band.encoded.bytes.size();
+    band.ready = true;
+}
+
+std::pair<int, int> PictureWriter::rows(int band) const {
+    const int first = band * band_rows, last = first + encoder->rows(band), height = layout().height;
+    return encoder->bottom_up() ? std::pair(height - last, height - first) : std::pair(first, last);
+}
+
+void PictureWriter::take(std::shared_ptr<BandFile> file) {
+    for (int i = 0; i < count(); ++i)
+        if (Band& band = *bands[unsigned(i)]; file->has(i) && !band.ready) band.in = file, band.ready = true;
+}
+
+void PictureWriter::save(const std::shared_ptr<BandFile>& file) {
+    for (int i = 0; i < count(); ++i) {
+        Band& band = *bands[unsigned(i)];
+        if (!band.ready || band.in) continue;
+        file->append(i, band.encoded);
+        band.in = file;
+        bytes_held -= band.encoded.bytes.size();
+        std::string().swap(band.encoded.bytes);  // an assignment would keep the memory
+    }
+    file->sync();
 }
 
 void PictureWriter::write(const std::string& path) {
     OutputFile file(path);
+    std::map<int, Band> black;  // by their rows
+    const auto at = [&](int i) -> Band& {
+        Band& band = *bands[unsigned(i)];
+        if (!band.ready && !band.codes.empty()) encode(band, encoder->rows(i));
+        if (band.ready) return band;
+        Band& same = black[encoder->rows(i)];
+        if (!same.ready) encode(same, encoder->rows(i));
+        return same;
+    };
     std::vector<std::string> notes;
-    for (int i = 0; i < encoder->bands(); ++i) {
-        if (bands[unsigned(i)]->missing > 0) encode(i);
-        notes.push_back(bands[unsigned(i)]->encoded.note);
-    }
+    for (int i = 0; i < count(); ++i) notes.push_back(at(i).in ? at(i).in->note(i) : at(i).encoded.note);
     encoder->assemble(
-        notes, [&](int i) { return std::move(bands[unsigned(i)]->encoded.bytes); },
+        notes, [&](int i) { return at(i).in ? at(i).in->bytes(i) : at(i).encoded.bytes; },
         [&](std::string_view bytes) { file.append(bytes); });
     file.finish();
 }

@@ -5,9 +5,10 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "image/encoder.h"
+#include "image/band_file.h"
 
 namespace strahl {
 
@@ -22,20 +23,41 @@ class PictureWriter {
     void put(int x, int y, int columns, int rows, const double* values);
     void put(int x, int y, int columns, int rows, const float* values);
 
-    /// Pixels that did not come are black. Throws OutputError.
+    /// Takes the bands that are in the file as done; it may be used by several writers, and is not changed.
+    void take(std::shared_ptr<BandFile> file);
+    /// Appends the bands that were finished since the last time to the file, and frees their memory. From one thread at
+    /// a time.
+    void save(const std::shared_ptr<BandFile>& file);
+    /// Bytes of finished bands in memory.
+    std::size_t held() const { return bytes_held; }
+
+    const Layout& layout() const { return encoder->layout; }
+    int count() const { return encoder->bands(); }
+    bool finished(int band) const { return bands[unsigned(band)]->ready; }
+    /// The rows of a band in the picture, from the first to before the last.
+    std::pair<int, int> rows(int band) const;
+
+    /// Pixels that did not come are black. Throws OutputError, and FileError for bands that can't be read any more.
     void write(const std::string& path);
 
   private:
-    struct Band;
+    struct Band {
+        std::atomic<std::size_t> missing = 0;  // pixels
+        std::vector<std::byte> codes;
+        EncodedBand encoded;
+        std::atomic<bool> ready = false;  // it is encoded
+        std::shared_ptr<BandFile> in;     // where it is, if not in memory
+    };
     template <class T>
     void put_any(int x, int y, int columns, int rows, const T* values);
     std::byte* codes_of(Band& band, int rows);
-    void encode(int i);
+    void encode(Band& band, int rows);
 
     const FileFormat format;
     const std::unique_ptr<Encoder> encoder;
     std::vector<std::unique_ptr<Band>> bands;
     std::mutex mutex;  // of the bands' memory
+    std::atomic<std::size_t> bytes_held = 0;
 };
 
 }  // namespace strahl

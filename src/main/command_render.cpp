@@ -2,7 +2,9 @@
 #include "main/command_render.h"
 
 #include <filesystem>
+#include <functional>
 #include <iostream>
+#include <string_view>
 #include <utility>
 
 #include "image/pixels.h"
@@ -32,18 +34,36 @@ bool is_finished(const std::string& path, const Lattice& part) {
     }
 }
 
+/// Those of the share, if there is one.
 bool render_frames(const RenderOptions& options, const Lattice& part, Renderer& renderer, const std::string& ending) {
-    const auto [first, last] = *options.frames;
-    for (int frame = first; frame <= last; ++frame) {
-        const std::string path = numbered(options.output, frame);
-        if (options.resume && !renderer.interrupted() && is_finished(path, part)) continue;
-        const std::string label = "frame " + std::to_string(frame) + " of " + std::to_string(last) + " ";
-        if (!renderer.render(shot_of(renderer.scene(), frame / options.fps), path, ending, label)) {
-            std::cerr << "strahl: the same command with --resume continues from there\n";
-            return false;
-        }
-    }
-    return true;
+    const Share share = options.share.value_or(Share{});
+    const bool stream = options.output == "-";
+    if (stream) write_file("-", stream_head(ending, {part.columns, part.rows}, options.fps));
+    int count = 0;
+    return options.frames->each([&](int frame) {
+        if (count++ % share.parts != share.part - 1) return true;
+        const std::string path = stream ? "-" : numbered(options.output, frame);
+        if (options.resume && !renderer.interrupted() && is_finished(path, part)) return true;
+        const std::string last = std::to_string(options.frames->last());
+        const std::string label = "frame " + std::to_string(frame) + " of " + last + " ";
+        return renderer.render(shot_of(renderer.scene(), frame / options.fps), path, ending, label);
+    });
+}
+
+/// A scene, and a hash of its text and its pictures.
+std::pair<Scene, std::string> read_scene(const std::string& path) {
+    const std::hash<std::string_view> hash_of;
+    std::size_t hash = 0;
+    const auto read = [&](const std::string& file) {
+        Pixels pixels = read_pixels(file);
+        const std::size_t bytes = pixels.values.size() * sizeof(float);
+        const std::string_view all(reinterpret_cast<const char*>(pixels.values.data()), bytes);
+        hash = 31 * hash + hash_of(all) + unsigned(pixels.width);
+        return pixels;
+    };
+    const std::string text = read_text(path);
+    Scene scene = parse_scene(text, path == "-" ? "standard input" : path, {}, read);
+    return {std::move(scene), std::to_string(31 * hash + hash_of(text))};
 }
 
 }  // namespace
@@ -51,8 +71,9 @@ bool render_frames(const RenderOptions& options, const Lattice& part, Renderer& 
 int render_command(const RenderOptions& options) {
     const std::string ending = check(options);
     const Lattice part = options.crop.value_or(Lattice{0, 0, options.size.width, options.size.height});
-    check_size(part, ending);
-    require_writable(options.frames ? numbered(options.output, options.frames->first) : options.output);
+    check_size(part, ending, options.output == "-");
+    require_writable(options.frames && options.output != "-" ? numbered(options.output, options.frames->first())
+                                                              : options.output);
     if (!options.stats.empty()) require_writable(options.stats);
     require_different_files(options);
 
@@ -62,18 +83,17 @@ int render_command(const RenderOptions& options) {
     stats.size = options.size;
     stats.crop = options.crop;
     Stopwatch watch;
-    Scene scene = parse_scene(read_text(options.scene), options.scene == "-" ? "standard input" : options.scene, {},
-                              read_pixels);
+    auto [scene, hash] = read_scene(options.scene);
     stats.parse_seconds = watch.lap();
     if (options.time || options.frames)
         flight_for(options.time ? "--time" : "--frames", scene, options.scene);
 
     const FileFormat format{bits_of(ending_of(ending), options.bits), scene.settings.linear, options.compression};
     const Shot first =
-        shot_of(scene, options.frames ? std::optional(options.frames->first / options.fps) : options.time);
-    Renderer renderer(options, std::move(scene), first, part, format, stats);
+        shot_of(scene, options.frames ? std::optional(options.frames->first() / options.fps) : options.time);
+    Renderer renderer(options, std::move(scene), std::move(hash), first, part, format, stats);
     stats.finished = options.frames ? render_frames(options, part, renderer, ending)
-                                    : renderer.render(first, options.output, ending, "");
+                                    : renderer.render(first, options.output, ending, "", options.share);
     if (!options.stats.empty()) write_file(options.stats, to_json(stats));
     return stats.finished ? exit_status::done : exit_status::interrupted;
 }

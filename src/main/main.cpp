@@ -11,13 +11,13 @@
 
 #include "main/command_check.h"
 #include "main/command_compare.h"
-#include "main/command_render.h"
 #include "main/command_stability.h"
 #include "main/exit_status.h"
 #include "main/interrupt.h"
 #include "main/options.h"
 #include "main/options_convert.h"
 #include "main/options_reference.h"
+#include "main/options_render.h"
 #include "povref/command_crosscheck.h"
 #include "scene/error.h"
 #include "show/command_view.h"
@@ -25,62 +25,6 @@
 
 namespace strahl {
 namespace {
-
-void add_render(CLI::App& app, Action& action) {
-    auto [command, o] = add_command(app, action, "render", "Render a scene to a picture file", render_command);
-    add_scene(command, o->scene);
-    add_file(command, "-o,--output", o->output, "The picture: .bmp, .png or .exr; - is standard output");
-    add_parsed(command, "--size", o->size, parse_size, "Size of the picture in pixels, 640x480 by default", "WxH");
-    add_parsed(command, "--crop", o->crop, parse_crop, "Only this part of it; X and Y count from its top left corner",
-               "X,Y,W,H");
-    add_depth(command, o->depth);
-    command
-        ->add_option(
-            "--error", o->error,
-            "Error allowed in each channel, whose values are from 0 to 1: bounded for what rays leave out, and the RMS "
-            "error aimed at for the averages over pixels. Precision and rays are chosen to match; --stats reports how. "
-            "0: no pruning. Without this option only light that can't change the file by half a step is pruned, and "
-            "1/510 is aimed at")
-        ->check(numbers(0, 1e9))
-        ->type_name("E");
-    add_parsed(command, "--samples", o->sampling, parse_samples,
-               "Rays in each pixel: 1, through its middle, or NxN, a grid. By default as many as the picture needs",
-               "N");
-    add_choice<std::optional<Precision>>(
-        command, "--precision", o->precision,
-        {{"float", Precision::float32}, {"double", Precision::float64}, {"extended", Precision::extended}},
-        "float, double or extended; by default double, or what --error needs", "KIND");
-    add_choice<Simd>(command, "--simd", o->simd,
-                     {{"auto", Simd::automatic},
-                      {"scalar", Simd::scalar},
-                      {"v2", Simd::v2},
-                      {"v3", Simd::v3},
-                      {"v4", Simd::v4},
-                      {"neon", Simd::neon}},
-                     "Vector instructions: auto (default), scalar, v2, v3 or v4 for the levels of x86-64, or neon",
-                     "LEVEL");
-    add_threads(command, o->threads);
-    add_bits(command, o->bits, {8, 16, 32}, "Bits per channel: 8, or 16 for .png (.exr always holds 32-bit floats)");
-    add_choice<Compression>(command, "--compression", o->compression,
-                            {{"fast", Compression::fast}, {"small", Compression::small}},
-                            "Of .png: fast (default), or small, which takes about a second per megapixel", "KIND");
-    add_choice<std::string>(command, "--format", o->format, {{"bmp", "bmp"}, {"png", "png"}, {"exr", "exr"}},
-                            "Format for standard output: bmp, png or exr", "KIND");
-    add_time(command, o->time);
-    add_parsed(
-        command, "--frames", o->frames, parse_frames,
-        "Frames of the flythrough, as numbered files: %04d in FILE becomes the number; else it goes before the ending",
-        "A-B");
-    add_fps(command, o->fps, "Frames per second of the flythrough, 25 by default; frame N is at N/F seconds");
-    command->add_flag("--resume", o->resume, "Leave out the frames whose files are already there, and whole");
-    add_file(command, "--stats", o->stats, "Write times, rays and errors to this JSON file");
-    command->add_flag("--quiet", o->quiet, "Show no progress");
-    command->footer(
-        "A still:           strahl render scenes/article.rt -o article.png --size 1920x1080\n"
-        "A film:            strahl render SCENE -o film-%04d.png --frames 0-99 --fps 25\n"
-        "From and to pipes: strahl render - -o - --format png < SCENE | ...\n"
-        "Ctrl-C saves the finished part as NAME.part.ENDING; a second Ctrl-C stops at once.");
-}
 
 PixelSize parse_window_size(std::string_view text) {
     const Size size = parse_size(text);
@@ -237,6 +181,7 @@ int run(int argc, char** argv) {
     Action action;
     add_view(app, action);
     add_render(app, action);
+    add_join(app, action);
     add_check(app, action);
     add_compare(app, action);
     add_import(app, action);

@@ -3,8 +3,10 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 
+#include "image/encoder.h"
 #include "image/memory.h"
 #include "image/picture.h"
 #include "text/file.h"
@@ -15,15 +17,15 @@ namespace {
 /// Would `path` be overwritten by one of the pictures?
 bool is_picture(const RenderOptions& options, const std::string& path) {
     if (!options.frames) return same_file(options.output, path);
-    const auto [first, last] = *options.frames;
     const auto digit = [&](std::size_t i) { return path[i] >= '0' && path[i] <= '9'; };
     // Only a number that is in the name can be its frame's.
     for (std::size_t start = 0; start < path.size(); ++start) {
         std::int64_t frame = 0;
-        for (std::size_t i = start; i < path.size() && digit(i) && frame <= last; ++i) {
+        for (std::size_t i = start; i < path.size() && digit(i) && frame < 1'000'000'000; ++i) {
             frame = 10 * frame + (path[i] - '0');
-            if (frame < first || frame > last) continue;
-            if (same_file(numbered(options.output, static_cast<int>(frame)), path)) return true;
+            if (frame < 1'000'000'000 && options.frames->has(static_cast<int>(frame)) &&
+                same_file(numbered(options.output, static_cast<int>(frame)), path))
+                return true;
         }
     }
     return false;
@@ -35,17 +37,23 @@ std::string check(const RenderOptions& options) {
     if (options.output.empty()) throw UsageError("no output file. Add -o FILE, which ends in .bmp, .png or .exr");
     const bool to_stdout = options.output == "-";
     if (to_stdout && options.format.empty())
-        throw UsageError("-o - writes the picture to standard output and needs its format: --format bmp, png or exr");
+        throw UsageError(
+            "-o - writes the picture to standard output and needs its format: --format bmp, png, exr, ppm or y4m");
     if (!to_stdout && !options.format.empty())
         throw UsageError("--format is for standard output (-o -); otherwise the file's ending chooses its format");
-    if (to_stdout && options.frames)
-        throw UsageError("--frames writes numbered files; -o needs a file name such as film-%04d.png");
+    if (to_stdout && options.frames && options.format != "ppm" && options.format != "y4m")
+        throw UsageError(
+            "--frames writes numbered files, for which -o needs a name such as film-%04d.png, or a stream to standard "
+            "output: -o - --format ppm or y4m");
     if (to_stdout && options.stats == "-")
         throw UsageError("picture and statistics can't both go to standard output; write one of them to a file");
     if (options.frames && options.time) throw UsageError("--frames and --time exclude each other");
-    if (options.resume && !options.frames) throw UsageError("--resume goes with --frames");
+    if (to_stdout && (options.resume || options.share))
+        throw UsageError("--resume and --part need a file; standard output keeps nothing");
     const std::string ending =
         to_stdout ? "." + options.format : std::filesystem::path(options.output).extension().string();
+    if (!to_stdout && (ending_of(ending) == ".ppm" || ending_of(ending) == ".y4m"))
+        throw UsageError("a " + ending + " goes to standard output alone: -o - --format " + ending.substr(1));
     if (const std::string fault = format_fault(to_stdout ? ending : options.output, options.bits); !fault.empty())
         throw UsageError(fault);
     if (!supported(options.simd))
@@ -55,17 +63,18 @@ std::string check(const RenderOptions& options) {
     return ending;
 }
 
-void check_size(const Lattice& part, const std::string& ending) {
+void check_size(const Lattice& part, const std::string& ending, bool to_pipe) {
     const std::string size = std::to_string(part.columns) + "x" + std::to_string(part.rows);
     const double pixels = double(part.columns) * part.rows;
     if (ending == ".bmp" && 3 * pixels + 4. * part.rows > 2e9)
         throw UsageError(size + " pixels are too many for a .bmp file (2 GB); choose .png or .exr");
-    // The values in double, the same in float, and the encoded file.
-    const double needed = 48 * pixels, available = available_memory();
+    // Some bands at once, each as it comes, filtered and packed; the whole file if it goes to a pipe.
+    const double row = (ending == ".exr" ? 12. : 6.) * part.columns, band = row * std::min(part.rows, band_rows);
+    const double needed = 12 * band + (to_pipe ? row * part.rows : 0), available = available_memory();
     if (needed > available)
         throw UsageError("a picture of " + size + " pixels needs " + bytes_in_words(needed) + " of memory, and " +
-                         bytes_in_words(available) +
-                         " are free; choose a smaller --size, or render it in parts with --crop");
+                         bytes_in_words(available) + " are free; choose a smaller --size, " +
+                         (to_pipe ? "or write it to a file" : "or render it in parts with --crop"));
 }
 
 void require_writable(const std::string& path) {

@@ -12,7 +12,7 @@ namespace strahl {
 struct RenderOptions {
     std::string scene;   // a file, or "-" for standard input
     std::string output;  // a file, or "-" for standard output
-    std::string format;  // "bmp", "png" or "exr", for standard output only
+    std::string format;  // "bmp", "png", "exr", "ppm" or "y4m", for standard output only
     int bits = 0;        // per channel; 0 is the format's default
     Compression compression = Compression::fast;
     Size size;           // of the whole picture, even if only a crop of it is rendered
@@ -24,9 +24,11 @@ struct RenderOptions {
     Simd simd = Simd::automatic;
     int threads = 0;             // 0: all processors
     std::optional<double> time;  // seconds into the flythrough
-    std::optional<FrameRange> frames;
+    std::optional<FrameList> frames;
     double fps = 25;
-    bool resume = false;  // skips frames whose files exist, and whole
+    std::optional<Share> share;  // of the frames, or of the bands of one picture
+    bool resume = false;         // skips frames whose files exist, and whole; goes on with an interrupted picture
+    double checkpoint = 10;      // seconds after which finished bands are kept
     std::string stats;    // a JSON file, or empty
     bool quiet = false;
 };
@@ -36,7 +38,7 @@ struct RenderOptions {
 std::string check(const RenderOptions& options);
 
 /// Refuses pictures that the format or the memory of this machine can't hold.
-void check_size(const Lattice& part, const std::string& ending);
+void check_size(const Lattice& part, const std::string& ending, bool to_pipe);
 
 /// Nothing that was asked for, and not the scene, may be overwritten by something else.
 void require_different_files(const RenderOptions& options);

@@ -1,19 +1,40 @@
 #include "main/renderer.h"
 
 #include <atomic>
+#include <filesystem>
 #include <iostream>
+#include <memory>
 #include <utility>
 
 #include "image/transfer.h"
 #include "main/progress.h"
+#include "num/decimal.h"
 #include "text/utf8.h"
 #include "trace/cell_picture.h"
 
 namespace strahl {
 
-Renderer::Renderer(const RenderOptions& o, Scene scene, const Shot& first, const Lattice& own_part,
-                   FileFormat own_format, Stats& sums)
+namespace {
+
+std::uint64_t pixels(const Lattice& region) { return std::uint64_t(region.columns) * std::uint64_t(region.rows); }
+std::uint64_t pixels(const std::vector<Lattice>& regions) {
+    std::uint64_t sum = 0;
+    for (const Lattice& region : regions) sum += pixels(region);
+    return sum;
+}
+
+/// Not standard output, a pipe or a device.
+bool is_file(const std::string& path) {
+    std::error_code error;
+    return path != "-" && (!std::filesystem::exists(path, error) || std::filesystem::is_regular_file(path, error));
+}
+
+}  // namespace
+
+Renderer::Renderer(const RenderOptions& o, Scene scene, std::string own_scene_hash, const Shot& first,
+                   const Lattice& own_part, FileFormat own_format, Stats& sums)
     : options(o),
+      scene_hash(std::move(own_scene_hash)),
       format(own_format),
       part(own_part),
       stats(sums),
@@ -27,26 +48,100 @@ Renderer::Renderer(const RenderOptions& o, Scene scene, const Shot& first, const
     stats.build_seconds = watch.lap();
 }
 
-bool Renderer::render(const Shot& shot, const std::string& path, const std::string& ending, const std::string& label) {
+bool Renderer::render(const Shot& shot, const std::string& path, const std::string& ending, const std::string& label,
+                      std::optional<Share> shared) {
+    const Share share = shared.value_or(Share{});
+    const std::string file = shared ? part_path(path, share) : path;
     PictureWriter writer(part.columns, part.rows, 3, ending, format);
+    const auto own_header = [&] { return header(shot, writer, ending, share); };
+    Checkpoint checkpoint(writer, is_file(path) ? file + ".checkpoint" : "", own_header, options.checkpoint);
+    const std::uint64_t all = pixels(missing(writer, share));
+    if (options.resume && shared && BandFile::is_at(file)) {
+        const auto finished = std::make_shared<BandFile>(file);
+        require_same(*finished, own_header());
+        writer.take(finished);
+        if (missing(writer, share).empty()) return true;
+    }
+    if (options.resume) checkpoint.resume();
+    const std::vector<Lattice> regions = missing(writer, share);
+
     watch.lap();
     tracer.prepare(view(shot, accuracy.depth, accuracy.dropped), pool);
     stats.build_seconds += watch.lap();
-    const std::uint64_t done = trace(shot, writer, label);
+    const std::uint64_t done = trace(shot, regions, all, writer, checkpoint, label);
     stats.trace_seconds += watch.lap();
-    if (done == 0) {
-        std::cerr << "strahl: interrupted before anything of '" << printable(path) << "' was finished\n";
-        return false;
+    const bool whole = done == all;
+    if (!whole) {
+        const std::string percent = done > 0 ? std::to_string(100 * done / all) + " %" : "";
+        tell_interrupted(percent, path, shared.has_value(), writer, checkpoint);
+    } else if (shared) {
+        checkpoint.become(file);
+    } else {
+        writer.write(path);
+        checkpoint.remove();
     }
-    const bool whole = done == pixels();
-    const std::string file = whole || path == "-" ? path : before_ending(path, ".part");
-    writer.write(file);
     stats.write_seconds += watch.lap();
     stats.frames += whole;
-    if (!whole)
-        std::cerr << "strahl: interrupted; the finished part (" << 100 * done / pixels() << " %) is in "
-                  << (file == "-" ? "standard output" : std::string("'").append(printable(file)).append("'")) << '\n';
     return whole;
+}
+
+/// `done` is the share that is finished, in words; empty if nothing is.
+void Renderer::tell_interrupted(const std::string& done, const std::string& path, bool shared, PictureWriter& writer,
+                                Checkpoint& checkpoint) {
+    const bool kept = checkpoint.save();
+    const auto in_quotes = [](const std::string& name) { return std::string("'").append(printable(name)).append("'"); };
+    std::string said = "interrupted";
+    if (done.empty() || (shared && !kept)) {
+        said += " before anything of " + in_quotes(path) + " was finished";
+    } else if (shared) {
+        said += "; " + done + " of the part are finished";
+    } else if (path == "-" && options.frames) {
+        said += "; the stream ends with the frame before";
+    } else {
+        const std::string file = path == "-" ? path : before_ending(path, ".part");
+        writer.write(file);
+        said += "; the finished part (" + done + ") is in " + (file == "-" ? "standard output" : in_quotes(file));
+    }
+    if (kept || (options.frames && path != "-")) said += "; the same command with --resume continues from there";
+    std::cerr << "strahl: " << said << '\n';
+}
+
+/// What a picture depends on, but for the number of threads, SIMD levels that give the same picture, and the like.
+BandHeader Renderer::header(const Shot& shot, const PictureWriter& writer, const std::string& ending,
+                            Share share) const {
+    std::string words = "size " + std::to_string(options.size.width) + "x" + std::to_string(options.size.height);
+    const auto add = [&](const char* key, double value) {
+        (words += " ").append(key).append(" ").append(text_of(value));
+    };
+    for (const int value : {part.x, part.y, part.columns, part.rows}) add("crop", value);
+    add("time", shot.time), add("depth", accuracy.depth), add("dropped", accuracy.dropped);
+    add("grid", stats.sampling.grid), add("centre", stats.sampling.centre), add("error", stats.sampling.error);
+    words.append(" precision ").append(name(accuracy.precision)).append(tracer.simd() == Simd::v2 ? " unfused" : "");
+    return {hash_of_program(), scene_hash + " " + hash_of_meshes(scene()), words, ending_of(ending), writer.layout(),
+            format.compression, share.part, share.parts};
+}
+
+/// What is not finished of the share's bands, in regions of consecutive bands that have not too many tiles to be
+/// listed.
+std::vector<Lattice> Renderer::missing(const PictureWriter& writer, Share share) const {
+    constexpr std::uint64_t most_pixels = std::uint64_t(1) << 30;
+    std::vector<Lattice> regions;
+    for (int i = 0; i < writer.count(); ++i) {
+        if (writer.finished(i) || i % share.parts != share.part - 1) continue;
+        const auto [first, last] = writer.rows(i);
+        const Lattice band{part.x, part.y + first, part.columns, last - first};
+        Lattice* const before = regions.empty() ? nullptr : &regions.back();
+        if (!before || pixels(*before) + pixels(band) > most_pixels) {
+            regions.push_back(band);
+        } else if (before->y + before->rows == band.y) {
+            before->rows += band.rows;
+        } else if (band.y + band.rows == before->y) {  // bottom-up
+            before->y = band.y, before->rows += band.rows;
+        } else {
+            regions.push_back(band);
+        }
+    }
+    return regions;
 }
 
 /// Without --error only light that the file can't show is pruned, and depth and precision are the defaults.
@@ -74,24 +169,29 @@ View Renderer::view(const Shot& shot, int depth, double dropped) const {
             .time = shot.time};
 }
 
-/// Returns the number of finished pixels.
-std::uint64_t Renderer::trace(const Shot& shot, PictureWriter& writer, const std::string& label) {
+/// Returns the number of finished pixels; `all` are those of the picture or the share.
+std::uint64_t Renderer::trace(const Shot& shot, const std::vector<Lattice>& regions, std::uint64_t all,
+                              PictureWriter& writer, Checkpoint& checkpoint, const std::string& label) {
     Progress progress(options.quiet, label);
-    std::atomic<std::uint64_t> done = 0;
+    std::atomic<std::uint64_t> done = all - pixels(regions);
     const auto keep = [&](const Tile& tile) {
         const Lattice& own = tile.lattice;
         std::visit([&](auto rgb) { writer.put(own.x - part.x, own.y - part.y, own.columns, own.rows, rgb.data()); },
                    tile.rgb);
-        const std::uint64_t size = std::uint64_t(own.columns) * own.rows;
-        progress.advance(done.fetch_add(size) + size, pixels());
+        const std::uint64_t size = pixels(own);
+        progress.advance(done.fetch_add(size) + size, all);
+        if (!interrupted()) checkpoint.save_if_due();
     };
     const View seen = view(shot, accuracy.depth, accuracy.dropped);
-    if (stats.sampling.grid > 0) {
-        stats.rays += tracer.trace(seen, stats.sampling, part, pool, keep, interrupt.flag());
-    } else {
-        CellPicture cells(tracer.scene(), seen, part, stats.sampling.error);
-        stats.rays += tracer.trace(seen, cells, 0, pool, keep, interrupt.flag());
-        stats.sampled += cells.sampled();
+    for (const Lattice& region : regions) {
+        if (interrupted()) break;
+        if (stats.sampling.grid > 0) {
+            stats.rays += tracer.trace(seen, stats.sampling, region, pool, keep, interrupt.flag());
+        } else {
+            CellPicture cells(tracer.scene(), seen, region, stats.sampling.error);
+            stats.rays += tracer.trace(seen, cells, 0, pool, keep, interrupt.flag());
+            stats.sampled += cells.sampled();
+        }
     }
     return done;
 }

@@ -1,9 +1,13 @@
 // Pictures of one scene: traced, encoded meanwhile, and written.
 #pragma once
+#include <cstdint>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "image/picture.h"
 #include "image/picture_writer.h"
+#include "main/checkpoint.h"
 #include "main/interrupt.h"
 #include "main/render_options.h"
 #include "main/stats.h"
@@ -25,25 +29,31 @@ inline Shot shot_of(const Scene& scene, std::optional<double> time) {
 
 class Renderer {
   public:
-    /// `first` is the moment by which precision and pruning are chosen; `part` is the part of the picture that is
-    /// traced. Times and rays are added to `sums`.
-    Renderer(const RenderOptions& options, Scene scene, const Shot& first, const Lattice& part, FileFormat format,
-             Stats& sums);
+    /// `scene_hash` is of the text and the pictures. `first` is the moment by which precision and pruning are chosen;
+    /// `part` is the part of the picture that is traced. Times and rays are added to `sums`.
+    Renderer(const RenderOptions& options, Scene scene, std::string scene_hash, const Shot& first, const Lattice& part,
+             FileFormat format, Stats& sums);
 
     const Scene& scene() const { return tracer.scene(); }
     bool interrupted() const { return *interrupt.flag(); }
 
-    /// Traces and writes one picture. If interrupted, writes the finished part to a file of its own and returns
-    /// false.
-    bool render(const Shot& shot, const std::string& path, const std::string& ending, const std::string& label);
+    /// Traces and writes one picture, or the bands of a share. If interrupted, keeps the finished part in files of its
+    /// own and returns false.
+    bool render(const Shot& shot, const std::string& path, const std::string& ending, const std::string& label,
+                std::optional<Share> share = {});
 
   private:
     Accuracy choose(const Scene& scene, const Shot& shot);
     View view(const Shot& shot, int depth, double dropped) const;
-    std::uint64_t pixels() const { return std::uint64_t(part.columns) * part.rows; }
-    std::uint64_t trace(const Shot& shot, PictureWriter& writer, const std::string& label);
+    BandHeader header(const Shot& shot, const PictureWriter& writer, const std::string& ending, Share share) const;
+    std::vector<Lattice> missing(const PictureWriter& writer, Share share) const;
+    std::uint64_t trace(const Shot& shot, const std::vector<Lattice>& regions, std::uint64_t all, PictureWriter& writer,
+                        Checkpoint& checkpoint, const std::string& label);
+    void tell_interrupted(const std::string& done, const std::string& path, bool shared, PictureWriter& writer,
+                          Checkpoint& checkpoint);
 
     const RenderOptions& options;
+    const std::string scene_hash;
     const FileFormat format;
     const Lattice part;
     Stats& stats;

@@ -1,8 +1,10 @@
 // Option values: from text to numbers, with error messages that show an example.
 #include "main/values.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <optional>
@@ -15,6 +17,7 @@ namespace {
 constexpr int longest_side = 1'000'000;
 constexpr int largest_grid = 256;
 constexpr int last_frame = 999'999'999;
+constexpr int most_shares = 1'000'000;
 
 /// Whole numbers with one separator between them and nothing else.
 template <std::size_t count>
@@ -38,6 +41,26 @@ std::string quoted(std::string_view text) { return "'" + std::string(text) + "'"
 std::string padded(int number, std::size_t digits) {
     const std::string text = std::to_string(number);
     return text.size() < digits ? std::string(digits - text.size(), '0') + text : text;
+}
+
+/// One of the ranges of a list.
+std::optional<FrameRange> parse_range(std::string_view text) {
+    FrameRange range;
+    const std::size_t mark = text.find_first_of(":x");
+    if (mark != text.npos) {
+        const auto step = numbers<1>(text.substr(mark + 1), '-');
+        if (!step || (*step)[0] < 1 || (*step)[0] > last_frame) return {};
+        range.step = (*step)[0];
+        text = text.substr(0, mark);
+    }
+    if (const auto one = numbers<1>(text, '-'))
+        range.first = range.last = (*one)[0];
+    else if (const auto two = numbers<2>(text, '-'))
+        range.first = (*two)[0], range.last = (*two)[1];
+    else
+        return {};
+    if (range.last > last_frame) return {};
+    return range;
 }
 
 }  // namespace
@@ -75,15 +98,41 @@ Sampling parse_samples(std::string_view text) {
     return {.grid = (*n)[0], .centre = centre};
 }
 
-FrameRange parse_frames(std::string_view text) {
-    if (const auto one = numbers<1>(text, '-'); one && (*one)[0] <= last_frame) return {(*one)[0], (*one)[0]};
-    const auto n = numbers<2>(text, '-');
-    if (!n || (*n)[1] > last_frame)
-        throw UsageError("--frames is the first and the last frame, such as 0-99, not " + quoted(text));
-    const auto [first, last] = *n;
-    if (first > last)
-        throw UsageError("--frames " + std::string(text) + " is empty: the first frame comes after the last");
-    return {first, last};
+Share parse_share(std::string_view text) {
+    const auto n = numbers<2>(text, '/');
+    if (!n || (*n)[0] < 1 || (*n)[1] < (*n)[0] || (*n)[1] > most_shares)
+        throw UsageError("--part is a number and that of all parts, 1/16 to 16/16 for instance, not " + quoted(text));
+    return {(*n)[0], (*n)[1]};
+}
+
+FrameList parse_frames(std::string_view text) {
+    FrameList list;
+    for (std::string_view rest = text;;) {
+        const std::size_t comma = rest.find(',');
+        const std::string_view part = rest.substr(0, comma);
+        const auto range = parse_range(part);
+        if (!range)
+            throw UsageError("--frames is a list of frames such as 0-99, 1-3,5,7-20:2 or 1-100x2, not " + quoted(text));
+        if (range->first > range->last)
+            throw UsageError("--frames " + std::string(part) + " is empty: the first frame comes after the last");
+        list.ranges.push_back(*range);
+        if (comma == rest.npos) return list;
+        rest = rest.substr(comma + 1);
+    }
+}
+
+bool FrameList::has(int frame) const {
+    return std::ranges::any_of(ranges, [&](const FrameRange& range) { return range.has(frame); });
+}
+
+bool FrameList::each(const std::function<bool(int)>& visit) const {
+    for (auto range = ranges.begin(); range != ranges.end(); ++range)
+        for (std::int64_t frame = range->first; frame <= range->last; frame += range->step) {
+            const int number = static_cast<int>(frame);
+            const auto had = [&](const FrameRange& other) { return other.has(number); };
+            if (std::none_of(ranges.begin(), range, had) && !visit(number)) return false;
+        }
+    return true;
 }
 
 void require_within(const Lattice& crop, Size picture) {
@@ -97,6 +146,10 @@ void require_within(const Lattice& crop, Size picture) {
 std::string before_ending(const std::string& path, std::string_view insertion) {
     const std::string ending = std::filesystem::path(path).extension().string();
     return path.substr(0, path.size() - ending.size()) + std::string(insertion) + ending;
+}
+
+std::string part_path(const std::string& path, Share share) {
+    return path + ".part-" + std::to_string(share.part) + "-of-" + std::to_string(share.parts);
 }
 
 std::string numbered(const std::string& path, int frame) {

@@ -62,6 +62,8 @@ std::vector<Case> cases() {
         {"--error", render("picture.bmp", "2", {"--error", ".01", "--stats", "stats.json"}), with_older},
         {"to a pipe", render("-", "1", {"--format", "png"}), alone},
         {"--frames", render("film.bmp", "1", {"--frames", "0-2"}), alone},
+        {"a checkpoint", render("picture.png", "2", {"--size", "8x200", "--checkpoint", "0"}), alone},
+        {"a part", render("picture.bmp", "1", {"--size", "8x200", "--checkpoint", "0", "--part", "1/2"}), alone},
     };
     all.push_back({.name = "crosscheck",
                    .words = {"crosscheck", "scene.rt", "--size", "8x6", "--sheet", "sheet.png"},
@@ -74,6 +76,9 @@ std::vector<Case> cases() {
 std::vector<Case> larger_cases() {
     const Files older{{"scene.rt", scene}, {"picture.png", "an older picture"}, {"picture.exr", "an older picture"}};
     return {{"a still", {"render", "scene.rt", "-o", "picture.png", "--size", "800x600"}, older},
+            {"a still with checkpoints",
+             {"render", "scene.rt", "-o", "picture.png", "--size", "800x600", "--checkpoint", "0"},
+             older},
             {"a still of float", {"render", "scene.rt", "-o", "picture.exr", "--size", "400x300"}, older},
             {"a film", {"render", "scene.rt", "-o", "film.png", "--size", "160x120", "--frames", "0-19"}, older}};
 }

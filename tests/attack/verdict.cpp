@@ -1,4 +1,5 @@
 // What must hold of every run, whatever was done to it.
+#include <algorithm>
 #include <cerrno>
 
 #include "attacked.h"
@@ -43,6 +44,7 @@ std::string verdict(const Case& attacked, const Ran& good, const Ran& ran, const
         copied |= name.ends_with(".copy") && bytes == good.files.at("picture.bmp");
     for (const auto& [name, bytes] : ran.files) {
         if (whole(name, bytes, before, good.files)) continue;
+        if (name.ends_with(".checkpoint") && (unlink_failed || ran.status != 0)) continue;
         if (name.starts_with(".strahl-") && (unlink_failed || kill || (copied && ran.status != 0))) continue;
         if (copied && (name == "picture.bmp" || name == "other.bmp") &&
             (kill || ran.err.find("all of it is in '.strahl-") != std::string::npos))
@@ -56,8 +58,7 @@ std::string verdict(const Case& attacked, const Ran& good, const Ran& ran, const
 std::vector<std::string> resumed(std::vector<std::string> words) {
     for (const std::string& word : words)
         if (word == "--resume") return words;
-    for (const std::string& word : words)
-        if (word == "--frames") return words.push_back("--resume"), words;
+    if (words[0] == "render" && std::ranges::find(words, "-") == words.end()) words.push_back("--resume");
     return words;
 }
 

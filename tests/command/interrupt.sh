@@ -36,6 +36,7 @@ for signal in INT TERM HUP; do
     [[ $(<picture.bmp) == "an older picture" ]] || fault "the older picture is gone"
     expect 0 "2000x1500" compare picture.part.bmp picture.part.bmp
     grep -q '"finished": false' stats.json || fault "the statistics say: $(<stats.json)"
+    rm -f picture.bmp.checkpoint # where a band was finished
     expect_only long.rt scene.rt said picture.bmp picture.part.bmp stats.json
     rm picture.* stats.json
 done
@@ -44,6 +45,7 @@ done
 expect 0 "" render long.rt -o film.bmp --frames 0-1 --size 2000x1500 --depth 1
 stop INT -o film.bmp --frames 0-9 --size 2000x1500 --resume
 grep -q "with --resume continues" said || fault "it said: $(<said)"
+rm -f film-0002.bmp.checkpoint
 expect_only long.rt scene.rt said film-0000.bmp film-0001.bmp film-0002.part.bmp
 
 # Within a pixel too: between mirrors glass doubles the rays at every bounce, and none of these pixels ever ends.

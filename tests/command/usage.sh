@@ -12,7 +12,7 @@ expect 0 "--tolerance" compare --help
 
 expect 2 "Usage: strahl"
 expect 2 "did you mean 'render'?" rendr scene.rt
-expect 2 "there is no command 'frobnicate'; the commands are view, render, check" frobnicate
+expect 2 "there is no command 'frobnicate'; the commands are view, render, join, check" frobnicate
 expect 2 "strahl --help" --frobnicate
 expect 2 "SCENE is required" render
 expect 2 "SCENE is required" check
@@ -24,14 +24,14 @@ refuse() { expect 2 "$1" render scene.rt "${@:2}"; }
 refuse "Add -o FILE"
 refuse ".bmp, .png or .exr" -o x.jpg
 refuse ".bmp, .png or .exr" -o x
-refuse "--format bmp, png or exr" -o -
+refuse "--format bmp, png, exr, ppm or y4m" -o -
 refuse "the file's ending chooses its format" -o x.png --format png
 refuse "--format" -o - --format jpg
 refuse "choose .png for 16" -o x.bmp --bits 16
 refuse "float" -o x.exr --bits 16
 refuse "--bits" -o x.bmp --bits 9
 for size in 640 0x5 5x0 -3x5 3x x3 3x3x3 1e3x5 99999999999x5 1000001x1 ''; do refuse "--size" -o x.bmp "--size=$size"; done
-refuse "TB of memory" -o x.png --size 1000000x1000000
+refuse "TB of memory" -o - --format png --size 1000000x1000000
 refuse "too many for a .bmp" -o x.bmp --size 30000x30000
 for crop in 1,2,3 0,0,0,5 0,0,5,0 -1,0,5,5 1,2,3,4,5 a 60,0,5,5 0,40,5,9 99999999999,0,1,1 2147483647,0,2147483647,1; do
     refuse "--crop" -o x.bmp --size 64x48 "--crop=$crop"
@@ -44,7 +44,8 @@ for time in -1 nan inf x; do refuse "--time" -o x.bmp --time "$time"; done
 for fps in 0 -1 nan inf x; do refuse "--fps" -o x.bmp --frames 0-1 --fps "$fps"; done
 for frames in 5-2 1- -1 x 1-2-3 0-9999999999; do refuse "--frames" -o x.bmp "--frames=$frames"; done
 refuse "exclude each other" -o x.bmp --frames 0-1 --time 1
-refuse "goes with --frames" -o x.bmp --resume
+refuse "need a file" -o - --format bmp --resume
+refuse "need a file" -o - --format bmp --part 1/2
 refuse "numbered files" -o - --format bmp --frames 0-1
 refuse "standard output" -o - --format bmp --stats -
 sed '/^flythrough/,$d' scene.rt >still.rt

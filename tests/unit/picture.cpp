@@ -3,18 +3,14 @@
 
 #include <doctest/doctest.h>
 
-#include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
 #include <limits>
 #include <random>
-#include <thread>
 
-#include "image/picture_writer.h"
 #include "image/pixels.h"
 #include "image/transfer.h"
 #include "scratch.h"
@@ -235,74 +231,6 @@ TEST_CASE("pictures as patterns: grey is of three equal colours, and what no pat
     refused({1, 1, 3, {1, nan, 1}, 32}, "none.exr", 32, "it has the value nan");
     refused({1, 1, 3, {1, 2e9, 1}, 32}, "sun.exr", 32, "it has the value 2e+09");
     refused({1, 32769, 1, std::vector<double>(32769), 8}, "long.png", 8, "at most 32768 may be side by side");
-}
-
-TEST_CASE("a file does not depend on the order in which its pixels come, nor on the threads") {
-    const Scratch folder;
-    for (const char* name : {"a.bmp", "a.png", "a.exr"})
-        for (const auto& [width, height] : {std::pair{1, 1}, {5, 63}, {70, 64}, {3, 65}, {90, 200}}) {
-            CAPTURE(name);
-            CAPTURE(height);
-            const Picture picture = noise(width, height);
-            write_picture(picture, folder / name, {});
-            const std::string bytes = bytes_of(folder / name);
-            PictureWriter writer(width, height, 3, name, {});
-            // Tiles of 7x50 pixels, each by one of three threads, from the last to the first.
-            const int columns = (width + 6) / 7, tiles = columns * ((height + 49) / 50);
-            std::atomic<int> left = tiles;
-            const auto put = [&] {
-                for (int i; (i = --left) >= 0;) {
-                    const int x = i % columns * 7, y = i / columns * 50;
-                    const int right = std::min(x + 7, width), bottom = std::min(y + 50, height);
-                    std::vector<double> tile;
-                    for (int row = y; row < bottom; ++row)
-                        for (int k = 3 * (row * width + x); k < 3 * (row * width + right); ++k)
-                            tile.push_back(picture.values[unsigned(k)]);
-                    writer.put(x, y, right - x, bottom - y, tile.data());
-                }
-            };
-            { const std::jthread one(put), two(put), three(put); }
-            writer.write(folder / name);
-            CHECK(bytes_of(folder / name) == bytes);
-        }
-}
-
-TEST_CASE("pixels that did not come are black") {
-    const Scratch folder;
-    PictureWriter writer(3, 150, 3, ".png", {});
-    const std::vector<double> white(9, 1.);
-    writer.put(0, 70, 3, 1, white.data());
-    writer.write(folder / "a.png");
-    const Picture back = read_picture(folder / "a.png");
-    CHECK(std::count(back.values.begin(), back.values.end(), 0) == 3 * 3 * 149);
-    CHECK(back.values[3 * 3 * 70] == 1);
-}
-
-TEST_CASE("the smallest PNG holds the same pixels, and is smaller") {
-    const Scratch folder;
-    for (const int bits : {8, 16}) {
-        Picture picture{200, 150, 3, {}, bits};
-        for (int i = 0; i < 200 * 150; ++i)
-            for (const double v : {i % 200 / 200., i / 200 / 150., .5 + .5 * std::sin(i * i * 1e-7)})
-                picture.values.push_back(v);
-        write_picture(picture, folder / "fast.png", {bits});
-        write_picture(picture, folder / "small.png", {bits, false, Compression::small});
-        CHECK(read_picture(folder / "small.png").values == read_picture(folder / "fast.png").values);
-        CHECK(bytes_of(folder / "small.png").size() < .9 * bytes_of(folder / "fast.png").size());
-    }
-}
-
-TEST_CASE("float files of one to four channels, of floats too regular and too random to be packed") {
-    const Scratch folder;
-    for (int channels = 1; channels <= 4; ++channels)
-        for (const bool regular : {false, true}) {
-            Picture picture = noise(33, 70, channels);
-            for (double& value : picture.values) value = regular ? .25 : static_cast<float>(value);
-            write_picture(picture, folder / "a.exr", {});
-            const Picture back = read_picture(folder / "a.exr");
-            CHECK(back.channels == channels);
-            CHECK(back.values == picture.values);
-        }
 }
 
 TEST_CASE("run away from its module" * doctest::skip()) {

@@ -1,0 +1,108 @@
+#include "main/checkpoint.h"
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <set>
+#include <span>
+#include <utility>
+
+#include "scene/error.h"
+#include "scene/leaves.h"
+
+namespace strahl {
+namespace {
+
+/// So much may wait in memory.
+constexpr std::size_t most_held = std::size_t(64) << 20;
+
+std::string in_hexadecimal(std::size_t hash) {
+    char text[20];
+    std::snprintf(text, sizeof text, "%016zx", hash);
+    return text;
+}
+
+template <class T>
+std::size_t hash_of(const std::vector<T>& values) {
+    const auto bytes = std::as_bytes(std::span(values));
+    return std::hash<std::string_view>()({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
+}  // namespace
+
+std::string hash_of_program() {
+    std::ifstream in("/proc/self/exe", std::ios::binary);
+    const std::string bytes((std::istreambuf_iterator<char>(in)), {});
+    return in_hexadecimal(std::hash<std::string_view>()(bytes));
+}
+
+std::string hash_of_meshes(const Scene& scene) {
+    std::set<const MeshData*> seen;
+    std::size_t hash = 0;
+    for (const Primitive& primitive : scene.primitives)
+        for_each_leaf(primitive, [&](const Primitive& leaf, const glm::dmat4&) {
+            const auto* const mesh = std::get_if<Mesh>(&leaf.shape);
+            if (!mesh || mesh->file.empty() || !seen.insert(mesh->data.get()).second) return;
+            const auto& [points, normals, triangles, corner_normals] = *mesh->data;
+            for (const std::size_t own :
+                 {hash_of(points), hash_of(normals), hash_of(triangles), hash_of(corner_normals)})
+                hash = 31 * hash + own;
+        });
+    return in_hexadecimal(hash);
+}
+
+void require_same(const BandFile& file, const BandHeader& header) {
+    const std::string key = file.header().difference(header);
+    if (key.empty()) return;
+    const std::string what = key == "program"   ? "by another version of strahl"
+                             : key == "scene"   ? "from another scene"
+                             : key == "options" ? "with other options"
+                             : key == "file"    ? "for another kind or size of file"
+                                                : "for another part";
+    throw UsageError("'" + file.path() + "' was begun " + what +
+                     ", and can't be continued; remove it, or leave out --resume");
+}
+
+Checkpoint::Checkpoint(PictureWriter& own_writer, std::string path, std::function<BandHeader()> own_header,
+                       double seconds)
+    : writer(own_writer),
+      own_path(std::move(path)),
+      header(std::move(own_header)),
+      interval(std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds))) {}
+
+void Checkpoint::resume() {
+    if (own_path.empty() || !BandFile::is_at(own_path)) return;
+    file = std::make_shared<BandFile>(own_path);
+    require_same(*file, header());
+    file->open_to_append();
+    writer.take(file);
+}
+
+bool Checkpoint::save() {
+    if (own_path.empty()) return false;
+    if (!file && writer.held() == 0) return false;
+    if (!file) file = std::make_shared<BandFile>(own_path, header());
+    writer.save(file);
+    last = Clock::now();
+    return true;
+}
+
+void Checkpoint::save_if_due() {
+    const std::unique_lock lock(mutex, std::try_to_lock);
+    if (lock && writer.held() > 0 && (Clock::now() - last >= interval || writer.held() > most_held)) save();
+}
+
+void Checkpoint::remove() {
+    if (!own_path.empty() && BandFile::is_at(own_path)) ::unlink(own_path.c_str());
+}
+
+void Checkpoint::become(const std::string& part) {
+    if (!file) file = std::make_shared<BandFile>(own_path, header());
+    writer.save(file);
+    file->rename(part);
+}
+
+}  // namespace strahl

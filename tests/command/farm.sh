@@ -1,0 +1,68 @@
+#!/usr/bin/env bash
+# Films and stills in parts by engines that others wrote, with tasks that are killed at random: GNU parallel, and Slurm
+# and Open Job Description where they are installed (slurm-wlm of Debian, as root; openjd-cli of PyPI).
+set -uo pipefail
+source "$(dirname "$0")/expect.sh"
+
+film=(-o 'film-%04d.png' --frames 0-199 --size 16x12 --samples 1)
+still=(-o still.png --size 12x4096 --samples 1)
+mkdir one
+"$strahl" render scene.rt "${film[@]/#film-/one/film-}" || fault "no film"
+"$strahl" render scene.rt "${still[@]/#still/one/still}" || fault "no still"
+
+# In place of strahl: two of three times it is killed, after up to .15 s.
+cat >mortal <<MORTAL
+#!/bin/bash
+((RANDOM % 3)) || exec "$strahl" "\$@"
+"$strahl" "\$@" --checkpoint 0 &
+sleep "0.\$((RANDOM % 2))\$((RANDOM % 6))"
+kill -s KILL \$! 2>/dev/null
+wait \$!
+MORTAL
+chmod +x mortal
+
+# finished ENGINE: all frames are there, and those of one run; so is the still. Afterwards there is nothing to do.
+finished_film() {
+    (($(compgen -G 'film-*' | wc -l) == 200)) || fault "$1: there are $(compgen -G 'film-*' | wc -l) files of frames"
+    for file in one/film-*; do expect_same "$file" "${file#one/}"; done
+    expect 0 '"frames": 0,' render scene.rt "${film[@]}" --resume --stats -
+    rm -f film-*
+}
+finished_still() {
+    expect 0 "" join still.png.part-* -o still.png
+    (($(compgen -G 'still.png.*' | wc -l) == 64)) || fault "$1: there are $(compgen -G 'still.png.*' | wc -l) parts"
+    expect_same still.png one/still.png
+    rm -f still.png*
+}
+
+if command -v parallel >/dev/null; then
+    seq 16 | parallel --will-cite -j 2 --retries 100 ./mortal render scene.rt "${film[@]}" --part {}/16 --resume --quiet \
+        >said 2>&1 || fault "parallel: $(tail -n 3 said)"
+    finished_film parallel
+    seq 64 | parallel --will-cite -j 2 --retries 100 ./mortal render scene.rt "${still[@]}" --part {}/64 --resume --quiet \
+        >said 2>&1 || fault "parallel: $(tail -n 3 said)"
+    finished_still parallel
+    echo "parallel: done"
+fi
+
+# openjd runs a job once; a failed one is run again.
+if command -v openjd >/dev/null; then
+    for ((try = 0; try < 100; ++try)); do
+        openjd run "$source_folder/assets/farm/film.openjd.yaml" --step Render -p Strahl="$PWD/mortal" -p Scene="$PWD/scene.rt" \
+            -p Output="$PWD/film-%04d.png" -p Frames=0-199 -p Size=16x12 -p Parts=4 >said 2>&1 && break
+    done
+    ((try < 100)) || fault "openjd: $(tail -n 3 said)"
+    rm -f film-*.checkpoint
+    mv one/film-0000.png kept # this film has as many samples as it needs
+    for file in one/film-*; do rm "$file"; done
+    rm kept
+    "$strahl" render scene.rt -o 'one/film-%04d.png' --frames 0-199 --size 16x12
+    film=(-o 'film-%04d.png' --frames 0-199 --size 16x12)
+    finished_film openjd
+    echo "openjd: done"
+fi
+
+if command -v slurmctld >/dev/null && ((EUID == 0)); then
+    source "$(dirname "$0")/slurm.sh"
+fi
+finish
