@@ -2,6 +2,7 @@
 if(TARGET strahl_show)
   strahl_test(progressive strahl_show)
   strahl_test(flying strahl_show)
+  strahl_test(flights strahl_show)
   strahl_test(show_threads strahl_show)
   strahl_test(show_files strahl_show)
   add_test(NAME window COMMAND bash ${CMAKE_SOURCE_DIR}/tests/window/run.sh $<TARGET_FILE:strahl>)

@@ -17,9 +17,9 @@
 #include "main/interrupt.h"
 #include "main/options.h"
 #include "main/options_convert.h"
+#include "main/options_window.h"
 #include "povref/command_crosscheck.h"
 #include "scene/error.h"
-#include "show/command_view.h"
 #include "text/utf8.h"
 
 namespace strahl {
@@ -76,40 +76,6 @@ void add_render(CLI::App& app, Action& action) {
         "A film:            strahl render SCENE -o film-%04d.png --frames 0-99 --fps 25\n"
         "From and to pipes: strahl render - -o - --format png < SCENE | ...\n"
         "Ctrl-C saves the finished part as NAME.part.ENDING; a second Ctrl-C stops at once.");
-}
-
-PixelSize parse_window_size(std::string_view text) {
-    const Size size = parse_size(text);
-    if (size.width > 16384 || size.height > 16384) throw UsageError("each side of the window is 1 to 16384 pixels");
-    return {size.width, size.height};
-}
-
-int view_until_interrupted(const ViewOptions& options) {
-    const Interrupt interrupt;
-    const int status = view_command(options, interrupt.flag());
-    return *interrupt.flag() ? exit_status::interrupted : status;
-}
-
-void add_view(CLI::App& app, Action& action) {
-    auto [command, o] = add_command(app, action, "view", "Fly through a scene in a window", view_until_interrupted);
-    add_scene(command, o->scene);
-    add_parsed(command, "--size", o->size, parse_window_size, "Size of the window in pixels", "WxH");
-    command->add_flag("--fullscreen", o->full_screen, "Start in full screen (F11)");
-    command->add_flag("--fly", o->fly, "Start flying: along the scene's flythrough or around it; play what moves");
-    add_time(command, o->time);
-    add_fps(command, o->fps, "Pictures per second in motion, 60 by default; the resolution adapts to it")
-        ->check(numbers(1, 1000));
-    add_depth(command, o->depth);
-    add_threads(command, o->threads);
-    add_parsed(command, "--still-size", o->still_size, parse_window_size,
-               "Size of stills (F12); by default that of the picture in the window", "WxH");
-    command->add_option("--still-folder", o->still_folder, "Where stills are saved; by default here")->type_name("DIR");
-    add_choice<std::string>(command, "--still-format", o->still_ending, {{"bmp", ".bmp"}, {"png", ".png"}},
-                            "Format of stills: bmp (default) or png", "KIND");
-    command->add_flag("--verbose", o->verbose, "Log events to standard output");
-    command->footer(
-        "H lists the keys. The scene is read again whenever its file changes, and waited for until it has no\n"
-        "error; drop another file on the window to open it. The word view may be omitted: strahl scenes/article.rt --fly");
 }
 
 void add_check(CLI::App& app, Action& action) {
@@ -231,6 +197,7 @@ int run(int argc, char** argv) {
     app.get_formatter()->column_width(26);
     Action action;
     add_view(app, action);
+    add_play(app, action);
     add_render(app, action);
     add_check(app, action);
     add_compare(app, action);

@@ -80,6 +80,22 @@ std::optional<Command> command_of_character(unsigned character) {
     }
 }
 
+std::optional<Command> command_of_button(int button) {
+    constexpr Meaning buttons[] = {
+        {GLFW_GAMEPAD_BUTTON_A, {Action::pause}},          {GLFW_GAMEPAD_BUTTON_B, {Action::reset}},
+        {GLFW_GAMEPAD_BUTTON_X, {Action::add_key}},        {GLFW_GAMEPAD_BUTTON_Y, {Action::still}},
+        {GLFW_GAMEPAD_BUTTON_BACK, {Action::help}},        {GLFW_GAMEPAD_BUTTON_START, {Action::play}},
+        {GLFW_GAMEPAD_BUTTON_LEFT_BUMPER, {Action::to_key, -1}}, {GLFW_GAMEPAD_BUTTON_RIGHT_BUMPER, {Action::to_key, 1}},
+    };
+    return find(buttons, button);
+}
+
+std::optional<int> gamepad() {
+    for (int id = GLFW_JOYSTICK_1; id <= GLFW_JOYSTICK_LAST; ++id)
+        if (glfwJoystickIsGamepad(id)) return id;
+    return std::nullopt;
+}
+
 std::optional<Push> push_of_key(int key) {
     switch (key) {
         case GLFW_KEY_W:

@@ -49,6 +49,11 @@ std::optional<Command> command_of_key(int key, int scancode, int modifiers, bool
 /// Brackets, comma and full stop, wherever the keyboard has them.
 std::optional<Command> command_of_character(unsigned character);
 
+/// The command of a gamepad's button; numbers are GLFW's.
+std::optional<Command> command_of_button(int button);
+/// The number of a gamepad that is there.
+std::optional<int> gamepad();
+
 /// The keys that move the camera, by their place.
 enum class Push { forward, back, left, right, down, up };
 std::optional<Push> push_of_key(int key);
@@ -83,6 +88,7 @@ inline constexpr std::array key_help{
     KeyHelp{"F11  V", "full screen; fill it, or keep proportions"},
     KeyHelp{"X", "mark pixels that rounding decides"},
     KeyHelp{"I  H  N", "information; this help; no text"},
+    KeyHelp{"gamepad", "sticks, triggers: move; A: pause, X: key"},
     KeyHelp{"Esc", "quit"},
 };
 

@@ -41,6 +41,19 @@ void load_font(float scale) {
     fonts.AddFontDefault(&config);
 }
 
+/// The monitor that shows this point, or null.
+GLFWmonitor* monitor_at(int x, int y) {
+    int count = 0;
+    GLFWmonitor* const* const monitors = glfwGetMonitors(&count);
+    for (int i = 0; i < count; ++i) {
+        int left = 0, top = 0;
+        glfwGetMonitorPos(monitors[i], &left, &top);
+        const GLFWvidmode* mode = glfwGetVideoMode(monitors[i]);
+        if (mode && x >= left && x < left + mode->width && y >= top && y < top + mode->height) return monitors[i];
+    }
+    return nullptr;
+}
+
 void set_icon(GLFWwindow* window) {
     Image images[] = {icon(16), icon(32), icon(48), icon(128)};
     std::array<GLFWimage, std::size(images)> icons;
@@ -114,6 +127,8 @@ void Screen::make_window(const std::string& title, int width, int height, bool d
     glfw = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
     if (!glfw) fail("no OpenGL");
     set_icon(glfw);
+    opened = window_state();
+    if (default_size) restore();
     glfwMakeContextCurrent(glfw);
     gl = std::make_unique<Functions>();
     const auto* version = reinterpret_cast<const char*>(gl->GetString(GL_VERSION));
@@ -214,6 +229,27 @@ void Screen::draw(const std::function<void()>& overlay) {
     glfwSwapBuffers(glfw);
 }
 
+WindowState Screen::window_state() const {
+    WindowState state;
+    glfwGetWindowPos(glfw, &state.x, &state.y);
+    glfwGetWindowSize(glfw, &state.width, &state.height);
+    return state;
+}
+
+/// Where the window was when it was closed, unless that is no longer on a monitor.
+void Screen::restore() {
+    const auto last = read_window_state();
+    if (!last || !monitor_at(last->x + last->width / 2, last->y + 1)) return;
+    if (last->width > 0) glfwSetWindowSize(glfw, last->width, last->height);
+    glfwSetWindowPos(glfw, last->x, last->y);
+}
+
+void Screen::remember() const {
+    WindowState state = full_screen() ? before : window_state();
+    if (state.width == opened.width && state.height == opened.height) state.width = state.height = 0;
+    write_window_state(state);
+}
+
 bool Screen::full_screen() const { return glfwGetWindowMonitor(glfw); }
 
 ScreenArea Screen::area() const {
@@ -223,24 +259,13 @@ ScreenArea Screen::area() const {
 
 void Screen::toggle_full_screen() {
     if (full_screen()) {
-        glfwSetWindowMonitor(glfw, nullptr, old_x, old_y, old_width, old_height, GLFW_DONT_CARE);
+        glfwSetWindowMonitor(glfw, nullptr, before.x, before.y, before.width, before.height, GLFW_DONT_CARE);
         return;
     }
-    glfwGetWindowPos(glfw, &old_x, &old_y);
-    glfwGetWindowSize(glfw, &old_width, &old_height);
-    // The monitor that shows the middle of the window, or the first one.
-    int count = 0;
-    GLFWmonitor* const* const monitors = glfwGetMonitors(&count);
-    if (count == 0) return;
-    GLFWmonitor* chosen = monitors[0];
-    for (int i = 0; i < count; ++i) {
-        int x = 0, y = 0;
-        glfwGetMonitorPos(monitors[i], &x, &y);
-        const GLFWvidmode* mode = glfwGetVideoMode(monitors[i]);
-        const int middle_x = old_x + old_width / 2 - x, middle_y = old_y + old_height / 2 - y;
-        if (mode && middle_x >= 0 && middle_x < mode->width && middle_y >= 0 && middle_y < mode->height)
-            chosen = monitors[i];
-    }
+    before = window_state();
+    GLFWmonitor* chosen = monitor_at(before.x + before.width / 2, before.y + before.height / 2);
+    if (!chosen) chosen = glfwGetPrimaryMonitor();
+    if (!chosen) return;
     const GLFWvidmode* mode = glfwGetVideoMode(chosen);
     if (mode) glfwSetWindowMonitor(glfw, chosen, 0, 0, mode->width, mode->height, mode->refreshRate);
 }

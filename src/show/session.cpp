@@ -255,7 +255,8 @@ std::optional<Answer> Session::follow(double now) {
     if (!path) return std::nullopt;
     const double seconds = time = flight_time(now);
     if (!path->keys.empty()) camera = camera_at(*path, scene->camera, seconds);
-    if (path->loop || seconds < path->duration || !clock.running()) return std::nullopt;
+    const bool over = (!path->loop || once) && clock.at(now) >= path->duration;
+    if (!over || !clock.running()) return std::nullopt;
     stop(now);
     return Answer{"end of the flight", ""};
 }

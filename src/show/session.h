@@ -59,6 +59,7 @@ class Session {
     Camera camera;
     double time = 0;  // of moving bodies, in seconds: as `camera` that of the last moment followed
     bool orbiting = false;
+    bool once = false;          // a path that loops ends after one round, too
     double speed = 1;           // units of the scene per second
     int finest = finest_level;  // while moving
     int depth() const { return own_depth.value_or(scene->settings.max_trace_level); }

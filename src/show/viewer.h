@@ -1,5 +1,6 @@
 // The window: passes events to the session, its views to the tracing thread, and pictures to the screen.
 #pragma once
+#include <array>
 #include <chrono>
 #include <deque>
 #include <memory>
@@ -17,6 +18,9 @@
 #include "show/viewer_log.h"
 
 namespace strahl {
+
+/// Of a scene's file.
+std::string window_title(const std::string& path);
 
 class Viewer {
   public:
@@ -36,6 +40,7 @@ class Viewer {
     void on_cursor(double x, double y);
     void perform(Command command);
     void perform_here(Action action);
+    void read_gamepad();
     void quit();
 
     // Other threads
@@ -57,6 +62,8 @@ class Viewer {
     void log_finished();
     void handle_interrupt();
     void hide_pointer();
+    void flight_ended(const Answer& answer);
+    void report_benchmark() const;
 
     // Output
     Overlay overlay();
@@ -82,6 +89,7 @@ class Viewer {
     bool quitting = false, closed = false, failed = false;
     bool help = false, with_info = false, quiet = false, fill = false;
     bool waiting = false;  // for the first scene without an error
+    bool started = false;  // the flight of `strahl play`
     std::vector<Mark> marks;  // of the picture on the screen
     bool marked = false;      // marks are shown or being computed
     std::string fault;
@@ -96,6 +104,7 @@ class Viewer {
     Pointer pointer;
     double pointer_moved = 0;
     bool pointer_hidden = false;
+    std::array<bool, 15> buttons{};  // of the gamepad, which are down
     double still_told = 0;
 
     Order wanted;

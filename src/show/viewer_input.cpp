@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include "show/viewer.h"
 
@@ -32,7 +33,7 @@ void Viewer::connect() {
     });
     glfwSetScrollCallback(window, [](GLFWwindow* w, double, double y) {
         Viewer& viewer = viewer_of(w);
-        viewer.tell(viewer.session.change_speed(std::pow(1.25, y), viewer.now()));
+        if (!viewer.options.play) viewer.tell(viewer.session.change_speed(std::pow(1.25, y), viewer.now()));
     });
     glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
         if (count > 0) viewer_of(w).reload.open(paths[0]);
@@ -63,7 +64,7 @@ void Viewer::on_key(int key, int scancode, int action, int modifiers) {
         return;
     }
     const bool combined = modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER);
-    if (push && !combined)
+    if (push && !combined && !options.play)
         controls.press(*push);
     else if (const auto command = command_of_key(key, scancode, modifiers, third_level))
         perform(*command);
@@ -78,7 +79,7 @@ void Viewer::on_button(bool pressed) {
 void Viewer::on_cursor(double x, double y) {
     pointer_moved = now();
     const auto way = pointer.move(x, y);
-    if (!way) return;
+    if (!way || options.play) return;
     // The view turns by the angle that the pointer crosses in the picture.
     int width = 1;
     glfwGetWindowSize(screen.window(), &width, nullptr);
@@ -87,6 +88,9 @@ void Viewer::on_cursor(double x, double y) {
 }
 
 void Viewer::perform(Command command) {
+    const bool playing = command.action == Action::quit || command.action == Action::full_screen ||
+                         (command.action == Action::pause && !options.benchmark);
+    if (options.play && !playing) return;
     switch (command.action) {
         case Action::quit:
             return quit();
@@ -118,6 +122,22 @@ void Viewer::perform_here(Action action) {
     note(!session.camera.aspectratio ? "this camera has no aspectratio and always fills the window"
          : fill                      ? "the view is widened to fill the window"
                                      : "the camera's own proportions");
+}
+
+/// The left stick moves, the right one turns, the triggers go down and up; buttons: see key_help.
+void Viewer::read_gamepad() {
+    const auto id = gamepad();
+    GLFWgamepadstate pad;
+    if (!id || !glfwGetGamepadState(*id, &pad)) return controls.tilt({}, 0, 0);
+    const float* const axis = pad.axes;
+    const double triggers = (axis[GLFW_GAMEPAD_AXIS_RIGHT_TRIGGER] - axis[GLFW_GAMEPAD_AXIS_LEFT_TRIGGER]) / 2;
+    controls.tilt({axis[GLFW_GAMEPAD_AXIS_LEFT_X], triggers, -axis[GLFW_GAMEPAD_AXIS_LEFT_Y]},
+                  axis[GLFW_GAMEPAD_AXIS_RIGHT_X], -axis[GLFW_GAMEPAD_AXIS_RIGHT_Y]);
+    for (std::size_t i = 0; i < buttons.size(); ++i) {
+        const bool down = pad.buttons[i] == GLFW_PRESS;
+        if (std::exchange(buttons[i], down) || !down) continue;
+        if (const auto command = command_of_button(static_cast<int>(i))) perform(*command);
+    }
 }
 
 void Viewer::quit() {

@@ -11,6 +11,7 @@
 #include "image/picture.h"
 #include "show/reload.h"
 #include "show/stills.h"
+#include "show/window_state.h"
 #include "tests/unit/scratch.h"
 #include "tests/unit/show_scene.h"
 #include "trace/thread_pool.h"
@@ -151,4 +152,26 @@ TEST_CASE("a changed scene file is read again, a broken one reported, a touched 
     std::ofstream(other) << scene_text << "light { position <0,0,9> color <1,1,1> }";
     REQUIRE(next());
     CHECK(loaded->scene->lights.size() == 2);
+}
+
+TEST_CASE("the window's size and place are kept in the XDG state folder") {
+    const Scratch folder;
+    ::setenv("XDG_STATE_HOME", (folder / "new/state").c_str(), 1);
+    CHECK(!read_window_state());
+    write_window_state({-5, 20, 800, 600});
+    CHECK(read_window_state() == WindowState{-5, 20, 800, 600});
+    CHECK(bytes_of(folder / "new/state/strahl/window") == "-5 20 800 600\n");
+    write_window_state({1, 2, 0, 0});
+    CHECK(read_window_state() == WindowState{1, 2, 0, 0});
+    for (const char* bad : {"", "1 2 3", "1 2 3 4", "1 2 90000 100", "1 2 800 -600", "a b c d"}) {
+        std::ofstream(folder / "new/state/strahl/window") << bad;
+        CHECK(!read_window_state());
+    }
+    ::setenv("XDG_STATE_HOME", "relative", 1);  // to be ignored, says the specification
+    ::setenv("HOME", (folder / "home").c_str(), 1);
+    CHECK(window_state_file() == folder / "home/.local/state/strahl/window");
+    ::unsetenv("HOME");
+    CHECK(window_state_file() == "");
+    write_window_state({1, 2, 300, 400});  // nowhere, and no error
+    CHECK(!read_window_state());
 }

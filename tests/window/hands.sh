@@ -74,4 +74,23 @@ xdotool key Escape
 wait "$pid"
 (($? == 1)) || fault "a still was not written, and the exit status is not 1"
 pid=
+
+echo "-- size and place are remembered"
+export XDG_STATE_HOME=$work/state
+start scene.rt
+xdotool windowsize "$id" 200 160 windowmove "$id" 30 40
+await 'finished 200x160'
+quit
+start scene.rt
+await 'finished 200x160'
+xdotool getwindowgeometry --shell "$id" | grep -q '^X=30$' || fault "the window is not where it was"
+quit
+
+echo "-- a flight is played once, and measured"
+put "$camera
+$world
+${path//60/1}"
+"$strahl" play scene.rt --size 64x48 --benchmark --stats stats.json >log || fault "play fails: $(cat log)"
+grep -q 'median .* ms, 99th percentile .* ms, worst' log || fault "the figures of a flight: $(cat log)"
+grep -q '"pixels_per_second": [1-9]' stats.json || fault "the statistics of a flight: $(cat stats.json)"
 finish
