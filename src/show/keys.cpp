@@ -24,7 +24,7 @@ struct Meaning {
 constexpr Meaning letters[] = {
     {'F', {Action::play}},        {'P', {Action::add_key}}, {'R', {Action::reset}}, {'V', {Action::fill}},
     {'C', {Action::copy_camera}}, {'H', {Action::help}},    {'I', {Action::info}},  {'X', {Action::stability}},
-    {'N', {Action::quiet}},
+    {'N', {Action::quiet}},       {'T', {Action::timeline}},
 };
 constexpr Meaning control_letters[] = {
     {'S', {Action::still}}, {'Z', {Action::undo}}, {'Y', {Action::redo}}, {'N', {Action::clear_path}}};
@@ -32,6 +32,7 @@ constexpr Meaning control_letters[] = {
 constexpr Meaning other_keys[] = {
     {GLFW_KEY_ESCAPE, {Action::quit}},       {GLFW_KEY_SPACE, {Action::pause}},
     {GLFW_KEY_F11, {Action::full_screen}},   {GLFW_KEY_F12, {Action::still}},
+    {GLFW_KEY_F2, {Action::write_path}},
     {GLFW_KEY_HOME, {Action::rewind}},       {GLFW_KEY_END, {Action::to_end}},
     {GLFW_KEY_LEFT, {Action::step, -1}},     {GLFW_KEY_RIGHT, {Action::step, 1}},
     {GLFW_KEY_PAGE_UP, {Action::to_key, -1}}, {GLFW_KEY_PAGE_DOWN, {Action::to_key, 1}},

@@ -2,6 +2,7 @@
 #include "show/screen.h"
 
 #include <GLFW/glfw3.h>
+#include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
 
@@ -143,7 +144,10 @@ void Screen::start_drawing() {
     IMGUI_CHECKVERSION();
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr;
+    ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NoMouseCursorChange;
+    ImGui_ImplGlfw_InitForOpenGL(glfw, false);
     if (!ImGui_ImplOpenGL3_Init("#version 130")) {
+        ImGui_ImplGlfw_Shutdown();
         ImGui::DestroyContext();
         fail("its OpenGL can't be used");
     }
@@ -153,6 +157,7 @@ void Screen::start_drawing() {
 Screen::~Screen() {
     gl->DeleteTextures(1, &texture);
     ImGui_ImplOpenGL3_Shutdown();
+    ImGui_ImplGlfw_Shutdown();
     ImGui::DestroyContext();
     glfwTerminate();
 }
@@ -206,8 +211,12 @@ void Screen::draw(const std::function<void()>& overlay) {
     }
     const int columns = width(), rows = height();
     if (columns == 0 || rows == 0) return;
+    ImGui_ImplGlfw_NewFrame();
     ImGuiIO& io = ImGui::GetIO();
+    // It counts in units of the screen, we in pixels.
+    io.MousePos = {io.MousePos.x * io.DisplayFramebufferScale.x, io.MousePos.y * io.DisplayFramebufferScale.y};
     io.DisplaySize = {static_cast<float>(columns), static_cast<float>(rows)};
+    io.DisplayFramebufferScale = {1, 1};
     // In a small window the panels shrink before they overlap.
     io.FontGlobalScale = std::clamp(std::min(io.DisplaySize.x / 760, io.DisplaySize.y / 570) / scale, 0.5f, 1.f);
     ImGui_ImplOpenGL3_NewFrame();

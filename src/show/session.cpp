@@ -143,10 +143,7 @@ Answer Session::to_key(int step, double now) {
     }
     if (!found) return {step < 0 ? "there is no key before" : "there is no key after", ""};
     const double there = found->time;
-    if (!go_to(there, now)) {  // a single key is no flight yet
-        stop(now), clock.set(there, now);
-        camera = camera_of(*found, scene->camera);
-    }
+    if (!go_to(there, now)) camera = camera_of(*found, scene->camera);  // a single key is no flight yet
     return {"key " + std::to_string(*key_at(editor.path(), there) + 1) + " at " + seconds_text(there), ""};
 }
 
@@ -190,6 +187,23 @@ Answer Session::add_key(double now) {
             ""};
 }
 
+Answer Session::change_key(std::size_t number, const Keyframe& key, bool merged, double now) {
+    const Camera there = camera_of(key, scene->camera);
+    const auto within = [](double v) { return std::abs(v) <= 1e12; };
+    bool sound = there.fov > 0 && there.fov < 90 && within(key.time);
+    for (int i = 0; i < 3; ++i) sound &= within(there.position[i]) && within(there.look_at[i]);
+    if (!sound) return {"a camera can't be like this", ""};
+    if (const char* const why = degenerate(there)) return {std::string("the camera sees nothing there: ") + why, ""};
+    Flythrough newer = editor.path();
+    const double time = newer.keys[number].time;
+    newer.keys[number] = key, newer.keys[number].time = time;
+    newer = retimed(std::move(newer), number, key.time);
+    const double moment = newer.keys[number].time;
+    editor.change(std::move(newer), merged);
+    go_to(moment, now);
+    return {};
+}
+
 void Session::path_changed(double now) {
     if (!path || around) return;
     path = flight();
@@ -218,8 +232,8 @@ void Session::stop(double now) {
 
 bool Session::go_to(double seconds, double now) {
     path = flight(), around = false;
-    if (!path) return false;
     clock.hold(now);
+    if (!path) return clock.set(std::max(seconds, 0.), now), false;
     clock.set(path->loop ? seconds : std::clamp(seconds, 0., path->duration), now);
     follow(now);
     return true;

@@ -32,13 +32,16 @@ class Session {
     /// Commands that concern only the window (quit, still, full screen, help, info) have no effect here.
     Answer perform(Command command, double now);
 
-    /// Moves to a moment of the flight, if anything moves, and pauses there.
+    /// Moves to a moment of the flight and pauses there. False if nothing moves; then only the moment is kept, for keys.
     bool go_to(double seconds, double now);
 
     /// Moves the camera; ends a flight on which it was not free, and says so. `push` is in seconds at the current speed.
     Answer steer(const CameraInput& input, double now);
     /// Of a flight on which the camera is not free, or else of the camera.
     Answer change_speed(double factor, double now);
+    /// Gives a key of the path other values, if the camera sees something from there. The moment moves with the key.
+    /// `merged`: see PathEditor::change.
+    Answer change_key(std::size_t number, const Keyframe& key, bool merged, double now);
     /// Makes a change of the path that `editor` holds take effect on the flight.
     void path_changed(double now);
     /// Moves the camera along the flight to this moment. Returns a response if the flight has ended.

@@ -13,6 +13,7 @@
 
 #include "image/picture.h"
 #include "text/file.h"
+#include "text/write.h"
 
 namespace strahl {
 namespace {
@@ -181,7 +182,17 @@ void Viewer::draw() {
     const auto update = tracing.take([this](const Fresh& fresh) { screen.upload(fresh); });
     if (update) state = *update;
     const Overlay over = overlay();
-    screen.draw([&] { draw_overlay(over); });
+    TimelineInput input;
+    screen.draw([&] {
+        draw_overlay(over);
+        if (!with_timeline || quiet) return;
+        const auto flight = session.flight();
+        input = timeline.draw({.editor = session.editor,
+                               .scene_camera = session.scene->camera,
+                               .time = session.flight_time(moment),
+                               .duration = flight ? flight->duration : session.editor.path().duration,
+                               .running = session.under_way()});
+    });
     last_draw = moment;
     if (draws_due > 0) --draws_due;
     motion.drawn(now() - moment);
@@ -189,6 +200,7 @@ void Viewer::draw() {
     if (moving && state.number != before)
         motion.picture({now(), state.level, count(pixels_of(state.level, state.width, state.height))});
     if (options.play && state.number > 0 && !std::exchange(started, true)) session.perform({Action::pause}, now());
+    apply(input);
     if (options.verbose && update && before == 0) {
         char text[80];
         std::snprintf(text, sizeof text, "first picture after %.3f s, %s", now(), resolution_text(state.level).c_str());
@@ -246,7 +258,12 @@ int Viewer::run() {
         handle_reload();
         handle_stills();
         handle_stability();
+        handle_written();
         handle_interrupt();
+    }
+    if (session.editor.changed() && session.editor.path().keys.size() >= 2 && !options.play) {
+        log_line("the path was not written into the file; here it is:");
+        std::fputs(write_flythrough(session.editor.path()).c_str(), stdout), std::fflush(stdout);
     }
     if (options.benchmark) report_benchmark();
     if (options.size.width == 0 && !options.play) screen.remember();

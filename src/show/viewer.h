@@ -14,6 +14,7 @@
 #include "show/session.h"
 #include "show/stability_check.h"
 #include "show/stills.h"
+#include "show/timeline.h"
 #include "show/trace_thread.h"
 #include "show/viewer_log.h"
 
@@ -41,6 +42,9 @@ class Viewer {
     void perform(Command command);
     void perform_here(Action action);
     void read_gamepad();
+    bool on_timeline() const;
+    void apply(const TimelineInput& input);
+    void write_path();
     void quit();
 
     // Other threads
@@ -49,6 +53,7 @@ class Viewer {
     void handle_reload();
     void handle_stills();
     void handle_stability();
+    void handle_written();
     void toggle_stability();
 
     // The loop. All times are seconds since `start`.
@@ -88,6 +93,9 @@ class Viewer {
 
     bool quitting = false, closed = false, failed = false;
     bool help = false, with_info = false, quiet = false, fill = false;
+    bool with_timeline = false;
+    Timeline timeline;
+    double write_until = -1;  // when the question ends whether a changed file is to be written anyway
     bool waiting = false;  // for the first scene without an error
     bool started = false;  // the flight of `strahl play`
     std::vector<Mark> marks;  // of the picture on the screen

@@ -49,6 +49,7 @@ Overlay Viewer::overlay() {
     Overlay overlay;
     overlay.marks = marks, overlay.width = state.width, overlay.height = state.height, overlay.area = screen.area();
     if (quiet) return overlay;
+    if (with_timeline) overlay.reserved = timeline.height();
     overlay.help = help, overlay.share = state.share, overlay.fault = fault;
     overlay.fault_title = waiting ? "The scene is shown once this is mended"
                                   : "The scene file has an error; this is the previous picture";

@@ -106,4 +106,25 @@ void Viewer::handle_stills() {
     if (quitting && pending == 0) closed = true;
 }
 
+void Viewer::write_path() {
+    const Flythrough& flythrough = session.editor.path();
+    if (flythrough.keys.size() == 1) return note("a path needs two keys");
+    reload.write(flythrough.keys.empty() ? std::nullopt : std::optional(flythrough), now() < write_until);
+    write_until = -1;
+}
+
+void Viewer::handle_written() {
+    const auto written = reload.take_written();
+    if (!written) return;
+    if (written->asks) {
+        write_until = now() + 10;
+        announce(path + " has changed since it was read; F2 again writes the path into it");
+    } else if (!written->fault.empty()) {
+        announce(written->fault);
+    } else {
+        announce("path written into " + path +
+                 (written->copy.empty() ? "" : "; the file as it was is " + written->copy));
+    }
+}
+
 }  // namespace strahl
