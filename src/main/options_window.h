@@ -39,11 +39,13 @@ inline void add_view(CLI::App& app, Action& action) {
     command->add_flag("--verbose", o->verbose, "Log events to standard output");
     command->footer(
         "H lists the keys. The scene is read again whenever its file changes, and waited for until it has no\n"
-        "error; drop another file on the window to open it. The word view may be omitted: strahl scenes/article.rt --fly");
+        "error; drop another file on the window to open it.\n"
+        "The word view may be omitted: strahl scenes/article.rt --fly");
 }
 
 inline void add_play(CLI::App& app, Action& action) {
-    auto [command, o] = add_command(app, action, "play", "Play a scene's flight in full screen", view_until_interrupted);
+    auto [command, o] =
+        add_command(app, action, "play", "Play a scene's flight in full screen", view_until_interrupted);
     o->play = o->full_screen = true;
     add_scene(command, o->scene);
     command
@@ -54,7 +56,8 @@ inline void add_play(CLI::App& app, Action& action) {
         ->type_name("WxH");
     command->add_flag("--loop", o->loop, "Again and again");
     add_time(command, o->time);
-    add_fps(command, o->fps, "Pictures per second, 60 by default; the resolution adapts to it")->check(numbers(1, 1000));
+    add_fps(command, o->fps, "Pictures per second, 60 by default; the resolution adapts to it")
+        ->check(numbers(1, 1000));
     add_depth(command, o->depth);
     add_threads(command, o->threads);
     CLI::Option* const benchmark = command->add_flag(

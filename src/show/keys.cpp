@@ -83,10 +83,14 @@ std::optional<Command> command_of_character(unsigned character) {
 
 std::optional<Command> command_of_button(int button) {
     constexpr Meaning buttons[] = {
-        {GLFW_GAMEPAD_BUTTON_A, {Action::pause}},          {GLFW_GAMEPAD_BUTTON_B, {Action::reset}},
-        {GLFW_GAMEPAD_BUTTON_X, {Action::add_key}},        {GLFW_GAMEPAD_BUTTON_Y, {Action::still}},
-        {GLFW_GAMEPAD_BUTTON_BACK, {Action::help}},        {GLFW_GAMEPAD_BUTTON_START, {Action::play}},
-        {GLFW_GAMEPAD_BUTTON_LEFT_BUMPER, {Action::to_key, -1}}, {GLFW_GAMEPAD_BUTTON_RIGHT_BUMPER, {Action::to_key, 1}},
+        {GLFW_GAMEPAD_BUTTON_A, {Action::pause}},
+        {GLFW_GAMEPAD_BUTTON_B, {Action::reset}},
+        {GLFW_GAMEPAD_BUTTON_X, {Action::add_key}},
+        {GLFW_GAMEPAD_BUTTON_Y, {Action::still}},
+        {GLFW_GAMEPAD_BUTTON_BACK, {Action::help}},
+        {GLFW_GAMEPAD_BUTTON_START, {Action::play}},
+        {GLFW_GAMEPAD_BUTTON_LEFT_BUMPER, {Action::to_key, -1}},
+        {GLFW_GAMEPAD_BUTTON_RIGHT_BUMPER, {Action::to_key, 1}},
     };
     return find(buttons, button);
 }

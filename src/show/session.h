@@ -32,10 +32,12 @@ class Session {
     /// Commands that concern only the window (quit, still, full screen, help, info) have no effect here.
     Answer perform(Command command, double now);
 
-    /// Moves to a moment of the flight and pauses there. False if nothing moves; then only the moment is kept, for keys.
+    /// Moves to a moment of the flight and pauses there. False if nothing moves; then only the moment is kept, for
+    /// keys.
     bool go_to(double seconds, double now);
 
-    /// Moves the camera; ends a flight on which it was not free, and says so. `push` is in seconds at the current speed.
+    /// Moves the camera; ends a flight on which it was not free, and says so. `push` is in seconds at the current
+    /// speed.
     Answer steer(const CameraInput& input, double now);
     /// Of a flight on which the camera is not free, or else of the camera.
     Answer change_speed(double factor, double now);

@@ -73,9 +73,10 @@ void Timeline::bar(const TimelineView& view, TimelineInput& input) {
     ImGui::InvisibleButton("bar", {width, height});
     const bool held = ImGui::IsItemActive();
     if (!held) range = std::max(1.15 * view.duration, 10.);
-    const auto x_of = [&](double time) { return corner.x + font + (width - 2 * font) * static_cast<float>(time / range); };
-    const double pointed = (ImGui::GetIO().MousePos.x - corner.x - font) / (width - 2 * font) * range;
-    const double grip = font / 2 / (width - 2 * font) * range;  // seconds beside a key that belong to it
+    const float left = corner.x + font, length = width - 2 * font;
+    const auto x_of = [&](double time) { return left + length * static_cast<float>(time / range); };
+    const double pointed = (ImGui::GetIO().MousePos.x - left) / length * range;
+    const double grip = font / 2 / length * range;  // seconds beside a key that belong to it
 
     if (ImGui::IsItemActivated()) {
         dragged.reset(), drag_began = false;
@@ -129,7 +130,8 @@ void Timeline::values(const TimelineView& view, TimelineInput& input) {
         ImGui::TextUnformatted(name);
         ImGui::SameLine();
         ImGui::SetNextItemWidth(columns * ImGui::GetFontSize());
-        ImGui::InputScalarN((std::string("##") + name).c_str(), ImGuiDataType_Double, values, count, nullptr, nullptr, "%.6g");
+        const std::string id = std::string("##") + name;
+        ImGui::InputScalarN(id.c_str(), ImGuiDataType_Double, values, count, nullptr, nullptr, "%.6g");
         typing |= ImGui::IsItemActive();
         typed |= ImGui::IsItemDeactivatedAfterEdit();
     };

@@ -162,9 +162,9 @@ void Viewer::order() {
                     .depth = session.depth(),
                     .error = half_step({8, session.scene->settings.linear}),
                     .time = session.time};
-    const bool same = wanted.scene == session.scene && wanted.view.camera == view.camera &&
-                      wanted.view.width == view.width && wanted.view.height == view.height && wanted.view.depth == view.depth &&
-                      wanted.view.time == view.time;
+    const View& last = wanted.view;
+    const bool same = wanted.scene == session.scene && last.camera == view.camera && last.width == view.width &&
+                      last.height == view.height && last.depth == view.depth && last.time == view.time;
     if (same && wanted.moving == moving) return;
     if (!same && marked) toggle_stability();
     // Where drawing limits the rate there is more time to trace.

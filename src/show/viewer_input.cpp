@@ -38,7 +38,8 @@ void Viewer::connect() {
     });
     glfwSetScrollCallback(window, [](GLFWwindow* w, double, double y) {
         Viewer& viewer = viewer_of(w);
-        if (!viewer.options.play && !viewer.on_timeline()) viewer.tell(viewer.session.change_speed(std::pow(1.25, y), viewer.now()));
+        if (viewer.options.play || viewer.on_timeline()) return;
+        viewer.tell(viewer.session.change_speed(std::pow(1.25, y), viewer.now()));
     });
     glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
         if (count > 0) viewer_of(w).reload.open(paths[0]);
