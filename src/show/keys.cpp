@@ -24,7 +24,7 @@ struct Meaning {
 constexpr Meaning letters[] = {
     {'F', {Action::play}},        {'P', {Action::add_key}}, {'R', {Action::reset}}, {'V', {Action::fill}},
     {'C', {Action::copy_camera}}, {'H', {Action::help}},    {'I', {Action::info}},  {'X', {Action::stability}},
-    {'N', {Action::quiet}},       {'T', {Action::timeline}},
+    {'N', {Action::quiet}},       {'T', {Action::timeline}},    {'K', {Action::record}},
 };
 constexpr Meaning control_letters[] = {
     {'S', {Action::still}}, {'Z', {Action::undo}}, {'Y', {Action::redo}}, {'N', {Action::clear_path}}};

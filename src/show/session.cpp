@@ -7,21 +7,17 @@
 #include <utility>
 
 #include "num/decimal.h"
+#include "num/vec_math.h"
 #include "scene/motion.h"
 #include "text/write.h"
 
 namespace strahl {
 namespace {
 
-constexpr double seconds_per_key = 3;  // of keys that are added
-
 std::optional<double> motion_end_of(const Scene& scene) {
     const Movers movers(scene);
     return movers.any() ? std::optional(movers.last_key) : std::nullopt;
 }
-
-/// "1.77 s"
-std::string seconds_text(double seconds) { return text_of(rounded_time(seconds)) + " s"; }
 
 }  // namespace
 
@@ -38,7 +34,7 @@ void Session::replace(std::shared_ptr<const Scene> newer, bool opened) {
     scene = std::move(newer);
     motion_end = motion_end_of(*scene);
     if (opened)
-        path.reset(), editor = PathEditor(scene->flythrough), cameras = {}, clock = {}, time = 0;
+        path.reset(), recorded.reset(), editor = PathEditor(scene->flythrough), cameras = {}, clock = {}, time = 0;
     else
         editor.reload(scene->flythrough);
     if (path && !around) path = flight();
@@ -74,6 +70,8 @@ Answer Session::perform(Command command, double now) {
         case Action::undo:
         case Action::redo:
             return edit(command.action, now);
+        case Action::record:
+            return record(now);
         case Action::copy_path:
             if (editor.path().keys.size() < 2) return {"there is no path to copy", ""};
             return {"path copied", write_flythrough(editor.path())};
@@ -147,69 +145,6 @@ Answer Session::to_key(int step, double now) {
     return {"key " + std::to_string(*key_at(editor.path(), there) + 1) + " at " + seconds_text(there), ""};
 }
 
-Answer Session::edit(Action action, double now) {
-    const double moment = rounded_time(flight_time(now));
-    const auto there = key_at(editor.path(), moment);
-    std::string note;
-    switch (action) {
-        case Action::undo:
-            note = editor.undo() ? "undone" : "there is nothing to undo";
-            break;
-        case Action::redo:
-            note = editor.redo() ? "redone" : "there is nothing to redo";
-            break;
-        case Action::clear_path:
-            editor.change({}), clock.set(0, now);
-            note = "a new path";
-            break;
-        case Action::set_key:
-            editor.change(with_key(editor.path(), key_of(camera, scene->camera, moment)));
-            note = "key at " + seconds_text(moment) + (there ? " changed" : " set");
-            break;
-        case Action::delete_key:
-            if (!there) return {"there is no key at " + seconds_text(moment) + "; PgUp and PgDn go to keys", ""};
-            editor.change(without_key(editor.path(), *there));
-            note = "key at " + seconds_text(moment) + " deleted";
-            break;
-        default:
-            return add_key(now);
-    }
-    path_changed(now);
-    return {note, ""};
-}
-
-Answer Session::add_key(double now) {
-    editor.change(continued(editor.path(), key_of(camera, scene->camera, 0), seconds_per_key));
-    const std::vector<Keyframe>& keys = editor.path().keys;
-    stop(now), clock.set(keys.back().time, now);
-    return {"key " + std::to_string(keys.size()) + " added at " + seconds_text(keys.back().time) +
-                (keys.size() < 2 ? "; a path needs two" : ""),
-            ""};
-}
-
-Answer Session::change_key(std::size_t number, const Keyframe& key, bool merged, double now) {
-    const Camera there = camera_of(key, scene->camera);
-    const auto within = [](double v) { return std::abs(v) <= 1e12; };
-    bool sound = there.fov > 0 && there.fov < 90 && within(key.time);
-    for (int i = 0; i < 3; ++i) sound &= within(there.position[i]) && within(there.look_at[i]);
-    if (!sound) return {"a camera can't be like this", ""};
-    if (const char* const why = degenerate(there)) return {std::string("the camera sees nothing there: ") + why, ""};
-    Flythrough newer = editor.path();
-    const double time = newer.keys[number].time;
-    newer.keys[number] = key, newer.keys[number].time = time;
-    newer = retimed(std::move(newer), number, key.time);
-    const double moment = newer.keys[number].time;
-    editor.change(std::move(newer), merged);
-    go_to(moment, now);
-    return {};
-}
-
-void Session::path_changed(double now) {
-    if (!path || around) return;
-    path = flight();
-    follow(now);
-}
-
 Answer Session::recall(int number) {
     const auto& stored = cameras[number - 1];
     if (!stored)
@@ -274,6 +209,8 @@ std::optional<Answer> Session::follow(double now) {
     stop(now);
     return Answer{"end of the flight", ""};
 }
+
+std::string seconds_text(double seconds) { return text_of(rounded_time(seconds)) + " s"; }
 
 std::string resolution_text(int level) {
     if (level == averaged_level) return "anti-aliased";

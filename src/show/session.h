@@ -11,6 +11,7 @@
 #include "show/keys.h"
 #include "show/path_editor.h"
 #include "show/progressive.h"
+#include "show/thinning.h"
 
 namespace strahl {
 
@@ -41,6 +42,11 @@ class Session {
     Answer steer(const CameraInput& input, double now);
     /// Of a flight on which the camera is not free, or else of the camera.
     Answer change_speed(double factor, double now);
+    /// While a flight by hand is recorded: notes where the camera is. To be called before and after each step of it.
+    /// Returns a response if the recording has become too long, and ends it.
+    std::optional<Answer> observe(double now);
+    bool recording() const { return recorded.has_value(); }
+
     /// Gives a key of the path other values, if the camera sees something from there. The moment moves with the key.
     /// `merged`: see PathEditor::change.
     Answer change_key(std::size_t number, const Keyframe& key, bool merged, double now);
@@ -76,10 +82,12 @@ class Session {
     Answer to_key(int step, double now);
     Answer edit(Action action, double now);
     Answer add_key(double now);
+    Answer record(double now);
     Answer recall(int number);
     void stop(double now);
 
     std::optional<int> own_depth;
+    std::optional<std::vector<CameraMoment>> recorded;
     std::optional<double> motion_end;  // the last key of what moves
     std::optional<Flythrough> path;    // on which the camera flies now; without keys it is free, and only bodies move
     bool around = false;               // that path is an orbit
@@ -87,6 +95,8 @@ class Session {
     std::array<std::optional<Camera>, 9> cameras;
 };
 
+/// "1.77 s"
+std::string seconds_text(double seconds);
 /// "1/4 of the pixels", for a level.
 std::string resolution_text(int level);
 

@@ -134,8 +134,10 @@ void Viewer::move() {
     next_move = std::max(next_move + frame, moment);
     // If the machine can't keep up, the camera slows down instead of jumping; a flight follows the clock in any case.
     const double passed = std::min(moment - std::exchange(last_move, moment), 0.1);
+    if (begins) session.observe(moment - frame);
     const CameraInput input = controls.take(passed);
     if (!(input == CameraInput{})) tell(session.steer(input, moment));
+    if (const auto full = session.observe(moment)) tell(*full);
     if (const auto ended = session.follow(moment)) flight_ended(*ended);
     if (in_motion()) return;
     moving = false;
@@ -220,7 +222,7 @@ void Viewer::log_finished() {
 
 /// A signal ends the window as Esc does, but the next one ends the program at once.
 void Viewer::handle_interrupt() {
-    if (!*interrupted || quitting) return;
+    if (!*interrupted || std::exchange(signalled, true)) return;
     log_line("interrupted");
     quit();
 }

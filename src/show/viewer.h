@@ -91,7 +91,7 @@ class Viewer {
     StabilityCheck stability;
     Reload reload;
 
-    bool quitting = false, closed = false, failed = false;
+    bool quitting = false, closed = false, failed = false, signalled = false;
     bool help = false, with_info = false, quiet = false, fill = false;
     bool with_timeline = false;
     Timeline timeline;

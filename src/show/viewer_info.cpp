@@ -54,6 +54,7 @@ Overlay Viewer::overlay() {
     overlay.fault_title = waiting ? "The scene is shown once this is mended"
                                   : "The scene file has an error; this is the previous picture";
     if (with_info) overlay.info = info();
+    if (session.recording()) overlay.notes.push_back("recording; K ends it");
     for (const Note& n : notes) overlay.notes.push_back(n.text);
     if (const int pending = stills.pending(); pending > 0) {
         const double share = stills.progress();

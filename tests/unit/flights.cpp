@@ -210,6 +210,41 @@ TEST_CASE("values of a key are typed, and a drag of it is undone at once") {
     CHECK(session.change_key(2, key, false, 0).note == "a camera can't be like this");
 }
 
+TEST_CASE("a flight by hand becomes a path of few keys that is nowhere farther from it than is said") {
+    Session session(scene_of(""));
+    CHECK(session.perform({Action::record}, 5).note.starts_with("recording"));
+    std::vector<CameraMoment> flown;
+    double now = 9;  // the rest before is not part of it
+    const auto fly_on = [&](double seconds, const CameraInput& input) {
+        session.observe(now);
+        for (const double end = now + seconds; now < end;) {
+            now += 1 / 60.;
+            session.steer(input, now);
+            session.observe(now);
+            flown.push_back({now - 9, session.camera});
+        }
+    };
+    fly_on(2, {.push = {0, 0, 0.01}});
+    fly_on(2, {.push = {0.01, 0, 0.01}, .right = 0.01});
+    now += 3;  // a rest in between is
+    fly_on(2, {.push = {0, 0.01, 0}});
+    const std::string note = session.perform({Action::record}, now + 9).note;
+    const Flythrough path = session.editor.path();
+    CAPTURE(note);
+    CHECK(path.duration == doctest::Approx(9).epsilon(0.01));
+    CHECK(path.keys.size() >= 5);
+    CHECK(path.keys.size() < 30);
+    for (const CameraMoment& moment : flown) {
+        const Camera there = camera_at(path, camera, moment.time);
+        CHECK(distance(there.position, moment.camera.position) < distance(camera.position, camera.look_at) / 200 + 1e-3);
+    }
+    CHECK(scene_of(write_flythrough(path))->flythrough == path);
+    session.perform({Action::undo}, 99);
+    CHECK(session.editor.path().keys.empty());
+    session.perform({Action::record}, 100);
+    CHECK(session.perform({Action::record}, 101).note == "nothing moved, nothing is recorded");
+}
+
 TEST_CASE("a path that was edited can be read again, whatever was done") {
     std::uint32_t state = 1;
     const auto random = [&](int n) { return static_cast<int>((state = state * 1664525 + 1013904223) >> 8) % n; };
