@@ -88,7 +88,7 @@ Answer Session::record(double now) {
     }
     const auto moments = *std::exchange(recorded, std::nullopt);
     if (moments.size() < 2) return {"nothing moved, nothing is recorded", ""};
-    const double tolerance = length(scene->camera.look_at - scene->camera.position) / 200;
+    const double tolerance = length(scene->camera.look_at - scene->camera.position) / 100;
     const Thinned flown = thinned(moments, scene->camera, tolerance);
     editor.change(flown.path);
     stop(now), clock.set(0, now);

@@ -49,9 +49,9 @@ void Timeline::buttons(const TimelineView& view, TimelineInput& input) {
         ImGui::SameLine();
     };
     button("|<", {Action::rewind});
-    button("< key", {Action::to_key, -1});
+    button("<", {Action::to_key, -1});
     button(view.running ? "pause" : "play", {Action::pause});
-    button("key >", {Action::to_key, 1});
+    button(">", {Action::to_key, 1});
     button(">|", {Action::to_end});
     ImGui::Text(" %.3f of %g s ", view.time, view.duration);
     ImGui::SameLine();
@@ -137,12 +137,12 @@ void Timeline::values(const TimelineView& view, TimelineInput& input) {
     };
     ImGui::AlignTextToFramePadding();
     ImGui::Text("key %d:", static_cast<int>(*here) + 1);
-    field("time", &draft.time, 1, 4);
-    field("position", &draft.position.x, 3, 15);
-    field("look_at", &draft.look_at.x, 3, 15);
+    field("time", &draft.time, 1, 3.5f);
+    field("position", &draft.position.x, 3, 10.5f);
+    field("look_at", &draft.look_at.x, 3, 10.5f);
     double fov = draft.fov.value_or(view.scene_camera.fov);
     const double before = fov;
-    field("fov", &fov, 1, 4);
+    field("fov", &fov, 1, 3.5f);
     if (fov != before) draft.fov = fov;
     if (typed && draft != key) input.change = {*here, draft, false};
     typing &= !typed;
