@@ -18,47 +18,13 @@
 #include "main/options_convert.h"
 #include "main/options_reference.h"
 #include "main/options_render.h"
+#include "main/options_window.h"
 #include "povref/command_crosscheck.h"
 #include "scene/error.h"
-#include "show/command_view.h"
 #include "text/utf8.h"
 
 namespace strahl {
 namespace {
-
-PixelSize parse_window_size(std::string_view text) {
-    const Size size = parse_size(text);
-    if (size.width > 16384 || size.height > 16384) throw UsageError("each side of the window is 1 to 16384 pixels");
-    return {size.width, size.height};
-}
-
-int view_until_interrupted(const ViewOptions& options) {
-    const Interrupt interrupt;
-    const int status = view_command(options, interrupt.flag());
-    return *interrupt.flag() ? exit_status::interrupted : status;
-}
-
-void add_view(CLI::App& app, Action& action) {
-    auto [command, o] = add_command(app, action, "view", "Fly through a scene in a window", view_until_interrupted);
-    add_scene(command, o->scene);
-    add_parsed(command, "--size", o->size, parse_window_size, "Size of the window in pixels", "WxH");
-    command->add_flag("--fullscreen", o->full_screen, "Start in full screen (F11)");
-    command->add_flag("--fly", o->fly, "Start flying: along the scene's flythrough or around it; play what moves");
-    add_time(command, o->time);
-    add_fps(command, o->fps, "Pictures per second in motion, 60 by default; the resolution adapts to it")
-        ->check(numbers(1, 1000));
-    add_depth(command, o->depth);
-    add_threads(command, o->threads);
-    add_parsed(command, "--still-size", o->still_size, parse_window_size,
-               "Size of stills (F12); by default that of the picture in the window", "WxH");
-    command->add_option("--still-folder", o->still_folder, "Where stills are saved; by default here")->type_name("DIR");
-    add_choice<std::string>(command, "--still-format", o->still_ending, {{"bmp", ".bmp"}, {"png", ".png"}},
-                            "Format of stills: bmp (default) or png", "KIND");
-    command->add_flag("--verbose", o->verbose, "Log events to standard output");
-    command->footer(
-        "H lists the keys. The scene is read again whenever its file changes, and waited for until it has no\n"
-        "error; drop another file on the window to open it. The word view may be omitted: strahl scenes/article.rt --fly");
-}
 
 void add_check(CLI::App& app, Action& action) {
     auto [command, o] =
@@ -180,6 +146,7 @@ int run(int argc, char** argv) {
     app.get_formatter()->column_width(26);
     Action action;
     add_view(app, action);
+    add_play(app, action);
     add_render(app, action);
     add_join(app, action);
     add_check(app, action);

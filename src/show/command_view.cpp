@@ -9,13 +9,14 @@
 namespace strahl {
 namespace {
 
-Loaded load_first(const std::string& path, std::string& text) try {
+Loaded load_first(const ViewOptions& options, std::string& text) try {
+    const std::string& path = options.scene;
     text = read_text(path);
     const std::string name = path == "-" ? "standard input" : path;
     return {path, std::make_shared<const Scene>(scene_for_window(text, name)), "", true};
 } catch (const FileError& error) {
-    if (path == "-") throw;  // it does not change any more
-    return {path, nullptr, error.what(), true};
+    if (options.scene == "-" || options.play) throw;  // nobody mends it
+    return {options.scene, nullptr, error.what(), true};
 }
 
 }  // namespace
@@ -23,7 +24,7 @@ Loaded load_first(const std::string& path, std::string& text) try {
 int view_command(const ViewOptions& options, const std::atomic<bool>* interrupted) {
     const auto began = Viewer::Clock::now();
     std::string text;
-    const Loaded loaded = load_first(options.scene, text);
+    const Loaded loaded = load_first(options, text);
     if (loaded.scene && options.time) flight_for("--time", *loaded.scene, options.scene);
     try {
         return Viewer(options, loaded, std::move(text), began, interrupted).run();

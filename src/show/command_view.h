@@ -1,4 +1,4 @@
-// strahl view: the window.
+// strahl view and strahl play: the window.
 #pragma once
 #include <atomic>
 #include <optional>
@@ -24,6 +24,12 @@ struct ViewOptions {
     bool fly = false;
     double fps = 60;  // requested pictures per second in motion, above 0
     bool verbose = false;
+    // strahl play: the flight alone, from its start to its end, without panels; the window can only be closed or
+    // paused.
+    bool play = false;
+    bool loop = false;       // again and again
+    bool benchmark = false;  // figures on standard output
+    std::string stats;       // and as JSON in this file, if given
 };
 
 /// Returns the exit status: 1 if a still could not be written. A scene with an error, or none yet, is waited for in the

@@ -14,6 +14,9 @@ class Controls {
     void press(Push key);
     void release(Push key);
     void drag(double right, double upwards, double now);
+    /// The sticks of a gamepad, -1 to 1 in each direction: pushes as keys do, and turns to the right and upwards. Near
+    /// their middle they count as at rest.
+    void tilt(const DVec3& push, double right, double upwards);
     bool faster = false;
 
     /// Will there be more input soon?
@@ -28,6 +31,7 @@ class Controls {
 
     std::array<Held, 6> held;
     double right = 0, upwards = 0, dragged = -1;
+    CameraInput tilted;  // per second
 };
 
 /// Tells from clicks how far the pointer is dragged. All in pixels of the window.

@@ -24,7 +24,7 @@ struct Meaning {
 constexpr Meaning letters[] = {
     {'F', {Action::play}},        {'P', {Action::add_key}}, {'R', {Action::reset}}, {'V', {Action::fill}},
     {'C', {Action::copy_camera}}, {'H', {Action::help}},    {'I', {Action::info}},  {'X', {Action::stability}},
-    {'N', {Action::quiet}},
+    {'N', {Action::quiet}},       {'T', {Action::timeline}},    {'K', {Action::record}},
 };
 constexpr Meaning control_letters[] = {
     {'S', {Action::still}}, {'Z', {Action::undo}}, {'Y', {Action::redo}}, {'N', {Action::clear_path}}};
@@ -32,6 +32,7 @@ constexpr Meaning control_letters[] = {
 constexpr Meaning other_keys[] = {
     {GLFW_KEY_ESCAPE, {Action::quit}},       {GLFW_KEY_SPACE, {Action::pause}},
     {GLFW_KEY_F11, {Action::full_screen}},   {GLFW_KEY_F12, {Action::still}},
+    {GLFW_KEY_F2, {Action::write_path}},
     {GLFW_KEY_HOME, {Action::rewind}},       {GLFW_KEY_END, {Action::to_end}},
     {GLFW_KEY_LEFT, {Action::step, -1}},     {GLFW_KEY_RIGHT, {Action::step, 1}},
     {GLFW_KEY_PAGE_UP, {Action::to_key, -1}}, {GLFW_KEY_PAGE_DOWN, {Action::to_key, 1}},
@@ -78,6 +79,26 @@ std::optional<Command> command_of_character(unsigned character) {
         default:
             return std::nullopt;
     }
+}
+
+std::optional<Command> command_of_button(int button) {
+    constexpr Meaning buttons[] = {
+        {GLFW_GAMEPAD_BUTTON_A, {Action::pause}},
+        {GLFW_GAMEPAD_BUTTON_B, {Action::reset}},
+        {GLFW_GAMEPAD_BUTTON_X, {Action::add_key}},
+        {GLFW_GAMEPAD_BUTTON_Y, {Action::still}},
+        {GLFW_GAMEPAD_BUTTON_BACK, {Action::help}},
+        {GLFW_GAMEPAD_BUTTON_START, {Action::play}},
+        {GLFW_GAMEPAD_BUTTON_LEFT_BUMPER, {Action::to_key, -1}},
+        {GLFW_GAMEPAD_BUTTON_RIGHT_BUMPER, {Action::to_key, 1}},
+    };
+    return find(buttons, button);
+}
+
+std::optional<int> gamepad() {
+    for (int id = GLFW_JOYSTICK_1; id <= GLFW_JOYSTICK_LAST; ++id)
+        if (glfwJoystickIsGamepad(id)) return id;
+    return std::nullopt;
 }
 
 std::optional<Push> push_of_key(int key) {

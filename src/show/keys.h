@@ -18,9 +18,12 @@ enum class Action {
     set_key,
     delete_key,
     clear_path,
+    record,
     undo,
     redo,
     copy_path,
+    write_path,
+    timeline,
     change_style,
     reset,
     full_screen,
@@ -49,6 +52,11 @@ std::optional<Command> command_of_key(int key, int scancode, int modifiers, bool
 /// Brackets, comma and full stop, wherever the keyboard has them.
 std::optional<Command> command_of_character(unsigned character);
 
+/// The command of a gamepad's button; numbers are GLFW's.
+std::optional<Command> command_of_button(int button);
+/// The number of a gamepad that is there.
+std::optional<int> gamepad();
+
 /// The keys that move the camera, by their place.
 enum class Push { forward, back, left, right, down, up };
 std::optional<Push> push_of_key(int key);
@@ -73,8 +81,11 @@ inline constexpr std::array key_help{
     KeyHelp{"PgUp PgDn", "to the key before, after"},
     KeyHelp{"Home End", "to the start, the end"},
     KeyHelp{"P", "add the camera as the path's next key"},
+    KeyHelp{"K", "record a flight by hand; again: end it"},
     KeyHelp{"Ins Del", "set, delete the key of this moment"},
     KeyHelp{"Ctrl+Z, +Y", "undo, redo; Ctrl+N: a new path"},
+    KeyHelp{"T", "the timeline, where keys are dragged and typed"},
+    KeyHelp{"F2", "write the path into the scene file"},
     KeyHelp{"Shift+C", "copy the path and print it"},
     KeyHelp{"Picture", ""},
     KeyHelp{"F12, Ctrl+S", "save a still"},
@@ -83,6 +94,7 @@ inline constexpr std::array key_help{
     KeyHelp{"F11  V", "full screen; fill it, or keep proportions"},
     KeyHelp{"X", "mark pixels that rounding decides"},
     KeyHelp{"I  H  N", "information; this help; no text"},
+    KeyHelp{"gamepad", "sticks, triggers: move; A: pause, X: key"},
     KeyHelp{"Esc", "quit"},
 };
 

@@ -16,10 +16,10 @@ constexpr ImGuiWindowFlags plain = ImGuiWindowFlags_NoDecoration | ImGuiWindowFl
                                    ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoNav |
                                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing;
 
-/// A panel at a share of the screen: 0 is left or top, 1 right or bottom.
+/// A panel at a share of the screen above what is reserved: 0 is left or top, 1 right or bottom.
 template <class Content>
-void panel(const char* name, float x, float y, Content content) {
-    const ImVec2 size = ImGui::GetIO().DisplaySize;
+void panel(const char* name, float x, float y, float reserved, Content content) {
+    const ImVec2 all = ImGui::GetIO().DisplaySize, size{all.x, std::max(all.y - reserved, 1.f)};
     const float edge = ImGui::GetFontSize() * 0.8f;
     ImGui::SetNextWindowPos({edge + (size.x - 2 * edge) * x, edge + (size.y - 2 * edge) * y}, ImGuiCond_Always, {x, y});
     ImGui::SetNextWindowSizeConstraints({0, 0}, {size.x - 2 * edge, size.y - 2 * edge});
@@ -35,8 +35,8 @@ void cell(const ImVec4& color, const char* text) {
     ImGui::PopStyleColor();
 }
 
-void draw_help() {
-    panel("help", 1, 0.5f, [] {
+void draw_help(const Overlay& overlay) {
+    panel("help", 1, 0.5f, overlay.reserved, [] {
         if (!ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) return;
         for (const KeyHelp& line : key_help) {
             ImGui::TableNextRow();
@@ -49,7 +49,7 @@ void draw_help() {
 }
 
 void draw_info(const Overlay& overlay) {
-    panel("info", 0, 0, [&] {
+    panel("info", 0, 0, overlay.reserved, [&] {
         if (!ImGui::BeginTable("values", 2, ImGuiTableFlags_SizingFixedFit)) return;
         for (const auto& [name, value] : overlay.info) {
             ImGui::TableNextRow();
@@ -63,7 +63,7 @@ void draw_info(const Overlay& overlay) {
 
 /// At most half of the window; the log has the rest.
 void draw_fault(const Overlay& overlay) {
-    panel("fault", 0.5f, 1, [&] {
+    panel("fault", 0.5f, 1, overlay.reserved, [&] {
         const float font = ImGui::GetFontSize(), wide = ImGui::GetIO().DisplaySize.x - 4 * font;
         const float lowest = ImGui::GetIO().DisplaySize.y / 2;
         ImGui::PushTextWrapPos(wide);
@@ -85,7 +85,7 @@ void draw_fault(const Overlay& overlay) {
 }
 
 void draw_notes(const Overlay& overlay) {
-    panel("notes", 1, 0, [&] {
+    panel("notes", 1, 0, overlay.reserved, [&] {
         ImGui::PushTextWrapPos(ImGui::GetIO().DisplaySize.x - 4 * ImGui::GetFontSize());
         for (const std::string& note : overlay.notes) ImGui::TextUnformatted(note.c_str());
         for (const Overlay::Progress& work : overlay.progress) {
@@ -120,7 +120,7 @@ void draw_overlay(const Overlay& overlay) {
     if (!overlay.info.empty()) draw_info(overlay);
     if (!overlay.fault.empty()) draw_fault(overlay);
     if (!overlay.notes.empty() || !overlay.progress.empty()) draw_notes(overlay);
-    if (overlay.help) draw_help();
+    if (overlay.help) draw_help(overlay);
 }
 
 }  // namespace strahl

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "num/vec_math.h"
+
 namespace strahl {
 namespace {
 
@@ -28,7 +30,12 @@ Flythrough checked(Flythrough path) {
 double rounded_time(double seconds) { return std::round(1000 * seconds) / 1000; }
 
 Keyframe key_of(const Camera& camera, const Camera& scene_camera, double time) {
-    Keyframe key{time, camera.position, camera.look_at, {}, {}};
+    const double distance = length(camera.look_at - camera.position);
+    const double digit = std::pow(10, 5 - std::floor(std::log10(distance)));
+    const auto rounded = [&](const DVec3& v) {
+        return DVec3(std::round(v.x * digit) / digit, std::round(v.y * digit) / digit, std::round(v.z * digit) / digit);
+    };
+    Keyframe key{time, rounded(camera.position), rounded(camera.look_at), {}, {}};
     if (camera.fov != scene_camera.fov) key.fov = camera.fov;
     if (camera.up != scene_camera.up) key.up = camera.up;
     return key;

@@ -7,7 +7,8 @@
 
 namespace strahl {
 
-/// A key at the camera. It omits values that equal those of the scene's camera.
+/// A key at the camera, rounded to a 100,000th of the distance to look_at or less, so that it is short to read. It
+/// omits values that equal those of the scene's camera.
 Keyframe key_of(const Camera& camera, const Camera& scene_camera, double time);
 
 /// `path` with a key at its time, in place of one that is there already.

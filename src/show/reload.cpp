@@ -8,22 +8,15 @@
 #include <utility>
 
 #include "image/pixels.h"
+#include "text/edit_path.h"
+#include "text/file.h"
 #include "text/parse.h"
 #include "trace/tracer.h"
 
 namespace strahl {
 namespace {
 
-/// Identifies a version of a file; all zero if there is none.
-struct Stamp {
-    dev_t device = 0;
-    ino_t number = 0;
-    off_t size = 0;
-    time_t seconds = 0;
-    long nanoseconds = 0;
-    bool operator==(const Stamp&) const = default;
-};
-Stamp stamp_of(const std::string& path) {
+FileStamp stamp_of(const std::string& path) {
     struct stat s {};
     if (path == "-" || ::stat(path.c_str(), &s) != 0) return {};
     return {s.st_dev, s.st_ino, s.st_size, s.st_mtim.tv_sec, s.st_mtim.tv_nsec};
@@ -77,44 +70,86 @@ void Reload::tell(Loaded loaded) {
     notify();
 }
 
+void Reload::write(std::optional<Flythrough> flythrough, bool anyway) {
+    {
+        std::lock_guard lock(mutex);
+        to_write = {std::move(flythrough), anyway};
+    }
+    wake.notify_one();
+}
+
+std::optional<Written> Reload::take_written() {
+    std::lock_guard lock(mutex);
+    return std::exchange(written, std::nullopt);
+}
+
 void Reload::loop(std::stop_token quit) {
-    // The file may have changed since it was read: the first check compares the text.
-    Stamp known, before;
     while (!quit.stop_requested()) {
         std::optional<std::string> other;
+        std::optional<Request> request;
         {
             std::unique_lock lock(mutex);
-            wake.wait_for(lock, quit, std::chrono::milliseconds(200), [this] { return to_open.has_value(); });
-            other = std::exchange(to_open, std::nullopt);
+            wake.wait_for(lock, quit, std::chrono::milliseconds(200), [this] { return to_open || to_write; });
+            other = std::exchange(to_open, std::nullopt), request = std::exchange(to_write, std::nullopt);
         }
         if (quit.stop_requested()) return;
-        if (other) {
-            std::string content;
-            Loaded loaded{*other, nullptr, "", true};
-            try {
-                // A device or a pipe might never end.
-                std::error_code error;
-                if (std::filesystem::exists(*other, error) && !std::filesystem::is_regular_file(*other, error))
-                    throw FileError(*other + ": this is no file");
-                content = read_text(*other);
-                loaded = load(*other, content);
-                loaded.opened = true;
-            } catch (const FileError& error) {
-                loaded.fault = error.what();
-            }
-            if (loaded.scene) path = *other, text = std::move(content), known = before = {};
-            tell(std::move(loaded));
-            continue;
+        if (request) {
+            Written done = write_path(*request);
+            std::lock_guard lock(mutex);
+            written = std::move(done);
         }
-        const Stamp now = stamp_of(path);
-        const bool settled = now == std::exchange(before, now);
-        if (now == Stamp{} || now == known || !settled) continue;
-        known = now;
-        std::optional<std::string> content = text_of(path);
-        if (!content || *content == text) continue;
-        text = std::move(*content);
-        tell(load(path, text));
+        if (request) notify();
+        if (other) open_file(*other);
+        if (!request && !other) check_file();
     }
+}
+
+void Reload::open_file(const std::string& other) {
+    std::string content;
+    Loaded loaded{other, nullptr, "", true};
+    try {
+        // A device or a pipe might never end.
+        std::error_code error;
+        if (std::filesystem::exists(other, error) && !std::filesystem::is_regular_file(other, error))
+            throw FileError(other + ": this is no file");
+        content = read_text(other);
+        loaded = load(other, content);
+        loaded.opened = true;
+    } catch (const FileError& error) {
+        loaded.fault = error.what();
+    }
+    if (loaded.scene) path = other, text = std::move(content), known = before = {};
+    tell(std::move(loaded));
+}
+
+void Reload::check_file() {
+    const FileStamp now = stamp_of(path);
+    const bool settled = now == std::exchange(before, now);
+    if (now == FileStamp{} || now == known || !settled) return;
+    known = now;
+    std::optional<std::string> content = text_of(path);
+    if (!content || *content == text) return;
+    text = std::move(*content);
+    tell(load(path, text));
+}
+
+Written Reload::write_path(const Request& request) try {
+    if (path == "-") return {"", false, "the scene came from standard input; Shift+C copies the path"};
+    const std::string content = read_text(path);
+    if (content != text && !request.anyway) return {"", true, ""};
+    static_cast<void>(scene_for_window(content, path));  // where a text with errors has its blocks can't be told
+    const std::string changed = with_path(content, request.flythrough);
+    Loaded loaded = load(path, changed);
+    if (!loaded.scene || loaded.scene->flythrough != request.flythrough)
+        return {"", false, "the path can't be written: " + loaded.fault};
+    Written done;
+    if (content != own_text) write_file(done.copy = path + "~", content);
+    write_file(path, changed);
+    text = own_text = changed;
+    tell(std::move(loaded));
+    return done;
+} catch (const FileError& error) {
+    return {"", false, error.what()};
 }
 
 }  // namespace strahl

@@ -1,5 +1,7 @@
-// Reads the scene file again whenever it changes on disk.
+// Reads the scene file again whenever it changes on disk, and writes paths into it.
 #pragma once
+#include <sys/types.h>
+
 #include <condition_variable>
 #include <functional>
 #include <memory>
@@ -15,12 +17,29 @@ namespace strahl {
 /// A scene from its text, or a FileError: also if it is too large for float, in which the window traces.
 Scene scene_for_window(const std::string& text, const std::string& path);
 
+/// Identifies a version of a file; all zero if there is none.
+struct FileStamp {
+    dev_t device = 0;
+    ino_t number = 0;
+    off_t size = 0;
+    time_t seconds = 0;
+    long nanoseconds = 0;
+    bool operator==(const FileStamp&) const = default;
+};
+
 /// The result of reading a scene file.
 struct Loaded {
     std::string path;
     std::shared_ptr<const Scene> scene;  // null if it has an error
     std::string fault;                   // the message of the error
     bool opened = false;                 // it is another file than before
+};
+
+/// The result of writing a path into the scene file.
+struct Written {
+    std::string copy;    // of the file as it was before, if one was made
+    bool asks = false;   // nothing was written: the file is no longer what was read, and may be someone else's work
+    std::string fault;   // why nothing was written
 };
 
 /// Checks the file a few times a second, in a thread of its own. Waits until a file is completely written.
@@ -34,15 +53,32 @@ class Reload {
     void open(std::string path);
     std::optional<Loaded> take();
 
+    /// Makes this the flythrough of the watched file, of which all else stays as it is. A file that is not what was
+    /// read last is changed only if `anyway`, and one with an error never. FILE~ becomes a copy of the file as it was,
+    /// unless that was written here, too.
+    void write(std::optional<Flythrough> flythrough, bool anyway);
+    std::optional<Written> take_written();
+
   private:
+    struct Request {
+        std::optional<Flythrough> flythrough;
+        bool anyway;
+    };
     void loop(std::stop_token quit);
     void tell(Loaded loaded);
+    void open_file(const std::string& other);
+    void check_file();
+    Written write_path(const Request& request);
 
     std::mutex mutex;
     std::condition_variable_any wake;
     std::optional<std::string> to_open;
+    std::optional<Request> to_write;
     std::optional<Loaded> result;
-    std::string path, text;  // of the thread alone
+    std::optional<Written> written;
+    // Of the thread alone. The file may have changed since it was read: the first check compares the text.
+    std::string path, text, own_text;  // own_text: what was written here last
+    FileStamp known, before;
     const std::function<void()> notify;
     std::jthread thread;
 };

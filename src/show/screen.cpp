@@ -2,6 +2,7 @@
 #include "show/screen.h"
 
 #include <GLFW/glfw3.h>
+#include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
 
@@ -39,6 +40,19 @@ void load_font(float scale) {
     ImFontConfig config;
     config.SizePixels = std::max(8.f, 13 * scale);
     fonts.AddFontDefault(&config);
+}
+
+/// The monitor that shows this point, or null.
+GLFWmonitor* monitor_at(int x, int y) {
+    int count = 0;
+    GLFWmonitor* const* const monitors = glfwGetMonitors(&count);
+    for (int i = 0; i < count; ++i) {
+        int left = 0, top = 0;
+        glfwGetMonitorPos(monitors[i], &left, &top);
+        const GLFWvidmode* mode = glfwGetVideoMode(monitors[i]);
+        if (mode && x >= left && x < left + mode->width && y >= top && y < top + mode->height) return monitors[i];
+    }
+    return nullptr;
 }
 
 void set_icon(GLFWwindow* window) {
@@ -114,6 +128,8 @@ void Screen::make_window(const std::string& title, int width, int height, bool d
     glfw = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
     if (!glfw) fail("no OpenGL");
     set_icon(glfw);
+    opened = window_state();
+    if (default_size) restore();
     glfwMakeContextCurrent(glfw);
     gl = std::make_unique<Functions>();
     const auto* version = reinterpret_cast<const char*>(gl->GetString(GL_VERSION));
@@ -128,7 +144,10 @@ void Screen::start_drawing() {
     IMGUI_CHECKVERSION();
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr;
+    ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NoMouseCursorChange;
+    ImGui_ImplGlfw_InitForOpenGL(glfw, false);
     if (!ImGui_ImplOpenGL3_Init("#version 130")) {
+        ImGui_ImplGlfw_Shutdown();
         ImGui::DestroyContext();
         fail("its OpenGL can't be used");
     }
@@ -138,6 +157,7 @@ void Screen::start_drawing() {
 Screen::~Screen() {
     gl->DeleteTextures(1, &texture);
     ImGui_ImplOpenGL3_Shutdown();
+    ImGui_ImplGlfw_Shutdown();
     ImGui::DestroyContext();
     glfwTerminate();
 }
@@ -191,8 +211,12 @@ void Screen::draw(const std::function<void()>& overlay) {
     }
     const int columns = width(), rows = height();
     if (columns == 0 || rows == 0) return;
+    ImGui_ImplGlfw_NewFrame();
     ImGuiIO& io = ImGui::GetIO();
+    // It counts in units of the screen, we in pixels.
+    io.MousePos = {io.MousePos.x * io.DisplayFramebufferScale.x, io.MousePos.y * io.DisplayFramebufferScale.y};
     io.DisplaySize = {static_cast<float>(columns), static_cast<float>(rows)};
+    io.DisplayFramebufferScale = {1, 1};
     // In a small window the panels shrink before they overlap.
     io.FontGlobalScale = std::clamp(std::min(io.DisplaySize.x / 760, io.DisplaySize.y / 570) / scale, 0.5f, 1.f);
     ImGui_ImplOpenGL3_NewFrame();
@@ -214,6 +238,27 @@ void Screen::draw(const std::function<void()>& overlay) {
     glfwSwapBuffers(glfw);
 }
 
+WindowState Screen::window_state() const {
+    WindowState state;
+    glfwGetWindowPos(glfw, &state.x, &state.y);
+    glfwGetWindowSize(glfw, &state.width, &state.height);
+    return state;
+}
+
+/// Where the window was when it was closed, unless that is no longer on a monitor.
+void Screen::restore() {
+    const auto last = read_window_state();
+    if (!last || !monitor_at(last->x + last->width / 2, last->y + 1)) return;
+    if (last->width > 0) glfwSetWindowSize(glfw, last->width, last->height);
+    glfwSetWindowPos(glfw, last->x, last->y);
+}
+
+void Screen::remember() const {
+    WindowState state = full_screen() ? before : window_state();
+    if (state.width == opened.width && state.height == opened.height) state.width = state.height = 0;
+    write_window_state(state);
+}
+
 bool Screen::full_screen() const { return glfwGetWindowMonitor(glfw); }
 
 ScreenArea Screen::area() const {
@@ -223,24 +268,13 @@ ScreenArea Screen::area() const {
 
 void Screen::toggle_full_screen() {
     if (full_screen()) {
-        glfwSetWindowMonitor(glfw, nullptr, old_x, old_y, old_width, old_height, GLFW_DONT_CARE);
+        glfwSetWindowMonitor(glfw, nullptr, before.x, before.y, before.width, before.height, GLFW_DONT_CARE);
         return;
     }
-    glfwGetWindowPos(glfw, &old_x, &old_y);
-    glfwGetWindowSize(glfw, &old_width, &old_height);
-    // The monitor that shows the middle of the window, or the first one.
-    int count = 0;
-    GLFWmonitor* const* const monitors = glfwGetMonitors(&count);
-    if (count == 0) return;
-    GLFWmonitor* chosen = monitors[0];
-    for (int i = 0; i < count; ++i) {
-        int x = 0, y = 0;
-        glfwGetMonitorPos(monitors[i], &x, &y);
-        const GLFWvidmode* mode = glfwGetVideoMode(monitors[i]);
-        const int middle_x = old_x + old_width / 2 - x, middle_y = old_y + old_height / 2 - y;
-        if (mode && middle_x >= 0 && middle_x < mode->width && middle_y >= 0 && middle_y < mode->height)
-            chosen = monitors[i];
-    }
+    before = window_state();
+    GLFWmonitor* chosen = monitor_at(before.x + before.width / 2, before.y + before.height / 2);
+    if (!chosen) chosen = glfwGetPrimaryMonitor();
+    if (!chosen) return;
     const GLFWvidmode* mode = glfwGetVideoMode(chosen);
     if (mode) glfwSetWindowMonitor(glfw, chosen, 0, 0, mode->width, mode->height, mode->refreshRate);
 }

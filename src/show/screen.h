@@ -7,6 +7,7 @@
 
 #include "show/framing.h"
 #include "show/trace_thread.h"
+#include "show/window_state.h"
 
 struct GLFWwindow;
 
@@ -19,7 +20,8 @@ struct WindowError : std::runtime_error {
 
 class Screen {
   public:
-    /// Size in pixels; a default size grows with the monitor's scale. Throws WindowError. Only one at a time.
+    /// Size in pixels; a default size grows with the monitor's scale, and gives way to the remembered one. Throws
+    /// WindowError. Only one at a time.
     Screen(const std::string& title, int width, int height, bool default_size, bool full);
     ~Screen();
     Screen(const Screen&) = delete;
@@ -35,6 +37,8 @@ class Screen {
     void draw(const std::function<void()>& overlay);
     void toggle_full_screen();
     bool full_screen() const;
+    /// Writes down size and place for the next start; the size only if it is no longer the default one.
+    void remember() const;
     /// Where the picture is on the screen.
     ScreenArea area() const;
 
@@ -42,6 +46,8 @@ class Screen {
     struct Functions;
     void make_window(const std::string& title, int width, int height, bool default_size, bool full);
     void start_drawing();
+    void restore();
+    WindowState window_state() const;
 
     GLFWwindow* glfw = nullptr;
     std::unique_ptr<Functions> gl;
@@ -50,7 +56,8 @@ class Screen {
     int picture_width = 0, picture_height = 0;
     float left = 0, top = 0, right = 1, bottom = 1;           // of the part of the texture that is shown
     float scale = 0;                                          // of the overlay: 1 at a usual pixel density
-    int old_x = 0, old_y = 0, old_width = 0, old_height = 0;  // before full screen
+    WindowState before;                                       // full screen
+    WindowState opened;                                       // of the default size
 };
 
 }  // namespace strahl

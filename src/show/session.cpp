@@ -7,21 +7,17 @@
 #include <utility>
 
 #include "num/decimal.h"
+#include "num/vec_math.h"
 #include "scene/motion.h"
 #include "text/write.h"
 
 namespace strahl {
 namespace {
 
-constexpr double seconds_per_key = 3;  // of keys that are added
-
 std::optional<double> motion_end_of(const Scene& scene) {
     const Movers movers(scene);
     return movers.any() ? std::optional(movers.last_key) : std::nullopt;
 }
-
-/// "1.77 s"
-std::string seconds_text(double seconds) { return text_of(rounded_time(seconds)) + " s"; }
 
 }  // namespace
 
@@ -38,7 +34,7 @@ void Session::replace(std::shared_ptr<const Scene> newer, bool opened) {
     scene = std::move(newer);
     motion_end = motion_end_of(*scene);
     if (opened)
-        path.reset(), editor = PathEditor(scene->flythrough), cameras = {}, clock = {}, time = 0;
+        path.reset(), recorded.reset(), editor = PathEditor(scene->flythrough), cameras = {}, clock = {}, time = 0;
     else
         editor.reload(scene->flythrough);
     if (path && !around) path = flight();
@@ -74,6 +70,8 @@ Answer Session::perform(Command command, double now) {
         case Action::undo:
         case Action::redo:
             return edit(command.action, now);
+        case Action::record:
+            return record(now);
         case Action::copy_path:
             if (editor.path().keys.size() < 2) return {"there is no path to copy", ""};
             return {"path copied", write_flythrough(editor.path())};
@@ -143,57 +141,8 @@ Answer Session::to_key(int step, double now) {
     }
     if (!found) return {step < 0 ? "there is no key before" : "there is no key after", ""};
     const double there = found->time;
-    if (!go_to(there, now)) {  // a single key is no flight yet
-        stop(now), clock.set(there, now);
-        camera = camera_of(*found, scene->camera);
-    }
+    if (!go_to(there, now)) camera = camera_of(*found, scene->camera);  // a single key is no flight yet
     return {"key " + std::to_string(*key_at(editor.path(), there) + 1) + " at " + seconds_text(there), ""};
-}
-
-Answer Session::edit(Action action, double now) {
-    const double moment = rounded_time(flight_time(now));
-    const auto there = key_at(editor.path(), moment);
-    std::string note;
-    switch (action) {
-        case Action::undo:
-            note = editor.undo() ? "undone" : "there is nothing to undo";
-            break;
-        case Action::redo:
-            note = editor.redo() ? "redone" : "there is nothing to redo";
-            break;
-        case Action::clear_path:
-            editor.change({}), clock.set(0, now);
-            note = "a new path";
-            break;
-        case Action::set_key:
-            editor.change(with_key(editor.path(), key_of(camera, scene->camera, moment)));
-            note = "key at " + seconds_text(moment) + (there ? " changed" : " set");
-            break;
-        case Action::delete_key:
-            if (!there) return {"there is no key at " + seconds_text(moment) + "; PgUp and PgDn go to keys", ""};
-            editor.change(without_key(editor.path(), *there));
-            note = "key at " + seconds_text(moment) + " deleted";
-            break;
-        default:
-            return add_key(now);
-    }
-    path_changed(now);
-    return {note, ""};
-}
-
-Answer Session::add_key(double now) {
-    editor.change(continued(editor.path(), key_of(camera, scene->camera, 0), seconds_per_key));
-    const std::vector<Keyframe>& keys = editor.path().keys;
-    stop(now), clock.set(keys.back().time, now);
-    return {"key " + std::to_string(keys.size()) + " added at " + seconds_text(keys.back().time) +
-                (keys.size() < 2 ? "; a path needs two" : ""),
-            ""};
-}
-
-void Session::path_changed(double now) {
-    if (!path || around) return;
-    path = flight();
-    follow(now);
 }
 
 Answer Session::recall(int number) {
@@ -218,8 +167,8 @@ void Session::stop(double now) {
 
 bool Session::go_to(double seconds, double now) {
     path = flight(), around = false;
-    if (!path) return false;
     clock.hold(now);
+    if (!path) return clock.set(std::max(seconds, 0.), now), false;
     clock.set(path->loop ? seconds : std::clamp(seconds, 0., path->duration), now);
     follow(now);
     return true;
@@ -255,10 +204,13 @@ std::optional<Answer> Session::follow(double now) {
     if (!path) return std::nullopt;
     const double seconds = time = flight_time(now);
     if (!path->keys.empty()) camera = camera_at(*path, scene->camera, seconds);
-    if (path->loop || seconds < path->duration || !clock.running()) return std::nullopt;
+    const bool over = (!path->loop || once) && clock.at(now) >= path->duration;
+    if (!over || !clock.running()) return std::nullopt;
     stop(now);
     return Answer{"end of the flight", ""};
 }
+
+std::string seconds_text(double seconds) { return text_of(rounded_time(seconds)) + " s"; }
 
 std::string resolution_text(int level) {
     if (level == averaged_level) return "anti-aliased";

@@ -11,6 +11,7 @@
 #include "show/keys.h"
 #include "show/path_editor.h"
 #include "show/progressive.h"
+#include "show/thinning.h"
 
 namespace strahl {
 
@@ -32,13 +33,23 @@ class Session {
     /// Commands that concern only the window (quit, still, full screen, help, info) have no effect here.
     Answer perform(Command command, double now);
 
-    /// Moves to a moment of the flight, if anything moves, and pauses there.
+    /// Moves to a moment of the flight and pauses there. False if nothing moves; then only the moment is kept, for
+    /// keys.
     bool go_to(double seconds, double now);
 
-    /// Moves the camera; ends a flight on which it was not free, and says so. `push` is in seconds at the current speed.
+    /// Moves the camera; ends a flight on which it was not free, and says so. `push` is in seconds at the current
+    /// speed.
     Answer steer(const CameraInput& input, double now);
     /// Of a flight on which the camera is not free, or else of the camera.
     Answer change_speed(double factor, double now);
+    /// While a flight by hand is recorded: notes where the camera is. To be called before and after each step of it.
+    /// Returns a response if the recording has become too long, and ends it.
+    std::optional<Answer> observe(double now);
+    bool recording() const { return recorded.has_value(); }
+
+    /// Gives a key of the path other values, if the camera sees something from there. The moment moves with the key.
+    /// `merged`: see PathEditor::change.
+    Answer change_key(std::size_t number, const Keyframe& key, bool merged, double now);
     /// Makes a change of the path that `editor` holds take effect on the flight.
     void path_changed(double now);
     /// Moves the camera along the flight to this moment. Returns a response if the flight has ended.
@@ -59,6 +70,7 @@ class Session {
     Camera camera;
     double time = 0;  // of moving bodies, in seconds: as `camera` that of the last moment followed
     bool orbiting = false;
+    bool once = false;          // a path that loops ends after one round, too
     double speed = 1;           // units of the scene per second
     int finest = finest_level;  // while moving
     int depth() const { return own_depth.value_or(scene->settings.max_trace_level); }
@@ -70,10 +82,12 @@ class Session {
     Answer to_key(int step, double now);
     Answer edit(Action action, double now);
     Answer add_key(double now);
+    Answer record(double now);
     Answer recall(int number);
     void stop(double now);
 
     std::optional<int> own_depth;
+    std::optional<std::vector<CameraMoment>> recorded;
     std::optional<double> motion_end;  // the last key of what moves
     std::optional<Flythrough> path;    // on which the camera flies now; without keys it is free, and only bodies move
     bool around = false;               // that path is an orbit
@@ -81,6 +95,8 @@ class Session {
     std::array<std::optional<Camera>, 9> cameras;
 };
 
+/// "1.77 s"
+std::string seconds_text(double seconds);
 /// "1/4 of the pixels", for a level.
 std::string resolution_text(int level);
 

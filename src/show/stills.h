@@ -60,7 +60,8 @@ class Stills {
     std::jthread thread;
 };
 
-/// Creates an empty file `name``ending`, or `name`-2`ending`, ... if that exists. The caller fills it. Throws FileError.
+/// Creates an empty file `name` with this ending, or `name`-2, ... if that exists. The caller fills it. Throws
+/// FileError.
 std::string reserve_file(const std::string& name, const std::string& ending);
 
 /// "article-20260131-235959" for a scene file and now; with a moment of its flight "article-20260131-235959-at-1.5s".

@@ -34,7 +34,8 @@ bool TraceThread::outdated(const Order& newer) const {
     if (work == Work::refining) return newer.number != state.number;
     const bool useless = newer.scene != scene_in_work || newer.view.width != view_in_work.width ||
                          newer.view.height != view_in_work.height || newer.view.depth != view_in_work.depth;
-    return useless || (level_in_work > 0 && seconds_since(work_began) > 4 * allowed_seconds(level_in_work, budget_in_work));
+    const double planned = allowed_seconds(level_in_work, budget_in_work);
+    return useless || (level_in_work > 0 && seconds_since(work_began) > 4 * planned);
 }
 
 void TraceThread::want(Order newer) {

@@ -12,6 +12,8 @@
 #include <utility>
 
 #include "image/picture.h"
+#include "text/file.h"
+#include "text/write.h"
 
 namespace strahl {
 namespace {
@@ -20,10 +22,14 @@ constexpr double forever = std::numeric_limits<double>::infinity();
 constexpr double rest_interval = 0.05;  // seconds between drawings while a resting picture is refined
 constexpr double signal_interval = 0.2;  // seconds until a signal is noticed
 
-std::string title_of(const std::string& path) {
+}  // namespace
+
+std::string window_title(const std::string& path) {
     const std::string name = path == "-" ? "standard input" : std::filesystem::path(path).filename().string();
     return name + " - strahl (H: help)";
 }
+
+namespace {
 
 PixelSize window_size(const ViewOptions& options, const Scene& scene) {
     if (options.size.width > 0) return options.size;
@@ -49,13 +55,14 @@ Viewer::Viewer(const ViewOptions& o, const Loaded& first, std::string text, Cloc
       interrupted(signal),
       path(o.scene),
       session(scene_to_show(first), o.depth),
-      screen(title_of(path), window_size(o, *session.scene).width, window_size(o, *session.scene).height,
+      screen(window_title(path), window_size(o, *session.scene).width, window_size(o, *session.scene).height,
              o.size.width == 0, o.full_screen),
       tracing(o.threads, glfwPostEmptyEvent),
       stills(o.threads, glfwPostEmptyEvent),
       stability(o.threads, glfwPostEmptyEvent),
       reload(path, std::move(text), glfwPostEmptyEvent) {
     connect();
+    quiet = options.play;
     waiting = !first.scene;
     if (!waiting) start_scene();
     fault = first.fault, fault_until = forever;
@@ -65,89 +72,6 @@ Viewer::Viewer(const ViewOptions& o, const Loaded& first, std::string text, Cloc
 Viewer::~Viewer() = default;
 
 double Viewer::now() const { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
-/// What the options ask of a scene that is shown for the first time.
-void Viewer::start_scene() {
-    if (options.time) session.go_to(*options.time, now());
-    if (options.fly) log_line(session.perform({session.flying() ? Action::pause : Action::play}, now()).note);
-}
-
-void Viewer::add_still() {
-    if (screen.width() == 0) return;  // an icon
-    const Framing frame = framing(session.camera, screen.width(), screen.height(), fill);
-    View view{.camera = frame.camera,
-              .width = frame.area.width,
-              .height = frame.area.height,
-              .depth = session.depth(),
-              .error = half_step({8, session.scene->settings.linear}),
-              .time = session.time};
-    if (options.still_size.width > 0) view.width = options.still_size.width, view.height = options.still_size.height;
-    const bool in_flight = session.flying() || session.time != 0;
-    const std::string name = (std::filesystem::path(options.still_folder) /
-                              still_name(path, in_flight ? std::optional(rounded_time(session.time)) : std::nullopt));
-    if (const std::string why = folder_fault(name); !why.empty()) {
-        failed = true;
-        return announce(why);
-    }
-    stills.add({session.scene, view, name, options.still_ending});
-    log_line("still queued: " + name + ", " + std::to_string(view.width) + "x" + std::to_string(view.height));
-    still_told = now(), draws_due = 2;
-}
-
-void Viewer::handle_reload() {
-    const auto loaded = reload.take();
-    if (!loaded) return;
-    draws_due = 2;
-    fault = loaded->fault;
-    if (!loaded->scene) {
-        fault_until = loaded->opened && !waiting ? now() + 10 : forever;
-        log_line((waiting ? "the scene has an error\n" : "the scene has an error; the picture stays\n") + fault);
-        return;
-    }
-    const bool first = std::exchange(waiting, false);
-    session.replace(loaded->scene, loaded->opened || first);
-    if (first) start_scene();
-    if (session.paused()) session.follow(now());
-    if (loaded->opened) glfwSetWindowTitle(screen.window(), title_of(path = loaded->path).c_str());
-    log_line((loaded->opened ? "opened " : "read again: ") + path);
-}
-
-/// Marks belong to a picture at rest and are removed when it moves.
-void Viewer::toggle_stability() {
-    stability.cancel();
-    marks.clear(), draws_due = 2;
-    if (!marked && moving) return note("X marks a picture at rest: Space pauses");
-    marked = !marked && wanted.scene;
-    if (!marked) return;
-    View view = wanted.view;
-    view.error = 0;
-    stability.start(wanted.scene, view);
-}
-
-void Viewer::handle_stability() {
-    if (stability.under_way()) draws_due = std::max(draws_due, 1);
-    auto found = stability.take();
-    if (!found) return;
-    marks = std::move(*found);
-    const auto in_double = std::count_if(marks.begin(), marks.end(), [](const Mark& m) { return m.in_double; });
-    note("rounding decides " + std::to_string(marks.size()) + " pixels in float, " + std::to_string(in_double) +
-         " in double");
-}
-
-void Viewer::handle_stills() {
-    for (const Stills::Outcome& outcome : stills.outcomes()) {
-        const std::string text = outcome.fault.empty() ? "still saved: " + outcome.path : outcome.fault;
-        failed |= !outcome.fault.empty();
-        announce(text);
-    }
-    const int pending = stills.pending();
-    if (pending > 0 && now() - still_told > 2) {
-        still_told = now();
-        log_line("still: " + std::to_string(int(100 * stills.progress())) + " %, " + std::to_string(pending) +
-                 " waiting");
-    }
-    if (quitting && pending == 0) closed = true;
-}
 
 void Viewer::show(const std::string& text, double seconds) {
     if (notes.size() >= 3) notes.pop_front();
@@ -187,7 +111,8 @@ double Viewer::next_draw() const {
 void Viewer::wait() {
     double until = next_draw();
     if (moving || in_motion()) until = std::min(until, next_move);
-    const double left = std::min(until - now(), signal_interval);
+    // A gamepad has no events.
+    const double left = std::min(until - now(), gamepad() ? 1 / options.fps : signal_interval);
     if (left > 0)
         glfwWaitEventsTimeout(left);
     else
@@ -197,6 +122,7 @@ void Viewer::wait() {
 /// The camera at this moment.
 void Viewer::move() {
     const double frame = 1 / options.fps, moment = now();
+    if (!options.play) read_gamepad();
     const bool begins = in_motion() && !moving;
     if (begins) {
         moving = true;
@@ -208,13 +134,23 @@ void Viewer::move() {
     next_move = std::max(next_move + frame, moment);
     // If the machine can't keep up, the camera slows down instead of jumping; a flight follows the clock in any case.
     const double passed = std::min(moment - std::exchange(last_move, moment), 0.1);
+    if (begins) session.observe(moment - frame);
     const CameraInput input = controls.take(passed);
     if (!(input == CameraInput{})) tell(session.steer(input, moment));
-    if (const auto ended = session.follow(moment)) tell(*ended);
+    if (const auto full = session.observe(moment)) tell(*full);
+    if (const auto ended = session.follow(moment)) flight_ended(*ended);
     if (in_motion()) return;
     moving = false;
     told = 0;
     if (options.verbose) log_line("rest after " + motion.report(moment));
+}
+
+void Viewer::flight_ended(const Answer& answer) {
+    if (!options.play) return tell(answer);
+    if (!options.loop)
+        closed = true;
+    else
+        start_scene();
 }
 
 /// Orders the picture that should be on the screen.
@@ -228,9 +164,9 @@ void Viewer::order() {
                     .depth = session.depth(),
                     .error = half_step({8, session.scene->settings.linear}),
                     .time = session.time};
-    const bool same = wanted.scene == session.scene && wanted.view.camera == view.camera &&
-                      wanted.view.width == view.width && wanted.view.height == view.height && wanted.view.depth == view.depth &&
-                      wanted.view.time == view.time;
+    const View& last = wanted.view;
+    const bool same = wanted.scene == session.scene && last.camera == view.camera && last.width == view.width &&
+                      last.height == view.height && last.depth == view.depth && last.time == view.time;
     if (same && wanted.moving == moving) return;
     if (!same && marked) toggle_stability();
     // Where drawing limits the rate there is more time to trace.
@@ -248,12 +184,25 @@ void Viewer::draw() {
     const auto update = tracing.take([this](const Fresh& fresh) { screen.upload(fresh); });
     if (update) state = *update;
     const Overlay over = overlay();
-    screen.draw([&] { draw_overlay(over); });
+    TimelineInput input;
+    screen.draw([&] {
+        draw_overlay(over);
+        if (!with_timeline || quiet) return;
+        const auto flight = session.flight();
+        input = timeline.draw({.editor = session.editor,
+                               .scene_camera = session.scene->camera,
+                               .time = session.flight_time(moment),
+                               .duration = flight ? flight->duration : session.editor.path().duration,
+                               .running = session.under_way()});
+    });
     last_draw = moment;
     if (draws_due > 0) --draws_due;
     motion.drawn(now() - moment);
     draw_seconds += 0.2 * (now() - moment - draw_seconds);
-    if (moving && state.number != before) motion.picture(now(), state.level);
+    if (moving && state.number != before)
+        motion.picture({now(), state.level, count(pixels_of(state.level, state.width, state.height))});
+    if (options.play && state.number > 0 && !std::exchange(started, true)) session.perform({Action::pause}, now());
+    apply(input);
     if (options.verbose && update && before == 0) {
         char text[80];
         std::snprintf(text, sizeof text, "first picture after %.3f s, %s", now(), resolution_text(state.level).c_str());
@@ -273,16 +222,31 @@ void Viewer::log_finished() {
 
 /// A signal ends the window as Esc does, but the next one ends the program at once.
 void Viewer::handle_interrupt() {
-    if (!*interrupted || quitting) return;
+    if (!*interrupted || std::exchange(signalled, true)) return;
     log_line("interrupted");
     quit();
 }
 
 /// In full screen, when it has not moved for a while.
 void Viewer::hide_pointer() {
-    const bool hide = screen.full_screen() && now() > pointer_moved + 2;
+    const bool hide = screen.full_screen() && (options.play || now() > pointer_moved + 2);
     if (hide == std::exchange(pointer_hidden, hide)) return;
     glfwSetInputMode(screen.window(), GLFW_CURSOR, hide ? GLFW_CURSOR_HIDDEN : GLFW_CURSOR_NORMAL);
+}
+
+void Viewer::report_benchmark() const {
+    const Benchmark benchmark = benchmark_of(motion.pictures());
+    const BenchmarkSetting setting{.scene = path,
+                                   .precision = name(Precision::float32),
+                                   .simd = name(best_simd()),
+                                   .width = state.width,
+                                   .height = state.height,
+                                   .depth = session.depth(),
+                                   .threads = tracing.threads(),
+                                   .fps = options.fps,
+                                   .draw_seconds = motion.draw_seconds()};
+    std::fputs(text_of(benchmark, setting).c_str(), stdout), std::fflush(stdout);
+    if (!options.stats.empty()) write_file(options.stats, json_of(benchmark, setting));
 }
 
 int Viewer::run() {
@@ -296,8 +260,15 @@ int Viewer::run() {
         handle_reload();
         handle_stills();
         handle_stability();
+        handle_written();
         handle_interrupt();
     }
+    if (session.editor.changed() && session.editor.path().keys.size() >= 2 && !options.play) {
+        log_line("the path was not written into the file; here it is:");
+        std::fputs(write_flythrough(session.editor.path()).c_str(), stdout), std::fflush(stdout);
+    }
+    if (options.benchmark) report_benchmark();
+    if (options.size.width == 0 && !options.play) screen.remember();
     if (options.verbose) log_line("quit");
     return failed ? 1 : 0;
 }

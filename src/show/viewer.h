@@ -1,5 +1,6 @@
 // The window: passes events to the session, its views to the tracing thread, and pictures to the screen.
 #pragma once
+#include <array>
 #include <chrono>
 #include <deque>
 #include <memory>
@@ -13,10 +14,14 @@
 #include "show/session.h"
 #include "show/stability_check.h"
 #include "show/stills.h"
+#include "show/timeline.h"
 #include "show/trace_thread.h"
 #include "show/viewer_log.h"
 
 namespace strahl {
+
+/// Of a scene's file.
+std::string window_title(const std::string& path);
 
 class Viewer {
   public:
@@ -36,6 +41,10 @@ class Viewer {
     void on_cursor(double x, double y);
     void perform(Command command);
     void perform_here(Action action);
+    void read_gamepad();
+    bool on_timeline() const;
+    void apply(const TimelineInput& input);
+    void write_path();
     void quit();
 
     // Other threads
@@ -44,6 +53,7 @@ class Viewer {
     void handle_reload();
     void handle_stills();
     void handle_stability();
+    void handle_written();
     void toggle_stability();
 
     // The loop. All times are seconds since `start`.
@@ -57,6 +67,8 @@ class Viewer {
     void log_finished();
     void handle_interrupt();
     void hide_pointer();
+    void flight_ended(const Answer& answer);
+    void report_benchmark() const;
 
     // Output
     Overlay overlay();
@@ -79,9 +91,13 @@ class Viewer {
     StabilityCheck stability;
     Reload reload;
 
-    bool quitting = false, closed = false, failed = false;
+    bool quitting = false, closed = false, failed = false, signalled = false;
     bool help = false, with_info = false, quiet = false, fill = false;
+    bool with_timeline = false;
+    Timeline timeline;
+    double write_until = -1;  // when the question ends whether a changed file is to be written anyway
     bool waiting = false;  // for the first scene without an error
+    bool started = false;  // the flight of `strahl play`
     std::vector<Mark> marks;  // of the picture on the screen
     bool marked = false;      // marks are shown or being computed
     std::string fault;
@@ -96,6 +112,7 @@ class Viewer {
     Pointer pointer;
     double pointer_moved = 0;
     bool pointer_hidden = false;
+    std::array<bool, 15> buttons{};  // of the gamepad, which are down
     double still_told = 0;
 
     Order wanted;

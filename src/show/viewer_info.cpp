@@ -49,10 +49,12 @@ Overlay Viewer::overlay() {
     Overlay overlay;
     overlay.marks = marks, overlay.width = state.width, overlay.height = state.height, overlay.area = screen.area();
     if (quiet) return overlay;
+    if (with_timeline) overlay.reserved = timeline.height();
     overlay.help = help, overlay.share = state.share, overlay.fault = fault;
     overlay.fault_title = waiting ? "The scene is shown once this is mended"
                                   : "The scene file has an error; this is the previous picture";
     if (with_info) overlay.info = info();
+    if (session.recording()) overlay.notes.push_back("recording; K ends it");
     for (const Note& n : notes) overlay.notes.push_back(n.text);
     if (const int pending = stills.pending(); pending > 0) {
         const double share = stills.progress();

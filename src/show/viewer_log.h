@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "show/benchmark.h"
+
 namespace strahl {
 
 /// Lines begin with "// ", so that they may be pasted into a scene together with the text printed between them.
@@ -12,8 +14,11 @@ void log_line(const std::string& text);
 class MotionLog {
   public:
     void begin(double now);
-    void picture(double now, int level);
+    void picture(const ShownPicture& picture) { shown.push_back(picture); }
     void drawn(double seconds);
+    /// The mean time to draw a picture, in seconds.
+    double draw_seconds() const { return draws ? drawing / draws : 0; }
+    const std::vector<ShownPicture>& pictures() const { return shown; }
     /// Pictures per second over the last second.
     double rate(double now) const;
     /// "120 pictures in 2.0 s (60.0/s; the first after 9 ms), 1/2 of the pixels, 1.7 ms to draw each"
@@ -22,8 +27,7 @@ class MotionLog {
   private:
     double start = 0, drawing = 0;
     int draws = 0;
-    std::vector<double> times;
-    std::vector<int> levels;
+    std::vector<ShownPicture> shown;
 };
 
 }  // namespace strahl

@@ -154,16 +154,18 @@ std::string write_camera(const Camera& camera) {
     return text + "}\n";
 }
 
+std::string write_key(const Keyframe& key) {
+    std::string text = "key { time " + text_of(key.time) + "  position " + text_of(key.position) + "  look_at " +
+                       text_of(key.look_at);
+    if (key.up) text += "  up " + text_of(*key.up);
+    if (key.fov) text += "  fov " + text_of(*key.fov);
+    return text + " }";
+}
+
 std::string write_flythrough(const Flythrough& path) {
     std::string text = "flythrough {\n  duration " + text_of(path.duration) + "\n";
     if (path.loop) text += "  loop\n";
-    for (const Keyframe& key : path.keys) {
-        text += "  key { time " + text_of(key.time) + "  position " + text_of(key.position) + "  look_at " +
-                text_of(key.look_at);
-        if (key.up) text += "  up " + text_of(*key.up);
-        if (key.fov) text += "  fov " + text_of(*key.fov);
-        text += " }\n";
-    }
+    for (const Keyframe& key : path.keys) text.append("  ").append(write_key(key)).append("\n");
     return text + "}\n";
 }
 

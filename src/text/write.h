@@ -12,5 +12,7 @@ std::string write_scene(const Scene& scene);
 /// Only the `camera { ... }` or `flythrough { ... }` block; the window prints these for pasting.
 std::string write_camera(const Camera& camera);
 std::string write_flythrough(const Flythrough& path);
+/// "key { time 2  position ... }"
+std::string write_key(const Keyframe& key);
 
 }  // namespace strahl

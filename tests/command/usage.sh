@@ -6,16 +6,18 @@ source "$(dirname "$0")/expect.sh"
 expect 0 "Usage: strahl" --help
 expect 0 "--size WxH" render --help
 expect 0 "--print" check --help
+expect 0 "--benchmark" play --help
 expect 0 "--tolerance" compare --help
 [[ $("$strahl" --version) =~ ^strahl\ [0-9]+\.[0-9]+\.[0-9]+\ \(.+,\ [0-9]+\ float\ lanes,\ [0-9]+\ double\)$ ]] ||
     fault "the version reads: $("$strahl" --version)"
 
 expect 2 "Usage: strahl"
 expect 2 "did you mean 'render'?" rendr scene.rt
-expect 2 "there is no command 'frobnicate'; the commands are view, render, join, check" frobnicate
+expect 2 "there is no command 'frobnicate'; the commands are view, play, render, join, check" frobnicate
 expect 2 "strahl --help" --frobnicate
 expect 2 "SCENE is required" render
 expect 2 "SCENE is required" check
+expect 2 "--benchmark" play scene.rt --stats x.json
 expect 2 "not expected" check scene.rt scene.rt
 expect 2 "did you mean '--size'?" render scene.rt -o x.bmp --sizes 5x5
 

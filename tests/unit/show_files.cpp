@@ -11,8 +11,10 @@
 #include "image/picture.h"
 #include "show/reload.h"
 #include "show/stills.h"
+#include "show/window_state.h"
 #include "tests/unit/scratch.h"
 #include "tests/unit/show_scene.h"
+#include "text/write.h"
 #include "trace/thread_pool.h"
 
 using namespace strahl;
@@ -151,4 +153,68 @@ TEST_CASE("a changed scene file is read again, a broken one reported, a touched 
     std::ofstream(other) << scene_text << "light { position <0,0,9> color <1,1,1> }";
     REQUIRE(next());
     CHECK(loaded->scene->lights.size() == 2);
+}
+
+TEST_CASE("a path is written into the scene file, of which a copy stays; a file changed meanwhile is asked about") {
+    const Scratch folder;
+    const std::string path = folder / "scene.rt", comment = "// mine\n";
+    const auto put = [&](const std::string& content) { std::ofstream(path) << content; };
+    put(scene_text + comment);
+    Reload reload(path, scene_text + comment, [] {});
+    std::optional<Written> written;
+    const auto write = [&](std::optional<Flythrough> flythrough, bool anyway) {
+        reload.write(std::move(flythrough), anyway);
+        return soon([&] { return (written = reload.take_written()).has_value(); });
+    };
+    Flythrough flight{4, false, {{0, {1, 2, 3}, {0, 0, 0}, {}, {}}, {4, {3, 2, 1}, {0, 0, 0}, {}, {}}}};
+    REQUIRE(write(flight, false));
+    CHECK(written->fault == "");
+    CHECK(written->copy == path + "~");
+    CHECK(bytes_of(path + "~") == scene_text + comment);
+    CHECK(bytes_of(path) == scene_text + comment + "\n" + write_flythrough(flight));
+    const auto loaded = reload.take();
+    REQUIRE(loaded);
+    CHECK(loaded->scene->flythrough == flight);
+    // Once more: the copy stays that of the file which others wrote.
+    flight.duration = 5;
+    REQUIRE(write(flight, false));
+    CHECK(written->copy == "");
+    CHECK(bytes_of(path + "~") == scene_text + comment);
+    CHECK(parse_scene(bytes_of(path), "").flythrough == flight);
+
+    const std::string other = scene_text + "// theirs\n";
+    put(other);
+    REQUIRE(write(flight, false));
+    CHECK(written->asks);
+    CHECK(bytes_of(path) == other);
+    REQUIRE(write(flight, true));
+    CHECK(bytes_of(path) == other + "\n" + write_flythrough(flight));
+    CHECK(bytes_of(path + "~") == other);
+
+    put("camera {");
+    REQUIRE(write(flight, true));
+    CHECK(written->fault.find("scene.rt:1:") != std::string::npos);
+    CHECK(bytes_of(path) == "camera {");
+}
+
+TEST_CASE("the window's size and place are kept in the XDG state folder") {
+    const Scratch folder;
+    ::setenv("XDG_STATE_HOME", (folder / "new/state").c_str(), 1);
+    CHECK(!read_window_state());
+    write_window_state({-5, 20, 800, 600});
+    CHECK(read_window_state() == WindowState{-5, 20, 800, 600});
+    CHECK(bytes_of(folder / "new/state/strahl/window") == "-5 20 800 600\n");
+    write_window_state({1, 2, 0, 0});
+    CHECK(read_window_state() == WindowState{1, 2, 0, 0});
+    for (const char* bad : {"", "1 2 3", "1 2 3 4", "1 2 90000 100", "1 2 800 -600", "a b c d"}) {
+        std::ofstream(folder / "new/state/strahl/window") << bad;
+        CHECK(!read_window_state());
+    }
+    ::setenv("XDG_STATE_HOME", "relative", 1);  // to be ignored, says the specification
+    ::setenv("HOME", (folder / "home").c_str(), 1);
+    CHECK(window_state_file() == folder / "home/.local/state/strahl/window");
+    ::unsetenv("HOME");
+    CHECK(window_state_file() == "");
+    write_window_state({1, 2, 300, 400});  // nowhere, and no error
+    CHECK(!read_window_state());
 }

@@ -14,7 +14,7 @@ own_display 800x400 "import compare" "$strahl"
 source "$here/window.sh"
 
 echo "-- a scene that is missing, then broken, is waited for"
-start_log 'waiting until' scene.rt --size 320x240
+start_log 'waiting until' scene.rt --size 320x240 --depth 2
 put "shpere { }"
 await 'scene.rt:1:1'
 flat=${camera/fov 12/fov 12 aspectratio 2}
@@ -25,7 +25,7 @@ await 'read again'
 await 'finished 320x160'
 
 echo "-- the picture keeps its camera's proportions, or fills the window"
-still picture.png --size 320x160
+still picture.png --size 320x160 --depth 2
 convert -size 320x240 xc:black picture.png -geometry +0+40 -composite bars.png
 shows bars.png
 xdotool key v
@@ -35,14 +35,14 @@ $world
 $path"
 await 'read again'
 await 'finished 320x240'
-still filled.png --size 320x240
+still filled.png --size 320x240 --depth 2
 shows filled.png
 
 echo "-- a click moves nothing, a drag from elsewhere only by its own length"
 xdotool mousemove --window "$id" 10 10 mousedown 1 mousemove_relative 1 1 mouseup 1
 xdotool key F11
 await 'finished 800x400'
-still full.png --size 800x400
+still full.png --size 800x400 --depth 2
 shows full.png
 xdotool mousemove --window "$id" 700 300 mousedown 1 mousemove_relative 1 0 mouseup 1 key c
 await 'camera copied'
@@ -74,4 +74,23 @@ xdotool key Escape
 wait "$pid"
 (($? == 1)) || fault "a still was not written, and the exit status is not 1"
 pid=
+
+echo "-- size and place are remembered"
+export XDG_STATE_HOME=$work/state
+start scene.rt --depth 2
+xdotool windowsize "$id" 200 160 windowmove "$id" 30 40
+await 'finished 200x160'
+quit
+start scene.rt --depth 2
+await 'finished 200x160'
+xdotool getwindowgeometry --shell "$id" | grep -q '^X=30$' || fault "the window is not where it was"
+quit
+
+echo "-- a flight is played once, and measured"
+put "$camera
+$world
+${path//60/1}"
+"$strahl" play scene.rt --size 64x48 --benchmark --stats stats.json >log || fault "play fails: $(cat log)"
+grep -q 'median .* ms, 99th percentile .* ms, worst' log || fault "the figures of a flight: $(cat log)"
+grep -q '"pixels_per_second": [1-9]' stats.json || fault "the statistics of a flight: $(cat stats.json)"
 finish

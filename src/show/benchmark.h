@@ -1,0 +1,35 @@
+// Figures of a flight that `strahl play --benchmark` reports, so that machines and versions can be compared.
+#pragma once
+#include <map>
+#include <string>
+#include <vector>
+
+namespace strahl {
+
+/// A picture that was shown.
+struct ShownPicture {
+    double time = 0;  // when, in seconds
+    int level = 0;    // see progressive.h
+    double pixels = 0;
+};
+
+struct Benchmark {
+    int pictures = 0;
+    double seconds = 0;                     // from the first picture to the last
+    double median = 0, p99 = 0, worst = 0;  // times from one picture to the next, in seconds
+    std::map<int, double> levels;           // the shares of pictures at each level
+    double pixels_per_second = 0;           // that were traced
+};
+Benchmark benchmark_of(const std::vector<ShownPicture>& shown);
+
+/// What was measured.
+struct BenchmarkSetting {
+    std::string scene, precision, simd;
+    int width = 0, height = 0, depth = 0, threads = 0;
+    double fps = 0, draw_seconds = 0;  // pictures per second that were asked for; to draw one
+};
+/// A few lines.
+std::string text_of(const Benchmark& benchmark, const BenchmarkSetting& setting);
+std::string json_of(const Benchmark& benchmark, const BenchmarkSetting& setting);
+
+}  // namespace strahl

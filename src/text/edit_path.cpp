@@ -1,0 +1,150 @@
+// Finds the flythrough in a text and changes only what differs.
+#include "text/edit_path.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "num/decimal.h"
+#include "text/lexer.h"
+#include "text/parse.h"
+#include "text/write.h"
+
+namespace strahl {
+namespace {
+
+struct Slice {
+    std::size_t begin = 0, end = 0;
+};
+/// Where the parts of the block are in the text.
+struct PathPlaces {
+    Slice block, duration;  // of the duration the number
+    std::optional<Slice> loop;
+    std::vector<Slice> keys;
+};
+
+std::optional<PathPlaces> find_path(const std::string& text) {
+    Diagnostics diagnostics(text, "");
+    Lexer lexer(text, diagnostics);
+    std::optional<PathPlaces> places;
+    const auto begin = [&](std::string_view slice) { return std::size_t(slice.data() - text.data()); };
+    bool inside = false;  // the block
+    for (int depth = 0; !lexer.at_end();) {
+        if (lexer.peek() == '"') {
+            lexer.quotation("");
+            continue;
+        }
+        const std::string_view token = lexer.token();
+        const std::size_t start = begin(token), stop = start + token.size();
+        lexer.rewind(token.substr(token.size()));
+        if (token == "{") ++depth;
+        if (token == "}") --depth;
+        if (depth == 0 && token == "flythrough") places.emplace().block.begin = start, inside = true;
+        if (!inside) continue;
+        if (depth == 1 && token == "key") places->keys.push_back({start, 0});
+        if (depth == 1 && token == "}") places->keys.back().end = stop;
+        if (depth == 1 && token == "loop") places->loop = {start, stop};
+        if (depth == 1 && token == "duration") {
+            const std::string_view number = lexer.token();
+            places->duration = {begin(number), begin(number) + number.size()};
+        }
+        if (depth == 0 && token == "}") places->block.end = stop, inside = false;
+    }
+    return places;
+}
+
+struct Edit {
+    Slice at;
+    std::string text;
+};
+
+/// The slice with the white space before it, of which at most one end of a line.
+Slice with_space(const std::string& text, Slice slice) {
+    const auto blank = [&](std::size_t i) { return text[i - 1] == ' ' || text[i - 1] == '\t'; };
+    while (slice.begin > 0 && blank(slice.begin)) --slice.begin;
+    if (slice.begin > 0 && text[slice.begin - 1] == '\n') --slice.begin;
+    return slice;
+}
+
+/// What goes when a key goes: its line, unless something else is on it.
+Slice with_line(const std::string& text, Slice key) {
+    const std::size_t next = text.find_first_not_of(" \t", key.end);
+    return next == text.npos || text[next] == '\n' || text[next] == '\r' ? with_space(text, key) : key;
+}
+
+/// What begins the line of a key, or what does in text of our own.
+std::string indentation(const std::string& text, const PathPlaces& places) {
+    for (const Slice& key : places.keys) {
+        const std::size_t line = text.rfind('\n', key.begin) + 1;  // 0 if there is none
+        const std::string before = text.substr(line, key.begin - line);
+        if (line > 0 && before.find_first_not_of(" \t") == before.npos) return "\n" + before;
+    }
+    return "\n  ";
+}
+
+/// Keys of the same time, or as many as before, stay where they are.
+void edit_keys(std::vector<Edit>& edits, const std::string& text, const PathPlaces& places,
+               const std::vector<Keyframe>& old, const std::vector<Keyframe>& keys) {
+    const std::string indent = indentation(text, places);
+    const bool in_step = old.size() == keys.size();
+    std::size_t i = 0, j = 0, after = std::max(places.duration.end, places.loop.value_or(Slice{}).end);
+    if (!old.empty() && places.keys[0].begin < after) after = places.keys[0].begin;
+    while (i < old.size() || j < keys.size()) {
+        const bool both = i < old.size() && j < keys.size();
+        if (both && (in_step || old[i].time == keys[j].time)) {
+            if (old[i] != keys[j]) edits.push_back({places.keys[i], write_key(keys[j])});
+            after = places.keys[i].end;
+            ++i, ++j;
+        } else if (j == keys.size() || (both && old[i].time < keys[j].time)) {
+            edits.push_back({with_line(text, places.keys[i++]), ""});
+        } else {
+            edits.push_back({{after, after}, indent + write_key(keys[j++])});
+        }
+    }
+}
+
+std::string applied(std::string text, std::vector<Edit> edits) {
+    std::ranges::stable_sort(edits, {}, [](const Edit& edit) { return edit.at.begin; });
+    std::string result;
+    std::size_t done = 0;
+    for (const Edit& edit : edits) {
+        const std::size_t from = std::max(done, edit.at.begin);
+        result.append(text, done, from - done).append(edit.text);
+        done = std::max(from, edit.at.end);
+    }
+    return result.append(text, done);
+}
+
+/// The path of a block alone; nothing if it has an error.
+std::optional<Flythrough> path_of(const std::string& block) try {
+    return parse_scene("camera { position <0,0,0> look_at <0,1,0> sky <.31,.27,.9> fov 20 }\n" + block, "").flythrough;
+} catch (const FileError&) {
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::string with_path(const std::string& text, const std::optional<Flythrough>& path) {
+    const auto places = find_path(text);
+    if (!places) {
+        if (!path) return text;
+        return text + (text.empty() || text.back() == '\n' ? "\n" : "\n\n") + write_flythrough(*path);
+    }
+    const Slice block = places->block;
+    if (!path) return applied(text, {{with_space(text, block), ""}});
+    const auto old = path_of(text.substr(block.begin, block.end - block.begin));
+    const std::string whole = write_flythrough(*path);
+    const Edit anew{block, whole.substr(0, whole.size() - 1)};
+    if (!old) return applied(text, {anew});
+
+    std::vector<Edit> edits;
+    if (old->duration != path->duration) edits.push_back({places->duration, text_of(path->duration)});
+    if (path->loop && !old->loop) edits.push_back({{places->duration.end, places->duration.end}, "  loop"});
+    if (!path->loop && old->loop) edits.push_back({with_space(text, *places->loop), ""});
+    edit_keys(edits, text, *places, old->keys, path->keys);
+    std::string changed = applied(text, edits);
+    const std::size_t length = changed.size() - (text.size() - (block.end - block.begin));
+    // Nothing that was written in an unusual way may get lost.
+    return path_of(changed.substr(block.begin, length)) == path ? changed : applied(text, {anew});
+}
+
+}  // namespace strahl

@@ -1,0 +1,58 @@
+// Paths that are written into the text of a scene.
+#include "text/edit_path.h"
+
+#include <doctest/doctest.h>
+
+#include "text/parse.h"
+#include "text/write.h"
+
+using namespace strahl;
+
+TEST_CASE("a path is written into a scene, and all else stays as it is") {
+    const std::string before = "// My scene: { not a block, \"\nsphere { <0,0,0>,1 }  /* flythrough { */\n";
+    const std::string camera = "camera { position <0,-9,1> look_at <0,0,0> sky <0,0,1> angle 40 } // eye\n";
+    const std::string block =
+        "flythrough { duration 8 // seconds\n\tloop\n\n"
+        "    key { time 0 position <1.50,0,0> look_at <0,0,0> }  // start\n"
+        "    key{time 2.0 position <2,0,0> look_at <0,0,0>}  // turn\n"
+        "    // and home:\n    key { time 5  position <3,0,0>  look_at <0,0,0>  fov 30 }\n}";
+    const std::string after = "\n// the end\nplane { <0,0,0>, <1,0,0>, <0,1,0> }";
+    const std::string text = before + camera + block + after;
+    const Flythrough path = *parse_scene(text, "test").flythrough;
+    CHECK(with_path(text, path) == text);
+
+    const auto changed = [&](const Flythrough& newer, const std::string& from, const std::string& to) {
+        std::string expected = text;
+        expected.replace(expected.find(from), from.size(), to);
+        CHECK(with_path(text, newer) == expected);
+        CHECK(parse_scene(expected, "test").flythrough == newer);
+    };
+    Flythrough newer = path;
+    newer.keys[1].position.x = 7;
+    changed(newer, "key{time 2.0 position <2,0,0> look_at <0,0,0>}",
+            "key { time 2  position <7, 0, 0>  look_at <0, 0, 0> }");
+    newer = path, newer.keys[1].time = 3;  // moved to another time its comment goes with it
+    changed(newer, "key{time 2.0 position <2,0,0> look_at <0,0,0>}",
+            "key { time 3  position <2, 0, 0>  look_at <0, 0, 0> }");
+    newer = path, newer.duration = 12;
+    changed(newer, "duration 8", "duration 12");
+    newer = path, newer.loop = false;
+    changed(newer, "\n\tloop", "");
+    newer = path, newer.keys.insert(newer.keys.begin() + 2, {4, {1, 1, 1}, {0, 0, 0}, {}, {}});
+    changed(newer, "look_at <0,0,0>}", "look_at <0,0,0>}\n    key { time 4  position <1, 1, 1>  look_at <0, 0, 0> }");
+    newer = path, newer.keys.erase(newer.keys.begin() + 1);
+    changed(newer, "key{time 2.0 position <2,0,0> look_at <0,0,0>}", "");  // the comment stays on its line
+    newer = path, newer.keys.pop_back();
+    changed(newer, "\n    key { time 5  position <3,0,0>  look_at <0,0,0>  fov 30 }", "");
+    newer = path, newer.keys.erase(newer.keys.begin() + 1);
+    newer.loop = false, newer.duration = 6, newer.keys[0].position.x = 9;
+    newer.keys.push_back({6, {4, 4, 4}, {0, 0, 0}, {}, {}});
+    CHECK(parse_scene(with_path(text, newer), "test").flythrough == newer);
+    CHECK(with_path(text, newer).starts_with(before + camera));
+    CHECK(with_path(text, newer).ends_with("}" + after));
+
+    // A block that is not there yet, and one that is no longer wanted.
+    CHECK(with_path(before + camera, path) == before + camera + "\n" + write_flythrough(path));
+    CHECK(with_path(text, {}) == before + camera.substr(0, camera.size() - 1) + after);
+    CHECK(with_path(before + camera, {}) == before + camera);
+}

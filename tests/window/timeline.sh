@@ -1,0 +1,52 @@
+#!/usr/bin/env bash
+# A path made by hand: keys added, dragged on the timeline, written into the scene file, undone; with real keys and
+# mouse on a virtual display.
+#
+#   tests/window/timeline.sh STRAHL
+#
+# Exit status: 0 all as expected, 1 not, 77 a tool is missing.
+set -uo pipefail
+
+strahl=$(readlink -f -- "$1")
+here=$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")
+source "$here/display.sh"
+own_display 640x400 "import convert" "$strahl"
+source "$here/window.sh"
+
+put "// mine
+$camera // eye
+$world"
+cp scene.rt first.rt
+start scene.rt --size 640x400 --depth 2
+
+echo "-- two keys, written into the file"
+xdotool key t p keydown w sleep 0.2 keyup w key p
+await 'key 2 added at 3 s'
+xdotool key F2
+await 'the file as it was is scene.rt~'
+cmp first.rt scene.rt~ || fault "the copy is not the file as it was"
+[[ $(diff first.rt scene.rt | grep -c '^<') == 0 ]] || fault "more than a block was added: $(diff first.rt scene.rt)"
+cp scene.rt second.rt
+
+echo "-- a key is dragged on the timeline, and written"
+# The key that is not at the moment of the flight, which is the second one, is the only thing of this colour.
+xdotool key Home sleep 0.5
+import -window "$id" shot.png
+read -r x y < <(convert shot.png -crop 640x100+0+300 +repage txt:- | sed -n 's/^\([0-9]*\),\([0-9]*\):.*#8CCCFF.*/\1 \2/p' | sort -n | sed -n '$p')
+[[ -n ${x-} ]] || fault "there is no key on the timeline"
+xdotool mousemove --window "$id" $((x - 3)) $((y + 300)) sleep 0.2 mousedown 1 sleep 0.2
+xdotool mousemove_relative 40 0 sleep 0.2 mousemove_relative 60 0 sleep 0.2 mouseup 1 sleep 0.2 key F2
+await 'path written into'
+time=$(sed -n 's/.*key { time \([0-9.]*\) .*/\1/p' scene.rt | tail -n 1)
+awk -v t="$time" 'BEGIN { exit !(t > 4 && t < 6) }' || fault "the key was dragged to $time s"
+grep -q "duration $time\$" scene.rt || fault "the duration is not that of the last key: $(grep duration scene.rt)"
+
+echo "-- undone at once, and written again"
+xdotool mousemove --window "$id" 300 100 key ctrl+z
+await 'undone'
+xdotool key F2
+await 'path written into'
+cmp second.rt scene.rt || fault "undone is not what was written before"
+
+quit
+finish
