@@ -29,8 +29,9 @@ enum class ImageMap : std::int32_t {
     planar,       // x and y
     spherical,    // around the z axis, and the latitude: from the pole at -z to that at z
     cylindrical,  // around the z axis, and z
+    uv,           // as the corners of a mesh's triangles have them, linearly between these; of other bodies the origin
 };
-inline constexpr std::array<std::string_view, 3> image_maps{"planar", "spherical", "cylindrical"};
+inline constexpr std::array<std::string_view, 4> image_maps{"planar", "spherical", "cylindrical", "uv"};
 
 /// Between the middles of four pixels colours change bilinearly. All this is as in POV-Ray, but for the poles, which
 /// are at y and -y there.

@@ -125,10 +125,12 @@ template <class S>
     return select((value >= S(0)) & (value <= S(1)), value, S(0));
 }
 
-/// The colour of a pattern at points of the world.
+/// The colour of a pattern at points of the world, which are on these surfaces.
 template <class S>
 [[gnu::noinline]] Vec3<S> color_at(const World<Element<S>>& world, const PatternKernel<Element<S>>& pattern,
-                                   const Vec3<S>& position) {
+                                   Vec3<S> position, const S& surface) {
+    if (pattern.form == PatternForm::image && pattern.image.map == ImageMap::uv)
+        position = place_in_mesh(world, pattern.image, position, surface);
     Vec3<S> p;
     for (int c = 0; c < 3; ++c) p[c] = dot(splat<S>(pattern.rows[c]), position) + S(pattern.offset[c]);
     if (pattern.form == PatternForm::image) return image_color(pattern.image, p);
@@ -182,10 +184,10 @@ STRAHL_INLINE void each_pattern(const World<Element<S>>& world, const int* mater
 
 template <class S>
 void PatternCalls<S>::paint(const World<T>& world, const int* materials, const Vec3<S>& position,
-                            MaterialKernel<S>& values) {
+                            const S& surface, MaterialKernel<S>& values) {
     each_pattern<S>(world, materials, [&](int which, Mask<S> lanes) {
         const PatternKernel<T>& pattern = world.patterns[which];
-        const Vec3<S> color = color_at(world, pattern, position);
+        const Vec3<S> color = color_at(world, pattern, position, surface);
         for (int c = 0; c < 3; ++c) {
             values.ambient[c] = select(lanes, S(pattern.ambient[c]) * color[c], values.ambient[c]);
             values.diffuse[c] = select(lanes, S(pattern.diffuse) * color[c], values.diffuse[c]);
@@ -205,15 +207,15 @@ Vec3<S> PatternCalls<S>::bent(const World<T>& world, const int* materials, const
 
 template <class S>
 Vec3<S> PatternCalls<S>::sky(const World<T>& world, const Vec3<S>& direction) {
-    return color_at(world, *world.sky, direction);
+    return color_at(world, *world.sky, direction, S(-1));
 }
 
 template <class S>
-void PatternCalls<S>::filter(const World<T>& world, int material, const Ray<S>& ray, const S& t, Mask<S> lanes,
-                             Vec3<S>& share) {
+void PatternCalls<S>::filter(const World<T>& world, int material, const S& surface, const Ray<S>& ray, const S& t,
+                             Mask<S> lanes, Vec3<S>& share) {
     if (none(lanes)) return;
     const PatternKernel<T>& pattern = world.patterns[material - world.first_pattern];
-    const Vec3<S> color = color_at(world, pattern, fma(t, ray.direction, ray.origin));
+    const Vec3<S> color = color_at(world, pattern, fma(t, ray.direction, ray.origin), surface);
     for (int c = 0; c < 3; ++c)
         share[c] = select(lanes, min(share[c] * (S(pattern.refraction) * color[c]), S(largest_gain)), share[c]);
 }

@@ -112,7 +112,7 @@ R turns(R x, R y) {
 template <class R>
 Vector<R> color_in(const ImagePattern& image, const Vector<R>& p) {
     R u = p.x, v = p.y;
-    if (image.map != ImageMap::planar) u = turns(p.x, p.y), u = u < 0 ? u + 1 : u;
+    if (image.map == ImageMap::spherical || image.map == ImageMap::cylindrical) u = turns(p.x, p.y), u = u < 0 ? u + 1 : u;
     if (image.map == ImageMap::spherical) v = 2 * turns(root(p.x * p.x + p.y * p.y), p.z) + R(.5);
     if (image.map == ImageMap::cylindrical) v = p.z;
     if (image.once && !(u >= 0 && u < 1 && v >= 0 && v < 1)) return *image.once;
@@ -135,6 +135,11 @@ Vector<R> color_in(const ImagePattern& image, const Vector<R>& p) {
         (c == 0 ? color.x : c == 1 ? color.y : color.z) = (1 - down) * in_row(top) + down * in_row(top + 1);
     }
     return color;
+}
+
+inline bool by_uv(const Pigment& pigment) {
+    const auto* const image = pigment.pattern ? std::get_if<ImagePattern>(&pigment.pattern->kind) : nullptr;
+    return image && image->map == ImageMap::uv;
 }
 
 /// The colour of a pigment at a point of its own space, before the pattern's transformations are undone.

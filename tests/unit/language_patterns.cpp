@@ -1,5 +1,6 @@
 // The scene language: patterns in place of colours.
 #include "tests/unit/language.h"
+#include "text/write.h"
 
 using namespace strahl;
 using namespace strahl::language;
@@ -70,6 +71,40 @@ TEST_CASE("images, and what can be wrong with them") {
     check("image { \"wood.png\" once <1,1,-1> }", "'once' of 'image' must be from 0 to 1e9, not '-1'");
     check("image { \"wood.png\" colors { 0 <1,1,1> } }", "unknown word 'colors' in 'image'; known here: map, once, rotate");
     check_fault(sphere("image { \"wood.png\" }"), "2:45: cannot read 'wood.png': no pictures are read here");
+}
+
+TEST_CASE("images by uv") {
+    const auto scene = [](const std::string& text) {
+        return parse_scene(eye + text, "x.rt", {}, [](const std::string&) { return Pixels{1, 1, false, {0, 0, 0}}; });
+    };
+    const std::string uv = "material { rgb image { \"a\" map uv } }";
+    const std::string first = "triangle { <0,0,0>, <1,0,0>, <0,1,0>", second = "triangle { <0,0,1>, <1,0,0>, <0,1,0>";
+    const Scene one = scene("mesh { " + first + " } " + second + " uv_vectors <0,.5>, <1,0> <0,0> } " + uv + " }");
+    const MeshData& mesh = *std::get<Mesh>(one.primitives[0].shape).data;
+    const MeshData::Corners* const numbers = mesh.place_numbers();
+    REQUIRE(numbers);
+    const auto place = [&](int i, int k) { return mesh.places[numbers[i][k]]; };
+    for (int k = 0; k < 3; ++k) CHECK(place(0, k) == MeshData::Place{0, 0});
+    CHECK(place(1, 0) == MeshData::Place{0, .5});
+    CHECK(place(1, 1) == MeshData::Place{1, 0});
+    CHECK(parse_scene(write_scene(one), "x.rt", {}, [](const std::string&) { return Pixels{1, 1, false, {0, 0, 0}}; }) == one);
+    CHECK(scene("mesh { " + first + " uv_vectors <0,0>, <1,0>, <0,1> } }") !=
+          scene("mesh { " + first + " uv_vectors <0,0>, <1,0>, <0,2> } }"));
+    const auto fault = [&](const std::string& text, const std::string& said) {
+        CHECK_THROWS_WITH_AS(scene(text), doctest::Contains(said.c_str()), FileError);
+    };
+    fault("sphere { <0,0,0>, 1 " + uv + " }",
+          "2:1: this sphere can't be coloured: its image is mapped by uv, which only meshes have\n");
+    fault("define m material { rgb image { \"a\" map uv } }\nunion { sphere { <0,0,0>, 1 } material m }",
+          "3:1: this union can't be coloured: its image is mapped by uv, which only meshes have\n");
+    fault("mesh { " + first + " } " + uv + " }",
+          "2:1: this mesh can't be coloured: its image is mapped by uv, and no triangle has 'uv_vectors'\n");
+    fault("background { color image { \"a\" map uv } }", "2:1: this background can't be coloured");
+    fault(first + " uv_vectors <0,0>, <1,0>, <0,1> }", "unknown word 'uv_vectors' in 'triangle'");
+    fault("mesh { " + first + " uv_vectors <0,0>, <1,0,0>, <0,1> } }", "2:67: '>' expected after the two numbers");
+    fault("mesh { " + first + " uv_vectors <0,0> <1,1> } }",
+          "two numbers <u, v> expected for 'uv_vectors' of 'triangle', but here comes '}'");
+    fault("mesh { " + first + " uv_vectors <0,0> <1,1> <0,1> uv_vectors <0,0> <1,1> <0,1> } }", "a second 'uv_vectors'");
 }
 
 TEST_CASE("bumps, and what can be wrong with them") {

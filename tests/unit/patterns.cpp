@@ -5,8 +5,10 @@
 #include <cmath>
 #include <string>
 
+#include "num/decimal.h"
 #include "tests/referee/random_pattern.h"
 #include "tests/referee/random_scene.h"
+#include "tests/referee/referee.h"
 #include "tests/unit/levels.h"
 #include "text/parse.h"
 #include "trace/tracer.h"
@@ -247,6 +249,65 @@ TEST_CASE("where images are") {
         ball("cylindrical scale <1, 1, 2> translate <0, 0, -1> ", {0, .86602540378443865, .5}, {1, 0, 0});
         ball("cylindrical scale <1, 1, 2> translate <0, 0, -1> ", {0, -.86602540378443865, -.5}, {1, 1, 1});
     }
+}
+
+TEST_CASE("an image by uv is where the places of its mesh's corners say") {
+    // Places that are x and y of the corners make it a planar image, which the body's transformations take along.
+    const auto random = [](const std::string&) { return made_up_pixels("8-7-4"); };
+    const auto scene = [&](const std::string& map, bool smooth, const std::string& bodies) {
+        std::string mesh;
+        for (const MeshData::Corners& corners : Mesh::tetrahedron()->triangles) {
+            std::string points, places;
+            for (const std::int32_t corner : corners) {
+                const DVec3 p = 2. * Mesh::tetrahedron()->points[corner] - DVec3(.5, .4, .3);
+                points += text_of(p) + " ";
+                places += "<" + text_of(p.x) + ", " + text_of(p.y) + ">";
+            }
+            mesh += (smooth ? "smooth_triangle { " + points : "triangle { ") + points + " uv_vectors " + places + " }\n";
+        }
+        return parse_scene("camera { position <3, 5, 6>  look_at <0, 0, 0>  sky <0, 0, 1>  fov 12 }\n"
+                           "light { position <9, 4, 9>  color <1, 1, 1> }\n"
+                           "defaultmaterial { ambient .5  reflection .3  refraction .4  ior 1.2 }\n"
+                           "plane { <0, 0, -2>, <1, 0, -2>, <0, 1, -2>  material { refraction 0 } }\n"
+                           "define body mesh { " + mesh + "material { rgb image { \"r\" map " + map + "  scale .7 } } }\n" +
+                               bodies, "uv", {}, random);
+    };
+    std::string many;
+    for (int i = 0; i < 70; ++i) many += "sphere { <0, 0, -9>, .1 }\n";
+    const std::string turned = "body { rotate <20, 30, 40>  scale <1, 1.2, .8>  translate <.1, .2, 0> } ";
+    for (const std::string& bodies :
+         {std::string("body { }"), turned + "body { translate <1, 1, .3> }", many + turned,
+          "sphere { <0, 0, -1>, .3 } union { sphere { <0, 0, 1.2>, .5 } " + turned + "}"})
+        for (const bool smooth : {false, true})
+            for (const Precision precision : {Precision::float32, Precision::float64, Precision::extended}) {
+                CAPTURE(bodies);
+                CAPTURE(smooth);
+                CAPTURE(std::string(name(precision)));
+                const auto traced = [&](const std::string& map) {
+                    return picture(scene(map, smooth, bodies), precision, 24, 18);
+                };
+                const Frame by_uv = traced("uv");
+                CHECK(different(by_uv, traced("planar"), precision == Precision::float32 ? 1e-3 : 1e-9) < 12);
+                CHECK(different(by_uv, traced("planar translate <.2, 0, 0>"), .01) > 100);
+            }
+}
+
+TEST_CASE("an image by uv is the referee's") {
+    const auto random = [](const std::string&) { return made_up_pixels("8-7-4"); };
+    const Scene scene = parse_scene(
+        "camera { position <3, 5, 6>  look_at <0, 0, 0>  sky <0, 0, 1>  fov 12 }\n"
+        "light { position <9, 4, 9>  color <1, 1, 1> }\n"
+        "plane { <0, 0, -1>, <1, 0, -1>, <0, 1, -1> }\n"
+        "mesh { smooth_triangle { <-1, 1, 0>, <1, 1, .3>, <0, -1, 1>  <0, 1, 1>, <.3, 1, 1>, <0, 0, 1>\n"
+        "                         uv_vectors <-.2, .1>, <3, -1>, <1, 5> }\n"
+        "       triangle { <1, 1, 1>, <-1, 1, 1>, <0, 2, 0>  uv_vectors <1, 1>, <1, 2>, <4, 4> }\n"
+        "       material { rgb image { \"r\" map uv  rotate <0, 0, 30>  scale .4 }  refraction .5 }  scale <1, 1.2, .8> }",
+        "uv", {}, random);
+    const int width = 24, height = 18;
+    const Frame own = picture(scene, Precision::float64, width, height);
+    const Referee<long double> referee(scene, scene.camera, width, height, scene.settings.max_trace_level);
+    for (int i = 0; i < width * height; ++i)
+        CHECK(referee.explains(i % width, i / width, &own.rgb[3 * static_cast<std::size_t>(i)], 1e-9, 1e-6));
 }
 
 TEST_CASE("images in float are those in double but for rounding, and no pixel is none") {
