@@ -33,6 +33,10 @@ enum class ImageMap : std::int32_t {
 };
 inline constexpr std::array<std::string_view, 4> image_maps{"planar", "spherical", "cylindrical", "uv"};
 
+/// How bright a colour is, which is what a picture that bends normals has in place of colours: its height (POV-Ray's
+/// weights of red, green and blue).
+inline constexpr std::array<double, 3> brightness{.297, .589, .114};
+
 /// Between the middles of four pixels colours change bilinearly. All this is as in POV-Ray, but for the poles, which
 /// are at y and -y there.
 struct ImagePattern {

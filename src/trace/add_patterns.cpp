@@ -74,10 +74,12 @@ struct KernelSpace {
     }
 };
 
+const ImagePattern* image_of(const std::shared_ptr<const Pattern>& pattern) {
+    return pattern ? std::get_if<ImagePattern>(&pattern->kind) : nullptr;
+}
 /// The picture of a material that is mapped by uv, or null.
 const ImagePattern* image_by_uv(const Material& material) {
-    const Pattern* const pattern = material.rgb.pattern.get();
-    const auto* const image = pattern ? std::get_if<ImagePattern>(&pattern->kind) : nullptr;
+    const ImagePattern* const image = image_of(material.rgb.pattern);
     return image && image->map == ImageMap::uv ? image : nullptr;
 }
 /// The kernel of a pattern whose body's `to_world` is given, but for its stops and its material.
@@ -124,12 +126,12 @@ BumpKernel<T> bump_of(const Bump& bump, const glm::dmat4& to_world, const Placem
     double longest = 0;
     for (int c = 0; c < 3; ++c) longest = std::max(longest, length(DVec3(own[c])));
     for (int c = 0; c < 3; ++c) kernel.columns[c] = cast<T>(DVec3(own[c]) / longest);
-    const double strength = -bump.height * 3 / (4 * Bump::step) * longest;
+    const double strength = -bump.height * 3 / (4 * bump.step()) * longest;
     for (std::size_t i = 0; i < Bump::corners.size(); ++i) {
         const DVec3& v = Bump::corners[i];
         for (int c = 0; c < 3; ++c) {
             const DVec3 row(space.matrix[0][c], space.matrix[1][c], space.matrix[2][c]);
-            kernel.steps[i][c] = static_cast<T>(Bump::step * dot_product(row, v));
+            kernel.steps[i][c] = static_cast<T>(bump.step() * dot_product(row, v));
             kernel.bends[i][c] = static_cast<T>(strength * dot_product(DVec3(back[c]), v));
         }
     }
@@ -160,7 +162,7 @@ const float* WorldArrays<T>::add_pixels(const std::shared_ptr<const Pixels>& fro
 template <class T>
 void WorldArrays<T>::add_colors(const Pigment& pigment, PatternKernel<T>& kernel, bool linear) {
     const Pattern* const pattern = pigment.pattern.get();
-    if (const auto* const image = pattern ? std::get_if<ImagePattern>(&pattern->kind) : nullptr)
+    if (const auto* const image = image_of(pigment.pattern))
         kernel.image.pixels = add_pixels(image->pixels, linear);
     kernel.first_stop = static_cast<std::int32_t>(stops.size());
     const std::vector<ColorStop> colors = pattern ? pattern->colors : std::vector{ColorStop{0, pigment.color}};
@@ -221,6 +223,8 @@ void WorldArrays<T>::add_patterns(const Scene& scene, const Placement& placement
             kernel.ambient = cast<T>(scene.settings.ambient_light * material.ambient);
             patterns.push_back(kernel);
             if (any_bumps) bumps.push_back(bump_of<T>(material.bump, matrices.material, placement));
+            if (const auto* const relief = image_of(material.bump.pattern))
+                bumps.back().pattern.image.pixels = add_pixels(relief->pixels, false);
         });
     }
     if (static_cast<double>(materials.size()) > World<T>::capacity)

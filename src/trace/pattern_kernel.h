@@ -91,7 +91,7 @@ STRAHL_INLINE S wave(const S& x) {
     return S(1) - abs(fma(S(2), fraction(x), S(-1)));
 }
 
-/// The value of a pattern at a point of its space, from 0 to 1; where coordinates are too large for numbers 0.
+/// The value of a pattern at a point of its space, from 0 to 1, or an image's brightness; where coordinates are too large for numbers 0.
 template <class S>
 [[gnu::noinline]] S value_at(const PatternKernel<Element<S>>& pattern, const Vec3<S>& p) {
     using T = Element<S>;
@@ -118,7 +118,11 @@ template <class S>
         case PatternForm::rings:
             value = wave(moved(sqrt(fma(p.x, p.x, p.y * p.y))));
             break;
-        case PatternForm::image:
+        case PatternForm::image: {
+            const Vec3<S> color = image_color(pattern.image, p);
+            return fma(S(T(brightness[0])), color.x,
+                       fma(S(T(brightness[1])), color.y, S(T(brightness[2])) * color.z));
+        }
         case PatternForm::constant:
             break;
     }

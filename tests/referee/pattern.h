@@ -51,59 +51,6 @@ R octaves(const Octaves& own, const Vector<R>& p) {
     return sum;
 }
 
-/// The value of each kind.
-template <class R>
-struct ValueAt {
-    Vector<R> p;
-    static constexpr double border = 1e-10;
-
-    static R fraction(R x) { return x - whole_below(x); }
-    static R up_and_down(R x) {
-        const R part = fraction(x);
-        return part < R(.5) ? 2 * part : 2 - 2 * part;
-    }
-    R operator()(const Checker&) const {
-        std::int64_t sum = 0;
-        for (const R x : {p.x, p.y, p.z}) sum += static_cast<std::int64_t>(whole_below(x + R(border)));
-        return sum % 2 != 0 ? 1 : 0;
-    }
-    R operator()(const Brick& brick) const {
-        const R mortar = brick.mortar;
-        const auto shifted = [&](R x) { return x + R(border) + mortar; };
-        const auto in_mortar = [&](R x, R size) { return fraction(x / size) * size <= mortar; };
-        const R x = shifted(p.x), y = shifted(p.y), z = shifted(p.z);
-        if (in_mortar(y, brick.size.y)) return 0;
-        const bool odd = static_cast<std::int64_t>(whole_below(y / R(brick.size.y))) % 2 != 0;
-        const R half_x = R(brick.size.x) / 2, half_z = R(brick.size.z) / 2;
-        return in_mortar(odd ? x + half_x : x, brick.size.x) || in_mortar(odd ? z : z + half_z, brick.size.z) ? 0 : 1;
-    }
-    R operator()(const Gradient& gradient) const {
-        const R value = fraction(dot(unit(Vector<R>(gradient.axis)), p) + R(border)) - R(border);
-        return value > 0 ? value : 0;
-    }
-    R operator()(const ImagePattern&) const { return 0; }  // has no map
-    R operator()(const Noise& own) const {
-        const R value = R(.5) + octaves(own, p);
-        return value < 0 ? 0 : value > 1 ? 1 : value;
-    }
-    R operator()(const Marble& marble) const { return up_and_down(p.x + R(marble.turbulence) * octaves(marble, p)); }
-    R operator()(const Wood& wood) const {
-        return up_and_down(root(p.x * p.x + p.y * p.y) + R(wood.turbulence) * octaves(wood, p));
-    }
-};
-
-/// Makes sRGB-encoded images linear light.
-inline void decode(Pigment& pigment) {
-    const auto* const image = pigment.pattern ? std::get_if<ImagePattern>(&pigment.pattern->kind) : nullptr;
-    if (!image || image->pixels->linear) return;
-    Pixels pixels = *image->pixels;
-    for (float& v : pixels.values)
-        v = static_cast<float>(v <= .04045 ? v / 12.92 : std::pow((v + .055) / 1.055, 2.4));
-    Pattern pattern = *pigment.pattern;
-    std::get<ImagePattern>(pattern.kind).pixels = std::make_shared<const Pixels>(std::move(pixels));
-    pigment = Pigment(std::move(pattern));
-}
-
 /// The angle of (x, y) in turns, from -1/2 to 1/2.
 template <class R>
 R turns(R x, R y) {
@@ -135,6 +82,62 @@ Vector<R> color_in(const ImagePattern& image, const Vector<R>& p) {
         (c == 0 ? color.x : c == 1 ? color.y : color.z) = (1 - down) * in_row(top) + down * in_row(top + 1);
     }
     return color;
+}
+
+/// The value of each kind.
+template <class R>
+struct ValueAt {
+    Vector<R> p;
+    static constexpr double border = 1e-10;
+
+    static R fraction(R x) { return x - whole_below(x); }
+    static R up_and_down(R x) {
+        const R part = fraction(x);
+        return part < R(.5) ? 2 * part : 2 - 2 * part;
+    }
+    R operator()(const Checker&) const {
+        std::int64_t sum = 0;
+        for (const R x : {p.x, p.y, p.z}) sum += static_cast<std::int64_t>(whole_below(x + R(border)));
+        return sum % 2 != 0 ? 1 : 0;
+    }
+    R operator()(const Brick& brick) const {
+        const R mortar = brick.mortar;
+        const auto shifted = [&](R x) { return x + R(border) + mortar; };
+        const auto in_mortar = [&](R x, R size) { return fraction(x / size) * size <= mortar; };
+        const R x = shifted(p.x), y = shifted(p.y), z = shifted(p.z);
+        if (in_mortar(y, brick.size.y)) return 0;
+        const bool odd = static_cast<std::int64_t>(whole_below(y / R(brick.size.y))) % 2 != 0;
+        const R half_x = R(brick.size.x) / 2, half_z = R(brick.size.z) / 2;
+        return in_mortar(odd ? x + half_x : x, brick.size.x) || in_mortar(odd ? z : z + half_z, brick.size.z) ? 0 : 1;
+    }
+    R operator()(const Gradient& gradient) const {
+        const R value = fraction(dot(unit(Vector<R>(gradient.axis)), p) + R(border)) - R(border);
+        return value > 0 ? value : 0;
+    }
+    R operator()(const ImagePattern& image) const {
+        const Vector<R> color = color_in(image, p);
+        return R(brightness[0]) * color.x + R(brightness[1]) * color.y + R(brightness[2]) * color.z;
+    }
+    R operator()(const Noise& own) const {
+        const R value = R(.5) + octaves(own, p);
+        return value < 0 ? 0 : value > 1 ? 1 : value;
+    }
+    R operator()(const Marble& marble) const { return up_and_down(p.x + R(marble.turbulence) * octaves(marble, p)); }
+    R operator()(const Wood& wood) const {
+        return up_and_down(root(p.x * p.x + p.y * p.y) + R(wood.turbulence) * octaves(wood, p));
+    }
+};
+
+/// Makes sRGB-encoded images linear light.
+inline void decode(Pigment& pigment) {
+    const auto* const image = pigment.pattern ? std::get_if<ImagePattern>(&pigment.pattern->kind) : nullptr;
+    if (!image || image->pixels->linear) return;
+    Pixels pixels = *image->pixels;
+    for (float& v : pixels.values)
+        v = static_cast<float>(v <= .04045 ? v / 12.92 : std::pow((v + .055) / 1.055, 2.4));
+    Pattern pattern = *pigment.pattern;
+    std::get<ImagePattern>(pattern.kind).pixels = std::make_shared<const Pixels>(std::move(pixels));
+    pigment = Pigment(std::move(pattern));
 }
 
 inline bool by_uv(const Pigment& pigment) {
@@ -185,7 +188,7 @@ Vector<R> bent(const Bump& bump, const glm::dmat4& to_world, const Vector<R>& po
     const Vector<R> x = R(1) / volume * cross(b, c), y = R(1) / volume * cross(c, a), z = R(1) / volume * cross(a, b);
     const Vector<R> moved = point - Vector<R>{m[3].x, m[3].y, m[3].z}, p{dot(x, moved), dot(y, moved), dot(z, moved)};
     Vector<R> own = unit(Vector<R>{dot(a, normal), dot(b, normal), dot(c, normal)});
-    const R step = R(Bump::step);
+    const R step = R(bump.step());
     for (const DVec3& corner : Bump::corners) {
         const R value = std::visit(ValueAt<R>{p + step * Vector<R>(corner)}, bump.pattern->kind);
         own = own - R(bump.height) * value * 3 / (4 * step) * Vector<R>(corner);

@@ -131,7 +131,7 @@ TEST_CASE("bumps, and what can be wrong with them") {
     check("noise { }", "3:1", "'noise' lacks 'height'");
     check("nois { height 1 }", "3:1", "unknown word 'nois' for 'bump' of 'material'; did you mean 'noise'?");
     check("checker { height 1 }", "3:1",
-          "unknown word 'checker' for 'bump' of 'material'; known here: gradient, noise, marble, wood, none");
+          "unknown word 'checker' for 'bump' of 'material'; known here: gradient, noise, marble, wood, image, none");
     check("<1,1,1>", "3:1", "a pattern or 'none' expected for 'bump' of 'material', but here comes '<'");
     check("noise { height 1 height 1 }", "3:18", "a second 'height'; the first is in line 3");
     check("noise { height -1 }", "3:16", "'height' of 'noise' must be from 0 to 1e9, not '-1'");
@@ -139,6 +139,32 @@ TEST_CASE("bumps, and what can be wrong with them") {
           "unknown word 'colors' in 'noise'; known here: octaves, omega, lambda, height, rotate, translate, scale");
     check("gradient { height 1 axis <0,0,0> }", "3:1", "this gradient is none: its axis has no direction");
     check("noise { height 1 scale 0 }", "3:24", "'scale' of 'noise' is 0, which would leave nothing of it; 1 changes nothing");
+}
+
+TEST_CASE("bumps by images") {
+    const auto grey = [](const std::string& path) {
+        if (path != "relief.png") throw FileError("no '" + path + "'");
+        return Pixels{4, 2, false, std::vector<float>(24, .5f), Color(.5)};
+    };
+    const auto scene = [&](const std::string& image) {
+        return parse_scene(eye + "sphere { <0,0,0>, 1 material { bump image { " + image + " } } }\n", "x.rt", {}, grey);
+    };
+    const Scene one = scene("\"relief.png\" height .1 map spherical scale 2");
+    const Bump bump = one.materials[0].bump;
+    const auto& image = std::get<ImagePattern>(bump.pattern->kind);
+    CHECK(bump.height == .1);
+    CHECK(bump.step() == .25);
+    CHECK(image.map == ImageMap::spherical);
+    CHECK(parse_scene(write_scene(one), "x.rt", {}, grey) == one);
+    const Scene round = scene("\"relief.png\" once <1,0,0> height .1");
+    CHECK(parse_scene(write_scene(round), "x.rt", {}, grey) == round);
+    const auto fault = [&](const std::string& text, const std::string& said) {
+        CHECK_THROWS_WITH_AS(scene(text), doctest::Contains(said.c_str()), FileError);
+    };
+    fault("\"steel.png\" height 1", "2:46: no 'steel.png'\n");
+    fault("\"relief.png\"", "'image' lacks 'height'");
+    fault("height 1", "the name of a picture");
+    fault("\"relief.png\" height 1 map uv", "2:71: no normal is bent by uv");
 }
 
 TEST_CASE("a material block changes a colour to a pattern and back") {
