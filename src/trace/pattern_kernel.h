@@ -129,14 +129,22 @@ template <class S>
     return select((value >= S(0)) & (value <= S(1)), value, S(0));
 }
 
-/// The colour of a pattern at points of the world, which are on these surfaces.
+/// Where points of the world, which are on these surfaces, are in the pattern's space.
 template <class S>
-[[gnu::noinline]] Vec3<S> color_at(const World<Element<S>>& world, const PatternKernel<Element<S>>& pattern,
-                                   Vec3<S> position, const S& surface) {
+STRAHL_INLINE Vec3<S> place_of(const World<Element<S>>& world, const PatternKernel<Element<S>>& pattern,
+                               Vec3<S> position, const S& surface) {
     if (pattern.form == PatternForm::image && pattern.image.map == ImageMap::uv)
         position = place_in_mesh(world, pattern.image, position, surface);
     Vec3<S> p;
     for (int c = 0; c < 3; ++c) p[c] = dot(splat<S>(pattern.rows[c]), position) + S(pattern.offset[c]);
+    return p;
+}
+
+/// The colour of a pattern at points of the world, which are on these surfaces.
+template <class S>
+[[gnu::noinline]] Vec3<S> color_at(const World<Element<S>>& world, const PatternKernel<Element<S>>& pattern,
+                                   const Vec3<S>& position, const S& surface) {
+    const Vec3<S> p = place_of(world, pattern, position, surface);
     if (pattern.form == PatternForm::image) return image_color(pattern.image, p);
     const S value = value_at(pattern, p);
     const auto* stop = world.stops + pattern.first_stop;
@@ -205,6 +213,42 @@ Vec3<S> PatternCalls<S>::bent(const World<T>& world, const int* materials, const
     Vec3<S> all = normal;
     each_pattern<S>(world, materials, [&](int which, Mask<S> lanes) {
         if (!world.bumps[which].flat) all = select(lanes, bent_by(world.bumps[which], position, normal), all);
+    });
+    return all;
+}
+
+/// See PatternCalls.
+template <class S>
+[[gnu::noinline]] Vec3<S> piece_at(const World<Element<S>>& world, const PatternKernel<Element<S>>& pattern,
+                                   const Vec3<S>& position, const S& surface) {
+    using T = Element<S>;
+    const Vec3<S> p = place_of(world, pattern, position, surface);
+    const Vec3<S> whole(floor(p.x), floor(p.y), floor(p.z));
+    const S zero(0);
+    switch (pattern.form) {
+        case PatternForm::checker:
+            return whole;
+        case PatternForm::brick: {
+            const S half = S(T(.5)), shift = select(fraction(p.y * half) > half, half, zero);
+            const S mortar = select(brick_at(pattern.mortar, p) > zero, zero, half);
+            return {floor(p.x + shift), whole.y + mortar, floor(p.z + (half - shift))};
+        }
+        case PatternForm::ramp:
+            return {whole.x, zero, zero};
+        case PatternForm::image:
+            if (pattern.image.map == ImageMap::planar || pattern.image.map == ImageMap::uv) return {whole.x, whole.y, zero};
+            break;
+        default:
+            break;
+    }
+    return {zero, zero, zero};
+}
+template <class S>
+Vec3<S> PatternCalls<S>::piece(const World<T>& world, const int* materials, const Vec3<S>& position,
+                               const S& surface) {
+    Vec3<S> all = splat<S>(Vec3<T>(0));
+    each_pattern<S>(world, materials, [&](int which, Mask<S> lanes) {
+        all = select(lanes, piece_at(world, world.patterns[which], position, surface), all);
     });
     return all;
 }
