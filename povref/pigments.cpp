@@ -68,8 +68,11 @@ std::string normal_text(const Bump& bump) {
     if (!bump.pattern) return "";
     // What it calls a size of 1 is 0.1 / accuracy times the sum over the corners, scene/pattern.h says which.
     constexpr double size_of_height = 3 / (4 * .1);
-    std::string text = "normal { function { " + std::visit(ValueText{}, bump.pattern->kind) + " } " +
-                       text_of(size_of_height * bump.height) + " accuracy " + text_of(Bump::step);
+    const ImagePattern* const image = std::get_if<ImagePattern>(&bump.pattern->kind);
+    std::string text = "normal { " +
+                       (image ? "pigment_pattern { " + image_text(*image, "", true) + " } "
+                              : "function { " + std::visit(ValueText{}, bump.pattern->kind) + " } ") +
+                       text_of(size_of_height * bump.height) + " accuracy " + text_of(bump.step());
     for (const Transformation& step : bump.pattern->transformations) text += " " + step_text(step);
     return text + " }";
 }

@@ -31,13 +31,19 @@ inline std::string step_text(const Transformation& step) {
 
 /// A mesh without its closing brace. A closed one gets a direction in which POV-Ray counts whether a point is inside.
 inline std::string sentence(const Mesh& mesh) {
-    const auto& [points, normals, triangles, corner_normals] = *mesh.data;
+    const auto &points = mesh.data->points, &normals = mesh.data->normals;
+    const auto &triangles = mesh.data->triangles, &corner_normals = mesh.data->corner_normals;
+    const MeshData::Corners* const places = mesh.data->place_numbers();
     std::string text = "mesh {";
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         text += corner_normals.empty() ? "\n  triangle {" : "\n  smooth_triangle {";
         for (int k = 0; k < 3; ++k) {
             text += (k > 0 ? ", " : " ") + text_of(points[triangles[i][k]]);
             if (!corner_normals.empty()) text += ", " + text_of(normals[corner_normals[i][k]]);
+        }
+        for (int k = 0; places && k < 3; ++k) {
+            const auto& [u, v] = mesh.data->places[places[i][k]];
+            text += (k > 0 ? ", <" : " uv_vectors <") + text_of(u) + ", " + text_of(v) + ">";
         }
         text += " }";
     }

@@ -31,9 +31,10 @@ class ObjReader {
         for_lines([&](std::string_view keyword, Words& words) {
             if (keyword == "v") read_point(words);
             if (keyword == "vn") mesh.normals.push_back(vector(words));
+            if (keyword == "vt") read_place(words);
         });
         for_lines([&](std::string_view keyword, Words& words) {
-            points += keyword == "v", normals += keyword == "vn";
+            points += keyword == "v", normals += keyword == "vn", places += keyword == "vt";
             if (keyword == "f") read_face(words);
         });
         if (mesh.triangles.empty()) source.fail("there are no faces in this file; a mesh needs lines 'f'");
@@ -41,6 +42,10 @@ class ObjReader {
             give_normals();
         else
             mesh.corner_normals = std::vector<MeshData::Corners>();
+        if (mesh.corner_places.empty())
+            mesh.places = std::vector<MeshData::Place>();
+        else
+            give_places();
         return std::move(mesh);
     }
 
@@ -58,17 +63,19 @@ class ObjReader {
         source.check_points(mesh.points.size() + 1);
         mesh.points.push_back(point);
     }
+    void read_place(Words& words);
     void read_face(Words& words);
     void read_corner(std::string_view word, const Words& words);
     std::int32_t resolved(std::int64_t index, std::size_t all, std::size_t so_far, const char* noun,
                           const Words& words) const;
     void give_normals();
+    void give_places();
 
     const Source& source;
     MeshData mesh;
-    std::size_t points = 0, normals = 0;  // so far, for negative indices
+    std::size_t points = 0, normals = 0, places = 0;  // so far, for negative indices
     bool smooth = false;
-    std::vector<std::int32_t> corners, corner_normals;  // of a face
+    std::vector<std::int32_t> corners, corner_normals, corner_places;  // of a face
     FaceSplitter splitter;
 };
 
@@ -81,7 +88,7 @@ void ObjReader::for_lines(Read read) {
         std::size_t end = std::min(bytes.find(newline, start), bytes.size());
         Words words(source, bytes.substr(start, end - start));
         const std::string_view keyword = words.next();
-        if (keyword == "v" || keyword == "vn" || keyword == "f") {
+        if (keyword == "v" || keyword == "vn" || keyword == "vt" || keyword == "f") {
             while (end < bytes.size() && continues(bytes.substr(start, end - start)))
                 end = std::min(bytes.find(newline, end + 1), bytes.size());
             words = Words(source, bytes.substr(start, end - start));
@@ -91,8 +98,19 @@ void ObjReader::for_lines(Read read) {
     }
 }
 
+/// One number or more; what comes after the second is for solid textures.
+void ObjReader::read_place(Words& words) {
+    const double u = words.number("a place in a texture");
+    double v = 0;
+    const std::string_view word = words.next();
+    if (!word.empty() && word[0] != '#' && !number_of(word, v)) words.fail(quoted_word(word) + " is not a number");
+    if (const std::string fault = Source::fault({u, v, 0}); !fault.empty()) words.fail("this place " + fault);
+    source.check_points(mesh.places.size() + 1);
+    mesh.places.push_back({u, v});
+}
+
 void ObjReader::read_face(Words& words) {
-    corners.clear(), corner_normals.clear();
+    corners.clear(), corner_normals.clear(), corner_places.clear();
     for (std::string_view word = words.next(); !word.empty() && word[0] != '#'; word = words.next())
         read_corner(word, words);
     if (corners.size() < 3) return;
@@ -105,15 +123,21 @@ void ObjReader::read_face(Words& words) {
         mesh.triangles.push_back({corners[a], corners[b], corners[c]});
         mesh.corner_normals.push_back({corner_normals[a], corner_normals[b], corner_normals[c]});
     }
+    if (corner_places[0] == none && mesh.corner_places.empty()) return;
+    mesh.corner_places.resize(mesh.triangles.size() - triangles.size(), {none, none, none});
+    for (const auto& [a, b, c] : triangles)
+        mesh.corner_places.push_back({corner_places[a], corner_places[b], corner_places[c]});
 }
 
 /// A corner is 1, 1/2, 1/2/3 or 1//3: a point, a place in a texture, a normal.
 void ObjReader::read_corner(std::string_view word, const Words& words) {
     std::int64_t index[3]{};
+    bool given_place = false;
     const char *at = word.data(), *const end = at + word.size();
     for (int i = 0; i < 3; ++i) {
         const auto [stop, fault] = std::from_chars(at, end, index[i]);
         const bool left_out = i == 1 && stop == at;
+        given_place |= i == 1 && !left_out;
         if (fault != std::errc() && !left_out) break;
         at = stop;
         if (at == end || i == 2 || *at != '/') break;
@@ -127,6 +151,10 @@ void ObjReader::read_corner(std::string_view word, const Words& words) {
         words.fail("this face has normals at some corners and none at others; give it all or none");
     corner_normals.push_back(has_normal ? resolved(index[2], mesh.normals.size(), normals, "normal", words) : none);
     smooth |= has_normal;
+    const bool has_place = given_place && !mesh.places.empty();  // without places numbers of such mean nothing
+    if (corners.size() > 1 && has_place != (corner_places[0] != none))
+        words.fail("this face has places in a texture at some corners and none at others; give it all or none");
+    corner_places.push_back(has_place ? resolved(index[1], mesh.places.size(), places, "place", words) : none);
 }
 
 /// Indices count from 1, or back from the one that was given last, which is -1.
@@ -153,6 +181,17 @@ void ObjReader::give_normals() {
         const auto number = static_cast<std::int32_t>(mesh.normals.size() - 1);
         mesh.corner_normals[i] = {number, number, number};
     }
+}
+
+/// Corners without places among others that have some are at the origin.
+void ObjReader::give_places() {
+    mesh.corner_places.resize(mesh.triangles.size(), {none, none, none});
+    if (std::ranges::none_of(mesh.corner_places, [](const MeshData::Corners& corners) { return corners[0] == none; }))
+        return;
+    const auto origin = static_cast<std::int32_t>(mesh.places.size());
+    mesh.places.push_back({0, 0});
+    for (MeshData::Corners& corners : mesh.corner_places)
+        if (corners[0] == none) corners = {origin, origin, origin};
 }
 
 }  // namespace

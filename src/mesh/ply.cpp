@@ -161,8 +161,8 @@ class Body {
 
 template <class Values>
 void Body<Values>::read_vertices() {
-    constexpr std::string_view names[]{"x", "y", "z", "nx", "ny", "nz"};
-    constexpr int others = 6;
+    constexpr std::string_view names[]{"x", "y", "z", "nx", "ny", "nz", "u", "v", "s", "t", "texture_u", "texture_v"};
+    constexpr int others = 12;
     std::vector<int> meanings;
     bool found[others + 1]{};
     for (const PlyProperty& property : element->properties) {
@@ -172,9 +172,12 @@ void Body<Values>::read_vertices() {
     }
     if (!found[0] || !found[1] || !found[2]) source.fail("the vertices of this file lack one of x, y and z");
     smooth = found[3] && found[4] && found[5];
+    int place = 6;  // the first of both names of a place
+    while (place < others && !(found[place] && found[place + 1])) place += 2;
     source.check_points(element->count);
     mesh.points.resize(element->count);
     if (smooth) mesh.normals.resize(element->count);
+    if (place < others) mesh.places.resize(element->count);
     for (; number < element->count; end_element()) {
         double v[others + 1];
         for (std::size_t i = 0; i < meanings.size(); ++i) {
@@ -187,6 +190,10 @@ void Body<Values>::read_vertices() {
         if (const std::string fault = Source::fault(point); !fault.empty()) values.fail(here() + " " + fault);
         mesh.points[number] = point;
         if (smooth) mesh.normals[number] = {v[3], v[4], v[5]};
+        if (place == others) continue;
+        const std::string fault = Source::fault({v[place], v[place + 1], 0});
+        if (!fault.empty()) values.fail("in a picture, " + here() + " " + fault);
+        mesh.places[number] = {v[place], v[place + 1]};
     }
 }
 

@@ -68,7 +68,7 @@ Kind kind_of(const Source& source) {
 
 /// Leaves out the triangles whose corners are not three different points.
 void remove_empty(MeshData& mesh) {
-    const bool smooth = !mesh.corner_normals.empty();
+    const bool smooth = !mesh.corner_normals.empty(), placed = !mesh.corner_places.empty();
     std::size_t kept = 0;
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
         const MeshData::Corners corners = mesh.triangles[i];
@@ -76,10 +76,12 @@ void remove_empty(MeshData& mesh) {
         if (a == b || b == c || c == a) continue;
         mesh.triangles[kept] = corners;
         if (smooth) mesh.corner_normals[kept] = mesh.corner_normals[i];
+        if (placed) mesh.corner_places[kept] = mesh.corner_places[i];
         ++kept;
     }
     mesh.triangles.resize(kept);
     if (smooth) mesh.corner_normals.resize(kept);
+    if (placed) mesh.corner_places.resize(kept);
 }
 
 /// Unused normals may be anything: programs write zeros for points that belong to no face.

@@ -29,8 +29,13 @@ enum class ImageMap : std::int32_t {
     planar,       // x and y
     spherical,    // around the z axis, and the latitude: from the pole at -z to that at z
     cylindrical,  // around the z axis, and z
+    uv,           // as the corners of a mesh's triangles have them, linearly between these; of other bodies the origin
 };
-inline constexpr std::array<std::string_view, 3> image_maps{"planar", "spherical", "cylindrical"};
+inline constexpr std::array<std::string_view, 4> image_maps{"planar", "spherical", "cylindrical", "uv"};
+
+/// How bright a colour is, which is what a picture that bends normals has in place of colours: its height (POV-Ray's
+/// weights of red, green and blue).
+inline constexpr std::array<double, 3> brightness{.297, .589, .114};
 
 /// Between the middles of four pixels colours change bilinearly. All this is as in POV-Ray, but for the poles, which
 /// are at y and -y there.

@@ -31,11 +31,14 @@ std::optional<std::pair<DVec3, DVec3>> open_side(const MeshData& mesh) {
 
 bool same_triangles(const MeshData& a, const MeshData& b) {
     if (a.triangles.size() != b.triangles.size() || a.corner_normals.size() != b.corner_normals.size()) return false;
+    const MeshData::Corners *const a_places = a.place_numbers(), *const b_places = b.place_numbers();
+    if (!a_places != !b_places) return false;
     for (std::size_t i = 0; i < a.triangles.size(); ++i)
         for (int k = 0; k < 3; ++k) {
             if (a.points[a.triangles[i][k]] != b.points[b.triangles[i][k]]) return false;
             if (!a.corner_normals.empty() && a.normals[a.corner_normals[i][k]] != b.normals[b.corner_normals[i][k]])
                 return false;
+            if (a_places && a.places[a_places[i][k]] != b.places[b_places[i][k]]) return false;
         }
     return true;
 }

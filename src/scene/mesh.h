@@ -16,7 +16,7 @@ namespace strahl {
 /// directions; nothing if all are.
 std::optional<std::pair<DVec3, DVec3>> open_side(const MeshData& mesh);
 
-/// The same corners and normals, however they are numbered?
+/// The same corners, normals and places, however they are numbered?
 bool same_triangles(const MeshData& a, const MeshData& b);
 
 /// Its items are those of triangles. What is inside of a closed mesh is decided by how often a line has crossed it.
@@ -45,7 +45,8 @@ struct Mesh {
     using Kernels = std::tuple<>;
     template <class T, class Emit>
     void emit(const WorldTransform& to_world, const Emit& emit) const {
-        const auto& [points, normals, triangles, corner_normals] = *data;
+        const auto &points = data->points, &normals = data->normals;
+        const auto &triangles = data->triangles, &corner_normals = data->corner_normals;
         if constexpr (requires { emit.template count<TriangleKernel<T>>(triangles.size()); })
             return corner_normals.empty() ? emit.template count<TriangleKernel<T>>(triangles.size())
                                           : emit.template count<SmoothTriangleKernel<T>>(triangles.size());

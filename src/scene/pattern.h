@@ -114,6 +114,9 @@ inline constexpr bool two_colored = requires {
 /// Or a map of colours? Images have neither.
 template <class Kind>
 inline constexpr bool has_map = !two_colored<Kind> && !std::is_same_v<Kind, ImagePattern>;
+/// Can it bend normals?
+template <class Kind>
+inline constexpr bool can_bend = !two_colored<Kind>;
 
 struct Pattern {
     PatternKind kind;
@@ -150,11 +153,16 @@ struct Pigment {
 /// in the pattern's own space, so that bumps that are scaled keep their slopes (K. Perlin, "An image synthesizer", 1985,
 /// adds gradients to normals). G is the difference quotient over the corners of a tetrahedron, all `step` away, which
 /// is how POV-Ray has it: the sum of value(p + step v) v over its four directions v, times 3 / (4 step). Where a surface
-/// is seen from behind, its normal is turned round before it is bent.
+/// is seen from behind, its normal is turned round before it is bent. The value of an image is its brightness, see
+/// `brightness`, and whatever the scene declares its pixels are taken as they are.
 struct Bump {
     std::shared_ptr<const Pattern> pattern;  // without colours; null if there is none
     double height = 0;
-    static constexpr double step = .02;
+    /// .02; of an image a pixel of a planar one.
+    double step() const {
+        const ImagePattern* const image = std::get_if<ImagePattern>(&pattern->kind);
+        return image ? 1. / std::max(image->pixels->width, image->pixels->height) : .02;
+    }
     /// Directions of length 1.
     static constexpr std::array<DVec3, 4> corners{DVec3(0.942809041582063366, -1. / 3, 0),
                                                   DVec3(-0.471404520791031683, -1. / 3, 0.816496580927726033),

@@ -24,6 +24,9 @@ inline constexpr auto shape_words = joined(std::array<std::string_view, 2>{"mate
 /// What may stand in a mesh besides that.
 inline constexpr std::array<std::string_view, 3> mesh_words{"file", Triangle::name, SmoothTriangle::name};
 
+/// What may stand in a triangle of a mesh, after its corners.
+inline constexpr std::array<std::string_view, 1> triangle_words{"uv_vectors"};
+
 /// The words that open the block of a body.
 inline constexpr auto body_words = names_of(std::type_identity<Shape>{});
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "num/decimal.h"
+#include "scene/leaves.h"
 #include "scene/motion.h"
 #include "scene/scene.h"
 #include "scene/split_unions.h"
@@ -93,6 +94,23 @@ inline std::string crowd_fault(const Primitive& primitive, const std::vector<Mat
     for (const Primitive& piece : split_union(primitive, materials)) most = std::max(most, leaves_of(piece.shape));
     if (most <= most_leaves) return "";
     return std::to_string(most) + " of its bodies belong together, and at most " + std::to_string(most_leaves) + " may";
+}
+
+/// Why the materials of a body and its parts, whose numbers are in `list`, can't be where they are, or "".
+inline std::string place_fault(const Primitive& primitive, const std::vector<Material>& list) {
+    std::string fault;
+    for_each_leaf(primitive, [&](const Primitive& leaf, const glm::dmat4&) {
+        const Pattern* const pattern = list[leaf.material].rgb.pattern.get();
+        const auto* const image = pattern ? std::get_if<ImagePattern>(&pattern->kind) : nullptr;
+        if (!image || image->map != ImageMap::uv) return;
+        const Mesh* const mesh = std::get_if<Mesh>(&leaf.shape);
+        if (!mesh)
+            fault = "its image is mapped by uv, which only meshes have";
+        else if (mesh->data->places.empty())
+            fault = "its image is mapped by uv, and " + (mesh->file.empty() ? "no triangle has 'uv_vectors'"
+                                                                              : "the file '" + mesh->file + "' has none");
+    });
+    return fault;
 }
 
 }  // namespace strahl

@@ -33,8 +33,17 @@ void MeshBlock::triangle(std::string_view word, Block& block) {
     if (!triangle_at.data()) triangle_at = word;
     Kind triangle;
     Block own{word};
+    std::string_view places_at;
+    std::array<MeshData::Place, 3> corners{};
     reader.block(
-        own, {}, [&] { read_arguments(reader, triangle, own); }, [](std::string_view) { return false; });
+        own, triangle_words, [&] { read_arguments(reader, triangle, own); },
+        [&](std::string_view inner) {
+            if (inner != triangle_words[0]) return false;
+            own.bad |= !reader.once(places_at, inner);
+            for (MeshData::Place& place : corners)
+                reader.read(place, coordinates, inner, own), reader.lexer.accept(',');
+            return true;
+        });
     block.absorb(own);
     if (!own.good()) return;
     if (const char* const fault = triangle.fault()) {
@@ -43,6 +52,7 @@ void MeshBlock::triangle(std::string_view word, Block& block) {
         return;
     }
     add(triangle);
+    if (places_at.data() || !inline_data.corner_places.empty()) add(corners);
 }
 
 /// Among smooth triangles a flat one has the same normal at all corners.
@@ -69,6 +79,14 @@ void MeshBlock::add(const SmoothTriangle& t) {
         {normals.number_of(t.normal_a), normals.number_of(t.normal_b), normals.number_of(t.normal_c)});
 }
 
+/// The corners of triangles without places are at the origin.
+void MeshBlock::add(const std::array<MeshData::Place, 3>& corners) {
+    const auto number = [&](int k) { return places.number_of({corners[k][0], corners[k][1], 0}); };
+    const std::int32_t none = inline_data.corner_places.empty() ? places.number_of(DVec3(0)) : 0;
+    inline_data.corner_places.resize(inline_data.triangles.size() - 1, {none, none, none});
+    inline_data.corner_places.push_back({number(0), number(1), number(2)});
+}
+
 Mesh MeshBlock::take(std::string_view word, Block& block) {
     const auto fault = [&](const char* message) {
         if (block.good()) reader.diagnostics.add(word, message);
@@ -81,6 +99,7 @@ Mesh MeshBlock::take(std::string_view word, Block& block) {
     if (file_at.data()) return {from_file, name};
     if (inline_data.triangles.empty()) return fault("this mesh is none: it has no triangles");
     inline_data.points = std::move(points.points()), inline_data.normals = std::move(normals.points());
+    for (const DVec3& place : places.points()) inline_data.places.push_back({place.x, place.y});
     return {std::make_shared<const MeshData>(std::move(inline_data)), ""};
 }
 

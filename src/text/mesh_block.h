@@ -1,5 +1,6 @@
 // The contents of a `mesh` block: triangles, or the name of a file.
 #pragma once
+#include <array>
 #include <memory>
 #include <string>
 
@@ -38,13 +39,14 @@ class MeshBlock {
     void triangle(std::string_view word, Block& block);
     void add(const Triangle& triangle);
     void add(const SmoothTriangle& triangle);
+    void add(const std::array<MeshData::Place, 3>& corners);
 
     Reader& reader;
     std::string name;
     std::string_view file_at, triangle_at;
     std::shared_ptr<const MeshData> from_file;
-    MeshData inline_data;  // but for its points and normals
-    PointJoiner points, normals;
+    MeshData inline_data;  // but for its points, normals and places
+    PointJoiner points, normals, places;
 };
 
 /// Why a body of this word can't be part of another one; empty if it can.

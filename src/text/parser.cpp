@@ -101,8 +101,12 @@ void Parser::top_block(std::string_view word) {
     written.clear();
     if (body(word, scene.primitives, own, 0) || use(word, scene.primitives, own, 0)) {
         materials.settle(scene.primitives.back(), default_material, written);
-        const std::string fault = own.good() ? crowd_fault(scene.primitives.back(), materials.list) : "";
-        if (!fault.empty()) diagnostics.add(word, "this " + std::string(word) + " can't be divided: " + fault);
+        if (!own.good()) return;
+        const Primitive& read = scene.primitives.back();
+        if (const std::string fault = crowd_fault(read, materials.list); !fault.empty())
+            diagnostics.add(word, "this " + std::string(word) + " can't be divided: " + fault);
+        if (const std::string fault = place_fault(read, materials.list); !fault.empty())
+            diagnostics.add(word, "this " + std::string(word) + " can't be coloured: " + fault);
         return;
     }
     if (word == "light") {
@@ -137,6 +141,10 @@ void Parser::background(std::string_view word) {
     auto parameters = background_parameters(scene.background);
     reader.block(block, parameters);
     reader.require(block, parameters);
+    const Pattern* const pattern = scene.background.pattern.get();
+    const auto* const image = pattern ? std::get_if<ImagePattern>(&pattern->kind) : nullptr;
+    if (image && image->map == ImageMap::uv)
+        diagnostics.add(word, "this background can't be coloured: its image is mapped by uv, which only meshes have");
 }
 
 /// `material { ... }`, or that of a name, with changes or as it is.

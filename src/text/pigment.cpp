@@ -22,7 +22,7 @@ class PatternBlock {
     template <bool bends = false>
     Pattern read(std::string_view word, Block& outer) {
         const auto read_kinds = [&]<class... Kinds>(std::type_identity<std::variant<Kinds...>>) {
-            ((word == Kinds::name && (kind<Kinds, bends && has_map<Kinds>>(word, outer), true)) || ...);
+            ((word == Kinds::name && (kind<Kinds, bends && can_bend<Kinds>>(word, outer), true)) || ...);
         };
         read_kinds(std::type_identity<PatternKind>{});
         return std::move(pattern);
@@ -41,7 +41,7 @@ class PatternBlock {
             [&](std::string_view inner) {
                 if (bends && inner == "height") return read_height(inner, block), true;
                 if (inner == "colors" && has_map<Kind> && !bends) return map(inner, colors_at, block), true;
-                if (image_part(kind, inner, block)) return true;
+                if (image_part<bends>(kind, inner, block)) return true;
                 if (!contains(transformation_words, inner)) return false;
                 pattern.transformations.push_back(read_transformation(reader, inner, block));
                 last = inner;
@@ -58,7 +58,9 @@ class PatternBlock {
     /// What may stand in the block besides its parameters.
     template <class Kind, bool bends>
     static auto words() {
-        if constexpr (bends)
+        if constexpr (bends && !has_map<Kind>)
+            return joined(std::array<std::string_view, 3>{"height", "map", "once"}, transformation_words);
+        else if constexpr (bends)
             return joined(std::array<std::string_view, 1>{"height"}, transformation_words);
         else if constexpr (two_colored<Kind>)
             return transformation_words;
@@ -90,7 +92,7 @@ class PatternBlock {
         }
     }
     /// Reads what follows `map` or `once`; false if it is another word or no image.
-    template <class Kind>
+    template <bool bends, class Kind>
     bool image_part(Kind& kind, std::string_view word, Block& block) {
         if constexpr (!std::is_same_v<Kind, ImagePattern>) {
             return false;
@@ -99,6 +101,10 @@ class PatternBlock {
             const std::string_view name = reader.lexer.word();
             const auto known = std::ranges::find(image_maps, name);
             if (name.empty()) reader.lexer.fail("a word such as 'spherical' expected after 'map'");
+            if (bends && name == image_maps[static_cast<std::size_t>(ImageMap::uv)]) {
+                reader.diagnostics.add(name, "no normal is bent by uv: where such a picture lies is only known on the surface");
+                return block.bad = true;
+            }
             if (known != image_maps.end()) return kind.map = static_cast<ImageMap>(known - image_maps.begin()), true;
             reader.diagnostics.add(name, unknown_word(name, image_maps, " after 'map'"));
             return block.bad = true;
@@ -209,23 +215,27 @@ void Reader::read(Bump& value, const Bounds& bounds, std::string_view name, Bloc
         throw ParseAbort{};
     }
     PatternBlock reading(*this, bounds);
-    value.pattern = std::make_shared<const Pattern>(reading.read<true>(word, block));
+    Pattern pattern = reading.read<true>(word, block);
+    const ImagePattern* const image = std::get_if<ImagePattern>(&pattern.kind);
+    if (image && !image->pixels) return;
+    value.pattern = std::make_shared<const Pattern>(std::move(pattern));
     value.height = reading.height;
 }
 
 namespace {
 
-/// `first` is what stands before the parameters.
+/// `first` is what stands before the other parameters.
 std::string block_text(const Pattern& pattern, const std::string& first) {
     const auto& [kind, colors, transformations] = pattern;
     std::string text = std::visit(
         [&]<class Kind>(const Kind& own) {
             std::string words(Kind::name);
-            words += " {" + first;
+            words += " {";
             if constexpr (two_colored<Kind>)
                 words += " " + text_of(colors[0].color) + ", " + text_of(colors[1].color);
             else if constexpr (!has_map<Kind>)
                 words += words_of(own);
+            words += first.empty() ? "" : (words.back() == '{' ? " " : "  ") + first;
             const auto add = [&](const auto& field) {
                 if (own.*field.member == Kind().*field.member) return;
                 words += (words.back() == '{' ? " " : "  ") + std::string(field.name) + " " +
@@ -251,7 +261,7 @@ std::string text_of(const Pigment& pigment) {
     return pigment.pattern ? block_text(*pigment.pattern, "") : text_of(pigment.color);
 }
 std::string text_of(const Bump& bump) {
-    return bump.pattern ? block_text(*bump.pattern, " height " + text_of(bump.height)) : "none";
+    return bump.pattern ? block_text(*bump.pattern, "height " + text_of(bump.height)) : "none";
 }
 
 }  // namespace strahl

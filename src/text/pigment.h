@@ -17,14 +17,14 @@ constexpr auto names_of(std::type_identity<std::variant<Kinds...>>) {
 inline constexpr auto pattern_words = names_of(std::type_identity<PatternKind>{});
 
 template <class... Kinds>
-constexpr auto names_with_map(std::type_identity<std::variant<Kinds...>>) {
-    std::array<std::string_view, (0 + ... + has_map<Kinds>)> names;
+constexpr auto names_that_bend(std::type_identity<std::variant<Kinds...>>) {
+    std::array<std::string_view, (0 + ... + can_bend<Kinds>)> names;
     std::size_t i = 0;
-    ((has_map<Kinds> ? void(names[i++] = Kinds::name) : void()), ...);
+    ((can_bend<Kinds> ? void(names[i++] = Kinds::name) : void()), ...);
     return names;
 }
 /// Those that can bend normals.
-inline constexpr auto bump_words = names_with_map(std::type_identity<PatternKind>{});
+inline constexpr auto bump_words = names_that_bend(std::type_identity<PatternKind>{});
 
 /// Most stops of a colour map, which are as many as POV-Ray's have.
 inline constexpr std::size_t most_stops = 256;

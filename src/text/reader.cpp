@@ -21,6 +21,14 @@ void Reader::read(DVec3& value, const Bounds& bounds, std::string_view name, Blo
     if (!lexer.accept('>')) lexer.fail("'>' expected after the three numbers of a vector");
 }
 
+void Reader::read(std::array<double, 2>& value, const Bounds& bounds, std::string_view name, Block& block) {
+    if (!lexer.accept('<')) lexer.fail("two numbers <u, v> expected for " + quoted(name) + " of " + quoted(block.name));
+    read(value[0], bounds, name, block);
+    if (!lexer.accept(',')) lexer.fail("',' expected between the two numbers");
+    read(value[1], bounds, name, block);
+    if (!lexer.accept('>')) lexer.fail("'>' expected after the two numbers");
+}
+
 void Reader::read(Scale& value, const Bounds& bounds, std::string_view name, Block& block) {
     DVec3& by = value.by;
     const bool vector = lexer.peek() == '<';

@@ -32,6 +32,8 @@ class Reader {
     /// Values out of bounds are reported, and reading continues.
     void read(double& value, const Bounds& bounds, std::string_view name, Block& block);
     void read(DVec3& value, const Bounds& bounds, std::string_view name, Block& block);
+    /// Two numbers, <u, v>.
+    void read(std::array<double, 2>& value, const Bounds& bounds, std::string_view name, Block& block);
     /// A number is that factor in all directions.
     void read(Scale& value, const Bounds& bounds, std::string_view name, Block& block);
     void read(Pigment& value, const Bounds& bounds, std::string_view name, Block& block);

@@ -33,11 +33,21 @@ std::string shape_text(const Kind& shape) {
     std::apply([&](const auto&... field) { (add(field), ...); }, Kind::fields);
     return std::string(Kind::name) + " { " + arguments;
 }
+std::string places_text(const MeshData& mesh, std::size_t triangle) {
+    const MeshData::Corners* const numbers = mesh.place_numbers();
+    std::string text;
+    for (int k = 0; numbers && k < 3; ++k) {
+        const auto& [u, v] = mesh.places[numbers[triangle][k]];
+        text += (k == 0 ? "  uv_vectors <" : ", <") + text_of(u) + ", " + text_of(v) + ">";
+    }
+    return text;
+}
 std::string shape_text(const Mesh& mesh) {
     if (!mesh.file.empty()) return std::string(Mesh::name) + " { file \"" + mesh.file + "\"";
     std::string text(Mesh::name);
     text += " {";
-    const auto& [points, normals, triangles, corner_normals] = *mesh.data;
+    const auto &points = mesh.data->points, &normals = mesh.data->normals;
+    const auto &triangles = mesh.data->triangles, &corner_normals = mesh.data->corner_normals;
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         const auto point = [&](int k) { return points[triangles[i][k]]; };
         const auto normal = [&](int k) { return normals[corner_normals[i][k]]; };
@@ -45,7 +55,7 @@ std::string shape_text(const Mesh& mesh) {
                 (corner_normals.empty()
                      ? shape_text(Triangle{point(0), point(1), point(2)})
                      : shape_text(SmoothTriangle{point(0), point(1), point(2), normal(0), normal(1), normal(2)})) +
-                " }";
+                places_text(*mesh.data, i) + " }";
     }
     return text;
 }

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <utility>
+#include <tuple>
 
 #include "scene/error.h"
 #include "scene/leaves.h"
@@ -61,9 +61,9 @@ struct KernelSpace {
     void operator()(const ImagePattern& image) {
         kernel.form = PatternForm::image;
         kernel.image = {nullptr, image.pixels->width, image.pixels->height, image.map, image.once.has_value(),
-                        cast<T>(image.once.value_or(Color(0))), static_cast<T>(border<T>)};
+                        cast<T>(image.once.value_or(Color(0))), static_cast<T>(border<T>), 0, 0, nullptr, nullptr};
         if (image.once || image.map == ImageMap::spherical) return;
-        period = image.map == ImageMap::planar ? DVec3(1, 1, 0) : DVec3(0, 0, 1);
+        period = image.map == ImageMap::cylindrical ? DVec3(0, 0, 1) : DVec3(1, 1, 0);
     }
     /// Does the sum repeat itself as the noise does?
     bool sum(const Octaves& octaves, double turbulence) {
@@ -74,6 +74,14 @@ struct KernelSpace {
     }
 };
 
+const ImagePattern* image_of(const std::shared_ptr<const Pattern>& pattern) {
+    return pattern ? std::get_if<ImagePattern>(&pattern->kind) : nullptr;
+}
+/// The picture of a material that is mapped by uv, or null.
+const ImagePattern* image_by_uv(const Material& material) {
+    const ImagePattern* const image = image_of(material.rgb.pattern);
+    return image && image->map == ImageMap::uv ? image : nullptr;
+}
 /// The kernel of a pattern whose body's `to_world` is given, but for its stops and its material.
 template <class T>
 PatternKernel<T> kernel_of(const Pattern& pattern, const glm::dmat4& to_world, const Placement& placement) {
@@ -92,6 +100,20 @@ PatternKernel<T> kernel_of(const Pattern& pattern, const glm::dmat4& to_world, c
     return kernel;
 }
 
+/// That of a material, but for its stops, its pixels and its ambient light.
+template <class T>
+PatternKernel<T> kernel_of(const Material& material, const glm::dmat4& to_world, const Placement& placement) {
+    PatternKernel<T> kernel{};
+    kernel.form = PatternForm::constant;
+    if (image_by_uv(material))
+        kernel = kernel_of<T>(*material.rgb.pattern, glm::dmat4(1), {});
+    else if (material.rgb.pattern)
+        kernel = kernel_of<T>(*material.rgb.pattern, to_world, placement);
+    kernel.diffuse = static_cast<T>(material.diffuse);
+    kernel.refraction = static_cast<T>(material.refraction);
+    return kernel;
+}
+
 template <class T>
 BumpKernel<T> bump_of(const Bump& bump, const glm::dmat4& to_world, const Placement& placement) {
     BumpKernel<T> kernel{};
@@ -104,12 +126,12 @@ BumpKernel<T> bump_of(const Bump& bump, const glm::dmat4& to_world, const Placem
     double longest = 0;
     for (int c = 0; c < 3; ++c) longest = std::max(longest, length(DVec3(own[c])));
     for (int c = 0; c < 3; ++c) kernel.columns[c] = cast<T>(DVec3(own[c]) / longest);
-    const double strength = -bump.height * 3 / (4 * Bump::step) * longest;
+    const double strength = -bump.height * 3 / (4 * bump.step()) * longest;
     for (std::size_t i = 0; i < Bump::corners.size(); ++i) {
         const DVec3& v = Bump::corners[i];
         for (int c = 0; c < 3; ++c) {
             const DVec3 row(space.matrix[0][c], space.matrix[1][c], space.matrix[2][c]);
-            kernel.steps[i][c] = static_cast<T>(Bump::step * dot_product(row, v));
+            kernel.steps[i][c] = static_cast<T>(bump.step() * dot_product(row, v));
             kernel.bends[i][c] = static_cast<T>(strength * dot_product(DVec3(back[c]), v));
         }
     }
@@ -140,7 +162,7 @@ const float* WorldArrays<T>::add_pixels(const std::shared_ptr<const Pixels>& fro
 template <class T>
 void WorldArrays<T>::add_colors(const Pigment& pigment, PatternKernel<T>& kernel, bool linear) {
     const Pattern* const pattern = pigment.pattern.get();
-    if (const auto* const image = pattern ? std::get_if<ImagePattern>(&pattern->kind) : nullptr)
+    if (const auto* const image = image_of(pigment.pattern))
         kernel.image.pixels = add_pixels(image->pixels, linear);
     kernel.first_stop = static_cast<std::int32_t>(stops.size());
     const std::vector<ColorStop> colors = pattern ? pattern->colors : std::vector{ColorStop{0, pigment.color}};
@@ -149,6 +171,15 @@ void WorldArrays<T>::add_colors(const Pigment& pigment, PatternKernel<T>& kernel
         before = stop.at;
     }
     kernel.stops = static_cast<std::int32_t>(colors.size());
+}
+
+template <class T>
+void WorldArrays<T>::add_places(const Shape& shape, int first_surface, ImageKernel<T>& kernel) {
+    const Mesh* const mesh = std::get_if<Mesh>(&shape);
+    if (!mesh || mesh->data->places.empty()) return;
+    meshes.push_back(mesh->data);
+    kernel.first_surface = first_surface, kernel.surfaces = static_cast<std::int32_t>(mesh->data->triangles.size());
+    kernel.corners = mesh->data->place_numbers(), kernel.places = mesh->data->places.data();
 }
 
 template <class T>
@@ -166,30 +197,34 @@ void WorldArrays<T>::add_patterns(const Scene& scene, const Placement& placement
     std::vector<PatternKernel<T>> ranges(scene.materials.size());
     for (std::size_t i = 0; i < ranges.size(); ++i)
         if (varies(scene.materials[i])) add_colors(scene.materials[i].rgb, ranges[i], scene.settings.linear);
-    std::map<std::pair<int, std::array<double, 16>>, std::int32_t> numbers;
+    const bool any_uv = std::ranges::any_of(scene.materials, image_by_uv);
+    std::map<std::tuple<int, int, std::array<double, 16>>, std::int32_t> numbers;
+    ItemCounts before;  // only by uv
     for (const Primitive& primitive : scene.primitives) {
         first_leaf.push_back(static_cast<std::int32_t>(leaf_materials.size()));
         for_each_leaf_placed(primitive, [&](const Primitive& leaf, const LeafMatrices& matrices) {
             const Material& material = scene.materials[leaf.material];
+            const int surface = static_cast<int>(before.surfaces);
+            if (any_uv) count_items<T>(leaf, before);
             if (!varies(material)) return leaf_materials.push_back(leaf.material);
+            const bool by_uv = image_by_uv(material);
             std::array<double, 16> values{};  // those of the matrix, if they matter
             for (int i = 0; i < 16 && material.patterned(); ++i) values[i] = matrices.material[i / 4][i % 4];
             const auto [entry, is_new] =
-                numbers.try_emplace({leaf.material, values}, static_cast<std::int32_t>(materials.size()));
+                numbers.try_emplace({leaf.material, by_uv ? surface : -1, values},
+                                    static_cast<std::int32_t>(materials.size()));
             leaf_materials.push_back(entry->second);
             if (!is_new) return;
             materials.push_back(MaterialKernel<T>(materials[leaf.material]));
-            const Pattern* const pattern = material.rgb.pattern.get();
-            PatternKernel<T> kernel{};
-            kernel.form = PatternForm::constant;
-            if (pattern) kernel = kernel_of<T>(*pattern, matrices.material, placement);
+            PatternKernel<T> kernel = kernel_of<T>(material, matrices.material, placement);
+            if (by_uv) add_places(leaf.shape, surface, kernel.image);
             kernel.first_stop = ranges[leaf.material].first_stop, kernel.stops = ranges[leaf.material].stops;
             kernel.image.pixels = ranges[leaf.material].image.pixels;
             kernel.ambient = cast<T>(scene.settings.ambient_light * material.ambient);
-            kernel.diffuse = static_cast<T>(material.diffuse);
-            kernel.refraction = static_cast<T>(material.refraction);
             patterns.push_back(kernel);
             if (any_bumps) bumps.push_back(bump_of<T>(material.bump, matrices.material, placement));
+            if (const auto* const relief = image_of(material.bump.pattern))
+                bumps.back().pattern.image.pixels = add_pixels(relief->pixels, false);
         });
     }
     if (static_cast<double>(materials.size()) > World<T>::capacity)

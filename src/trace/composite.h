@@ -255,7 +255,7 @@ struct FormFunctions<CompositeForm, S> {
                 mask,
                 [&](const S& t, Mask<S> lanes) {
                     Mask<S> through = !lanes;
-                    walk.ends_at(t, lanes, [&](const CompositeLeaf& leaf, Mask<S> own, const S&) {
+                    walk.ends_at(t, lanes, [&](const CompositeLeaf& leaf, Mask<S> own, const S& face) {
                         const MaterialKernel<T>& material = world.materials[leaf.material];
                         if (!(material.refraction > 0)) {
                             light.limit = select(own, S(-1), light.limit);
@@ -263,7 +263,8 @@ struct FormFunctions<CompositeForm, S> {
                         }
                         through = through | own;
                         if (patterned(world, leaf.material)) [[unlikely]]
-                            return PatternCalls<S>::filter(world, leaf.material, ray, t, own, light.share);
+                            return PatternCalls<S>::filter(world, leaf.material, S(static_cast<T>(leaf.surface)) + face, ray, t,
+                                                           own, light.share);
                         for (int c = 0; c < 3; ++c)
                             light.share[c] = select(own, min(light.share[c] * S(material.filter[c]), S(largest_gain)),
                                                     light.share[c]);

@@ -122,11 +122,12 @@ STRAHL_INLINE SurfaceHit<S> surface_hit(const Item& items, const Ray<S>& ray, S 
 
 /// Takes from the light what an item takes whose colours a pattern tells.
 template <class S, class Cross, std::size_t count>
-[[gnu::noinline]] void occlude_by_pattern(const World<Element<S>>& world, int material, const Ray<S>& ray,
-                                          const Cross& span, const std::array<Mask<S>, count>& crossed_by,
+[[gnu::noinline]] void occlude_by_pattern(const World<Element<S>>& world, int material, int surface,
+                                          const Ray<S>& ray, const Cross& span, const std::array<Mask<S>, count>& crossed_by,
                                           Vec3<S>& share) {
     for (std::size_t i = 0; i < count; ++i)
-        PatternCalls<S>::filter(world, material, ray, crossing(span, static_cast<int>(i)), crossed_by[i], share);
+        PatternCalls<S>::filter(world, material, S(static_cast<Element<S>>(surface)), ray,
+                                crossing(span, static_cast<int>(i)), crossed_by[i], share);
 }
 
 /// Takes from the light what an item takes; `outside` as above. Is none left in any lane?
@@ -141,8 +142,8 @@ STRAHL_INLINE bool occlude_item(const World<Element<S>>& world, const Item& item
     if (transparent(world, item)) {
         if (patterned(world, static_cast<int>(item.material))) [[unlikely]] {
             Vec3<S> share = light.share;
-            occlude_by_pattern(world, static_cast<int>(item.material), Ray<S>(ray), CrossingsOf<S, Item>(span),
-                               crossed_by, share);
+            occlude_by_pattern(world, static_cast<int>(item.material), static_cast<int>(item.surface), Ray<S>(ray),
+                               CrossingsOf<S, Item>(span), crossed_by, share);
             light.share = share;
             return false;
         }

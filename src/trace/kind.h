@@ -2,6 +2,7 @@
 // processors share the work of compiling.
 #pragma once
 #include "trace/form_functions.h"
+#include "trace/triangle_of.h"
 
 namespace strahl::inline STRAHL_LEVEL {
 
@@ -26,27 +27,6 @@ template <class Form, class S>
 [[gnu::noinline]] void FormFunctions<Form, S>::hit_each(const Item<Form, S>& items, const Ray<S>& ray, const S& t,
                                                         const S& faces, SurfaceHit<S>& hit) {
     hit = surface_hit(items, ray, t, cross_each, &faces);
-}
-
-template <class T>
-STRAHL_INLINE const TriangleKernel<T>& flat(const TriangleKernel<T>& triangle) {
-    return triangle;
-}
-template <class T>
-STRAHL_INLINE const TriangleKernel<T>& flat(const SmoothTriangleKernel<T>& triangle) {
-    return triangle.flat;
-}
-/// The triangle that a surface is, or null.
-template <class T>
-STRAHL_INLINE const TriangleKernel<T>* triangle_of(const World<T>& world, int surface) {
-    const ItemReference& reference = world.references[surface];
-    const int form = world.sort_bins[reference.bin].form;
-    const auto in = [&]<class Form>(Form) {
-        return &flat(world.groups.template get<Form>().items[reference.item].shape);
-    };
-    return form == place_of<Form<Triangle, 0>>(Forms{})         ? in(Form<Triangle, 0>{})
-           : form == place_of<Form<SmoothTriangle, 0>>(Forms{}) ? in(Form<SmoothTriangle, 0>{})
-                                                                : nullptr;
 }
 
 /// See crossing_beside.
@@ -181,9 +161,10 @@ bool FormFunctions<Form, S>::occlude_single(const World<T>& world, int first, in
             const int material = static_cast<int>(group.items[i + n].material);
             if (patterned(world, material)) [[unlikely]] {
                 const Mask<S> own = first_lanes<S>(n + 1) & !first_lanes<S>(n);
+                const S surface(group.items[i + n].surface);
                 Vec3<S> share = splat<S>(single.share);
                 for (std::size_t k = 0; k < crossings.size(); ++k)
-                    PatternCalls<S>::filter(world, material, ray, crossing(span, static_cast<int>(k)),
+                    PatternCalls<S>::filter(world, material, surface, ray, crossing(span, static_cast<int>(k)),
                                             own & crossed_by[k], share);
                 for (int c = 0; c < 3; ++c) single.share[c] = lane(share[c], n);
                 continue;

@@ -15,15 +15,20 @@ STRAHL_INLINE bool patterned(const World<T>& world, int material) {
 template <class S>
 struct PatternCalls {
     using T = Element<S>;
-    /// Gives a pack of materials, known by their numbers, the colours that their patterns have at these positions.
-    static void paint(const World<T>& world, const int* materials, const Vec3<S>& position, MaterialKernel<S>& values);
+    /// Gives a pack of materials, known by their numbers, the colours that their patterns have at these positions of
+    /// these surfaces.
+    static void paint(const World<T>& world, const int* materials, const Vec3<S>& position, const S& surface,
+                      MaterialKernel<S>& values);
     /// The normals as the bumps of these materials bend them, of length 1.
     static Vec3<S> bent(const World<T>& world, const int* materials, const Vec3<S>& position, const Vec3<S>& normal);
+    /// Which of its pieces with edges in between a pattern has at these positions, in whole numbers: checks, bricks,
+    /// ramps, repetitions of images; 0 elsewhere.
+    static Vec3<S> piece(const World<T>& world, const int* materials, const Vec3<S>& position, const S& surface);
     /// The background in these directions.
     static Vec3<S> sky(const World<T>& world, const Vec3<S>& direction);
     /// Takes from the light what a surface of a transparent material takes in these lanes, `t` along the ray.
-    static void filter(const World<T>& world, int material, const Ray<S>& ray, const S& t, Mask<S> lanes,
-                       Vec3<S>& share);
+    static void filter(const World<T>& world, int material, const S& surface, const Ray<S>& ray, const S& t,
+                       Mask<S> lanes, Vec3<S>& share);
 };
 
 }  // namespace strahl::inline STRAHL_LEVEL

@@ -91,7 +91,7 @@ STRAHL_INLINE S wave(const S& x) {
     return S(1) - abs(fma(S(2), fraction(x), S(-1)));
 }
 
-/// The value of a pattern at a point of its space, from 0 to 1; where coordinates are too large for numbers 0.
+/// The value of a pattern at a point of its space, from 0 to 1, or an image's brightness; where coordinates are too large for numbers 0.
 template <class S>
 [[gnu::noinline]] S value_at(const PatternKernel<Element<S>>& pattern, const Vec3<S>& p) {
     using T = Element<S>;
@@ -118,19 +118,33 @@ template <class S>
         case PatternForm::rings:
             value = wave(moved(sqrt(fma(p.x, p.x, p.y * p.y))));
             break;
-        case PatternForm::image:
+        case PatternForm::image: {
+            const Vec3<S> color = image_color(pattern.image, p);
+            return fma(S(T(brightness[0])), color.x,
+                       fma(S(T(brightness[1])), color.y, S(T(brightness[2])) * color.z));
+        }
         case PatternForm::constant:
             break;
     }
     return select((value >= S(0)) & (value <= S(1)), value, S(0));
 }
 
-/// The colour of a pattern at points of the world.
+/// Where points of the world, which are on these surfaces, are in the pattern's space.
 template <class S>
-[[gnu::noinline]] Vec3<S> color_at(const World<Element<S>>& world, const PatternKernel<Element<S>>& pattern,
-                                   const Vec3<S>& position) {
+STRAHL_INLINE Vec3<S> place_of(const World<Element<S>>& world, const PatternKernel<Element<S>>& pattern,
+                               Vec3<S> position, const S& surface) {
+    if (pattern.form == PatternForm::image && pattern.image.map == ImageMap::uv)
+        position = place_in_mesh(world, pattern.image, position, surface);
     Vec3<S> p;
     for (int c = 0; c < 3; ++c) p[c] = dot(splat<S>(pattern.rows[c]), position) + S(pattern.offset[c]);
+    return p;
+}
+
+/// The colour of a pattern at points of the world, which are on these surfaces.
+template <class S>
+[[gnu::noinline]] Vec3<S> color_at(const World<Element<S>>& world, const PatternKernel<Element<S>>& pattern,
+                                   const Vec3<S>& position, const S& surface) {
+    const Vec3<S> p = place_of(world, pattern, position, surface);
     if (pattern.form == PatternForm::image) return image_color(pattern.image, p);
     const S value = value_at(pattern, p);
     const auto* stop = world.stops + pattern.first_stop;
@@ -182,10 +196,10 @@ STRAHL_INLINE void each_pattern(const World<Element<S>>& world, const int* mater
 
 template <class S>
 void PatternCalls<S>::paint(const World<T>& world, const int* materials, const Vec3<S>& position,
-                            MaterialKernel<S>& values) {
+                            const S& surface, MaterialKernel<S>& values) {
     each_pattern<S>(world, materials, [&](int which, Mask<S> lanes) {
         const PatternKernel<T>& pattern = world.patterns[which];
-        const Vec3<S> color = color_at(world, pattern, position);
+        const Vec3<S> color = color_at(world, pattern, position, surface);
         for (int c = 0; c < 3; ++c) {
             values.ambient[c] = select(lanes, S(pattern.ambient[c]) * color[c], values.ambient[c]);
             values.diffuse[c] = select(lanes, S(pattern.diffuse) * color[c], values.diffuse[c]);
@@ -203,17 +217,53 @@ Vec3<S> PatternCalls<S>::bent(const World<T>& world, const int* materials, const
     return all;
 }
 
+/// See PatternCalls.
 template <class S>
-Vec3<S> PatternCalls<S>::sky(const World<T>& world, const Vec3<S>& direction) {
-    return color_at(world, *world.sky, direction);
+[[gnu::noinline]] Vec3<S> piece_at(const World<Element<S>>& world, const PatternKernel<Element<S>>& pattern,
+                                   const Vec3<S>& position, const S& surface) {
+    using T = Element<S>;
+    const Vec3<S> p = place_of(world, pattern, position, surface);
+    const Vec3<S> whole(floor(p.x), floor(p.y), floor(p.z));
+    const S zero(0);
+    switch (pattern.form) {
+        case PatternForm::checker:
+            return whole;
+        case PatternForm::brick: {
+            const S half = S(T(.5)), shift = select(fraction(p.y * half) > half, half, zero);
+            const S mortar = select(brick_at(pattern.mortar, p) > zero, zero, half);
+            return {floor(p.x + shift), whole.y + mortar, floor(p.z + (half - shift))};
+        }
+        case PatternForm::ramp:
+            return {whole.x, zero, zero};
+        case PatternForm::image:
+            if (pattern.image.map == ImageMap::planar || pattern.image.map == ImageMap::uv) return {whole.x, whole.y, zero};
+            break;
+        default:
+            break;
+    }
+    return {zero, zero, zero};
+}
+template <class S>
+Vec3<S> PatternCalls<S>::piece(const World<T>& world, const int* materials, const Vec3<S>& position,
+                               const S& surface) {
+    Vec3<S> all = splat<S>(Vec3<T>(0));
+    each_pattern<S>(world, materials, [&](int which, Mask<S> lanes) {
+        all = select(lanes, piece_at(world, world.patterns[which], position, surface), all);
+    });
+    return all;
 }
 
 template <class S>
-void PatternCalls<S>::filter(const World<T>& world, int material, const Ray<S>& ray, const S& t, Mask<S> lanes,
-                             Vec3<S>& share) {
+Vec3<S> PatternCalls<S>::sky(const World<T>& world, const Vec3<S>& direction) {
+    return color_at(world, *world.sky, direction, S(-1));
+}
+
+template <class S>
+void PatternCalls<S>::filter(const World<T>& world, int material, const S& surface, const Ray<S>& ray, const S& t,
+                             Mask<S> lanes, Vec3<S>& share) {
     if (none(lanes)) return;
     const PatternKernel<T>& pattern = world.patterns[material - world.first_pattern];
-    const Vec3<S> color = color_at(world, pattern, fma(t, ray.direction, ray.origin));
+    const Vec3<S> color = color_at(world, pattern, fma(t, ray.direction, ray.origin), surface);
     for (int c = 0; c < 3; ++c)
         share[c] = select(lanes, min(share[c] * (S(pattern.refraction) * color[c]), S(largest_gain)), share[c]);
 }

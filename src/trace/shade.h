@@ -51,9 +51,9 @@ class HitMaterial {
         number = -1;
     }
     /// Gives it the colours that the patterns have at these points.
-    STRAHL_INLINE void paint(const World<T>& world, const Vec3<S>& position) {
+    STRAHL_INLINE void paint(const World<T>& world, const SurfaceHit<S>& hit) {
         MaterialKernel<S> copy = values;
-        PatternCalls<S>::paint(world, numbers, Vec3<S>(position), copy);
+        PatternCalls<S>::paint(world, numbers, Vec3<S>(hit.point.position), S(hit.surface), copy);
         values = copy;
     }
 
@@ -108,15 +108,15 @@ STRAHL_INLINE Hit<S> make_hit(const Shading<S>& shading, int bin, const RayQueue
     if (world.bin_per_item) {
         hit = surface_at(world, own, ray, pick(t));
         material.broadcast(world, own.material);
-        if (patterned(world, own.material)) [[unlikely]] {
+        if (world.patterns) [[unlikely]] {
             std::fill_n(material.numbers, width<S>, own.material);
-            material.paint(world, hit.point.position);
+            if (patterned(world, own.material)) material.paint(world, hit);
         }
     } else {
         hit = surfaces_at(world, own.form, shading.hits.surface, pick, ray, pick(t), material.numbers);
         material.load(world);
         if (world.patterns) [[unlikely]]
-            material.paint(world, hit.point.position);
+            material.paint(world, hit);
     }
     const Mask<S> outside = dot(ray.direction, hit.point.normal) < S(0);
     return {first_lanes<S>(pick.lanes),
@@ -159,6 +159,8 @@ bool shade_bin(const Shading<S>& shading, int bin) {
         if (shading.rare) [[unlikely]] {
             rare.flat = hit.normal;
             if (world.bumps) hit.normal = PatternCalls<S>::bent(world, material.numbers, hit.position, rare.flat);
+            if (shading.batch.sights && world.patterns)
+                rare.piece = PatternCalls<S>::piece(world, material.numbers, hit.position, hit.surface);
             if (shading.batch.sights) note_hits(shading, hit, pick(from.source), pick(t), pick.lanes, rare);
         }
         Mask<S> dim = first_lanes<S>(0);

@@ -54,6 +54,11 @@ struct ImageKernel {
     bool once;
     Vec3<T> around;  // where it is there once: the colour outside
     T border;        // and how much before 0 and 1 it begins and ends
+    // Of one that is mapped by uv: the surfaces of the mesh, the numbers of their corners' places, and these. Null where
+    // there are none.
+    std::int32_t first_surface, surfaces;
+    const MeshData::Corners* corners;
+    const MeshData::Place* places;
 };
 /// The pattern of a material in the space of one body, whose point p = rows * world + offset.
 template <class T>

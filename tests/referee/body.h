@@ -30,7 +30,7 @@ struct Leaf {
     Leaf(const Shape& shape, const Material& material, int first_face, const LeafMatrices& matrices)
         : shape(shape),
           material(material),
-          paint(material.rgb, matrices.material),
+          paint(material.rgb, by_uv(material.rgb) ? glm::dmat4(1) : matrices.material),
           material_to_world(matrices.material),
           first_face(first_face) {
         const glm::dmat4& m = matrices.shape;
@@ -38,6 +38,11 @@ struct Leaf {
         const R scale = R(1) / dot(a, cross(b, c));
         rows = {scale * cross(b, c), scale * cross(c, a), scale * cross(a, b)};
         offset = {m[3].x, m[3].y, m[3].z};
+    }
+    Vector<R> color(int face, const Vector<R>& point) const {
+        const Mesh* const mesh = std::get_if<Mesh>(&shape);
+        if (!by_uv(material.rgb)) return paint.at(point);
+        return paint.at(mesh ? place_in<R>(*mesh->data, face - first_face, turn(point - offset)) : Vector<R>{0, 0, 0});
     }
     Vector<R> turn(const Vector<R>& v) const { return {dot(rows[0], v), dot(rows[1], v), dot(rows[2], v)}; }
     bool surrounds(const Vector<R>& p) const {
@@ -96,7 +101,7 @@ struct Body {
         const Leaf<R>& leaf = leaf_of(face);
         return referee::bent(leaf.material.bump, leaf.material_to_world, point, normal);
     }
-    Vector<R> color(int face, const Vector<R>& point) const { return leaf_of(face).paint.at(point); }
+    Vector<R> color(int face, const Vector<R>& point) const { return leaf_of(face).color(face, point); }
     bool surrounds(const Vector<R>& p) const {
         auto leaf = leaves.begin();
         return within(primitive, p, leaf);

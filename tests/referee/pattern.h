@@ -51,6 +51,39 @@ R octaves(const Octaves& own, const Vector<R>& p) {
     return sum;
 }
 
+/// The angle of (x, y) in turns, from -1/2 to 1/2.
+template <class R>
+R turns(R x, R y) {
+    return angle_of(x, y) / (2 * angle_of(R(-1), R(0)));
+}
+template <class R>
+Vector<R> color_in(const ImagePattern& image, const Vector<R>& p) {
+    R u = p.x, v = p.y;
+    if (image.map == ImageMap::spherical || image.map == ImageMap::cylindrical) u = turns(p.x, p.y), u = u < 0 ? u + 1 : u;
+    if (image.map == ImageMap::spherical) v = 2 * turns(root(p.x * p.x + p.y * p.y), p.z) + R(.5);
+    if (image.map == ImageMap::cylindrical) v = p.z;
+    if (image.once && !(u >= 0 && u < 1 && v >= 0 && v < 1)) return *image.once;
+    const Pixels& pixels = *image.pixels;
+    const auto at = [&](std::int64_t x, std::int64_t y, int c) {
+        const auto within = [&](std::int64_t i, std::int64_t size) {
+            return image.once ? std::clamp<std::int64_t>(i, 0, size - 1) : (i % size + size) % size;
+        };
+        const std::int64_t pixel = within(y, pixels.height) * pixels.width + within(x, pixels.width);
+        return R(pixels.values[static_cast<std::size_t>(3 * pixel + c)]);
+    };
+    const R x = u * pixels.width - R(.5), y = (1 - v) * pixels.height - R(.5);
+    const R left = whole_below(x), top = whole_below(y), right = x - left, down = y - top;
+    Vector<R> color;
+    for (int c = 0; c < 3; ++c) {
+        const auto in_row = [&](R row) {
+            const auto i = static_cast<std::int64_t>(left), j = static_cast<std::int64_t>(row);
+            return (1 - right) * at(i, j, c) + right * at(i + 1, j, c);
+        };
+        (c == 0 ? color.x : c == 1 ? color.y : color.z) = (1 - down) * in_row(top) + down * in_row(top + 1);
+    }
+    return color;
+}
+
 /// The value of each kind.
 template <class R>
 struct ValueAt {
@@ -81,7 +114,10 @@ struct ValueAt {
         const R value = fraction(dot(unit(Vector<R>(gradient.axis)), p) + R(border)) - R(border);
         return value > 0 ? value : 0;
     }
-    R operator()(const ImagePattern&) const { return 0; }  // has no map
+    R operator()(const ImagePattern& image) const {
+        const Vector<R> color = color_in(image, p);
+        return R(brightness[0]) * color.x + R(brightness[1]) * color.y + R(brightness[2]) * color.z;
+    }
     R operator()(const Noise& own) const {
         const R value = R(.5) + octaves(own, p);
         return value < 0 ? 0 : value > 1 ? 1 : value;
@@ -104,37 +140,9 @@ inline void decode(Pigment& pigment) {
     pigment = Pigment(std::move(pattern));
 }
 
-/// The angle of (x, y) in turns, from -1/2 to 1/2.
-template <class R>
-R turns(R x, R y) {
-    return angle_of(x, y) / (2 * angle_of(R(-1), R(0)));
-}
-template <class R>
-Vector<R> color_in(const ImagePattern& image, const Vector<R>& p) {
-    R u = p.x, v = p.y;
-    if (image.map != ImageMap::planar) u = turns(p.x, p.y), u = u < 0 ? u + 1 : u;
-    if (image.map == ImageMap::spherical) v = 2 * turns(root(p.x * p.x + p.y * p.y), p.z) + R(.5);
-    if (image.map == ImageMap::cylindrical) v = p.z;
-    if (image.once && !(u >= 0 && u < 1 && v >= 0 && v < 1)) return *image.once;
-    const Pixels& pixels = *image.pixels;
-    const auto at = [&](std::int64_t x, std::int64_t y, int c) {
-        const auto within = [&](std::int64_t i, std::int64_t size) {
-            return image.once ? std::clamp<std::int64_t>(i, 0, size - 1) : (i % size + size) % size;
-        };
-        const std::int64_t pixel = within(y, pixels.height) * pixels.width + within(x, pixels.width);
-        return R(pixels.values[static_cast<std::size_t>(3 * pixel + c)]);
-    };
-    const R x = u * pixels.width - R(.5), y = (1 - v) * pixels.height - R(.5);
-    const R left = whole_below(x), top = whole_below(y), right = x - left, down = y - top;
-    Vector<R> color;
-    for (int c = 0; c < 3; ++c) {
-        const auto in_row = [&](R row) {
-            const auto i = static_cast<std::int64_t>(left), j = static_cast<std::int64_t>(row);
-            return (1 - right) * at(i, j, c) + right * at(i + 1, j, c);
-        };
-        (c == 0 ? color.x : c == 1 ? color.y : color.z) = (1 - down) * in_row(top) + down * in_row(top + 1);
-    }
-    return color;
+inline bool by_uv(const Pigment& pigment) {
+    const auto* const image = pigment.pattern ? std::get_if<ImagePattern>(&pigment.pattern->kind) : nullptr;
+    return image && image->map == ImageMap::uv;
 }
 
 /// The colour of a pigment at a point of its own space, before the pattern's transformations are undone.
@@ -180,7 +188,7 @@ Vector<R> bent(const Bump& bump, const glm::dmat4& to_world, const Vector<R>& po
     const Vector<R> x = R(1) / volume * cross(b, c), y = R(1) / volume * cross(c, a), z = R(1) / volume * cross(a, b);
     const Vector<R> moved = point - Vector<R>{m[3].x, m[3].y, m[3].z}, p{dot(x, moved), dot(y, moved), dot(z, moved)};
     Vector<R> own = unit(Vector<R>{dot(a, normal), dot(b, normal), dot(c, normal)});
-    const R step = R(Bump::step);
+    const R step = R(bump.step());
     for (const DVec3& corner : Bump::corners) {
         const R value = std::visit(ValueAt<R>{p + step * Vector<R>(corner)}, bump.pattern->kind);
         own = own - R(bump.height) * value * 3 / (4 * step) * Vector<R>(corner);

@@ -78,7 +78,7 @@ inline Pattern random_pattern(Dice& dice) {
 
 inline Bump random_bump(Dice& dice) {
     Pattern pattern = random_pattern(dice);
-    const auto bends = []<class Kind>(const Kind&) { return has_map<Kind>; };
+    const auto bends = []<class Kind>(const Kind&) { return can_bend<Kind>; };
     while (!std::visit(bends, pattern.kind)) pattern.kind = random_pattern_kind(dice);
     pattern.colors.clear();
     return {std::make_shared<const Pattern>(std::move(pattern)), dice.in(.01, .3)};

@@ -47,7 +47,8 @@ LineCrossings<R> crossings(const SmoothTriangle& t, const Line<R>& line, int sou
 template <class R>
 LineCrossings<R> crossings(const Mesh& mesh, const Line<R>& line, int source) {
     LineCrossings<R> found;
-    const auto& [points, normals, triangles, corner_normals] = *mesh.data;
+    const auto &points = mesh.data->points, &normals = mesh.data->normals;
+    const auto &triangles = mesh.data->triangles, &corner_normals = mesh.data->corner_normals;
     for (int i = 0; i < static_cast<int>(triangles.size()); ++i) {
         const bool smooth = !corner_normals.empty();
         const auto corner = [&](int k) {
@@ -73,6 +74,22 @@ bool contains(const Mesh& mesh, const Vector<R>& p) {
     int ahead = 0;
     for (const auto& crossing : found) ahead += crossing.t > 0;
     return ahead % 2 == 1 && !open_side(*mesh.data);
+}
+
+/// Where a point of a triangle is by uv: p - a = s e + t f, by two scalar products.
+template <class R>
+Vector<R> place_in(const MeshData& mesh, int triangle, const Vector<R>& p) {
+    const MeshData::Corners* const numbers = mesh.place_numbers();
+    if (!numbers) return {0, 0, 0};
+    const auto corner = [&](int k) { return Vector<R>(mesh.points[mesh.triangles[triangle][k]]); };
+    const Vector<R> a = corner(0), e = corner(1) - a, f = corner(2) - a, q = p - a;
+    const R ee = dot(e, e), ef = dot(e, f), ff = dot(f, f), qe = dot(q, e), qf = dot(q, f);
+    const R whole = ee * ff - ef * ef, s = (qe * ff - qf * ef) / whole, t = (qf * ee - qe * ef) / whole;
+    const auto place = [&](int j) {
+        const auto at = [&](int k) { return R(mesh.places[numbers[triangle][k]][j]); };
+        return (1 - s - t) * at(0) + s * at(1) + t * at(2);
+    };
+    return {place(0), place(1), 0};
 }
 
 }  // namespace strahl::referee

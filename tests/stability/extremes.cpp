@@ -234,3 +234,28 @@ TEST_CASE("glass brighter than white, and total reflection without loss, in floa
     trap.put(Sphere{{0, 0, 0}, 1}, twice).light({0, 3, 3}).look({0, -.99, 0}, {.5, -.99, 0}, 40);
     finite_in_all(trap.scene, {8, 6, 256});
 }
+
+TEST_CASE("noise in float, so far from the eye") {
+    // How far away, in cells of the coarsest octave, float's noise is double's to half a step of 8 bits.
+    const auto patch = [](const std::string& kind, double away) {
+        Scene scene = parse_scene("global_settings { ambient_light <1, 1, 1> }\n"
+                                  "defaultmaterial { ambient 1  diffuse 0  reflection 0  specular 0 }\n"
+                                  "camera { position <0, 0, 1>  look_at <1, .3, 0>  sky <0, 1, 0>  fov 1 }\n"
+                                  "plane { <0, 0, 0>, <1, 0, 0>, <0, 1, 0>  material { rgb " + kind +
+                                  " colors { 0 <0, 0, 0>  1 <1, 1, 1> } } } }", "noise");
+        scene.camera.position.z = scene.camera.look_at.x = away;
+        scene.camera.fov = std::atan(4 / (away * std::sqrt(2.))) * 57.29577951308232;  // 8 cells wide
+        return scene;
+    };
+    const auto off = [&](const std::string& kind, double away) {
+        const Scene scene = patch(kind, away);
+        const Shot shot{160, 120, 1};
+        return largest_difference(shoot(scene, Precision::float32, shot), shoot(scene, Precision::float64, shot));
+    };
+    for (const auto& [kind, reach] : {std::pair("noise { octaves 1", 10000.), std::pair("noise { octaves 6", 4000.),
+                                      std::pair("marble { turbulence 1", 1000.)}) {
+        CAPTURE(std::string(kind));
+        for (const double share : {.01, .1, 1.}) CHECK(off(kind, share * reach) < 1 / 510.);
+        CHECK(off(kind, 10 * reach) > 1 / 510.);
+    }
+}

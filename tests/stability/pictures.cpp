@@ -138,6 +138,22 @@ Scene bubble() {
     return stage.scene;
 }
 
+/// Noise a million cells away from the eye: by Strahl in float on the left, in double on the right.
+void draw_noise(const std::string& folder) {
+    Noise noise;
+    noise.octaves = 3;
+    Stage stage;
+    Material clouds = glow({0, 0, 0});
+    clouds.rgb = Pigment(Pattern{noise, {{.2, {.1, .2, .4}}, {.8, {1, .95, .8}}}, {}});
+    const double away = 1e6;
+    stage.look({0, 0, away}, {away, .3, 0}, std::atan(4 / (away * std::sqrt(2.))) * 57.29577951308232, {0, -1, 0});
+    stage.put(Plane{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, clouds);
+    Picture picture{2 * width + gap, height, 3, std::vector<double>(3 * (2 * width + gap) * height, 1.)};
+    paste(shoot(stage.scene, Precision::float32, {width, height, 1}), picture, 0);
+    paste(shoot(stage.scene, Precision::float64, {width, height, 1}), picture, width + gap);
+    write_picture(picture, folder + "/noise.png", {8, false});
+}
+
 }  // namespace
 
 /// stability_pictures FOLDER
@@ -159,4 +175,5 @@ int main(int count, char** words) {
         {"bubble", bubble()},
     };
     for (const Pair& pair : pairs) draw(pair, words[1]);
+    draw_noise(words[1]);
 }

@@ -29,6 +29,7 @@ TEST_CASE("every word of the language is in the dictionary") {
     for (const std::string_view word : block_words) look(word);
     for (const std::string_view word : shape_words) look(word);
     for (const std::string_view word : mesh_words) look(word);
+    for (const std::string_view word : triangle_words) look(word);
     for (const std::string_view word : pattern_words) look(word);
     for (const std::string_view word : {"colors", "map", "once", "height", "none"}) look(word);
     for (const std::string_view word : image_maps) look(word);

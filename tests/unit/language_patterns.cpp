@@ -1,5 +1,6 @@
 // The scene language: patterns in place of colours.
 #include "tests/unit/language.h"
+#include "text/write.h"
 
 using namespace strahl;
 using namespace strahl::language;
@@ -72,6 +73,40 @@ TEST_CASE("images, and what can be wrong with them") {
     check_fault(sphere("image { \"wood.png\" }"), "2:45: cannot read 'wood.png': no pictures are read here");
 }
 
+TEST_CASE("images by uv") {
+    const auto scene = [](const std::string& text) {
+        return parse_scene(eye + text, "x.rt", {}, [](const std::string&) { return Pixels{1, 1, false, {0, 0, 0}}; });
+    };
+    const std::string uv = "material { rgb image { \"a\" map uv } }";
+    const std::string first = "triangle { <0,0,0>, <1,0,0>, <0,1,0>", second = "triangle { <0,0,1>, <1,0,0>, <0,1,0>";
+    const Scene one = scene("mesh { " + first + " } " + second + " uv_vectors <0,.5>, <1,0> <0,0> } " + uv + " }");
+    const MeshData& mesh = *std::get<Mesh>(one.primitives[0].shape).data;
+    const MeshData::Corners* const numbers = mesh.place_numbers();
+    REQUIRE(numbers);
+    const auto place = [&](int i, int k) { return mesh.places[numbers[i][k]]; };
+    for (int k = 0; k < 3; ++k) CHECK(place(0, k) == MeshData::Place{0, 0});
+    CHECK(place(1, 0) == MeshData::Place{0, .5});
+    CHECK(place(1, 1) == MeshData::Place{1, 0});
+    CHECK(parse_scene(write_scene(one), "x.rt", {}, [](const std::string&) { return Pixels{1, 1, false, {0, 0, 0}}; }) == one);
+    CHECK(scene("mesh { " + first + " uv_vectors <0,0>, <1,0>, <0,1> } }") !=
+          scene("mesh { " + first + " uv_vectors <0,0>, <1,0>, <0,2> } }"));
+    const auto fault = [&](const std::string& text, const std::string& said) {
+        CHECK_THROWS_WITH_AS(scene(text), doctest::Contains(said.c_str()), FileError);
+    };
+    fault("sphere { <0,0,0>, 1 " + uv + " }",
+          "2:1: this sphere can't be coloured: its image is mapped by uv, which only meshes have\n");
+    fault("define m material { rgb image { \"a\" map uv } }\nunion { sphere { <0,0,0>, 1 } material m }",
+          "3:1: this union can't be coloured: its image is mapped by uv, which only meshes have\n");
+    fault("mesh { " + first + " } " + uv + " }",
+          "2:1: this mesh can't be coloured: its image is mapped by uv, and no triangle has 'uv_vectors'\n");
+    fault("background { color image { \"a\" map uv } }", "2:1: this background can't be coloured");
+    fault(first + " uv_vectors <0,0>, <1,0>, <0,1> }", "unknown word 'uv_vectors' in 'triangle'");
+    fault("mesh { " + first + " uv_vectors <0,0>, <1,0,0>, <0,1> } }", "2:67: '>' expected after the two numbers");
+    fault("mesh { " + first + " uv_vectors <0,0> <1,1> } }",
+          "two numbers <u, v> expected for 'uv_vectors' of 'triangle', but here comes '}'");
+    fault("mesh { " + first + " uv_vectors <0,0> <1,1> <0,1> uv_vectors <0,0> <1,1> <0,1> } }", "a second 'uv_vectors'");
+}
+
 TEST_CASE("bumps, and what can be wrong with them") {
     const auto bump = [](const std::string& text) {
         return parse(eye + "sphere { <0,0,0>, 1 material { bump " + text + " } }").materials[0].bump;
@@ -96,7 +131,7 @@ TEST_CASE("bumps, and what can be wrong with them") {
     check("noise { }", "3:1", "'noise' lacks 'height'");
     check("nois { height 1 }", "3:1", "unknown word 'nois' for 'bump' of 'material'; did you mean 'noise'?");
     check("checker { height 1 }", "3:1",
-          "unknown word 'checker' for 'bump' of 'material'; known here: gradient, noise, marble, wood, none");
+          "unknown word 'checker' for 'bump' of 'material'; known here: gradient, noise, marble, wood, image, none");
     check("<1,1,1>", "3:1", "a pattern or 'none' expected for 'bump' of 'material', but here comes '<'");
     check("noise { height 1 height 1 }", "3:18", "a second 'height'; the first is in line 3");
     check("noise { height -1 }", "3:16", "'height' of 'noise' must be from 0 to 1e9, not '-1'");
@@ -104,6 +139,32 @@ TEST_CASE("bumps, and what can be wrong with them") {
           "unknown word 'colors' in 'noise'; known here: octaves, omega, lambda, height, rotate, translate, scale");
     check("gradient { height 1 axis <0,0,0> }", "3:1", "this gradient is none: its axis has no direction");
     check("noise { height 1 scale 0 }", "3:24", "'scale' of 'noise' is 0, which would leave nothing of it; 1 changes nothing");
+}
+
+TEST_CASE("bumps by images") {
+    const auto grey = [](const std::string& path) {
+        if (path != "relief.png") throw FileError("no '" + path + "'");
+        return Pixels{4, 2, false, std::vector<float>(24, .5f), Color(.5)};
+    };
+    const auto scene = [&](const std::string& image) {
+        return parse_scene(eye + "sphere { <0,0,0>, 1 material { bump image { " + image + " } } }\n", "x.rt", {}, grey);
+    };
+    const Scene one = scene("\"relief.png\" height .1 map spherical scale 2");
+    const Bump bump = one.materials[0].bump;
+    const auto& image = std::get<ImagePattern>(bump.pattern->kind);
+    CHECK(bump.height == .1);
+    CHECK(bump.step() == .25);
+    CHECK(image.map == ImageMap::spherical);
+    CHECK(parse_scene(write_scene(one), "x.rt", {}, grey) == one);
+    const Scene round = scene("\"relief.png\" once <1,0,0> height .1");
+    CHECK(parse_scene(write_scene(round), "x.rt", {}, grey) == round);
+    const auto fault = [&](const std::string& text, const std::string& said) {
+        CHECK_THROWS_WITH_AS(scene(text), doctest::Contains(said.c_str()), FileError);
+    };
+    fault("\"steel.png\" height 1", "2:46: no 'steel.png'\n");
+    fault("\"relief.png\"", "'image' lacks 'height'");
+    fault("height 1", "the name of a picture");
+    fault("\"relief.png\" height 1 map uv", "2:71: no normal is bent by uv");
 }
 
 TEST_CASE("a material block changes a colour to a pattern and back") {

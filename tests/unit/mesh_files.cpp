@@ -83,7 +83,7 @@ TEST_CASE("PLY: after a lone carriage return, values may begin with the byte of 
 TEST_CASE("OBJ: indices from either end, with normals of their own") {
     const std::string points = "v 0 0 0\nv 1 0 0 1\n\tv 0 2 0\r\nv +.1 .25 3e0 0 0 0\n";
     const std::string rest =
-        "g top\nusemtl x\nf 1 3 2\nf -4/1 2/-1 -1/7\nvt 0 0\nf 2 \\\n 3\\\r\n 4 # end\nf 3 1 4\nl 1 2\n";
+        "g top\nusemtl x\nf 1 3 2\nf -4/1 2/-1 -1/7\nf 2 \\\n 3\\\r\n 4 # end\nf 3 1 4\nl 1 2\n";
     CHECK(read("a.obj", "# made \\\nmtllib x.mtl\n" + points + "s off\n" + rest) == pyramid());
     CHECK(read("A.OBJ", rest.substr(0, rest.find("-4")) + "1 2 4\nf 2 3 4\nf 3 1 4\n" + points) == pyramid());
     std::string old = points + "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4";
@@ -101,6 +101,41 @@ TEST_CASE("OBJ: indices from either end, with normals of their own") {
     CHECK(mixed.normals[3].x == 0);
     CHECK(mixed.normals[3].y == 0);
     CHECK(mixed.normals[3].z < 0);
+}
+
+TEST_CASE("places in a picture") {
+    const std::string points = "v 0 0 0\nv 1 0 0\nv 0 2 0\nv .1 .25 3\n", places = "vt .5 .25\nvt 1 # u\nvt -2 3 4\n";
+    using Corners = MeshData::Corners;
+    const MeshData obj = read("a.obj", points + places + "vt 7 7\nf 1/2 2/1 3/-2\nf 1/4 3/4 2/1 4/1\n");
+    CHECK(obj.places == std::vector<MeshData::Place>{{.5, .25}, {1, 0}, {-2, 3}, {7, 7}});
+    CHECK(obj.corner_places == std::vector<Corners>{{1, 0, 2}, {3, 3, 0}, {3, 0, 0}});
+    CHECK(obj.place_numbers() == obj.corner_places.data());
+    // A triangle without a surface goes with its places; faces without any are at the origin.
+    const MeshData mixed = read("a.obj", points + places + "f 1 2 3\nf 1/1 1/1 2/2\nf 1//1 2//1 4//1\nf 2/1 3/2 4/3\nvn 0 0 1\n");
+    CHECK(mixed.corner_places == std::vector<Corners>{{3, 3, 3}, {3, 3, 3}, {0, 1, 2}});
+    CHECK(mixed.places[3] == MeshData::Place{0, 0});
+    CHECK(read("a.obj", points + places + "f 1 2 3\n").place_numbers() == nullptr);
+    const auto fault = [&](const std::string& text, const std::string& said) {
+        CHECK_THROWS_WITH_AS(read("a.obj", points + text), doctest::Contains(said.c_str()), FileError);
+    };
+    fault(places + "f 1/1 2/2 3/4\n", "this face names place 4; the file has 3 places");
+    fault(places + "f 1/1 2/2 3\n", "this face has places in a texture at some corners and none at others");
+    fault("vt\nf 1 2 3\n", "a place in a texture");
+    fault("vt 1 x\nf 1 2 3\n", "'x' is not a number");
+    fault("vt 1e20 0\nf 1 2 3\n", "this place lies at");
+
+    for (const char* const names : {"u v", "s t", "texture_u texture_v"}) {
+        const std::string first(names, std::strchr(names, ' ')), second(std::strchr(names, ' ') + 1);
+        const std::string header = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float " + second +
+                                   "\nproperty float x\nproperty float y\nproperty float z\nproperty float " + first +
+                                   "\nelement face 1\nproperty list uchar int vertex_index\nend_header\n";
+        const MeshData ply = read("a.ply", header + ".25 0 0 0 .5\n0 1 0 0 1\n3 0 2 0 -2\n3 0 1 2\n");
+        CHECK(ply.places == std::vector<MeshData::Place>{{.5, .25}, {1, 0}, {-2, 3}});
+        CHECK(ply.place_numbers() == ply.triangles.data());
+        CHECK_THROWS_WITH_AS(read("a.ply", header + ".25 0 0 0 .5\n0 1 0 0 1e99\n3 0 2 0 -2\n3 0 1 2\n"),
+                             doctest::Contains("in a picture, vertex 1 (counted from 0) lies at"), FileError);
+    }
+    CHECK(read("a.ply", ply_of(pyramid(), {})).place_numbers() == nullptr);
 }
 
 TEST_CASE("STL: equal corners become one point, -0 as 0, in text and in binary") {

@@ -5,39 +5,15 @@
 #include <cmath>
 #include <string>
 
-#include "tests/referee/random_pattern.h"
 #include "tests/referee/random_scene.h"
-#include "tests/unit/levels.h"
-#include "text/parse.h"
-#include "trace/tracer.h"
+#include "tests/unit/flat_scene.h"
 
 using namespace strahl;
 
 namespace {
 
-/// A scene that shows colours as they are, seen along -z from above.
-Scene flat(const std::string& bodies, double width = 8, const std::string& at = "0, 0, 0") {
-    return parse_scene("global_settings { ambient_light <1, 1, 1> }\n"
-                       "defaultmaterial { ambient 1  diffuse 0  reflection 0  specular 0 }\n"
-                       "camera { position <0, 0, 100>  look_at <" + at + ">  sky <0, 1, 0>  fov " +
-                           std::to_string(std::atan(width / 200) * 57.29577951308232) + " }\n" + bodies,
-                       "flat");
-}
-Frame picture(const Scene& scene, Precision precision = Precision::float64, int width = 64, int height = 48) {
-    return render(scene,
-                  {.camera = scene.camera, .width = width, .height = height, .depth = scene.settings.max_trace_level},
-                  precision, 2);
-}
-/// How many values differ by more than `tolerance`.
-int different(const Frame& a, const Frame& b, double tolerance) {
-    int count = 0;
-    for (std::size_t i = 0; i < a.rgb.size(); ++i) count += !(std::abs(a.rgb[i] - b.rgb[i]) <= tolerance);
-    return count;
-}
-
 const std::string marble =
     "marble { turbulence 1  octaves 4  colors { 0 <1, 0, 0> 1 <0, 1, .5> }  rotate <20, 30, 40> }";
-const std::string floor_points = "<0, 0, 0>, <1, 0, 0>, <0, 1, 0>";
 
 }  // namespace
 
@@ -194,78 +170,6 @@ TEST_CASE("bumps leave outlines and what is inside as they are") {
     CHECK(different(smooth, bumpy, .01) > 500);
     CHECK(different(smooth, flat_bumps, 1e-12) == 0);
     for (std::size_t i = 0; i < smooth.rgb.size(); ++i) CHECK((smooth.rgb[i] > 0) == (bumpy.rgb[i] > 0));
-}
-
-TEST_CASE("where images are") {
-    // Four pixels, two by two: red and green above, blue and white below.
-    const auto four = [](const std::string&) {
-        return Pixels{2, 2, false, {1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1}, Color(1)};
-    };
-    const auto seen = [&](const std::string& body, const DVec3& from, const DVec3& to, Precision precision) {
-        Scene scene = parse_scene("global_settings { ambient_light <1, 1, 1> }\n"
-                                  "defaultmaterial { ambient 1  diffuse 0  reflection 0  specular 0 }\n"
-                                  "camera { position <0, 0, 9>  look_at <0, 0, 0>  sky <0, 1, 0>  fov 1 }\n" + body,
-                                  "four", {}, four);
-        scene.camera.position = from, scene.camera.look_at = to, scene.camera.up = {.3, .4, -.5};
-        const Frame frame = picture(scene, precision, 1, 1);
-        return Color(frame.rgb[0], frame.rgb[1], frame.rgb[2]);
-    };
-    for (const Precision precision : {Precision::float32, Precision::float64, Precision::extended}) {
-        CAPTURE(std::string(name(precision)));
-        const auto check = [&](const std::string& body, const DVec3& from, const DVec3& to, const Color& wanted) {
-            CAPTURE(body);
-            const Color color = seen(body, from, to, precision);
-            for (int c = 0; c < 3; ++c) CHECK(color[c] == doctest::Approx(wanted[c]).epsilon(1e-5));
-        };
-        const auto plane = [&](const std::string& more, double x, double y, const Color& wanted) {
-            check("plane { " + floor_points + "  material { rgb image { \"four\" " + more + " } } }", {x, y, 9}, {x, y, 0},
-                  wanted);
-        };
-        for (const double x : {.25, 5.25, -.75}) plane("", x, .75, {1, 0, 0}), plane("", x, -.75, {0, 0, 1});
-        plane("", .75, .75, {0, 1, 0});
-        plane("", .75, .25, {1, 1, 1});
-        plane("", .5, .5, {.5, .5, .5});
-        plane("", .5, .75, {.5, .5, 0});
-        plane("", 0, .75, {.5, .5, 0});  // edges join
-        plane("scale <2, 1, 1> ", .5, .75, {1, 0, 0});
-        plane("once <.1, .2, .3> ", .1, .9, {1, 0, 0});  // and do not
-        plane("once <.1, .2, .3> ", -.01, .9, {.1, .2, .3});
-        plane("once <.1, .2, .3> ", .9, 1.01, {.1, .2, .3});
-        const auto ball = [&](const std::string& map, const DVec3& from, const Color& wanted) {
-            check("sphere { <0, 0, 0>, 1  material { rgb image { \"four\" map " + map + " } } }", 9. * from, {0, 0, 0},
-                  wanted);
-        };
-        // A quarter of a turn from x is the middle of the left pixels, three quarters are that of the right ones.
-        const DVec3 north(0, .70710678118654752, .70710678118654752), south(0, .70710678118654752, -.70710678118654752);
-        ball("spherical", north, {1, 0, 0});
-        ball("spherical", {0, -north.y, north.z}, {0, 1, 0});
-        ball("spherical", south, {0, 0, 1});
-        ball("spherical", {0, -south.y, south.z}, {1, 1, 1});
-        ball("spherical", {0, 1, 0}, {.5, 0, .5});
-        ball("spherical", {north.y, 0, north.z}, {.5, .5, 0});
-        ball("spherical rotate <0, 0, 90> ", {-north.y, 0, north.z}, {1, 0, 0});
-        ball("cylindrical scale <1, 1, 2> translate <0, 0, -1> ", {0, .86602540378443865, .5}, {1, 0, 0});
-        ball("cylindrical scale <1, 1, 2> translate <0, 0, -1> ", {0, -.86602540378443865, -.5}, {1, 1, 1});
-    }
-}
-
-TEST_CASE("images in float are those in double but for rounding, and no pixel is none") {
-    const auto random = [](const std::string&) { return made_up_pixels("8-7-4"); };
-    for (const std::string map : {"planar", "spherical", "cylindrical", "planar once <1, 0, 0>"})
-        for (const std::string more : {"scale .7", "translate <1e15, -1e15, 1e15>", "scale 1e-300"}) {
-            CAPTURE(map);
-            CAPTURE(more);
-            const Scene scene = parse_scene("global_settings { ambient_light <1, 1, 1> }\n"
-                                            "defaultmaterial { ambient 1  diffuse 0  reflection 0  specular 0 }\n"
-                                            "camera { position <3, 5, 4>  look_at <0, 0, 0>  sky <0, 0, 1>  fov 12 }\n"
-                                            "sphere { <0, 0, 0>, 1  material { rgb image { \"r\" map " + map + "  " + more +
-                                                " } } }\nbox { <-2, -2, -2>, <2, 2, -1>  material { rgb image { \"r\" } } }",
-                                            "ball", {}, random);
-            const Frame single = picture(scene, Precision::float32), twice = picture(scene);
-            CHECK(std::ranges::all_of(single.rgb, [](double v) { return v >= 0 && v <= 1; }));
-            CHECK(std::ranges::all_of(twice.rgb, [](double v) { return v >= 0 && v <= 1; }));
-            if (more.starts_with("scale .")) CHECK(different(single, twice, 1e-4) < 12);
-        }
 }
 
 TEST_CASE("numbers without sense make no pixel that is none") {

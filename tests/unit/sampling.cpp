@@ -78,6 +78,22 @@ TEST_CASE("averages come out as exact as they aim") {
     }
 }
 
+TEST_CASE("checks and bricks are known by themselves, not by their colours alone") {
+    // Without that the errors of both are 3.7.
+    for (const std::string pattern : {"checker { <.9, .9, .9>, <.1, .1, .1>  rotate <0, 0, 25> }",
+                                      "brick { <.9, .9, .9>, <.1, .1, .1>  scale .2  rotate <0, 0, 25> }"}) {
+        CAPTURE(pattern);
+        const Scene scene = parse_scene("camera { position <0, -10, 5>  look_at <0, 0, .5>  up <0, 0, -1>  fov 18 }\n"
+                                        "light { position <-7, -9, 12>  color <.9, .9, .9> }\n"
+                                        "disc { <0, 0, 0>, <0, 0, 1>, 6  material { rgb " + pattern + " } }\n"
+                                        "sphere { <0, 0, 1>, 1  material { reflection .6 } }", "checks");
+        const View view = view_of(scene, 160, 120);
+        const double error = rms(whole(scene, view, Sampling{}), whole(scene, view, {.grid = 16}));
+        CAPTURE(error);
+        CHECK(error < 2);
+    }
+}
+
 TEST_CASE("averages depend neither on threads, crops, lanes nor passes") {
     for (const Scene& scene : {read_scene("article"), random_scene(17, {.camera_inside = true})}) {
         const View view = view_of(scene, 75, 61);

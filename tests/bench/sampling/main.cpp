@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "image/picture.h"
+#include "image/pixels.h"
 #include "text/file.h"
 #include "text/parse.h"
 #include "trace/cell_picture.h"
@@ -85,7 +86,7 @@ int compare(int argc, char** argv) {
     const int width = argc > 2 ? std::atoi(argv[2]) : 320, grid = argc > 3 ? std::atoi(argv[3]) : 32;
     const double time = argc > 4 ? std::atof(argv[4]) : -1;
     const bool in_float = std::getenv("STRAHL_FLOAT");
-    Scene scene = parse_scene(read_text(path), path);
+    Scene scene = parse_scene(read_text(path), path, {}, read_pixels);
     View view{.camera = scene.camera, .width = width, .height = width * 3 / 4};
     if (time >= 0 && scene.flythrough) view.camera = camera_at(*scene.flythrough, scene.camera, time);
     view.depth = scene.settings.max_trace_level;
