@@ -16,7 +16,7 @@ struct Material {
     double specular = 1;     // Ks, the highlight
     double pow = 50;         // p, the highlight's exponent
     double ior = 1;          // index of refraction of the body
-    Bump bump;
+    Bump bump{};
 
     bool operator==(const Material&) const = default;
     /// Does it depend on the place?

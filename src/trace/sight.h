@@ -36,7 +36,7 @@ template <class S>
                                  RareHit<S>& rare) {
     using T = Element<S>;
     alignas(64) T surfaces[width<S>], sides[width<S>], sources[width<S>], weights[width<S>], pixels[width<S>];
-    alignas(64) T distances[width<S>], reflected[3][width<S>], reflections[width<S>];
+    alignas(64) T distances[width<S>], reflected[3][width<S>] = {}, reflections[width<S>] = {};
     store_lanes(surfaces, hit.surface), store_lanes(sides, select(hit.outside, S(1), S(0)));
     store_lanes(sources, source), store_lanes(weights, hit.weight), store_lanes(pixels, hit.pixel);
     store_lanes(distances, t);
