@@ -4,7 +4,7 @@
 
 build_packages=(g++ cmake ninja-build pkg-config libglfw3-dev libgl-dev libglm-dev libopenimageio-dev zlib1g-dev
     libimgui-dev libcli11-dev)
-test_packages=(doctest-dev povray xvfb xauth libgl1-mesa-dri xdotool imagemagick openimageio-tools)
+test_packages=(doctest-dev povray xvfb xauth libgl1-mesa-dri xdotool imagemagick openimageio-tools parallel)
 attack_packages=(clang-16 libclang-rt-16-dev)
 
 say() { printf 'strahl: %s\n' "$*" >&2; }

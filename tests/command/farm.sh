@@ -10,16 +10,17 @@ mkdir one
 "$strahl" render scene.rt "${film[@]/#film-/one/film-}" || fault "no film"
 "$strahl" render scene.rt "${still[@]/#still/one/still}" || fault "no still"
 
-# In place of strahl: two of three times it is killed, after up to .15 s.
+# In place of strahl: of three times it is killed so often as `deaths` says, after up to .15 s.
 cat >mortal <<MORTAL
 #!/bin/bash
-((RANDOM % 3)) || exec "$strahl" "\$@"
+((RANDOM % 3 < deaths)) || exec "$strahl" "\$@"
 "$strahl" "\$@" --checkpoint 0 &
 sleep "0.\$((RANDOM % 2))\$((RANDOM % 6))"
 kill -s KILL \$! 2>/dev/null
 wait \$!
 MORTAL
 chmod +x mortal
+export deaths=2
 
 # finished ENGINE: all frames are there, and those of one run; so is the still. Afterwards there is nothing to do.
 finished_film() {
@@ -45,17 +46,16 @@ if command -v parallel >/dev/null; then
     echo "parallel: done"
 fi
 
-# openjd runs a job once; a failed one is run again.
+# The others try less often. openjd ends with the first task that fails, and is run again.
+export deaths=1
 if command -v openjd >/dev/null; then
     for ((try = 0; try < 100; ++try)); do
         openjd run "$source_folder/assets/farm/film.openjd.yaml" --step Render -p Strahl="$PWD/mortal" -p Scene="$PWD/scene.rt" \
             -p Output="$PWD/film-%04d.png" -p Frames=0-199 -p Size=16x12 -p Parts=4 >said 2>&1 && break
     done
     ((try < 100)) || fault "openjd: $(tail -n 3 said)"
-    rm -f film-*.checkpoint
-    mv one/film-0000.png kept # this film has as many samples as it needs
-    for file in one/film-*; do rm "$file"; done
-    rm kept
+    # This film has as many samples as it needs.
+    rm -f one/film-*
     "$strahl" render scene.rt -o 'one/film-%04d.png' --frames 0-199 --size 16x12
     film=(-o 'film-%04d.png' --frames 0-199 --size 16x12)
     finished_film openjd
