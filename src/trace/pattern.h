@@ -21,9 +21,9 @@ struct PatternCalls {
                       MaterialKernel<S>& values);
     /// The normals as the bumps of these materials bend them, of length 1.
     static Vec3<S> bent(const World<T>& world, const int* materials, const Vec3<S>& position, const Vec3<S>& normal);
-    /// Which of its pieces with edges in between a pattern has at these positions, in whole numbers: checks, bricks,
-    /// ramps, repetitions of images; 0 elsewhere.
-    static Vec3<S> piece(const World<T>& world, const int* materials, const Vec3<S>& position, const S& surface);
+    /// A number for each of the pieces of a pattern that have edges in between: checks, bricks, ramps, repetitions of
+    /// images; 0 where there are none.
+    static S piece(const World<T>& world, const int* materials, const Vec3<S>& position, const S& surface);
     /// The background in these directions.
     static Vec3<S> sky(const World<T>& world, const Vec3<S>& direction);
     /// Takes from the light what a surface of a transparent material takes in these lanes, `t` along the ray.

@@ -91,7 +91,8 @@ STRAHL_INLINE S wave(const S& x) {
     return S(1) - abs(fma(S(2), fraction(x), S(-1)));
 }
 
-/// The value of a pattern at a point of its space, from 0 to 1, or an image's brightness; where coordinates are too large for numbers 0.
+/// The value of a pattern at a point of its space, from 0 to 1, or an image's brightness; where coordinates are too large
+/// for numbers 0.
 template <class S>
 [[gnu::noinline]] S value_at(const PatternKernel<Element<S>>& pattern, const Vec3<S>& p) {
     using T = Element<S>;
@@ -217,7 +218,7 @@ Vec3<S> PatternCalls<S>::bent(const World<T>& world, const int* materials, const
     return all;
 }
 
-/// See PatternCalls.
+/// The piece of PatternCalls, in three whole or half numbers.
 template <class S>
 [[gnu::noinline]] Vec3<S> piece_at(const World<Element<S>>& world, const PatternKernel<Element<S>>& pattern,
                                    const Vec3<S>& position, const S& surface) {
@@ -236,19 +237,21 @@ template <class S>
         case PatternForm::ramp:
             return {whole.x, zero, zero};
         case PatternForm::image:
-            if (pattern.image.map == ImageMap::planar || pattern.image.map == ImageMap::uv) return {whole.x, whole.y, zero};
-            break;
+            if (pattern.image.map == ImageMap::spherical || pattern.image.map == ImageMap::cylindrical) break;
+            return {whole.x, whole.y, zero};
         default:
             break;
     }
     return {zero, zero, zero};
 }
 template <class S>
-Vec3<S> PatternCalls<S>::piece(const World<T>& world, const int* materials, const Vec3<S>& position,
-                               const S& surface) {
-    Vec3<S> all = splat<S>(Vec3<T>(0));
+S PatternCalls<S>::piece(const World<T>& world, const int* materials, const Vec3<S>& position, const S& surface) {
+    S all(0);
     each_pattern<S>(world, materials, [&](int which, Mask<S> lanes) {
-        all = select(lanes, piece_at(world, world.patterns[which], position, surface), all);
+        const Vec3<S> p = piece_at(world, world.patterns[which], position, surface);
+        // Square roots of primes: no two sums are the same as long as numbers have the digits.
+        const S number = fma(S(T(1.4142135623730951)), p.x, fma(S(T(1.7320508075688772)), p.y, S(T(2.23606797749979)) * p.z));
+        all = select(lanes, number, all);
     });
     return all;
 }

@@ -159,9 +159,12 @@ bool shade_bin(const Shading<S>& shading, int bin) {
         if (shading.rare) [[unlikely]] {
             rare.flat = hit.normal;
             if (world.bumps) hit.normal = PatternCalls<S>::bent(world, material.numbers, hit.position, rare.flat);
-            if (shading.batch.sights && world.patterns)
-                rare.piece = PatternCalls<S>::piece(world, material.numbers, hit.position, hit.surface);
-            if (shading.batch.sights) note_hits(shading, hit, pick(from.source), pick(t), pick.lanes, rare);
+            if (shading.batch.sights) {
+                S seen_from = pick(from.source);
+                if (world.patterns)
+                    seen_from = seen_from + PatternCalls<S>::piece(world, material.numbers, hit.position, hit.surface);
+                note_hits(shading, hit, seen_from, pick(t), pick.lanes, rare);
+            }
         }
         Mask<S> dim = first_lanes<S>(0);
         if (shading.depth < shading.limits.depth)

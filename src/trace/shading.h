@@ -59,8 +59,7 @@ struct Hit {
 template <class S>
 struct RareHit {
     std::uint32_t words[width<S>];
-    Vec3<S> flat;   // the normal that no bump bends
-    Vec3<S> piece;  // of the pattern, see PatternCalls; only where there are patterns
+    Vec3<S> flat;
 };
 
 template <class S>

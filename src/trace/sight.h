@@ -29,7 +29,7 @@ STRAHL_INLINE std::uint32_t weight_word(const World<T>& world, T weight) {
 }
 
 /// Notes a pack of hits in the signatures of their samples, those of hits that can be seen: which surface from which
-/// side and which piece of its pattern, from where, how weak and after how many bounces. The weight tells reflected, refracted and totally reflected
+/// side, from where, how weak and after how many bounces. The weight tells reflected, refracted and totally reflected
 /// rays apart.
 template <class S>
 [[gnu::noinline]] void note_hits(const Shading<S>& shading, const Hit<S>& hit, const S& source, const S& t, int lanes,
@@ -40,9 +40,6 @@ template <class S>
     store_lanes(surfaces, hit.surface), store_lanes(sides, select(hit.outside, S(1), S(0)));
     store_lanes(sources, source), store_lanes(weights, hit.weight), store_lanes(pixels, hit.pixel);
     store_lanes(distances, t);
-    alignas(64) T pieces[3][width<S>];
-    if (shading.world.patterns)
-        for (int c = 0; c < 3; ++c) store_lanes(pieces[c], rare.piece[c]);
     const auto depth = static_cast<std::uint32_t>(shading.depth);
     if (shading.depth == 1) {
         const Vec3<S> direction = reflect(hit);
@@ -53,8 +50,6 @@ template <class S>
         std::uint32_t word = mixed(depth, bits_of(surfaces[k]));
         word = mixed(word, bits_of(sides[k]));
         word = mixed(word, bits_of(sources[k]));
-        if (shading.world.patterns)
-            for (int c = 0; c < 3; ++c) word = mixed(word, bits_of(pieces[c][k]));
         rare.words[k] = weights[k] > shading.limits.noticed ? mixed(word, weight_word(shading.world, weights[k])) | 1 : 0;
     }
     for (int k = 0; k < lanes; ++k) {
