@@ -46,9 +46,9 @@ std::string hash_of_meshes(const Scene& scene) {
         for_each_leaf(primitive, [&](const Primitive& leaf, const glm::dmat4&) {
             const auto* const mesh = std::get_if<Mesh>(&leaf.shape);
             if (!mesh || mesh->file.empty() || !seen.insert(mesh->data.get()).second) return;
-            const auto& [points, normals, triangles, corner_normals] = *mesh->data;
-            for (const std::size_t own :
-                 {hash_of(points), hash_of(normals), hash_of(triangles), hash_of(corner_normals)})
+            const auto& [points, normals, triangles, corner_normals, places, corner_places] = *mesh->data;
+            for (const std::size_t own : {hash_of(points), hash_of(normals), hash_of(triangles),
+                                          hash_of(corner_normals), hash_of(places), hash_of(corner_places)})
                 hash = 31 * hash + own;
         });
     return in_hexadecimal(hash);
