@@ -33,7 +33,7 @@ struct Library {
 
 [[noreturn]] void tell_threads() {
     throw OutputError(
-        "the part of strahl that reads and writes pictures can't start its threads here; let more processes run "
+        "the part of strahl that reads pictures can't start its threads here; let more processes run "
         "(ulimit -u), or ask for fewer with --threads");
 }
 
@@ -61,13 +61,13 @@ Library load_library() {
     fs::path path = folder / "lib/strahl/libstrahl_image.so";
     if (!fs::exists(path, error)) path = folder.parent_path() / "lib/strahl/libstrahl_image.so";
     if (!fs::exists(path, error))
-        throw OutputError("the part of strahl that reads and writes pictures is missing: there is no '" +
+        throw OutputError("the part of strahl that reads pictures is missing: there is no '" +
                           path.string() + "'; build or install strahl again");
     require_threads();
     // Never closed: the libraries behind it do not all survive being unloaded.
     void* const handle = ::dlopen(path.c_str(), RTLD_LAZY | RTLD_LOCAL);
     if (!handle)
-        throw OutputError(std::string("the part of strahl that reads and writes pictures does not load: ") +
+        throw OutputError(std::string("the part of strahl that reads pictures does not load: ") +
                           ::dlerror());
 #if defined(__SANITIZE_ADDRESS__)
     // One of these libraries ends its threads at exit, and the leak check fails on threads that are just ending. So

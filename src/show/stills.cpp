@@ -82,7 +82,6 @@ void Stills::loop(std::stop_token quit, int threads) {
 }
 
 Stills::Outcome Stills::make(const Still& still, ThreadPool& pool) try {
-    require_picture_library();
     const View& view = still.view;
     Picture picture{view.width, view.height, 3, std::vector<double>(std::size_t(3) * view.width * view.height)};
     const Lattice whole{.columns = view.width, .rows = view.height};
