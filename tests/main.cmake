@@ -4,4 +4,5 @@ foreach(topic usage pictures frames resume interrupt files stats stability check
            COMMAND bash ${CMAKE_SOURCE_DIR}/tests/command/${topic}.sh $<TARGET_FILE:strahl> ${CMAKE_SOURCE_DIR}
                    ${CMAKE_BINARY_DIR})
 endforeach()
-set_tests_properties(command_pictures command_farm PROPERTIES LABELS slow)
+# With sanitizers these take minutes, and show no more of the program than the others do.
+set_tests_properties(command_pictures command_farm command_resume command_install PROPERTIES LABELS slow)

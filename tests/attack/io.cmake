@@ -21,4 +21,4 @@ if(TARGET attack)
   add_dependencies(attack strahl strahl_fail attack_io)
 endif()
 # With sanitizers a film takes too long for the few seconds that it is killed in.
-set_tests_properties(attack_kills PROPERTIES LABELS slow)
+set_tests_properties(attack_kills attack_power PROPERTIES LABELS slow)
