@@ -47,11 +47,13 @@ std::string image_text(const ImagePattern& image, const std::string& more, bool 
     const std::string of_all = more.empty() ? "" : more.substr(0, more.find(' ', 1)) + " all" + more.substr(more.find(' ', 1));
     const std::string map = "image_map { " + std::string(linear ? "exr" : "png") + " \"" + name_of(*image.pixels) +
                             "\" " + (linear || as_it_is ? "As_It_Is()" : "gamma srgb") + " map_type " +
-                            std::to_string(image.map == ImageMap::uv ? 0 : static_cast<int>(image.map)) + (image.once ? " once" : "") +
+                            std::to_string(image.map == ImageMap::uv ? 0 : static_cast<int>(image.map)) +
+                            (image.once ? " once" : "") +
                             " interpolate 2" + of_all + " }";
     const bool flat = image.map == ImageMap::planar || image.map == ImageMap::uv;
     // POV-Ray's poles are at -y and y, and it turns from x to z.
-    const std::string poles = flat ? "" : " matrix <1,0,0, 0,0,1, 0,1,0, 0,0,0>", by = image.map == ImageMap::uv ? "uv_mapping " : "";
+    const std::string poles = flat ? "" : " matrix <1,0,0, 0,0,1, 0,1,0, 0,0,0>";
+    const std::string by = image.map == ImageMap::uv ? "uv_mapping " : "";
     if (!image.once || image.map == ImageMap::spherical) return by + map + poles;
     const std::string inside = "min(y, 1 - 1e-10 - y" +
                                std::string(flat ? ", x, 1 - 1e-10 - x)" : ")");

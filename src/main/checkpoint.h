@@ -33,8 +33,6 @@ class Checkpoint {
     /// The file becomes that of a finished part.
     void become(const std::string& part);
 
-    const std::string& path() const { return own_path; }
-
   private:
     using Clock = std::chrono::steady_clock;
 

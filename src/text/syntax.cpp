@@ -1,6 +1,5 @@
 #include "text/syntax.h"
 
-#include <set>
 #include <string_view>
 #include <tuple>
 
@@ -8,35 +7,6 @@
 
 namespace strahl {
 namespace {
-
-struct Words {
-    std::set<std::string> blocks, parameters, patterns;
-};
-
-Words words_of_language() {
-    Words words;
-    const auto add = [](std::set<std::string>& to, const auto& from) {
-        for (const std::string_view word : from) to.emplace(word);
-    };
-    add(words.blocks, block_words), add(words.blocks, mesh_words);
-    add(words.patterns, pattern_words);
-    add(words.parameters, shape_words), add(words.parameters, image_maps), add(words.parameters, light_words);
-    add(words.parameters, std::initializer_list<std::string_view>{"colors", "map", "once", "height", "none"});
-    std::apply(
-        [&](const auto&... kind) {
-            const auto add_fields = [&]<class Kind>(const Kind&) {
-                std::apply([&](const auto&... field) { (words.parameters.emplace(field.name), ...); }, Kind::fields);
-            };
-            (add_fields(kind), ...);
-        },
-        std::tuple<Checker, Gradient, Brick, Noise, Marble, Wood>());
-    each_block([&](const char* word, const auto& parameters) {
-        words.blocks.emplace(word);
-        for (const Parameter& parameter : parameters) words.parameters.emplace(parameter.name);
-    });
-    for (const std::string& word : words.blocks) words.parameters.erase(word);
-    return words;
-}
 
 std::string joined(const std::set<std::string>& words, const char* between) {
     std::string all;
@@ -46,11 +16,37 @@ std::string joined(const std::set<std::string>& words, const char* between) {
 
 }  // namespace
 
+LanguageWords words_of_language() {
+    LanguageWords words;
+    const auto add = [](std::set<std::string>& to, const auto& from) {
+        for (const std::string_view word : from) to.emplace(word);
+    };
+    add(words.blocks, block_words), add(words.blocks, mesh_words);
+    add(words.patterns, pattern_words);
+    add(words.others, shape_words), add(words.others, triangle_words), add(words.others, image_maps);
+    add(words.others, light_words);
+    add(words.others, std::initializer_list<std::string_view>{"colors", "map", "once", "height", "none"});
+    std::apply(
+        [&](const auto&... kind) {
+            const auto add_fields = [&]<class Kind>(const Kind&) {
+                std::apply([&](const auto&... field) { (words.others.emplace(field.name), ...); }, Kind::fields);
+            };
+            (add_fields(kind), ...);
+        },
+        std::tuple<Checker, Gradient, Brick, Noise, Marble, Wood>());
+    each_block([&](const char* word, const auto& parameters) {
+        words.blocks.emplace(word);
+        for (const Parameter& parameter : parameters) words.others.emplace(parameter.name);
+    });
+    for (const std::string& word : words.blocks) words.others.erase(word);
+    return words;
+}
+
 std::string vim_syntax() {
-    const Words words = words_of_language();
+    const LanguageWords words = words_of_language();
     return "\" Scenes of Strahl, *.rt.\nif exists(\"b:current_syntax\")\n  finish\nendif\n"
            "syn keyword strahlBlock " + joined(words.blocks, " ") +
-           "\nsyn keyword strahlParameter " + joined(words.parameters, " ") +
+           "\nsyn keyword strahlParameter " + joined(words.others, " ") +
            "\nsyn keyword strahlPattern " + joined(words.patterns, " ") +
            "\nsyn match strahlNumber \"[-+]\\?\\%(\\d\\+\\.\\?\\d*\\|\\.\\d\\+\\)\\%([eE][-+]\\?\\d\\+\\)\\?\"\n"
            "syn region strahlString start=+\"+ end=+\"+ oneline\n"
@@ -63,7 +59,7 @@ std::string vim_syntax() {
 }
 
 std::string textmate_grammar() {
-    const Words words = words_of_language();
+    const LanguageWords words = words_of_language();
     const auto rule = [](const char* name, const std::string& match) {
         return std::string("    { \"name\": \"") + name + ".strahl\", \"match\": \"" + match + "\" },\n";
     };
@@ -73,7 +69,7 @@ std::string textmate_grammar() {
            rule("comment.line.double-slash", "//.*$") +
            "    { \"name\": \"comment.block.strahl\", \"begin\": \"/\\\\*\", \"end\": \"\\\\*/\" },\n" +
            rule("string.quoted.double", "\\\"[^\\\"]*\\\"") + rule("storage.type", any(words.blocks)) +
-           rule("support.function", any(words.patterns)) + rule("variable.parameter", any(words.parameters)) +
+           rule("support.function", any(words.patterns)) + rule("variable.parameter", any(words.others)) +
            "    { \"name\": \"constant.numeric.strahl\", "
            "\"match\": \"[-+]?(\\\\d+\\\\.?\\\\d*|\\\\.\\\\d+)([eE][-+]?\\\\d+)?\" }\n  ]\n}\n";
 }

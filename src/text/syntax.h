@@ -1,8 +1,15 @@
 // Syntax highlighting of scene files in editors, made from the lists that the parser reads by.
 #pragma once
+#include <set>
 #include <string>
 
 namespace strahl {
+
+/// Every word of the language, once: those that open blocks, the patterns, and all others.
+struct LanguageWords {
+    std::set<std::string> blocks, patterns, others;
+};
+LanguageWords words_of_language();
 
 /// A syntax file of vim.
 std::string vim_syntax();

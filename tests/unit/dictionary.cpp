@@ -4,7 +4,7 @@
 #include <fstream>
 #include <set>
 
-#include "text/blocks.h"
+#include "text/syntax.h"
 
 using namespace strahl;
 
@@ -26,23 +26,7 @@ TEST_CASE("every word of the language is in the dictionary") {
         CAPTURE(std::string(word));
         CHECK(words.contains(word));
     };
-    for (const std::string_view word : block_words) look(word);
-    for (const std::string_view word : shape_words) look(word);
-    for (const std::string_view word : mesh_words) look(word);
-    for (const std::string_view word : triangle_words) look(word);
-    for (const std::string_view word : pattern_words) look(word);
-    for (const std::string_view word : {"colors", "map", "once", "height", "none"}) look(word);
-    for (const std::string_view word : image_maps) look(word);
-    std::apply(
-        [&](const auto&... kind) {
-            const auto look_in = [&]<class Kind>(const Kind&) {
-                std::apply([&](const auto&... field) { (look(field.name), ...); }, Kind::fields);
-            };
-            (look_in(kind), ...);
-        },
-        std::tuple<Checker, Gradient, Brick, Noise, Marble, Wood>());
-    each_block([&](const char* word, const auto& parameters) {
-        look(word);
-        for (const Parameter& parameter : parameters) look(parameter.name);
-    });
+    const LanguageWords language = words_of_language();
+    for (const auto* const some : {&language.blocks, &language.patterns, &language.others})
+        for (const std::string& word : *some) look(word);
 }
