@@ -6,6 +6,7 @@
 
 #include "tests/attack/wild_scene.h"
 #include "tests/unit/levels.h"
+#include "tests/unit/sanitized.h"
 #include "trace/thread_pool.h"
 
 namespace strahl {
@@ -25,11 +26,8 @@ class PictureCheck {
     void compare(const Values& values, const Lattice& lattice, const Values& expected, const std::string& setting);
 
     ThreadPool one{1}, three{3};
-#if defined(STRAHL_SANITIZED)
-    std::vector<Simd> levels{Simd::scalar};  // the others are not instrumented
-#else
-    std::vector<Simd> levels = fused_levels();
-#endif
+    // Of a sanitize build only the scalar one is instrumented.
+    std::vector<Simd> levels = sanitized() ? std::vector{Simd::scalar} : fused_levels();
     WildScene wild;
     std::vector<std::string> found;
 };

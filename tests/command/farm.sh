@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Films and stills in parts by engines that others wrote, with tasks that are killed at random: GNU parallel, and Slurm
-# and Open Job Description where they are installed (slurm-wlm of Debian, as root; openjd-cli of PyPI).
+# Films and stills in parts by engines that others wrote, with tasks that are killed at random: GNU parallel, Open Job
+# Description where it is installed (openjd-cli of PyPI), and Slurm (slurm-wlm of Debian) if STRAHL_SLURM is set, since it
+# starts a cluster's daemons as root.
 set -uo pipefail
 source "$(dirname "$0")/expect.sh"
 
@@ -62,7 +63,7 @@ if command -v openjd >/dev/null; then
     echo "openjd: done"
 fi
 
-if command -v slurmctld >/dev/null && ((EUID == 0)); then
+if [[ ${STRAHL_SLURM-} ]]; then
     source "$(dirname "$0")/slurm.sh"
 fi
 finish

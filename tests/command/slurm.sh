@@ -39,20 +39,21 @@ sleep 1
 slurmd -D -N "$(hostname -s)" >slurm/slurmd.log 2>&1 &
 daemons+=($!)
 
-# by_slurm TASKS ARGUMENT...: submits the script and waits until no task is left.
+# by_slurm TASKS ARGUMENT...: submits the script and waits until all tasks are completed. One that is being requeued is
+# not in the queue for a moment, but it is still known.
 by_slurm() {
-    local waited left=0
-    sbatch -Q -o slurm/%a.out --array="1-$1" "$source_folder/assets/farm/strahl.slurm" scene.rt "${@:2}" >said 2>&1 ||
+    local waited job
+    job=$(sbatch --parsable -o slurm/%a.out --array="1-$1" "$source_folder/assets/farm/strahl.slurm" scene.rt "${@:2}" 2>said) ||
         fault "sbatch: $(<said)"
     for ((waited = 0; waited < 600; ++waited)); do
-        [[ $(squeue -h 2>&1) ]] && left=0 || ((++left))
-        ((left < 4)) || return # a task that is being requeued is not listed for a moment
+        scontrol -o show job "$job" >said 2>&1
+        [[ $(grep -c JobState=COMPLETED said) == "$1" ]] && return
         # Some tasks are begun anew as if their machine had failed; Slurm would hold them back for two minutes.
         ((waited >= 20)) || scontrol requeue "$(squeue -h -t R -o %A | shuf -n 1)" >/dev/null 2>&1
         scontrol update JobId="$(squeue -h -t PD -o %A | paste -sd,)" StartTime=now >/dev/null 2>&1
         sleep .5
     done
-    fault "Slurm: after 300 s there is still $(squeue -h | head -n 3)"
+    fault "Slurm: after 300 s there is still $(grep -v JobState=COMPLETED said | grep -o 'JobId=[0-9]*\|JobState=[A-Z]*' | paste -sd' ')"
 }
 by_slurm 8 "${film[@]}"
 finished_film Slurm

@@ -12,6 +12,7 @@
 #include "tests/referee/torus.h"
 #include "tests/referee/triangle.h"
 #include "tests/stability/stage.h"
+#include "tests/unit/sanitized.h"
 
 using namespace strahl;
 using namespace strahl::stability;
@@ -248,12 +249,7 @@ void compare(double rays, bool meshes) {
 }
 double wanted_rays() {
     const char* const wanted = std::getenv("STRAHL_RAYS");
-#if defined(STRAHL_SANITIZED)
-    constexpr double usual = 3e4;
-#else
-    constexpr double usual = 6e4;
-#endif
-    return wanted ? std::atof(wanted) : usual;
+    return wanted ? std::atof(wanted) : sanitized() ? 3e4 : 6e4;
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 // --error: off the edges, pictures stay within the error allowed, and larger errors cost less.
+#include "tests/unit/sanitized.h"
 #include "trace/accuracy.h"
 
 #include <doctest/doctest.h>
@@ -17,11 +18,7 @@ using namespace strahl;
 
 namespace {
 
-#if defined(STRAHL_SANITIZED)
-constexpr int columns = 12, rows = 9, every = 9;
-#else
-constexpr int columns = 40, rows = 30, every = 1;
-#endif
+const int columns = sanitized() ? 12 : 40, rows = sanitized() ? 9 : 30, every = sanitized() ? 9 : 1;
 
 double apart(const Frame& a, const Frame& b, int pixel) {
     double most = 0;

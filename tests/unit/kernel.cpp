@@ -13,6 +13,7 @@
 #include "tests/referee/random_scene.h"
 #include "tests/referee/referee.h"
 #include "tests/unit/levels.h"
+#include "tests/unit/sanitized.h"
 #include "trace/tracer.h"
 
 using namespace strahl;
@@ -22,11 +23,8 @@ namespace {
 // Odd, so that the middle row and column look exactly along axes if the camera does (of 11 rows, the middle one is off
 // by a last bit in double, and if the horizon of a plane is there, rounding decides the whole row). Small where long
 // double is software.
-#if defined(STRAHL_SANITIZED) || LDBL_MANT_DIG == 113
-constexpr int columns = 17, rows = 9, random_scenes = 8;
-#else
-constexpr int columns = 49, rows = 37, random_scenes = 90;
-#endif
+const bool slow = sanitized() || LDBL_MANT_DIG == 113;
+const int columns = slow ? 17 : 49, rows = slow ? 9 : 37, random_scenes = slow ? 8 : 90;
 
 /// A value may be off by `tolerance`. A pixel that is off by more must be explained by a shift of `reach` pixels: an
 /// edge, or a place where the picture changes fast. Only `share` of the pixels may need this explanation.

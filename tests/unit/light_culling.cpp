@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tests/referee/random_scene.h"
+#include "tests/unit/sanitized.h"
 #include "tests/unit/scenes.h"
 #include "trace/tracer.h"
 
@@ -17,11 +18,8 @@ using namespace strahl;
 
 namespace {
 
-#if defined(STRAHL_SANITIZED)
-constexpr int columns = 10, rows = 8, every = 9, random_scenes = 8;
-#else
-constexpr int columns = 40, rows = 30, every = 1, random_scenes = 120;
-#endif
+const int columns = sanitized() ? 10 : 40, rows = sanitized() ? 8 : 30;
+const int every = sanitized() ? 9 : 1, random_scenes = sanitized() ? 8 : 120;
 
 /// The same scene with so many more bodies, far away and black inside a black ball, that it has a hierarchy instead of
 /// culling.

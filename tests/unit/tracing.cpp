@@ -10,6 +10,7 @@
 #include "tests/referee/random_scene.h"
 #include "tests/referee/referee.h"
 #include "tests/unit/levels.h"
+#include "tests/unit/sanitized.h"
 #include "tests/unit/scenes.h"
 #include "trace/thread_pool.h"
 #include "trace/tracer.h"
@@ -18,11 +19,7 @@ using namespace strahl;
 
 namespace {
 
-#if defined(STRAHL_SANITIZED)
-constexpr int coarse = 4;  // pictures are this much smaller
-#else
-constexpr int coarse = 1;
-#endif
+const int coarse = sanitized() ? 4 : 1;  // pictures are this much smaller
 
 template <Precision P>
 struct As {
