@@ -181,7 +181,8 @@ class Splitting {
         for (std::size_t i = 0; i < parts.size(); ++i) members[groups[i]].push_back(i);
         std::vector<Primitive> pieces;
         for (const auto& [first, group] : members) {
-            const bool alone = group.size() == 1 || (!glass(group) && leaves(group) > most_opaque);
+            const bool alone =
+                group.size() == 1 || (!glass(group) && (one_look(group) || leaves(group) > most_opaque));
             if (!alone && members.size() == 1) return {whole};
             if (!alone) {
                 pieces.push_back(united(group));
@@ -218,6 +219,14 @@ class Splitting {
             });
         return any;
     }
+    /// Is it the same on any of two faces that are in one plane? Patterns are where their parts are, or the whole is.
+    bool one_look(const std::vector<std::size_t>& group) const {
+        const int first = parts[group.front()].primitive.material;
+        bool other = materials[static_cast<std::size_t>(first)].patterned() && first != whole.material;
+        for (const std::size_t i : group)
+            each_material(parts[i].primitive, [&](int number) { other |= number != first; });
+        return !other;
+    }
     int leaves(const std::vector<std::size_t>& group) const {
         int sum = 0;
         for (const std::size_t i : group) sum += leaves_of(parts[i].primitive.shape);
@@ -232,15 +241,18 @@ class Splitting {
     /// With its pattern where it was. In a union its material, if it is that of the union, has the union's space.
     Primitive painted(const Part& part, bool in_union) {
         Primitive own = part.primitive;
-        const Material material = materials[static_cast<std::size_t>(own.material)];
+        Material material = materials[static_cast<std::size_t>(own.material)];
         const bool shared = in_union && own.material == whole.material;
         const std::size_t steps = shared ? own.transformations.size() : 0;
-        if (!material.rgb.pattern || part.to_pattern.size() == steps) return own;
-        Pattern pattern = *material.rgb.pattern;
-        pattern.transformations = joined(pattern.transformations, inverse(part.to_pattern));
+        if (!material.patterned() || part.to_pattern.size() == steps) return own;
+        const auto moved = [&](Pattern pattern) {
+            pattern.transformations = joined(pattern.transformations, inverse(part.to_pattern));
+            return pattern;
+        };
+        if (material.rgb.pattern) material.rgb = Pigment(moved(*material.rgb.pattern));
+        if (material.bump.pattern) material.bump.pattern = std::make_shared<const Pattern>(moved(*material.bump.pattern));
         repaint(own, static_cast<int>(materials.size()));
-        materials.push_back(material);
-        materials.back().rgb = Pigment(std::move(pattern));
+        materials.push_back(std::move(material));
         return own;
     }
 
