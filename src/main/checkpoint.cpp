@@ -66,6 +66,13 @@ void require_same(const BandFile& file, const BandHeader& header) {
                      ", and can't be continued; remove it, or leave out --resume");
 }
 
+std::string checkpoint_of(const std::string& picture) { return picture + ".checkpoint"; }
+
+void remove_checkpoint(const std::string& picture) {
+    const std::string path = checkpoint_of(picture);
+    if (BandFile::is_at(path)) ::unlink(path.c_str());
+}
+
 Checkpoint::Checkpoint(PictureWriter& own_writer, std::string path, std::function<BandHeader()> own_header,
                        double seconds)
     : writer(own_writer),
@@ -95,9 +102,6 @@ void Checkpoint::save_if_due() {
     if (lock && writer.held() > 0 && (Clock::now() - last >= interval || writer.held() > most_held)) save();
 }
 
-void Checkpoint::remove() {
-    if (!own_path.empty() && BandFile::is_at(own_path)) ::unlink(own_path.c_str());
-}
 
 void Checkpoint::become(const std::string& part) {
     if (!file) file = std::make_shared<BandFile>(own_path, header());

@@ -16,6 +16,10 @@ namespace strahl {
 std::string hash_of_program();
 std::string hash_of_meshes(const Scene& scene);
 
+/// The file beside a picture in which its bands are kept, and its removal, if it is there.
+std::string checkpoint_of(const std::string& picture);
+void remove_checkpoint(const std::string& picture);
+
 class Checkpoint {
   public:
     /// `path` is empty for pictures that go to a pipe: of these nothing is kept. `header` is asked for when it is
@@ -28,8 +32,6 @@ class Checkpoint {
     void save_if_due();
     /// Keeps what is finished. Returns whether there is a file.
     bool save();
-    /// The picture is written: removes the file.
-    void remove();
     /// The file becomes that of a finished part.
     void become(const std::string& part);
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "image/pixels.h"
+#include "main/checkpoint.h"
 #include "main/exit_status.h"
 #include "main/renderer.h"
 #include "text/file.h"
@@ -18,12 +19,15 @@ namespace strahl {
 namespace {
 
 /// Is there a file that holds the whole picture? One that was cut off is told and made again; one of another film is
-/// not ours to overwrite.
+/// not ours to overwrite. It needs no checkpoint any more, which stays if a run was killed after writing the picture.
 bool is_finished(const std::string& path, const Lattice& part) {
     if (!std::filesystem::exists(path)) return false;
     try {
         const Picture picture = read_picture(path, 3 * std::uint64_t(part.columns) * part.rows);
-        if (picture.width == part.columns && picture.height == part.rows) return true;
+        if (picture.width == part.columns && picture.height == part.rows) {
+            remove_checkpoint(path);
+            return true;
+        }
         const auto size = [](int width, int height) { return std::to_string(width) + "x" + std::to_string(height); };
         throw UsageError("'" + path + "' is a picture of " + size(picture.width, picture.height) + " pixels and not " +
                          size(part.columns, part.rows) +

@@ -54,7 +54,7 @@ bool Renderer::render(const Shot& shot, const std::string& path, const std::stri
     const std::string file = shared ? part_path(path, share) : path;
     PictureWriter writer(part.columns, part.rows, 3, ending, format);
     const auto own_header = [&] { return header(shot, writer, ending, share); };
-    Checkpoint checkpoint(writer, is_file(path) ? file + ".checkpoint" : "", own_header, options.checkpoint);
+    Checkpoint checkpoint(writer, is_file(path) ? checkpoint_of(file) : "", own_header, options.checkpoint);
     const std::uint64_t all = pixels(missing(writer, share));
     if (options.resume && shared && BandFile::is_at(file)) {
         const auto finished = std::make_shared<BandFile>(file);
@@ -78,7 +78,7 @@ bool Renderer::render(const Shot& shot, const std::string& path, const std::stri
         checkpoint.become(file);
     } else {
         writer.write(path);
-        checkpoint.remove();
+        if (is_file(path)) remove_checkpoint(file);
     }
     stats.write_seconds += watch.lap();
     stats.frames += whole;

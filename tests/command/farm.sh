@@ -47,23 +47,32 @@ if command -v parallel >/dev/null; then
     echo "parallel: done"
 fi
 
-# The others try less often. openjd ends with the first task that fails, and is run again.
+# The others try less often.
 export deaths=1
-if command -v openjd >/dev/null; then
-    for ((try = 0; try < 100; ++try)); do
-        openjd run "$source_folder/assets/farm/film.openjd.yaml" --step Render -p Strahl="$PWD/mortal" -p Scene="$PWD/scene.rt" \
-            -p Output="$PWD/film-%04d.png" -p Frames=0-199 -p Size=16x12 -p Parts=4 >said 2>&1 && break
-    done
-    ((try < 100)) || fault "openjd: $(tail -n 3 said)"
-    # This film has as many samples as it needs.
-    rm -f one/film-*
-    "$strahl" render scene.rt -o 'one/film-%04d.png' --frames 0-199 --size 16x12
-    film=(-o 'film-%04d.png' --frames 0-199 --size 16x12)
-    finished_film openjd
-    echo "openjd: done"
-fi
-
 if [[ ${STRAHL_SLURM-} ]]; then
     source "$(dirname "$0")/slurm.sh"
+fi
+
+# openjd ends with the first task that fails, and is run again.
+if command -v openjd >/dev/null; then
+    # by_openjd TEMPLATE ARGUMENT...: with what all templates need.
+    by_openjd() {
+        for ((try = 0; try < 100; ++try)); do
+            openjd run "$source_folder/assets/farm/$1.openjd.yaml" -p Strahl="$PWD/mortal" -p Scene="$PWD/scene.rt" "${@:2}" \
+                >said 2>&1 && return
+        done
+        fault "openjd: $(tail -n 3 said)"
+    }
+    by_openjd film --step Render -p Output="$PWD/film-%04d.png" -p Frames=0-199 -p Size=16x12 -p Parts=4
+    # These have as many samples as they need.
+    rm -f one/*
+    film=(-o 'film-%04d.png' --frames 0-199 --size 16x12)
+    "$strahl" render scene.rt "${film[@]/#film-/one/film-}" || fault "no film"
+    "$strahl" render scene.rt -o one/still.png --size 12x2048 || fault "no still"
+    finished_film openjd
+    by_openjd still --step Join --run-dependencies -p Output="$PWD/still.png" -p Size=12x2048 -p Parts=8
+    expect_same still.png one/still.png
+    rm -f still.png*
+    echo "openjd: done"
 fi
 finish

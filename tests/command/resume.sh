@@ -90,6 +90,14 @@ for changed in triangle.obj dots.png; do
 done
 rm files.rt dots.png triangle.obj
 
+# Killed between a frame's own name and the end of its checkpoint: the next run finds the frame, and takes that away.
+killed 0 --samples 8x8 -o a.png
+expect 0 "" render scene.rt -o 'film-%d.png' --frames 0-1 --size 4x4
+mv a.png.checkpoint film-0.png.checkpoint
+expect 0 "" render scene.rt -o 'film-%d.png' --frames 0-1 --size 4x4 --resume
+expect_no_file film-0.png.checkpoint
+rm -f ./*.png
+
 # Parts: any number, made in any order, of any format, some of them killed.
 for ending in png bmp exr; do
     expect 0 "" render scene.rt "${size[@]}" -o "whole.$ending"

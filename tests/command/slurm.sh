@@ -48,12 +48,15 @@ by_slurm() {
     for ((waited = 0; waited < 600; ++waited)); do
         scontrol -o show job "$job" >said 2>&1
         [[ $(grep -c JobState=COMPLETED said) == "$1" ]] && return
+        # Begun anew too soon after it was killed ("credential revoked"), a task counts as failed.
+        scontrol requeue "$(grep JobState=FAILED said | grep -o '^JobId=[0-9]*' | cut -d= -f2 | paste -sd,)" >/dev/null 2>&1
         # Some tasks are begun anew as if their machine had failed; Slurm would hold them back for two minutes.
         ((waited >= 20)) || scontrol requeue "$(squeue -h -t R -o %A | shuf -n 1)" >/dev/null 2>&1
         scontrol update JobId="$(squeue -h -t PD -o %A | paste -sd,)" StartTime=now >/dev/null 2>&1
         sleep .5
     done
-    fault "Slurm: after 300 s there is still $(grep -v JobState=COMPLETED said | grep -o 'JobId=[0-9]*\|JobState=[A-Z]*' | paste -sd' ')"
+    fault "Slurm: after $((waited / 2)) s: $(grep -v JobState=COMPLETED said |
+        grep -oE '(ArrayTaskId|JobState|ExitCode|Restarts)=[^ ]*' | paste -sd' ')"
 }
 by_slurm 8 "${film[@]}"
 finished_film Slurm
