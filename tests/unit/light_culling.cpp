@@ -13,6 +13,8 @@
 #include "tests/unit/levels.h"
 #include "tests/unit/sanitized.h"
 #include "tests/unit/scenes.h"
+#include "trace/build.h"
+#include "trace/light_buffer.h"
 #include "trace/thread_pool.h"
 #include "trace/tracer.h"
 
@@ -163,10 +165,14 @@ Scene large_world(int seed, bool scattered) {
     // Before all bodies, among them, nearly touching one, far away; grazing the floor; parallel; in a cone.
     const DVec3 ball = std::get<Sphere>(scene.primitives[1].shape).centre;
     const double size = std::get<Sphere>(scene.primitives[1].shape).radius;
-    scene.lights = {{.position = {4, -5, 6}}, {.position = place(1)}, {.position = ball + DVec3(0, 0, 1.0001 * size)},
-                    {.position = {-300, 40, 200}}, {.position = {9, 3, -1.99}}, {.direction = DVec3(1, 2, -3)},
-                    {.direction = DVec3(0, 1, -.001)}, {.position = {-3, 2, 4}, .spot = Spot{.look_at = {0, 0, 0}}}};
-    for (Light& light : scene.lights) light.color = Color(.3);
+    const DVec3 places[] = {{4, -5, 6}, place(1), ball + DVec3(0, 0, 1.0001 * size), {-300, 40, 200}, {9, 3, -1.99},
+                            {-3, 2, 4}, {0, 0, 0}, {0, 0, 0}};
+    for (const DVec3& position : places) {
+        Light& light = scene.lights.emplace_back();
+        light.position = position, light.color = Color(.3);
+    }
+    scene.lights[5].spot.emplace();
+    scene.lights[6].direction = DVec3(1, 2, -3), scene.lights[7].direction = DVec3(0, 1, -.001);
     return scene;
 }
 
@@ -199,4 +205,24 @@ TEST_CASE("light buffers do not change a bit") {
                 CHECK(render(scene, view, precision, 2, simd).rgb == in_stripes(scene, view, precision, simd));
             }
     }
+}
+
+TEST_CASE("light buffers are bounded, and the same for any number of threads") {
+    Scene scene = large_world(1, true);
+    const auto made = [](const Scene& from, int threads) {
+        ThreadPool pool(threads);
+        const BuiltWorld<float> built(from, {}, pool);
+        const LightBuffers<float> buffers(built.world(), pool);
+        int lights = 0;
+        for (int i = 0; i < built.world().light_count; ++i) lights += buffers.buffers()[i].faces != nullptr;
+        return std::pair(lights, buffers.candidates());
+    };
+    const auto [lights, candidates] = made(scene, 1);
+    CHECK(lights >= 6);
+    CHECK(candidates <= LightBuffers<float>::most_per_item * std::int64_t(lights * scene.primitives.size()));
+    CHECK(made(scene, 3) == std::pair(lights, candidates));
+    // Where all bodies reach into all cells there is none.
+    for (Primitive& primitive : scene.primitives)
+        if (Sphere* const ball = std::get_if<Sphere>(&primitive.shape)) ball->radius = 3;
+    CHECK(made(scene, 1).second == 0);
 }
