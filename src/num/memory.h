@@ -60,6 +60,20 @@ STRAHL_INLINE R gather_items(const I* items, const int* index) {
     using T = Element<S>;
     constexpr int fields = sizeof(I) / sizeof(T);
     static_assert(sizeof(R) == fields * sizeof(S));
+    if constexpr (constexpr int at_once = fields_at_once<S>; at_once > 1 && fields >= at_once) {
+        const T* from[width<S>];
+        for (int i = 0; i < width<S>; ++i) from[i] = reinterpret_cast<const T*>(items + index[i]);
+        std::array<S, fields> packs;
+        for (int f = 0; f + at_once <= fields; f += at_once) {
+            load_fields(from, &packs[f]);
+            for (const T*& place : from) place += at_once;
+        }
+        if constexpr (fields % at_once != 0) {
+            for (const T*& place : from) place -= at_once - fields % at_once;
+            load_fields(from, &packs[fields - at_once]);
+        }
+        return std::bit_cast<R>(packs);
+    }
     alignas(64) T lanes[fields][width<S>];
     for (int i = 0; i < width<S>; ++i) {
         const auto values = std::bit_cast<std::array<T, fields>>(items[index[i]]);
@@ -108,6 +122,10 @@ STRAHL_INLINE R splat_item(const I& item) {
 template <Scalar S>
 STRAHL_INLINE void compress(S* to, S value, bool mask) {
     if (mask) *to = value;
+}
+template <Scalar S>
+STRAHL_INLINE void store_whole(int* to, S number) {
+    *to = static_cast<int>(number);
 }
 template <Scalar S>
 STRAHL_INLINE S floor(S a) {

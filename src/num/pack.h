@@ -158,6 +158,33 @@ STRAHL_INLINE void compress(T* to, Pack<T> value, PackMask<T> mask) {
     }
 }
 
+/// Whole numbers as such.
+template <class T>
+STRAHL_INLINE void store_whole(int* to, const Pack<T>& numbers) {
+    if constexpr (has_mask_registers)
+        store_whole(to, raw(numbers));
+    else
+        for (int i = 0; i < Pack<T>::size; ++i) to[i] = static_cast<int>(numbers.v[i]);
+}
+
+/// How many fields load_fields() reads at once; 1: there is none.
+template <class S>
+inline constexpr int fields_at_once = 1;
+template <>
+inline constexpr int fields_at_once<Pack<float>> = has_mask_registers ? 4 : 1;
+template <>
+inline constexpr int fields_at_once<Pack<double>> = has_mask_registers ? 2 : 1;
+/// to[f] are the numbers at from[k] + f.
+template <class T>
+STRAHL_INLINE void load_fields(const T* const* from, Pack<T>* to) {
+    typename Native<T, sizeof(Pack<T>)>::Register registers[fields_at_once<Pack<T>>];
+    if constexpr (sizeof(T) == 4)
+        load_fours(from, registers);
+    else
+        load_twos(from, registers);
+    for (int f = 0; f < fields_at_once<Pack<T>>; ++f) to[f] = Pack<T>(typename Pack<T>::Register(registers[f]));
+}
+
 /// Is there an interleave()?
 template <class S>
 inline constexpr bool interleaves = false;

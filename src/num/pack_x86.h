@@ -62,6 +62,44 @@ STRAHL_INLINE void store_compressed(double* to, __mmask8 mask, __m512d value) {
     _mm512_storeu_pd(to, _mm512_maskz_compress_pd(mask, value));
 }
 
+// Whole numbers, for addresses. g++ would take the lanes out of the register one by one if it knew what is in memory.
+STRAHL_INLINE void store_whole(int* to, __m512 numbers) {
+    _mm512_storeu_si512(to, _mm512_cvttps_epi32(numbers));
+    asm("" : "+m"(*reinterpret_cast<int(*)[16]>(to)));
+}
+STRAHL_INLINE void store_whole(int* to, __m512d numbers) {
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm512_cvttpd_epi32(numbers));
+    asm("" : "+m"(*reinterpret_cast<int(*)[8]>(to)));
+}
+/// Four numbers from each of 16 places: to[f] has those at from[k] + f.
+STRAHL_INLINE void load_fours(const float* const* from, __m512* to) {
+    const auto row = [from](int j) __attribute__((always_inline)) {
+        const __m512 first = _mm512_castps128_ps512(_mm_loadu_ps(from[j]));
+        const __m512 two = _mm512_insertf32x4(first, _mm_loadu_ps(from[4 + j]), 1);
+        return _mm512_insertf32x4(_mm512_insertf32x4(two, _mm_loadu_ps(from[8 + j]), 2), _mm_loadu_ps(from[12 + j]), 3);
+    };
+    const __m512 a = row(0), b = row(1), c = row(2), d = row(3);
+    const __m512d low_ab = _mm512_castps_pd(_mm512_unpacklo_ps(a, b));
+    const __m512d high_ab = _mm512_castps_pd(_mm512_unpackhi_ps(a, b));
+    const __m512d low_cd = _mm512_castps_pd(_mm512_unpacklo_ps(c, d));
+    const __m512d high_cd = _mm512_castps_pd(_mm512_unpackhi_ps(c, d));
+    to[0] = _mm512_castpd_ps(_mm512_unpacklo_pd(low_ab, low_cd));
+    to[1] = _mm512_castpd_ps(_mm512_unpackhi_pd(low_ab, low_cd));
+    to[2] = _mm512_castpd_ps(_mm512_unpacklo_pd(high_ab, high_cd));
+    to[3] = _mm512_castpd_ps(_mm512_unpackhi_pd(high_ab, high_cd));
+}
+/// Two numbers from each of 8 places.
+STRAHL_INLINE void load_twos(const double* const* from, __m512d* to) {
+    const auto row = [from](int j) __attribute__((always_inline)) {
+        const __m512d first = _mm512_castpd128_pd512(_mm_loadu_pd(from[j]));
+        const __m512d two = _mm512_insertf64x2(first, _mm_loadu_pd(from[2 + j]), 1);
+        return _mm512_insertf64x2(_mm512_insertf64x2(two, _mm_loadu_pd(from[4 + j]), 2), _mm_loadu_pd(from[6 + j]), 3);
+    };
+    const __m512d a = row(0), b = row(1);
+    to[0] = _mm512_unpacklo_pd(a, b);
+    to[1] = _mm512_unpackhi_pd(a, b);
+}
+
 /// See interleaved() in pack.h.
 STRAHL_INLINE void interleave(float* to, __m512 x, __m512 y, __m512 z) {
     const __m512 none = _mm512_setzero_ps();

@@ -2,6 +2,8 @@
 #pragma once
 #include "trace/area_light.h"
 #include "trace/form_functions.h"
+#include "trace/light_buffer.h"
+#include "trace/light_buffer_calls.h"
 #include "trace/traverse.h"
 
 namespace strahl::inline STRAHL_LEVEL {
@@ -149,7 +151,7 @@ STRAHL_INLINE Nearest<S> nearest(const World<Element<S>>& world, const Ray<S>& r
 /// What the hierarchy takes from the light.
 template <class S>
 STRAHL_INLINE void occlude_in_hierarchy(const World<Element<S>>& world, const Ray<S>& ray, const S& distance,
-                                        Transmission<S>& light) {
+                                        Mask<S> active, Transmission<S>& light) {
     using T = Element<S>;
     const TraversalRay<S> line = traversal_ray(ray);
     const auto look = [&](const Leaf& leaf, Mask<S> mask) {
@@ -172,7 +174,7 @@ STRAHL_INLINE void occlude_in_hierarchy(const World<Element<S>>& world, const Ra
         if (world.transparent)
             for (int c = 0; c < 3; ++c) light.share[c] = with_lane(light.share[c], k, one.share[c]);
     };
-    traverse<false>(world.nodes, line, light.limit > S(0), light.limit, look, single);
+    traverse<false>(world.nodes, line, active, light.limit, look, single);
 }
 
 /// Rays that a body, by its bin, can be in the way of.
@@ -197,7 +199,13 @@ template <class S>
         if (none(mask)) return false;
         return dark = calls<S>(items.form).occlude(world, items.first, items.count, ray, distance, mask, light);
     });
-    if (world.nodes && !dark) occlude_in_hierarchy(world, ray, distance, light);
+    if (!world.nodes || dark) return;
+    Mask<S> left = light.limit > S(0);
+    if (world.light_buffers && world.light_buffers[start.light].faces) {
+        left = LightBufferCalls<S>::occlude(world, start.light, ray, distance, light);
+        if (none(left)) return;
+    }
+    occlude_in_hierarchy(world, ray, distance, left, light);
 }
 
 /// What rays that seem to start in an opaque body lose to the items of the hot loops, looked at more closely.

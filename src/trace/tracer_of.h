@@ -9,6 +9,7 @@
 #include "trace/batches.h"
 #include "trace/bound.h"
 #include "trace/cell_picture.h"
+#include "trace/light_buffer.h"
 #include "trace/moving_hierarchy.h"
 #include "trace/stage.h"
 #include "trace/thread_pool.h"
@@ -63,6 +64,7 @@ class TracerOf : public AnyTracer {
         if (moved) extent = extent_of(scene());
         const Placement wanted = placement(extent, view.camera.position);
         if (built && wanted == placed && !moved) return;
+        light_buffers.reset(), pixels = 0;
         built.reset();
         built = std::make_unique<BuiltWorld<T>>(scene(), wanted, pool, stage.moves() ? &moving : nullptr);
         placed = wanted;
@@ -119,6 +121,10 @@ class TracerOf : public AnyTracer {
         const Eye<T> eye = eye_of<T>(view, placed);
         World<T> world = built->world();
         world.eye = eye.position;
+        pixels += std::int64_t(tiles) * lattice_tile * lattice_tile;
+        if (!light_buffers && LightBuffers<T>::pay(world, pixels))
+            light_buffers = std::make_unique<LightBuffers<T>>(world, pool);
+        if (light_buffers) world.light_buffers = light_buffers->buffers();
         const Limits<T> limits{.depth = view.depth,
                                .error = static_cast<T>(view.error),
                                .brightest = brightest.data(),
@@ -156,6 +162,8 @@ class TracerOf : public AnyTracer {
     Kernel<T> kernel;
     Placement placed;
     std::unique_ptr<BuiltWorld<T>> built;
+    std::unique_ptr<LightBuffers<T>> light_buffers;  // once they pay
+    std::int64_t pixels = 0;                         // traced in this world
     std::vector<std::unique_ptr<Workspace<T>>> workspaces;
 };
 

@@ -9,6 +9,8 @@
 namespace strahl {
 
 struct Node;
+template <class T>
+struct LightBuffer;
 enum class ImageMap : std::int32_t;
 
 /// Shares and weights above 1, of glass brighter than white or of total reflection, grow no further than this, or in
@@ -230,6 +232,7 @@ struct World {
     const ColorStopKernel<T>* stops = nullptr;
     const LightKernel<T>* lights = nullptr;
     int light_count = 0;
+    const LightBuffer<T>* light_buffers = nullptr;  // by light; null if there are none
     Vec3<T> background{0};
     const PatternKernel<T>* sky = nullptr;  // the pattern of the background, by direction; null if it has none
     const T* iors = nullptr;               // by surface; only in nested worlds

@@ -10,8 +10,12 @@
 #include <vector>
 
 #include "tests/referee/random_scene.h"
+#include "tests/unit/levels.h"
 #include "tests/unit/sanitized.h"
 #include "tests/unit/scenes.h"
+#include "trace/build.h"
+#include "trace/light_buffer.h"
+#include "trace/thread_pool.h"
 #include "trace/tracer.h"
 
 using namespace strahl;
@@ -134,4 +138,91 @@ TEST_CASE("a body is isolated if no other body reaches into it") {
     CHECK_FALSE(isolated({ball({0, 0, 1}, 1), floor}, 0, 1e-6));    // standing on the floor
     CHECK_FALSE(isolated({ball({0, 0, .5}, 1), floor}, 0, 1e-6));   // cut by it
     CHECK(isolated({glass, ball({1.5, 1.5, 2}, 1)}, 0, 1e-6));      // boxes overlap, balls do not
+}
+
+namespace {
+
+/// A floor under clusters of balls and cylinders, small and large, many of which touch or overlap.
+Scene large_world(int seed, bool scattered) {
+    std::mt19937 engine(seed);
+    const auto dice = [&](double low, double high) { return low + (high - low) * engine() * 0x1p-32; };
+    const auto place = [&](double size) { return DVec3(dice(-size, size), dice(-size, size), dice(-size, size)); };
+    Scene scene;
+    scene.camera.fov = 30, scene.camera.position = {1, -7, 3}, scene.camera.look_at = {0, 0, 0};
+    scene.materials = {{.rgb = Color(.9, .6, .3), .reflection = .3}, {.rgb = Color(.4, .6, .8), .reflection = 0}};
+    scene.primitives.push_back({Plane{{0, 0, -2}, {1, 0, -2}, {0, 1, -2}}, 1, {}});
+    for (int i = 0; i < 260; ++i) {
+        const DVec3 centre = place(scattered ? 2 : i % 4 * .7);
+        const double radius = std::exp(dice(-5, i % 40 ? -1.5 : -.3));
+        if (i % 3 == 2) {
+            scene.primitives.push_back({Cylinder{centre, centre + place(.3), radius / 2}, i % 2, {}});
+            continue;
+        }
+        scene.primitives.push_back({Sphere{centre, radius}, i % 2, {}});
+        if (i % 6 == 1)  // that touches
+            scene.primitives.push_back({Sphere{centre + DVec3(0, 1.5 * radius, 0), radius / 2}, 0, {}});
+    }
+    // Before all bodies, among them, nearly touching one, far away; grazing the floor; parallel; in a cone.
+    const DVec3 ball = std::get<Sphere>(scene.primitives[1].shape).centre;
+    const double size = std::get<Sphere>(scene.primitives[1].shape).radius;
+    const DVec3 places[] = {{4, -5, 6}, place(1), ball + DVec3(0, 0, 1.0001 * size), {-300, 40, 200}, {9, 3, -1.99},
+                            {-3, 2, 4}, {0, 0, 0}, {0, 0, 0}};
+    for (const DVec3& position : places) {
+        Light& light = scene.lights.emplace_back();
+        light.position = position, light.color = Color(.3);
+    }
+    scene.lights[5].spot.emplace();
+    scene.lights[6].direction = DVec3(1, 2, -3), scene.lights[7].direction = DVec3(0, 1, -.001);
+    return scene;
+}
+
+/// The same picture in stripes, each by a tracer of its own that has no use for light buffers.
+std::vector<double> in_stripes(const Scene& scene, const View& view, Precision precision, Simd simd) {
+    const Lattice whole{.columns = view.width, .rows = view.height};
+    std::vector<double> values(3 * std::size_t(view.width) * view.height);
+    ThreadPool pool(1);
+    constexpr int stripe = 16;
+    for (int row = 0; row < view.height; row += stripe) {
+        Tracer tracer(scene, precision, simd);
+        tracer.trace(view, {.y = row, .columns = view.width, .rows = std::min(stripe, view.height - row)}, pool,
+                     [&](const Tile& tile) { place(tile, whole, values); });
+    }
+    return values;
+}
+
+}  // namespace
+
+TEST_CASE("light buffers do not change a bit") {
+    const int scenes = sanitized() ? 1 : 4;
+    for (int seed = 0; seed < scenes; ++seed) {
+        const Scene scene = large_world(seed, seed % 2);
+        const View view{.camera = scene.camera, .width = 96, .height = 80, .depth = 4};
+        for (const Simd simd : all_levels())
+            for (const Precision precision : {Precision::float32, Precision::float64}) {
+                CAPTURE(seed);
+                CAPTURE(name(simd));
+                CAPTURE(name(precision));
+                CHECK(render(scene, view, precision, 2, simd).rgb == in_stripes(scene, view, precision, simd));
+            }
+    }
+}
+
+TEST_CASE("light buffers are bounded, and the same for any number of threads") {
+    Scene scene = large_world(1, true);
+    const auto made = [](const Scene& from, int threads) {
+        ThreadPool pool(threads);
+        const BuiltWorld<float> built(from, {}, pool);
+        const LightBuffers<float> buffers(built.world(), pool);
+        int lights = 0;
+        for (int i = 0; i < built.world().light_count; ++i) lights += buffers.buffers()[i].faces != nullptr;
+        return std::pair(lights, buffers.candidates());
+    };
+    const auto [lights, candidates] = made(scene, 1);
+    CHECK(lights >= 6);
+    CHECK(candidates <= LightBuffers<float>::most_per_item * std::int64_t(lights * scene.primitives.size()));
+    CHECK(made(scene, 3) == std::pair(lights, candidates));
+    // Where all bodies reach into all cells there is none.
+    for (Primitive& primitive : scene.primitives)
+        if (Sphere* const ball = std::get_if<Sphere>(&primitive.shape)) ball->radius = 3;
+    CHECK(made(scene, 1).second == 0);
 }

@@ -1,0 +1,104 @@
+// Shadow rays by light buffers. Each lane goes through the candidates of a cell of its own; a step tests one of each
+// lane, side by side.
+#pragma once
+#include <algorithm>
+
+#include "trace/form_functions.h"
+#include "trace/light_buffer.h"
+#include "trace/light_buffer_calls.h"
+
+namespace strahl::inline STRAHL_LEVEL {
+
+template <class S>
+struct BufferWalk {
+    using T = Element<S>;
+    const World<T>& world;
+    const Ray<S>& ray;
+    const S& distance;
+
+    /// The cells of points relative to a light; 0 where no body is in the way.
+    STRAHL_INLINE static S cells_of(const LightBuffer<T>& buffer, bool parallel, const Vec3<S>& points, Mask<S> left) {
+        S cells(0);
+        for (int i = 0; i < buffer.face_count && any(left); ++i) {
+            const BufferFace<T>& face = buffer.faces[i];
+            S u = dot(splat<S>(face.right), points), v = dot(splat<S>(face.up), points);
+            Mask<S> own = left;
+            if (!parallel) {
+                const S z = dot(splat<S>(face.axis), points), inverse = S(1) / z;
+                u = u * inverse, v = v * inverse;
+                own = own & (z > S(0)) & (abs(u) <= S(face.limit)) & (abs(v) <= S(face.limit));
+            }
+            left = left & !own;
+            const S column = floor((u - S(face.low_u)) * S(face.per_u));
+            const S row = floor((v - S(face.low_v)) * S(face.per_v));
+            own = own & (column >= S(0)) & (column < S(face.columns)) & (row >= S(0)) & (row < S(face.rows));
+            cells = select(own, fma(row, S(face.columns), column) + S(face.first), cells);
+        }
+        return cells;
+    }
+
+    /// Of these lanes those whose items, all opaque, are in the way; tested one after the other.
+    [[gnu::noinline]] Mask<S> darkened_one_by_one(Mask<S> lanes, int form, const int* items) const {
+        T dark[width<S>] = {};
+        for (unsigned left = bits(lanes); left; left &= left - 1) {
+            const int k = std::countr_zero(left);
+            const auto pick = [k](const Vec3<S>& v) {
+                return Vec3<S>(S(lane(v.x, k)), S(lane(v.y, k)), S(lane(v.z, k)));
+            };
+            SingleRay<S> one{.ray = {pick(ray.origin), pick(ray.direction), S(lane(ray.source, k))},
+                             .t = lane(distance, k)};
+            dark[k] = calls<S>(form).occlude_single(world, items[k], 1, one);
+        }
+        return load_lanes<S>(dark) > S(0);
+    }
+    /// The same, side by side. Rays that seem to start in a body are looked at more closely.
+    STRAHL_INLINE Mask<S> darkened(Mask<S> lanes, int form, const int* items) const {
+        Mask<S> dark = first_lanes<S>(0);
+        const auto side_by_side = [&](const auto& group) __attribute__((always_inline)) {
+            using Group = std::remove_cvref_t<decltype(group)>;
+            using Item = typename Group::template ItemOf<S>;
+            if constexpr (Group::Form::Kind::bounded) {
+                const auto span = crossings_of(gather_items<Item, S>(group.items, items), ray);
+                const auto crossed_by = crossed(span, span.hit & lanes, distance);
+                dark = crossed_by[0];
+                const Mask<S> exits = crossed_by[1] & !dark;
+                if (any(exits)) [[unlikely]]
+                    dark = dark | darkened_one_by_one(exits, form, items);
+            }
+        };
+        if (!if_hot(world, form, side_by_side)) dark = darkened_one_by_one(lanes, form, items);
+        return dark;
+    }
+};
+
+template <class S>
+Mask<S> LightBufferCalls<S>::occlude(const World<T>& world, int number, const Ray<S>& ray, const S& distance,
+                                     Transmission<S>& light) {
+    const LightBuffer<T>& buffer = world.light_buffers[number];
+    const LightKernel<T>& from = world.lights[number];
+    const bool parallel = from.finite == 0;
+    const Mask<S> active = light.limit > S(0);
+    const Mask<S> near = active & (dot(ray.origin, ray.origin) < S(buffer.furthest * buffer.furthest));
+    const Vec3<S> position = splat<S>(from.position);
+    const S depth = parallel ? -dot(position, ray.origin) : distance;
+    const BufferWalk<S> walk{world, ray, distance};
+    S at = walk.cells_of(buffer, parallel, parallel ? ray.origin : ray.origin - position, near);
+    Mask<S> left = near & (at > S(0)), dark = first_lanes<S>(0);
+    while (any(left)) {
+        int places[width<S>], items[width<S>];
+        store_whole(places, at);
+        const auto candidate = gather_items<Candidate<S>, S>(buffer.candidates, places);
+        left = left & (candidate.near < depth);
+        if (none(left)) break;
+        const S form(lane(candidate.form, first(left)));
+        const Mask<S> now = left & (candidate.form == form);
+        store_whole(items, select(now, candidate.item, S(0)));
+        const Mask<S> found = walk.darkened(now, static_cast<int>(lane(form, 0)), items);
+        dark = dark | found, left = left & !found;
+        at = select(now, candidate.next, at);
+    }
+    light.limit = select(dark, S(-1), light.limit);
+    return active & !near;
+}
+
+}  // namespace strahl::inline STRAHL_LEVEL
