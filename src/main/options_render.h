@@ -9,8 +9,9 @@ namespace strahl {
 inline void add_render(CLI::App& app, Action& action) {
     auto [command, o] = add_command(app, action, "render", "Render a scene to a picture file", render_command);
     add_scene(command, o->scene);
-    add_file(command, "-o,--output", o->output, "The picture: .bmp, .png or .exr; or a film, for which ffmpeg is needed: .mp4, .mkv or .webm; - is standard "
-             "output");
+    add_file(command, "-o,--output", o->output,
+             "The picture: .bmp, .png or .exr; or a film, for which ffmpeg is needed: .mp4, .mkv or .webm; - is "
+             "standard output");
     add_parsed(command, "--size", o->size, parse_size, "Size of the picture in pixels, 640x480 by default", "WxH");
     add_parsed(command, "--crop", o->crop, parse_crop, "Only this part of it; X and Y count from its top left corner",
                "X,Y,W,H");

@@ -280,7 +280,7 @@ void Parser::check(const Kind& shape, const Primitive& primitive, Block& block, 
 }  // namespace
 
 Scene parse_scene(std::string_view text, std::string_view file, const TextLimits& limits,
-                  const ReadPixels& read_pixels) {
+                  const ReadPixels& read_pixels, FileNames* names) {
     if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
     Diagnostics diagnostics(text, file);
     if (const std::size_t i = find_invalid(text); i != text.npos) {
@@ -289,7 +289,9 @@ Scene parse_scene(std::string_view text, std::string_view file, const TextLimits
         diagnostics.check();
     }
     SceneFiles files(file, read_pixels);
-    return Parser(text, diagnostics, files, limits).parse();
+    Scene scene = Parser(text, diagnostics, files, limits).parse();
+    if (names) *names = files.names;
+    return scene;
 }
 
 }  // namespace strahl

@@ -6,23 +6,23 @@
 
 namespace strahl {
 
-SceneFiles::SceneFiles(std::string_view scene, ReadPixels read_pixels)
-    : folder(std::filesystem::path(scene).parent_path().string()), read_pixels(std::move(read_pixels)) {}
-
-std::string SceneFiles::path_of(std::string_view name) const {
-    const std::filesystem::path path(name);
-    return (path.is_absolute() ? path : std::filesystem::path(folder) / path).string();
+std::string path_beside(const std::string& scene, const std::string& name) {
+    // An absolute one replaces the folder.
+    return (std::filesystem::path(scene).parent_path() / name).string();
 }
 
+SceneFiles::SceneFiles(std::string_view scene, ReadPixels read_pixels)
+    : scene(scene), read_pixels(std::move(read_pixels)) {}
+
 std::shared_ptr<const MeshData> SceneFiles::mesh(std::string_view name) {
-    const std::string path = path_of(name);
+    const std::string path = path_beside(scene, *names.meshes.emplace(name).first);
     std::shared_ptr<const MeshData>& data = meshes[path];
     if (!data) data = std::make_shared<const MeshData>(read_mesh(path));
     return data;
 }
 
 std::shared_ptr<const Pixels> SceneFiles::pixels(std::string_view name) {
-    const std::string path = path_of(name);
+    const std::string path = path_beside(scene, *names.pictures.emplace(name).first);
     if (!read_pixels) throw FileError("cannot read '" + path + "': no pictures are read here");
     std::shared_ptr<const Pixels>& data = pictures[path];
     if (!data) data = std::make_shared<const Pixels>(read_pixels(path));

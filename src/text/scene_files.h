@@ -17,10 +17,10 @@ class SceneFiles {
     std::shared_ptr<const MeshData> mesh(std::string_view name);
     std::shared_ptr<const Pixels> pixels(std::string_view name);
 
-  private:
-    std::string path_of(std::string_view name) const;
+    FileNames names;  // of all that was read
 
-    const std::string folder;
+  private:
+    const std::string scene;
     const ReadPixels read_pixels;
     std::map<std::string, std::shared_ptr<const MeshData>> meshes;  // by their paths
     std::map<std::string, std::shared_ptr<const Pixels>> pictures;

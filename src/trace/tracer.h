@@ -31,6 +31,8 @@ const char* name(Simd simd);            // "scalar", "x86-64-v2", ...
 Simd best_simd();
 /// Can this processor run it?
 bool supported(Simd simd);
+/// Does this program have a kernel that any processor of this kind can run, and not only the scalar one?
+bool for_other_processors();
 /// Lanes of a pack (1 for scalar and for extended precision).
 int lanes(Precision precision, Simd simd);
 
