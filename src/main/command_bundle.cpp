@@ -23,9 +23,9 @@
 
 #include "image/netpbm.h"
 #include "image/pixels.h"
-#include "licence.h"
 #include "main/exit_status.h"
 #include "main/interrupt.h"
+#include "main/licence.h"
 #include "main/values.h"
 #include "text/file.h"
 #include "text/parse.h"
