@@ -12,6 +12,7 @@
 #include "main/renderer.h"
 #include "text/file.h"
 #include "text/parse.h"
+#include "text/tracks_file.h"
 #include "text/utf8.h"
 
 namespace strahl {
@@ -50,7 +51,7 @@ bool render_frames(const RenderOptions& options, const Lattice& part, Renderer& 
     });
 }
 
-/// A scene, and a hash of its text and its pictures.
+/// A scene, and a hash of its text, its pictures and its tracks.
 std::pair<Scene, std::string> read_scene(const std::string& path) {
     const std::hash<std::string_view> hash_of;
     std::size_t hash = 0;
@@ -63,6 +64,7 @@ std::pair<Scene, std::string> read_scene(const std::string& path) {
     };
     const std::string text = read_text(path);
     Scene scene = parse_scene(text, path == "-" ? "standard input" : path, {}, read);
+    if (!scene.tracks.empty()) hash = 31 * hash + hash_of(write_tracks(scene.tracks));
     return {std::move(scene), std::to_string(31 * hash + hash_of(text))};
 }
 

@@ -3,11 +3,14 @@
 #include <filesystem>
 
 #include "mesh/read_mesh.h"
+#include "text/tracks_file.h"
 
 namespace strahl {
 
-SceneFiles::SceneFiles(std::string_view scene, ReadPixels read_pixels)
-    : folder(std::filesystem::path(scene).parent_path().string()), read_pixels(std::move(read_pixels)) {}
+SceneFiles::SceneFiles(std::string_view own_scene, ReadPixels read_pixels)
+    : scene(own_scene),
+      folder(std::filesystem::path(scene).parent_path().string()),
+      read_pixels(std::move(read_pixels)) {}
 
 std::string SceneFiles::path_of(std::string_view name) const {
     const std::filesystem::path path(name);
@@ -27,6 +30,14 @@ std::shared_ptr<const Pixels> SceneFiles::pixels(std::string_view name) {
     std::shared_ptr<const Pixels>& data = pictures[path];
     if (!data) data = std::make_shared<const Pixels>(read_pixels(path));
     return data;
+}
+
+std::vector<Track> SceneFiles::tracks() const {
+    const std::string path = tracks_path(scene);
+    std::error_code error;
+    if (scene.empty() || !std::filesystem::exists(path, error)) return {};
+    constexpr std::size_t limit = std::size_t(1) << 26;
+    return parse_tracks(read_text(path, limit), path);
 }
 
 }  // namespace strahl
