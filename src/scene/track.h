@@ -1,5 +1,6 @@
 // Tracks: numbers that change with the rows of the music, as GNU Rocket has them, and the numbers that follow them.
 #pragma once
+#include <cmath>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -33,7 +34,11 @@ void delete_key(Track& track, int row);
 struct Music {
     double bpm = 120;  // beats in a minute
     double rows = 8;   // in a beat
-    double row_at(double seconds) const { return seconds * (bpm * rows / 60); }
+    /// A whole number where it is one but for rounding.
+    double row_at(double seconds) const {
+        const double row = seconds * (bpm * rows / 60), whole = std::round(row);
+        return std::fabs(row - whole) < 1e-6 ? whole : row;
+    }
     double time_of(double row) const { return row * 60 / (bpm * rows); }
     bool operator==(const Music&) const = default;
 };

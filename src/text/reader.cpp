@@ -5,11 +5,19 @@
 
 namespace strahl {
 
+namespace {
+constexpr std::array<std::string_view, 1> track_word{"track"};
+}
+
 /// Reads `track "NAME"`, if that comes, and the value that holds while the track has no keys: 0 if none is given.
 bool Reader::follow(double& value, const Bounds& bounds, std::string_view name, Block& block) {
     if (lexer.peek() != 't') return false;
     const std::string_view word = lexer.word();
-    if (word != "track") return lexer.rewind(word), false;
+    if (word != track_word[0]) {
+        if (lexer.peek() != '"') return lexer.rewind(word), false;
+        diagnostics.add(word, unknown_word(word, track_word, " before a name in quotes"));
+        throw ParseAbort{};
+    }
     const auto fault = [&](const std::string& message) { diagnostics.add(word, message), block.bad = true; };
     const std::string_view track = lexer.quotation("the name of a track");
     const std::string what = quoted(name) + " of " + quoted(block.name);

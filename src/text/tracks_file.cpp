@@ -62,9 +62,11 @@ class TracksReader {
         reader.read(row, row_numbers, "row", block);
         reader.read(value, coordinates, "value", block);
         const std::string_view way = lexer.word();
-        if (way.empty()) lexer.fail("'step', 'linear', 'smooth' or 'ramp' expected, the way to the next key");
         const auto known = std::ranges::find(ways, way);
-        if (known == ways.end()) diagnostics.add(way, unknown_word(way, ways, " after a key"));
+        if (way.empty())
+            diagnostics.add(at, "this key lacks 'step', 'linear', 'smooth' or 'ramp', the way to the next one");
+        else if (known == ways.end())
+            diagnostics.add(way, unknown_word(way, ways, " after a key"));
         if (known == ways.end() || !block.good()) return;
         if (!own.keys.empty() && !(row > own.keys.back().row))
             diagnostics.add(at, "rows must rise: the key before is in row " + std::to_string(own.keys.back().row));
