@@ -29,6 +29,7 @@
 #include "main/values.h"
 #include "text/file.h"
 #include "text/parse.h"
+#include "text/tracks_file.h"
 #include "text/utf8.h"
 #include "trace/tracer.h"
 
@@ -188,7 +189,7 @@ std::string renamed_in(const std::string& text, const std::map<std::string, std:
 std::string collect_scene(const std::string& path, Collection& bundle) {
     const std::string text = read_text(path);
     FileNames names;
-    parse_scene(text, path, {}, read_pixels, &names);
+    const Scene scene = parse_scene(text, path, {}, read_pixels, &names);
     std::map<std::string, std::string> renamed;
     for (const std::string& name : names.pictures) renamed[name] = plain_picture(path_beside(path, name), bundle);
     for (const std::string& name : names.meshes) {
@@ -197,6 +198,7 @@ std::string collect_scene(const std::string& path, Collection& bundle) {
     }
     const std::string name = "scene/" + fs::path(path).filename().string();
     bundle.write(name, renamed_in(text, renamed));
+    if (!scene.tracks.empty()) bundle.copy(tracks_path(path), tracks_path(name));
     return name;
 }
 

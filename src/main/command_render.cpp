@@ -14,6 +14,7 @@
 #include "main/renderer.h"
 #include "text/file.h"
 #include "text/parse.h"
+#include "text/tracks_file.h"
 #include "text/utf8.h"
 
 namespace strahl {
@@ -81,7 +82,7 @@ FrameList frames_of(const Flythrough& flight, double fps) {
     return {{{0, static_cast<int>(count) - 1, 1}}};
 }
 
-/// A scene, and a hash of its text and its pictures.
+/// A scene, and a hash of its text, its pictures and its tracks.
 std::pair<Scene, std::string> read_scene(const std::string& path) {
     const std::hash<std::string_view> hash_of;
     std::size_t hash = 0;
@@ -94,6 +95,7 @@ std::pair<Scene, std::string> read_scene(const std::string& path) {
     };
     const std::string text = read_text(path);
     Scene scene = parse_scene(text, path == "-" ? "standard input" : path, {}, read);
+    if (!scene.tracks.empty()) hash = 31 * hash + hash_of(write_tracks(scene.tracks));
     return {std::move(scene), std::to_string(31 * hash + hash_of(text))};
 }
 

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "scene/scene.h"
 #include "show/camera_control.h"
@@ -71,11 +72,15 @@ class Session {
     double time = 0;  // of moving bodies, in seconds: as `camera` that of the last moment followed
     bool orbiting = false;
     bool once = false;          // a path that loops ends after one round, too
+    bool driven = false;        // by an editor of tracks: flights go on after their end
+    std::shared_ptr<const std::vector<Track>> tracks;  // if any, in place of the scene's
     double speed = 1;           // units of the scene per second
     int finest = finest_level;  // while moving
     int depth() const { return own_depth.value_or(scene->settings.max_trace_level); }
 
   private:
+    /// Is the camera where a flight has it?
+    bool bound() const { return path && (!path->keys.empty() || !scene->camera_follows.empty()); }
     Answer play(double now);
     Answer pause(double now);
     Answer step_to(double seconds, double now);

@@ -49,7 +49,7 @@ std::shared_ptr<const Scene> scene_to_show(const Loaded& loaded) {
 }  // namespace
 
 Viewer::Viewer(const ViewOptions& o, const Loaded& first, std::string text, Clock::time_point began,
-               const std::atomic<bool>* signal)
+               const std::atomic<bool>* signal, std::unique_ptr<Rocket> editor)
     : options(o),
       start(began),
       interrupted(signal),
@@ -60,8 +60,11 @@ Viewer::Viewer(const ViewOptions& o, const Loaded& first, std::string text, Cloc
       tracing(o.threads, glfwPostEmptyEvent),
       stills(o.threads, glfwPostEmptyEvent),
       stability(o.threads, glfwPostEmptyEvent),
-      reload(path, std::move(text), glfwPostEmptyEvent) {
+      reload(path, std::move(text), glfwPostEmptyEvent),
+      rocket(std::move(editor)) {
     connect();
+    session.driven = rocket != nullptr;
+    if (rocket) rocket->listen(glfwPostEmptyEvent);
     quiet = options.play;
     waiting = !first.scene;
     if (!waiting) start_scene();
@@ -163,10 +166,11 @@ void Viewer::order() {
                     .height = frame.area.height,
                     .depth = session.depth(),
                     .error = half_step({8, session.scene->settings.linear}),
-                    .time = session.time};
+                    .time = session.time,
+                    .tracks = session.tracks};
     const View& last = wanted.view;
     const bool same = wanted.scene == session.scene && last.camera == view.camera && last.width == view.width &&
-                      last.height == view.height && last.depth == view.depth && last.time == view.time;
+                      last.height == view.height && last.depth == view.depth && last.time == view.time && last.tracks == view.tracks;
     if (same && wanted.moving == moving) return;
     if (!same && marked) toggle_stability();
     // Where drawing limits the rate there is more time to trace.
@@ -201,7 +205,7 @@ void Viewer::draw() {
     draw_seconds += 0.2 * (now() - moment - draw_seconds);
     if (moving && state.number != before)
         motion.picture({now(), state.level, count(pixels_of(state.level, state.width, state.height))});
-    if (options.play && state.number > 0 && !std::exchange(started, true)) session.perform({Action::pause}, now());
+    if (options.play && !rocket && state.number > 0 && !std::exchange(started, true)) session.perform({Action::pause}, now());
     apply(input);
     if (options.verbose && update && before == 0) {
         char text[80];
@@ -261,6 +265,7 @@ int Viewer::run() {
         handle_stills();
         handle_stability();
         handle_written();
+        handle_rocket();
         handle_interrupt();
     }
     if (session.editor.changed() && session.editor.path().keys.size() >= 2 && !options.play) {

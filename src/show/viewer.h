@@ -10,6 +10,7 @@
 #include "show/controls.h"
 #include "show/overlay.h"
 #include "show/reload.h"
+#include "show/rocket.h"
 #include "show/screen.h"
 #include "show/session.h"
 #include "show/stability_check.h"
@@ -27,8 +28,9 @@ class Viewer {
   public:
     using Clock = std::chrono::steady_clock;
     /// `first` is the scene and `text` its text; `began` is when the user started the program.
+    /// `rocket` is the connection to an editor of tracks, if there is one.
     Viewer(const ViewOptions& options, const Loaded& first, std::string text, Clock::time_point began,
-           const std::atomic<bool>* interrupted);
+           const std::atomic<bool>* interrupted, std::unique_ptr<Rocket> rocket);
     ~Viewer();
     /// Runs until the user quits or the program is interrupted. Returns the exit status.
     int run();
@@ -54,6 +56,13 @@ class Viewer {
     void handle_stills();
     void handle_stability();
     void handle_written();
+
+    // The editor of tracks, see viewer_rocket.cpp
+    void start_driven();
+    void ask_tracks();
+    void take_tracks();
+    void handle_rocket();
+
     void toggle_stability();
 
     // The loop. All times are seconds since `start`.
@@ -90,6 +99,7 @@ class Viewer {
     Stills stills;
     StabilityCheck stability;
     Reload reload;
+    std::unique_ptr<Rocket> rocket;
 
     bool quitting = false, closed = false, failed = false, signalled = false;
     bool help = false, with_info = false, quiet = false, fill = false;

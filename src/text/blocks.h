@@ -36,8 +36,8 @@ inline constexpr auto composite_words = joined(shape_words, body_words);
 /// The words that open a block of the top level.
 inline constexpr auto block_words =
     joined(joined(std::array<std::string_view, 2>{"camera", "light"}, body_words),
-           std::array<std::string_view, 6>{"defaultmaterial", "background", "fog", "global_settings", "flythrough",
-                                           "define"});
+           std::array<std::string_view, 7>{"defaultmaterial", "background", "fog", "global_settings", "flythrough",
+                                           "define", "music"});
 
 /// What `camera` and `key` have in common, with both ways to say which way is up and how wide the view is.
 struct EyeText {
@@ -111,6 +111,11 @@ inline std::array<Parameter, 2> fog_parameters(Fog& fog) {
              {"color", &fog.color, not_negative, "the colour of the fog", required}}};
 }
 
+inline std::array<Parameter, 2> music_parameters(Music& music) {
+    return {{{"bpm", &music.bpm, positive, "beats in a minute"},
+             {"rows", &music.rows, row_counts, "how many rows of the tracks a beat has"}}};
+}
+
 /// The numbers of `global_settings` before they are checked.
 struct SettingsText {
     Color ambient_light = Settings{}.ambient_light;
@@ -148,6 +153,7 @@ void each_block(const Visit& visit) {
     Fog fog;
     SettingsText settings;
     Material material;
+    Music music;
     visit("material", material_parameters(material));
     visit("light", light_parameters(light));
     visit("spot", spot_parameters(spot));
@@ -158,6 +164,7 @@ void each_block(const Visit& visit) {
     visit("flythrough", flythrough_parameters(path));
     visit("key", key_parameters(time, eye));
     visit("motion", motion_parameters(moment));
+    visit("music", music_parameters(music));
 }
 
 }  // namespace strahl

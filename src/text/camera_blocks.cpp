@@ -10,7 +10,7 @@ namespace strahl {
 
 void CameraBlocks::camera(std::string_view word) {
     reader.once(camera_at, word);
-    Block block{word};
+    Block block{word, false, false, &follows};
     EyeText eye;
     std::optional<double> aspectratio;
     auto parameters = camera_parameters(eye, aspectratio);
@@ -21,6 +21,12 @@ void CameraBlocks::camera(std::string_view word) {
     const char* const fault = degenerate(the_camera);
     if (fault) reader.diagnostics.add(word, std::string("this camera sees nothing: ") + fault);
     camera_good = !fault;
+    for (Follow& follow : follows) {
+        if (follow.parameter == "sky") follow.parameter = "up", follow.factor = -1;
+        if (follow.parameter == "angle")
+            follow.parameter = "fov", follow.factor = .5, follow.low /= 2, follow.high /= 2;
+    }
+    sort(follows);
 }
 
 void CameraBlocks::key(std::string_view word, Flythrough& read_path, std::vector<KeyPlace>& places, Block& outer) {

@@ -6,7 +6,9 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "scene/track.h"
 #include "text/lexer.h"
 #include "text/parameter.h"
 #include "text/scene_files.h"
@@ -18,6 +20,8 @@ namespace strahl {
 struct Block {
     std::string_view name;
     bool lost = false, bad = false;
+    std::vector<Follow>* follows = nullptr;  // where numbers that follow tracks are noted; null if none may
+    int component = 0;                       // of the vector that is being read
     bool good() const { return !lost && !bad; }
     /// Takes over the state of a block inside this one.
     void absorb(const Block& inner) { lost |= inner.lost, bad |= inner.bad; }
@@ -89,8 +93,10 @@ class Reader {
     Diagnostics& diagnostics;
     const std::span<const std::string_view> blocks;  // words that open a top-level block
     SceneFiles& files;
+    bool any_track = false;  // Does some number follow one?
 
   private:
+    bool follow(double& value, const Bounds& bounds, std::string_view name, Block& block);
     void open(const Block& block);
     bool closed(Block& block, std::span<const std::string_view> words, std::string_view& word);
     void unknown(Block& block, std::span<const std::string_view> words, std::string_view word);

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "mesh/read_mesh.h"
+#include "text/tracks_file.h"
 
 namespace strahl {
 
@@ -27,6 +28,14 @@ std::shared_ptr<const Pixels> SceneFiles::pixels(std::string_view name) {
     std::shared_ptr<const Pixels>& data = pictures[path];
     if (!data) data = std::make_shared<const Pixels>(read_pixels(path));
     return data;
+}
+
+std::vector<Track> SceneFiles::tracks() const {
+    const std::string path = tracks_path(scene);
+    std::error_code error;
+    if (scene.empty() || !std::filesystem::exists(path, error)) return {};
+    constexpr std::size_t limit = std::size_t(1) << 26;
+    return parse_tracks(read_text(path, limit), path);
 }
 
 }  // namespace strahl

@@ -4,8 +4,10 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "scene/mesh_data.h"
+#include "scene/track.h"
 #include "text/parse.h"
 
 namespace strahl {
@@ -16,6 +18,8 @@ class SceneFiles {
     SceneFiles(std::string_view scene, ReadPixels read_pixels);
     std::shared_ptr<const MeshData> mesh(std::string_view name);
     std::shared_ptr<const Pixels> pixels(std::string_view name);
+    /// Those saved beside the scene; none if there is no such file.
+    std::vector<Track> tracks() const;
 
     FileNames names;  // of all that was read
 

@@ -14,12 +14,21 @@ Settings read_settings(Reader& reader, std::string_view word) {
 }
 
 Fog read_fog(Reader& reader, std::string_view word) {
-    Block block{word};
     Fog fog;
+    Block block{word, false, false, &fog.follows};
     auto parameters = fog_parameters(fog);
     reader.block(block, parameters);
     reader.require(block, parameters);
+    sort(fog.follows);
     return fog;
+}
+
+Music read_music(Reader& reader, std::string_view word) {
+    Block block{word};
+    Music music;
+    auto parameters = music_parameters(music);
+    reader.block(block, parameters);
+    return music;
 }
 
 }  // namespace strahl
