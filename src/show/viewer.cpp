@@ -207,6 +207,11 @@ void Viewer::draw() {
         motion.picture({now(), state.level, count(pixels_of(state.level, state.width, state.height))});
     if (options.play && !rocket && state.number > 0 && !std::exchange(started, true)) session.perform({Action::pause}, now());
     apply(input);
+    if (change_heard && update && state.number == wanted.number) {
+        if (options.verbose)
+            log_line("the editor's change is on the screen after " + seconds_text(now() - *change_heard));
+        change_heard.reset();
+    }
     if (options.verbose && update && before == 0) {
         char text[80];
         std::snprintf(text, sizeof text, "first picture after %.3f s, %s", now(), resolution_text(state.level).c_str());

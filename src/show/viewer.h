@@ -4,6 +4,7 @@
 #include <chrono>
 #include <deque>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "show/command_view.h"
@@ -133,6 +134,7 @@ class Viewer {
     double last_draw = -1, draw_seconds = 0;
     bool moving = false;
     MotionLog motion;
+    std::optional<double> change_heard;  // when an editor changed what is not on the screen yet
 };
 
 }  // namespace strahl

@@ -29,7 +29,7 @@ void Viewer::handle_rocket() {
     if (!rocket) return;
     const RocketNews news = rocket->take();
     const Music& music = session.scene->music;
-    if (news.keys) take_tracks();
+    if (news.keys) take_tracks(), change_heard = now();
     if (news.row) {
         const bool running = session.under_way();
         session.go_to(music.time_of(*news.row), now());
