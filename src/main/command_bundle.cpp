@@ -192,6 +192,7 @@ std::string collect_scene(const std::string& path, Collection& bundle) {
     const Scene scene = parse_scene(text, path, {}, read_pixels, &names);
     std::map<std::string, std::string> renamed;
     for (const std::string& name : names.pictures) renamed[name] = plain_picture(path_beside(path, name), bundle);
+    names.meshes.merge(names.sounds);
     for (const std::string& name : names.meshes) {
         renamed[name] = bundle.name_for(name, nullptr);
         bundle.copy(path_beside(path, name), "scene/" + renamed[name]);

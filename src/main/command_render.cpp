@@ -53,12 +53,22 @@ bool render_frames(const RenderOptions& options, const Lattice& part, Renderer& 
     });
 }
 
+/// Of a film whose frames follow each other.
+std::optional<FilmSound> sound_of(const RenderOptions& options, const Scene& scene) {
+    if (scene.music.sound.empty()) return std::nullopt;
+    const FrameList& frames = *options.frames;
+    if (frames.ranges.size() == 1 && (frames.ranges[0].step == 1 || frames.first() == frames.last()))
+        return FilmSound{path_beside(options.scene, scene.music.sound), frames.first() / options.fps};
+    std::cerr << "strahl: frames that do not follow each other make a film without sound\n";
+    return std::nullopt;
+}
+
 /// Frames one after the other, to standard output or a film; of these `stats` counts the finished ones.
 bool render_stream(const RenderOptions& options, const Lattice& part, Renderer& renderer, const std::string& ending,
                    const std::string& ffmpeg, const Stats& stats) {
     OutputFile standard_output("-");
     std::optional<Film> film;
-    if (is_film(options.output)) film.emplace(ffmpeg, options.output);
+    if (is_film(options.output)) film.emplace(ffmpeg, options.output, sound_of(options, renderer.scene()));
     const bool whole = render_frames(options, part, renderer, ending, [&](std::string_view bytes) {
         film ? film->append(bytes) : standard_output.append(bytes);
     });

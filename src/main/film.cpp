@@ -20,6 +20,7 @@
 
 #include "image/picture.h"
 #include "main/values.h"
+#include "num/decimal.h"
 
 extern char** environ;
 
@@ -34,12 +35,20 @@ std::string format_of(const std::string& path) {
 
 /// Colours are declared as what the stream has, BT.709, and every player can show 4:2:0. CRF 18 makes files twice as
 /// large as ffmpeg's default, 43 dB instead of 41.5 from the stream (scenes/flythrough.rt, 640x360, H.264).
-std::vector<std::string> command_of(const std::string& ffmpeg, const std::string& format, const std::string& file) {
+std::vector<std::string> command_of(const std::string& ffmpeg, const std::string& format, const std::string& file,
+                                    const std::optional<FilmSound>& sound) {
     std::vector<std::string> words{ffmpeg};
-    std::istringstream options(
-        "-nostdin -y -v error -f yuv4mpegpipe -i pipe:0 -crf 18 "
-        "-vf setparams=range=tv:colorspace=bt709:color_primaries=bt709:color_trc=bt709,format=yuv420p -f");
-    for (std::string word; options >> word;) words.push_back(word);
+    const auto add = [&](const std::string& options) {
+        std::istringstream rest(options);
+        for (std::string word; rest >> word;) words.push_back(word);
+    };
+    add("-nostdin -y -v error -f yuv4mpegpipe -i pipe:0");
+    if (sound) {
+        add("-ss " + text_of(sound->from) + " -i");
+        words.push_back("file:" + sound->file);
+        add("-map 0:v -map 1:a -af apad -shortest");
+    }
+    add("-crf 18 -vf setparams=range=tv:colorspace=bt709:color_primaries=bt709:color_trc=bt709,format=yuv420p -f");
     words.push_back(format);
     words.push_back("file:" + file);
     return words;
@@ -61,9 +70,9 @@ std::string find_ffmpeg(const std::string& film) {
                     "-o film-%04d.png --frames LIST makes pictures");
 }
 
-Film::Film(const std::string& ffmpeg, const std::string& own_path)
+Film::Film(const std::string& ffmpeg, const std::string& own_path, const std::optional<FilmSound>& sound)
     : path(own_path), file(path, OutputFile::Writer::other_program) {
-    start(ffmpeg);
+    start(ffmpeg, sound);
 }
 
 Film::~Film() {
@@ -72,13 +81,13 @@ Film::~Film() {
     if (messages >= 0) ::close(messages);
 }
 
-void Film::start(const std::string& ffmpeg) {
+void Film::start(const std::string& ffmpeg, const std::optional<FilmSound>& sound) {
     int pair[2];
     messages = ::memfd_create("ffmpeg", MFD_CLOEXEC);
     if (messages < 0 || ::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, pair) != 0)
         throw OutputError("cannot start ffmpeg: " + std::generic_category().message(errno));
     stream = pair[0];
-    std::vector<std::string> words = command_of(ffmpeg, format_of(path), file.name());
+    std::vector<std::string> words = command_of(ffmpeg, format_of(path), file.name(), sound);
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);

@@ -1,5 +1,6 @@
 // Films: frames go to ffmpeg, which encodes them.
 #pragma once
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -15,12 +16,18 @@ bool is_film(const std::string& path);
 /// The program `ffmpeg` in PATH. Throws FileError if there is none.
 std::string find_ffmpeg(const std::string& film);
 
+/// What is heard: a file, from a moment in seconds on.
+struct FilmSound {
+    std::string file;
+    double from = 0;
+};
+
 /// The file is written as any other: an older one stays until finish(). ffmpeg has a session of its own, so that Ctrl-C
 /// in a terminal does not reach it. If this program is killed it finishes what it was sent, in the temporary file.
 class Film {
   public:
-    /// Starts ffmpeg for a stream of Y4M.
-    Film(const std::string& ffmpeg, const std::string& path);
+    /// Starts ffmpeg for a stream of Y4M. A sound is cut where the frames end, or goes on as silence until there.
+    Film(const std::string& ffmpeg, const std::string& path, const std::optional<FilmSound>& sound);
     ~Film();
     Film(const Film&) = delete;
 
@@ -32,7 +39,7 @@ class Film {
     std::string finish_part();
 
   private:
-    void start(const std::string& ffmpeg);
+    void start(const std::string& ffmpeg, const std::optional<FilmSound>& sound);
     void wait();
     [[noreturn]] void fail();
     std::string keep();

@@ -34,6 +34,7 @@ void delete_key(Track& track, int row);
 struct Music {
     double bpm = 120;  // beats in a minute
     double rows = 8;   // in a beat
+    std::string sound;  // an Ogg Vorbis file, as the scene names it, heard from the start of the flight; or empty
     /// A whole number where it is one but for rounding.
     double row_at(double seconds) const {
         const double row = seconds * (bpm * rows / 60), whole = std::round(row);

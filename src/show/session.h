@@ -59,6 +59,10 @@ class Session {
     bool flying() const { return path.has_value(); }
     bool paused() const { return flying() && !clock.running(); }
     bool under_way() const { return flying() && clock.running(); }
+    /// Is it a flight of the scene's, and as fast as that says?
+    bool at_own_speed() const { return path && !around && clock.rate() == 1; }
+    /// Moves the flight on by so many seconds.
+    void shift(double seconds, double now) { clock.set(clock.at(now) + seconds, now); }
     /// The moment of the flight, or where the last one ended, in seconds.
     double flight_time(double now) const;
     const std::optional<Flythrough>& flight_path() const { return path; }

@@ -67,7 +67,7 @@ Viewer::Viewer(const ViewOptions& o, const Loaded& first, std::string text, Cloc
     if (rocket) rocket->listen(glfwPostEmptyEvent);
     quiet = options.play;
     waiting = !first.scene;
-    if (!waiting) start_scene();
+    if (!waiting) load_sound(), start_scene();
     fault = first.fault, fault_until = forever;
     if (waiting) log_line("waiting until the scene has no error\n" + fault);
 }
@@ -145,7 +145,7 @@ void Viewer::move() {
     if (in_motion()) return;
     moving = false;
     told = 0;
-    if (options.verbose) log_line("rest after " + motion.report(moment));
+    if (options.verbose) log_line("rest after " + motion.report(moment) + sound_report());
 }
 
 void Viewer::flight_ended(const Answer& answer) {
@@ -176,6 +176,7 @@ void Viewer::order() {
     // Where drawing limits the rate there is more time to trace.
     const double interval = std::clamp(draw_seconds, 1 / options.fps, 2 / options.fps);
     wanted = {wanted.number + (same ? 0 : 1), session.scene, view, moving, 0.8 * interval, session.finest};
+    ordered[wanted.number % ordered.size()] = session.time;
     tracing.want(wanted);
 }
 
@@ -203,9 +204,12 @@ void Viewer::draw() {
     if (draws_due > 0) --draws_due;
     motion.drawn(now() - moment);
     draw_seconds += 0.2 * (now() - moment - draw_seconds);
+    if (moving && state.number != before) picture_shown(ordered[state.number % ordered.size()]);
     if (moving && state.number != before)
         motion.picture({now(), state.level, count(pixels_of(state.level, state.width, state.height))});
-    if (options.play && !rocket && state.number > 0 && !std::exchange(started, true)) session.perform({Action::pause}, now());
+    if (options.play && !rocket && state.number > 0 && !(sound && sound->loading()) &&
+        !std::exchange(started, true))
+        session.perform({Action::pause}, now());
     apply(input);
     if (change_heard && update && state.number == wanted.number) {
         if (options.verbose)
@@ -260,6 +264,7 @@ void Viewer::report_benchmark() const {
 
 int Viewer::run() {
     while (!closed) {
+        follow_sound();
         move();
         order();
         draw();

@@ -5,7 +5,9 @@
 #include <deque>
 #include <memory>
 #include <optional>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "show/command_view.h"
 #include "show/controls.h"
@@ -14,6 +16,7 @@
 #include "show/rocket.h"
 #include "show/screen.h"
 #include "show/session.h"
+#include "show/sound.h"
 #include "show/stability_check.h"
 #include "show/stills.h"
 #include "show/timeline.h"
@@ -64,6 +67,12 @@ class Viewer {
     void take_tracks();
     void handle_rocket();
 
+    // Sound, see viewer_sound.cpp
+    void load_sound();
+    void follow_sound();
+    void picture_shown(double seconds);
+    std::string sound_report();
+
     void toggle_stability();
 
     // The loop. All times are seconds since `start`.
@@ -101,6 +110,7 @@ class Viewer {
     StabilityCheck stability;
     Reload reload;
     std::unique_ptr<Rocket> rocket;
+    std::unique_ptr<Sound> sound;
 
     bool quitting = false, closed = false, failed = false, signalled = false;
     bool help = false, with_info = false, quiet = false, fill = false;
@@ -125,6 +135,16 @@ class Viewer {
     bool pointer_hidden = false;
     std::array<bool, 15> buttons{};  // of the gamepad, which are down
     double still_told = 0;
+
+    std::string sound_file;
+    bool sound_told = false;  // why there is none
+    struct SoundClock {
+        double now, flight;  // when sound and picture were compared the last time
+    };
+    std::optional<SoundClock> sound_clock;  // while they run together
+    double picture_delay = 0;               // from the order of a picture until it is on the screen, in seconds
+    std::array<double, 16> ordered{};       // moments of the flight of the last pictures, by number
+    std::vector<double> sound_log;          // how far each picture was before the sound
 
     Order wanted;
     Refinement state;

@@ -66,6 +66,7 @@ void Viewer::handle_reload() {
     const bool first = std::exchange(waiting, false);
     session.replace(loaded->scene, loaded->opened || first);
     ask_tracks();
+    load_sound();
     if (first || (options.play && loaded->opened)) start_scene();
     if (session.paused()) session.follow(now());
     if (loaded->opened) glfwSetWindowTitle(screen.window(), window_title(path = loaded->path).c_str());

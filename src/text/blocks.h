@@ -116,6 +116,9 @@ inline std::array<Parameter, 2> music_parameters(Music& music) {
              {"rows", &music.rows, row_counts, "how many rows of the tracks a beat has"}}};
 }
 
+/// What may stand in `music` besides that.
+inline constexpr std::array<std::string_view, 1> music_words{"sound"};
+
 /// The numbers of `global_settings` before they are checked.
 struct SettingsText {
     Color ambient_light = Settings{}.ambient_light;

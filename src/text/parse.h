@@ -23,7 +23,7 @@ using ReadPixels = std::function<Pixels(const std::string& path)>;
 
 /// The files that a text names, as it names them; they are relative to the scene's folder.
 struct FileNames {
-    std::set<std::string> meshes, pictures;
+    std::set<std::string> meshes, pictures, sounds;
 };
 std::string path_beside(const std::string& scene, const std::string& name);
 

@@ -1,6 +1,7 @@
 #include "text/scene_files.h"
 
 #include <filesystem>
+#include <fstream>
 
 #include "mesh/read_mesh.h"
 #include "text/tracks_file.h"
@@ -28,6 +29,18 @@ std::shared_ptr<const Pixels> SceneFiles::pixels(std::string_view name) {
     std::shared_ptr<const Pixels>& data = pictures[path];
     if (!data) data = std::make_shared<const Pixels>(read_pixels(path));
     return data;
+}
+
+void SceneFiles::sound(std::string_view name) {
+    const std::string path = path_beside(scene, *names.sounds.emplace(name).first);
+    const auto fail = [&](const char* why) { throw FileError("cannot read '" + path + "': " + why); };
+    std::error_code error;
+    if (!std::filesystem::exists(path, error)) fail("there is no such file");
+    if (!std::filesystem::is_regular_file(path, error)) fail("it is no regular file");
+    // The first page of Ogg, and in it the first header of Vorbis (xiph.org/vorbis/doc/Vorbis_I_spec.html, 4.2.1).
+    std::string head(35, '\0');
+    std::ifstream(path, std::ios::binary).read(head.data(), static_cast<std::streamsize>(head.size()));
+    if (!head.starts_with("OggS") || head.substr(28) != "\1vorbis") fail("it is no Ogg Vorbis file");
 }
 
 std::vector<Track> SceneFiles::tracks() const {

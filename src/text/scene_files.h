@@ -18,6 +18,8 @@ class SceneFiles {
     SceneFiles(std::string_view scene, ReadPixels read_pixels);
     std::shared_ptr<const MeshData> mesh(std::string_view name);
     std::shared_ptr<const Pixels> pixels(std::string_view name);
+    /// Only looks whether it is an Ogg Vorbis file.
+    void sound(std::string_view name);
     /// Those saved beside the scene; none if there is no such file.
     std::vector<Track> tracks() const;
 

@@ -27,7 +27,21 @@ Music read_music(Reader& reader, std::string_view word) {
     Block block{word};
     Music music;
     auto parameters = music_parameters(music);
-    reader.block(block, parameters);
+    std::string_view sound_at;
+    reader.block(
+        block, parameters, music_words, [] {},
+        [&](std::string_view inner) {
+            if (inner != music_words[0]) return false;
+            const std::string_view name = reader.lexer.quotation("the name of a file");
+            if (!reader.once(sound_at, inner)) return true;
+            music.sound = name;
+            try {
+                reader.files.sound(name);
+            } catch (const FileError& error) {
+                reader.diagnostics.add(name, error.what());
+            }
+            return true;
+        });
     return music;
 }
 

@@ -209,7 +209,8 @@ std::string write_flythrough(const Flythrough& path) {
 std::string write_scene(const Scene& scene) {
     std::string text = write_camera(scene.camera, scene.camera_follows) + settings_text(scene.settings);
     if (scene.music != Music{})
-        text += "music { bpm " + text_of(scene.music.bpm) + "  rows " + text_of(scene.music.rows) + " }\n";
+        text += "music { bpm " + text_of(scene.music.bpm) + "  rows " + text_of(scene.music.rows) +
+                (scene.music.sound.empty() ? "" : "  sound \"" + scene.music.sound + "\"") + " }\n";
     if (scene.background.pattern)
         text += "background { color " + text_of(scene.background) + " }\n";
     else if (scene.background != Pigment(Color(0)) || !scene.background_follows.empty())

@@ -35,6 +35,19 @@ expect 0 "" render scene.rt -o ./-film.mp4 --size 64x48 --crop 2,4,6,8 --frames 
     fault "the crop is not in the film"
 rm film.* ./-film.mp4 arguments
 
+# The scene's sound, from the first frame on.
+mkdir 'a folder'
+cp "$source_folder/tests/window/clicks.ogg" 'a folder/clicks: 1.ogg'
+echo 'music { sound "clicks: 1.ogg" }' | cat scene.rt - >'a folder/loud.rt'
+expect 0 "" render 'a folder/loud.rt' -o loud.mp4 --frames 3-5 "${options[@]}"
+tr '\n' ' ' <arguments >sound
+grep -qF -- "-i pipe:0 -ss 1.5 -i file:a folder/clicks: 1.ogg -map 0:v -map 1:a -af apad -shortest" sound ||
+    fault "ffmpeg's arguments: $(<sound)"
+expect 0 "without sound" render 'a folder/loud.rt' -o loud.mp4 --frames 5,1-3 "${options[@]}"
+expect_same loud.mp4 some
+! grep -q clicks arguments || fault "frames that do not follow each other have sound"
+rm -r sound loud.mp4 arguments 'a folder'
+
 # ffmpeg fails at once, and on its way: what it said is told, and an older film stays.
 echo "an older film" >film.mp4
 echo yes >no_codec
@@ -121,6 +134,14 @@ if command -v ffmpeg >/dev/null; then
         expect 0 "" render scene.rt -o still.png --size 96x72 --time 3
         error=$(compare -metric RMSE frame-10.png still.png null: 2>&1 | sed 's/.*(\(.*\))/\1/')
         awk -v e="$error" 'BEGIN { exit !(e < .02) }' || fault "real.$ending differs by $error from its frames"
+        # The tones of this file begin every half second; the film ends with its frames, after 3 s.
+        cp "$source_folder/tests/window/clicks.ogg" .
+        echo 'music { sound "clicks.ogg" }' | cat scene.rt - >loud.rt
+        expect 0 "" render loud.rt -o "loud.$ending" --size 32x24 --fps 8 --frames 2-25
+        ffmpeg -v error -i "loud.$ending" -ac 1 -ar 44100 -f s16le - 2>/dev/null | od -An -v -td2 -w2 |
+            awk '$1 > 2000 || $1 < -2000 { if (NR - last > 8000) print NR / 44100; last = NR }' >tones
+        awk -v n=0 '{ d = $1 - (.25 + n++ / 2); if (d < -.005 || d > .005) exit 1 } END { exit n != 6 }' tones ||
+            fault "the tones of loud.$ending begin at $(tr '\n' ' ' <tones)"
     done
 fi
 finish
