@@ -56,7 +56,8 @@ bool of_the_desktop(const std::string& library) {
     return std::ranges::any_of(names, [&](std::string_view name) { return library.starts_with(name); });
 }
 
-/// The shared libraries of this program that go with it.
+/// The shared libraries of this program that go with it. To be asked for before pictures are read, which loads some that
+/// a bundle does without.
 std::vector<fs::path> libraries() {
     std::vector<fs::path> all;
     const auto add = [](dl_phdr_info* info, std::size_t, void* list) {
@@ -203,9 +204,9 @@ std::string collect_scene(const std::string& path, Collection& bundle) {
     return name;
 }
 
-void collect_program(Collection& bundle) {
+void collect_program(const std::vector<fs::path>& libraries, Collection& bundle) {
     bundle.copy("/proc/self/exe", "bin/strahl");
-    for (const fs::path& library : libraries()) bundle.copy(library, "lib" / library.filename());
+    for (const fs::path& library : libraries) bundle.copy(library, "lib" / library.filename());
 }
 
 std::string start_script(const std::string& scene) {
@@ -214,11 +215,11 @@ std::string start_script(const std::string& scene) {
            "    exec \"$here/bin/strahl\" play \"$here\"/" + quoted(scene) + " \"$@\"\n";
 }
 
-std::string read_me(const BundleOptions& options) {
+std::string read_me(const BundleOptions& options, const std::vector<fs::path>& libraries) {
     utsname system{};
     ::uname(&system);
-    std::string libraries_here;
-    for (const fs::path& library : libraries()) libraries_here += "\n    " + library.filename().string();
+    std::string names;
+    for (const fs::path& library : libraries) names += "\n    " + library.filename().string();
     return fs::path(options.scene).stem().string() + "\n\n"
            "    ./play                    in full screen; Esc ends it, Space pauses\n"
            "    ./play --loop             again and again\n"
@@ -227,7 +228,7 @@ std::string read_me(const BundleOptions& options) {
            std::to_string(__GLIBC_MINOR__) + " or later, and a desktop with OpenGL 3.2.\n\n"
            "It is played by Strahl " + options.version + ", a ray tracer:\n\n" + licence + "\n"
            "These libraries are copies of the system's that it was made on, under their own licences:" +
-           libraries_here + "\n";
+           names + "\n";
 }
 
 double size_of(const fs::path& folder) {
@@ -245,6 +246,7 @@ int bundle_command(const BundleOptions& options) try {
     if (!target.has_filename()) target = target.parent_path();
     if (target.empty()) throw UsageError("no output folder. Add -o FOLDER");
     require_own(target);
+    const std::vector<fs::path> own_libraries = libraries();
     const Interrupt interrupt;
     NewFolder folder(target);
     Collection bundle(folder.path(), interrupt);
@@ -252,10 +254,10 @@ int bundle_command(const BundleOptions& options) try {
     // What cannot be read again would only be noticed elsewhere.
     const std::string copy = folder.path() / scene;
     parse_scene(read_text(copy), copy, {}, read_pixels);
-    collect_program(bundle);
+    collect_program(own_libraries, bundle);
     bundle.write("play", start_script(scene));
     fs::permissions(folder.path() / "play", fs::perms(0111), fs::perm_options::add);
-    bundle.write("README.txt", read_me(options));
+    bundle.write("README.txt", read_me(options, own_libraries));
     const double size = size_of(folder.path());
     folder.finish();
     std::cout << printable(target.string()) << ": " << bytes_in_words(size) << "; " << printable(target.string())

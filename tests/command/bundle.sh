@@ -54,6 +54,7 @@ ln -s "$bundled/play" link
 for play in "$bundled/play" ./link; do
     [[ $("$play" --frobnicate 2>&1) == *"strahl play --help"* ]] || fault "$play does not start strahl play"
 done
+[[ -z $(find "$bundled/lib" -name 'libOpenImageIO*') ]] || fault "the library that reads pictures is in the bundle"
 for library in $(ldd "$strahl_here" | awk '/=> \// { print $1 }'); do
     case $library in
     lib[cm].* | libstdc++.* | libgcc_s.* | libz.* | libdl.* | libpthread.* | librt.* | libX* | libxcb* | libGL* | libbsd.* | libmd.*) ;;
