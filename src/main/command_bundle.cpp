@@ -47,17 +47,18 @@ std::string quoted(const std::string& text) {
     return all + "'";
 }
 
-/// Every desktop has these, and its drivers need its own: the C and C++ libraries, zlib, X, OpenGL and Wayland.
+/// Every desktop has these, and its drivers need its own: the C and C++ libraries, zlib, X, OpenGL, Wayland and
+/// ALSA.
 bool of_the_desktop(const std::string& library) {
-    constexpr std::array<std::string_view, 22> names{
+    constexpr std::array<std::string_view, 23> names{
         "linux-vdso.", "ld-linux", "libc.",   "libm.",   "libdl.", "libpthread.", "librt.",     "libstdc++.",
         "libgcc_s.",   "libz.",    "libX",    "libxcb",  "libxkb", "libGL",       "libEGL.",    "libOpenGL.",
-        "libgbm.",     "libdrm",   "libbsd.", "libmd.",  "libffi.", "libwayland-"};
+        "libgbm.",     "libdrm",   "libbsd.", "libmd.",  "libffi.", "libwayland-", "libasound."};
     return std::ranges::any_of(names, [&](std::string_view name) { return library.starts_with(name); });
 }
 
-/// The shared libraries of this program that go with it. To be asked for before pictures are read, which loads some that
-/// a bundle does without.
+/// The shared libraries of this program that go with it. To be asked for before pictures are read, which loads some
+/// that a bundle does without.
 std::vector<fs::path> libraries() {
     std::vector<fs::path> all;
     const auto add = [](dl_phdr_info* info, std::size_t, void* list) {

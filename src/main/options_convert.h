@@ -1,4 +1,5 @@
-// The options of the commands that make other things of scenes than pictures. Only main.cpp may include this, as options.h.
+// The options of the commands that make other things of scenes than pictures. Only main.cpp may include this, as
+// options.h.
 #pragma once
 #include "main/command_bundle.h"
 #include "main/command_import.h"

@@ -34,7 +34,8 @@ bool is_picture(const RenderOptions& options, const std::string& path) {
 void check_film(const RenderOptions& options) {
     if (options.resume || options.share)
         throw UsageError("--resume and --part need a file for each frame, of which ffmpeg makes a film later: -o '" +
-                         std::filesystem::path(options.output).replace_extension().string() + "-%04d.png' --frames LIST");
+                         std::filesystem::path(options.output).replace_extension().string() +
+                         "-%04d.png' --frames LIST");
     if (options.time) throw UsageError("a film shows many moments, and --time is one");
     if (options.bits != 0 && options.bits != 8) throw UsageError("a film has 8 bits per channel");
     const Lattice part = options.crop.value_or(Lattice{0, 0, options.size.width, options.size.height});

@@ -62,8 +62,8 @@ std::string Viewer::sound_report() {
     std::ranges::sort(ahead);
     const auto at = [&](double share) { return 1000 * ahead[std::size_t(share * double(ahead.size() - 1))]; };
     char text[120];
-    std::snprintf(text, sizeof text, "; %zu with sound, before it by %.1f ms in the middle, %.1f to %.1f ms", ahead.size(),
-                  at(.5), at(.025), at(.975));
+    std::snprintf(text, sizeof text, "; %zu with sound, before it by %.1f ms in the middle, %.1f to %.1f ms",
+                  ahead.size(), at(.5), at(.025), at(.975));
     return text;
 }
 

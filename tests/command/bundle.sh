@@ -5,6 +5,7 @@ source "$(dirname "$0")/expect.sh"
 
 # A mesh beside the scene and one elsewhere of the same name, and pictures of every sort.
 mkdir demo other
+cp "$source_folder/tests/window/clicks.ogg" other
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\nf 1 3 4\nf 2 3 4\n' | tee demo/body.obj >other/body.obj
 expect 0 "" render scene.rt -o demo/colours.png --size 8x6
 expect 0 "" render scene.rt -o other/deep.png --bits 16 --size 8x6
@@ -15,6 +16,7 @@ cat scene.rt - >"demo/a scene's.rt" <<SCENE
 mesh { file "body.obj"  translate <2, 2, 0> }
 mesh { file "$work/other/body.obj"  translate <-2, 2, 0> }
 mesh { file "./body.obj"  translate <-2, 3, 0> }
+music { sound "../other/clicks.ogg" }
 sphere { <0, 4, 1>, 1  material { rgb image { "colours.png" } } }
 sphere { <2, 4, 1>, 1  material { rgb image { "../other/deep.png" } } }
 sphere { <4, 4, 1>, 1  material { rgb image { "floats.exr" }  bump image { "grey.png"  height .1 } } }
@@ -31,6 +33,7 @@ cat >wanted <<'LIST'
 ./scene/files/body-2.obj
 ./scene/files/body-3.obj
 ./scene/files/body.obj
+./scene/files/clicks.ogg
 ./scene/files/colours.ppm
 ./scene/files/deep.ppm
 ./scene/files/floats.pfm
@@ -57,7 +60,7 @@ done
 [[ -z $(find "$bundled/lib" -name 'libOpenImageIO*') ]] || fault "the library that reads pictures is in the bundle"
 for library in $(ldd "$strahl_here" | awk '/=> \// { print $1 }'); do
     case $library in
-    lib[cm].* | libstdc++.* | libgcc_s.* | libz.* | libdl.* | libpthread.* | librt.* | libX* | libxcb* | libGL* | libbsd.* | libmd.*) ;;
+    lib[cm].* | libstdc++.* | libgcc_s.* | libz.* | libdl.* | libpthread.* | librt.* | libX* | libxcb* | libGL* | libbsd.* | libmd.* | libasound.*) ;;
     *) expect_file "$bundled/lib/$library" ;;
     esac
 done

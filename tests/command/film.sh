@@ -140,7 +140,7 @@ if command -v ffmpeg >/dev/null; then
         expect 0 "" render loud.rt -o "loud.$ending" --size 32x24 --fps 8 --frames 2-25
         ffmpeg -v error -i "loud.$ending" -ac 1 -ar 44100 -f s16le - 2>/dev/null | od -An -v -td2 -w2 |
             awk '$1 > 2000 || $1 < -2000 { if (NR - last > 8000) print NR / 44100; last = NR }' >tones
-        awk -v n=0 '{ d = $1 - (.25 + n++ / 2); if (d < -.005 || d > .005) exit 1 } END { exit n != 6 }' tones ||
+        awk -v n=0 '{ d = $1 - (.25 + .5 * n++); if (d < -.005 || d > .005) n = 99 } END { exit n != 6 }' tones ||
             fault "the tones of loud.$ending begin at $(tr '\n' ' ' <tones)"
     done
 fi

@@ -48,6 +48,7 @@ Samples decoded(const std::string& path, const std::stop_token& stop) {
         samples.bytes.insert(samples.bytes.end(), block.data(), block.data() + got);
         if (samples.bytes.size() > most) return {{}, 0, 0, "'" + path + "' is longer than a gigabyte of samples"};
     }
+    if (samples.bytes.empty()) samples.fault = "'" + path + "' holds no sound";
     return samples;
 }
 
