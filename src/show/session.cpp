@@ -34,7 +34,7 @@ void Session::replace(std::shared_ptr<const Scene> newer, bool opened) {
     scene = std::move(newer);
     motion_end = motion_end_of(*scene);
     if (opened)
-        path.reset(), recorded.reset(), editor = PathEditor(scene->flythrough), cameras = {}, clock = {}, time = 0;
+        tracks.reset(), path.reset(), recorded.reset(), editor = PathEditor(scene->flythrough), cameras = {}, clock = {}, time = 0;
     else
         editor.reload(scene->flythrough);
     if (path && !around) path = flight();
@@ -45,7 +45,11 @@ std::optional<Flythrough> Session::flight() const {
     const bool keys = editor.path().keys.size() >= 2;
     if (!keys && !motion_end) return std::nullopt;
     Flythrough all = keys ? editor.path() : Flythrough{};
-    if (!all.loop) all.duration = std::max(all.duration, motion_end.value_or(0));
+    if (all.loop) return all;
+    all.duration = std::max(all.duration, motion_end.value_or(0));
+    for (const Track& track : tracks ? *tracks : std::vector<Track>{})
+        if (!track.keys.empty())
+            all.duration = std::max(all.duration, scene->music.time_of(track.keys.back().row));
     return all;
 }
 

@@ -104,7 +104,8 @@ double Viewer::next_draw() const {
     const double frame = 1 / options.fps;
     double at = forever;
     if (draws_due > 0 || tracing.has_update())
-        at = last_draw + (moving || draws_due > 0 || tracing.finished() ? 0.9 * frame : rest_interval);
+        at = last_draw +
+             (moving || change_heard || draws_due > 0 || tracing.finished() ? 0.9 * frame : rest_interval);
     for (const Note& n : notes) at = std::min(at, n.until);
     if (!fault.empty()) at = std::min(at, fault_until);
     if (stills.pending() > 0) at = std::min(at, last_draw + 0.25);

@@ -1,4 +1,5 @@
 // What an editor of tracks has the window do.
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -29,14 +30,15 @@ void Viewer::handle_rocket() {
     if (!rocket) return;
     const RocketNews news = rocket->take();
     const Music& music = session.scene->music;
-    if (news.keys) take_tracks(), change_heard = now();
+    const double time_before = session.time;
+    if (news.keys) take_tracks();
     if (news.row) {
         const bool running = session.under_way();
         session.go_to(music.time_of(*news.row), now());
         if (running) session.perform({Action::pause}, now());
     }
     if (news.paused && *news.paused == session.under_way()) session.perform({Action::pause}, now());
-    if (news.keys || news.row || news.paused) draws_due = 2;
+    if (news.keys || session.time != time_before) change_heard = now();
     if (news.save) reload.write(*session.tracks);
     if (!news.lost.empty()) {
         announce("the Rocket editor is gone: " + news.lost);

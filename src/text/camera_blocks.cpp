@@ -35,14 +35,15 @@ void CameraBlocks::key(std::string_view word, Flythrough& read_path, std::vector
         reader.diagnostics.check();
     }
     Block block{word};
-    double time = 0;
+    TimeText when;
     EyeText eye;
-    auto parameters = key_parameters(time, eye);
+    auto parameters = key_parameters(when, eye);
     reader.block(block, parameters);
     reader.require(block, parameters);
+    reader.set_time(when.time, when.beat, parameters[1].at, block);
     outer.absorb(block);
-    read_path.keys.push_back({time, eye.position, eye.look_at, eye.half_angle(), eye.down()});
-    places.push_back({word, parameters[0].at});
+    read_path.keys.push_back({when.time, eye.position, eye.look_at, eye.half_angle(), eye.down()});
+    places.push_back({word, parameters[when.beat ? 1 : 0].at});
 }
 
 void CameraBlocks::flythrough(std::string_view word) {

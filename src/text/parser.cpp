@@ -127,7 +127,7 @@ void Parser::top_block(std::string_view word) {
     if (word == "flythrough") return cameras.flythrough(word);
     if (word == "fog") return reader.once(fog_at, word), void(scene.fog = read_fog(reader, word));
     if (word == "global_settings") return reader.once(settings_at, word), void(scene.settings = read_settings(reader, word));
-    if (word == "music") return reader.once(music_at, word), void(scene.music = read_music(reader, word));
+    if (word == "music") return reader.once(music_at, word), void(reader.music = scene.music = read_music(reader, word));
     diagnostics.add(word, unknown_word(word, definitions.with_bodies(block_words), ""));
     throw ParseAbort{};
 }

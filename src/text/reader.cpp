@@ -109,6 +109,15 @@ void Reader::read(Parameter& parameter, std::string_view word, Block& block) {
     std::visit(visitor, parameter.value);
 }
 
+void Reader::set_time(double& time, const std::optional<double>& beat, std::string_view at, Block& block) {
+    if (!beat || !block.good()) return;
+    if (music) time = *beat * 60 / music->bpm;
+    if (music && seconds.contains(time)) return;
+    diagnostics.add(at, music ? "this beat is after more than 1e15 seconds"
+                              : "how long a beat is must be said above: 'music { bpm 120 }'");
+    block.bad = true;
+}
+
 void Reader::require(Block& block, std::span<const Parameter> parameters, std::initializer_list<Need> needs) {
     std::string lacking;
     const auto lack = [&](const std::string& what) { lacking += (lacking.empty() ? "" : ", ") + what; };

@@ -82,6 +82,8 @@ class Reader {
     };
     /// Reports missing parameters, and pairs of which only one may be given.
     void require(Block& block, std::span<const Parameter> parameters, std::initializer_list<Need> needs = {});
+    /// The seconds of a `beat` that stands at `at`, where one is given. It is an error if there is no music yet.
+    void set_time(double& time, const std::optional<double>& beat, std::string_view at, Block& block);
     /// Reports a word that is given a second time. `first` is the place of the first time, and is set then.
     bool once(std::string_view& first, std::string_view word) {
         if (!first.data()) return first = word, true;
@@ -93,7 +95,8 @@ class Reader {
     Diagnostics& diagnostics;
     const std::span<const std::string_view> blocks;  // words that open a top-level block
     SceneFiles& files;
-    bool any_track = false;  // Does some number follow one?
+    bool any_track = false;       // Does some number follow one?
+    std::optional<Music> music;  // as soon as it is read
 
   private:
     bool follow(double& value, const Bounds& bounds, std::string_view name, Block& block);

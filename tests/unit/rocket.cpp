@@ -157,6 +157,7 @@ TEST_CASE("a flight that an editor drives follows tracks, and does not end") {
     session.tracks = std::make_shared<const std::vector<Track>>(std::vector<Track>{{"zoom", {{0, 10, Interpolation::linear}, {8, 18, {}}}}});
     CHECK(session.go_to(4, 10));
     CHECK(session.camera.fov == 14);
+    CHECK(session.flight()->duration == 8);
     CHECK(session.go_to(600, 10));
     CHECK(session.time == 600);
     CHECK(session.camera.fov == 18);
@@ -169,6 +170,9 @@ TEST_CASE("a flight that an editor drives follows tracks, and does not end") {
     CHECK(session.camera.fov == 12);
     session.steer({.right = .1}, 1e6);
     CHECK(!session.flying());
+    session.tracks = std::make_shared<const std::vector<Track>>();
+    session.replace(scene, true);
+    CHECK(!session.tracks);  // those of another scene do not stay
 }
 
 TEST_CASE("tracks are saved beside the scene, and what was there before stays as a copy") {

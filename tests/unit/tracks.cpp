@@ -9,6 +9,7 @@
 #include "scene/motion.h"
 #include "tests/unit/language.h"
 #include "tests/unit/scratch.h"
+#include "text/edit_path.h"
 #include "text/tracks_file.h"
 #include "text/write.h"
 #include "trace/thread_pool.h"
@@ -186,6 +187,38 @@ TEST_CASE("mistakes in what follows tracks") {
     check_fault("sphere { <0,0,0>, 1 material { rgb checker { <1,1,1>, <track \"x\",0,0> } } }",
                 "2:56: 'second colour' of 'checker' can't follow a track; numbers of lights, materials, the camera, the "
                 "fog, of the background's colour and of the transformations of bodies can");
+}
+
+TEST_CASE("keys can stand at beats of the music") {
+    const std::string music = "music { bpm 90 }\n";
+    const auto scene = [&](const std::string& first, const std::string& second) {
+        return with_eye(music + "flythrough { duration 9 key { " + first + " position <0,-9,0> look_at <0,0,0> } key { " +
+                        second + " position <0,9,0> look_at <0,0,1> } }\nsphere { <0,0,0>, 1 motion { key { " + first +
+                        " } key { " + second + " scale 2 } } }");
+    };
+    CHECK(scene("beat 3", "beat 4.5") == scene("time 2", "time 3"));
+    const std::string keys = "} key { time 9 scale 2 } } }";
+    check_fault("sphere { <0,0,0>, 1 motion { key { beat 1 " + keys,
+                "2:36: how long a beat is must be said above: 'music { bpm 120 }'");
+    check_fault(music + "sphere { <0,0,0>, 1 motion { key { beat 1 time 2 " + keys,
+                "3:43: 'time' says again what 'beat' in line 3 says; only one of them may stand");
+    check_fault(music + "sphere { <0,0,0>, 1 motion { key { beat 15 " + keys.substr(0, 8) + "beat 3 scale 2 } } }",
+                "3:52: times must rise: the key before, in line 3, is not earlier than this one");
+    check_fault("music { bpm 1e-9 }\nsphere { <0,0,0>, 1 motion { key { beat 1e9 " + keys,
+                "3:36: this beat is after more than 1e15 seconds");
+    check_fault("sphere { <0,0,0>, 1 motion { key { " + keys, "2:30: 'key' lacks 'time' (or 'beat')");
+}
+
+TEST_CASE("a path that is edited keeps the keys that stand at beats") {
+    const std::string head = eye + "flythrough { duration 9\n", tail = "}\nsphere { <0,0,0>, 1 }\n";
+    const std::string music = "music { bpm 90 }\n", first = "  key { beat 3 position <0,-9,0> look_at <0,0,0> } // mine\n",
+                      second = "  key { beat 6 position <0,9,0> look_at <0,0,1> }\n";
+    const std::string text = music + head + first + second + tail;
+    Flythrough path = *parse(text).flythrough;
+    CHECK(path.keys[0].time == 2);
+    path.keys[1].time = 5;
+    CHECK(with_path(text, path) ==
+          music + head + first + "  key { time 5  position <0, 9, 0>  look_at <0, 0, 1> }\n" + tail);
 }
 
 TEST_CASE("the tracks of a scene are in a file beside it") {
