@@ -63,6 +63,17 @@ expect 0 "no errors" check textured.rt
 mkdir -p below && echo -e "$textured { \"../whole.png\" } } }" >below/textured.rt
 expect 0 "no errors" check below/textured.rt
 
+# Sound that is not there, no sound, or named twice; what is written back names it again.
+cp "$source_folder/tests/window/clicks.ogg" .
+broken 2:15 "cannot read 'none.ogg': there is no such file" "$camera\nmusic { sound \"none.ogg\" }"
+broken 2:15 "'noise.png': it is no Ogg Vorbis file" "$camera\nmusic { sound \"noise.png\" }"
+broken 2:15 "is no regular file" "$camera\nmusic { sound \"below\" }"
+broken 2:15 "the name of a file" "$camera\nmusic { sound 3 }"
+broken 2:9 "did you mean 'sound'" "$camera\nmusic { sond \"clicks.ogg\" }"
+broken 2:28 "a second 'sound'" "$camera\nmusic { sound \"clicks.ogg\" sound \"clicks.ogg\" }"
+echo "$camera music { sound \"clicks.ogg\"  bpm 90 }" >loud.rt
+expect 0 'music { bpm 90  rows 8  sound "clicks.ogg" }' check loud.rt --print
+
 # Up to ten errors at once.
 for ((i = 0; i < 30; ++i)); do echo "sphere { <0,0,0>, -1 }"; done >many.rt
 count=$("$strahl" check many.rt 2>&1 | grep -c 'many.rt:[0-9]*:[0-9]*: ')
