@@ -65,9 +65,9 @@ expect 0 "no errors" check below/textured.rt
 
 # Sound that is not there, no sound, or named twice; what is written back names it again.
 cp "$source_folder/tests/window/clicks.ogg" .
-broken 2:15 "cannot read 'none.ogg': there is no such file" "$camera\nmusic { sound \"none.ogg\" }"
-broken 2:15 "'noise.png': it is no Ogg Vorbis file" "$camera\nmusic { sound \"noise.png\" }"
-broken 2:15 "is no regular file" "$camera\nmusic { sound \"below\" }"
+broken 2:16 "cannot read 'none.ogg': there is no such file" "$camera\nmusic { sound \"none.ogg\" }"
+broken 2:16 "'noise.png': it is no Ogg Vorbis file" "$camera\nmusic { sound \"noise.png\" }"
+broken 2:16 "is no regular file" "$camera\nmusic { sound \"below\" }"
 broken 2:15 "the name of a file" "$camera\nmusic { sound 3 }"
 broken 2:9 "did you mean 'sound'" "$camera\nmusic { sond \"clicks.ogg\" }"
 broken 2:28 "a second 'sound'" "$camera\nmusic { sound \"clicks.ogg\" sound \"clicks.ogg\" }"
