@@ -80,7 +80,7 @@ bool check(const CrosscheckOptions& options, const std::string& path, const std:
                     .height = options.height,
                     .depth = options.depth.value_or(scene.settings.max_trace_level),
                     .time = options.time.value_or(0)};
-    const PovRun theirs = run_povray(scene,
+    const PovRun theirs = run_povray(without_tracks(scene, view.time),
                                      {.title = fs::path(path).filename().string(),
                                       .cameras = {view.camera},
                                       .time = view.time,

@@ -43,7 +43,7 @@ int pov_command(const PovOptions& options) {
     namespace fs = std::filesystem;
     check(options);
     const bool piped = options.scene == "-";
-    const Scene scene = parse_scene(read_text(options.scene), piped ? "standard input" : options.scene, {}, read_pixels);
+    Scene scene = parse_scene(read_text(options.scene), piped ? "standard input" : options.scene, {}, read_pixels);
     PovRequest request{.title = piped ? "A scene" : fs::path(options.scene).filename().string(),
                        .pov_path = options.output,
                        .picture_path = fs::path(options.output).replace_extension(".png").string(),
@@ -52,12 +52,16 @@ int pov_command(const PovOptions& options) {
                        .depth = options.depth.value_or(scene.settings.max_trace_level),
                        .bits = options.bits};
     if (options.animation) {
+        if (!followed_tracks(scene).empty())
+            throw UsageError("--animation can't follow the tracks of " + options.scene +
+                             "; --time writes what they are at a moment");
         request.cameras = frames(scene, flight_for("--animation", scene, options.scene), options.fps);
         request.fps = options.fps;
     } else {
         if (options.time) flight_for("--time", scene, options.scene);
         request.cameras = {camera_at(scene, options.time)};
         request.time = options.time.value_or(0);
+        scene = without_tracks(scene, request.time);
     }
     const PovFiles files = write_pov(scene, request);
     write(files, options.output);

@@ -13,6 +13,7 @@
 #include <thread>
 
 #include "image/memory.h"
+#include "image/netpbm.h"
 #include "image/oiio/module.h"
 #include "image/picture_writer.h"
 #include "image/recognise.h"
@@ -123,6 +124,7 @@ void write_picture(const Picture& picture, const std::string& path, FileFormat f
 
 Picture read_picture(const std::string& path, std::uint64_t most) {
     const auto [format, possible] = recognised(path);
+    if (format == std::string_view("netpbm")) return read_netpbm(path, std::min(most, possible));
     Picture picture;
     std::string reason;
     if (!library().decode({path, format, std::min(most, possible), available_memory()}, picture, reason))

@@ -43,7 +43,8 @@ void write_picture(const Picture& picture, const std::string& path, FileFormat f
 /// What a picture may cost to read, unless it is known to be larger: 2 GiB of doubles.
 inline constexpr std::uint64_t most_values_read = std::uint64_t(1) << 28;
 
-/// A .bmp, .png or .exr file, which its first bytes tell and not its ending; no colours are converted. Throws
+/// A .bmp, .png or .exr file, or one of image/netpbm.h, which its first bytes tell and not its ending; no colours are
+/// converted. Throws
 /// FileError, also if the picture has more than `most` values or more than there is memory for.
 Picture read_picture(const std::string& path, std::uint64_t most = most_values_read);
 

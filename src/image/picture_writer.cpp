@@ -118,6 +118,11 @@ void PictureWriter::save(const std::shared_ptr<BandFile>& file) {
 
 void PictureWriter::write(const std::string& path) {
     OutputFile file(path);
+    write([&](std::string_view bytes) { file.append(bytes); });
+    file.finish();
+}
+
+void PictureWriter::write(const Encoder::Append& append) {
     std::map<int, Band> black;  // by their rows
     const auto at = [&](int i) -> Band& {
         Band& band = *bands[unsigned(i)];
@@ -130,9 +135,7 @@ void PictureWriter::write(const std::string& path) {
     std::vector<std::string> notes;
     for (int i = 0; i < count(); ++i) notes.push_back(at(i).in ? at(i).in->note(i) : at(i).encoded.note);
     encoder->assemble(
-        notes, [&](int i) { return at(i).in ? at(i).in->bytes(i) : at(i).encoded.bytes; },
-        [&](std::string_view bytes) { file.append(bytes); });
-    file.finish();
+        notes, [&](int i) { return at(i).in ? at(i).in->bytes(i) : at(i).encoded.bytes; }, append);
 }
 
 }  // namespace strahl

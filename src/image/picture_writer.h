@@ -39,6 +39,7 @@ class PictureWriter {
 
     /// Pixels that did not come are black. Throws OutputError, and FileError for bands that can't be read any more.
     void write(const std::string& path);
+    void write(const Encoder::Append& append);
 
   private:
     struct Band {

@@ -13,6 +13,8 @@
 #include <string_view>
 #include <system_error>
 
+#include "image/netpbm.h"
+
 namespace strahl {
 namespace {
 
@@ -123,7 +125,8 @@ Recognised recognised(const std::string& path) {
         if (!exr_attributes_fit(file)) fail(pieces);
         return {"openexr", most};
     }
-    throw FileError("cannot read '" + path + "' as a picture: it is no .bmp, .png or .exr file");
+    if (is_netpbm(start)) return {"netpbm", file.size()};
+    throw FileError("cannot read '" + path + "' as a picture: it is no .bmp, .png, .exr, .ppm or .pfm file");
 }
 
 }  // namespace strahl

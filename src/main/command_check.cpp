@@ -103,6 +103,13 @@ std::string summary(const Scene& scene) {
         text << "  motion       " << movers.last_key << " s: "
              << counted(movers.bodies.size(), movers.bodies.size() == 1 ? "body" : "bodie") << ", "
              << counted(movers.lights.size(), "light") << '\n';
+    if (const std::vector<std::string> names = followed_tracks(scene); !names.empty()) {
+        const auto saved = std::ranges::count_if(scene.tracks, [&](const Track& track) {
+            return !track.keys.empty() && std::ranges::find(names, track.name) != names.end();
+        });
+        text << "  tracks       " << names.size() << ", " << saved << " with keys; " << scene.music.bpm
+             << " beats a minute of " << scene.music.rows << " rows\n";
+    }
     return text.str();
 }
 

@@ -1,6 +1,10 @@
 # The program: main.cpp with the options of all commands, and a file for the work of each.
 file(GLOB sources CONFIGURE_DEPENDS src/main/*.cpp)
 add_executable(strahl ${sources})
+file(READ ${CMAKE_SOURCE_DIR}/LICENSE licence)
+file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/generated/main/licence.h @ONLY
+     CONTENT "inline constexpr const char* licence = R\"licence(@licence@)licence\";\n")
+target_include_directories(strahl PRIVATE ${CMAKE_BINARY_DIR}/generated)
 target_link_libraries(strahl PRIVATE strahl_text strahl_import strahl_image strahl_trace strahl_povref)
 if(TARGET strahl_show)
   target_link_libraries(strahl PRIVATE strahl_show)

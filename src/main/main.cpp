@@ -151,6 +151,7 @@ int run(int argc, char** argv) {
     add_join(app, action);
     add_check(app, action);
     add_compare(app, action);
+    add_bundle(app, action, STRAHL_VERSION);
     add_import(app, action);
     add_pov(app, action);
     add_crosscheck(app, action);

@@ -1,5 +1,7 @@
-// The options of the commands that convert scenes. Only main.cpp may include this, as options.h.
+// The options of the commands that make other things of scenes than pictures. Only main.cpp may include this, as
+// options.h.
 #pragma once
+#include "main/command_bundle.h"
 #include "main/command_import.h"
 #include "main/options.h"
 #include "povref/command_pov.h"
@@ -24,6 +26,17 @@ inline void add_pov(CLI::App& app, Action& action) {
     add_time(command, o->time);
     command->add_flag("--animation", o->animation, "The whole flythrough, driven by POV-Ray's frame_number");
     add_fps(command, o->fps, "Frames per second of the animation, 25 by default");
+}
+
+inline void add_bundle(CLI::App& app, Action& action, const char* version) {
+    auto [command, o] = add_command(app, action, "bundle",
+                                    "Make a folder that plays a scene on machines without Strahl", bundle_command);
+    o->version = version;
+    add_argument(command, "SCENE", o->scene, "The scene, an .rt file");
+    command->add_option("-o,--output", o->output, "The folder; an older bundle is replaced")
+        ->required()
+        ->type_name("DIR");
+    command->footer("FOLDER/play plays it, with the options of strahl play.");
 }
 
 }  // namespace strahl

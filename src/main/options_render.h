@@ -9,7 +9,9 @@ namespace strahl {
 inline void add_render(CLI::App& app, Action& action) {
     auto [command, o] = add_command(app, action, "render", "Render a scene to a picture file", render_command);
     add_scene(command, o->scene);
-    add_file(command, "-o,--output", o->output, "The picture: .bmp, .png or .exr; - is standard output");
+    add_file(command, "-o,--output", o->output,
+             "The picture: .bmp, .png or .exr; or a film, for which ffmpeg is needed: .mp4, .mkv or .webm; - is "
+             "standard output");
     add_parsed(command, "--size", o->size, parse_size, "Size of the picture in pixels, 640x480 by default", "WxH");
     add_parsed(command, "--crop", o->crop, parse_crop, "Only this part of it; X and Y count from its top left corner",
                "X,Y,W,H");
@@ -52,7 +54,7 @@ inline void add_render(CLI::App& app, Action& action) {
     add_parsed(
         command, "--frames", o->frames, parse_frames,
         "Frames of the flythrough, 0-99 or 1-3,5,7-20:2, as numbered files: %04d in FILE becomes the number; else it "
-        "goes before the ending",
+        "goes before the ending. A film has all of them by default",
         "LIST");
     add_fps(command, o->fps, "Frames per second of the flythrough, 25 by default; frame N is at N/F seconds");
     add_parsed(command, "--part", o->share, parse_share,
@@ -68,7 +70,8 @@ inline void add_render(CLI::App& app, Action& action) {
     command->add_flag("--quiet", o->quiet, "Show no progress");
     command->footer(
         "A still:           strahl render scenes/article.rt -o article.png --size 1920x1080\n"
-        "A film:            strahl render SCENE -o film-%04d.png --frames 0-99 --fps 25\n"
+        "A film:            strahl render SCENE -o film.mp4 --size 1280x720\n"
+        "Its frames:        strahl render SCENE -o film-%04d.png --frames 0-99 --fps 25\n"
         "From and to pipes: strahl render - -o - --format png < SCENE | ...\n"
         "Ctrl-C saves the finished part as NAME.part.ENDING; a second Ctrl-C stops at once.");
 }

@@ -20,6 +20,17 @@ inline int view_until_interrupted(const ViewOptions& options) {
     return *interrupt.flag() ? exit_status::interrupted : status;
 }
 
+inline void add_rocket(CLI::App* command, std::optional<int>& port) {
+    CLI::Option* const flag = command->add_flag_callback(
+        "--rocket", [&port] { port = port.value_or(1338); },
+        "Let a GNU Rocket editor on this machine change tracks and moment");
+    command->add_option_function<int>("--rocket-port", [&port](int given) { port = given; },
+                                      "Its port, 1338 by default")
+        ->check(numbers(1, 65535))
+        ->type_name("PORT")
+        ->needs(flag);
+}
+
 inline void add_view(CLI::App& app, Action& action) {
     auto [command, o] = add_command(app, action, "view", "Fly through a scene in a window", view_until_interrupted);
     add_scene(command, o->scene);
@@ -36,6 +47,7 @@ inline void add_view(CLI::App& app, Action& action) {
     command->add_option("--still-folder", o->still_folder, "Where stills are saved; by default here")->type_name("DIR");
     add_choice<std::string>(command, "--still-format", o->still_ending, {{"bmp", ".bmp"}, {"png", ".png"}},
                             "Format of stills: bmp (default) or png", "KIND");
+    add_rocket(command, o->rocket);
     command->add_flag("--verbose", o->verbose, "Log events to standard output");
     command->footer(
         "H lists the keys. The scene is read again whenever its file changes, and waited for until it has no\n"
@@ -64,6 +76,8 @@ inline void add_play(CLI::App& app, Action& action) {
         "--benchmark", o->benchmark, "Report the times between pictures, their resolutions and pixels per second");
     CLI::Option* const stats = add_file(command, "--stats", o->stats, "... and write them to this JSON file");
     stats->needs(benchmark);
+    add_rocket(command, o->rocket);
+    benchmark->excludes("--rocket");
     command->add_flag("--verbose", o->verbose, "Log events to standard output");
     command->footer("Esc ends it, Space pauses. What moves is where it is at each moment, whatever the frame rate.");
 }

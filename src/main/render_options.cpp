@@ -16,7 +16,7 @@ namespace {
 
 /// Would `path` be overwritten by one of the pictures?
 bool is_picture(const RenderOptions& options, const std::string& path) {
-    if (!options.frames) return same_file(options.output, path);
+    if (!options.numbered()) return same_file(options.output, path);
     const auto digit = [&](std::size_t i) { return path[i] >= '0' && path[i] <= '9'; };
     // Only a number that is in the name can be its frame's.
     for (std::size_t start = 0; start < path.size(); ++start) {
@@ -29,6 +29,19 @@ bool is_picture(const RenderOptions& options, const std::string& path) {
         }
     }
     return false;
+}
+
+void check_film(const RenderOptions& options) {
+    if (options.resume || options.share)
+        throw UsageError("--resume and --part need a file for each frame, of which ffmpeg makes a film later: -o '" +
+                         std::filesystem::path(options.output).replace_extension().string() +
+                         "-%04d.png' --frames LIST");
+    if (options.time) throw UsageError("a film shows many moments, and --time is one");
+    if (options.bits != 0 && options.bits != 8) throw UsageError("a film has 8 bits per channel");
+    const Lattice part = options.crop.value_or(Lattice{0, 0, options.size.width, options.size.height});
+    if (part.columns % 2 || part.rows % 2)
+        throw UsageError("width and height of a film are even, and not " + std::to_string(part.columns) + "x" +
+                         std::to_string(part.rows) + "; choose another --size or --crop");
 }
 
 }  // namespace
@@ -50,12 +63,16 @@ std::string check(const RenderOptions& options) {
     if (options.frames && options.time) throw UsageError("--frames and --time exclude each other");
     if (to_stdout && (options.resume || options.share))
         throw UsageError("--resume and --part need a file; standard output keeps nothing");
-    const std::string ending =
-        to_stdout ? "." + options.format : std::filesystem::path(options.output).extension().string();
-    if (!to_stdout && (ending_of(ending) == ".ppm" || ending_of(ending) == ".y4m"))
+    const bool to_film = is_film(options.output);
+    const std::string ending = to_film     ? ".y4m"
+                               : to_stdout ? "." + options.format
+                                           : std::filesystem::path(options.output).extension().string();
+    if (to_film)
+        check_film(options);
+    else if (!to_stdout && (ending_of(ending) == ".ppm" || ending_of(ending) == ".y4m"))
         throw UsageError("a " + ending + " goes to standard output alone: -o - --format " + ending.substr(1));
-    if (const std::string fault = format_fault(to_stdout ? ending : options.output, options.bits); !fault.empty())
-        throw UsageError(fault);
+    else if (const std::string fault = format_fault(to_stdout ? ending : options.output, options.bits); !fault.empty())
+        throw UsageError(format_fault(ending, 0).empty() ? fault : fault + ", or films one of .mp4, .mkv and .webm");
     if (!supported(options.simd))
         throw UsageError("this processor does not support " + std::string(name(options.simd)) + "; --simd auto uses " +
                          name(best_simd()));

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "image/picture.h"
+#include "main/film.h"
 #include "main/values.h"
 #include "trace/tracer.h"
 
@@ -11,7 +12,7 @@ namespace strahl {
 
 struct RenderOptions {
     std::string scene;   // a file, or "-" for standard input
-    std::string output;  // a file, or "-" for standard output
+    std::string output;  // a file, "-" for standard output, or a film
     std::string format;  // "bmp", "png", "exr", "ppm" or "y4m", for standard output only
     int bits = 0;        // per channel; 0 is the format's default
     Compression compression = Compression::fast;
@@ -31,6 +32,9 @@ struct RenderOptions {
     double checkpoint = 10;      // seconds after which finished bands are kept
     std::string stats;    // a JSON file, or empty
     bool quiet = false;
+
+    /// Has each frame a file of its own?
+    bool numbered() const { return frames && output != "-" && !is_film(output); }
 };
 
 /// Checks the options that do not depend on the scene. Returns the ending that chooses the format. This and the

@@ -48,13 +48,13 @@ Renderer::Renderer(const RenderOptions& o, Scene scene, std::string own_scene_ha
     stats.build_seconds = watch.lap();
 }
 
-bool Renderer::render(const Shot& shot, const std::string& path, const std::string& ending, const std::string& label,
-                      std::optional<Share> shared) {
+bool Renderer::render(const Shot& shot, const Target& target, const std::string& label, std::optional<Share> shared) {
+    const auto& [path, ending, stream] = target;
     const Share share = shared.value_or(Share{});
     const std::string file = shared ? part_path(path, share) : path;
     PictureWriter writer(part.columns, part.rows, 3, ending, format);
     const auto own_header = [&] { return header(shot, writer, ending, share); };
-    Checkpoint checkpoint(writer, is_file(path) ? checkpoint_of(file) : "", own_header, options.checkpoint);
+    Checkpoint checkpoint(writer, !stream && is_file(path) ? checkpoint_of(file) : "", own_header, options.checkpoint);
     const std::uint64_t all = pixels(missing(writer, share));
     if (options.resume && shared && BandFile::is_at(file)) {
         const auto finished = std::make_shared<BandFile>(file);
@@ -71,7 +71,9 @@ bool Renderer::render(const Shot& shot, const std::string& path, const std::stri
     const std::uint64_t done = trace(shot, regions, all, writer, checkpoint, label);
     stats.trace_seconds += watch.lap();
     const bool whole = done == all;
-    if (!whole) {
+    if (stream) {
+        if (whole) writer.write(stream);
+    } else if (!whole) {
         const std::string percent = done > 0 ? std::to_string(100 * done / all) + " %" : "";
         tell_interrupted(percent, path, shared.has_value(), writer, checkpoint);
     } else if (shared) {
@@ -95,14 +97,12 @@ void Renderer::tell_interrupted(const std::string& done, const std::string& path
         said += " before anything of " + in_quotes(path) + " was finished";
     } else if (shared) {
         said += "; " + done + " of the part are finished";
-    } else if (path == "-" && options.frames) {
-        said += "; the stream ends with the frame before";
     } else {
         const std::string file = path == "-" ? path : before_ending(path, ".part");
         writer.write(file);
         said += "; the finished part (" + done + ") is in " + (file == "-" ? "standard output" : in_quotes(file));
     }
-    if (kept || (options.frames && path != "-")) said += "; the same command with --resume continues from there";
+    if (kept || options.frames) said += "; the same command with --resume continues from there";
     std::cerr << "strahl: " << said << '\n';
 }
 

@@ -27,6 +27,12 @@ inline Shot shot_of(const Scene& scene, std::optional<double> time) {
     return {camera_at(scene, time), time.value_or(0)};
 }
 
+/// Where a picture goes: to a file, or to a stream of which nothing is kept and that has no names.
+struct Target {
+    std::string path, ending;
+    Encoder::Append stream;
+};
+
 class Renderer {
   public:
     /// `scene_hash` is of the text and the pictures. `first` is the moment by which precision and pruning are chosen;
@@ -38,9 +44,8 @@ class Renderer {
     bool interrupted() const { return *interrupt.flag(); }
 
     /// Traces and writes one picture, or the bands of a share. If interrupted, keeps the finished part in files of its
-    /// own and returns false.
-    bool render(const Shot& shot, const std::string& path, const std::string& ending, const std::string& label,
-                std::optional<Share> share = {});
+    /// own, but nothing in a stream, and returns false.
+    bool render(const Shot& shot, const Target& target, const std::string& label, std::optional<Share> share = {});
 
   private:
     Accuracy choose(const Scene& scene, const Shot& shot);

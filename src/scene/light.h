@@ -40,6 +40,7 @@ struct Light {
     std::optional<Spot> spot{};
     std::optional<Area> area{};
     std::optional<Motion> motion{};  // of its place, direction, edges, and of what its spot looks at
+    std::vector<Follow> follows{};   // its numbers, and its spot's, that follow tracks
     bool operator==(const Light&) const = default;
 };
 

@@ -17,8 +17,11 @@ struct Material {
     double pow = 50;         // p, the highlight's exponent
     double ior = 1;          // index of refraction of the body
     Bump bump{};
+    std::vector<Follow> follows{};  // its numbers that follow tracks
 
     bool operator==(const Material&) const = default;
+    /// Is the body transparent, or could a track make it so?
+    bool may_transmit() const { return refraction > 0 || any_follows(follows, "refraction"); }
     /// Does it depend on the place?
     bool patterned() const { return rgb.pattern || bump.pattern; }
 

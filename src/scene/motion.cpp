@@ -1,11 +1,9 @@
 #include "scene/motion.h"
 
-#include <memory>
 #include <numbers>
-#include <utility>
 
 #include "num/vec_math.h"
-#include "scene/error.h"
+#include "scene/follow.h"
 
 namespace strahl {
 namespace {
@@ -55,50 +53,18 @@ DVec3 rotation_at(const Window<MotionKey>& w) {
                       exponential(about[1] * (h * h * (3 - 2 * h))) * exponential(about[2] * (h * h * h)));
 }
 
-double last_key(const Primitive& primitive) {
-    double last = 0;
-    for (const Transformation& step : primitive.transformations)
-        if (const Motion* const motion = std::get_if<Motion>(&step)) last = std::max(last, motion->keys.back().time);
-    const auto look = [&]<class Kind>(const Kind& kind) {
-        if constexpr (is_composite<Kind>)
-            for (const Primitive& part : *kind.parts) last = std::max(last, last_key(part));
-    };
-    std::visit(look, primitive.shape);
-    return last;
-}
-
 void append(std::vector<Transformation>& steps, const MotionKey& key) {
     if (key.scale != DVec3(1)) steps.push_back(Scale{key.scale});
     if (key.rotate != DVec3(0)) steps.push_back(Rotate{key.rotate});
     if (key.translate != DVec3(0)) steps.push_back(Translate{key.translate});
 }
-void append(std::vector<Transformation>& steps, std::span<const Transformation> moving, double time) {
+void append(std::vector<Transformation>& steps, std::span<const Transformation> moving, double time,
+            const TrackValues& tracks) {
     for (const Transformation& step : moving)
         if (const Motion* const motion = std::get_if<Motion>(&step))
-            append(steps, key_at(*motion, time));
+            append(steps, key_at(*motion, time, tracks));
         else
             steps.push_back(step);
-}
-
-/// Sets `now`, which is `moving` at some moment, to another one.
-void move(Primitive& now, const Primitive& moving, double time) {
-    now.transformations.clear();
-    append(now.transformations, moving.transformations, time);
-    const auto move_parts = [&]<class Kind>(const Kind& kind) {
-        if constexpr (is_composite<Kind>) {
-            if (std::ranges::none_of(*kind.parts, moves)) return;
-            std::vector<Primitive> parts = *kind.parts;
-            for (std::size_t i = 0; i < parts.size(); ++i) move(parts[i], (*kind.parts)[i], time);
-            std::get<Kind>(now.shape).parts = std::make_shared<const std::vector<Primitive>>(std::move(parts));
-        }
-    };
-    std::visit(move_parts, moving.shape);
-}
-
-double wrapped(const Scene& scene, double time) {
-    if (!scene.flythrough || !scene.flythrough->loop) return time;
-    const double period = scene.flythrough->duration;
-    return time - period * std::floor(time / period);
 }
 
 }  // namespace
@@ -128,9 +94,13 @@ RotationCurve rotation_curve(const Window<MotionKey>& w) {
     return curve;
 }
 
-MotionKey key_at(const Motion& motion, double time) {
+MotionKey key_at(const Motion& motion, double time, const TrackValues& tracks) {
     const auto [key, w] = moment_among(motion.keys, 0, time);
-    if (key) return *key;
+    if (key) {
+        MotionKey own = *key;
+        follow(own, tracks);
+        return own;
+    }
     const MotionKey &from = *w.key[1], &to = *w.key[2];
     MotionKey moment{time, from.translate, from.rotate, from.scale};
     if (from.translate != to.translate) moment.translate = point_at(w, &MotionKey::translate);
@@ -145,10 +115,12 @@ std::vector<Transformation> steps_of(const MotionKey& key) {
     append(steps, key);
     return steps;
 }
-std::vector<Transformation> at(const Motion& motion, double time) { return steps_of(key_at(motion, time)); }
-std::vector<Transformation> at(std::span<const Transformation> steps, double time) {
+std::vector<Transformation> at(const Motion& motion, double time, const TrackValues& tracks) {
+    return steps_of(key_at(motion, time, tracks));
+}
+std::vector<Transformation> at(std::span<const Transformation> steps, double time, const TrackValues& tracks) {
     std::vector<Transformation> still;
-    append(still, steps, time);
+    append(still, steps, time, tracks);
     return still;
 }
 
@@ -158,64 +130,6 @@ std::vector<double> key_times(std::span<const Transformation> steps) {
         if (const Motion* const motion = std::get_if<Motion>(&step))
             for (const MotionKey& key : motion->keys) times.push_back(key.time);
     return times;
-}
-
-Movers::Movers(const Scene& scene) {
-    for (std::size_t i = 0; i < scene.primitives.size(); ++i)
-        if (moves(scene.primitives[i])) {
-            bodies.push_back(static_cast<std::int32_t>(i));
-            last_key = std::max(last_key, strahl::last_key(scene.primitives[i]));
-        }
-    for (std::size_t i = 0; i < scene.lights.size(); ++i)
-        if (const auto& motion = scene.lights[i].motion) {
-            lights.push_back(static_cast<std::int32_t>(i));
-            last_key = std::max(last_key, motion->keys.back().time);
-        }
-}
-
-void move_bodies(Scene& now, const Scene& scene, std::span<const std::int32_t> bodies, double time) {
-    time = wrapped(scene, time);
-    for (const std::int32_t i : bodies) move(now.primitives[i], scene.primitives[i], time);
-}
-
-void move_lights(Scene& now, const Scene& scene, std::span<const std::int32_t> lights, double time) {
-    time = wrapped(scene, time);
-    for (const std::int32_t i : lights) {
-        Light& light = now.lights[i] = scene.lights[i];
-        const glm::dmat4 m = matrix(at(*light.motion, time));
-        light.motion.reset();
-        if (light.direction)
-            light.direction = glm::dmat3(m) * *light.direction;
-        else
-            light.position = transform_point(m, light.position);
-        if (light.area) light.area->u = glm::dmat3(m) * light.area->u, light.area->v = glm::dmat3(m) * light.area->v;
-        if (light.spot) light.spot->look_at = transform_point(m, light.spot->look_at);
-    }
-}
-
-Scene at(const Scene& scene, double time) {
-    Scene now = scene;
-    const Movers movers(scene);
-    move_bodies(now, scene, movers.bodies, time);
-    move_lights(now, scene, movers.lights, time);
-    return now;
-}
-
-Camera camera_at(const Scene& scene, std::optional<double> time) {
-    return time && scene.flythrough ? camera_at(*scene.flythrough, scene.camera, *time) : scene.camera;
-}
-
-std::optional<Flythrough> flight_of(const Scene& scene) {
-    std::optional<Flythrough> flight = scene.flythrough;
-    const Movers movers(scene);
-    if (movers.any() && !flight) flight.emplace();
-    if (flight && !flight->loop) flight->duration = std::max(flight->duration, movers.last_key);
-    return flight;
-}
-Flythrough flight_for(const char* option, const Scene& scene, const std::string& file) {
-    if (auto flight = flight_of(scene)) return std::move(*flight);
-    throw UsageError(std::string(option) + " needs a scene with a flythrough { } or a motion { }, and " + file +
-                     " has neither");
 }
 
 }  // namespace strahl

@@ -31,6 +31,7 @@ struct Settings {
 struct Fog {
     double distance = 1;
     Color color{0};
+    std::vector<Follow> follows{};  // its numbers that follow tracks
     bool operator==(const Fog&) const = default;
 };
 
@@ -44,6 +45,9 @@ struct Scene {
     std::vector<Material> materials;
     std::vector<Primitive> primitives;  // in the order declared: of coincident surfaces the first wins
     std::optional<Flythrough> flythrough;
+    Music music;
+    std::vector<Track> tracks;  // those saved beside the scene; only read if some number follows one
+    std::vector<Follow> camera_follows, background_follows;  // numbers of the camera and the background's colour
     bool operator==(const Scene&) const = default;
 };
 

@@ -205,8 +205,8 @@ class Splitting {
         bool several = false;
         each_material(whole, [&](int number) {
             const Material& material = materials[static_cast<std::size_t>(number)];
-            if (!(material.refraction > 0)) return;
-            several |= ior && *ior != material.ior;
+            if (!material.may_transmit()) return;
+            several |= (ior && *ior != material.ior) || any_follows(material.follows, "ior");
             ior = material.ior;
         });
         return several;
@@ -215,7 +215,7 @@ class Splitting {
         bool any = false;
         for (const std::size_t i : group)
             for_each_leaf(parts[i].primitive, [&](const Primitive& leaf, const glm::dmat4&) {
-                any |= materials[static_cast<std::size_t>(leaf.material)].refraction > 0;
+                any |= materials[static_cast<std::size_t>(leaf.material)].may_transmit();
             });
         return any;
     }

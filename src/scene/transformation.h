@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "num/vec.h"
+#include "scene/track.h"
 
 namespace strahl {
 
@@ -27,10 +28,11 @@ struct Scale {
 struct MotionKey {
     double time = 0;  // seconds
     DVec3 translate{0}, rotate{0}, scale{1};
+    std::vector<Follow> follows{};  // only of a motion of one key: its numbers that follow tracks
     bool operator==(const MotionKey&) const = default;
 };
-/// A transformation that changes with time, see scene/motion.h. Times rise strictly, there are two keys or more, and no
-/// component of a scale changes its sign.
+/// A transformation that changes with time, see scene/motion.h. Either times rise strictly, there are two keys or more,
+/// and no component of a scale changes its sign; or there is one key, numbers of which follow tracks.
 struct Motion {
     std::vector<MotionKey> keys;
     bool operator==(const Motion&) const = default;

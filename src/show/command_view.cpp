@@ -26,8 +26,12 @@ int view_command(const ViewOptions& options, const std::atomic<bool>* interrupte
     std::string text;
     const Loaded loaded = load_first(options, text);
     if (loaded.scene && options.time) flight_for("--time", *loaded.scene, options.scene);
+    if (loaded.scene && options.rocket && followed_tracks(*loaded.scene).empty())
+        throw UsageError("--rocket needs a scene with a track, and " + options.scene + " has none");
+    std::unique_ptr<Rocket> rocket;
+    if (options.rocket) rocket = std::make_unique<Rocket>(*options.rocket);
     try {
-        return Viewer(options, loaded, std::move(text), began, interrupted).run();
+        return Viewer(options, loaded, std::move(text), began, interrupted, std::move(rocket)).run();
     } catch (const WindowError&) {
         if (!loaded.scene) throw FileError(loaded.fault);
         throw;

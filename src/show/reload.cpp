@@ -11,6 +11,7 @@
 #include "text/edit_path.h"
 #include "text/file.h"
 #include "text/parse.h"
+#include "text/tracks_file.h"
 #include "trace/tracer.h"
 
 namespace strahl {
@@ -73,34 +74,45 @@ void Reload::tell(Loaded loaded) {
 void Reload::write(std::optional<Flythrough> flythrough, bool anyway) {
     {
         std::lock_guard lock(mutex);
-        to_write = {std::move(flythrough), anyway};
+        to_write.push_back({std::move(flythrough), anyway});
+    }
+    wake.notify_one();
+}
+
+void Reload::write(std::vector<Track> tracks) {
+    {
+        std::lock_guard lock(mutex);
+        to_write.push_back({{}, true, std::move(tracks)});
     }
     wake.notify_one();
 }
 
 std::optional<Written> Reload::take_written() {
     std::lock_guard lock(mutex);
-    return std::exchange(written, std::nullopt);
+    if (written.empty()) return std::nullopt;
+    Written first = std::move(written.front());
+    written.erase(written.begin());
+    return first;
 }
 
 void Reload::loop(std::stop_token quit) {
     while (!quit.stop_requested()) {
         std::optional<std::string> other;
-        std::optional<Request> request;
+        std::vector<Request> requests;
         {
             std::unique_lock lock(mutex);
-            wake.wait_for(lock, quit, std::chrono::milliseconds(200), [this] { return to_open || to_write; });
-            other = std::exchange(to_open, std::nullopt), request = std::exchange(to_write, std::nullopt);
+            wake.wait_for(lock, quit, std::chrono::milliseconds(200), [this] { return to_open || !to_write.empty(); });
+            other = std::exchange(to_open, std::nullopt), requests = std::exchange(to_write, {});
+        }
+        for (const Request& request : requests) {
+            Written done = request.tracks ? write_tracks(*request.tracks) : write_path(request);
+            std::lock_guard lock(mutex);
+            written.push_back(std::move(done));
         }
         if (quit.stop_requested()) return;
-        if (request) {
-            Written done = write_path(*request);
-            std::lock_guard lock(mutex);
-            written = std::move(done);
-        }
-        if (request) notify();
+        if (!requests.empty()) notify();
         if (other) open_file(*other);
-        if (!request && !other) check_file();
+        if (requests.empty() && !other) check_file();
     }
 }
 
@@ -134,22 +146,36 @@ void Reload::check_file() {
 }
 
 Written Reload::write_path(const Request& request) try {
-    if (path == "-") return {"", false, "the scene came from standard input; Shift+C copies the path"};
+    if (path == "-") return {.fault = "the scene came from standard input; Shift+C copies the path"};
     const std::string content = read_text(path);
-    if (content != text && !request.anyway) return {"", true, ""};
+    if (content != text && !request.anyway) return {.file = path, .asks = true};
     static_cast<void>(scene_for_window(content, path));  // where a text with errors has its blocks can't be told
     const std::string changed = with_path(content, request.flythrough);
     Loaded loaded = load(path, changed);
     if (!loaded.scene || loaded.scene->flythrough != request.flythrough)
-        return {"", false, "the path can't be written: " + loaded.fault};
-    Written done;
+        return {.fault = "the path can't be written: " + loaded.fault};
+    Written done{.file = path};
     if (content != own_text) write_file(done.copy = path + "~", content);
     write_file(path, changed);
     text = own_text = changed;
     tell(std::move(loaded));
     return done;
 } catch (const FileError& error) {
-    return {"", false, error.what()};
+    return {.fault = error.what()};
+}
+
+Written Reload::write_tracks(const std::vector<Track>& tracks) try {
+    if (path == "-") return {.fault = "the scene came from standard input: its tracks have no place to be saved"};
+    Written done{.file = tracks_path(path)};
+    const std::string text_now = strahl::write_tracks(tracks);
+    std::error_code error;
+    const std::string before = std::filesystem::exists(done.file, error) ? read_text(done.file) : "";
+    if (!before.empty() && before != own_tracks && before != text_now) write_file(done.copy = done.file + "~", before);
+    write_file(done.file, text_now);
+    own_tracks = text_now;
+    return done;
+} catch (const FileError& error) {
+    return {.fault = error.what()};
 }
 
 }  // namespace strahl

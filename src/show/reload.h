@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "scene/scene.h"
 
@@ -35,11 +36,12 @@ struct Loaded {
     bool opened = false;                 // it is another file than before
 };
 
-/// The result of writing a path into the scene file.
+/// The result of writing a path into the scene file, or tracks beside it.
 struct Written {
-    std::string copy;    // of the file as it was before, if one was made
+    std::string file{};  // that was written
+    std::string copy{};  // of the file as it was before, if one was made
     bool asks = false;   // nothing was written: the file is no longer what was read, and may be someone else's work
-    std::string fault;   // why nothing was written
+    std::string fault{};  // why nothing was written
 };
 
 /// Checks the file a few times a second, in a thread of its own. Waits until a file is completely written.
@@ -57,27 +59,31 @@ class Reload {
     /// read last is changed only if `anyway`, and one with an error never. FILE~ becomes a copy of the file as it was,
     /// unless that was written here, too.
     void write(std::optional<Flythrough> flythrough, bool anyway);
+    /// Makes these the tracks beside the watched file; FILE~ likewise.
+    void write(std::vector<Track> tracks);
     std::optional<Written> take_written();
 
   private:
     struct Request {
         std::optional<Flythrough> flythrough;
         bool anyway;
+        std::optional<std::vector<Track>> tracks{};  // instead of the flythrough
     };
     void loop(std::stop_token quit);
     void tell(Loaded loaded);
     void open_file(const std::string& other);
     void check_file();
     Written write_path(const Request& request);
+    Written write_tracks(const std::vector<Track>& tracks);
 
     std::mutex mutex;
     std::condition_variable_any wake;
     std::optional<std::string> to_open;
-    std::optional<Request> to_write;
+    std::vector<Request> to_write;
     std::optional<Loaded> result;
-    std::optional<Written> written;
+    std::vector<Written> written;
     // Of the thread alone. The file may have changed since it was read: the first check compares the text.
-    std::string path, text, own_text;  // own_text: what was written here last
+    std::string path, text, own_text, own_tracks;  // own_: what was written here last
     FileStamp known, before;
     const std::function<void()> notify;
     std::jthread thread;

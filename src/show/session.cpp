@@ -16,7 +16,7 @@ namespace {
 
 std::optional<double> motion_end_of(const Scene& scene) {
     const Movers movers(scene);
-    return movers.any() ? std::optional(movers.last_key) : std::nullopt;
+    return movers.any() || !scene.camera_follows.empty() ? std::optional(movers.last_key) : std::nullopt;
 }
 
 }  // namespace
@@ -34,7 +34,7 @@ void Session::replace(std::shared_ptr<const Scene> newer, bool opened) {
     scene = std::move(newer);
     motion_end = motion_end_of(*scene);
     if (opened)
-        path.reset(), recorded.reset(), editor = PathEditor(scene->flythrough), cameras = {}, clock = {}, time = 0;
+        tracks.reset(), path.reset(), recorded.reset(), editor = PathEditor(scene->flythrough), cameras = {}, clock = {}, time = 0;
     else
         editor.reload(scene->flythrough);
     if (path && !around) path = flight();
@@ -45,7 +45,11 @@ std::optional<Flythrough> Session::flight() const {
     const bool keys = editor.path().keys.size() >= 2;
     if (!keys && !motion_end) return std::nullopt;
     Flythrough all = keys ? editor.path() : Flythrough{};
-    if (!all.loop) all.duration = std::max(all.duration, motion_end.value_or(0));
+    if (all.loop) return all;
+    all.duration = std::max(all.duration, motion_end.value_or(0));
+    for (const Track& track : tracks ? *tracks : std::vector<Track>{})
+        if (!track.keys.empty())
+            all.duration = std::max(all.duration, scene->music.time_of(track.keys.back().row));
     return all;
 }
 
@@ -107,7 +111,7 @@ Answer Session::play(double now) {
     if (flying()) return stop(now), Answer{"flight ended", ""};
     path = flight();
     around = !path;
-    const bool over = !path || (!path->loop && clock.at(now) >= path->duration);
+    const bool over = !path || (!path->loop && !driven && clock.at(now) >= path->duration);
     if (around) path = orbit_path(camera, scene->camera);
     clock.set(over ? 0 : flight_time(now), now);
     clock.run(now);
@@ -169,14 +173,14 @@ bool Session::go_to(double seconds, double now) {
     path = flight(), around = false;
     clock.hold(now);
     if (!path) return clock.set(std::max(seconds, 0.), now), false;
-    clock.set(path->loop ? seconds : std::clamp(seconds, 0., path->duration), now);
+    clock.set(path->loop ? seconds : std::clamp(seconds, 0., driven ? seconds : path->duration), now);
     follow(now);
     return true;
 }
 
 Answer Session::steer(const CameraInput& input, double now) {
     std::string note;
-    if (path && !path->keys.empty()) {
+    if (bound()) {
         if (clock.running()) note = "flight ended at " + seconds_text(time) + "; F continues";
         stop(now);
     }
@@ -189,7 +193,7 @@ Answer Session::steer(const CameraInput& input, double now) {
 
 Answer Session::change_speed(double factor, double now) {
     char text[80];
-    if (path && !path->keys.empty()) {
+    if (bound()) {
         clock.set_rate(std::clamp(clock.rate() * factor, 1e-3, 1e3), now);
         if (std::abs(clock.rate() - 1) < 1e-6) clock.set_rate(1, now);
         std::snprintf(text, sizeof text, "flight at %.3g times its speed", clock.rate());
@@ -203,8 +207,11 @@ Answer Session::change_speed(double factor, double now) {
 std::optional<Answer> Session::follow(double now) {
     if (!path) return std::nullopt;
     const double seconds = time = flight_time(now);
-    if (!path->keys.empty()) camera = camera_at(*path, scene->camera, seconds);
-    const bool over = (!path->loop || once) && clock.at(now) >= path->duration;
+    if (bound()) {
+        camera = own_camera_at(*scene, seconds, tracks.get());
+        if (!path->keys.empty()) camera = camera_at(*path, camera, seconds);
+    }
+    const bool over = !driven && (!path->loop || once) && clock.at(now) >= path->duration;
     if (!over || !clock.running()) return std::nullopt;
     stop(now);
     return Answer{"end of the flight", ""};

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "scene/scene.h"
 #include "show/camera_control.h"
@@ -58,6 +59,10 @@ class Session {
     bool flying() const { return path.has_value(); }
     bool paused() const { return flying() && !clock.running(); }
     bool under_way() const { return flying() && clock.running(); }
+    /// Is it a flight of the scene's, and as fast as that says?
+    bool at_own_speed() const { return path && !around && clock.rate() == 1; }
+    /// Moves the flight on by so many seconds.
+    void shift(double seconds, double now) { clock.set(clock.at(now) + seconds, now); }
     /// The moment of the flight, or where the last one ended, in seconds.
     double flight_time(double now) const;
     const std::optional<Flythrough>& flight_path() const { return path; }
@@ -71,11 +76,15 @@ class Session {
     double time = 0;  // of moving bodies, in seconds: as `camera` that of the last moment followed
     bool orbiting = false;
     bool once = false;          // a path that loops ends after one round, too
+    bool driven = false;        // by an editor of tracks: flights go on after their end
+    std::shared_ptr<const std::vector<Track>> tracks;  // if any, in place of the scene's
     double speed = 1;           // units of the scene per second
     int finest = finest_level;  // while moving
     int depth() const { return own_depth.value_or(scene->settings.max_trace_level); }
 
   private:
+    /// Is the camera where a flight has it?
+    bool bound() const { return path && (!path->keys.empty() || !scene->camera_follows.empty()); }
     Answer play(double now);
     Answer pause(double now);
     Answer step_to(double seconds, double now);

@@ -2,3 +2,16 @@
 pkg_check_modules(GLFW REQUIRED IMPORTED_TARGET glfw3)
 pkg_check_modules(IMGUI REQUIRED IMPORTED_TARGET imgui)
 strahl_module(show src/show strahl_text strahl_image strahl_trace PkgConfig::IMGUI PkgConfig::GLFW)
+
+# Sound, where its libraries are.
+option(STRAHL_SOUND "Build sound (needs OpenAL and libvorbisfile)" ON)
+if(STRAHL_SOUND)
+  pkg_check_modules(SOUND IMPORTED_TARGET openal vorbisfile)
+endif()
+if(SOUND_FOUND)
+  target_sources(strahl_show PRIVATE ${CMAKE_SOURCE_DIR}/src/show/with/sound.cpp)
+  target_link_libraries(strahl_show PRIVATE PkgConfig::SOUND)
+else()
+  message(STATUS "building without sound, which needs OpenAL and libvorbisfile")
+  target_sources(strahl_show PRIVATE ${CMAKE_SOURCE_DIR}/src/show/without/sound.cpp)
+endif()

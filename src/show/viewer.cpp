@@ -49,7 +49,7 @@ std::shared_ptr<const Scene> scene_to_show(const Loaded& loaded) {
 }  // namespace
 
 Viewer::Viewer(const ViewOptions& o, const Loaded& first, std::string text, Clock::time_point began,
-               const std::atomic<bool>* signal)
+               const std::atomic<bool>* signal, std::unique_ptr<Rocket> editor)
     : options(o),
       start(began),
       interrupted(signal),
@@ -60,11 +60,14 @@ Viewer::Viewer(const ViewOptions& o, const Loaded& first, std::string text, Cloc
       tracing(o.threads, glfwPostEmptyEvent),
       stills(o.threads, glfwPostEmptyEvent),
       stability(o.threads, glfwPostEmptyEvent),
-      reload(path, std::move(text), glfwPostEmptyEvent) {
+      reload(path, std::move(text), glfwPostEmptyEvent),
+      rocket(std::move(editor)) {
     connect();
+    session.driven = rocket != nullptr;
+    if (rocket) rocket->listen(glfwPostEmptyEvent);
     quiet = options.play;
     waiting = !first.scene;
-    if (!waiting) start_scene();
+    if (!waiting) load_sound(), start_scene();
     fault = first.fault, fault_until = forever;
     if (waiting) log_line("waiting until the scene has no error\n" + fault);
 }
@@ -101,7 +104,8 @@ double Viewer::next_draw() const {
     const double frame = 1 / options.fps;
     double at = forever;
     if (draws_due > 0 || tracing.has_update())
-        at = last_draw + (moving || draws_due > 0 || tracing.finished() ? 0.9 * frame : rest_interval);
+        at = last_draw +
+             (moving || change_heard || draws_due > 0 || tracing.finished() ? 0.9 * frame : rest_interval);
     for (const Note& n : notes) at = std::min(at, n.until);
     if (!fault.empty()) at = std::min(at, fault_until);
     if (stills.pending() > 0) at = std::min(at, last_draw + 0.25);
@@ -142,7 +146,7 @@ void Viewer::move() {
     if (in_motion()) return;
     moving = false;
     told = 0;
-    if (options.verbose) log_line("rest after " + motion.report(moment));
+    if (options.verbose) log_line("rest after " + motion.report(moment) + sound_report());
 }
 
 void Viewer::flight_ended(const Answer& answer) {
@@ -163,15 +167,17 @@ void Viewer::order() {
                     .height = frame.area.height,
                     .depth = session.depth(),
                     .error = half_step({8, session.scene->settings.linear}),
-                    .time = session.time};
+                    .time = session.time,
+                    .tracks = session.tracks};
     const View& last = wanted.view;
     const bool same = wanted.scene == session.scene && last.camera == view.camera && last.width == view.width &&
-                      last.height == view.height && last.depth == view.depth && last.time == view.time;
+                      last.height == view.height && last.depth == view.depth && last.time == view.time && last.tracks == view.tracks;
     if (same && wanted.moving == moving) return;
     if (!same && marked) toggle_stability();
     // Where drawing limits the rate there is more time to trace.
     const double interval = std::clamp(draw_seconds, 1 / options.fps, 2 / options.fps);
     wanted = {wanted.number + (same ? 0 : 1), session.scene, view, moving, 0.8 * interval, session.finest};
+    ordered[wanted.number % ordered.size()] = session.time;
     tracing.want(wanted);
 }
 
@@ -199,10 +205,18 @@ void Viewer::draw() {
     if (draws_due > 0) --draws_due;
     motion.drawn(now() - moment);
     draw_seconds += 0.2 * (now() - moment - draw_seconds);
+    if (moving && state.number != before) picture_shown(ordered[state.number % ordered.size()]);
     if (moving && state.number != before)
         motion.picture({now(), state.level, count(pixels_of(state.level, state.width, state.height))});
-    if (options.play && state.number > 0 && !std::exchange(started, true)) session.perform({Action::pause}, now());
+    if (options.play && !rocket && state.number > 0 && !(sound && sound->loading()) &&
+        !std::exchange(started, true))
+        session.perform({Action::pause}, now());
     apply(input);
+    if (change_heard && update && state.number == wanted.number) {
+        if (options.verbose)
+            log_line("the editor's change is on the screen after " + seconds_text(now() - *change_heard));
+        change_heard.reset();
+    }
     if (options.verbose && update && before == 0) {
         char text[80];
         std::snprintf(text, sizeof text, "first picture after %.3f s, %s", now(), resolution_text(state.level).c_str());
@@ -251,6 +265,7 @@ void Viewer::report_benchmark() const {
 
 int Viewer::run() {
     while (!closed) {
+        follow_sound();
         move();
         order();
         draw();
@@ -261,6 +276,7 @@ int Viewer::run() {
         handle_stills();
         handle_stability();
         handle_written();
+        handle_rocket();
         handle_interrupt();
     }
     if (session.editor.changed() && session.editor.path().keys.size() >= 2 && !options.play) {

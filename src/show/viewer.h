@@ -4,14 +4,19 @@
 #include <chrono>
 #include <deque>
 #include <memory>
+#include <optional>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "show/command_view.h"
 #include "show/controls.h"
 #include "show/overlay.h"
 #include "show/reload.h"
+#include "show/rocket.h"
 #include "show/screen.h"
 #include "show/session.h"
+#include "show/sound.h"
 #include "show/stability_check.h"
 #include "show/stills.h"
 #include "show/timeline.h"
@@ -27,8 +32,9 @@ class Viewer {
   public:
     using Clock = std::chrono::steady_clock;
     /// `first` is the scene and `text` its text; `began` is when the user started the program.
+    /// `rocket` is the connection to an editor of tracks, if there is one.
     Viewer(const ViewOptions& options, const Loaded& first, std::string text, Clock::time_point began,
-           const std::atomic<bool>* interrupted);
+           const std::atomic<bool>* interrupted, std::unique_ptr<Rocket> rocket);
     ~Viewer();
     /// Runs until the user quits or the program is interrupted. Returns the exit status.
     int run();
@@ -54,6 +60,19 @@ class Viewer {
     void handle_stills();
     void handle_stability();
     void handle_written();
+
+    // The editor of tracks, see viewer_rocket.cpp
+    void start_driven();
+    void ask_tracks();
+    void take_tracks();
+    void handle_rocket();
+
+    // Sound, see viewer_sound.cpp
+    void load_sound();
+    void follow_sound();
+    void picture_shown(double seconds);
+    std::string sound_report();
+
     void toggle_stability();
 
     // The loop. All times are seconds since `start`.
@@ -90,6 +109,8 @@ class Viewer {
     Stills stills;
     StabilityCheck stability;
     Reload reload;
+    std::unique_ptr<Rocket> rocket;
+    std::unique_ptr<Sound> sound;
 
     bool quitting = false, closed = false, failed = false, signalled = false;
     bool help = false, with_info = false, quiet = false, fill = false;
@@ -115,6 +136,16 @@ class Viewer {
     std::array<bool, 15> buttons{};  // of the gamepad, which are down
     double still_told = 0;
 
+    std::string sound_file;
+    bool sound_told = false;  // why there is none
+    struct SoundClock {
+        double now, flight;  // when sound and picture were compared the last time
+    };
+    std::optional<SoundClock> sound_clock;  // while they run together
+    double picture_delay = 0;               // from the order of a picture until it is on the screen, in seconds
+    std::array<double, 16> ordered{};       // moments of the flight of the last pictures, by number
+    std::vector<double> sound_log;          // how far each picture was before the sound
+
     Order wanted;
     Refinement state;
     std::uint64_t told = 0;  // the last picture logged as finished
@@ -123,6 +154,7 @@ class Viewer {
     double last_draw = -1, draw_seconds = 0;
     bool moving = false;
     MotionLog motion;
+    std::optional<double> change_heard;  // when an editor changed what is not on the screen yet
 };
 
 }  // namespace strahl

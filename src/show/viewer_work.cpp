@@ -18,13 +18,14 @@ constexpr double forever = std::numeric_limits<double>::infinity();
 
 /// What the options ask of a scene that is shown for the first time.
 void Viewer::start_scene() {
-    if (options.play) {
+    if (options.play && !rocket) {
         // Paused at its start until the first picture is there.
         session.once = !options.loop, started = false;
         if (session.go_to(options.time.value_or(0), now())) return;
         session.perform({Action::play}, 0), session.perform({Action::pause}, 0);
         return;
     }
+    if (rocket) return start_driven();
     if (options.time) session.go_to(*options.time, now());
     if (options.fly) log_line(session.perform({session.flying() ? Action::pause : Action::play}, now()).note);
 }
@@ -37,7 +38,8 @@ void Viewer::add_still() {
               .height = frame.area.height,
               .depth = session.depth(),
               .error = half_step({8, session.scene->settings.linear}),
-              .time = session.time};
+              .time = session.time,
+              .tracks = session.tracks};
     if (options.still_size.width > 0) view.width = options.still_size.width, view.height = options.still_size.height;
     const bool in_flight = session.flying() || session.time != 0;
     const std::string name = (std::filesystem::path(options.still_folder) /
@@ -63,6 +65,8 @@ void Viewer::handle_reload() {
     }
     const bool first = std::exchange(waiting, false);
     session.replace(loaded->scene, loaded->opened || first);
+    ask_tracks();
+    load_sound();
     if (first || (options.play && loaded->opened)) start_scene();
     if (session.paused()) session.follow(now());
     if (loaded->opened) glfwSetWindowTitle(screen.window(), window_title(path = loaded->path).c_str());
@@ -116,14 +120,14 @@ void Viewer::write_path() {
 void Viewer::handle_written() {
     const auto written = reload.take_written();
     if (!written) return;
+    const std::string copy = written->copy.empty() ? "" : "; the file as it was is " + written->copy;
     if (written->asks) {
         write_until = now() + 10;
         announce(path + " has changed since it was read; F2 again writes the path into it");
     } else if (!written->fault.empty()) {
         announce(written->fault);
     } else {
-        announce("path written into " + path +
-                 (written->copy.empty() ? "" : "; the file as it was is " + written->copy));
+        announce((written->file == path ? "path written into " : "tracks saved: ") + written->file + copy);
     }
 }
 

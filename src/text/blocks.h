@@ -36,8 +36,8 @@ inline constexpr auto composite_words = joined(shape_words, body_words);
 /// The words that open a block of the top level.
 inline constexpr auto block_words =
     joined(joined(std::array<std::string_view, 2>{"camera", "light"}, body_words),
-           std::array<std::string_view, 6>{"defaultmaterial", "background", "fog", "global_settings", "flythrough",
-                                           "define"});
+           std::array<std::string_view, 7>{"defaultmaterial", "background", "fog", "global_settings", "flythrough",
+                                           "define", "music"});
 
 /// What `camera` and `key` have in common, with both ways to say which way is up and how wide the view is.
 struct EyeText {
@@ -64,9 +64,17 @@ inline std::array<Parameter, 7> camera_parameters(EyeText& eye, std::optional<do
                   std::array{Parameter{"aspectratio", &aspectratio, positive, "width / height of what the camera sees",
                                        "the picture's"}});
 }
-inline std::array<Parameter, 7> key_parameters(double& time, EyeText& eye) {
-    return joined(std::array{Parameter{"time", &time, seconds, "when the camera passes, in seconds", required}},
-                  eye_parameters(eye, "the camera's"));
+/// When a key is: in seconds or, in place of that, in beats of the music.
+struct TimeText {
+    double time = 0;
+    std::optional<double> beat;
+};
+inline std::array<Parameter, 2> time_parameters(TimeText& when, const char* help) {
+    return {{{"time", &when.time, seconds, help, required, "beat"},
+             {"beat", &when.beat, seconds, "the same in beats of the `music` above"}}};
+}
+inline std::array<Parameter, 8> key_parameters(TimeText& when, EyeText& eye) {
+    return joined(time_parameters(when, "when the camera passes, in seconds"), eye_parameters(eye, "the camera's"));
 }
 inline std::array<Parameter, 2> flythrough_parameters(Flythrough& path) {
     return {
@@ -76,15 +84,16 @@ inline std::array<Parameter, 2> flythrough_parameters(Flythrough& path) {
 
 /// A key of a motion as its block says it.
 struct MotionKeyText {
-    double time = 0;
+    TimeText when;
     Scale scale;
     DVec3 rotate{0}, translate{0};
 };
-inline std::array<Parameter, 4> motion_parameters(MotionKeyText& key) {
-    return {{{"time", &key.time, seconds, "when it is so, in seconds", required},
-             {"scale", &key.scale, anything, "factors; between keys of the same sign each", "`1`"},
+inline std::array<Parameter, 5> motion_parameters(MotionKeyText& key) {
+    const std::array<Parameter, 3> place{
+            {{"scale", &key.scale, anything, "factors; between keys of the same sign each", "`1`"},
              {"rotate", &key.rotate, anything, "degrees about x, then y, then z"},
              {"translate", &key.translate, coordinates, "how far it is moved"}}};
+    return joined(time_parameters(key.when, "when it is so, in seconds"), place);
 }
 
 inline std::array<Parameter, 3> light_parameters(Light& light) {
@@ -110,6 +119,14 @@ inline std::array<Parameter, 2> fog_parameters(Fog& fog) {
     return {{{"distance", &fog.distance, lengths, "how far one sees: over this way 63 % of the light is lost", required},
              {"color", &fog.color, not_negative, "the colour of the fog", required}}};
 }
+
+inline std::array<Parameter, 2> music_parameters(Music& music) {
+    return {{{"bpm", &music.bpm, positive, "beats in a minute"},
+             {"rows", &music.rows, row_counts, "how many rows of the tracks a beat has"}}};
+}
+
+/// What may stand in `music` besides that.
+inline constexpr std::array<std::string_view, 1> music_words{"sound"};
 
 /// The numbers of `global_settings` before they are checked.
 struct SettingsText {
@@ -139,7 +156,7 @@ template <class Visit>
 void each_block(const Visit& visit) {
     EyeText eye;
     std::optional<double> aspectratio;
-    double time = 0;
+    TimeText when;
     Flythrough path;
     MotionKeyText moment;
     Light light;
@@ -148,6 +165,7 @@ void each_block(const Visit& visit) {
     Fog fog;
     SettingsText settings;
     Material material;
+    Music music;
     visit("material", material_parameters(material));
     visit("light", light_parameters(light));
     visit("spot", spot_parameters(spot));
@@ -156,8 +174,9 @@ void each_block(const Visit& visit) {
     visit("fog", fog_parameters(fog));
     visit("global_settings", settings_parameters(settings));
     visit("flythrough", flythrough_parameters(path));
-    visit("key", key_parameters(time, eye));
+    visit("key", key_parameters(when, eye));
     visit("motion", motion_parameters(moment));
+    visit("music", music_parameters(music));
 }
 
 }  // namespace strahl

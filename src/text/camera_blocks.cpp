@@ -10,7 +10,7 @@ namespace strahl {
 
 void CameraBlocks::camera(std::string_view word) {
     reader.once(camera_at, word);
-    Block block{word};
+    Block block{word, false, false, &follows};
     EyeText eye;
     std::optional<double> aspectratio;
     auto parameters = camera_parameters(eye, aspectratio);
@@ -21,6 +21,12 @@ void CameraBlocks::camera(std::string_view word) {
     const char* const fault = degenerate(the_camera);
     if (fault) reader.diagnostics.add(word, std::string("this camera sees nothing: ") + fault);
     camera_good = !fault;
+    for (Follow& follow : follows) {
+        if (follow.parameter == "sky") follow.parameter = "up", follow.factor = -1;
+        if (follow.parameter == "angle")
+            follow.parameter = "fov", follow.factor = .5, follow.low /= 2, follow.high /= 2;
+    }
+    sort(follows);
 }
 
 void CameraBlocks::key(std::string_view word, Flythrough& read_path, std::vector<KeyPlace>& places, Block& outer) {
@@ -29,14 +35,15 @@ void CameraBlocks::key(std::string_view word, Flythrough& read_path, std::vector
         reader.diagnostics.check();
     }
     Block block{word};
-    double time = 0;
+    TimeText when;
     EyeText eye;
-    auto parameters = key_parameters(time, eye);
+    auto parameters = key_parameters(when, eye);
     reader.block(block, parameters);
     reader.require(block, parameters);
+    reader.set_time(when.time, when.beat, parameters[1].at, block);
     outer.absorb(block);
-    read_path.keys.push_back({time, eye.position, eye.look_at, eye.half_angle(), eye.down()});
-    places.push_back({word, parameters[0].at});
+    read_path.keys.push_back({when.time, eye.position, eye.look_at, eye.half_angle(), eye.down()});
+    places.push_back({word, parameters[when.beat ? 1 : 0].at});
 }
 
 void CameraBlocks::flythrough(std::string_view word) {

@@ -20,6 +20,7 @@ class CameraBlocks {
 
     Camera the_camera;
     std::optional<Flythrough> path;
+    std::vector<Follow> follows;  // numbers of the camera that follow tracks
 
   private:
     struct KeyPlace {

@@ -20,6 +20,7 @@ struct PathPlaces {
     Slice block, duration;  // of the duration the number
     std::optional<Slice> loop;
     std::vector<Slice> keys;
+    std::string music;  // this block
 };
 
 std::optional<PathPlaces> find_path(const std::string& text) {
@@ -28,6 +29,8 @@ std::optional<PathPlaces> find_path(const std::string& text) {
     std::optional<PathPlaces> places;
     const auto begin = [&](std::string_view slice) { return std::size_t(slice.data() - text.data()); };
     bool inside = false;  // the block
+    std::size_t music_begin = 0;
+    std::string music;
     for (int depth = 0; !lexer.at_end();) {
         if (lexer.peek() == '"') {
             lexer.quotation("");
@@ -38,6 +41,9 @@ std::optional<PathPlaces> find_path(const std::string& text) {
         lexer.rewind(token.substr(token.size()));
         if (token == "{") ++depth;
         if (token == "}") --depth;
+        if (depth == 0 && token == "music") music_begin = start + 1;
+        if (depth == 0 && token == "}" && music_begin > 0)
+            music = text.substr(music_begin - 1, stop - music_begin + 1), music_begin = 0;
         if (depth == 0 && token == "flythrough") places.emplace().block.begin = start, inside = true;
         if (!inside) continue;
         if (depth == 1 && token == "key") places->keys.push_back({start, 0});
@@ -49,6 +55,7 @@ std::optional<PathPlaces> find_path(const std::string& text) {
         }
         if (depth == 0 && token == "}") places->block.end = stop, inside = false;
     }
+    if (places) places->music = music;
     return places;
 }
 
@@ -115,8 +122,9 @@ std::string applied(std::string text, std::vector<Edit> edits) {
 }
 
 /// The path of a block alone; nothing if it has an error.
-std::optional<Flythrough> path_of(const std::string& block) try {
-    return parse_scene("camera { position <0,0,0> look_at <0,1,0> sky <.31,.27,.9> fov 20 }\n" + block, "").flythrough;
+std::optional<Flythrough> path_of(const std::string& music, const std::string& block) try {
+    const std::string eye = "camera { position <0,0,0> look_at <0,1,0> sky <.31,.27,.9> fov 20 }\n";
+    return parse_scene(eye + music + block, "").flythrough;
 } catch (const FileError&) {
     return std::nullopt;
 }
@@ -131,7 +139,7 @@ std::string with_path(const std::string& text, const std::optional<Flythrough>& 
     }
     const Slice block = places->block;
     if (!path) return applied(text, {{with_space(text, block), ""}});
-    const auto old = path_of(text.substr(block.begin, block.end - block.begin));
+    const auto old = path_of(places->music, text.substr(block.begin, block.end - block.begin));
     const std::string whole = write_flythrough(*path);
     const Edit anew{block, whole.substr(0, whole.size() - 1)};
     if (!old) return applied(text, {anew});
@@ -144,7 +152,7 @@ std::string with_path(const std::string& text, const std::optional<Flythrough>& 
     std::string changed = applied(text, edits);
     const std::size_t length = changed.size() - (text.size() - (block.end - block.begin));
     // Nothing that was written in an unusual way may get lost.
-    return path_of(changed.substr(block.begin, length)) == path ? changed : applied(text, {anew});
+    return path_of(places->music, changed.substr(block.begin, length)) == path ? changed : applied(text, {anew});
 }
 
 }  // namespace strahl

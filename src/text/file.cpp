@@ -94,26 +94,35 @@ struct OutputFile::Implementation {
     }
     bool in_place() const { return exists && old.st_nlink > 1; }
 
-    void open() {
-        if (path == "-") {
-            std::fflush(stdout);
-            direct = STDOUT_FILENO;
-            return;
-        }
+    /// What is there now.
+    void look_at(const std::string& own_path) {
+        path = own_path;
         target = follow_links(path);
         exists = ::stat(target.c_str(), &old) == 0;
         if (!exists && errno == ELOOP) fail(path, ELOOP);
         if (exists && S_ISDIR(old.st_mode)) fail(path, EISDIR);
         // A rename would replace a read-only file, which its owner did not mean, or a device by a plain file.
         if (exists && ::access(target.c_str(), W_OK) != 0) fail(path, errno);
+    }
+
+    void open(const std::string& own_path, bool for_other) {
+        if (own_path == "-") {
+            path = own_path;
+            std::fflush(stdout);
+            direct = STDOUT_FILENO;
+            return;
+        }
+        look_at(own_path);
         if (exists && !S_ISREG(old.st_mode)) {
+            if (for_other) throw OutputError("cannot write '" + path + "': it is no file");
             direct = ::open(target.c_str(), O_WRONLY | O_CLOEXEC);
             if (direct < 0) fail(path, errno);
             return;
         }
         remove_left(target.parent_path());
-        temporary.emplace(target, in_place());
+        temporary.emplace(target, for_other || in_place());
         if (!temporary->opened()) fail(path, errno);
+        if (const int error = for_other ? temporary->give_name() : 0) fail(path, error);
         if (exists) take_over(temporary->descriptor(), old);
     }
 
@@ -145,11 +154,12 @@ struct OutputFile::Implementation {
     }
 };
 
-OutputFile::OutputFile(const std::string& path) : implementation(std::make_unique<Implementation>()) {
-    implementation->path = path;
-    implementation->open();
+OutputFile::OutputFile(const std::string& path, Writer writer) : implementation(std::make_unique<Implementation>()) {
+    implementation->open(path, writer == Writer::other_program);
 }
 OutputFile::~OutputFile() = default;
+
+std::string OutputFile::name() const { return implementation->temporary->path().string(); }
 
 void OutputFile::append(std::string_view bytes) {
     const auto& [path, target, old, exists, direct, temporary] = *implementation;
@@ -159,6 +169,11 @@ void OutputFile::append(std::string_view bytes) {
 
 void OutputFile::finish() {
     if (const int error = implementation->finish()) fail(implementation->path, error);
+}
+
+void OutputFile::finish_as(const std::string& path) {
+    implementation->look_at(path);
+    finish();
 }
 
 void write_file(const std::string& path, std::string_view bytes) {

@@ -17,11 +17,18 @@ namespace strahl {
 /// Throws OutputError.
 class OutputFile {
   public:
-    explicit OutputFile(const std::string& path);
+    /// Another program overwrites the temporary file by its `name()`, and goes on when this one is killed: the file
+    /// then stays. Devices and pipes are refused.
+    enum class Writer { own, other_program };
+    explicit OutputFile(const std::string& path, Writer writer = Writer::own);
     ~OutputFile();
     void append(std::string_view bytes);
+    /// The temporary file's.
+    std::string name() const;
     /// Nothing has the name before; without it nothing is left.
     void finish();
+    /// The same under another name in the same folder.
+    void finish_as(const std::string& path);
 
   private:
     struct Implementation;

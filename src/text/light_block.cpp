@@ -14,7 +14,7 @@ namespace {
 
 Spot read_spot(Reader& reader, std::string_view word, Block& outer) {
     Spot spot;
-    Block block{word};
+    Block block{word, false, false, outer.follows};
     auto parameters = spot_parameters(spot);
     reader.block(block, parameters);
     reader.require(block, parameters);
@@ -28,18 +28,22 @@ Spot read_spot(Reader& reader, std::string_view word, Block& outer) {
 }
 
 /// `edges <u>, <v>` after its first word.
-void read_edges(Reader& reader, Area& area, Block& block) {
+void read_edges(Reader& reader, Area& area, Block& outer) {
+    Block block{outer.name};
     reader.read(area.u, coordinates, "edges", block);
     reader.lexer.accept(',');
     reader.read(area.v, coordinates, "edges", block);
+    outer.absorb(block);
 }
 /// `grid columns, rows` likewise.
-void read_grid(Reader& reader, Area& area, Block& block) {
+void read_grid(Reader& reader, Area& area, Block& outer) {
+    Block block{outer.name};
     double columns = 0, rows = 0;
     reader.read(columns, grid_sizes, "grid", block);
     reader.lexer.accept(',');
     reader.read(rows, grid_sizes, "grid", block);
     if (block.good()) area.columns = static_cast<int>(columns), area.rows = static_cast<int>(rows);
+    outer.absorb(block);
 }
 
 /// Why these edges span no rectangle, or "".
@@ -56,7 +60,7 @@ std::string edges_fault(const Area& area) {
 
 Light read_light(Reader& reader, const TextLimits& limits, std::string_view word) {
     Light light;
-    Block block{word};
+    Block block{word, false, false, &light.follows};
     auto parameters = light_parameters(light);
     std::string_view spot_at, motion_at, edges_at, grid_at;
     Area area;
@@ -78,6 +82,7 @@ Light read_light(Reader& reader, const TextLimits& limits, std::string_view word
             return true;
         });
     reader.require(block, parameters);
+    sort(light.follows);
     if (!block.good()) return light;
     const auto fault = [&](std::string_view at, const std::string& message) { reader.diagnostics.add(at, message); };
     if (edges_at.data()) {

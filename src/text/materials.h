@@ -33,6 +33,14 @@ struct MaterialText {
             if (*is_named++) result.*field.member = values.*field.member;
         };
         std::apply([&](const auto&... field) { (change(field), ...); }, Material::fields);
+        if (values.follows.empty() && base.follows.empty()) return result;
+        is_named = named.begin();
+        const auto forget = [&](const auto& field) {
+            if (*is_named++) std::erase_if(result.follows, [&](const Follow& f) { return f.parameter == field.name; });
+        };
+        std::apply([&](const auto&... field) { (forget(field), ...); }, Material::fields);
+        result.follows.insert(result.follows.end(), values.follows.begin(), values.follows.end());
+        sort(result.follows);
         return result;
     }
 };

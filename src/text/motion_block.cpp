@@ -52,9 +52,10 @@ Motion read_motion(Reader& reader, const TextLimits& limits, std::string_view wo
         auto parameters = motion_parameters(text);
         reader.block(own, parameters);
         reader.require(own, parameters);
+        reader.set_time(text.when.time, text.when.beat, parameters[1].at, own);
         block.absorb(own);
-        motion.keys.push_back({text.time, text.translate, text.rotate, text.scale.by});
-        places.push_back({inner, parameters[0].at, parameters[1].at});
+        motion.keys.push_back({text.when.time, text.translate, text.rotate, text.scale.by});
+        places.push_back({inner, parameters[text.when.beat ? 1 : 0].at, parameters[2].at});
     };
     Block block{word};
     constexpr std::array<std::string_view, 1> words{"key"};

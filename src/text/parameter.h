@@ -37,6 +37,7 @@ inline constexpr Bounds depths{1, 256, "a whole number from 1 to 256", true};
 inline constexpr Bounds quarter_turns{0, 90, "from 0 to 90 degrees"};
 inline constexpr Bounds octave_counts{1, 10, "a whole number from 1 to 10", true};
 inline constexpr Bounds grid_sizes{1, 64, "a whole number from 1 to 64", true};
+inline constexpr Bounds row_counts{1, 256, "a whole number from 1 to 256", true};
 inline constexpr Bounds only_one{1, 1, "1, the only value known"};
 inline constexpr Bounds directions{-largest_coordinate, largest_coordinate, "from -1e15 to 1e15, not all 0"};
 inline constexpr Bounds anything{-largest_number, largest_number, "a number"};

@@ -70,7 +70,7 @@ class Parser {
     Material default_material;
     std::size_t bodies_read = 0, points = 0;  // points: of lights
     std::vector<MaterialText> written;            // of the body being read and its parts
-    std::string_view background_at, settings_at, fog_at;  // where these blocks are, of which a scene has one
+    std::string_view background_at, settings_at, fog_at, music_at;  // where these blocks are, of which a scene has one
 };
 
 Scene Parser::parse() {
@@ -92,6 +92,8 @@ Scene Parser::parse() {
     diagnostics.check();
     scene.camera = cameras.the_camera;
     scene.flythrough = std::move(cameras.path);
+    scene.camera_follows = std::move(cameras.follows);
+    if (reader.any_track) scene.tracks = reader.files.tracks();
     scene.materials = std::move(materials.list);
     return std::move(scene);
 }
@@ -122,10 +124,10 @@ void Parser::top_block(std::string_view word) {
     }
     if (word == "camera") return cameras.camera(word);
     if (word == "background") return background(word);
-    if (word == "fog") return reader.once(fog_at, word), void(scene.fog = read_fog(reader, word));
-    if (word == "global_settings")
-        return reader.once(settings_at, word), void(scene.settings = read_settings(reader, word));
     if (word == "flythrough") return cameras.flythrough(word);
+    if (word == "fog") return reader.once(fog_at, word), void(scene.fog = read_fog(reader, word));
+    if (word == "global_settings") return reader.once(settings_at, word), void(scene.settings = read_settings(reader, word));
+    if (word == "music") return reader.once(music_at, word), void(reader.music = scene.music = read_music(reader, word));
     diagnostics.add(word, unknown_word(word, definitions.with_bodies(block_words), ""));
     throw ParseAbort{};
 }
@@ -137,7 +139,7 @@ void Parser::limit(std::size_t count, std::size_t most, std::string_view at, con
 
 void Parser::background(std::string_view word) {
     reader.once(background_at, word);
-    Block block{word};
+    Block block{word, false, false, &scene.background_follows};
     auto parameters = background_parameters(scene.background);
     reader.block(block, parameters);
     reader.require(block, parameters);
@@ -155,7 +157,9 @@ Block Parser::material(std::string_view word, MaterialText& target) {
     if (!name.empty() && reader.lexer.peek() != '{') return block;
     MaterialText own;
     auto parameters = material_parameters(own.values);
+    block.follows = &own.values.follows;
     reader.block(block, parameters);
+    block.follows = nullptr;
     for (std::size_t i = 0; i < parameters.size(); ++i) own.named[i] = parameters[i].given();
     target.add(own);
     return block;
@@ -216,7 +220,7 @@ bool Parser::finish(std::string_view word, Primitive& primitive, Block& block, E
     if (!contains(shape_words, word)) return false;
     limit(primitive.transformations.size(), limits.transformations, word, "transformations of one primitive");
     primitive.transformations.push_back(word == "motion" ? read_motion(reader, limits, word, block)
-                                                         : read_transformation(reader, word, block));
+                                                         : read_transformation(reader, word, block, true));
     ending.last = word;
     return true;
 }
@@ -280,7 +284,7 @@ void Parser::check(const Kind& shape, const Primitive& primitive, Block& block, 
 }  // namespace
 
 Scene parse_scene(std::string_view text, std::string_view file, const TextLimits& limits,
-                  const ReadPixels& read_pixels) {
+                  const ReadPixels& read_pixels, FileNames* names) {
     if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
     Diagnostics diagnostics(text, file);
     if (const std::size_t i = find_invalid(text); i != text.npos) {
@@ -289,7 +293,9 @@ Scene parse_scene(std::string_view text, std::string_view file, const TextLimits
         diagnostics.check();
     }
     SceneFiles files(file, read_pixels);
-    return Parser(text, diagnostics, files, limits).parse();
+    Scene scene = Parser(text, diagnostics, files, limits).parse();
+    if (names) *names = files.names;
+    return scene;
 }
 
 }  // namespace strahl

@@ -1,9 +1,47 @@
 // Reads values and blocks, and recovers from errors.
 #include "text/reader.h"
 
+#include "num/decimal.h"
+
 namespace strahl {
 
+namespace {
+constexpr std::array<std::string_view, 1> track_word{"track"};
+}
+
+/// Reads `track "NAME"`, if that comes, and the value that holds while the track has no keys: 0 if none is given.
+bool Reader::follow(double& value, const Bounds& bounds, std::string_view name, Block& block) {
+    if (lexer.peek() != 't') return false;
+    const std::string_view word = lexer.word();
+    if (word != track_word[0]) {
+        if (lexer.peek() != '"') return lexer.rewind(word), false;
+        diagnostics.add(word, unknown_word(word, track_word, " before a name in quotes"));
+        throw ParseAbort{};
+    }
+    const auto fault = [&](const std::string& message) { diagnostics.add(word, message), block.bad = true; };
+    const std::string_view track = lexer.quotation("the name of a track");
+    const std::string what = quoted(name) + " of " + quoted(block.name);
+    if (track.empty())
+        fault("a track without a name");
+    else if (track.size() > 255)
+        fault("the name of this track is longer than 255 bytes");
+    else if (!block.follows)
+        fault(what + " can't follow a track; numbers of lights, materials, the camera, the fog, of the background's "
+                     "colour and of the transformations of bodies can");
+    else
+        block.follows->push_back({std::string(track), std::string(name), block.component, 1, bounds.low, bounds.high});
+    any_track = true;
+    const char next = lexer.peek();
+    if (next != ',' && next != '<' && lexer.at_value()) return read(value, bounds, name, block), true;
+    value = 0;
+    if (!bounds.contains(0))
+        fault(what + " can't be 0: say what it is while the track has no keys, as in 'track \"" + std::string(track) +
+              "\" " + text_of(bounds.contains(1) ? 1 : bounds.low) + "'");
+    return true;
+}
+
 void Reader::read(double& value, const Bounds& bounds, std::string_view name, Block& block) {
+    if (follow(value, bounds, name, block)) return;
     const Number number = lexer.number(name, block.name);
     value = number.value;
     if (bounds.contains(value)) return;
@@ -16,8 +54,10 @@ void Reader::read(DVec3& value, const Bounds& bounds, std::string_view name, Blo
     if (!lexer.accept('<')) lexer.fail("a vector <x, y, z> expected for " + quoted(name) + " of " + quoted(block.name));
     for (int i = 0; i < 3; ++i) {
         if (i > 0 && !lexer.accept(',')) lexer.fail("',' expected between the three numbers of a vector");
+        block.component = i;
         read(value[i], bounds, name, block);
     }
+    block.component = 0;
     if (!lexer.accept('>')) lexer.fail("'>' expected after the three numbers of a vector");
 }
 
@@ -37,6 +77,11 @@ void Reader::read(Scale& value, const Bounds& bounds, std::string_view name, Blo
         read(by, bounds, name, block);
     else
         read(by.x, bounds, name, block), by.y = by.z = by.x;
+    if (!vector && block.follows && !block.follows->empty())
+        for (const int component : {1, 2}) {
+            block.follows->push_back(block.follows->front());
+            block.follows->back().component = component;
+        }
     if (by.x != 0 && by.y != 0 && by.z != 0) return;
     diagnostics.add(
         at, "'scale' of " + quoted(block.name) + " is 0, which would leave nothing of it; 1 changes nothing");
@@ -62,6 +107,15 @@ void Reader::read(Parameter& parameter, std::string_view word, Block& block) {
         void operator()(std::optional<DVec3>* target) const { read(DVec3(), *target); }
     } visitor{read_as};
     std::visit(visitor, parameter.value);
+}
+
+void Reader::set_time(double& time, const std::optional<double>& beat, std::string_view at, Block& block) {
+    if (!beat || !block.good()) return;
+    if (music) time = *beat * 60 / music->bpm;
+    if (music && seconds.contains(time)) return;
+    diagnostics.add(at, music ? "this beat is after more than 1e15 seconds"
+                              : "how long a beat is must be said above: 'music { bpm 120 }'");
+    block.bad = true;
 }
 
 void Reader::require(Block& block, std::span<const Parameter> parameters, std::initializer_list<Need> needs) {

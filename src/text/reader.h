@@ -6,7 +6,9 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "scene/track.h"
 #include "text/lexer.h"
 #include "text/parameter.h"
 #include "text/scene_files.h"
@@ -18,6 +20,8 @@ namespace strahl {
 struct Block {
     std::string_view name;
     bool lost = false, bad = false;
+    std::vector<Follow>* follows = nullptr;  // where numbers that follow tracks are noted; null if none may
+    int component = 0;                       // of the vector that is being read
     bool good() const { return !lost && !bad; }
     /// Takes over the state of a block inside this one.
     void absorb(const Block& inner) { lost |= inner.lost, bad |= inner.bad; }
@@ -78,6 +82,8 @@ class Reader {
     };
     /// Reports missing parameters, and pairs of which only one may be given.
     void require(Block& block, std::span<const Parameter> parameters, std::initializer_list<Need> needs = {});
+    /// The seconds of a `beat` that stands at `at`, where one is given. It is an error if there is no music yet.
+    void set_time(double& time, const std::optional<double>& beat, std::string_view at, Block& block);
     /// Reports a word that is given a second time. `first` is the place of the first time, and is set then.
     bool once(std::string_view& first, std::string_view word) {
         if (!first.data()) return first = word, true;
@@ -89,8 +95,11 @@ class Reader {
     Diagnostics& diagnostics;
     const std::span<const std::string_view> blocks;  // words that open a top-level block
     SceneFiles& files;
+    bool any_track = false;       // Does some number follow one?
+    std::optional<Music> music;  // as soon as it is read
 
   private:
+    bool follow(double& value, const Bounds& bounds, std::string_view name, Block& block);
     void open(const Block& block);
     bool closed(Block& block, std::span<const std::string_view> words, std::string_view& word);
     void unknown(Block& block, std::span<const std::string_view> words, std::string_view word);

@@ -4,8 +4,10 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "scene/mesh_data.h"
+#include "scene/track.h"
 #include "text/parse.h"
 
 namespace strahl {
@@ -16,11 +18,15 @@ class SceneFiles {
     SceneFiles(std::string_view scene, ReadPixels read_pixels);
     std::shared_ptr<const MeshData> mesh(std::string_view name);
     std::shared_ptr<const Pixels> pixels(std::string_view name);
+    /// Only looks whether it is an Ogg Vorbis file.
+    void sound(std::string_view name);
+    /// Those saved beside the scene; none if there is no such file.
+    std::vector<Track> tracks() const;
+
+    FileNames names;  // of all that was read
 
   private:
-    std::string path_of(std::string_view name) const;
-
-    const std::string folder;
+    const std::string scene;
     const ReadPixels read_pixels;
     std::map<std::string, std::shared_ptr<const MeshData>> meshes;  // by their paths
     std::map<std::string, std::shared_ptr<const Pixels>> pictures;

@@ -14,12 +14,35 @@ Settings read_settings(Reader& reader, std::string_view word) {
 }
 
 Fog read_fog(Reader& reader, std::string_view word) {
-    Block block{word};
     Fog fog;
+    Block block{word, false, false, &fog.follows};
     auto parameters = fog_parameters(fog);
     reader.block(block, parameters);
     reader.require(block, parameters);
+    sort(fog.follows);
     return fog;
+}
+
+Music read_music(Reader& reader, std::string_view word) {
+    Block block{word};
+    Music music;
+    auto parameters = music_parameters(music);
+    std::string_view sound_at;
+    reader.block(
+        block, parameters, music_words, [] {},
+        [&](std::string_view inner) {
+            if (inner != music_words[0]) return false;
+            const std::string_view name = reader.lexer.quotation("the name of a file");
+            if (!reader.once(sound_at, inner)) return true;
+            music.sound = name;
+            try {
+                reader.files.sound(name);
+            } catch (const FileError& error) {
+                reader.diagnostics.add(name, error.what());
+            }
+            return true;
+        });
+    return music;
 }
 
 }  // namespace strahl

@@ -1,4 +1,4 @@
-// The blocks `global_settings` and `fog`.
+// The blocks `global_settings`, `fog` and `music`.
 #pragma once
 #include <string_view>
 
@@ -9,5 +9,6 @@ namespace strahl {
 
 Settings read_settings(Reader& reader, std::string_view word);
 Fog read_fog(Reader& reader, std::string_view word);
+Music read_music(Reader& reader, std::string_view word);
 
 }  // namespace strahl

@@ -2,18 +2,28 @@
 
 #include "num/decimal.h"
 #include "scene/motion.h"
+#include "text/follow_text.h"
 
 namespace strahl {
 
-Transformation read_transformation(Reader& reader, std::string_view word, Block& block) {
-    DVec3 v{0};
-    if (word == "rotate") return reader.read(v, anything, word, block), Rotate{v};
-    if (word == "translate") return reader.read(v, coordinates, word, block), Translate{v};
+Transformation read_transformation(Reader& reader, std::string_view word, Block& outer, bool follows) {
+    MotionKey key;
+    Block block{outer.name};
+    if (follows) block.follows = &key.follows;
     Scale scale;
-    return reader.read(scale, anything, word, block), scale;
+    if (word == "rotate") reader.read(key.rotate, anything, word, block);
+    if (word == "translate") reader.read(key.translate, coordinates, word, block);
+    if (word == "scale") reader.read(scale, anything, word, block);
+    outer.absorb(block);
+    key.scale = scale.by;
+    if (!key.follows.empty()) return Motion{{std::move(key)}};
+    if (word == "rotate") return Rotate{key.rotate};
+    if (word == "translate") return Translate{key.translate};
+    return scale;
 }
 
 std::string text_of(const Motion& motion, const std::string& new_line) {
+    if (motion.keys.size() == 1) return step_text(motion.keys.front());
     const std::string inner = new_line + (new_line == " " ? "" : "  ");
     std::string text = "motion {";
     for (const MotionKey& key : motion.keys) {

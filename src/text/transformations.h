@@ -13,8 +13,8 @@ namespace strahl {
 
 inline constexpr std::array<std::string_view, 3> transformation_words{"rotate", "translate", "scale"};
 
-/// Reads what follows one of these words.
-Transformation read_transformation(Reader& reader, std::string_view word, Block& block);
+/// Reads what follows one of these words. If numbers follow tracks, which they only may if `follows`, it is a motion.
+Transformation read_transformation(Reader& reader, std::string_view word, Block& block, bool follows = false);
 
 /// As a scene says it: "rotate <0, 0, 90>".
 std::string text_of(const Transformation& step);

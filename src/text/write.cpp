@@ -1,10 +1,13 @@
 // Writes scenes as text, in the form a person would write.
 #include "text/write.h"
 
+#include <algorithm>
 #include <tuple>
+#include <type_traits>
 #include <vector>
 
 #include "num/decimal.h"
+#include "text/follow_text.h"
 #include "text/pigment.h"
 #include "text/transformations.h"
 
@@ -14,9 +17,23 @@ namespace {
 /// The parameters of `material` that differ from `base`.
 std::string parameters(const Material& material, const Material& base) {
     std::string text;
+    const auto value = [&]<class T>(const char* name, const T& own) {
+        if constexpr (std::is_same_v<T, Pigment>)
+            return own.pattern ? text_of(own) : text_of(own.color, material.follows, name);
+        else if constexpr (std::is_same_v<T, Bump>)
+            return text_of(own);
+        else
+            return text_of(own, material.follows, name);
+    };
+    const auto follows = [](const Material& of, const char* name) {
+        std::vector<Follow> own = of.follows;
+        std::erase_if(own, [=](const Follow& f) { return f.parameter != name; });
+        return own;
+    };
     const auto add = [&](const auto& field) {
-        if (material.*field.member == base.*field.member) return;
-        text += (text.empty() ? "" : "  ") + std::string(field.name) + " " + text_of(material.*field.member);
+        const bool same = material.*field.member == base.*field.member;
+        if (same && follows(material, field.name) == follows(base, field.name)) return;
+        text += (text.empty() ? "" : "  ") + std::string(field.name) + " " + value(field.name, material.*field.member);
     };
     std::apply([&](const auto&... field) { (add(field), ...); }, Material::fields);
     return text;
@@ -91,7 +108,7 @@ std::string primitive_text(const Primitive& primitive, const std::vector<Materia
     std::vector<std::string> items;
     for (const Transformation& step : primitive.transformations) {
         const Motion* const motion = std::get_if<Motion>(&step);
-        lines |= motion != nullptr;
+        lines |= motion && motion->keys.size() > 1;
         items.push_back(motion ? text_of(*motion, new_line + "  ") : text_of(step));
     }
     if (own != base) items.push_back("material { " + parameters(own, base) + " }");
@@ -103,17 +120,19 @@ std::string primitive_text(const Primitive& primitive, const std::vector<Materia
 }
 
 std::string light_text(const Light& light) {
-    std::string text = light.direction ? "light { direction " + text_of(*light.direction)
-                                       : "light { position " + text_of(light.position);
-    text += "  color " + text_of(light.color);
+    const auto& follows = light.follows;
+    std::string text = light.direction ? "light { direction " + text_of(*light.direction, follows, "direction")
+                                       : "light { position " + text_of(light.position, follows, "position");
+    text += "  color " + text_of(light.color, follows, "color");
     if (light.area) text += "  edges " + text_of(light.area->u) + ", " + text_of(light.area->v);
     if (light.area && light.area->columns > 0)
         text += "  grid " + std::to_string(light.area->columns) + ", " + std::to_string(light.area->rows);
     if (light.spot) {
-        text += "  spot { look_at " + text_of(light.spot->look_at);
+        text += "  spot { look_at " + text_of(light.spot->look_at, follows, "look_at");
         const auto add = [&](const auto& field) {
-            if (*light.spot.*field.member != Spot{}.*field.member)
-                text.append("  ").append(field.name).append(" ").append(text_of(*light.spot.*field.member));
+            const double value = *light.spot.*field.member;
+            if (value != Spot{}.*field.member || any_follows(follows, field.name))
+                text.append("  ").append(field.name).append(" ").append(text_of(value, follows, field.name));
         };
         std::apply([&](const auto&... field) { (add(field), ...); }, Spot::fields);
         text += " }";
@@ -134,7 +153,8 @@ std::string settings_text(const Settings& settings) {
 }
 
 std::string fog_text(const Fog& fog) {
-    return "fog { distance " + text_of(fog.distance) + "  color " + text_of(fog.color) + " }\n";
+    return "fog { distance " + text_of(fog.distance, fog.follows, "distance") + "  color " +
+           text_of(fog.color, fog.follows, "color") + " }\n";
 }
 
 std::string primitives_text(const std::vector<Primitive>& primitives, const std::vector<Material>& materials) {
@@ -157,10 +177,17 @@ std::string primitives_text(const std::vector<Primitive>& primitives, const std:
 
 }  // namespace
 
-std::string write_camera(const Camera& camera) {
-    std::string text = "camera {\n  position " + text_of(camera.position) + "\n  look_at " + text_of(camera.look_at) +
-                       "\n  up " + text_of(camera.up) + "\n  fov " + text_of(camera.fov) + "\n";
-    if (camera.aspectratio) text += "  aspectratio " + text_of(*camera.aspectratio) + "\n";
+std::string write_camera(const Camera& camera, const std::vector<Follow>& follows) {
+    const auto is_times = [&](const char* parameter, double factor) {
+        return std::ranges::any_of(follows, [=](const Follow& f) { return f.parameter == parameter && f.factor == factor; });
+    };
+    const bool sky = is_times("up", -1), angle = is_times("fov", .5);
+    std::string text = "camera {\n  position " + text_of(camera.position, follows, "position") + "\n  look_at " +
+                       text_of(camera.look_at, follows, "look_at") + (sky ? "\n  sky " : "\n  up ") +
+                       text_of(sky ? DVec3(0) - camera.up : camera.up, follows, "up") +
+                       (angle ? "\n  angle " : "\n  fov ") +
+                       text_of(angle ? 2 * camera.fov : camera.fov, follows, "fov") + "\n";
+    if (camera.aspectratio) text += "  aspectratio " + text_of(*camera.aspectratio, follows, "aspectratio") + "\n";
     return text + "}\n";
 }
 
@@ -180,8 +207,14 @@ std::string write_flythrough(const Flythrough& path) {
 }
 
 std::string write_scene(const Scene& scene) {
-    std::string text = write_camera(scene.camera) + settings_text(scene.settings);
-    if (scene.background != Pigment(Color(0))) text += "background { color " + text_of(scene.background) + " }\n";
+    std::string text = write_camera(scene.camera, scene.camera_follows) + settings_text(scene.settings);
+    if (scene.music != Music{})
+        text += "music { bpm " + text_of(scene.music.bpm) + "  rows " + text_of(scene.music.rows) +
+                (scene.music.sound.empty() ? "" : "  sound \"" + scene.music.sound + "\"") + " }\n";
+    if (scene.background.pattern)
+        text += "background { color " + text_of(scene.background) + " }\n";
+    else if (scene.background != Pigment(Color(0)) || !scene.background_follows.empty())
+        text += "background { color " + text_of(scene.background.color, scene.background_follows, "color") + " }\n";
     if (scene.fog) text += fog_text(*scene.fog);
     if (!scene.lights.empty()) text += "\n";
     for (const Light& light : scene.lights) text += light_text(light);

@@ -32,6 +32,14 @@ const char* name(Simd simd) {
     }
 }
 
+bool for_other_processors() {
+#if defined(__x86_64__) && !defined(STRAHL_KERNEL_v2)
+    return false;
+#else
+    return true;
+#endif
+}
+
 // kernels.cmake defines STRAHL_KERNEL_v3 and so on for the levels that are built.
 bool supported(Simd simd) {
     switch (simd) {

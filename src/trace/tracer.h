@@ -31,6 +31,8 @@ const char* name(Simd simd);            // "scalar", "x86-64-v2", ...
 Simd best_simd();
 /// Can this processor run it?
 bool supported(Simd simd);
+/// Does this program have a kernel that any processor of this kind can run, and not only the scalar one?
+bool for_other_processors();
 /// Lanes of a pack (1 for scalar and for extended precision).
 int lanes(Precision precision, Simd simd);
 
@@ -69,6 +71,7 @@ struct View {
     double shift_x = 0, shift_y = 0;  // of the sampling point from the pixel's centre, in pixels
     double error = 0;  // a pixel may lack this much light in a channel: weak rays are left out until they add up to it
     double time = 0;   // in seconds: where moving bodies and lights are
+    std::shared_ptr<const std::vector<Track>> tracks{};  // if any, in place of the scene's
 };
 
 /// Throws FileError if the scene has more surfaces than numbers of this precision can tell apart: 2^24 in float. So

@@ -60,7 +60,7 @@ class TracerOf : public AnyTracer {
         : AnyTracer(std::move(own)), extent(extent_of(scene())), kernel(kernel_for<T>(simd)) {}
 
     void prepare(const View& view, ThreadPool& pool) override {
-        const bool moved = stage.set(view.time, pool);
+        const bool moved = stage.set(view.time, view.tracks, pool);
         if (moved) extent = extent_of(scene());
         const Placement wanted = placement(extent, view.camera.position);
         if (built && wanted == placed && !moved) return;

@@ -26,7 +26,7 @@ check 1 "not with the picture that was asked for"
 povray "cp $work/wrong.png scene.png"
 check 1 "24x32 pixels"
 povray "echo nonsense >scene.png"
-check 1 "no .bmp, .png or .exr"
+check 1 "no .bmp, .png, .exr, .ppm or .pfm"
 povray $'printf "\\e[31mred\\n"; exit 3'
 said=$("$strahl" crosscheck scene.rt 2>&1)
 [[ $said == *red* && $said != *$'\e'* ]] || fault "povray's words steer the terminal"

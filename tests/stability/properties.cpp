@@ -82,7 +82,7 @@ TEST_CASE("the order of separate bodies does not matter, nor, except for the las
     const Scene scene = still_life();
     Scene reversed = scene, lights = scene;
     std::ranges::reverse(reversed.primitives);
-    std::ranges::reverse(lights.lights);
+    lights.lights.assign(scene.lights.rbegin(), scene.lights.rend());
     for (const Precision precision : precisions) {
         const Frame frame = shoot(scene, precision);
         // Bodies of one kind keep the order in which the light that they transmit is multiplied.

@@ -59,7 +59,7 @@ std::string forged_exr(int width, int height, int tile) {
     return bytes + bytes_of_values(std::uint64_t(bytes.size() + 8));
 }
 
-TEST_CASE("only .bmp, .png and .exr are read, told by what is in the file") {
+TEST_CASE("only .bmp, .png, .exr, .ppm and .pfm are read, told by what is in the file") {
     const Scratch folder;
     const auto reading = [&](const std::string& name) { return fault_in(folder / name); };
     write_picture(picture(4, 4), folder / "a.png", {});
@@ -67,11 +67,35 @@ TEST_CASE("only .bmp, .png and .exr are read, told by what is in the file") {
     CHECK(reading("a.bmp").empty());
     const std::string no_channels("\x01\xda\0\1\0\3\0\4\0\4\0\0", 12);  // of an SGI file
     const std::string icon("\0\0\1\0\1\0", 6), dds("DDS \x7c\0\0\0", 8), cineon("\x80\x2a\x5f\xd7", 4);
-    for (const std::string& start : {no_channels, icon, dds, cineon, std::string("P6 1 1 255\n\1\2\3")})
+    for (const std::string& start : {no_channels, icon, dds, cineon, std::string("P3 1 1 255\n1 2 3")})
         for (const char* name : {"b.png", "b.sgi", "b.ico", "b.dds", "b.cin", "b.ppm"}) {
             write_file(folder / name, start + std::string(2000, '\0'));
-            CHECK(says(reading(name), "no .bmp, .png or .exr"));
+            CHECK(says(reading(name), "no .bmp, .png, .exr, .ppm or .pfm"));
         }
+}
+
+TEST_CASE("pictures without compression: headers that are forged, and files that are cut off") {
+    const Scratch folder;
+    const auto reading = [&](const std::string& bytes, std::uint64_t most = most_values_read) {
+        write_file(folder / "a.ppm", bytes);
+        return fault_in(folder / "a.ppm", most);
+    };
+    const std::string values(2000, '\7');
+    CHECK(reading("P6 # red first\n2 1\t255\n123456").empty());
+    CHECK(says(reading("P6 2 1 255\n12345"), "cut off"));
+    CHECK(says(reading("P6 2 1 65535\n12345678901"), "cut off"));
+    CHECK(says(reading("P6 2"), "cut off"));
+    CHECK(says(reading("P6 2 1 255#"), "cut off"));
+    CHECK(says(reading("P6 " + std::string(30, '1') + values), "cut off"));
+    CHECK(says(reading("P6 1000000 1000000 255\n" + values), "1000000x1000000 pixels"));
+    CHECK(says(reading("P6 2 1 255\n123456", 5), "2x1 pixels"));
+    for (const char* wrong : {"P6 0 1 255", "P6 -1 1 255", "P6 1 9999999 255", "P6 1 x 255", "P6 1 1 0", "P6 1.5 1 255",
+                              "PF 1 1 x", "PF 1 1 nan", "PF 1 1 2"})
+        CHECK(says(reading(wrong + ('\n' + values)), "where a number is expected"));
+    CHECK(says(reading("P6 1 1 100\n" + values), "neither 255 nor 65535"));
+    CHECK(says(reading("PF 1 1 0\n" + values), "neither 1 nor -1"));
+    CHECK(says(reading("P6_" + values), "cut off"));
+    CHECK(says(reading("P61 1 255\n" + values), "it is no .ppm"));
 }
 
 TEST_CASE("devices and pipes are not read") {

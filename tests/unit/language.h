@@ -47,7 +47,7 @@ inline std::string unknown(const std::string& word) {
         return (... + (std::string(", ") + Kinds::name));
     };
     return "unknown word '" + word + "'; known here: camera, light" + kinds(std::type_identity<Shape>{}) +
-           ", defaultmaterial, background, fog, global_settings, flythrough, define";
+           ", defaultmaterial, background, fog, global_settings, flythrough, define, music";
 }
 /// The lines of a message that name a place, without quoted lines and carets.
 inline std::vector<std::string> faults(const std::string& text) {

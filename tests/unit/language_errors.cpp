@@ -67,7 +67,7 @@ TEST_CASE("missing parameters") {
     check_fault("background { }", "2:1: 'background' lacks 'color'");
     check_fault("flythrough { }", "2:1: 'flythrough' lacks 'duration', keys: it takes 2 to make a path");
     check_fault("flythrough { duration 1 key { } key { time 1 position <0,0,0> look_at <1,0,0> } }",
-                "2:25: 'key' lacks 'time', 'position', 'look_at'");
+                "2:25: 'key' lacks 'time' (or 'beat'), 'position', 'look_at'");
     check_fault("flythrough { duration 1 key { time 1 position <0,0,0> look_at <1,0,0> } }",
                 "2:1: 'flythrough' lacks keys: it takes 2 to make a path");
     check_fault("sphere { }", "2:10: a vector <x, y, z> expected for 'centre' of 'sphere', but here comes '}'");

@@ -246,7 +246,7 @@ TEST_CASE("mistakes in motions") {
     const std::string too_few = "3:1: 'motion' lacks keys: it takes 2 to move";
     check_motion("", too_few);
     check_motion("key { time 1 }", too_few);
-    check_motion("key { time 1 } key { translate <1,2,3> }", "3:25: 'key' lacks 'time'");
+    check_motion("key { time 1 } key { translate <1,2,3> }", "3:25: 'key' lacks 'time' (or 'beat')");
     check_motion("key { time 1 }\nkey { time 1 }",
                  "4:7: times must rise: the key before, in line 3, is not earlier than this one");
     check_motion("key { time -1 } key { time 2 }", "3:21: 'time' of 'key' must be from 0 to 1e15, not '-1'");
@@ -257,7 +257,7 @@ TEST_CASE("mistakes in motions") {
     check_motion("key { time 0 scale -1 }\nkey { time 2 }",
                  "4:1: on the way to this key 'scale' would be 0: its sign must be that in the key before, in line 3");
     check_motion("key { time 0 position <0,0,0> } key { time 1 }",
-                 "3:23: unknown word 'position' in 'key'; known here: time, scale, rotate, translate");
+                 "3:23: unknown word 'position' in 'key'; known here: time, beat, scale, rotate, translate");
     check_motion("key { time 0 time 1 } key { time 2 }", "3:23: a second 'time'; the first is in line 3");
     check_motion("kye { time 0 }", "3:10: unknown word 'kye' in 'motion'; did you mean 'key'?");
     check_fault("light { position <1,2,3> color <1,1,1> motion { key { time 0 } key { time 1 } }\nmotion { key { time 0 "

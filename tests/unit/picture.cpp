@@ -11,6 +11,7 @@
 #include <limits>
 #include <random>
 
+#include "image/netpbm.h"
 #include "image/pixels.h"
 #include "image/transfer.h"
 #include "scratch.h"
@@ -118,6 +119,28 @@ TEST_CASE("the transfer curve: round(255 v) as in 1999, or sRGB where light is l
     CHECK(quantise(.21405, true, 255) == 128);
     CHECK(quantise(.0031308, true, 65535) == 2651);
     CHECK(std::abs(srgb(.0031308) - srgb(.00313081)) < 1e-6);
+}
+
+TEST_CASE("pictures without compression hold what the file holds from which they were read") {
+    const Scratch folder;
+    for (const auto& [ending, bits] : {std::pair{".png", 8}, {".png", 16}, {".exr", 32}})
+        for (const int channels : {1, 3}) {
+            const std::string compressed = folder / std::string("a").append(ending), plain = folder / "a.plain";
+            write_picture(noise(17, 5, channels), compressed, {bits, false, Compression::fast});
+            const Picture picture = read_picture(compressed);
+            write_file(plain, netpbm_of(picture));
+            const Picture same = read_picture(plain);
+            CHECK(same.width == 17);
+            CHECK(same.height == 5);
+            CHECK(same.channels == channels);
+            CHECK(same.bits == bits);
+            CHECK(same.values == picture.values);
+        }
+    // As the formats' pages say: 16 bits with the high byte first, floats from the bottom and of either order.
+    write_file(folder / "a.pgm", std::string("P5\n2 1\n65535\n\x80\0\0\1", 19));
+    CHECK(read_picture(folder / "a.pgm").values == std::vector<double>{32768 / 65535., 1 / 65535.});
+    write_file(folder / "a.pfm", std::string("Pf\n1 2\n1.0\n\x3f\x80\0\0\x40\0\0\0", 19));
+    CHECK(read_picture(folder / "a.pfm").values == std::vector<double>{2, 1});
 }
 
 TEST_CASE("alpha is a channel like any other") {

@@ -34,7 +34,7 @@ const std::map<std::string, std::set<std::string>> modules{
 /// Headers of libraries, and the only module that may include them.
 const std::vector<std::pair<std::regex, std::string>> libraries{
     {std::regex("OpenImageIO/.*|zlib\\.h"), "image"},
-    {std::regex("(GLFW|GL|GLES[0-9]*|EGL)/.*|imgui.*"), "show"},
+    {std::regex("(GLFW|GL|GLES[0-9]*|EGL|AL|vorbis)/.*|imgui.*"), "show"},
     {std::regex("CLI(11)?/.*"), "main"},
     {std::regex("[a-z0-9]*intrin\\.h|arm_neon\\.h|experimental/simd"), "num"},
 };
