@@ -96,7 +96,7 @@ std::optional<Written> Reload::take_written() {
 }
 
 void Reload::loop(std::stop_token quit) {
-    while (!quit.stop_requested()) {
+    while (true) {
         std::optional<std::string> other;
         std::vector<Request> requests;
         {
@@ -104,7 +104,7 @@ void Reload::loop(std::stop_token quit) {
             wake.wait_for(lock, quit, std::chrono::milliseconds(200), [this] { return to_open || !to_write.empty(); });
             other = std::exchange(to_open, std::nullopt), requests = std::exchange(to_write, {});
         }
-        for (const Request& request : requests) {
+        for (const Request& request : requests) {  // also when the window closes
             Written done = request.tracks ? write_tracks(*request.tracks) : write_path(request);
             std::lock_guard lock(mutex);
             written.push_back(std::move(done));

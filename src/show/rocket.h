@@ -1,6 +1,7 @@
 // The demo's side of GNU Rocket's protocol: an editor listens at the loopback address, and changes tracks meanwhile.
 // As github.com/rocket/rocket, lib/device.c, has it: numbers are big-endian, tracks are numbered as they are asked for.
 #pragma once
+#include <cstdint>
 #include <functional>
 #include <mutex>
 #include <optional>

@@ -39,7 +39,7 @@ void Viewer::handle_rocket() {
     }
     if (news.paused && *news.paused == session.under_way()) session.perform({Action::pause}, now());
     if (news.keys || session.time != time_before) change_heard = now();
-    if (news.save) reload.write(*session.tracks);
+    if (news.save && !waiting) reload.write(*session.tracks);
     if (!news.lost.empty()) {
         announce("the Rocket editor is gone: " + news.lost);
         session.driven = false;

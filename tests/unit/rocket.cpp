@@ -207,6 +207,12 @@ TEST_CASE("tracks are saved beside the scene, and what was there before stays as
     CHECK(folder.files() == 3);
     std::filesystem::remove(path), std::filesystem::remove(file), std::filesystem::remove(file + "~");
     CHECK(save(first).copy == "");
+    std::filesystem::remove(file);
+    {
+        Reload closing(path, scene_text, [] {});
+        closing.write(second);
+    }
+    CHECK(parse_tracks(bytes_of(file), file) == second);  // although it was closed at once
     CHECK(with_tracks(first, second) == second);
     CHECK(with_tracks(second, first) == std::vector<Track>{first[0], second[1]});
 }
