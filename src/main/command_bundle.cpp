@@ -47,13 +47,12 @@ std::string quoted(const std::string& text) {
     return all + "'";
 }
 
-/// Every desktop has these, and its drivers need its own: the C and C++ libraries, zlib, X, OpenGL, Wayland and
-/// ALSA.
+/// Every desktop has these, and its drivers need its own: the C and C++ libraries, zlib, X, OpenGL and Wayland.
 bool of_the_desktop(const std::string& library) {
-    constexpr std::array<std::string_view, 23> names{
+    constexpr std::array<std::string_view, 22> names{
         "linux-vdso.", "ld-linux", "libc.",   "libm.",   "libdl.", "libpthread.", "librt.",     "libstdc++.",
         "libgcc_s.",   "libz.",    "libX",    "libxcb",  "libxkb", "libGL",       "libEGL.",    "libOpenGL.",
-        "libgbm.",     "libdrm",   "libbsd.", "libmd.",  "libffi.", "libwayland-", "libasound."};
+        "libgbm.",     "libdrm",   "libbsd.", "libmd.",  "libffi.", "libwayland-"};
     return std::ranges::any_of(names, [&](std::string_view name) { return library.starts_with(name); });
 }
 

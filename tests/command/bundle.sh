@@ -60,7 +60,7 @@ done
 [[ -z $(find "$bundled/lib" -name 'libOpenImageIO*') ]] || fault "the library that reads pictures is in the bundle"
 for library in $(ldd "$strahl_here" | awk '/=> \// { print $1 }'); do
     case $library in
-    lib[cm].* | libstdc++.* | libgcc_s.* | libz.* | libdl.* | libpthread.* | librt.* | libX* | libxcb* | libGL* | libbsd.* | libmd.* | libasound.*) ;;
+    lib[cm].* | libstdc++.* | libgcc_s.* | libz.* | libdl.* | libpthread.* | librt.* | libX* | libxcb* | libGL* | libbsd.* | libmd.*) ;;
     *) expect_file "$bundled/lib/$library" ;;
     esac
 done
