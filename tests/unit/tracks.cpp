@@ -91,11 +91,11 @@ TEST_CASE("keys are put in by rows and taken out") {
 TEST_CASE("rows are counted by beats, and rounding does not miss one") {
     for (const double bpm : {60., 125., 130., 173.3})
         for (int row = 0; row < 5000; ++row) {
-            const Music music{bpm, 7};
+            const Music music{bpm, 7, {}};
             REQUIRE(music.row_at(music.time_of(row)) == row);
         }
-    CHECK(Music{120, 8}.time_of(32) == 2);
-    CHECK(Music{120, 8}.row_at(.7) == doctest::Approx(11.2));
+    CHECK(Music{120, 8, {}}.time_of(32) == 2);
+    CHECK(Music{120, 8, {}}.row_at(.7) == doctest::Approx(11.2));
 }
 
 TEST_CASE("what follows tracks is written as it was read") {
