@@ -61,7 +61,8 @@ void follow_others(Scene& now, const TrackValues& tracks) {
 
 }  // namespace
 
-Movers::Movers(const Scene& scene) : air(!scene.background_follows.empty() || (scene.fog && !scene.fog->follows.empty())) {
+Movers::Movers(const Scene& scene)
+    : air(!scene.background_follows.empty() || (scene.fog && !scene.fog->follows.empty())) {
     const auto until = [this](const Motion& motion) { last_key = std::max(last_key, motion.keys.back().time); };
     for (std::size_t i = 0; i < scene.primitives.size(); ++i)
         if (moves(scene.primitives[i])) {
@@ -170,8 +171,8 @@ std::optional<Flythrough> flight_of(const Scene& scene) {
 }
 Flythrough flight_for(const char* option, const Scene& scene, const std::string& file) {
     if (auto flight = flight_of(scene)) return std::move(*flight);
-    throw UsageError(std::string(option) + " needs a scene with a flythrough { }, a motion { } or a track, and " + file +
-                     " has none");
+    throw UsageError(std::string(option) + " needs a scene with a flythrough { }, a motion { } or a track, and " +
+                     file + " has none");
 }
 
 }  // namespace strahl

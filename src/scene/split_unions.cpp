@@ -181,8 +181,7 @@ class Splitting {
         for (std::size_t i = 0; i < parts.size(); ++i) members[groups[i]].push_back(i);
         std::vector<Primitive> pieces;
         for (const auto& [first, group] : members) {
-            const bool alone =
-                group.size() == 1 || (!glass(group) && (one_look(group) || leaves(group) > most_opaque));
+            const bool alone = group.size() == 1 || (!glass(group) && (one_look(group) || leaves(group) > most_opaque));
             if (!alone && members.size() == 1) return {whole};
             if (!alone) {
                 pieces.push_back(united(group));
@@ -250,7 +249,8 @@ class Splitting {
             return pattern;
         };
         if (material.rgb.pattern) material.rgb = Pigment(moved(*material.rgb.pattern));
-        if (material.bump.pattern) material.bump.pattern = std::make_shared<const Pattern>(moved(*material.bump.pattern));
+        if (material.bump.pattern)
+            material.bump.pattern = std::make_shared<const Pattern>(moved(*material.bump.pattern));
         repaint(own, static_cast<int>(materials.size()));
         materials.push_back(std::move(material));
         return own;

@@ -52,7 +52,8 @@ TrackValues::TrackValues(const std::vector<Track>& tracks, double row) {
     std::ranges::sort(values);
 }
 const double* TrackValues::find(std::string_view track) const {
-    const auto at = std::ranges::lower_bound(values, track, {}, [](const auto& pair) -> std::string_view { return pair.first; });
+    const auto at =
+        std::ranges::lower_bound(values, track, {}, [](const auto& pair) -> std::string_view { return pair.first; });
     return at != values.end() && at->first == track ? &at->second : nullptr;
 }
 

@@ -12,17 +12,17 @@ struct PixelSize {
 };
 
 struct ViewOptions {
-    std::string scene;     // a file, or "-" for standard input
-    PixelSize size;        // of the window; by default 960 wide, with the aspect ratio of the scene's camera
-    PixelSize still_size;  // of stills; by default that of the picture in the window
-    std::string still_folder;           // by default the one that the program was started in
+    std::string scene;         // a file, or "-" for standard input
+    PixelSize size;            // of the window; by default 960 wide, with the aspect ratio of the scene's camera
+    PixelSize still_size;      // of stills; by default that of the picture in the window
+    std::string still_folder;  // by default the one that the program was started in
     std::string still_ending = ".bmp";  // or ".png"
     bool full_screen = false;
     std::optional<int> depth;    // 1 to 256; by default the scene's max_trace_level
     int threads = 0;             // 0: all processors
     std::optional<double> time;  // seconds into the flythrough
     bool fly = false;
-    double fps = 60;  // requested pictures per second in motion, above 0
+    double fps = 60;            // requested pictures per second in motion, above 0
     std::optional<int> rocket;  // the port at which an editor of tracks listens, if it is to be asked
     bool verbose = false;
     // strahl play: the flight alone, from its start to its end, without panels; the window can only be closed or
@@ -35,8 +35,8 @@ struct ViewOptions {
 
 /// Returns the exit status: 1 if a still could not be written. A scene with an error, or none yet, is waited for in the
 /// window. Once `interrupted` becomes true the window closes as if by Esc: when the stills are done. Throws UsageError
-/// for options that do not suit the scene, FileError if there is no editor of tracks but should be one, and if no window
-/// can be opened FileError for the scene, or std::runtime_error with advice.
+/// for options that do not suit the scene, FileError if there is no editor of tracks but should be one, and if no
+/// window can be opened FileError for the scene, or std::runtime_error with advice.
 int view_command(const ViewOptions& options, const std::atomic<bool>* interrupted);
 
 }  // namespace strahl

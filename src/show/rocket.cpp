@@ -131,7 +131,7 @@ Rocket::Rocket(int port) : socket(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 
     const std::string answer = sent == ssize_t(demo_greeting.size()) ? greeting_from(socket) : "";
     if (answer != editor_greeting)
         fail("what listens at " + place_of(port) + " is no GNU Rocket editor: it " +
-             (answer.empty() ? "does not greet" : "greets with " + quoted(answer)));
+             (answer.empty() ? "does not greet" : "greets with " + strahl::quoted(answer)));
     set_timeout(socket, 0);
 }
 

@@ -34,7 +34,8 @@ void Session::replace(std::shared_ptr<const Scene> newer, bool opened) {
     scene = std::move(newer);
     motion_end = motion_end_of(*scene);
     if (opened)
-        tracks.reset(), path.reset(), recorded.reset(), editor = PathEditor(scene->flythrough), cameras = {}, clock = {}, time = 0;
+        tracks.reset(), path.reset(), recorded.reset(), editor = PathEditor(scene->flythrough), cameras = {},
+                                                        clock = {}, time = 0;
     else
         editor.reload(scene->flythrough);
     if (path && !around) path = flight();
@@ -48,8 +49,7 @@ std::optional<Flythrough> Session::flight() const {
     if (all.loop) return all;
     all.duration = std::max(all.duration, motion_end.value_or(0));
     for (const Track& track : tracks ? *tracks : std::vector<Track>{})
-        if (!track.keys.empty())
-            all.duration = std::max(all.duration, scene->music.time_of(track.keys.back().row));
+        if (!track.keys.empty()) all.duration = std::max(all.duration, scene->music.time_of(track.keys.back().row));
     return all;
 }
 

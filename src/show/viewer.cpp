@@ -19,7 +19,7 @@ namespace strahl {
 namespace {
 
 constexpr double forever = std::numeric_limits<double>::infinity();
-constexpr double rest_interval = 0.05;  // seconds between drawings while a resting picture is refined
+constexpr double rest_interval = 0.05;   // seconds between drawings while a resting picture is refined
 constexpr double signal_interval = 0.2;  // seconds until a signal is noticed
 
 }  // namespace
@@ -104,8 +104,7 @@ double Viewer::next_draw() const {
     const double frame = 1 / options.fps;
     double at = forever;
     if (draws_due > 0 || tracing.has_update())
-        at = last_draw +
-             (moving || change_heard || draws_due > 0 || tracing.finished() ? 0.9 * frame : rest_interval);
+        at = last_draw + (moving || change_heard || draws_due > 0 || tracing.finished() ? 0.9 * frame : rest_interval);
     for (const Note& n : notes) at = std::min(at, n.until);
     if (!fault.empty()) at = std::min(at, fault_until);
     if (stills.pending() > 0) at = std::min(at, last_draw + 0.25);
@@ -171,7 +170,8 @@ void Viewer::order() {
                     .tracks = session.tracks};
     const View& last = wanted.view;
     const bool same = wanted.scene == session.scene && last.camera == view.camera && last.width == view.width &&
-                      last.height == view.height && last.depth == view.depth && last.time == view.time && last.tracks == view.tracks;
+                      last.height == view.height && last.depth == view.depth && last.time == view.time &&
+                      last.tracks == view.tracks;
     if (same && wanted.moving == moving) return;
     if (!same && marked) toggle_stability();
     // Where drawing limits the rate there is more time to trace.
@@ -208,8 +208,7 @@ void Viewer::draw() {
     if (moving && state.number != before) picture_shown(ordered[state.number % ordered.size()]);
     if (moving && state.number != before)
         motion.picture({now(), state.level, count(pixels_of(state.level, state.width, state.height))});
-    if (options.play && !rocket && state.number > 0 && !(sound && sound->loading()) &&
-        !std::exchange(started, true))
+    if (options.play && !rocket && state.number > 0 && !(sound && sound->loading()) && !std::exchange(started, true))
         session.perform({Action::pause}, now());
     apply(input);
     if (change_heard && update && state.number == wanted.number) {

@@ -90,9 +90,9 @@ struct MotionKeyText {
 };
 inline std::array<Parameter, 5> motion_parameters(MotionKeyText& key) {
     const std::array<Parameter, 3> place{
-            {{"scale", &key.scale, anything, "factors; between keys of the same sign each", "`1`"},
-             {"rotate", &key.rotate, anything, "degrees about x, then y, then z"},
-             {"translate", &key.translate, coordinates, "how far it is moved"}}};
+        {{"scale", &key.scale, anything, "factors; between keys of the same sign each", "`1`"},
+         {"rotate", &key.rotate, anything, "degrees about x, then y, then z"},
+         {"translate", &key.translate, coordinates, "how far it is moved"}}};
     return joined(time_parameters(key.when, "when it is so, in seconds"), place);
 }
 
@@ -104,20 +104,21 @@ inline std::array<Parameter, 3> light_parameters(Light& light) {
 inline constexpr std::array<std::string_view, 4> light_words{"spot", "edges", "grid", "motion"};
 inline std::array<Parameter, 4> spot_parameters(Spot& spot) {
     const Parameter look_at{"look_at", &spot.look_at, coordinates, "a point on the axis of its cone", required};
-    return joined(std::array{look_at},
-                  std::apply(
-                      [&](const auto&... field) {
-                          return std::array{
-                              Parameter{field.name, &(spot.*field.member), bounds_of(field.range), field.help}...};
-                      },
-                      Spot::fields));
+    return joined(
+        std::array{look_at},
+        std::apply(
+            [&](const auto&... field) {
+                return std::array{Parameter{field.name, &(spot.*field.member), bounds_of(field.range), field.help}...};
+            },
+            Spot::fields));
 }
 inline std::array<Parameter, 1> background_parameters(Pigment& color) {
     return {{{"color", &color, not_negative, "the colour of rays that hit nothing", required}}};
 }
 inline std::array<Parameter, 2> fog_parameters(Fog& fog) {
-    return {{{"distance", &fog.distance, lengths, "how far one sees: over this way 63 % of the light is lost", required},
-             {"color", &fog.color, not_negative, "the colour of the fog", required}}};
+    return {
+        {{"distance", &fog.distance, lengths, "how far one sees: over this way 63 % of the light is lost", required},
+         {"color", &fog.color, not_negative, "the colour of the fog", required}}};
 }
 
 inline std::array<Parameter, 2> music_parameters(Music& music) {

@@ -86,17 +86,19 @@ std::string moved_fault(const Kind& shape, std::span<const Transformation> steps
     return "";
 }
 
-/// Why a body consists of too many that belong together, or "".
+/// That it can't be divided and why, if a body consists of too many that belong together, or "".
 inline std::string crowd_fault(const Primitive& primitive, const std::vector<Material>& list) {
     if (leaves_of(primitive.shape) <= most_leaves) return "";
     std::vector<Material> materials = list;
     int most = 0;
     for (const Primitive& piece : split_union(primitive, materials)) most = std::max(most, leaves_of(piece.shape));
     if (most <= most_leaves) return "";
-    return std::to_string(most) + " of its bodies belong together, and at most " + std::to_string(most_leaves) + " may";
+    return "divided: " + std::to_string(most) + " of its bodies belong together, and at most " +
+           std::to_string(most_leaves) + " may";
 }
 
-/// Why the materials of a body and its parts, whose numbers are in `list`, can't be where they are, or "".
+/// That it can't be coloured and why, if the materials of a body and its parts, whose numbers are in `list`, can't be
+/// where they are, or "".
 inline std::string place_fault(const Primitive& primitive, const std::vector<Material>& list) {
     std::string fault;
     for_each_leaf(primitive, [&](const Primitive& leaf, const glm::dmat4&) {
@@ -105,10 +107,10 @@ inline std::string place_fault(const Primitive& primitive, const std::vector<Mat
         if (!image || image->map != ImageMap::uv) return;
         const Mesh* const mesh = std::get_if<Mesh>(&leaf.shape);
         if (!mesh)
-            fault = "its image is mapped by uv, which only meshes have";
+            fault = "coloured: its image is mapped by uv, which only meshes have";
         else if (mesh->data->places.empty())
-            fault = "its image is mapped by uv, and " + (mesh->file.empty() ? "no triangle has 'uv_vectors'"
-                                                                              : "the file '" + mesh->file + "' has none");
+            fault = "coloured: its image is mapped by uv, and " +
+                    (mesh->file.empty() ? "no triangle has 'uv_vectors'" : "the file '" + mesh->file + "' has none");
     });
     return fault;
 }

@@ -70,7 +70,8 @@ class MaterialHash {
     static void add(std::size_t& hash, const Pattern& pattern) {
         const auto& [kind, colors, transformations] = pattern;
         std::visit([&]<class Kind>(const Kind& own) { add_fields(hash, own, Kind::fields); }, kind);
-        if (const ImagePattern* const image = std::get_if<ImagePattern>(&kind)) hash ^= std::hash<std::string>()(image->file);
+        if (const ImagePattern* const image = std::get_if<ImagePattern>(&kind))
+            hash ^= std::hash<std::string>()(image->file);
         for (const ColorStop& stop : colors) add(hash, stop.at), add(hash, stop.color);
         struct {
             std::size_t& hash;

@@ -28,8 +28,8 @@ struct FileNames {
 std::string path_beside(const std::string& scene, const std::string& name);
 
 /// Parses scene text (UTF-8). `file` is only the name used in messages. Throws FileError whose what() lists up to 10
-/// errors, each as "file:line:column: message", the line itself, and a caret under the error. Columns count characters. Without
-/// `read_pixels` it is an error to name a picture. `names` gets all that it names.
+/// errors, each as "file:line:column: message", the line itself, and a caret under the error. Columns count characters.
+/// Without `read_pixels` it is an error to name a picture. `names` gets all that it names.
 Scene parse_scene(std::string_view text, std::string_view file, const TextLimits& limits = {},
                   const ReadPixels& read_pixels = {}, FileNames* names = nullptr);
 

@@ -68,8 +68,8 @@ class Parser {
     Materials materials;
     Definitions definitions;
     Material default_material;
-    std::size_t bodies_read = 0, points = 0;  // points: of lights
-    std::vector<MaterialText> written;            // of the body being read and its parts
+    std::size_t bodies_read = 0, points = 0;                        // points: of lights
+    std::vector<MaterialText> written;                              // of the body being read and its parts
     std::string_view background_at, settings_at, fog_at, music_at;  // where these blocks are, of which a scene has one
 };
 
@@ -105,10 +105,8 @@ void Parser::top_block(std::string_view word) {
         materials.settle(scene.primitives.back(), default_material, written);
         if (!own.good()) return;
         const Primitive& read = scene.primitives.back();
-        if (const std::string fault = crowd_fault(read, materials.list); !fault.empty())
-            diagnostics.add(word, "this " + std::string(word) + " can't be divided: " + fault);
-        if (const std::string fault = place_fault(read, materials.list); !fault.empty())
-            diagnostics.add(word, "this " + std::string(word) + " can't be coloured: " + fault);
+        for (const std::string& fault : {crowd_fault(read, materials.list), place_fault(read, materials.list)})
+            if (!fault.empty()) diagnostics.add(word, "this " + std::string(word) + " can't be " + fault);
         return;
     }
     if (word == "light") {
@@ -117,17 +115,16 @@ void Parser::top_block(std::string_view word) {
         return limit(points - 1, limits.lights, word, "lights");
     }
     if (word == "define") return define(word);
-    if (word == "defaultmaterial") {
-        MaterialText changes;
-        material(word, changes);
-        return void(default_material = changes.on(default_material));
-    }
+    if (MaterialText changes; word == "defaultmaterial")
+        return material(word, changes), void(default_material = changes.on(default_material));
     if (word == "camera") return cameras.camera(word);
     if (word == "background") return background(word);
     if (word == "flythrough") return cameras.flythrough(word);
     if (word == "fog") return reader.once(fog_at, word), void(scene.fog = read_fog(reader, word));
-    if (word == "global_settings") return reader.once(settings_at, word), void(scene.settings = read_settings(reader, word));
-    if (word == "music") return reader.once(music_at, word), void(reader.music = scene.music = read_music(reader, word));
+    if (word == "global_settings")
+        return reader.once(settings_at, word), void(scene.settings = read_settings(reader, word));
+    if (word == "music")
+        return reader.once(music_at, word), void(reader.music = scene.music = read_music(reader, word));
     diagnostics.add(word, unknown_word(word, definitions.with_bodies(block_words), ""));
     throw ParseAbort{};
 }
@@ -283,8 +280,8 @@ void Parser::check(const Kind& shape, const Primitive& primitive, Block& block, 
 
 }  // namespace
 
-Scene parse_scene(std::string_view text, std::string_view file, const TextLimits& limits,
-                  const ReadPixels& read_pixels, FileNames* names) {
+Scene parse_scene(std::string_view text, std::string_view file, const TextLimits& limits, const ReadPixels& read_pixels,
+                  FileNames* names) {
     if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
     Diagnostics diagnostics(text, file);
     if (const std::size_t i = find_invalid(text); i != text.npos) {

@@ -11,8 +11,8 @@ namespace strahl {
 /// "demo.tracks" for the scene "demo.rt".
 std::string tracks_path(std::string_view scene);
 
-/// The tracks of a text such as `track "fade" { 0 1 linear  64 0 step }`: row, value, and the way to the next key. Throws
-/// FileError as parse_scene does; `file` is the name in messages.
+/// The tracks of a text such as `track "fade" { 0 1 linear  64 0 step }`: row, value, and the way to the next key.
+/// Throws FileError as parse_scene does; `file` is the name in messages.
 std::vector<Track> parse_tracks(std::string_view text, std::string_view file);
 /// Text that parses to the same.
 std::string write_tracks(const std::vector<Track>& tracks);

@@ -179,7 +179,8 @@ std::string primitives_text(const std::vector<Primitive>& primitives, const std:
 
 std::string write_camera(const Camera& camera, const std::vector<Follow>& follows) {
     const auto is_times = [&](const char* parameter, double factor) {
-        return std::ranges::any_of(follows, [=](const Follow& f) { return f.parameter == parameter && f.factor == factor; });
+        return std::ranges::any_of(follows,
+                                   [=](const Follow& f) { return f.parameter == parameter && f.factor == factor; });
     };
     const bool sky = is_times("up", -1), angle = is_times("fov", .5);
     std::string text = "camera {\n  position " + text_of(camera.position, follows, "position") + "\n  look_at " +
@@ -192,8 +193,8 @@ std::string write_camera(const Camera& camera, const std::vector<Follow>& follow
 }
 
 std::string write_key(const Keyframe& key) {
-    std::string text = "key { time " + text_of(key.time) + "  position " + text_of(key.position) + "  look_at " +
-                       text_of(key.look_at);
+    std::string text =
+        "key { time " + text_of(key.time) + "  position " + text_of(key.position) + "  look_at " + text_of(key.look_at);
     if (key.up) text += "  up " + text_of(*key.up);
     if (key.fov) text += "  fov " + text_of(*key.fov);
     return text + " }";

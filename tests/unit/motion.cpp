@@ -1,10 +1,11 @@
 // Bodies and lights that move: their values, their pictures, and what the language says of them.
+#include "scene/motion.h"
+
 #include <cmath>
 #include <numbers>
 #include <random>
 
 #include "num/vec_math.h"
-#include "scene/motion.h"
 #include "tests/unit/language.h"
 #include "text/write.h"
 #include "trace/thread_pool.h"
@@ -124,9 +125,13 @@ Scene world_with(const Text& motion) {
         text.replace(text.find(name), std::string(name).size(), motion(number++));
     return parse_scene("camera { position <0,-9,4> look_at <0,0,1> sky <0,0,1> angle 45 }\n" + text, "test");
 }
-const std::string moved_to[] = {"translate <1,-2,.5>", "rotate <0,0,90>", "scale 1.5 translate <0,.25,0>",
-                                "translate <.5,0,0>", "rotate <0,0,90> translate <0,0,.25>",
-                                "scale <1,1,2> rotate <0,0,180> translate <1,2,0>", "scale <1,1,.5>"};
+const std::string moved_to[] = {"translate <1,-2,.5>",
+                                "rotate <0,0,90>",
+                                "scale 1.5 translate <0,.25,0>",
+                                "translate <.5,0,0>",
+                                "rotate <0,0,90> translate <0,0,.25>",
+                                "scale <1,1,2> rotate <0,0,180> translate <1,2,0>",
+                                "scale <1,1,.5>"};
 
 }  // namespace
 
@@ -168,8 +173,9 @@ TEST_CASE("pictures do not depend on the moments traced before, nor on averages"
 
 TEST_CASE("among many bodies pictures do not depend on the moments traced before, glass or none") {
     for (const bool glass : {false, true}) {
-        std::string text = "camera { position <0,-30,9> look_at <0,0,0> sky <0,0,1> angle 45 }\n"
-                           "light { position <-9,-20,30> color <1,1,1> } defaultmaterial { reflection .3 }\n";
+        std::string text =
+            "camera { position <0,-30,9> look_at <0,0,0> sky <0,0,1> angle 45 }\n"
+            "light { position <-9,-20,30> color <1,1,1> } defaultmaterial { reflection .3 }\n";
         std::mt19937 random(2);
         for (int i = 0; i < 400; ++i) {
             const auto place = [&random] {
@@ -260,21 +266,23 @@ TEST_CASE("mistakes in motions") {
                  "3:23: unknown word 'position' in 'key'; known here: time, beat, scale, rotate, translate");
     check_motion("key { time 0 time 1 } key { time 2 }", "3:23: a second 'time'; the first is in line 3");
     check_motion("kye { time 0 }", "3:10: unknown word 'kye' in 'motion'; did you mean 'key'?");
-    check_fault("light { position <1,2,3> color <1,1,1> motion { key { time 0 } key { time 1 } }\nmotion { key { time 0 "
-                "} key { time 1 } } }",
-                "3:1: a second 'motion'; the first is in line 2");
-    check_fault("sphere { <0,0,0>, 1 motion { key { time 0 } key { time 1 scale 1e300 } } }",
-                "2:21: up to here the transformations of this sphere at 1 s make it too large, too small or too far away "
-                "(coordinates go up to 1e15)");
-    check_fault("light { position <1,2,3> color <1,1,1> motion { key { time 0 } key { time 2 scale <1,1,1e-13> } } }",
-                "2:40: at 2 s this motion of a light would flatten it: one side shrinks more than 1e12 times as much as "
-                "another");
-    for (const std::string block : {"camera { position <0,0,0> ", "defaultmaterial { ", "background { ",
-                                    "sphere { <0,0,0>, 1 material { "})
+    check_fault(
+        "light { position <1,2,3> color <1,1,1> motion { key { time 0 } key { time 1 } }\nmotion { key { time 0 "
+        "} key { time 1 } } }",
+        "3:1: a second 'motion'; the first is in line 2");
+    check_fault(
+        "sphere { <0,0,0>, 1 motion { key { time 0 } key { time 1 scale 1e300 } } }",
+        "2:21: up to here the transformations of this sphere at 1 s make it too large, too small or too far away "
+        "(coordinates go up to 1e15)");
+    check_fault(
+        "light { position <1,2,3> color <1,1,1> motion { key { time 0 } key { time 2 scale <1,1,1e-13> } } }",
+        "2:40: at 2 s this motion of a light would flatten it: one side shrinks more than 1e12 times as much as "
+        "another");
+    for (const std::string block :
+         {"camera { position <0,0,0> ", "defaultmaterial { ", "background { ", "sphere { <0,0,0>, 1 material { "})
         CHECK(message(eye + block + "motion { key { time 0 } } }").find("unknown word 'motion' in '") != block.npos);
     TextLimits limits;
     limits.keys = 2;
     const std::string three = "sphere { <0,0,0>, 1 motion { key { time 0 } key { time 1 } key { time 2 } } }";
-    CHECK_THROWS_WITH(parse_scene(eye + three, "x", limits),
-                      doctest::Contains("more than 2 keys"));
+    CHECK_THROWS_WITH(parse_scene(eye + three, "x", limits), doctest::Contains("more than 2 keys"));
 }

@@ -1,4 +1,6 @@
 // A small editor that speaks GNU Rocket's protocol over a loopback socket, and what the window makes of it.
+#include "show/rocket.h"
+
 #include <doctest/doctest.h>
 
 #include <atomic>
@@ -11,7 +13,6 @@
 
 #include "scene/error.h"
 #include "show/reload.h"
-#include "show/rocket.h"
 #include "show/session.h"
 #include "tests/unit/rocket_editor.h"
 #include "tests/unit/scratch.h"
@@ -46,8 +47,9 @@ std::string fault_of(const std::function<void()>& action) try {
 }  // namespace
 
 TEST_CASE("commands are the same however they are cut into packets") {
-    const std::string bytes = key_bytes(0x01020304, 7, -1.5f, 2) + row_bytes(99) + pause_bytes(true) + delete_bytes(3, 8) +
-                              save_bytes + pause_bytes(false) + key_bytes(0, 1'000'000'000, 1e30f, 3);
+    const std::string bytes = key_bytes(0x01020304, 7, -1.5f, 2) + row_bytes(99) + pause_bytes(true) +
+                              delete_bytes(3, 8) + save_bytes + pause_bytes(false) +
+                              key_bytes(0, 1'000'000'000, 1e30f, 3);
     using Kind = RocketCommand::Kind;
     for (std::size_t size = 1; size <= bytes.size(); ++size) {
         RocketDecoder decoder;
@@ -55,7 +57,8 @@ TEST_CASE("commands are the same however they are cut into packets") {
         for (std::size_t at = 0; at < bytes.size(); at += size)
             REQUIRE(decoder.feed(std::string_view(bytes).substr(at, size), commands));
         REQUIRE(commands.size() == 7);
-        const Kind kinds[] = {Kind::set_key, Kind::set_row, Kind::pause, Kind::delete_key, Kind::save, Kind::pause, Kind::set_key};
+        const Kind kinds[] = {Kind::set_key, Kind::set_row, Kind::pause,  Kind::delete_key,
+                              Kind::save,    Kind::pause,   Kind::set_key};
         for (int i = 0; i < 7; ++i) CHECK(commands[std::size_t(i)].kind == kinds[i]);
         CHECK(commands[0].track == 0x01020304);
         CHECK(commands[0].key == TrackKey{7, -1.5, Interpolation::smooth});
@@ -98,9 +101,10 @@ TEST_CASE("an editor sets and deletes keys, moves and pauses") {
     CHECK(editor.send(key_bytes(1, 8, 2.5f, 1).substr(5) + key_bytes(1, 4, 1, 0) + key_bytes(0, 0, 7, 3)));
     REQUIRE(soon(*rocket, [&](const RocketNews&) { return !rocket->tracks()[0].keys.empty(); }));
     CHECK(heard > 0);
-    CHECK(rocket->tracks() == std::vector<Track>{{"a:b", {{0, 7, Interpolation::ramp}}},
-                                                 {"second", {{4, 1, Interpolation::step}, {8, 2.5, Interpolation::linear}}},
-                                                 {"third", {}}});
+    CHECK(rocket->tracks() ==
+          std::vector<Track>{{"a:b", {{0, 7, Interpolation::ramp}}},
+                             {"second", {{4, 1, Interpolation::step}, {8, 2.5, Interpolation::linear}}},
+                             {"third", {}}});
     CHECK(editor.send(delete_bytes(1, 4) + row_bytes(12) + row_bytes(13) + pause_bytes(true) + save_bytes));
     RocketNews news;
     REQUIRE(soon(*rocket, [&](const RocketNews& more) {
@@ -151,10 +155,12 @@ TEST_CASE("without an editor there is a clear error") {
 TEST_CASE("a flight that an editor drives follows tracks, and does not end") {
     const auto scene = std::make_shared<const Scene>(parse_scene(
         "camera { position <5,-20,18> look_at <0,0,0> up <0,0,-1> fov track \"zoom\" 12 } music { bpm 60 rows 1 }"
-        " sphere { <0,0,2>, 2 }", "test"));
+        " sphere { <0,0,2>, 2 }",
+        "test"));
     Session session(scene);
     session.driven = true;
-    session.tracks = std::make_shared<const std::vector<Track>>(std::vector<Track>{{"zoom", {{0, 10, Interpolation::linear}, {8, 18, {}}}}});
+    session.tracks = std::make_shared<const std::vector<Track>>(
+        std::vector<Track>{{"zoom", {{0, 10, Interpolation::linear}, {8, 18, {}}}}});
     CHECK(session.go_to(4, 10));
     CHECK(session.camera.fov == 14);
     CHECK(session.flight()->duration == 8);

@@ -22,7 +22,9 @@ inline std::string key_bytes(std::uint32_t track, std::uint32_t row, float value
     return std::string(1, '\0') + big_endian(track) + big_endian(row) +
            big_endian(std::bit_cast<std::uint32_t>(value)) + way;
 }
-inline std::string delete_bytes(std::uint32_t track, std::uint32_t row) { return "\1" + big_endian(track) + big_endian(row); }
+inline std::string delete_bytes(std::uint32_t track, std::uint32_t row) {
+    return "\1" + big_endian(track) + big_endian(row);
+}
 inline std::string row_bytes(std::uint32_t row) { return "\3" + big_endian(row); }
 inline std::string pause_bytes(bool paused) { return std::string("\4") + char(paused); }
 inline const std::string save_bytes = "\5";

@@ -67,7 +67,8 @@ TEST_CASE("between keys a track goes as the first of them says") {
     const auto at = [](Interpolation way, double row) {
         return value_at({"", {{2, 10, way}, {6, 30, Interpolation::step}}}, row);
     };
-    for (const Interpolation way : {Interpolation::step, Interpolation::linear, Interpolation::smooth, Interpolation::ramp}) {
+    for (const Interpolation way :
+         {Interpolation::step, Interpolation::linear, Interpolation::smooth, Interpolation::ramp}) {
         CHECK(at(way, 2) == 10);
         CHECK(at(way, -1e15) == 10);
         CHECK(at(way, 6) == 30);
@@ -83,7 +84,9 @@ TEST_CASE("between keys a track goes as the first of them says") {
 TEST_CASE("keys are put in by rows and taken out") {
     Track track;
     for (const int row : {5, 1, 9, 5}) set_key(track, {row, double(track.keys.size()), Interpolation::linear});
-    CHECK(track.keys == std::vector<TrackKey>{{1, 1, Interpolation::linear}, {5, 3, Interpolation::linear}, {9, 2, Interpolation::linear}});
+    CHECK(track.keys == std::vector<TrackKey>{{1, 1, Interpolation::linear},
+                                              {5, 3, Interpolation::linear},
+                                              {9, 2, Interpolation::linear}});
     delete_key(track, 5), delete_key(track, 6);
     CHECK(track.keys.size() == 2);
 }
@@ -131,7 +134,8 @@ TEST_CASE("pictures are those of the values at the moment") {
     Tracer tracer(scene, Precision::float64);
     ThreadPool pool(2);
     const Lattice whole{.columns = 60, .rows = 45};
-    const auto other = std::make_shared<const std::vector<Track>>(tracks_named("abcdefghij", {{0, .5, Interpolation::step}}));
+    const auto other =
+        std::make_shared<const std::vector<Track>>(tracks_named("abcdefghij", {{0, .5, Interpolation::step}}));
     const Camera camera = still_at(.5).camera;
     for (const auto& [time, tracks] : {std::pair(0., other), {2., nullptr}, {2., other}, {4., other}, {2., nullptr}}) {
         Frame frame{60, 45, std::vector<double>(3 * 60 * 45)};
@@ -153,7 +157,9 @@ TEST_CASE("numbers stay within what they may be, whatever an editor sends") {
         CHECK(now.lights[0].color.x >= 0);
         CHECK(now.lights[0].spot->falloff >= now.lights[0].spot->radius);
         for (const Material& material : now.materials) CHECK((material.reflection >= 0 && material.reflection <= 1));
-        const double factor = now.primitives[0].transformations.empty() ? 1 : std::get<Scale>(now.primitives[0].transformations.back()).by.x;
+        const double factor = now.primitives[0].transformations.empty()
+                                  ? 1
+                                  : std::get<Scale>(now.primitives[0].transformations.back()).by.x;
         CHECK((std::fabs(factor) >= 1e-4 && std::fabs(factor) <= 1e4));
         for (const double light : picture(scene, parse(followers).camera).rgb) REQUIRE(std::isfinite(light));
     }
@@ -169,11 +175,13 @@ TEST_CASE("a scene lasts until the last key of the tracks that it follows") {
 }
 
 TEST_CASE("mistakes in what follows tracks") {
-    check_fault("sphere { <0,0,0>, track \"x\" 1 }",
-                "2:19: 'radius' of 'sphere' can't follow a track; numbers of lights, materials, the camera, the fog, of "
-                "the background's colour and of the transformations of bodies can");
-    check_fault("fog { distance track \"x\" color <0,0,0> }",
-                "2:16: 'distance' of 'fog' can't be 0: say what it is while the track has no keys, as in 'track \"x\" 1'");
+    check_fault(
+        "sphere { <0,0,0>, track \"x\" 1 }",
+        "2:19: 'radius' of 'sphere' can't follow a track; numbers of lights, materials, the camera, the fog, of "
+        "the background's colour and of the transformations of bodies can");
+    check_fault(
+        "fog { distance track \"x\" color <0,0,0> }",
+        "2:16: 'distance' of 'fog' can't be 0: say what it is while the track has no keys, as in 'track \"x\" 1'");
     check_fault("light { position <0,0,9> color <1,1,trakc \"x\"> }",
                 "2:37: unknown word 'trakc' before a name in quotes; did you mean 'track'?");
     check_fault("light { position <0,0,9> color <1,1,track x> }",
@@ -184,16 +192,18 @@ TEST_CASE("mistakes in what follows tracks") {
     check_fault("music { rows 1.5 }", "2:14: 'rows' of 'music' must be a whole number from 1 to 256, not '1.5'");
     check_fault("music { bpm 0 }", "2:13: 'bpm' of 'music' must be from 1e-9 to 1e9, not '0'");
     check_fault("music { }\nmusic { }", "3:1: a second 'music'; the first is in line 2");
-    check_fault("sphere { <0,0,0>, 1 material { rgb checker { <1,1,1>, <track \"x\",0,0> } } }",
-                "2:56: 'second colour' of 'checker' can't follow a track; numbers of lights, materials, the camera, the "
-                "fog, of the background's colour and of the transformations of bodies can");
+    check_fault(
+        "sphere { <0,0,0>, 1 material { rgb checker { <1,1,1>, <track \"x\",0,0> } } }",
+        "2:56: 'second colour' of 'checker' can't follow a track; numbers of lights, materials, the camera, the "
+        "fog, of the background's colour and of the transformations of bodies can");
 }
 
 TEST_CASE("keys can stand at beats of the music") {
     const std::string music = "music { bpm 90 }\n";
     const auto scene = [&](const std::string& first, const std::string& second) {
-        return with_eye(music + "flythrough { duration 9 key { " + first + " position <0,-9,0> look_at <0,0,0> } key { " +
-                        second + " position <0,9,0> look_at <0,0,1> } }\nsphere { <0,0,0>, 1 motion { key { " + first +
+        return with_eye(music + "flythrough { duration 9 key { " + first +
+                        " position <0,-9,0> look_at <0,0,0> } key { " + second +
+                        " position <0,9,0> look_at <0,0,1> } }\nsphere { <0,0,0>, 1 motion { key { " + first +
                         " } key { " + second + " scale 2 } } }");
     };
     CHECK(scene("beat 3", "beat 4.5") == scene("time 2", "time 3"));
@@ -211,7 +221,8 @@ TEST_CASE("keys can stand at beats of the music") {
 
 TEST_CASE("a path that is edited keeps the keys that stand at beats") {
     const std::string head = eye + "flythrough { duration 9\n", tail = "}\nsphere { <0,0,0>, 1 }\n";
-    const std::string music = "music { bpm 90 }\n", first = "  key { beat 3 position <0,-9,0> look_at <0,0,0> } // mine\n",
+    const std::string music = "music { bpm 90 }\n",
+                      first = "  key { beat 3 position <0,-9,0> look_at <0,0,0> } // mine\n",
                       second = "  key { beat 6 position <0,9,0> look_at <0,0,1> }\n";
     const std::string text = music + head + first + second + tail;
     Flythrough path = *parse(text).flythrough;
@@ -224,9 +235,10 @@ TEST_CASE("a path that is edited keeps the keys that stand at beats") {
 TEST_CASE("the tracks of a scene are in a file beside it") {
     CHECK(tracks_path("a.b/demo.rt") == "a.b/demo.tracks");
     CHECK(tracks_path("a.b/demo") == "a.b/demo.tracks");
-    const std::vector<Track> tracks{{"camera:zoom", {{0, 1.25, Interpolation::smooth}, {7, -3e-7, Interpolation::ramp}}},
-                                    {"none", {}},
-                                    {"b", {{1000000000, 0, Interpolation::step}}}};
+    const std::vector<Track> tracks{
+        {"camera:zoom", {{0, 1.25, Interpolation::smooth}, {7, -3e-7, Interpolation::ramp}}},
+        {"none", {}},
+        {"b", {{1000000000, 0, Interpolation::step}}}};
     CHECK(parse_tracks(write_tracks(tracks), "") == tracks);
 
     const Scratch folder;
@@ -268,5 +280,6 @@ TEST_CASE("mistakes in a file of tracks") {
                   "x.tracks:3:8: a second track of this name"});
     check_tracks("track x { }", {"x.tracks:1:7: the name of a track in quotes expected, but here comes 'x'"});
     check_tracks("\xFF", {"x.tracks:1:1: this is no text in UTF-8"});
-    check_tracks("track \"x\" { word }", {"x.tracks:1:13: a number expected for 'row' of 'track', but here comes 'word'"});
+    check_tracks("track \"x\" { word }",
+                 {"x.tracks:1:13: a number expected for 'row' of 'track', but here comes 'word'"});
 }

@@ -1,14 +1,14 @@
 // A small GNU Rocket editor for tests of the window. Says "port P"; once a client is there "connected", and then what
-// it sends: "asks NAME", "row R". Its own commands are lines of standard input: `key TRACK ROW VALUE WAY`, `delete TRACK
-// ROW`, `row R`, `pause 0|1`, `save`; the numbers are those of the protocol.
+// it sends: "asks NAME", "row R". Its own commands are lines of standard input: `key TRACK ROW VALUE WAY`, `delete
+// TRACK ROW`, `row R`, `pause 0|1`, `save`; the numbers are those of the protocol.
+#include "tests/unit/rocket_editor.h"
+
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
 #include <iostream>
 #include <sstream>
 #include <thread>
-
-#include "tests/unit/rocket_editor.h"
 
 using namespace strahl;
 
@@ -47,7 +47,8 @@ int main() {
         float value = 0;
         int number = 0;
         words >> word;
-        if (word == "key" && words >> track >> row >> value >> number) editor.send(key_bytes(track, row, value, char(number)));
+        if (word == "key" && words >> track >> row >> value >> number)
+            editor.send(key_bytes(track, row, value, char(number)));
         if (word == "delete" && words >> track >> row) editor.send(delete_bytes(track, row));
         if (word == "row" && words >> row) editor.send(row_bytes(row));
         if (word == "pause" && words >> number) editor.send(pause_bytes(number != 0));
