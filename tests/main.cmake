@@ -5,4 +5,4 @@ foreach(topic usage pictures frames film resume interrupt files stats stability 
                    ${CMAKE_BINARY_DIR})
 endforeach()
 # With sanitizers these take minutes, and show no more of the program than the others do.
-set_tests_properties(command_pictures command_farm command_resume command_install PROPERTIES LABELS slow)
+set_tests_properties(command_pictures command_farm command_film command_resume command_install PROPERTIES LABELS slow)

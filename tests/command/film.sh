@@ -91,7 +91,7 @@ begun() {
     local waited
     "$strahl" render scene.rt -o film.mp4 --size "$1" --fps 100000 2>said &
     pid=$!
-    for ((waited = 0; waited < 200; ++waited)); do
+    for ((waited = 0; waited < 1200; ++waited)); do
         compgen -G '.strahl-*.copy' >/dev/null && (($(stat -c %s .strahl-*.copy) > 300000)) && return
         sleep .05
     done
