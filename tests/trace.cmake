@@ -20,3 +20,5 @@ strahl_test(motion strahl_image strahl_trace)
 target_sources(test_motion PRIVATE ${CMAKE_SOURCE_DIR}/tests/unit/tracks.cpp)
 strahl_test(patterns strahl_text strahl_trace strahl_referee)
 target_sources(test_patterns PRIVATE ${CMAKE_SOURCE_DIR}/tests/unit/images.cpp)
+# With sanitizers it takes as long as all of the window's parts together, and `sampling` runs the same code.
+set_tests_properties(thin PROPERTIES LABELS slow)
