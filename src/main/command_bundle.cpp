@@ -26,6 +26,7 @@
 #include "main/exit_status.h"
 #include "main/interrupt.h"
 #include "main/licence.h"
+#include "main/shell.h"
 #include "main/values.h"
 #include "text/file.h"
 #include "text/parse.h"
@@ -39,13 +40,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view script_head = "#!/bin/sh\n# Made by strahl bundle.\n";
-
-/// In single quotes, as the shell reads it.
-std::string quoted(const std::string& text) {
-    std::string all = "'";
-    for (const char c : text) c == '\'' ? all += "'\\''" : all += c;
-    return all + "'";
-}
 
 /// Every desktop has these, and its drivers need its own: the C and C++ libraries, zlib, X, OpenGL and Wayland.
 bool of_the_desktop(const std::string& library) {
@@ -212,7 +206,7 @@ void collect_program(const std::vector<fs::path>& libraries, Collection& bundle)
 std::string start_script(const std::string& scene) {
     return std::string(script_head) + "here=$(dirname -- \"$(readlink -f -- \"$0\")\")\n"
            "LD_LIBRARY_PATH=\"$here/lib${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}\" \\\n"
-           "    exec \"$here/bin/strahl\" play \"$here\"/" + quoted(scene) + " \"$@\"\n";
+           "    exec \"$here/bin/strahl\" play \"$here\"/" + in_shell_quotes(scene) + " \"$@\"\n";
 }
 
 std::string read_me(const BundleOptions& options, const std::vector<fs::path>& libraries) {

@@ -2,6 +2,7 @@
 #include <sstream>
 
 #include "main/reference.h"
+#include "main/shell.h"
 
 namespace strahl {
 namespace {
@@ -19,13 +20,6 @@ std::string alternatives(const OptionText& option) {
     std::string all;
     for (const std::string& name : option.names) all += (all.empty() ? "" : "|") + name;
     return all;
-}
-
-/// In single quotes, as both shells read it.
-std::string quoted(const std::string& text, const char* quote_inside) {
-    std::string all = "'";
-    for (const char c : text) c == '\'' ? all += quote_inside : all += c;
-    return all + "'";
 }
 
 /// Up to the first end of a clause, so that it fits on a line.
@@ -79,13 +73,13 @@ std::string zsh_completion(const ProgramText& program) {
             text += ":" + option.form + ":(" + joined(option.words) + ")";
         else if (!option.form.empty())
             text += ":" + option.form + ":" + (takes_file(option) ? "_files" : "");
-        return quoted(text, "'\\''");
+        return in_shell_quotes(text);
     };
     std::ostringstream script;
     script << "#compdef strahl\n# Completion of strahl's commands and options for zsh.\n_strahl() {\n"
               "    local -a commands=(\n";
     for (const CommandText& command : program.commands)
-        script << "        " << quoted(command.name + ":" + plain(command.help), "'\\''") << '\n';
+        script << "        " << in_shell_quotes(command.name + ":" + plain(command.help)) << '\n';
     script << "    )\n    if ((CURRENT == 2)); then\n        _describe command commands\n"
               "        _files -g '*.rt'\n        return\n    fi\n    local command=${words[2]}\n    shift words\n"
               "    ((CURRENT--))\n    case $command in\n";
@@ -100,7 +94,7 @@ std::string zsh_completion(const ProgramText& program) {
 }
 
 std::string fish_completion(const ProgramText& program) {
-    const auto quote = [](const std::string& text) { return quoted(text, "\\'"); };
+    const auto quote = [](const std::string& text) { return in_shell_quotes(text, "\\'"); };
     const std::string names = joined(names_of(program.commands));
     std::ostringstream script;
     script << "# Completion of strahl's commands and options for fish.\n";
