@@ -48,7 +48,8 @@ std::optional<Flythrough> Session::flight() const {
     Flythrough all = keys ? editor.path() : Flythrough{};
     if (all.loop) return all;
     all.duration = std::max(all.duration, motion_end.value_or(0));
-    for (const Track& track : tracks ? *tracks : std::vector<Track>{})
+    if (!tracks) return all;
+    for (const Track& track : *tracks)
         if (!track.keys.empty()) all.duration = std::max(all.duration, scene->music.time_of(track.keys.back().row));
     return all;
 }
