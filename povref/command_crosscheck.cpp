@@ -90,7 +90,7 @@ bool check(const CrosscheckOptions& options, const std::string& path, const std:
                                      options.threads, stop);
     Tracer tracer(scene, Precision::float64);
     const OurRun ours = trace(tracer, view, options.threads, stop);
-    const Verdict verdict = judge(tracer, view, ours.frame, theirs.picture);
+    const Verdict verdict = judge(tracer, view, ours.frame, theirs.picture, stop);
     print_row(path, verdict, ours.seconds, theirs.seconds);
     if (!theirs.warnings.empty()) std::cerr << show(path).text << ": povray warns:\n" << printable(theirs.warnings);
     if (verdict.beyond_off_edges > 0)

@@ -28,36 +28,37 @@ std::string name_of(const Pixels& pixels) {
 
 std::vector<PovPicture> pictures_of(const Scene& scene) {
     std::map<std::string, const Pixels*> all;
-    const auto add = [&](const auto& own) {
-        const auto* const image = own.pattern ? std::get_if<ImagePattern>(&own.pattern->kind) : nullptr;
+    const auto add = [&](const std::shared_ptr<const Pattern>& pattern) {
+        const auto* const image = pattern ? std::get_if<ImagePattern>(&pattern->kind) : nullptr;
         if (image) all[name_of(*image->pixels)] = image->pixels.get();
     };
-    add(scene.background);
-    for (const Material& material : scene.materials) add(material.rgb), add(material.bump);
+    add(scene.background.pattern);
+    for (const Material& material : scene.materials) add(material.rgb.pattern), add(material.bump.pattern);
     std::vector<PovPicture> pictures;
     for (const auto& [name, pixels] : all)
         pictures.push_back({name,
-                            {pixels->width, pixels->height, 3, {pixels->values.begin(), pixels->values.end()},
+                            {pixels->width,
+                             pixels->height,
+                             3,
+                             {pixels->values.begin(), pixels->values.end()},
                              pixels->linear ? 32 : 16}});
     return pictures;
 }
 
 std::string image_text(const ImagePattern& image, const std::string& more, bool as_it_is) {
     const bool linear = image.pixels->linear;
-    const std::string of_all = more.empty() ? "" : more.substr(0, more.find(' ', 1)) + " all" + more.substr(more.find(' ', 1));
+    const std::string of_all =
+        more.empty() ? "" : more.substr(0, more.find(' ', 1)) + " all" + more.substr(more.find(' ', 1));
     const std::string map = "image_map { " + std::string(linear ? "exr" : "png") + " \"" + name_of(*image.pixels) +
                             "\" " + (linear || as_it_is ? "As_It_Is()" : "gamma srgb") + " map_type " +
-                            std::to_string(image.map == ImageMap::uv ? 0 : static_cast<int>(image.map)) +
-                            (image.once ? " once" : "") +
+                            std::to_string(static_cast<int>(image.map)) + (image.once ? " once" : "") +
                             " interpolate 2" + of_all + " }";
-    const bool flat = image.map == ImageMap::planar || image.map == ImageMap::uv;
+    const bool flat = image.map == ImageMap::planar;
     // POV-Ray's poles are at -y and y, and it turns from x to z.
     const std::string poles = flat ? "" : " matrix <1,0,0, 0,0,1, 0,1,0, 0,0,0>";
-    const std::string by = image.map == ImageMap::uv ? "uv_mapping " : "";
-    if (!image.once || image.map == ImageMap::spherical) return by + map + poles;
-    const std::string inside = "min(y, 1 - 1e-10 - y" +
-                               std::string(flat ? ", x, 1 - 1e-10 - x)" : ")");
-    return by + "function { select(" + inside + ", 0, 1) } pigment_map { [0.5 rgb " + text_of(*image.once) + more +
+    if (!image.once || image.map == ImageMap::spherical) return map + poles;
+    const std::string inside = "min(y, 1 - 1e-10 - y" + std::string(flat ? ", x, 1 - 1e-10 - x)" : ")");
+    return "function { select(" + inside + ", 0, 1) } pigment_map { [0.5 rgb " + text_of(*image.once) + more +
            "] [0.5 " + map + "] }" + poles;
 }
 

@@ -16,8 +16,8 @@ struct PovPicture {
 /// (POV-Ray reads floats rounded to 11 bits).
 std::vector<PovPicture> pictures_of(const Scene& scene);
 
-/// What stands in `pigment { }` but for transformations. `more` follows each colour, such as " transmit 0.5"; pixels that
-/// are no colours are taken as they are.
+/// What stands in `pigment { }` but for transformations. `more` follows each colour, such as " transmit 0.5"; pixels
+/// that are no colours are taken as they are.
 std::string image_text(const ImagePattern& image, const std::string& more, bool as_it_is = false);
 
 /// The macro that these call.

@@ -47,7 +47,7 @@ struct ValueText {
 std::string pigment_text(const Pigment& pigment, const std::string& more) {
     const auto color = [&](const Color& c) { return "rgb " + text_of(c) + more; };
     if (!pigment.pattern) return color(pigment.color);
-    const auto& [kind, colors, transformations] = *pigment.pattern;
+    const auto& [kind, colors, transformations, by_uv] = *pigment.pattern;
     std::string text;
     if (const std::string value = std::visit(ValueText{}, kind); !value.empty()) {
         text = "function { " + value + " } color_map {";
@@ -61,7 +61,7 @@ std::string pigment_text(const Pigment& pigment, const std::string& more) {
         if (brick) text += " brick_size " + text_of(brick->size) + " mortar " + text_of(brick->mortar);
     }
     for (const Transformation& step : transformations) text += " " + step_text(step);
-    return text;
+    return (by_uv ? "uv_mapping " : "") + text;
 }
 
 std::string normal_text(const Bump& bump) {
@@ -69,7 +69,7 @@ std::string normal_text(const Bump& bump) {
     // What it calls a size of 1 is 0.1 / accuracy times the sum over the corners, scene/pattern.h says which.
     constexpr double size_of_height = 3 / (4 * .1);
     const ImagePattern* const image = std::get_if<ImagePattern>(&bump.pattern->kind);
-    std::string text = "normal { " +
+    std::string text = std::string(bump.pattern->by_uv ? "normal { uv_mapping " : "normal { ") +
                        (image ? "pigment_pattern { " + image_text(*image, "", true) + " } "
                               : "function { " + std::visit(ValueText{}, bump.pattern->kind) + " } ") +
                        text_of(size_of_height * bump.height) + " accuracy " + text_of(bump.step());
@@ -91,7 +91,10 @@ std::string function_section(const Scene& scene) {
     text +=
         "#declare Fraction = function(a) { a - floor(a) };\n"
         "#declare Wave = function(a) { 1 - abs(2*Fraction(a) - 1) };\n";
-    if (!any([](const auto& kind) { return requires { kind.octaves; }; })) return text;
+    if (!any([](const auto& kind) {
+            return requires { kind.octaves; };
+        }))
+        return text;
     text += comment(
         "Gradient noise over cells of whole coordinates, their corners hashed by a permutation polynomial. POV-Ray's "
         "own noise is a table of random numbers.");

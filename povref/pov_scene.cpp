@@ -35,6 +35,8 @@ struct Plan {
     bool mixed = false;           // some transparent composite is of several materials
     bool rectangles = false;      // some light is a rectangle without a grid
     bool near_one = false;        // some ior of 1 is written as a larger number
+    bool normal_maps = false;     // some material has one
+    bool bumps_by_uv = false;     // some material has a bump by uv
     bool moves = false;           // bodies or lights do, in an animation
 };
 
@@ -61,6 +63,10 @@ Plan plan_for(const Scene& scene, const PovRequest& request) {
         plan.shadow_copies |= material.own_shadow;
         plan.near_one |= material.near_one;
     }
+    for (const Material& material : scene.materials) {
+        plan.normal_maps |= material.normal.pattern != nullptr;
+        plan.bumps_by_uv |= material.bump.pattern && material.bump.pattern->by_uv;
+    }
     for (const Light& light : scene.lights) plan.rectangles |= light.area && light.area->columns == 0;
     return plan;
 }
@@ -81,6 +87,12 @@ std::vector<std::string> warnings_of(const Plan& plan) {
             "lights with an area are grids in POV-Ray, here of 16 by 16 points, and the mean of their light is "
             "multiplied by that of their shadows; with `grid` each point becomes a light of its own, and the pictures "
             "are equal");
+    if (plan.normal_maps)
+        warnings.push_back("POV-Ray knows no pictures of normals; what has a `normal` is smooth there");
+    if (plan.bumps_by_uv)
+        warnings.push_back(
+            "POV-Ray bends normals by uv as if u and v grew along x and y; that is so only of a mesh that lies like "
+            "that");
     if (plan.bodies_overlap)
         warnings.push_back(
             "transparent bodies may share space; where a ray leaves one that it did not enter last, it goes on unbent, "
@@ -175,9 +187,9 @@ std::string light_section(const Scene& scene, const Plan& plan, PovMotions& moti
         }
         if (light.spot) {
             items.insert(items.end(), {"spotlight", "point_at " + placed(light.spot->look_at)});
-            for (const auto& [word, value] : {std::pair("radius ", light.spot->radius),
-                                              std::pair("falloff ", light.spot->falloff),
-                                              std::pair("tightness ", light.spot->tightness)})
+            for (const auto& [word, value] :
+                 {std::pair("radius ", light.spot->radius), std::pair("falloff ", light.spot->falloff),
+                  std::pair("tightness ", light.spot->tightness)})
                 items.push_back(word + text_of(value));
         }
         if (light.motion) items.push_back(motions.use(*light.motion));
@@ -214,8 +226,9 @@ std::string sky_section(const Scene& scene) {
 
 std::string fog_section(const Scene& scene, const Plan& plan) {
     if (!scene.fog) return "";
-    return heading("Fog") + comment("Opaque bodies are hollow: only transparent ones keep it out.") + "fog { distance " +
-           scaled(text_of(scene.fog->distance), plan) + " color rgb " + text_of(scene.fog->color) + " }\n";
+    return heading("Fog") + comment("Opaque bodies are hollow: only transparent ones keep it out.") +
+           "fog { distance " + scaled(text_of(scene.fog->distance), plan) + " color rgb " + text_of(scene.fog->color) +
+           " }\n";
 }
 
 }  // namespace
@@ -227,8 +240,8 @@ PovFiles write_pov(const Scene& whole, const PovRequest& request) {
     const Plan plan = plan_for(scene, request);
     PovMotions motions;
     const std::string lights = light_section(scene, plan, motions);
-    const std::string bodies = body_sections(
-        scene, {plan.materials, plan.shadow_copies, plan.scaled, scene.fog.has_value(), motions});
+    const std::string bodies =
+        body_sections(scene, {plan.materials, plan.shadow_copies, plan.scaled, scene.fog.has_value(), motions});
     std::vector<PovPicture> pictures = pictures_of(scene);
     return {top(scene, request, plan) + camera_section(request, plan) + motions.section() + lights +
                 function_section(scene) + sky_section(scene) + fog_section(scene, plan) + material_section(plan) +

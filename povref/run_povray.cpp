@@ -9,14 +9,13 @@
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <regex>
-#include <sstream>
 #include <stdexcept>
 #include <thread>
 #include <vector>
 
 #include "text/file.h"
+#include "text/streams.h"
 
 extern char** environ;
 
@@ -76,8 +75,8 @@ int run(std::vector<std::string> words, const std::string& folder, const std::st
 }
 
 std::string content(const std::string& path) {
-    std::ostringstream text;
-    text << std::ifstream(path).rdbuf();
+    TextStream text;
+    text << FileStream(path).rdbuf();
     return text.str();
 }
 
@@ -88,7 +87,7 @@ std::string warnings_in(const std::string& log) {
         if (message.find("Refraction value unnecessary") == std::string::npos) found += message;
         message.clear();
     };
-    std::istringstream lines(log);
+    WordStream lines(log);
     for (std::string line; std::getline(lines, line);) {
         const bool goes_on = !message.empty() && line.starts_with(' ');
         if (goes_on)

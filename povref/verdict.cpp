@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "image/transfer.h"
+#include "povref/run_povray.h"
 #include "trace/edge.h"
 #include "trace/thread_pool.h"
 
@@ -16,7 +17,8 @@ int steps_apart(double ours, double theirs) {
 
 }  // namespace
 
-Verdict judge(Tracer& tracer, const View& view, const Frame& ours, const Picture& theirs) {
+Verdict judge(Tracer& tracer, const View& view, const Frame& ours, const Picture& theirs,
+              const std::atomic<bool>* stop) {
     if (theirs.width != ours.width || theirs.height != ours.height || theirs.channels < 3)
         throw FileError("POV-Ray's picture has another size");
     ThreadPool alone(1);
@@ -26,10 +28,11 @@ Verdict judge(Tracer& tracer, const View& view, const Frame& ours, const Picture
         for (int c = 0; c < 3; ++c)
             apart = std::max(apart, steps_apart(ours.rgb[3 * i + c], theirs.values[theirs.channels * i + c]));
         const int x = int(i % ours.width), y = int(i / ours.width);
-        if (apart > 1 && on_edge(tracer, view, alone, x, y, edge_radius, 1. / 65535)) {
+        if (apart > 1 && on_edge(tracer, view, alone, x, y, edge_radius, 1. / 65535, stop)) {
             ++verdict.beyond_on_edges;
             continue;
         }
+        if (stop && *stop) throw Stopped{};
         if (apart > 1) {
             ++verdict.beyond_off_edges;
             if (apart > verdict.worst_off_edges) verdict.x = x, verdict.y = y;

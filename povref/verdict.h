@@ -1,5 +1,6 @@
 // Compares Strahl's picture with POV-Ray's: which pixels differ, and whether they are on an edge.
 #pragma once
+#include <atomic>
 #include <cstddef>
 #include <vector>
 
@@ -20,7 +21,9 @@ struct Verdict {
 /// A pixel this near to an edge may differ, because POV-Ray ignores lengths below 1e-4 and 1e-3.
 inline constexpr double edge_radius = 0.01;
 
-/// `theirs` is POV-Ray's picture of the view, `ours` the tracer's.
-Verdict judge(Tracer& tracer, const View& view, const Frame& ours, const Picture& theirs);
+/// `theirs` is POV-Ray's picture of the view, `ours` the tracer's. Edges are looked for where these differ, which takes
+/// minutes if they do so nearly everywhere. Throws Stopped once `stop` is true.
+Verdict judge(Tracer& tracer, const View& view, const Frame& ours, const Picture& theirs,
+              const std::atomic<bool>* stop = nullptr);
 
 }  // namespace strahl

@@ -8,13 +8,12 @@
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <functional>
-#include <sstream>
 #include <system_error>
 
 #include "image/bytes.h"
 #include "text/file.h"
+#include "text/streams.h"
 #include "text/temporary.h"
 
 namespace strahl {
@@ -44,7 +43,7 @@ const char* name(Compression compression) { return compression == Compression::s
 
 std::array<std::pair<const char*, std::string>, 6> lines_of(const BandHeader& header) {
     const Layout& layout = header.layout;
-    std::ostringstream file, part;
+    TextStream file, part;
     file << header.ending << ' ' << layout.width << ' ' << layout.height << ' ' << layout.channels << ' ' << layout.bits
          << ' ' << name(header.compression);
     part << header.part << ' ' << header.parts;
@@ -74,7 +73,7 @@ std::string BandHeader::difference(const BandHeader& other) const {
 bool BandFile::is_at(const std::string& path) {
     std::error_code error;
     if (!std::filesystem::is_regular_file(path, error)) return false;
-    std::ifstream in(path, std::ios::binary);
+    FileStream in(path);
     std::string start(magic.size(), '\0');
     return in.read(start.data(), static_cast<std::streamsize>(start.size())) && start == magic;
 }
@@ -82,13 +81,13 @@ bool BandFile::is_at(const std::string& path) {
 BandFile::BandFile(const std::string& path) : own_path(path) {
     const auto broken = [&](const char* why) { throw FileError("cannot read '" + path + "': " + why); };
     if (!is_at(path)) broken("it is no file of bands that strahl wrote");
-    std::ifstream in(path, std::ios::binary);
+    FileStream in(path);
     std::string line, compression;
     BandHeader& h = own_header;
     for (std::getline(in, line); std::getline(in, line) && !line.empty();) {
         const std::size_t space = line.find(' ');
         const std::string key = line.substr(0, space), value = space == line.npos ? "" : line.substr(space + 1);
-        std::istringstream words(value);
+        WordStream words(value);
         if (key == "program") h.program = value;
         if (key == "scene") h.scene = value;
         if (key == "options") h.options = value;
@@ -135,7 +134,7 @@ BandFile::~BandFile() {
 std::string BandFile::bytes(int band) const {
     const Place& place = places.at(band);
     std::string bytes(place.size, '\0');
-    std::ifstream in(own_path, std::ios::binary);
+    FileStream in(own_path);
     in.seekg(static_cast<std::streamoff>(place.at));
     if (!in.read(bytes.data(), static_cast<std::streamsize>(bytes.size())))
         throw FileError("cannot read '" + own_path + "': it has changed meanwhile");

@@ -165,7 +165,8 @@ class TachyonReader {
         const Color top = named_color("TOPCOLOR"), bottom = named_color("BOTTOMCOLOR");
         constexpr double most = 1.5;  // gradients repeat: this one after 2 most
         const double size = length(up);
-        if (!sphere || !(size > 0 && std::isfinite(size)) || !(-most <= bottom_at && bottom_at < top_at && top_at <= most)) {
+        if (!sphere || !(size > 0 && std::isfinite(size)) ||
+            !(-most <= bottom_at && bottom_at < top_at && top_at <= most)) {
             scene.scene.background = .5 * (top + bottom);
             return scene.warn("BACKGROUND_GRADIENT: the mean of both colours everywhere");
         }
@@ -213,7 +214,8 @@ class TachyonReader {
         }
     }
     void read_fog() {
-        const std::string kind(same_word(words.peek(), "START") ? "OFF" : words.choose({"LINEAR", "EXP", "EXP2", "OFF"}));
+        const std::string kind(same_word(words.peek(), "START") ? "OFF"
+                                                                : words.choose({"LINEAR", "EXP", "EXP2", "OFF"}));
         const double start = named_number("START");
         named_number("END");
         const double density = named_number("DENSITY");

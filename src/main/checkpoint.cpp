@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <cstdio>
-#include <fstream>
 #include <functional>
 #include <iterator>
 #include <set>
@@ -12,6 +11,7 @@
 
 #include "scene/error.h"
 #include "scene/leaves.h"
+#include "text/streams.h"
 
 namespace strahl {
 namespace {
@@ -34,7 +34,7 @@ std::size_t hash_of(const std::vector<T>& values) {
 }  // namespace
 
 std::string hash_of_program() {
-    std::ifstream in("/proc/self/exe", std::ios::binary);
+    FileStream in("/proc/self/exe");
     const std::string bytes((std::istreambuf_iterator<char>(in)), {});
     return in_hexadecimal(std::hash<std::string_view>()(bytes));
 }

@@ -13,7 +13,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <map>
 #include <set>
@@ -30,6 +29,7 @@
 #include "main/values.h"
 #include "text/file.h"
 #include "text/parse.h"
+#include "text/streams.h"
 #include "text/tracks_file.h"
 #include "text/utf8.h"
 #include "trace/tracer.h"
@@ -107,7 +107,8 @@ class NewFolder {
 void require_own(const fs::path& folder) {
     if (!fs::exists(folder) || (fs::is_directory(folder) && fs::is_empty(folder))) return;
     std::string head(script_head.size(), '\0');
-    std::ifstream(folder / "play").read(head.data(), static_cast<std::streamsize>(head.size()));
+    if (const fs::path script = folder / "play"; fs::is_regular_file(script))
+        FileStream(script.string()).read(head.data(), static_cast<std::streamsize>(head.size()));
     if (head != script_head)
         throw UsageError("'" + folder.string() + "' is there already and was not made by strahl bundle; give -o "
                          "another name");

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
-#include <sstream>
 #include <utility>
 
 #include "image/pixels.h"
@@ -14,6 +13,7 @@
 #include "scene/overlap.h"
 #include "text/file.h"
 #include "text/parse.h"
+#include "text/streams.h"
 #include "text/utf8.h"
 #include "text/write.h"
 
@@ -68,7 +68,7 @@ std::string bounds_in_words(const Scene& scene) {
         else
             unbounded = true;
     }
-    std::ostringstream words;
+    TextStream words;
     if (box.empty())
         words << (unbounded ? "infinite" : "no bodies");
     else
@@ -80,7 +80,7 @@ std::string summary(const Scene& scene) {
     const auto transparent = std::ranges::count_if(
         scene.primitives, [&](const Primitive& primitive) { return strahl::transparent(scene, primitive); });
     const Camera& camera = scene.camera;
-    std::ostringstream text;
+    TextStream text;
     text << bodies_in_words(scene) << "  transparent  " << transparent << (transparent == 1 ? " body" : " bodies")
          << '\n'
          << "  materials    " << scene.materials.size() << '\n'

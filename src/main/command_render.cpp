@@ -123,6 +123,7 @@ int render_command(const RenderOptions& asked) {
     check_size(part, ending, options.output == "-" || !ffmpeg.empty());
     require_writable(options.numbered() ? numbered(options.output, options.frames->first()) : options.output);
     if (!options.stats.empty()) require_writable(options.stats);
+    if (!options.prove.empty()) require_writable(options.prove), options.sampling = {.grid = 1};
     require_different_files(options);
 
     Stats stats;

@@ -1,8 +1,8 @@
 #include <algorithm>
-#include <sstream>
 
 #include "main/reference.h"
 #include "main/shell.h"
+#include "text/streams.h"
 
 namespace strahl {
 namespace {
@@ -34,7 +34,7 @@ std::vector<std::string> names_of(const std::vector<CommandText>& commands) {
 }  // namespace
 
 std::string bash_completion(const ProgramText& program) {
-    std::ostringstream script;
+    TextStream script;
     script << "# Completion of strahl's commands and options for bash.\n_strahl() {\n"
               "    local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]} options\n"
               "    COMPREPLY=()\n    if ((COMP_CWORD == 1)); then\n        options=\""
@@ -75,7 +75,7 @@ std::string zsh_completion(const ProgramText& program) {
             text += ":" + option.form + ":" + (takes_file(option) ? "_files" : "");
         return in_shell_quotes(text);
     };
-    std::ostringstream script;
+    TextStream script;
     script << "#compdef strahl\n# Completion of strahl's commands and options for zsh.\n_strahl() {\n"
               "    local -a commands=(\n";
     for (const CommandText& command : program.commands)
@@ -96,7 +96,7 @@ std::string zsh_completion(const ProgramText& program) {
 std::string fish_completion(const ProgramText& program) {
     const auto quote = [](const std::string& text) { return in_shell_quotes(text, "\\'"); };
     const std::string names = joined(names_of(program.commands));
-    std::ostringstream script;
+    TextStream script;
     script << "# Completion of strahl's commands and options for fish.\n";
     const auto add = [&](const std::string& condition, const OptionText& option) {
         script << "complete -c strahl -n " << quote(condition);
@@ -110,8 +110,8 @@ std::string fish_completion(const ProgramText& program) {
     };
     for (const OptionText& option : program.self.options) add("not __fish_seen_subcommand_from " + names, option);
     for (const CommandText& command : program.commands) {
-        script << "complete -c strahl -n " << quote("not __fish_seen_subcommand_from " + names) << " -a " << command.name
-               << " -d " << quote(command.help) << '\n';
+        script << "complete -c strahl -n " << quote("not __fish_seen_subcommand_from " + names) << " -a "
+               << command.name << " -d " << quote(command.help) << '\n';
         for (const OptionText& option : command.options) add("__fish_seen_subcommand_from " + command.name, option);
     }
     return script.str();

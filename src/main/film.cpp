@@ -13,7 +13,6 @@
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
-#include <sstream>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -21,6 +20,7 @@
 #include "image/picture.h"
 #include "main/values.h"
 #include "num/decimal.h"
+#include "text/streams.h"
 
 extern char** environ;
 
@@ -39,7 +39,7 @@ std::vector<std::string> command_of(const std::string& ffmpeg, const std::string
                                     const std::optional<FilmSound>& sound) {
     std::vector<std::string> words{ffmpeg};
     const auto add = [&](const std::string& options) {
-        std::istringstream rest(options);
+        WordStream rest(options);
         for (std::string word; rest >> word;) words.push_back(word);
     };
     add("-nostdin -y -v error -f yuv4mpegpipe -i pipe:0");
@@ -60,7 +60,7 @@ bool is_film(const std::string& path) { return !format_of(path).empty(); }
 
 std::string find_ffmpeg(const std::string& film) {
     const char* const path = std::getenv("PATH");
-    std::istringstream folders(path ? path : "/usr/bin:/bin");
+    WordStream folders(path ? path : "/usr/bin:/bin");
     for (std::string folder; std::getline(folders, folder, ':');) {
         const std::string program = (folder.empty() ? "." : folder) + "/ffmpeg";
         if (::access(program.c_str(), X_OK) == 0) return program;

@@ -7,7 +7,6 @@
 #include <exception>
 #include <filesystem>
 #include <iostream>
-#include <sstream>
 
 #include "main/command_check.h"
 #include "main/command_compare.h"
@@ -21,6 +20,7 @@
 #include "main/options_window.h"
 #include "povref/command_crosscheck.h"
 #include "scene/error.h"
+#include "text/streams.h"
 #include "text/utf8.h"
 
 namespace strahl {
@@ -83,7 +83,7 @@ void add_stability(CLI::App& app, Action& action) {
 /// "strahl 0.1.0 (x86-64-v4, 16 float lanes, 8 double)"
 std::string version() {
     const Simd simd = best_simd();
-    std::ostringstream text;
+    TextStream text;
     text << "strahl " STRAHL_VERSION " (" << name(simd) << ", " << lanes(Precision::float32, simd) << " float lanes, "
          << lanes(Precision::float64, simd) << " double)";
     return text.str();

@@ -1,6 +1,6 @@
-#include <sstream>
-
+// The manual page, in roff.
 #include "main/reference.h"
+#include "text/streams.h"
 
 namespace strahl {
 namespace {
@@ -35,7 +35,7 @@ std::string as_is(const std::string& text) { return text.empty() ? "" : ".PP\n.n
 }  // namespace
 
 std::string manual_page(const ProgramText& program) {
-    std::ostringstream page;
+    TextStream page;
     page << ".TH STRAHL 1 \"\" \"strahl " << program.version << "\" \"User Commands\"\n.SH NAME\nstrahl \\- "
          << "render and fly through scenes, fast and exactly\n.SH SYNOPSIS\n.B strahl\n"
          << italic("SCENE") << '\n';

@@ -66,6 +66,9 @@ inline void add_render(CLI::App& app, Action& action) {
                      "Seconds after which finished bands of a picture are kept in FILE.checkpoint, 10 by default")
         ->check(numbers(0, 1e9))
         ->type_name("S");
+    add_file(command, "--prove", o->prove,
+             "Bound the rounding of every pixel, and write to this picture which ones are proved to be those of exact "
+             "arithmetic; traces one ray in each pixel, in double");
     add_file(command, "--stats", o->stats, "Write times, rays and errors to this JSON file");
     command->add_flag("--quiet", o->quiet, "Show no progress");
     command->footer(

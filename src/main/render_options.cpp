@@ -44,6 +44,20 @@ void check_film(const RenderOptions& options) {
                          std::to_string(part.rows) + "; choose another --size or --crop");
 }
 
+void check_proof(const RenderOptions& options) {
+    if (options.precision && *options.precision != Precision::float64)
+        throw UsageError("--prove traces in double; leave --precision out");
+    const Sampling& asked = options.sampling;
+    if (asked.grid > 1 || asked.centre)
+        throw UsageError("--prove traces one ray in each pixel; leave --samples out, or give it 1");
+    if (options.frames || options.share || options.resume || is_film(options.output))
+        throw UsageError(
+            "--prove proves one picture at once, without --frames, --part and --resume; a moment is --time");
+    const std::string ending = ending_of(options.prove);
+    if (ending != ".png" && ending != ".bmp")
+        throw UsageError("the map of --prove is a .png or .bmp file, and not '" + options.prove + "'");
+}
+
 }  // namespace
 
 std::string check(const RenderOptions& options) {
@@ -73,6 +87,7 @@ std::string check(const RenderOptions& options) {
         throw UsageError("a " + ending + " goes to standard output alone: -o - --format " + ending.substr(1));
     else if (const std::string fault = format_fault(to_stdout ? ending : options.output, options.bits); !fault.empty())
         throw UsageError(format_fault(ending, 0).empty() ? fault : fault + ", or films one of .mp4, .mkv and .webm");
+    if (!options.prove.empty()) check_proof(options);
     if (!supported(options.simd))
         throw UsageError("this processor does not support " + std::string(name(options.simd)) + "; --simd auto uses " +
                          name(best_simd()));
@@ -110,6 +125,9 @@ void require_different_files(const RenderOptions& options) {
     if (is_picture(options, options.scene))
         throw UsageError("-o would overwrite the scene '" + options.scene + "'; give it another name");
     refuse_overwriting("--stats", options.stats, "the scene", options.scene);
+    refuse_overwriting("--prove", options.prove, "the scene", options.scene);
+    if (is_picture(options, options.prove))
+        throw UsageError("--prove '" + options.prove + "' would overwrite the picture; give it another name");
     if (is_picture(options, options.stats))
         throw UsageError("--stats '" + options.stats + "' would overwrite the picture; give it another name");
 }

@@ -30,6 +30,7 @@ struct RenderOptions {
     std::optional<Share> share;  // of the frames, or of the bands of one picture
     bool resume = false;         // skips frames whose files exist, and whole; goes on with an interrupted picture
     double checkpoint = 10;      // seconds after which finished bands are kept
+    std::string prove;    // a map of what is proved, .bmp or .png, or empty
     std::string stats;    // a JSON file, or empty
     bool quiet = false;
 

@@ -41,6 +41,7 @@ Renderer::Renderer(const RenderOptions& o, Scene scene, std::string own_scene_ha
       pool(o.threads),
       accuracy(choose(scene, first)),
       tracer(std::move(scene), accuracy.precision, o.simd) {
+    if (!options.prove.empty()) proof.emplace(part, format);
     stats.accuracy = accuracy;
     stats.threads = pool.size();
     stats.simd = tracer.simd();
@@ -80,8 +81,10 @@ bool Renderer::render(const Shot& shot, const Target& target, const std::string&
         checkpoint.become(file);
     } else {
         writer.write(path);
+        if (proof) proof->write(options.prove);
         if (is_file(path)) remove_checkpoint(file);
     }
+    if (proof) stats.proved = proof->counts();
     stats.write_seconds += watch.lap();
     stats.frames += whole;
     return whole;
@@ -149,6 +152,12 @@ Accuracy Renderer::choose(const Scene& scene, const Shot& shot) {
     const double unseen = half_step(format);
     // The curve that encodes linear light enlarges errors where it is steep.
     const double steepest = format.linear && format.bits != 32 ? steepest_srgb : 1;
+    if (!options.prove.empty()) {  // what is left out would not be proved
+        stats.error = options.error.value_or(0);
+        return {.precision = Precision::float64,
+                .depth = options.depth.value_or(scene.settings.max_trace_level),
+                .dropped = stats.error / steepest};
+    }
     if (!options.error) {
         stats.error = unseen * steepest;
         return {.precision = options.precision.value_or(Precision::float64),
@@ -166,7 +175,8 @@ View Renderer::view(const Shot& shot, int depth, double dropped) const {
             .height = options.size.height,
             .depth = depth,
             .error = dropped,
-            .time = shot.time};
+            .time = shot.time,
+            .prove = !options.prove.empty()};
 }
 
 /// Returns the number of finished pixels; `all` are those of the picture or the share.
@@ -178,6 +188,7 @@ std::uint64_t Renderer::trace(const Shot& shot, const std::vector<Lattice>& regi
         const Lattice& own = tile.lattice;
         std::visit([&](auto rgb) { writer.put(own.x - part.x, own.y - part.y, own.columns, own.rows, rgb.data()); },
                    tile.rgb);
+        if (proof) proof->keep(tile);
         const std::uint64_t size = pixels(own);
         progress.advance(done.fetch_add(size) + size, all);
         if (!interrupted()) checkpoint.save_if_due();

@@ -9,6 +9,7 @@
 #include "image/picture_writer.h"
 #include "main/checkpoint.h"
 #include "main/interrupt.h"
+#include "main/proof.h"
 #include "main/render_options.h"
 #include "main/stats.h"
 #include "main/stopwatch.h"
@@ -67,6 +68,7 @@ class Renderer {
     const Accuracy accuracy;
     Tracer tracer;
     Interrupt interrupt;
+    std::optional<Proof> proof;
 };
 
 }  // namespace strahl

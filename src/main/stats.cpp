@@ -4,14 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
+
+#include "text/streams.h"
 
 namespace strahl {
 
 namespace {
 
 std::string number(double value) {
-    std::ostringstream text;
+    TextStream text;
     text.precision(9);
     if (std::isfinite(value))
         text << value;
@@ -34,7 +35,7 @@ std::string samples(const Stats& stats) {
 
 std::string to_json(const Stats& stats) {
     const Accuracy& accuracy = stats.accuracy;
-    std::ostringstream json;
+    TextStream json;
     json.precision(9);
     json << "{\n";
     json << "  \"finished\": " << (stats.finished ? "true" : "false") << ",\n";
@@ -49,6 +50,10 @@ std::string to_json(const Stats& stats) {
          << ", \"past_depth\": " << number(stats.rays.past) << ", \"rounding\": " << number(rounding)
          << ", \"guaranteed\": " << number(stats.rays.lost()) << " },\n";
     json << "  \"samples\": " << samples(stats) << ",\n";
+    if (const auto& proved = stats.proved)
+        json << "  \"proof\": { \"bits\": " << proved->bits << ", \"proved\": " << proved->proved
+             << ", \"undecided\": " << proved->undecided << ", \"bound_median\": " << number(proved->median)
+             << " },\n";
     json << "  \"lanes\": " << stats.lanes << ",\n  \"threads\": " << stats.threads << ",\n";
     json << "  \"parse_seconds\": " << stats.parse_seconds << ",\n  \"build_seconds\": " << stats.build_seconds
          << ",\n";

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "main/proof_counts.h"
 #include "main/values.h"
 #include "trace/accuracy.h"
 #include "trace/tracer.h"
@@ -24,6 +25,7 @@ struct Stats {
     Sampled sampled;    // without a grid
     Accuracy accuracy;  // precision, depth and pruning chosen for it
     Simd simd = Simd::automatic;
+    std::optional<ProofCounts> proved;
     bool finished = false;
 };
 

@@ -31,7 +31,7 @@ Buffer<I> uninitialized_buffer(std::size_t count) {
     void* const p = std::aligned_alloc(unit, (bytes / unit + 1) * unit);
     if (!p) throw std::bad_alloc();
 #if defined(__linux__)
-    if (unit == page) madvise(p, bytes, MADV_HUGEPAGE);
+    if (unit == page) madvise(p, bytes / page * page, MADV_HUGEPAGE);  // none that would be partly empty
 #endif
     return Buffer<I>(static_cast<I*>(p));
 }

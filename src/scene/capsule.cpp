@@ -53,9 +53,9 @@ std::vector<Capsule> capsules_of(const Primitive& primitive, const glm::dmat4& o
             }
         } else {
             found = own_capsules(kind);
-            const double factor =
-                similarity(primitive.transformations) > 0 && outer == glm::dmat4(1) ? similarity(primitive.transformations)
-                                                                                     : stretch(to_world);
+            const double factor = similarity(primitive.transformations) > 0 && outer == glm::dmat4(1)
+                                      ? similarity(primitive.transformations)
+                                      : stretch(to_world);
             for (Capsule& capsule : found)
                 capsule = {transform_point(to_world, capsule.from), transform_point(to_world, capsule.to),
                            capsule.radius * factor};

@@ -14,7 +14,7 @@ struct Place {
 Place place(double& number) { return {&number, nullptr}; }
 Place place(DVec3& vector) { return {nullptr, &vector}; }
 Place place(Pigment& pigment) { return pigment.pattern ? Place{} : place(pigment.color); }
-Place place(Bump&) { return {}; }
+Place place(Relief&) { return {}; }
 template <class T>
 Place place(std::optional<T>& value) {
     return value ? place(*value) : Place{};

@@ -29,9 +29,8 @@ enum class ImageMap : std::int32_t {
     planar,       // x and y
     spherical,    // around the z axis, and the latitude: from the pole at -z to that at z
     cylindrical,  // around the z axis, and z
-    uv,           // as the corners of a mesh's triangles have them, linearly between these; of other bodies the origin
 };
-inline constexpr std::array<std::string_view, 4> image_maps{"planar", "spherical", "cylindrical", "uv"};
+inline constexpr std::array<std::string_view, 3> image_maps{"planar", "spherical", "cylindrical"};
 
 /// How bright a colour is, which is what a picture that bends normals has in place of colours: its height (POV-Ray's
 /// weights of red, green and blue).

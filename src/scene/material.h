@@ -1,5 +1,6 @@
 // The material of a body: the coefficients of the article's illumination equation.
 #pragma once
+#include <array>
 #include <tuple>
 
 #include "scene/pattern.h"
@@ -9,21 +10,36 @@ namespace strahl {
 /// The default values are those of the article's `defaultmaterial` listing.
 struct Material {
     Pigment rgb{.5, .5, .5};  // Of
-    double reflection = .5;  // Kr
-    double refraction = 0;   // Kt; above 0 the body is transparent
-    double diffuse = .5;     // Kd
-    double ambient = 0;      // Ka
-    double specular = 1;     // Ks, the highlight
-    double pow = 50;         // p, the highlight's exponent
-    double ior = 1;          // index of refraction of the body
-    Bump bump{};
+    double reflection = .5;   // Kr
+    double refraction = 0;    // Kt; above 0 the body is transparent
+    double diffuse = .5;      // Kd
+    double ambient = 0;       // Ka
+    double specular = 1;      // Ks, the highlight
+    double pow = 50;          // p, the highlight's exponent
+    double ior = 1;           // index of refraction of the body
+    NormalMap normal{};
+    Bump bump{};                    // of the normals that `normal` has bent
     std::vector<Follow> follows{};  // its numbers that follow tracks
 
     bool operator==(const Material&) const = default;
     /// Is the body transparent, or could a track make it so?
     bool may_transmit() const { return refraction > 0 || any_follows(follows, "refraction"); }
+    bool bends() const { return normal.pattern || bump.pattern; }
     /// Does it depend on the place?
-    bool patterned() const { return rgb.pattern || bump.pattern; }
+    bool patterned() const { return rgb.pattern || bends(); }
+    /// ... on where the corners of a mesh are by uv?
+    bool by_uv() const {
+        bool any = false;
+        each_pattern([&](const Pattern& own) { any |= own.by_uv; });
+        return any;
+    }
+    std::array<Relief*, 2> reliefs() { return {&normal, &bump}; }
+    /// Calls visit(pattern) for each of its patterns.
+    template <class Visit>
+    void each_pattern(const Visit& visit) const {
+        for (const Pattern* const own : {rgb.pattern.get(), normal.pattern.get(), bump.pattern.get()})
+            if (own) visit(*own);
+    }
 
     static constexpr auto fields = std::make_tuple(
         Field{"rgb", &Material::rgb, "colour of the body", Range::zero_or_more},
@@ -37,6 +53,7 @@ struct Material {
         Field{"pow", &Material::pow, "exponent of the highlight: the larger, the smaller the highlight",
               Range::zero_or_more},
         Field{"ior", &Material::ior, "index of refraction", Range::positive},
+        Field{"normal", &Material::normal, "an image of normals, see below", Range::zero_or_more},
         Field{"bump", &Material::bump, "a pattern that bends normals, see below", Range::zero_or_more});
 };
 

@@ -29,7 +29,8 @@ glm::dquat quaternion(const DVec3& degrees) {
     glm::dquat product{1, 0, 0, 0};
     for (int axis = 0; axis < 3; ++axis) {
         if (degrees[axis] == 0) continue;
-        const double half = std::remainder(degrees[axis], 720) * (std::numbers::pi / 360);
+        const double turn = std::fabs(degrees[axis]) <= 360 ? degrees[axis] : std::remainder(degrees[axis], 720);
+        const double half = turn * (std::numbers::pi / 360);
         DVec3 v{0};
         v[axis] = std::sin(half);
         product = glm::dquat(std::cos(half), v.x, v.y, v.z) * product;
@@ -49,8 +50,8 @@ DVec3 rotation_at(const Window<MotionKey>& w) {
     const auto [spline, start, about] = rotation_curve(w);
     if (spline.knots == 0) return w.key[1]->rotate;  // written in different ways
     const double h = spline.share(w.h), g = 1 - h;
-    return degrees_of(start * exponential(about[0] * (1 - g * g * g)) *
-                      exponential(about[1] * (h * h * (3 - 2 * h))) * exponential(about[2] * (h * h * h)));
+    return degrees_of(start * exponential(about[0] * (1 - g * g * g)) * exponential(about[1] * (h * h * (3 - 2 * h))) *
+                      exponential(about[2] * (h * h * h)));
 }
 
 void append(std::vector<Transformation>& steps, const MotionKey& key) {
@@ -122,6 +123,11 @@ std::vector<Transformation> at(std::span<const Transformation> steps, double tim
     std::vector<Transformation> still;
     append(still, steps, time, tracks);
     return still;
+}
+void set_at(std::vector<Transformation>& still, std::span<const Transformation> steps, double time,
+            const TrackValues& tracks) {
+    still.clear();
+    append(still, steps, time, tracks);
 }
 
 std::vector<double> key_times(std::span<const Transformation> steps) {

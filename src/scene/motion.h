@@ -21,6 +21,9 @@ MotionKey key_at(const Motion& motion, double time, const TrackValues& tracks = 
 std::vector<Transformation> steps_of(const MotionKey& key);
 std::vector<Transformation> at(const Motion& motion, double time, const TrackValues& tracks = {});
 std::vector<Transformation> at(std::span<const Transformation> steps, double time, const TrackValues& tracks = {});
+/// The same in place of what is in `still`, whose memory is used again.
+void set_at(std::vector<Transformation>& still, std::span<const Transformation> steps, double time,
+            const TrackValues& tracks);
 /// The times of the keys of all motions among them.
 std::vector<double> key_times(std::span<const Transformation> steps);
 
@@ -68,8 +71,8 @@ Scene at(const Scene& scene, double time);
 /// The scene with all that follows tracks as at that time, also its camera; motions stay.
 Scene without_tracks(const Scene& scene, double time);
 
-/// The camera of a scene at a time of its flythrough, if it has one; else its own camera at that time. Without a time it
-/// is its own at time 0.
+/// The camera of a scene at a time of its flythrough, if it has one; else its own camera at that time. Without a time
+/// it is its own at time 0.
 Camera camera_at(const Scene& scene, std::optional<double> time);
 /// Its own camera at a time, which only tracks change. `tracks` are in place of the scene's own.
 Camera own_camera_at(const Scene& scene, double time, const std::vector<Track>* tracks = nullptr);

@@ -23,10 +23,10 @@ void each_motion(const Primitive& primitive, const Visit& visit) {
     std::visit(look, primitive.shape);
 }
 
-/// Sets `now`, which is `moving` at some moment, to another one, by the transformations steps(moving transformations).
+/// Sets `now`, which is `moving` at some moment, to another one: steps(transformations, moving ones) sets these.
 template <class Steps>
 void move(Primitive& now, const Primitive& moving, const Steps& steps) {
-    now.transformations = steps(moving.transformations);
+    steps(now.transformations, moving.transformations);
     const auto move_parts = [&]<class Kind>(const Kind& kind) {
         if constexpr (is_composite<Kind>) {
             if (std::ranges::none_of(*kind.parts, moves)) return;
@@ -107,7 +107,9 @@ SceneTime scene_time(const Scene& scene, double seconds, const std::vector<Track
 }
 
 void move_bodies(Scene& now, const Scene& scene, std::span<const std::int32_t> bodies, const SceneTime& time) {
-    const auto steps = [&](const std::vector<Transformation>& moving) { return at(moving, time.seconds, time.tracks); };
+    const auto steps = [&](std::vector<Transformation>& still, const std::vector<Transformation>& moving) {
+        set_at(still, moving, time.seconds, time.tracks);
+    };
     for (const std::int32_t i : bodies) move(now.primitives[i], scene.primitives[i], steps);
 }
 
@@ -131,15 +133,14 @@ Scene at(const Scene& scene, double seconds) {
 Scene without_tracks(const Scene& scene, double seconds) {
     Scene now = scene;
     const TrackValues tracks = scene_time(scene, seconds).tracks;
-    const auto steps = [&](const std::vector<Transformation>& moving) {
-        std::vector<Transformation> all;
+    const auto steps = [&](std::vector<Transformation>& all, const std::vector<Transformation>& moving) {
+        all.clear();
         for (const Transformation& step : moving) {
             const Motion* const motion = std::get_if<Motion>(&step);
             const bool still = motion && follows_tracks(*motion);
             const auto own = still ? at(*motion, 0, tracks) : std::vector{step};
             all.insert(all.end(), own.begin(), own.end());
         }
-        return all;
     };
     for (std::size_t i = 0; i < scene.primitives.size(); ++i)
         if (moves(scene.primitives[i])) move(now.primitives[i], scene.primitives[i], steps);

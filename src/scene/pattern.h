@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <string_view>
 #include <tuple>
 #include <type_traits>
 #include <variant>
@@ -114,14 +115,20 @@ inline constexpr bool two_colored = requires {
 /// Or a map of colours? Images have neither.
 template <class Kind>
 inline constexpr bool has_map = !two_colored<Kind> && !std::is_same_v<Kind, ImagePattern>;
-/// Can it bend normals?
+/// Can its values bend normals?
 template <class Kind>
 inline constexpr bool can_bend = !two_colored<Kind>;
+
+/// The word, after `map`, for patterns by uv.
+inline constexpr std::string_view uv_map = "uv";
 
 struct Pattern {
     PatternKind kind;
     std::vector<ColorStop> colors;  // ascending; those of kinds with two are at 0 and 1, images have none, others some
     std::vector<Transformation> transformations;
+    /// The pattern is asked for (u, v, 0) as the corners of a mesh's triangles have it, linearly between these, in
+    /// place of a point of the body. Images are planar then.
+    bool by_uv = false;
     bool operator==(const Pattern&) const = default;
 };
 
@@ -144,34 +151,52 @@ struct Pigment {
         }
     }
     bool operator==(const Pigment& other) const {
-        return color == other.color && (pattern == other.pattern ||
-                                        (pattern && other.pattern && *pattern == *other.pattern));
+        return color == other.color &&
+               (pattern == other.pattern || (pattern && other.pattern && *pattern == *other.pattern));
     }
 };
 
-/// Bends normals as if a pattern of values raised the surface: n - height G, where G is the pattern's gradient. Both are
-/// in the pattern's own space, so that bumps that are scaled keep their slopes (K. Perlin, "An image synthesizer", 1985,
-/// adds gradients to normals). G is the difference quotient over the corners of a tetrahedron, all `step` away, which
-/// is how POV-Ray has it: the sum of value(p + step v) v over its four directions v, times 3 / (4 step). Where a surface
-/// is seen from behind, its normal is turned round before it is bent. The value of an image is its brightness, see
-/// `brightness`, and whatever the scene declares its pixels are taken as they are.
-struct Bump {
+/// What bends normals: a pattern, and how much. Where a surface is seen from behind, its normal is turned round before
+/// it is bent. Of images the pixels are taken as they are, whatever the scene declares.
+struct Relief {
     std::shared_ptr<const Pattern> pattern;  // without colours; null if there is none
     double height = 0;
+    bool operator==(const Relief& other) const {
+        return height == other.height &&
+               (pattern == other.pattern || (pattern && other.pattern && *pattern == *other.pattern));
+    }
+};
+
+/// As if a pattern of values raised the surface: n - height G, where G is the pattern's gradient. Both are in the
+/// pattern's own space, so that bumps that are scaled keep their slopes (K. Perlin, "An image synthesizer", 1985, adds
+/// gradients to normals). G is the difference quotient over the corners of a tetrahedron, all `step` away, which is how
+/// POV-Ray has it: the sum of value(p + step v) v over its four directions v, times 3 / (4 step). The value of an image
+/// is its brightness, see `brightness`.
+///
+/// By uv the space is that of u, v and the normal: its axes are those along which the place in the triangle moves with
+/// u and with v, without what these have of the surface's normal, and u x v, as long as the square root of their area.
+struct Bump : Relief {
     /// .02; of an image a pixel of a planar one.
     double step() const {
         const ImagePattern* const image = std::get_if<ImagePattern>(&pattern->kind);
         return image ? 1. / std::max(image->pixels->width, image->pixels->height) : .02;
     }
     /// Directions of length 1.
-    static constexpr std::array<DVec3, 4> corners{DVec3(0.942809041582063366, -1. / 3, 0),
-                                                  DVec3(-0.471404520791031683, -1. / 3, 0.816496580927726033),
-                                                  DVec3(-0.471404520791031683, -1. / 3, -0.816496580927726033),
-                                                  DVec3(0, 1, 0)};
-    bool operator==(const Bump& other) const {
-        return height == other.height &&
-               (pattern == other.pattern || (pattern && other.pattern && *pattern == *other.pattern));
-    }
+    static constexpr std::array<DVec3, 4> corners{
+        DVec3(0.942809041582063366, -1. / 3, 0), DVec3(-0.471404520791031683, -1. / 3, 0.816496580927726033),
+        DVec3(-0.471404520791031683, -1. / 3, -0.816496580927726033), DVec3(0, 1, 0)};
+    bool operator==(const Bump&) const = default;
+};
+
+/// As the colours (r, g, b) of an image say: to (height (2 r - 1), height (2 g - 1), max(2 b - 1, 0)) along three axes
+/// of length 1. x is the direction along the surface in which u grows, without what it has of the normal; y is across
+/// it, on the side where v grows; z is the normal (J. Cohen, M. Olano, D. Manocha, "Appearance-Preserving
+/// Simplification", 1998). The axes are of length 1 in the scene, so that slopes stay as they are in whatever way the
+/// image is scaled. Where u grows in no direction, as at the poles, the normal stays as it is.
+struct NormalMap : Relief {
+    static constexpr double least_sine = 1e-5;  // of angles from the normal: smaller ones are rounding
+    NormalMap() { height = 1; }
+    bool operator==(const NormalMap&) const = default;
 };
 
 }  // namespace strahl

@@ -25,9 +25,9 @@ struct Settings {
     bool operator==(const Settings&) const = default;
 };
 
-/// Between bodies all light weakens with the way t through the fog: of what comes from behind exp(-t / distance) is left,
-/// and the rest is the fog's colour (POV-Ray's fog_type 1). There is none in transparent bodies, and rays of light from
-/// lights do not weaken.
+/// Between bodies all light weakens with the way t through the fog: of what comes from behind exp(-t / distance) is
+/// left, and the rest is the fog's colour (POV-Ray's fog_type 1). There is none in transparent bodies, and rays of
+/// light from lights do not weaken.
 struct Fog {
     double distance = 1;
     Color color{0};

@@ -245,12 +245,13 @@ class Splitting {
         const std::size_t steps = shared ? own.transformations.size() : 0;
         if (!material.patterned() || part.to_pattern.size() == steps) return own;
         const auto moved = [&](Pattern pattern) {
+            if (pattern.by_uv) return pattern;
             pattern.transformations = joined(pattern.transformations, inverse(part.to_pattern));
             return pattern;
         };
         if (material.rgb.pattern) material.rgb = Pigment(moved(*material.rgb.pattern));
-        if (material.bump.pattern)
-            material.bump.pattern = std::make_shared<const Pattern>(moved(*material.bump.pattern));
+        for (Relief* const relief : material.reliefs())
+            if (relief->pattern) relief->pattern = std::make_shared<const Pattern>(moved(*relief->pattern));
         repaint(own, static_cast<int>(materials.size()));
         materials.push_back(std::move(material));
         return own;

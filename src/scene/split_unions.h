@@ -10,8 +10,8 @@ namespace strahl {
 /// other, each a union by itself, or a part alone. An opaque group of one look, or of more than `most_opaque` simple
 /// bodies, becomes single parts: only an eye inside of it could tell, and of several looks those at faces in one plane.
 ///
-/// A union whose parts move stays whole. Patterns stay where they are. Parts that have theirs from a union get materials
-/// of their own, which are added.
+/// A union whose parts move stays whole. Patterns stay where they are. Parts that have theirs from a union get
+/// materials of their own, which are added.
 std::vector<Primitive> split_union(const Primitive& primitive, std::vector<Material>& materials);
 inline constexpr int most_opaque = 64;
 

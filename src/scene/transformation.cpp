@@ -15,6 +15,7 @@ struct SinCos {
 
 /// Reduces the angle in degrees, which is exact: the cosine of 90 degrees is 0 and not 6e-17.
 SinCos sin_cos(double degrees) {
+    if (degrees == 0) return {0, 1};
     int quarters = 0;
     const double rest = std::remquo(degrees, 90.0, &quarters) * (std::numbers::pi / 180);
     const double s = std::sin(rest), c = std::cos(rest);
@@ -31,43 +32,39 @@ SinCos sin_cos(double degrees) {
 }
 
 /// The rotation that turns axis `from` towards axis `to`.
-glm::dmat4 turn(int from, int to, double degrees) {
+glm::dmat3 turn(int from, int to, double degrees) {
     const SinCos a = sin_cos(degrees);
-    glm::dmat4 m{1};  // m[column][row]
+    glm::dmat3 m{1};  // m[column][row]
     m[from][from] = m[to][to] = a.cos;
     m[from][to] = a.sin;
     m[to][from] = -a.sin;
     return m;
 }
 
-glm::dmat4 matrix(const Rotate& r) {
-    return turn(0, 1, r.degrees.z) * turn(2, 0, r.degrees.y) * turn(1, 2, r.degrees.x);
-}
-glm::dmat4 matrix(const Translate& t) {
-    glm::dmat4 m{1};
-    m[3] = {t.by.x, t.by.y, t.by.z, 1};
-    return m;
-}
-glm::dmat4 matrix(const Scale& s) {
-    glm::dmat4 m{1};
-    for (int i = 0; i < 3; ++i) m[i][i] = s.by[i];
-    return m;
-}
-void multiply(glm::dmat4& product, std::span<const Transformation> steps) {
-    const auto one = [&]<class Step>(const Step& step) {
-        if constexpr (std::is_same_v<Step, Motion>)
-            multiply(product, at(step, 0));
-        else
-            product = matrix(step) * product;
-    };
-    for (const Transformation& step : steps) std::visit(one, step);
-}
+/// Multiplies from the left, each by its few numbers: products of whole matrices take most of the time that it takes to
+/// move many bodies.
+struct Multiply {
+    glm::dmat4& product;
+
+    void operator()(const Rotate& step) const {
+        const DVec3& r = step.degrees;
+        const glm::dmat3 m = turn(0, 1, r.z) * turn(2, 0, r.y) * turn(1, 2, r.x);
+        for (int c = 0; c < 4; ++c) product[c] = glm::dvec4(m * glm::dvec3(product[c]), product[c].w);
+    }
+    void operator()(const Translate& step) const { product[3] += glm::dvec4(step.by.x, step.by.y, step.by.z, 0); }
+    void operator()(const Scale& step) const {
+        for (int c = 0; c < 4; ++c) product[c] *= glm::dvec4(step.by.x, step.by.y, step.by.z, 1);
+    }
+    void operator()(const Motion& step) const {
+        for (const Transformation& own : at(step, 0)) std::visit(*this, own);
+    }
+};
 
 }  // namespace
 
 glm::dmat4 matrix(std::span<const Transformation> steps) {
     glm::dmat4 product{1};
-    multiply(product, steps);
+    for (const Transformation& step : steps) std::visit(Multiply{product}, step);
     return product;
 }
 

@@ -6,8 +6,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "image/transfer.h"
+
 namespace strahl {
 namespace {
+
+/// Pixels that are filled may be off by half of it, as the screen shows them.
+constexpr double most_off = 3. / 255;
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -70,7 +75,7 @@ bool TraceThread::accept(std::stop_token quit) {
         if (quit.stop_requested()) return false;
         if (!next) break;
         if (next->scene != order.scene) tracer.reset(), table.emplace(next->scene->settings.linear);
-        if (next->number != order.number) done = -1;
+        if (next->number != order.number) done = -1, cells.reset();
         order = *std::exchange(next, std::nullopt);
     } while (!unfinished());
     work = done < 0 ? Work::first : Work::refining;
@@ -100,7 +105,8 @@ void TraceThread::first_picture() {
     tracer->prepare(view, pool);  // a coarser picture would not save this time
     const auto start = Clock::now();
     const auto keep = [&](const Tile& tile) { store(tile.lattice, encoded(tile, *table).data(), steps, spare); };
-    const Counts rays = tracer->trace(view, pixels, pool, keep, &stop);
+    const double contrast = most_off / (order.scene->settings.linear ? steepest_srgb : 1);
+    const Counts rays = tracer->trace_filled(view, pixels, contrast, pool, keep, &stop);
     const double seconds = seconds_since(start);
     if (built) resolution.observe(count(pixels), seconds);  // a stopped one would have taken even longer
     if (stop) return;
@@ -109,64 +115,54 @@ void TraceThread::first_picture() {
     std::swap(shown, spare);
     shown_steps = steps;
     new_from = 0, new_to = shown.height;
-    const double share = count(pixels) / (double(view.width) * view.height) / 2;
-    state = {order.number, view.width, view.height, level, share, seconds, rays};
+    state = {order.number, view.width, view.height, level, 0, seconds, rays};
     complete = state.finished() && !next;
     announce(lock);
 }
 
-/// Makes the image on the screen that of the level whose pixels come next.
-void TraceThread::begin_pass(int level) {
-    const Steps steps = steps_of(level);
-    if (steps == shown_steps) return;
-    const Lattice pixels = pixels_of(level, order.view.width, order.view.height);
-    spare.resize(pixels.columns, pixels.rows);
-    expand(shown, {shown_steps.x / steps.x, shown_steps.y / steps.y}, spare);  // only this thread writes to `shown`
+/// Makes the image on the screen one of all pixels.
+void TraceThread::begin_passes() {
+    const View& view = order.view;
+    cells.emplace(tracer->scene(), view, Lattice{.columns = view.width, .rows = view.height}, Sampling{}.error);
+    if (shown_steps == Steps{}) return;
+    spare.resize(view.width, view.height);
+    expand(shown, shown_steps, spare);  // only this thread writes to `shown`
     std::lock_guard lock(mutex);
     std::swap(shown, spare);
-    shown_steps = steps;
+    shown_steps = {};
     new_from = 0, new_to = shown.height;
 }
 
-/// The pixels of a level that the one before lacks, or in the end the averages over all.
-Counts TraceThread::trace_level(int level, const Sink& keep) {
-    const View& view = order.view;
-    if (level == averaged_level)
-        return tracer->trace(view, Sampling{}, {.columns = view.width, .rows = view.height}, pool, keep, &stop);
-    const Lattice pixels = new_pixels_of(level, view.width, view.height);
-    const auto start = Clock::now();
-    const Counts rays = tracer->trace(view, pixels, pool, keep, &stop);
-    if (!stop) resolution.observe(count(pixels), seconds_since(start));
-    return rays;
-}
-
+/// The next pass of the picture's cells.
 void TraceThread::refine() {
-    const View& view = order.view;
-    const int level = done + 1;
-    begin_pass(std::min(level, finest_level));
-    const Steps steps = shown_steps;
-    const double all = double(view.width) * view.height;
+    if (!cells) begin_passes();
+    const std::span<const Pass> left = passes_after(done);
+    const auto [finest, level] = left.front();
+    const double before = state.share, part_of_all = (1 - before) / static_cast<double>(left.size());
     const auto keep = [&](const Tile& tile) {
         const std::vector<std::uint32_t> rgba = encoded(tile, *table);
         std::unique_lock lock(mutex);
         const Lattice& part = tile.lattice;
-        store(part, rgba.data(), steps, shown);
-        new_from = std::min(new_from, part.y / steps.y);
-        new_to = std::max(new_to, (part.y + (part.rows - 1) * part.step_y) / steps.y + 1);
-        state.share += count(part) / all / 2;
+        store(part, rgba.data(), {}, shown);
+        new_from = std::min(new_from, part.y);
+        new_to = std::max(new_to, part.y + part.rows);
+        state.share += part_of_all / cells->tiles();
         announce(lock);
     };
     const auto start = Clock::now();
-    const Counts rays = trace_level(level, keep);
+    const Counts rays = tracer->trace(order.view, *cells, finest, pool, keep, &stop);
     if (stop) return;
     done = level;
     std::unique_lock lock(mutex);
     state.level = level;
+    state.share = before + part_of_all;
     state.rays += rays;
     state.seconds += seconds_since(start);
     complete = state.finished() && !next;
     announce(lock);
-    if (level == averaged_level) ::malloc_trim(0);  // at rest the system may have what the passes needed
+    if (level != averaged_level) return;
+    cells.reset();
+    ::malloc_trim(0);  // at rest the system may have what the passes needed
 }
 
 }  // namespace strahl

@@ -11,6 +11,7 @@
 
 #include "show/image.h"
 #include "show/resolution.h"
+#include "trace/cell_picture.h"
 #include "trace/thread_pool.h"
 #include "trace/tracer.h"
 
@@ -31,7 +32,7 @@ struct Refinement {
     std::uint64_t number = 0;  // of the order; 0 before the first
     int width = 0, height = 0;
     int level = 0;       // the finest complete one
-    double share = 0;    // of the work: half of it are the pixels that are traced, half those that are averages
+    double share = 0;    // of its passes
     double seconds = 0;  // spent tracing them
     Counts rays;
     bool finished() const { return number > 0 && level == averaged_level; }
@@ -72,9 +73,8 @@ class TraceThread {
     void loop(std::stop_token quit);
     bool accept(std::stop_token quit);
     void first_picture();
-    void begin_pass(int level);
+    void begin_passes();
     void refine();
-    Counts trace_level(int level, const Sink& keep);
     void announce(std::unique_lock<std::mutex>& lock);
     bool outdated(const Order& order) const;
 
@@ -83,8 +83,9 @@ class TraceThread {
     std::optional<Tracer> tracer;
     std::optional<TransferTable> table;
     Resolution resolution;
-    Image spare;    // pictures are made here and then swapped with the one on the screen
-    int done = -1;  // the finest level of `order` that is complete
+    Image spare;                       // pictures are made here and then swapped with the one on the screen
+    int done = -1;                     // the finest level of `order` that is complete
+    std::optional<CellPicture> cells;  // of `order`, while it is refined
 
     // Shared between threads.
     std::mutex mutex;

@@ -97,19 +97,17 @@ inline std::string crowd_fault(const Primitive& primitive, const std::vector<Mat
            std::to_string(most_leaves) + " may";
 }
 
-/// That it can't be coloured and why, if the materials of a body and its parts, whose numbers are in `list`, can't be
+/// That it can't be covered and why, if the materials of a body and its parts, whose numbers are in `list`, can't be
 /// where they are, or "".
 inline std::string place_fault(const Primitive& primitive, const std::vector<Material>& list) {
     std::string fault;
     for_each_leaf(primitive, [&](const Primitive& leaf, const glm::dmat4&) {
-        const Pattern* const pattern = list[leaf.material].rgb.pattern.get();
-        const auto* const image = pattern ? std::get_if<ImagePattern>(&pattern->kind) : nullptr;
-        if (!image || image->map != ImageMap::uv) return;
+        if (!list[leaf.material].by_uv()) return;
         const Mesh* const mesh = std::get_if<Mesh>(&leaf.shape);
         if (!mesh)
-            fault = "coloured: its image is mapped by uv, which only meshes have";
+            fault = "covered: its pattern is mapped by uv, which only meshes have";
         else if (mesh->data->places.empty())
-            fault = "coloured: its image is mapped by uv, and " +
+            fault = "covered: its pattern is mapped by uv, and " +
                     (mesh->file.empty() ? "no triangle has 'uv_vectors'" : "the file '" + mesh->file + "' has none");
     });
     return fault;

@@ -41,9 +41,8 @@ void take_over(int file, const struct stat& old) {
     static_cast<void>(::fchmod(file, mode));
 }
 
-/// The bytes of one file to another, from where that one stands: an errno, or 0.
-int copy(int from, int to, off_t size) {
-    std::vector<char> block(1 << 20);
+/// The bytes of one file to another, from where that one stands, by way of a block: an errno, or 0.
+int copy(int from, int to, off_t size, std::vector<char>& block) {
     for (off_t at = 0; at < size;) {
         const ssize_t got = ::pread(from, block.data(), block.size(), at);
         if (got < 0 && errno == EINTR) continue;
@@ -57,6 +56,7 @@ int copy(int from, int to, off_t size) {
 /// Overwrites in place a file that has several names: a rename would leave the others with the older bytes. Room is
 /// found first; `begun` says whether older bytes may be lost if it fails after all.
 int overwrite(const fs::path& target, int source, off_t old_size, bool& begun) {
+    std::vector<char> block(1 << 20);  // before anything is changed: memory may run out
     struct stat status {};
     if (::fstat(source, &status) != 0) return errno;
     const int file = ::open(target.c_str(), O_WRONLY | O_CLOEXEC);
@@ -65,7 +65,7 @@ int overwrite(const fs::path& target, int source, off_t old_size, bool& begun) {
     int error = 0;
     if (const NoFileSizeSignal guard; size > old_size) error = ::posix_fallocate(file, old_size, size - old_size);
     begun = !error;
-    if (!error) error = copy(source, file, size);
+    if (!error) error = copy(source, file, size, block);
     if (::ftruncate(file, begun ? size : old_size) != 0 && !error) error = errno;
     if (!error) error = synced(file);
     return ::close(file) == 0 || error ? error : errno;
@@ -136,9 +136,9 @@ struct OutputFile::Implementation {
         // From here on the copy may be all that a power cut leaves.
         if (const int error = sync_folder(target.parent_path())) return error;
         bool begun = false;
+        const std::string copy = temporary->path().string();
         const int error = overwrite(target, temporary->descriptor(), old.st_size, begun);
         if (error && begun) {
-            const std::string copy = temporary->path().string();
             temporary->keep();
             fail(path, error, "; all of it is in '" + copy + "'");
         }

@@ -72,9 +72,6 @@ std::string body_table(std::type_identity<std::variant<Kinds...>>) {
 
 void image_rows(const auto& add) {
     add("\"NAME\"", "required", "a path, relative to the scene's folder", ImagePattern::help);
-    std::string maps;
-    for (const std::string_view map : image_maps) maps += (maps.empty() ? "" : ", ") + code(map);
-    add("`map`", code(image_maps[0]), maps.c_str(), "where its colours go");
     add("`once`", "it repeats", not_negative.words, "it is there once, and around it is this colour");
 }
 
@@ -93,7 +90,11 @@ std::string pattern_rows() {
     else
         image_rows(add);
     Kind kind;
-    if constexpr (std::tuple_size_v<decltype(Kind::fields)> > 0)
+    std::string maps;
+    for (const std::string_view map : maps_of(kind)) maps += (maps.empty() ? "" : ", ") + code(map);
+    add("`map`", maps.find(',') == maps.npos ? "the body's points" : code(image_maps[0]), maps.c_str(),
+        "where its colours go");
+    if constexpr (std::tuple_size_v < decltype(Kind::fields) >> 0)
         for (const Parameter& p : pattern_parameters(kind))
             add(code(p.name), default_of(p, ""), p.bounds.words, p.help);
     return rows;

@@ -64,11 +64,11 @@ class MaterialHash {
         add(hash, pigment.color);
         if (pigment.pattern) add(hash, *pigment.pattern);
     }
-    static void add(std::size_t& hash, const Bump& bump) {
-        if (bump.pattern) add(hash, bump.height), add(hash, *bump.pattern);
+    static void add(std::size_t& hash, const Relief& relief) {
+        if (relief.pattern) add(hash, relief.height), add(hash, *relief.pattern);
     }
     static void add(std::size_t& hash, const Pattern& pattern) {
-        const auto& [kind, colors, transformations] = pattern;
+        const auto& [kind, colors, transformations, by_uv] = pattern;
         std::visit([&]<class Kind>(const Kind& own) { add_fields(hash, own, Kind::fields); }, kind);
         if (const ImagePattern* const image = std::get_if<ImagePattern>(&kind))
             hash ^= std::hash<std::string>()(image->file);

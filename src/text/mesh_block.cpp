@@ -106,7 +106,8 @@ Mesh MeshBlock::take(std::string_view word, Block& block) {
 std::string open_mesh_fault(const Mesh& mesh) {
     const auto side = open_side(*mesh.data);
     if (!side) return "";
-    return "this mesh can't be part of a body: it is open between " + text_of(side->first) + " and " + text_of(side->second);
+    return "this mesh can't be part of a body: it is open between " + text_of(side->first) + " and " +
+           text_of(side->second);
 }
 
 }  // namespace strahl

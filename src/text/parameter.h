@@ -74,7 +74,9 @@ inline constexpr std::string_view required = "required";
 /// `name value` in a block; of a bool the name alone.
 struct Parameter {
     std::string_view name;
-    std::variant<double*, DVec3*, Scale*, Pigment*, Bump*, bool*, std::optional<double>*, std::optional<DVec3>*> value;
+    std::variant<double*, DVec3*, Scale*, Pigment*, NormalMap*, Bump*, bool*, std::optional<double>*,
+                 std::optional<DVec3>*>
+        value;
     Bounds bounds = anything;
     const char* help = "";
     std::string_view otherwise{};    // what holds if it is not given; empty: the value as it is before reading

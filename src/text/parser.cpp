@@ -140,10 +140,8 @@ void Parser::background(std::string_view word) {
     auto parameters = background_parameters(scene.background);
     reader.block(block, parameters);
     reader.require(block, parameters);
-    const Pattern* const pattern = scene.background.pattern.get();
-    const auto* const image = pattern ? std::get_if<ImagePattern>(&pattern->kind) : nullptr;
-    if (image && image->map == ImageMap::uv)
-        diagnostics.add(word, "this background can't be coloured: its image is mapped by uv, which only meshes have");
+    if (scene.background.pattern && scene.background.pattern->by_uv)
+        diagnostics.add(word, "this background can't be covered: its pattern is mapped by uv, which only meshes have");
 }
 
 /// `material { ... }`, or that of a name, with changes or as it is.

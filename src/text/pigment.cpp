@@ -12,62 +12,69 @@
 namespace strahl {
 namespace {
 
+/// What a pattern is read for.
+enum class Use { color, bump, normal };
+
 class PatternBlock {
   public:
     /// `colors` are the bounds of colours, or of the height.
     PatternBlock(Reader& reader, const Bounds& colors) : reader(reader), colors(colors) {}
 
-    /// Reads the pattern that `word` begins, to which `outer` belongs: one with colours, or if it `bends` normals one
-    /// with a height.
-    template <bool bends = false>
+    /// Reads the pattern that `word` begins, to which `outer` belongs: one with colours, or one with a height.
+    template <Use use = Use::color>
     Pattern read(std::string_view word, Block& outer) {
         const auto read_kinds = [&]<class... Kinds>(std::type_identity<std::variant<Kinds...>>) {
-            ((word == Kinds::name && (kind<Kinds, bends && can_bend<Kinds>>(word, outer), true)) || ...);
+            ((word == Kinds::name && (kind < Kinds, can_bend<Kinds> ? use : Use::color > (word, outer), true)) || ...);
         };
         read_kinds(std::type_identity<PatternKind>{});
         return std::move(pattern);
     }
-    double height = 0;
+    std::optional<double> height;
 
   private:
-    template <class Kind, bool bends>
+    template <class Kind, Use use>
     void kind(std::string_view word, Block& outer) {
         Kind kind;
         Block block{word};
         auto parameters = pattern_parameters(kind);
         std::string_view colors_at, last;
         reader.block(
-            block, parameters, words<Kind, bends>(), [&] { arguments(kind, block); },
+            block, parameters, words<Kind, use>(), [&] { arguments(kind, block); },
             [&](std::string_view inner) {
-                if (bends && inner == "height") return read_height(inner, block), true;
-                if (inner == "colors" && has_map<Kind> && !bends) return map(inner, colors_at, block), true;
-                if (image_part<bends>(kind, inner, block)) return true;
+                if (use != Use::color && inner == "height") return read_height(inner, block), true;
+                if (use == Use::color && inner == "colors" && has_map<Kind>) return map(inner, colors_at, block), true;
+                if (inner == "map") return read_map(kind, inner, block), true;
+                if (inner == "once" && read_once(kind, inner, block)) return true;
                 if (!contains(transformation_words, inner)) return false;
                 pattern.transformations.push_back(read_transformation(reader, inner, block));
                 last = inner;
                 return true;
             });
-        if (bends)
-            reader.require(block, {}, {{height_at.data() != nullptr, "'height'"}});
-        else
+        if (use == Use::bump)
+            reader.require(block, {}, {{height.has_value(), "'height'"}});
+        else if (use == Use::color)
             reader.require(block, {}, {{!has_map<Kind> || colors_at.data(), "'colors'"}});
         check(kind, word, last, block);
         outer.absorb(block);
         pattern.kind = kind;
     }
     /// What may stand in the block besides its parameters.
-    template <class Kind, bool bends>
+    template <class Kind, Use use>
     static auto words() {
-        if constexpr (bends && !has_map<Kind>)
-            return joined(std::array<std::string_view, 3>{"height", "map", "once"}, transformation_words);
-        else if constexpr (bends)
-            return joined(std::array<std::string_view, 1>{"height"}, transformation_words);
-        else if constexpr (two_colored<Kind>)
-            return transformation_words;
+        const auto all = [](auto... first) {
+            return joined(std::array<std::string_view, sizeof...(first)>{first...}, transformation_words);
+        };
+        constexpr bool image = std::is_same_v<Kind, ImagePattern>;
+        if constexpr (use != Use::color && image)
+            return all("height", "map", "once");
+        else if constexpr (use != Use::color)
+            return all("height", "map");
         else if constexpr (has_map<Kind>)
-            return joined(std::array<std::string_view, 1>{"colors"}, transformation_words);
+            return all("colors", "map");
+        else if constexpr (image)
+            return all("map", "once");
         else
-            return joined(std::array<std::string_view, 2>{"map", "once"}, transformation_words);
+            return all("map");
     }
     template <class Kind>
     void arguments(Kind& kind, Block& block) {
@@ -91,24 +98,22 @@ class PatternBlock {
             block.bad = true;
         }
     }
-    /// Reads what follows `map` or `once`; false if it is another word or no image.
-    template <bool bends, class Kind>
-    bool image_part(Kind& kind, std::string_view word, Block& block) {
-        if constexpr (!std::is_same_v<Kind, ImagePattern>) {
-            return false;
-        } else if (word == "map") {
-            block.bad |= !reader.once(map_at, word);
-            const std::string_view name = reader.lexer.word();
-            const auto known = std::ranges::find(image_maps, name);
-            if (name.empty()) reader.lexer.fail("a word such as 'spherical' expected after 'map'");
-            if (bends && name == image_maps[static_cast<std::size_t>(ImageMap::uv)]) {
-                reader.diagnostics.add(name, "no normal is bent by uv: where such a picture lies is only known on the surface");
-                return block.bad = true;
-            }
-            if (known != image_maps.end()) return kind.map = static_cast<ImageMap>(known - image_maps.begin()), true;
-            reader.diagnostics.add(name, unknown_word(name, image_maps, " after 'map'"));
-            return block.bad = true;
-        } else if (word == "once") {
+    template <class Kind>
+    void read_map(Kind& kind, std::string_view word, Block& block) {
+        block.bad |= !reader.once(map_at, word);
+        const std::string_view name = reader.lexer.word();
+        if (name.empty()) reader.lexer.fail("a word such as 'uv' expected after 'map'");
+        if (name == uv_map) return void(pattern.by_uv = true);
+        const auto known = maps_of(kind);
+        const auto found = std::ranges::find(known, name);
+        if constexpr (requires { kind.map; })
+            if (found != known.end()) return void(kind.map = static_cast<ImageMap>(found - known.begin()));
+        reader.diagnostics.add(name, unknown_word(name, known, " after 'map'"));
+        block.bad = true;
+    }
+    template <class Kind>
+    bool read_once(Kind& kind, std::string_view word, Block& block) {
+        if constexpr (requires { kind.once; }) {
             block.bad |= !reader.once(once_at, word);
             reader.read(kind.once.emplace(), colors, word, block);
             return true;
@@ -117,7 +122,7 @@ class PatternBlock {
     }
     void read_height(std::string_view word, Block& block) {
         block.bad |= !reader.once(height_at, word);
-        reader.read(height, colors, word, block);
+        reader.read(height.emplace(), colors, word, block);
     }
     void map(std::string_view word, std::string_view& first, Block& outer) {
         const bool again = !reader.once(first, word);
@@ -177,11 +182,13 @@ bool whole(const Pattern& pattern) {
     const ImagePattern* const image = std::get_if<ImagePattern>(&pattern.kind);
     return image ? image->pixels != nullptr : !pattern.colors.empty();
 }
-std::string words_of(const ImagePattern& image) {
-    std::string words = " \"" + image.file + "\"";
-    if (image.map != ImageMap::planar)
-        words.append("  map ").append(image_maps[static_cast<std::size_t>(image.map)]);
-    return image.once ? words + "  once " + text_of(*image.once) : words;
+/// `map` with its word, if that is not the usual one.
+template <class Kind>
+std::string map_text(const Kind& kind, bool by_uv) {
+    std::string_view word = by_uv ? uv_map : "";
+    if constexpr (requires { kind.map; })
+        if (!by_uv && kind.map != ImageMap::planar) word = image_maps[static_cast<std::size_t>(kind.map)];
+    return word.empty() ? "" : "map " + std::string(word);
 }
 
 }  // namespace
@@ -205,41 +212,59 @@ void Reader::read(Pigment& value, const Bounds& bounds, std::string_view name, B
     if (whole(pattern)) value = Pigment(std::move(pattern));
 }
 
-void Reader::read(Bump& value, const Bounds& bounds, std::string_view name, Block& block) {
-    const std::string_view word = lexer.word();
+namespace {
+
+/// Reads a relief whose pattern begins with one of these words, or `none`.
+template <Use use, class Own, std::size_t size>
+void read_relief(Reader& reader, Own& value, const std::array<std::string_view, size>& words, const Bounds& bounds,
+                 std::string_view name, Block& block) {
+    const std::string_view word = reader.lexer.word();
+    const auto of = [&] { return quoted(name) + " of " + quoted(block.name); };
     if (word == "none") return void(value = {});
-    if (word.empty()) lexer.fail("a pattern or 'none' expected for " + quoted(name) + " of " + quoted(block.name));
-    if (!contains(bump_words, word)) {
-        constexpr auto known = joined(bump_words, std::array<std::string_view, 1>{"none"});
-        diagnostics.add(word, unknown_word(word, known, " for " + quoted(name) + " of " + quoted(block.name)));
+    if (word.empty()) reader.lexer.fail("a pattern or 'none' expected for " + of());
+    if (!contains(words, word)) {
+        const auto known = joined(words, std::array<std::string_view, 1>{"none"});
+        reader.diagnostics.add(word, unknown_word(word, known, " for " + of()));
         throw ParseAbort{};
     }
-    PatternBlock reading(*this, bounds);
-    Pattern pattern = reading.read<true>(word, block);
+    PatternBlock reading(reader, bounds);
+    Pattern pattern = reading.template read<use>(word, block);
     const ImagePattern* const image = std::get_if<ImagePattern>(&pattern.kind);
     if (image && !image->pixels) return;
     value.pattern = std::make_shared<const Pattern>(std::move(pattern));
-    value.height = reading.height;
+    value.height = reading.height.value_or(Own().height);
+}
+
+}  // namespace
+
+void Reader::read(Bump& value, const Bounds& bounds, std::string_view name, Block& block) {
+    read_relief<Use::bump>(*this, value, bump_words, bounds, name, block);
+}
+void Reader::read(NormalMap& value, const Bounds& bounds, std::string_view name, Block& block) {
+    read_relief<Use::normal>(*this, value, std::array<std::string_view, 1>{ImagePattern::name}, bounds, name, block);
 }
 
 namespace {
 
 /// `first` is what stands before the other parameters.
 std::string block_text(const Pattern& pattern, const std::string& first) {
-    const auto& [kind, colors, transformations] = pattern;
+    const auto& [kind, colors, transformations, by_uv] = pattern;
     std::string text = std::visit(
         [&]<class Kind>(const Kind& own) {
             std::string words(Kind::name);
             words += " {";
-            if constexpr (two_colored<Kind>)
-                words += " " + text_of(colors[0].color) + ", " + text_of(colors[1].color);
-            else if constexpr (!has_map<Kind>)
-                words += words_of(own);
-            words += first.empty() ? "" : (words.back() == '{' ? " " : "  ") + first;
+            const auto put = [&](const std::string& more) {
+                if (!more.empty()) words += (words.back() == '{' ? " " : "  ") + more;
+            };
+            if constexpr (two_colored<Kind>) put(text_of(colors[0].color) + ", " + text_of(colors[1].color));
+            if constexpr (requires { own.file; }) put("\"" + own.file + "\"");
+            put(map_text(own, by_uv));
+            if constexpr (requires { own.once; })
+                if (own.once) put("once " + text_of(*own.once));
+            put(first);
             const auto add = [&](const auto& field) {
-                if (own.*field.member == Kind().*field.member) return;
-                words += (words.back() == '{' ? " " : "  ") + std::string(field.name) + " " +
-                         text_of(own.*field.member);
+                if (own.*field.member != Kind().*field.member)
+                    put(std::string(field.name) + " " + text_of(own.*field.member));
             };
             std::apply([&](const auto&... field) { (add(field), ...); }, Kind::fields);
             return words;
@@ -262,6 +287,10 @@ std::string text_of(const Pigment& pigment) {
 }
 std::string text_of(const Bump& bump) {
     return bump.pattern ? block_text(*bump.pattern, "height " + text_of(bump.height)) : "none";
+}
+std::string text_of(const NormalMap& map) {
+    const std::string height = map.height == NormalMap().height ? "" : "height " + text_of(map.height);
+    return map.pattern ? block_text(*map.pattern, height) : "none";
 }
 
 }  // namespace strahl

@@ -26,6 +26,15 @@ constexpr auto names_that_bend(std::type_identity<std::variant<Kinds...>>) {
 /// Those that can bend normals.
 inline constexpr auto bump_words = names_that_bend(std::type_identity<PatternKind>{});
 
+/// What may follow `map` in a pattern.
+template <class Kind>
+constexpr auto maps_of(const Kind&) {
+    if constexpr (std::is_same_v<Kind, ImagePattern>)
+        return std::array<std::string_view, 4>{image_maps[0], image_maps[1], image_maps[2], uv_map};
+    else
+        return std::array<std::string_view, 1>{uv_map};
+}
+
 /// Most stops of a colour map, which are as many as POV-Ray's have.
 inline constexpr std::size_t most_stops = 256;
 
@@ -44,5 +53,6 @@ auto pattern_parameters(Kind& kind) {
 std::string text_of(const Pigment& pigment);
 /// Likewise: "none", or the block of a pattern.
 std::string text_of(const Bump& bump);
+std::string text_of(const NormalMap& map);
 
 }  // namespace strahl

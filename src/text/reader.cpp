@@ -26,8 +26,9 @@ bool Reader::follow(double& value, const Bounds& bounds, std::string_view name, 
     else if (track.size() > 255)
         fault("the name of this track is longer than 255 bytes");
     else if (!block.follows)
-        fault(what + " can't follow a track; numbers of lights, materials, the camera, the fog, of the background's "
-                     "colour and of the transformations of bodies can");
+        fault(what +
+              " can't follow a track; numbers of lights, materials, the camera, the fog, of the background's "
+              "colour and of the transformations of bodies can");
     else
         block.follows->push_back({std::string(track), std::string(name), block.component, 1, bounds.low, bounds.high});
     any_track = true;
@@ -83,8 +84,8 @@ void Reader::read(Scale& value, const Bounds& bounds, std::string_view name, Blo
             block.follows->back().component = component;
         }
     if (by.x != 0 && by.y != 0 && by.z != 0) return;
-    diagnostics.add(
-        at, "'scale' of " + quoted(block.name) + " is 0, which would leave nothing of it; 1 changes nothing");
+    diagnostics.add(at,
+                    "'scale' of " + quoted(block.name) + " is 0, which would leave nothing of it; 1 changes nothing");
     block.bad = true;
 }
 
@@ -95,17 +96,14 @@ void Reader::read(Parameter& parameter, std::string_view word, Block& block) {
         read(value, parameter.bounds, parameter.name, block);
         if (first) target = value;
     };
-    struct {
-        decltype(read_as)& read;
-        void operator()(bool* target) const { *target = true; }
-        void operator()(double* target) const { read(*target, *target); }
-        void operator()(DVec3* target) const { read(*target, *target); }
-        void operator()(Scale* target) const { read(*target, *target); }
-        void operator()(Pigment* target) const { read(*target, *target); }
-        void operator()(Bump* target) const { read(*target, *target); }
-        void operator()(std::optional<double>* target) const { read(double(), *target); }
-        void operator()(std::optional<DVec3>* target) const { read(DVec3(), *target); }
-    } visitor{read_as};
+    const auto visitor = [&]<class T>(T* target) {
+        if constexpr (std::is_same_v<T, bool>)
+            *target = true;
+        else if constexpr (requires { target->has_value(); })
+            read_as(typename T::value_type(), *target);
+        else
+            read_as(*target, *target);
+    };
     std::visit(visitor, parameter.value);
 }
 

@@ -29,8 +29,7 @@ struct Block {
 
 class Reader {
   public:
-    Reader(std::string_view text, Diagnostics& diagnostics, std::span<const std::string_view> blocks,
-           SceneFiles& files)
+    Reader(std::string_view text, Diagnostics& diagnostics, std::span<const std::string_view> blocks, SceneFiles& files)
         : lexer(text, diagnostics), diagnostics(diagnostics), blocks(blocks), files(files) {}
 
     /// Values out of bounds are reported, and reading continues.
@@ -42,6 +41,7 @@ class Reader {
     void read(Scale& value, const Bounds& bounds, std::string_view name, Block& block);
     void read(Pigment& value, const Bounds& bounds, std::string_view name, Block& block);
     void read(Bump& value, const Bounds& bounds, std::string_view name, Block& block);
+    void read(NormalMap& value, const Bounds& bounds, std::string_view name, Block& block);
 
     /// Reads `{ ... }`: first `arguments()`, then words. `item(word)` reads the value of a word and returns whether it
     /// knows the word; `words` are all words that it knows.
@@ -95,7 +95,7 @@ class Reader {
     Diagnostics& diagnostics;
     const std::span<const std::string_view> blocks;  // words that open a top-level block
     SceneFiles& files;
-    bool any_track = false;       // Does some number follow one?
+    bool any_track = false;      // Does some number follow one?
     std::optional<Music> music;  // as soon as it is read
 
   private:

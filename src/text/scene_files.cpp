@@ -1,9 +1,9 @@
 #include "text/scene_files.h"
 
 #include <filesystem>
-#include <fstream>
 
 #include "mesh/read_mesh.h"
+#include "text/streams.h"
 #include "text/tracks_file.h"
 
 namespace strahl {
@@ -39,7 +39,7 @@ void SceneFiles::sound(std::string_view name) {
     if (!std::filesystem::is_regular_file(path, error)) fail("it is no regular file");
     // The first page of Ogg, and in it the first header of Vorbis (xiph.org/vorbis/doc/Vorbis_I_spec.html, 4.2.1).
     std::string head(35, '\0');
-    std::ifstream(path, std::ios::binary).read(head.data(), static_cast<std::streamsize>(head.size()));
+    FileStream(path).read(head.data(), static_cast<std::streamsize>(head.size()));
     if (!head.starts_with("OggS") || head.substr(28) != "\1vorbis") fail("it is no Ogg Vorbis file");
 }
 

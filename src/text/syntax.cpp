@@ -23,7 +23,7 @@ LanguageWords words_of_language() {
     };
     add(words.blocks, block_words), add(words.blocks, mesh_words);
     add(words.patterns, pattern_words);
-    add(words.others, shape_words), add(words.others, triangle_words), add(words.others, image_maps);
+    add(words.others, shape_words), add(words.others, triangle_words), add(words.others, maps_of(ImagePattern()));
     add(words.others, light_words), add(words.others, music_words);
     add(words.others, std::initializer_list<std::string_view>{"colors", "map", "once", "height", "none", "track"});
     std::apply(

@@ -20,7 +20,7 @@ std::string parameters(const Material& material, const Material& base) {
     const auto value = [&]<class T>(const char* name, const T& own) {
         if constexpr (std::is_same_v<T, Pigment>)
             return own.pattern ? text_of(own) : text_of(own.color, material.follows, name);
-        else if constexpr (std::is_same_v<T, Bump>)
+        else if constexpr (std::is_base_of_v<Relief, T>)
             return text_of(own);
         else
             return text_of(own, material.follows, name);

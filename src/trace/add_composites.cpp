@@ -3,50 +3,14 @@
 #include <cmath>
 #include <optional>
 #include <type_traits>
+#include <unordered_map>
 
 #include "scene/leaves.h"
-#include "scene/overlap.h"
+#include "trace/plane_numbers.h"
 #include "trace/world_arrays.h"
 
 namespace strahl {
 namespace {
-
-/// The plane that a face lies in, with its normal out of the body; nothing for a curved face.
-std::optional<HalfSpace> plane_of(const Plane& plane, int) { return HalfSpace{plane.a, plane.normal()}; }
-template <class Kind>
-std::optional<HalfSpace> plane_of_ends(const Kind& body, int face) {
-    if (face == 0) return {};
-    return face == 1 ? HalfSpace{body.base, -body.axis()} : HalfSpace{body.cap, body.axis()};
-}
-std::optional<HalfSpace> plane_of(const Cylinder& cylinder, int face) { return plane_of_ends(cylinder, face); }
-std::optional<HalfSpace> plane_of(const Cone& cone, int face) { return plane_of_ends(cone, face); }
-std::optional<HalfSpace> plane_of(const Cuboid& cuboid, int face) {
-    const Box box = cuboid.bounds();
-    DVec3 normal(0);
-    normal[face / 2] = face % 2 == 0 ? -1 : 1;
-    return HalfSpace{face % 2 == 0 ? box.low : box.high, normal};
-}
-template <class Kind>
-std::optional<HalfSpace> plane_of(const Kind&, int) {
-    return {};
-}
-
-HalfSpace moved(const HalfSpace& space, const glm::dmat4& m) {
-    return {transform_point(m, space.point), normalize(glm::transpose(glm::inverse(glm::dmat3(m))) * space.normal)};
-}
-
-/// A plane by numbers that are the same for all who lie in it, whichever side they are on.
-struct PlaneNumbers {
-    DVec3 normal;
-    double distance, side;  // side is 1 if the normal is that of the half-space, else -1
-    explicit PlaneNumbers(const HalfSpace& space) : normal(space.normal) {
-        const DVec3& n = space.normal;
-        side = n.x > 0 || (n.x == 0 && (n.y > 0 || (n.y == 0 && n.z > 0))) ? 1 : -1;
-        normal = side * n + DVec3(0.);  // 0 is added because -0 equals it
-        distance = dot_product(normal, space.point) + 0.;
-    }
-    bool same_plane(const PlaneNumbers& other) const { return normal == other.normal && distance == other.distance; }
-};
 
 template <class Kind>
 int faces_of_leaf(const Kind&) {
@@ -73,6 +37,7 @@ class CompositeBuilder {
         info.first_key = static_cast<std::int32_t>(arrays.face_keys.size());
         info.surface = next_surface = surface;
         add(whole, glm::dmat4(1), similarity(whole.transformations), true);
+        share_planes();
         info.leaves = static_cast<std::int32_t>(arrays.leaves.size()) - info.first_leaf;
         info.steps = static_cast<std::int32_t>(arrays.steps.size()) - info.first_step;
         info.planes = static_cast<std::int32_t>(arrays.planes.size()) - info.first_plane;
@@ -122,7 +87,10 @@ class CompositeBuilder {
             numbers.insert(numbers.end(), first, first + fields);
             if constexpr (std::is_same_v<Kind, Mesh>) boxes.push_back(item_box(kernel.bounds(), form));
         });
-        if constexpr (std::is_same_v<Kind, Mesh>) return add_mesh(leaf, boxes);
+        if constexpr (std::is_same_v<Kind, Mesh>) {
+            meshes.push_back({shape.data.get(), m, arrays.leaves.size()});
+            return add_mesh(leaf, boxes);
+        }
         for (int face = 0; face < Kind::faces; ++face) {
             const std::optional<HalfSpace> plane = plane_of(shape, face);
             if (plane) {
@@ -157,8 +125,8 @@ class CompositeBuilder {
         own.order.reset();
         leaf.nodes = own.nodes.get();
         arrays.leaf_hierarchies.push_back(std::move(own));
-        const std::int32_t first_key = mesh_key(leaf);
-        for (std::int32_t i = 0; i < size; ++i) arrays.face_keys.push_back(first_key + i);
+        leaf.first_key = mesh_key(leaf);
+        for (std::int32_t i = 0; i < size; ++i) arrays.face_keys.push_back(leaf.first_key + i);
         next_surface += size;
         arrays.leaves.push_back(leaf);
         arrays.steps.push_back(CompositeStep::leaf);
@@ -167,19 +135,45 @@ class CompositeBuilder {
     std::int32_t mesh_key(const CompositeLeaf& own) const {
         const int equal = equal_leaf(own);
         const std::size_t count = arrays.leaves.size() - info.first_leaf;
-        if (equal < static_cast<int>(count))
-            return arrays.face_keys[info.first_key + arrays.leaves[info.first_leaf + equal].surface - info.surface];
+        if (equal < static_cast<int>(count)) return arrays.leaves[info.first_leaf + equal].first_key;
         return most_planes + 8 * most_leaves + own.surface - info.surface;
     }
     std::int32_t plane_key(const PlaneNumbers& own) {
-        const auto same = [&](const PlaneNumbers& other) { return own.same_plane(other); };
-        const auto found = std::find_if(planes.begin(), planes.end(), same);
+        const auto found = std::ranges::find(planes, own);
         if (found != planes.end()) return static_cast<std::int32_t>(found - planes.begin());
         planes.push_back(own);
         const HalfSpace there = moved({own.distance * own.normal, own.normal}, outer);
         const DVec3 point = (there.point - placement.origin) * placement.scale;
         arrays.planes.push_back({cast<T>(there.normal), static_cast<T>(dot_product(there.normal, point))});
         return static_cast<std::int32_t>(planes.size()) - 1;
+    }
+    /// Triangles in a plane with a face of another part get the key of that plane, as long as there is one left.
+    void share_planes() {
+        if (meshes.empty() || arrays.leaves.size() - info.first_leaf < 2) return;
+        constexpr std::int32_t none = -1;
+        struct User {
+            std::int32_t key, mesh;  // that of the plane, and of the first triangle of the mesh that has it alone
+        };
+        std::unordered_map<PlaneNumbers, User, PlaneNumbers::Hash> users;
+        for (std::size_t i = 0; i < planes.size(); ++i) users[planes[i]] = {static_cast<std::int32_t>(i), none};
+        const auto each_triangle = [&](const auto& visit) {
+            for (const MeshLeaf& mesh : meshes)
+                for (std::size_t i = 0; i < mesh.data->triangles.size(); ++i) {
+                    const PlaneNumbers plane(plane_of_triangle(*mesh.data, mesh.data->triangles[i], mesh.matrix));
+                    if (std::isfinite(plane.distance)) visit(arrays.leaves[mesh.leaf], static_cast<int>(i), plane);
+                }
+        };
+        each_triangle([&](const CompositeLeaf& leaf, int, const PlaneNumbers& plane) {
+            User& user = users.try_emplace(plane, User{none, leaf.first_key}).first->second;
+            if (user.key == none && user.mesh != leaf.first_key && planes.size() < most_planes)
+                user.key = plane_key(plane);
+        });
+        each_triangle([&](CompositeLeaf& leaf, int triangle, const PlaneNumbers& plane) {
+            const std::int32_t key = users.find(plane)->second.key;
+            if (key == none) return;
+            arrays.face_keys[info.first_key + leaf.surface - info.surface + triangle] = key;
+            leaf.in_planes = true;
+        });
     }
     /// The number, in the composite, of the first leaf with the same numbers.
     int equal_leaf(const CompositeLeaf& own) const {
@@ -209,6 +203,12 @@ class CompositeBuilder {
     CompositeInfo info{};
     std::int32_t next_surface;
     std::vector<PlaneNumbers> planes;
+    struct MeshLeaf {
+        const MeshData* data;
+        glm::dmat4 matrix;  // from its own space into the composite's
+        std::size_t leaf;
+    };
+    std::vector<MeshLeaf> meshes;
 };
 
 }  // namespace

@@ -60,8 +60,13 @@ struct KernelSpace {
     }
     void operator()(const ImagePattern& image) {
         kernel.form = PatternForm::image;
-        kernel.image = {nullptr, image.pixels->width, image.pixels->height, image.map, image.once.has_value(),
-                        cast<T>(image.once.value_or(Color(0))), static_cast<T>(border<T>), 0, 0, nullptr, nullptr};
+        kernel.image = {nullptr,
+                        image.pixels->width,
+                        image.pixels->height,
+                        image.map,
+                        image.once.has_value(),
+                        cast<T>(image.once.value_or(Color(0))),
+                        static_cast<T>(border<T>)};
         if (image.once || image.map == ImageMap::spherical) return;
         period = image.map == ImageMap::cylindrical ? DVec3(0, 0, 1) : DVec3(1, 1, 0);
     }
@@ -77,19 +82,21 @@ struct KernelSpace {
 const ImagePattern* image_of(const std::shared_ptr<const Pattern>& pattern) {
     return pattern ? std::get_if<ImagePattern>(&pattern->kind) : nullptr;
 }
-/// The picture of a material that is mapped by uv, or null.
-const ImagePattern* image_by_uv(const Material& material) {
-    const ImagePattern* const image = image_of(material.rgb.pattern);
-    return image && image->map == ImageMap::uv ? image : nullptr;
+/// What takes the pattern's own space into the world, or to where its body is by uv.
+glm::dmat4 matrix_of(const Pattern& pattern, const glm::dmat4& to_world) {
+    const glm::dmat4 own = matrix(pattern.transformations);
+    return pattern.by_uv ? own : to_world * own;
 }
-/// The kernel of a pattern whose body's `to_world` is given, but for its stops and its material.
+/// The kernel of a pattern whose body's `to_world` is given, but for its stops, its pixels and its material.
 template <class T>
-PatternKernel<T> kernel_of(const Pattern& pattern, const glm::dmat4& to_world, const Placement& placement) {
+PatternKernel<T> kernel_of(const Pattern& pattern, const glm::dmat4& to_world, const Placement& world) {
     PatternKernel<T> kernel{};
     KernelSpace<T> space{kernel};
     std::visit(space, pattern.kind);
-    const glm::dmat4 own = space.matrix * glm::inverse(to_world * matrix(pattern.transformations));
+    kernel.by_uv = pattern.by_uv;
+    const glm::dmat4 own = space.matrix * glm::inverse(matrix_of(pattern, to_world));
     // world = (scene - origin) * scale
+    const Placement placement = pattern.by_uv ? Placement{} : world;
     DVec3 offset = transform_point(own, placement.origin);
     for (int c = 0; c < 3; ++c) {
         // Far from the pattern's origin a T has no digits left for where in a cell a point is. A double has.
@@ -105,27 +112,40 @@ template <class T>
 PatternKernel<T> kernel_of(const Material& material, const glm::dmat4& to_world, const Placement& placement) {
     PatternKernel<T> kernel{};
     kernel.form = PatternForm::constant;
-    if (image_by_uv(material))
-        kernel = kernel_of<T>(*material.rgb.pattern, glm::dmat4(1), {});
-    else if (material.rgb.pattern)
-        kernel = kernel_of<T>(*material.rgb.pattern, to_world, placement);
+    if (material.rgb.pattern) kernel = kernel_of<T>(*material.rgb.pattern, to_world, placement);
     kernel.diffuse = static_cast<T>(material.diffuse);
     kernel.refraction = static_cast<T>(material.refraction);
     return kernel;
 }
 
+/// How much the space of a relief's pattern is scaled, in the direction of the most.
 template <class T>
-BumpKernel<T> bump_of(const Bump& bump, const glm::dmat4& to_world, const Placement& placement) {
-    BumpKernel<T> kernel{};
-    kernel.flat = !bump.pattern;
-    if (kernel.flat) return kernel;
-    kernel.pattern = kernel_of<T>(*bump.pattern, to_world, placement);
-    KernelSpace<T> space{kernel.pattern};
-    std::visit(space, bump.pattern->kind);
-    const glm::dmat4 own = to_world * matrix(bump.pattern->transformations), back = glm::inverse(own);
+double set_relief(const Relief& relief, const glm::dmat4& to_world, const Placement& placement,
+                  ReliefKernel<T>& kernel) {
+    kernel.flat = !relief.pattern;
+    if (kernel.flat) return 0;
+    kernel.pattern = kernel_of<T>(*relief.pattern, to_world, placement);
+    const glm::dmat4 own = matrix_of(*relief.pattern, to_world);
     double longest = 0;
     for (int c = 0; c < 3; ++c) longest = std::max(longest, length(DVec3(own[c])));
     for (int c = 0; c < 3; ++c) kernel.columns[c] = cast<T>(DVec3(own[c]) / longest);
+    return longest;
+}
+template <class T>
+NormalMapKernel<T> kernel_of(const NormalMap& map, const glm::dmat4& to_world, const Placement& placement) {
+    NormalMapKernel<T> kernel{};
+    set_relief(map, to_world, placement, kernel);
+    kernel.height = static_cast<T>(map.height);
+    return kernel;
+}
+template <class T>
+BumpKernel<T> kernel_of(const Bump& bump, const glm::dmat4& to_world, const Placement& placement) {
+    BumpKernel<T> kernel{};
+    const double longest = set_relief(bump, to_world, placement, kernel);
+    if (kernel.flat) return kernel;
+    KernelSpace<T> space{kernel.pattern};
+    std::visit(space, bump.pattern->kind);
+    const glm::dmat4 back = glm::inverse(matrix_of(*bump.pattern, to_world));
     const double strength = -bump.height * 3 / (4 * bump.step()) * longest;
     for (std::size_t i = 0; i < Bump::corners.size(); ++i) {
         const DVec3& v = Bump::corners[i];
@@ -139,9 +159,7 @@ BumpKernel<T> bump_of(const Bump& bump, const glm::dmat4& to_world, const Placem
 }
 
 /// Linear light from a value that is sRGB-encoded (IEC 61966-2-1).
-float decoded(float v) {
-    return static_cast<float>(v <= .04045 ? v / 12.92 : std::pow((v + .055) / 1.055, 2.4));
-}
+float decoded(float v) { return static_cast<float>(v <= .04045 ? v / 12.92 : std::pow((v + .055) / 1.055, 2.4)); }
 
 }  // namespace
 
@@ -162,8 +180,7 @@ const float* WorldArrays<T>::add_pixels(const std::shared_ptr<const Pixels>& fro
 template <class T>
 void WorldArrays<T>::add_colors(const Pigment& pigment, PatternKernel<T>& kernel, bool linear) {
     const Pattern* const pattern = pigment.pattern.get();
-    if (const auto* const image = image_of(pigment.pattern))
-        kernel.image.pixels = add_pixels(image->pixels, linear);
+    if (const auto* const image = image_of(pigment.pattern)) kernel.image.pixels = add_pixels(image->pixels, linear);
     kernel.first_stop = static_cast<std::int32_t>(stops.size());
     const std::vector<ColorStop> colors = pattern ? pattern->colors : std::vector{ColorStop{0, pigment.color}};
     for (double before = 0; const ColorStop& stop : colors) {
@@ -174,12 +191,26 @@ void WorldArrays<T>::add_colors(const Pigment& pigment, PatternKernel<T>& kernel
 }
 
 template <class T>
-void WorldArrays<T>::add_places(const Shape& shape, int first_surface, ImageKernel<T>& kernel) {
+PlacesKernel WorldArrays<T>::add_places(const Shape& shape, int first_surface) {
     const Mesh* const mesh = std::get_if<Mesh>(&shape);
-    if (!mesh || mesh->data->places.empty()) return;
+    if (!mesh || mesh->data->places.empty()) return {};
     meshes.push_back(mesh->data);
-    kernel.first_surface = first_surface, kernel.surfaces = static_cast<std::int32_t>(mesh->data->triangles.size());
-    kernel.corners = mesh->data->place_numbers(), kernel.places = mesh->data->places.data();
+    return {first_surface, static_cast<std::int32_t>(mesh->data->triangles.size()), mesh->data->place_numbers(),
+            mesh->data->places.data()};
+}
+
+template <class T>
+BendKernel<T> WorldArrays<T>::bend_of(const Material& material, const glm::dmat4& to_world, const Placement& placement,
+                                      const PlacesKernel& places) {
+    BendKernel<T> own{kernel_of<T>(material.normal, to_world, placement),
+                      kernel_of<T>(material.bump, to_world, placement)};
+    const auto finish = [&](const Relief& relief, PatternKernel<T>& kernel) {
+        kernel.places = places;
+        if (const auto* const image = image_of(relief.pattern)) kernel.image.pixels = add_pixels(image->pixels, false);
+    };
+    finish(material.normal, own.map.pattern);
+    finish(material.bump, own.bump.pattern);
+    return own;
 }
 
 template <class T>
@@ -190,14 +221,14 @@ void WorldArrays<T>::add_patterns(const Scene& scene, const Placement& placement
         world.sky = &sky;
         world.stops = stops.data();
     }
-    const bool any_bumps = std::ranges::any_of(scene.materials, [](const Material& m) { return m.bump.pattern != nullptr; });
-    const auto varies = [&](const Material& m) { return any_bumps || m.patterned(); };
+    const bool any_bent = std::ranges::any_of(scene.materials, &Material::bends);
+    const auto varies = [&](const Material& m) { return any_bent || m.patterned(); };
     if (std::ranges::none_of(scene.materials, varies)) return;
     world.first_pattern = static_cast<int>(materials.size());
     std::vector<PatternKernel<T>> ranges(scene.materials.size());
     for (std::size_t i = 0; i < ranges.size(); ++i)
         if (varies(scene.materials[i])) add_colors(scene.materials[i].rgb, ranges[i], scene.settings.linear);
-    const bool any_uv = std::ranges::any_of(scene.materials, image_by_uv);
+    const bool any_uv = std::ranges::any_of(scene.materials, &Material::by_uv);
     std::map<std::tuple<int, int, std::array<double, 16>>, std::int32_t> numbers;
     ItemCounts before;  // only by uv
     for (const Primitive& primitive : scene.primitives) {
@@ -207,24 +238,21 @@ void WorldArrays<T>::add_patterns(const Scene& scene, const Placement& placement
             const int surface = static_cast<int>(before.surfaces);
             if (any_uv) count_items<T>(leaf, before);
             if (!varies(material)) return leaf_materials.push_back(leaf.material);
-            const bool by_uv = image_by_uv(material);
+            const bool by_uv = material.by_uv();
             std::array<double, 16> values{};  // those of the matrix, if they matter
             for (int i = 0; i < 16 && material.patterned(); ++i) values[i] = matrices.material[i / 4][i % 4];
-            const auto [entry, is_new] =
-                numbers.try_emplace({leaf.material, by_uv ? surface : -1, values},
-                                    static_cast<std::int32_t>(materials.size()));
+            const auto [entry, is_new] = numbers.try_emplace({leaf.material, by_uv ? surface : -1, values},
+                                                             static_cast<std::int32_t>(materials.size()));
             leaf_materials.push_back(entry->second);
             if (!is_new) return;
             materials.push_back(MaterialKernel<T>(materials[leaf.material]));
             PatternKernel<T> kernel = kernel_of<T>(material, matrices.material, placement);
-            if (by_uv) add_places(leaf.shape, surface, kernel.image);
+            if (by_uv) kernel.places = add_places(leaf.shape, surface);
             kernel.first_stop = ranges[leaf.material].first_stop, kernel.stops = ranges[leaf.material].stops;
             kernel.image.pixels = ranges[leaf.material].image.pixels;
             kernel.ambient = cast<T>(scene.settings.ambient_light * material.ambient);
             patterns.push_back(kernel);
-            if (any_bumps) bumps.push_back(bump_of<T>(material.bump, matrices.material, placement));
-            if (const auto* const relief = image_of(material.bump.pattern))
-                bumps.back().pattern.image.pixels = add_pixels(relief->pixels, false);
+            if (any_bent) bends.push_back(bend_of(material, matrices.material, placement, kernel.places));
         });
     }
     if (static_cast<double>(materials.size()) > World<T>::capacity)
@@ -232,7 +260,7 @@ void WorldArrays<T>::add_patterns(const Scene& scene, const Placement& placement
             "this scene has patterns in more bodies than can be told apart in this precision; trace it with "
             "--precision double");
     world.patterns = patterns.data();
-    if (any_bumps) world.bumps = bumps.data();
+    if (any_bent) world.bends = bends.data();
     world.stops = stops.data();
 }
 

@@ -24,7 +24,8 @@ template <class S>
 using Visibility = Vec3<S> (*)(const World<Element<S>>&, const Ray<S>&, const S& distance, Mask<S> active,
                                const Start<S>&);
 
-/// Hits that a rectangle may shine on. `flat` is the normal that a bump does not bend; `diffuse` is the largest channel of Kd Of.
+/// Hits that a rectangle may shine on. `flat` is the normal that a bump does not bend; `diffuse` is the largest channel
+/// of Kd Of.
 template <class S>
 struct LitHits {
     Mask<S> lanes, outside;

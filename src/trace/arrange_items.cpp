@@ -32,16 +32,30 @@ int remove_items(FormItems<T>& own, int fields, const std::vector<std::int32_t>&
     return left;
 }
 
-/// The same items once more, field by field.
+/// The items of the leaves once more, see Group::columns.
 template <class T>
-Buffer<T> columns_of(const T* items, int count, std::size_t fields, std::size_t stride, ThreadPool& pool) {
-    Buffer<T> columns = uninitialized_buffer<T>(fields * stride);
-    share_out(pool, count, share_items, [&](std::int32_t first, std::int32_t last) {
-        for (std::int32_t i = first; i < last; ++i)
-            for (std::size_t f = 0; f < fields; ++f) columns[f * stride + i] = items[i * fields + f];
+void add_columns(std::array<FormItems<T>, Forms::size>& forms, const Hierarchy& hierarchy, ThreadPool& pool) {
+    constexpr auto& traits = WorldArrays<T>::traits;
+    for (int form = 0; form < Forms::size; ++form) {
+        FormItems<T>& own = forms[form];
+        if (own.in_hierarchy == 0) continue;
+        const std::size_t size = std::size_t(own.in_hierarchy) * traits[form].fields;
+        own.columns = uninitialized_buffer<T>(size + widest_pack);
+        std::fill_n(&own.columns[size], widest_pack, T(0));
+    }
+    share_out(pool, hierarchy.size, 256, [&](std::int32_t first, std::int32_t last) {
+        for (const Node* node = &hierarchy.nodes[first]; node < &hierarchy.nodes[last]; ++node)
+            for (int c = 0; c < node->children; ++c) {
+                if (node->leaves[c] == 0) continue;
+                const FormItems<T>& own = forms[LeafCode::form(node->leaves[c])];
+                const int fields = traits[LeafCode::form(node->leaves[c])].fields;
+                const int items = LeafCode::items(node->leaves[c]);
+                const std::size_t start = std::size_t(node->first[c]) * fields;
+                for (int i = 0; i < items; ++i)
+                    for (int f = 0; f < fields; ++f)
+                        own.columns[start + f * items + i] = own.numbers[start + i * fields + f];
+            }
     });
-    for (std::size_t f = 0; f < fields; ++f) std::fill_n(&columns[f * stride + count], stride - count, T(0));
-    return columns;
 }
 
 }  // namespace
@@ -76,8 +90,12 @@ void WorldArrays<T>::make_hierarchy(ThreadPool& pool) {
                1;
     };
     Buffer<std::int32_t> places = uninitialized_buffer<std::int32_t>(size);
+    Buffer<std::uint8_t> form_of = uninitialized_buffer<std::uint8_t>(size);
+    share_out(pool, size, share_items, [&](std::int32_t first, std::int32_t last) {
+        for (std::int32_t i = first; i < last; ++i) form_of[i] = static_cast<std::uint8_t>(form_at(i));
+    });
     std::array<std::int32_t, Forms::size> next{};
-    for (std::int32_t i = 0; i < size; ++i) places[i] = next[form_at(i)]++;
+    for (std::int32_t i = 0; i < size; ++i) places[i] = next[form_of[i]]++;
     share_out(pool, hierarchy.size, 256, [&](std::int32_t first, std::int32_t last) {
         for (Node* node = &hierarchy.nodes[first]; node < &hierarchy.nodes[last]; ++node)
             for (int c = 0; c < node->children; ++c)
@@ -88,7 +106,7 @@ void WorldArrays<T>::make_hierarchy(ThreadPool& pool) {
         sorted[form] = uninitialized_buffer<T>(std::size_t(forms[form].count + widest_pack) * traits[form].fields);
     share_out(pool, size, share_items, [&](std::int32_t first, std::int32_t last) {
         for (std::int32_t i = first; i < last; ++i) {
-            const int form = form_at(i);
+            const int form = form_of[i];
             const std::size_t fields = traits[form].fields;
             std::copy_n(&forms[form].numbers[(hierarchy.order[i] - starts[form]) * fields], fields,
                         &sorted[form][places[i] * fields]);
@@ -102,13 +120,8 @@ void WorldArrays<T>::make_hierarchy(ThreadPool& pool) {
         own.numbers = std::move(sorted[form]);
     }
     hierarchy.order.reset();
-    places.reset();
-    for (int form = 0; form < Forms::size; ++form) {
-        FormItems<T>& own = forms[form];
-        if (own.in_hierarchy > 0)
-            own.columns =
-                columns_of(own.numbers.get(), own.count, traits[form].fields, own.count + widest_pack, pool);
-    }
+    places.reset(), form_of.reset();
+    add_columns(forms, hierarchy, pool);
     world.nodes = hierarchy.nodes.get();
 }
 

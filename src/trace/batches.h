@@ -10,27 +10,12 @@
 #include "trace/build.h"
 #include "trace/cells.h"
 #include "trace/kernel.h"
+#include "trace/lattice_cells.h"
 #include "trace/tracer.h"
 #include "trace/workspace.h"
+#include "trace/z_curve.h"
 
 namespace strahl {
-
-inline constexpr int lattice_tile = 16;
-
-/// Pixels of a tile along a Z curve: packs are blocks of 4x4 or 4x2 pixels, whose rays have more in common than a
-/// row's.
-struct TileSpot {
-    std::uint8_t x, y;
-};
-inline constexpr std::array<TileSpot, lattice_tile* lattice_tile> z_curve = [] {
-    std::array<TileSpot, lattice_tile * lattice_tile> spots{};
-    for (std::size_t i = 0; i < spots.size(); ++i)
-        for (int bit = 0; bit < 4; ++bit) {
-            spots[i].x |= (i >> 2 * bit & 1) << bit;
-            spots[i].y |= (i >> (2 * bit + 1) & 1) << bit;
-        }
-    return spots;
-}();
 
 template <class T>
 Eye<T> eye_of(const View& view, const Placement& placement) {
@@ -52,8 +37,15 @@ class Batches {
     using Out = std::conditional_t<std::is_same_v<T, float>, float, double>;
 
     Batches(const World<T>& own_world, const Kernel<T>& own_kernel, const Eye<T>& own_eye, const Limits<T>& own_limits,
-            Workspace<T>& own_workspace)
-        : world(own_world), kernel(own_kernel), eye(own_eye), limits(own_limits), workspace(own_workspace) {}
+            Workspace<T>& own_workspace, bool with_bounds)
+        : world(own_world),
+          kernel(own_kernel),
+          eye(own_eye),
+          limits(own_limits),
+          workspace(own_workspace),
+          prove(with_bounds) {
+        if (prove) workspace.hold_bounds();
+    }
 
     Counts counts;  // its own memory: threads that count beside each other wait for each other
 
@@ -68,7 +60,10 @@ class Batches {
         for (int i = 0; i < pixels; ++i)
             for (int c = 0; c < 4; ++c)  // four at once are faster than three; the next pixel covers the last
                 values[3 * i + c] = finite<Out>(sums[4 * workspace.order[i] + c]);
-        sink({tile, std::span<const Out>(values, 3 * pixels)});
+        double bounds[lattice_tile * lattice_tile];
+        if (prove)
+            for (int i = 0; i < pixels; ++i) bounds[i] = bound_of(workspace.order[i]);
+        sink({tile, std::span<const Out>(values, 3 * pixels), std::span<const double>(bounds, prove ? pixels : 0)});
     }
 
     /// A tile of pixels with a grid of rays in each.
@@ -78,7 +73,8 @@ class Batches {
         const auto add = [&](double x, double y) {
             trace_spots(tile, x, y);
             for (int i = 0; i < pixels; ++i)
-                for (int c = 0; c < 3; ++c) sums[3 * i + c] += finite<double>(workspace.sums[workspace.order[i]].rgb[c]);
+                for (int c = 0; c < 3; ++c)
+                    sums[3 * i + c] += finite<double>(workspace.sums[workspace.order[i]].rgb[c]);
         };
         for (int j = 0; j < n && !limits.stopped(); ++j)
             for (int i = 0; i < n && !limits.stopped(); ++i) add((i + .5) / n - .5, (j + .5) / n - .5);
@@ -90,42 +86,84 @@ class Batches {
 
     /// Points of a tile whose top left corner is (x, y), in pixels.
     void trace_points(int x, int y, double scale, std::span<const Point> points, CellSample* samples) {
-        for (std::size_t done = 0; done < points.size(); done += batch_pixels) {
-            const int count = static_cast<int>(std::min<std::size_t>(batch_pixels, points.size() - done));
+        for (std::size_t done = 0; done < points.size(); done += scattered_pixels) {
+            const int count = static_cast<int>(std::min<std::size_t>(scattered_pixels, points.size() - done));
             for (int i = 0; i < count; ++i) {
                 // Pixel 0 of the camera's lattice is the middle of the first pixel.
                 workspace.pixels_x[i] = static_cast<T>(x - .5 + points[done + i].x / double(Point::unit));
                 workspace.pixels_y[i] = static_cast<T>(y - .5 + points[done + i].y / double(Point::unit));
             }
-            std::fill_n(workspace.sights.begin(), count, Sight<T>{});
-            trace_batches(count, workspace.sights.data());
-            for (int i = 0; i < count; ++i) {
-                CellSample& sample = *samples++;
-                for (int c = 0; c < 3; ++c) sample.rgb[c] = finite<double>(workspace.sums[i].rgb[c]);
-                const Sight<T>& sight = workspace.sights[i];
-                sample.signature = sight.signature;
-                sample.glint = static_cast<float>(sight.glint);
-                sample.surface = sight.surface, sample.lit = sight.lit;
-                for (int c = 0; c < 3; ++c) sample.reflected[c] = static_cast<float>(sight.reflected[c]);
-                sample.reflection = static_cast<float>(sight.reflection);
-                sample.further = static_cast<float>(static_cast<double>(sight.further) / scale);
-                sample.distance = static_cast<float>(static_cast<double>(sight.distance) / scale);
-            }
+            look(count, scale, samples + done);
         }
     }
 
+    /// A tile of pixels, one ray each where cells are not smooth.
+    void trace_filled(const Lattice& tile, double contrast, const Thin& thin, double scale, LatticeCells<Out>& cells,
+                      const Sink& sink) {
+        using Spots = std::span<const typename LatticeCells<Out>::Spot>;
+        const auto each_batch = [&](Spots spots, const auto& trace) {
+            for (std::size_t done = 0; done < spots.size(); done += scattered_pixels) {
+                const int count = static_cast<int>(std::min<std::size_t>(scattered_pixels, spots.size() - done));
+                for (int i = 0; i < count; ++i) aim(tile, spots[done + i].x, spots[done + i].y, 0, 0, i);
+                trace(count, done);
+            }
+        };
+        const auto seen = [&](Spots spots, CellSample* samples) {
+            each_batch(spots, [&](int count, std::size_t done) { look(count, scale, samples + done); });
+        };
+        const auto plain = [&](Spots spots, Out* rgb) {
+            each_batch(spots, [&](int count, std::size_t done) {
+                trace_batches(count, nullptr);
+                for (int i = 0; i < count; ++i)
+                    for (int c = 0; c < 3; ++c) rgb[3 * (done + i) + c] = finite<Out>(workspace.sums[i].rgb[c]);
+            });
+        };
+        cells.trace(tile, contrast, thin, seen, plain);
+        if (!limits.stopped()) sink({tile, cells.values()});
+    }
+
   private:
+    /// Of pixel i of the batch: what its rays may be off, and those not traced; and what rounding adds.
+    double bound_of(int i) const {
+        const PixelSum<T>& sum = workspace.sums[i];
+        const T most = std::max({sum.rgb[0], sum.rgb[1], sum.rgb[2]});
+        const T bound = T(1.001) * (workspace.bounds[i] + sum.pruned) + 16 * std::numeric_limits<T>::epsilon() * most;
+        return bound >= 0 ? static_cast<double>(bound) : std::numeric_limits<double>::infinity();
+    }
     template <class To>
     static To finite(T value) {
         return static_cast<To>(std::min(value, static_cast<T>(std::numeric_limits<To>::max())));
+    }
+
+    /// Pixel i of the next batch is this one of a lattice.
+    void aim(const Lattice& tile, int x, int y, double shift_x, double shift_y, int i) {
+        workspace.pixels_x[i] = static_cast<T>(tile.x + x * tile.step_x + shift_x);
+        workspace.pixels_y[i] = static_cast<T>(tile.y + y * tile.step_y + shift_y);
+    }
+
+    /// Traces the first pixels of the workspace, and tells what they saw.
+    void look(int count, double scale, CellSample* samples) {
+        std::fill_n(workspace.sights.begin(), count, Sight<T>{});
+        trace_batches(count, workspace.sights.data());
+        for (int i = 0; i < count; ++i) {
+            CellSample& sample = samples[i];
+            for (int c = 0; c < 3; ++c) sample.rgb[c] = finite<double>(workspace.sums[i].rgb[c]);
+            const Sight<T>& sight = workspace.sights[i];
+            sample.signature = sight.signature;
+            sample.glint = static_cast<float>(sight.glint);
+            sample.surface = sight.surface, sample.lit = sight.lit;
+            for (int c = 0; c < 3; ++c) sample.reflected[c] = static_cast<float>(sight.reflected[c]);
+            sample.reflection = static_cast<float>(sight.reflection);
+            sample.further = static_cast<float>(static_cast<double>(sight.further) / scale);
+            sample.distance = static_cast<float>(static_cast<double>(sight.distance) / scale);
+        }
     }
 
     void trace_spots(const Lattice& tile, double shift_x, double shift_y) {
         int filled = 0;
         for (const auto [x, y] : z_curve) {
             if (x >= tile.columns || y >= tile.rows) continue;
-            workspace.pixels_x[filled] = static_cast<T>(tile.x + x * tile.step_x + shift_x);
-            workspace.pixels_y[filled] = static_cast<T>(tile.y + y * tile.step_y + shift_y);
+            aim(tile, x, y, shift_x, shift_y, filled);
             workspace.order[y * tile.columns + x] = filled++;
         }
         trace_batches(filled, nullptr);
@@ -133,8 +171,9 @@ class Batches {
 
     /// The first pixels of the workspace, as many at once as fit.
     void trace_batches(int pixels, Sight<T>* sights) {
-        std::fill(workspace.sums.begin(), workspace.sums.end(), PixelSum<T>{});
-        std::fill(workspace.past.begin(), workspace.past.end(), T(0));
+        std::fill_n(workspace.sums.begin(), pixels, PixelSum<T>{});
+        std::fill_n(workspace.past.begin(), pixels, T(0));
+        std::fill(workspace.bounds.begin(), workspace.bounds.end(), T(0));
         for (int done = 0; done < pixels;) {
             const int count = std::min(workspace.batch, pixels - done);
             const PixelBatch<T> batch{workspace.pixels_x.data() + done,
@@ -142,13 +181,15 @@ class Batches {
                                       workspace.sums.data() + done,
                                       workspace.past.data() + done,
                                       count,
-                                      sights ? sights + done : nullptr};
+                                      sights ? sights + done : nullptr,
+                                      prove ? workspace.bounds.data() + done : nullptr};
             if (kernel.trace(world, eye, limits, batch, workspace, counts)) {
                 done += count;
-                workspace.batch = std::min(batch_pixels, 2 * workspace.batch);
+                workspace.batch = std::min(scattered_pixels, 2 * workspace.batch);
             } else {
                 std::fill_n(batch.sums, count, PixelSum<T>{});
                 std::fill_n(batch.past, count, T(0));
+                if (prove) std::fill_n(batch.bounds, count, T(0));
                 if (sights) std::fill_n(batch.sights, count, Sight<T>{});
                 workspace.batch = std::max(1, count / 2);
             }
@@ -164,6 +205,7 @@ class Batches {
     const Eye<T>& eye;
     const Limits<T>& limits;
     Workspace<T>& workspace;
+    const bool prove;  // the kernel is a proving one
 };
 
 }  // namespace strahl

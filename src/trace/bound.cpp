@@ -56,7 +56,7 @@ Bound bound_for(const Scene& scene, int depth) {
     std::vector<double> own;
     const double most_gain = gain(scene);
     for (const Material& m : scene.materials) own.push_back(own_light(scene, m, most_gain));
-    Bound bound{{0}, background};
+    Bound bound{{0}, background, most_gain};
     for (int generation = 0; generation < depth; ++generation) {
         double most = background;
         for (std::size_t i = 0; i < own.size(); ++i) {

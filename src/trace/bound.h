@@ -10,6 +10,7 @@ namespace strahl {
 struct Bound {
     std::vector<double> brightest;  // [n]: with n generations to come, its own hit the first
     double limit;                   // with any number of them; infinite where no bound exists
+    double gain;                    // by which bodies on its way can multiply a light; at least 1
 };
 /// For up to `depth` generations. Values may be infinite.
 Bound bound_for(const Scene& scene, int depth);

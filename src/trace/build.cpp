@@ -86,7 +86,6 @@ void WorldArrays<T>::fill_groups() {
         group.items = reinterpret_cast<const Item<Form, T>*>(own.numbers.get());
         group.count = own.count, group.in_hierarchy = own.in_hierarchy;
         group.columns = own.columns.get();
-        group.stride = own.count + widest_pack;
         group.first_bin = bin;
         bin += world.bin_per_item ? own.count : 1;
         if (world.bin_per_item)
@@ -176,7 +175,7 @@ WorldArrays<T>::WorldArrays(const Scene& scene, const Placement& placement, Thre
                                                              std::numeric_limits<T>::max()));
         world.fog_color = cast<T>(scene.fog->color);
     }
-    const auto bent_glass = [](const Material& m) { return m.refraction > 0 && m.bump.pattern; };
+    const auto bent_glass = [](const Material& m) { return m.refraction > 0 && m.bends(); };
     // With fog rays have to know whether they are in a transparent body.
     world.nested = world.transparent && (world.fog || transparent_bodies_overlap(scene) ||
                                          std::any_of(scene.materials.begin(), scene.materials.end(), bent_glass));

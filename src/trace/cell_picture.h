@@ -15,8 +15,8 @@ class CellPicture {
   public:
     CellPicture() = default;
     /// A part of the view, with steps of 1; a pixel of it is the same as in the whole view. Cells of more than
-    /// `largest_filled` pixels are always divided: stills want 2 or less, or shadows and reflections of a few pixels are
-    /// lost between the samples.
+    /// `largest_filled` pixels are always divided: stills want 2 or less, or shadows and reflections of a few pixels
+    /// are lost between the samples.
     CellPicture(const Scene& scene, const View& view, const Lattice& region, double error, int largest_filled = 2) {
         begin(scene, view, region, error, largest_filled);
     }

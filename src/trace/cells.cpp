@@ -5,13 +5,18 @@
 #include <cmath>
 #include <utility>
 
+#include "trace/z_curve.h"
+
 namespace strahl {
 namespace {
 
 constexpr std::int32_t unit = Point::unit, least_cell = unit / 32;
-constexpr int side = tile_pixels + 1;      // of the lattice
+constexpr int side = tile_pixels + 1;  // of the lattice
+/// Where the middle of a cell saw what its corners did not, and no thin body is known there, as much is thought to lie
+/// in cells whose middle did not see it: so many times the square of the middle's difference. Found by experiment, as
+/// `estimate` in cell_values.cpp.
+constexpr double unseen = 3.5;
 constexpr double steepest_gradient = .06;  // across a cell of one signature
-constexpr double most_glint = .1;          // difference of blunt highlights across a cell
 
 std::uint64_t key_of(Point p) { return std::uint64_t(std::uint32_t(p.x)) << 32 | std::uint32_t(p.y); }
 
@@ -45,12 +50,13 @@ void Cells::begin(int x, int y, int new_columns, int new_rows, double new_contra
     lattice.assign(side * side, -1);
     sums.assign(std::size_t(3) * columns * rows, 0);
     squares = 0;
-    for (int row = 0; row < rows; row += coarsest_cell)
-        for (int column = 0; column < columns; column += coarsest_cell) {
-            Cell cell{column * unit, row * unit, coarsest_cell * unit, {}};
-            for (int k = 0; k < 4; ++k) cell.corners[k] = sample_at(on_side(cell.x, cell.y, cell.size, k, 0));
-            waiting.push_back(cell);
-        }
+    constexpr int in_tile = tile_pixels / coarsest_cell;
+    for (const auto [column, row] : std::span(z_curve).first<in_tile * in_tile>()) {
+        Cell cell{column * coarsest_cell * unit, row * coarsest_cell * unit, coarsest_cell * unit, {}};
+        if (!within(cell.x, cell.y)) continue;
+        for (int k = 0; k < 4; ++k) cell.corners[k] = sample_at(on_side(cell.x, cell.y, cell.size, k, 0));
+        waiting.push_back(cell);
+    }
 }
 
 int Cells::sample_at(Point point) {
@@ -86,6 +92,8 @@ void Cells::refine(int pixels, const TracePoints& trace) {
     for (const Cell& cell : round)  // what stood for it meanwhile
         if (cell.size == unit) std::fill_n(&sums[pixel_of(cell)], 3, 0);
     while (!round.empty()) {
+        for (Cell& cell : round)
+            if (cell.size > std::max(unit, finest) && cell.middle < 0) ask_middle(cell);
         const std::size_t known = samples.size();
         samples.resize(points.size());
         if (known < points.size()) trace(std::span(points).subspan(known), samples.data() + known);
@@ -100,7 +108,8 @@ void Cells::refine(int pixels, const TracePoints& trace) {
 void Cells::advance(Cell& cell, int finest) {
     switch (cell.stage) {
         case Stage::corners:
-            return look_at_corners(cell, finest);
+            if (cell.size <= unit) return look_at_corners(cell, finest);
+            return cell.size > finest ? look_at_large(cell) : waiting.push_back(cell);
         case Stage::middle:
             return look_at_middle(cell);
         case Stage::ends:
@@ -120,28 +129,39 @@ bool Cells::hides_something(const Cell& cell) const {
     return thin->hides_in(corners, least);
 }
 
+std::array<const CellSample*, 4> Cells::corners_of(const Cell& cell) const {
+    const auto of = [&](int k) { return &samples[cell.corners[k]]; };
+    return {of(0), of(1), of(2), of(3)};
+}
+
+void Cells::ask_middle(Cell& cell) { cell.middle = sample_at({cell.x + cell.size / 2, cell.y + cell.size / 2}); }
+
+/// A cell of more than a pixel, with its middle.
+void Cells::look_at_large(const Cell& cell) {
+    const auto corners = corners_of(cell);
+    const CellSample& middle = samples[cell.middle];
+    if (cell.size > largest) return divide(cell);
+    const bool surprising = equal_signatures(cell) && middle.signature != corners[0]->signature;
+    const bool smooth = looks_smooth(corners, middle, contrast);
+    const bool clear = (smooth || surprising) && !hides_something(cell);
+    const double off = middle_off(corners, middle) * (cell.size / unit);
+    if (clear) squares += off * off * (surprising ? unseen : 1);
+    smooth&& clear ? fill(cell) : divide(cell);
+}
+
+/// A cell of a pixel or less.
 void Cells::look_at_corners(Cell& cell, int finest) {
-    const bool large = cell.size > unit, equal = equal_signatures(cell);
-    float least = samples[cell.corners[0]].glint, most = least;
-    for (const int corner : cell.corners)
-        least = std::min(least, samples[corner].glint), most = std::max(most, samples[corner].glint);
-    const double s = double(cell.size) / unit, share = std::min(1., s * s);
-    const bool glints = !((most - least) * share <= most_glint);
-    const bool known_rough = large && (!equal || glints || cell.size > largest);
-    const bool hidden = !known_rough && hides_something(cell);
-    if (known_rough || (large && hidden)) {
-        if (cell.size <= finest) return waiting.push_back(cell);
-        return divide(cell);
-    }
+    const bool equal = equal_signatures(cell);
+    const double s = double(cell.size) / unit, share = s * s;
+    const bool glints = !(glint_range(corners_of(cell)) * share <= most_glint), hidden = hides_something(cell);
     const double difference = spread(cell) * share;
-    const bool rough =
-        !large && (glints || hidden || !(equal ? difference <= std::min(16 * contrast, steepest_gradient)
-                                               : difference <= contrast));
+    const bool rough = glints || hidden ||
+                       !(equal ? difference <= std::min(16 * contrast, steepest_gradient) : difference <= contrast);
     const bool small = equal ? cell.size <= unit / 4 : cell.size < unit / 2;
     if (!rough && small) return finish(cell, mean(cell), spread(cell));
     if (cell.size <= finest) return waiting.push_back(cell);
     if (rough) return !hidden && begin_search(cell) ? active.push_back(cell) : go_on(cell);
-    cell.middle = sample_at({cell.x + cell.size / 2, cell.y + cell.size / 2});
+    ask_middle(cell);
     cell.stage = Stage::middle;
     active.push_back(cell);
 }
@@ -153,22 +173,9 @@ void Cells::go_on(Cell& cell) {
 }
 
 void Cells::look_at_middle(Cell& cell) {
-    const CellSample& middle = samples[cell.middle];
-    const double s = std::min(1., double(cell.size) / unit);
-    double off = 0;
-    for (int c = 0; c < 3; ++c) {
-        double sum = 0;
-        for (const int corner : cell.corners) sum += samples[corner].rgb[c];
-        off = std::max(off, std::abs(sum / 4 - middle.rgb[c]));
-    }
-    if (cell.size > unit) {
-        if (middle.signature == samples[cell.corners[0]].signature && off <= contrast / 2) {
-            squares += off * off * (cell.size / unit) * (cell.size / unit);
-            return fill(cell);
-        }
-        return divide(cell);
-    }
-    if (off * s * s <= contrast) return finish(cell, mean(cell), spread(cell));
+    const double s = double(cell.size) / unit, off = middle_off(corners_of(cell), samples[cell.middle]);
+    const bool equal = equal_signatures(cell) && samples[cell.middle].signature == samples[cell.corners[0]].signature;
+    if (off * s * s <= contrast) return finish(cell, mean(cell), equal ? off : spread(cell));  // slopes are no errors
     cell.middle = -1;
     if (begin_search(cell)) return active.push_back(cell);
     go_on(cell);
@@ -211,8 +218,7 @@ void Cells::search(Cell& cell) {
             return go_on(cell);
         probes[i] = -1;
         if (crossing.high - crossing.low <= fine) continue;
-        probes[i] = sample_at(
-            on_side(cell.x, cell.y, cell.size, crossing.number, (crossing.low + crossing.high) / 2));
+        probes[i] = sample_at(on_side(cell.x, cell.y, cell.size, crossing.number, (crossing.low + crossing.high) / 2));
         found = false;
     }
     if (found) {
@@ -224,7 +230,7 @@ void Cells::search(Cell& cell) {
                 return std::clamp(static_cast<std::int32_t>(std::lround(at * cell.size)), 0, cell.size);
             };
             probes[i] = sample_at({cell.x + place(parts.middle_x + away * parts.normal_x),
-                                        cell.y + place(parts.middle_y + away * parts.normal_y)});
+                                   cell.y + place(parts.middle_y + away * parts.normal_y)});
         }
         cell.stage = Stage::beside;
     }

@@ -1,9 +1,9 @@
 // A tile of the picture in cells, from 8x8 pixels down to 1/32 of a pixel: small where the picture changes.
 //
 // Cells have their corners between pixels, so that the picture's value in a pixel is the sum over the cells in it. A
-// cell whose corners, and middle, have one signature is smooth: it is filled. Where an edge crosses a cell of a pixel or
-// less its ends are searched on the cell's sides, and it is taken for straight (compare J. Genetti and D. Gordon, "Ray
-// Tracing With Adaptive Supersampling in Object Space", Graphics Interface 1993). Everything else is divided.
+// cell whose corners, and middle, have one signature is smooth: it is filled. Where an edge crosses a cell of a pixel
+// or less its ends are searched on the cell's sides, and it is taken for straight (compare J. Genetti and D. Gordon,
+// "Ray Tracing With Adaptive Supersampling in Object Space", Graphics Interface 1993). Everything else is divided.
 #pragma once
 #include <array>
 #include <functional>
@@ -11,6 +11,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "trace/cell_sample.h"
 #include "trace/chord.h"
 #include "trace/sampling.h"
 #include "trace/thin.h"
@@ -22,19 +23,6 @@ struct Point {
     std::int32_t x, y;
     static constexpr std::int32_t unit = 4096;  // in a pixel
     bool operator==(const Point&) const = default;
-};
-
-/// What a camera ray brought back.
-struct CellSample {
-    double rgb[3];            // linear, unclamped
-    std::uint32_t signature;  // equal ones: see Sight
-    float glint;
-    // Of the surface seen:
-    float distance;  // in the scene's units; infinite for the background
-    std::int32_t surface;
-    std::uint32_t lit;               // bit i: light i reaches it; the last one counts for all lights from most_lit on
-    float reflected[3], reflection;  // direction and weight of the reflected ray
-    float further;                   // the longest way that rays went from there
 };
 
 /// Traces points of a tile; answers in their order.
@@ -83,8 +71,11 @@ class Cells {
     bool within(std::int32_t x, std::int32_t y) const;
     void divide(const Cell& cell);
     void advance(Cell& cell, int finest);
+    void look_at_large(const Cell& cell);
     void look_at_corners(Cell& cell, int finest);
     void look_at_middle(Cell& cell);
+    std::array<const CellSample*, 4> corners_of(const Cell& cell) const;
+    void ask_middle(Cell& cell);
     void go_on(Cell& cell);
     bool begin_search(Cell& cell);
     void search(Cell& cell);
@@ -101,8 +92,8 @@ class Cells {
     double contrast = 0;
     const Thin* thin = nullptr;
     std::vector<CellSample> samples;
-    std::vector<Point> points;  // of the samples
-    std::vector<int> lattice;   // samples at corners of pixels, -1 where there is none yet
+    std::vector<Point> points;                       // of the samples
+    std::vector<int> lattice;                        // samples at corners of pixels, -1 where there is none yet
     std::unordered_map<std::uint64_t, int> between;  // all others
     std::vector<Cell> active, waiting;
     std::vector<Search> searches;

@@ -1,21 +1,10 @@
 // Where rays cross bodies made of bodies. Nothing is sorted: a walk along the ray goes from end to end of the parts,
 // and where the whole changes between inside and outside there is its surface.
 #pragma once
+#include "num/room.h"
 #include "trace/mesh_walk.h"
 
 namespace strahl::inline STRAHL_LEVEL {
-
-/// Room for n values, none of which is made: that alone would take longer than most walks.
-template <class V, int n>
-class Room {
-  public:
-    V& operator[](int i) { return reinterpret_cast<V*>(bytes)[i]; }
-    const V& operator[](int i) const { return reinterpret_cast<const V*>(bytes)[i]; }
-
-  private:
-    static_assert(std::is_trivially_copyable_v<V>);
-    alignas(V) std::byte bytes[n * sizeof(V)];
-};
 
 /// The parts of a composite along a pack of rays.
 template <class S>
@@ -30,14 +19,13 @@ class CompositeWalk {
         if (any((ray.source >= S(static_cast<T>(composite.surface))) &
                 (ray.source < S(static_cast<T>(composite.surface + composite.surfaces)))))
             start_key = keys_of(ray.source);
-        Room<S, most_planes> planes;
         for (int i = 0; i < composite.planes; ++i) {
             const CompositePlane<T>& plane = world.planes[composite.first_plane + i];
             const Vec3<S> n = splat<S>(plane.normal);
             const S t = (S(plane.distance) - dot(n, ray.origin)) / dot(n, ray.direction);
             planes[i] = select(start_key == S(static_cast<T>(i)), S(0), t);
         }
-        for (int i = 0; i < composite.leaves; ++i) cross(i, lanes, planes);
+        for (int i = 0; i < composite.leaves; ++i) cross(i, lanes);
     }
 
     /// Is the composite's inside there, just after `t`? And were it, if the leaf `other` were the opposite of what it
@@ -146,7 +134,7 @@ class CompositeWalk {
     }
     /// Faces in the same place share a key, and so are crossed at the same t: planes by being one, others by their own
     /// equal formulas. A ray that starts on one of them starts on all.
-    void cross(int i, Mask<S> lanes, const Room<S, most_planes>& planes) {
+    void cross(int i, Mask<S> lanes) {
         const CompositeLeaf& own = leaf(i);
         const std::int32_t* const keys = world.face_keys + composite.first_key + (own.surface - composite.surface);
         LeafEnds<S>& end = ends[i];
@@ -179,21 +167,36 @@ class CompositeWalk {
 
     /// As the mesh sees the rays: those that start on a triangle in the place of one of its own start on that.
     MeshCrossing<S> next_of_mesh(const CompositeLeaf& own, Mask<S> lanes, const S& place, bool all) const {
-        const std::int32_t first_key = world.face_keys[composite.first_key + own.surface - composite.surface];
-        const S start = start_key - S(static_cast<T>(first_key)), surface(static_cast<T>(own.surface));
+        const S start = start_key - S(static_cast<T>(own.first_key)), surface(static_cast<T>(own.surface));
         const Mask<S> starts_here = (start >= S(0)) & (start < S(static_cast<T>(own.faces)));
         const Ray<S> from{ray.origin, ray.direction, select(starts_here, surface + start, ray.source)};
         return next_mesh_crossing(world, own, from, lanes, place, all);
     }
-    /// Of a mesh the stretch of the rays' inside that they are in, or that comes next.
+    /// Where that is: if the triangle lies in a plane that others share, where the ray crosses this.
+    [[gnu::noinline]] S place_of(const CompositeLeaf& own, const MeshCrossing<S>& found) const {
+        if (!own.in_planes) return found.t;
+        S t = found.t;
+        const std::int32_t* const keys = world.face_keys + composite.first_key + (own.surface - composite.surface);
+        for (unsigned left = bits(found.surface >= S(0)); left; left &= left - 1) {
+            const int k = std::countr_zero(left), key = keys[static_cast<int>(lane(found.surface, k))];
+            if (key >= most_planes) continue;
+            const T place = lane(planes[key], k);
+            if (std::abs(place) < std::numeric_limits<T>::infinity()) t = with_lane(t, k, place);
+        }
+        return t;
+    }
+    /// Of a mesh the stretch of the rays' inside that they are in, or that comes next. Where it ends for the mesh alone
+    /// is far[1]: from there the next one is looked for.
     void cross_mesh(const CompositeLeaf& own, Mask<S> lanes, LeafEnds<S>& end) {
         const S zero(0), inf(std::numeric_limits<T>::infinity());
         const MeshCrossing<S> first = next_of_mesh(own, lanes, zero, true);
         const Mask<S> inside = first.odd_in_all;
         const MeshCrossing<S> second = next_of_mesh(own, lanes & !inside & (first.t < inf), first.t, false);
+        const S begins = place_of(own, first), ends_there = place_of(own, second);
         end.pairs = 1;
-        end.near[0] = select(inside, -inf, first.t), end.near_face = first.surface;
-        end.far[0] = select(inside, first.t, second.t), end.far_face = select(inside, first.surface, second.surface);
+        end.near[0] = select(inside, -inf, begins), end.near_face = first.surface;
+        end.far[0] = select(inside, begins, ends_there), end.far[1] = select(inside, first.t, second.t);
+        end.far_face = select(inside, first.surface, second.surface);
         has_meshes = true;
     }
     /// Goes on to the next one where this one lies behind.
@@ -202,9 +205,11 @@ class CompositeWalk {
         const S inf(std::numeric_limits<T>::infinity());
         const Mask<S> passed = (end.far[0] <= t) & (end.far[0] < inf);
         if (none(passed)) return;
-        const MeshCrossing<S> first = next_of_mesh(leaf(i), passed, end.far[0], false);
+        const MeshCrossing<S> first = next_of_mesh(leaf(i), passed, end.far[1], false);
         const MeshCrossing<S> second = next_of_mesh(leaf(i), passed & (first.t < inf), first.t, false);
-        end.near[0] = select(passed, first.t, end.near[0]), end.far[0] = select(passed, second.t, end.far[0]);
+        end.near[0] = select(passed, place_of(leaf(i), first), end.near[0]);
+        end.far[0] = select(passed, place_of(leaf(i), second), end.far[0]);
+        end.far[1] = select(passed, second.t, end.far[1]);
         end.near_face = select(passed, first.surface, end.near_face);
         end.far_face = select(passed, second.surface, end.far_face);
     }
@@ -214,6 +219,7 @@ class CompositeWalk {
     const Ray<S>& ray;
     bool has_meshes = false;
     S start_key;
+    Room<S, most_planes> planes;  // where the rays cross them
     Room<LeafEnds<S>, most_leaves> ends;
 };
 
@@ -263,8 +269,8 @@ struct FormFunctions<CompositeForm, S> {
                         }
                         through = through | own;
                         if (patterned(world, leaf.material)) [[unlikely]]
-                            return PatternCalls<S>::filter(world, leaf.material, S(static_cast<T>(leaf.surface)) + face, ray, t,
-                                                           own, light.share);
+                            return PatternCalls<S>::filter(world, leaf.material, S(static_cast<T>(leaf.surface)) + face,
+                                                           ray, t, own, light.share);
                         for (int c = 0; c < 3; ++c)
                             light.share[c] = select(own, min(light.share[c] * S(material.filter[c]), S(largest_gain)),
                                                     light.share[c]);

@@ -22,22 +22,25 @@ struct Line {
     const View& view;
     ThreadPool& pool;
     int x, y;
-    double radius, step, dx, dy;
+    double radius, step;
+    const std::atomic<bool>* stop;
+    double dx, dy;
 
     Sample at(double t) const {
         View moved = view;
         moved.shift_x += t * dx;
         moved.shift_y += t * dy;
         Sample value{};
-        tracer.trace(moved, {.x = x, .y = y, .columns = 1, .rows = 1}, pool, [&](const Tile& tile) {
+        const auto keep = [&](const Tile& tile) {
             std::visit([&](const auto& rgb) { std::copy_n(rgb.begin(), 3, value.begin()); }, tile.rgb);
-        });
+        };
+        tracer.trace(moved, {.x = x, .y = y, .columns = 1, .rows = 1}, pool, keep, stop);
         for (double& v : value) v = std::clamp(v, 0., 1.);
         return value;
     }
     /// What varies smoothly becomes less than a step when looked at closely; a jump does not.
     bool jumps(double a, const Sample& at_a, double b, const Sample& at_b) const {
-        if (apart(at_a, at_b) <= step) return false;
+        if (apart(at_a, at_b) <= step || (stop && *stop)) return false;
         if (b - a < 1e-5 * radius) return true;
         const double middle = (a + b) / 2;
         const Sample at_middle = at(middle);
@@ -47,12 +50,13 @@ struct Line {
 
 }  // namespace
 
-bool on_edge(Tracer& tracer, const View& view, ThreadPool& pool, int x, int y, double radius, double step) {
+bool on_edge(Tracer& tracer, const View& view, ThreadPool& pool, int x, int y, double radius, double step,
+             const std::atomic<bool>* stop) {
     constexpr int spokes = 8;
-    const Sample middle = Line{tracer, view, pool, x, y, radius, step, 0, 0}.at(0);
+    const Sample middle = Line{tracer, view, pool, x, y, radius, step, stop, 0, 0}.at(0);
     for (int i = 0; i < spokes; ++i) {
         const double angle = 2 * std::numbers::pi / spokes * i;
-        const Line line{tracer, view, pool, x, y, radius, step, std::cos(angle), std::sin(angle)};
+        const Line line{tracer, view, pool, x, y, radius, step, stop, std::cos(angle), std::sin(angle)};
         if (line.jumps(0, middle, radius, line.at(radius))) return true;
     }
     return false;

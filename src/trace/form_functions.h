@@ -31,13 +31,20 @@ struct MeshCrossing {
     Mask<S> odd, odd_in_all;  // is the number of triangles crossed odd: at t, and of those looked at
 };
 
+/// Item i and those beside it of a leaf, whose first item and number of items are given.
+template <class S, class Group>
+STRAHL_INLINE auto load_of_leaf(const Group& group, int first, int count, int i) {
+    constexpr std::size_t fields = sizeof(group.items[0]) / sizeof(group.columns[0]);
+    return load_items<typename Group::template ItemOf<S>, S>(group.columns + first * fields, count, i - first);
+}
+
 template <class Form, class S>
 struct FormFunctions {
     using T = Element<S>;
     /// Meets the items with a pack of rays.
     static void intersect(const World<T>& world, int first, int count, const Ray<S>& ray, Mask<S> mask,
                           Nearest<S>& best);
-    /// Meets the items, side by side, with one ray that is in all lanes.
+    /// Meets the items of a leaf, side by side, with one ray that is in all lanes.
     static void intersect_single(const World<T>& world, int first, int count, SingleRay<S>& single);
     /// Takes from the light what the items take. Is none left in any lane?
     static bool occlude(const World<T>& world, int first, int count, const Ray<S>& ray, const S& distance, Mask<S> mask,

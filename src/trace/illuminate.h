@@ -2,7 +2,7 @@
 #pragma once
 #include "trace/sight.h"
 
-namespace strahl::inline STRAHL_LEVEL {
+namespace strahl::inline STRAHL_LEVEL::inline STRAHL_INSTANCE {
 
 /// Ks (h.l)^p in the lanes of `glossy`.
 template <class S>
@@ -58,7 +58,7 @@ template <class S>
     const LightKernel<T>& light = shading.world.lights[number];
     const Vec3<S> reflected = reflect(hit);
     const LitHits<S> hits{lanes, hit.outside, hit.position, hit.normal,
-                          shading.world.bumps ? rare.flat : hit.normal, reflected, hit.surface, hit.weight,
+                          shading.world.bends ? rare.flat : hit.normal, reflected, hit.surface, hit.weight,
                           largest(material.diffuse), material.specular, material.pow, material.shines_from, hit.bin};
     constexpr T usual = T(1) / 510;
     const T error = shading.limits.error > T(0) ? shading.limits.error : usual;
@@ -80,7 +80,7 @@ template <class S>
 /// `MaterialKernel::scattered`. `rare` is only read where that is.
 template <class S>
 STRAHL_INLINE Vec3<S> illumination(const Shading<S>& shading, const Hit<S>& hit, Mask<S> dim,
-                                   const RareHit<S>& rare) {
+                                   RareHit<S>& rare) {
     const MaterialKernel<S>& material = hit.material;
     const auto& world = shading.world;
     const S zero(0);
@@ -94,6 +94,7 @@ STRAHL_INLINE Vec3<S> illumination(const Shading<S>& shading, const Hit<S>& hit,
         const LightKernel<Element<S>>& light = world.lights[i];
         if (light.area) [[unlikely]] {
             const Mask<S> lit = hit.active & ((strongest > faint) | glossy);
+            if constexpr (proves) add_unknown_light(shading, hit, light, rare.bounds);
             Vec3<S> copy = sum;
             add_area_light(shading, hit, i, lit, rare, copy);
             sum = copy;
@@ -101,7 +102,7 @@ STRAHL_INLINE Vec3<S> illumination(const Shading<S>& shading, const Hit<S>& hit,
         }
         const Vec3<S> to_light = fma(S(-light.finite), hit.position, splat<S>(light.position));
         const S facing = dot(hit.normal, to_light);
-        if (none(hit.active & (facing > zero))) continue;
+        if (!proves && none(hit.active & (facing > zero))) continue;
         const S squared = dot(to_light, to_light);
         const S length = sqrt(squared), inverse = S(1) / length;
         S distance = length * S(light.far);
@@ -111,7 +112,13 @@ STRAHL_INLINE Vec3<S> illumination(const Shading<S>& shading, const Hit<S>& hit,
         if (any(glossy)) highlight = highlight_of(hit, reflected, l, glossy);
         // Whether anything is between only matters where there is light to lose.
         Mask<S> faces = hit.active & (cosine > zero) & (fma(strongest, cosine, highlight) > faint);
-        if (none(faces)) continue;
+        [[maybe_unused]] IfProving<LitBounds<S>> lit;
+        if constexpr (proves) {
+            lit = bound_lit(rare.bounds, hit, light, length, cosine, S(dot(reflected, l)), highlight);
+            if (none(faces | (hit.active & lit.doubt))) continue;
+        } else if (none(faces)) {
+            continue;
+        }
         const Mask<S> lost = faces & ((squared < S(least_square<Element<S>>)) | (cosine > S(2)));
         if (any(lost)) {
             const WayToLight<S> way = way_to_near_light(hit, to_light);
@@ -121,15 +128,23 @@ STRAHL_INLINE Vec3<S> illumination(const Shading<S>& shading, const Hit<S>& hit,
             if (any(glossy)) highlight = highlight_of(hit, reflected, l, glossy);
         }
         if (light.spot) [[unlikely]] {
+            if constexpr (proves) add_unknown_light(shading, hit, light, rare.bounds);
             faces = faces & (spot_share(light, Vec3<S>(l)) > zero);
             if (none(faces)) continue;
         }
         shading.counts.shadow += count(faces);
-        Vec3<S> share =
-            visibility(world, Ray<S>{hit.position, l, hit.surface}, distance, faces, {i, hit.bin, hit.outside});
+        const auto arriving = [&]() __attribute__((always_inline)) {
+            if constexpr (proves)
+                return share_proved(shading, hit, lit, l, distance, faces, cosine, highlight,
+                                    Start<S>{i, hit.bin, hit.outside}, rare.bounds);
+            else
+                return visibility(world, Ray<S>{hit.position, l, hit.surface}, distance, faces,
+                                  {i, hit.bin, hit.outside});
+        };
+        Vec3<S> share = arriving();
         if (shading.rare) [[unlikely]] {
             // A light that only the bent normal faces is behind the surface.
-            if (world.bumps) share = select(dot(rare.flat, l) > S(0), share, splat<S>(Vec3<Element<S>>(0)));
+            if (world.bends) share = select(dot(rare.flat, l) > S(0), share, splat<S>(Vec3<Element<S>>(0)));
             if (shading.batch.sights) note_light(shading, hit, rare, i, Vec3<S>(share), S(dot(reflected, l)), faces);
         }
         if (light.spot) [[unlikely]]
@@ -142,4 +157,4 @@ STRAHL_INLINE Vec3<S> illumination(const Shading<S>& shading, const Hit<S>& hit,
     return sum;
 }
 
-}  // namespace strahl::inline STRAHL_LEVEL
+}  // namespace strahl::inline STRAHL_LEVEL::inline STRAHL_INSTANCE

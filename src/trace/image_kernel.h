@@ -4,7 +4,6 @@
 
 #include "scene/image.h"
 #include "trace/items.h"
-#include "trace/triangle_of.h"
 
 namespace strahl::inline STRAHL_LEVEL {
 
@@ -42,39 +41,6 @@ struct PixelPair {
         store_lanes(numbers[1], select(high > last, once ? last : S(0), high));
     }
 };
-
-/// Where points of a mesh's triangles are by uv: (u, v, 0). A point is a mean of the corners, weighted by the areas of
-/// the triangles that it makes with the sides across.
-template <class S>
-[[gnu::noinline]] Vec3<S> place_in_mesh(const World<Element<S>>& world, const ImageKernel<Element<S>>& image,
-                                        const Vec3<S>& position, const S& surface) {
-    using T = Element<S>;
-    constexpr int numbers = 15;  // of a triangle: its corners, then their places
-    alignas(64) T values[numbers][width<S>] = {};
-    for (int k = 0; k < width<S>; ++k) {
-        const int own = static_cast<int>(lane(surface, k)), i = own - image.first_surface;
-        const TriangleKernel<T>* const triangle =
-            image.corners && i >= 0 && i < image.surfaces ? triangle_of(world, own) : nullptr;
-        if (!triangle) continue;
-        for (int c = 0; c < 3; ++c) {
-            values[c][k] = triangle->a[c], values[3 + c][k] = triangle->b[c], values[6 + c][k] = triangle->c[c];
-            for (int j = 0; j < 2; ++j)
-                values[9 + 2 * c + j][k] = static_cast<T>(image.places[image.corners[i][c]][j]);
-        }
-    }
-    const auto number = [&](int i) { return load_lanes<S>(values[i]); };
-    const auto corner = [&](int i) { return Vec3<S>(number(3 * i), number(3 * i + 1), number(3 * i + 2)); };
-    const Vec3<S> a = corner(0), e = corner(1) - a, f = corner(2) - a, p = position - a, n = cross(e, f);
-    const S squared = dot(n, n);
-    const auto share = [&](const Vec3<S>& v) {
-        return select(squared > S(0), min(max(dot(v, n) / squared, S(0)), S(1)), S(0));
-    };
-    const S of_b = share(cross(p, f)), of_c = share(cross(e, p));
-    const auto mean = [&](int j) {
-        return fma(of_b, number(11 + j) - number(9 + j), fma(of_c, number(13 + j) - number(9 + j), number(9 + j)));
-    };
-    return {mean(0), mean(1), S(0)};
-}
 
 /// The colour at a point of the pattern's space; where coordinates are too large for numbers that of a corner.
 template <class S>

@@ -122,8 +122,8 @@ STRAHL_INLINE SurfaceHit<S> surface_hit(const Item& items, const Ray<S>& ray, S 
 
 /// Takes from the light what an item takes whose colours a pattern tells.
 template <class S, class Cross, std::size_t count>
-[[gnu::noinline]] void occlude_by_pattern(const World<Element<S>>& world, int material, int surface,
-                                          const Ray<S>& ray, const Cross& span, const std::array<Mask<S>, count>& crossed_by,
+[[gnu::noinline]] void occlude_by_pattern(const World<Element<S>>& world, int material, int surface, const Ray<S>& ray,
+                                          const Cross& span, const std::array<Mask<S>, count>& crossed_by,
                                           Vec3<S>& share) {
     for (std::size_t i = 0; i < count; ++i)
         PatternCalls<S>::filter(world, material, S(static_cast<Element<S>>(surface)), ray,

@@ -1,12 +1,12 @@
 // The kernel: camera rays, hits, light and new rays, generation by generation. Compiled once per instruction set and
-// element type (STRAHL_LEVEL, STRAHL_ELEMENT).
+// element type (STRAHL_LEVEL, STRAHL_ELEMENT), and once more for proofs (STRAHL_PROVES).
 #include "trace/kernel.h"
 
 #include <algorithm>
 
 #include "trace/shade.h"
 
-namespace strahl::inline STRAHL_LEVEL {
+namespace strahl::inline STRAHL_LEVEL::inline STRAHL_INSTANCE {
 namespace {
 
 /// Camera rays of a batch.
@@ -32,13 +32,16 @@ void generate_camera_rays(const Eye<T>& eye, const PixelBatch<T>& batch, RayQueu
 /// The bodies that rays of a pack can meet: the rays start in a ball around the first one's origin and leave within a
 /// cone around its direction. The bodies are tested side by side.
 template <class S, class T>
-STRAHL_INLINE BodySet cull_packet(const World<T>& world, const Ray<S>& ray, Mask<S> active) {
+STRAHL_INLINE BodySet cull_packet(const World<T>& world, const Ray<S>& ray, Mask<S> active,
+                                  [[maybe_unused]] const IfProving<Doubt<T>>& most = {}) {
     const auto first_of = [](const Vec3<S>& v) { return Vec3<S>(S(lane(v.x, 0)), S(lane(v.y, 0)), S(lane(v.z, 0))); };
     const Vec3<S> origin = first_of(ray.origin), axis = first_of(ray.direction), off = ray.origin - origin;
     const T rounding = 16 * std::numeric_limits<T>::epsilon();
-    const T cosine = least(select(active, dot(ray.direction, axis), S(1))) - rounding;
+    T cosine = least(select(active, dot(ray.direction, axis), S(1))) - rounding;
+    if constexpr (proves) cosine -= most.turn;
     if (!(cosine > T(.5))) return ~BodySet(0);
-    const T spread = sqrt(-least(select(active, -dot(off, off), S(0))));
+    T spread = sqrt(-least(select(active, -dot(off, off), S(0))));
+    if constexpr (proves) spread += most.away;
     const S tangent(sqrt(1 - cosine * cosine) / cosine);
     BodySet set = 0;
     for (int i = 0; i < world.bins; i += width<S>) {
@@ -64,9 +67,20 @@ STRAHL_INLINE void each_bin(const S& bins, Mask<S> active, const Visit& visit) {
     }
 }
 
-/// Finds the nearest surfaces, and sorts the rays by the bins of these, stably.
+/// The largest doubts of a pack.
 template <class S, class T>
-void intersect(const World<T>& world, const RayQueue<T>& rays, HitList<T>& hits) {
+STRAHL_INLINE Doubt<T> most_doubt(const RayQueue<T>& rays, int i, Mask<S> active) {
+    const auto most = [&](const T* values) {
+        return -least(select(active, min(-load_lanes<S>(values + i), S(0)), S(0)));
+    };
+    return {most(rays.away), most(rays.turn)};
+}
+
+/// Finds the nearest surfaces, and sorts the rays by the bins of these, stably. The last three are for proofs.
+template <class S, class T>
+void intersect(const World<T>& world, const RayQueue<T>& rays, HitList<T>& hits,
+               [[maybe_unused]] const Limits<T>& limits, [[maybe_unused]] int depth,
+               [[maybe_unused]] const PixelBatch<T>& batch) {
     for (int k = 0; k <= world.bins; ++k) hits.count[k] = 0;
     const auto pack_of = [&](int i) {
         const auto at = [i](const T* values) { return load_lanes<S>(values + i); };
@@ -74,16 +88,28 @@ void intersect(const World<T>& world, const RayQueue<T>& rays, HitList<T>& hits)
                       {at(rays.direction.x), at(rays.direction.y), at(rays.direction.z)},
                       at(rays.source)};
     };
+    const auto find = [&](int i, Mask<S> active, BodySet set) __attribute__((always_inline)) {
+        if constexpr (proves)
+            return nearest_proved(world, limits, rays, i, pack_of(i), active, set, depth, batch);
+        else
+            return nearest(world, pack_of(i), active, set);
+    };
     constexpr int packs = 8;  // culled together: what one waits for does not hold up the next
     for (int first = 0; first < rays.count; first += packs * width<S>) {
         const int last = std::min(rays.count, first + packs * width<S>);
         BodySet sets[packs];
+        const auto cull = [&](int i, Mask<S> active) __attribute__((always_inline)) {
+            if constexpr (proves)
+                return limits.slack.fits() ? cull_packet(world, pack_of(i), active, most_doubt<S>(rays, i, active))
+                                           : ~BodySet(0);
+            else
+                return cull_packet(world, pack_of(i), active);
+        };
         for (int i = first; i < last; i += width<S>)
-            sets[(i - first) / width<S>] =
-                world.bin_per_item ? cull_packet(world, pack_of(i), first_lanes<S>(rays.count - i)) : BodySet(0);
+            sets[(i - first) / width<S>] = world.bin_per_item ? cull(i, first_lanes<S>(rays.count - i)) : BodySet(0);
         for (int i = first; i < last; i += width<S>) {
             const Mask<S> active = first_lanes<S>(rays.count - i);
-            const Nearest<S> hit = nearest(world, pack_of(i), active, sets[(i - first) / width<S>]);
+            const Nearest<S> hit = find(i, active, sets[(i - first) / width<S>]);
             store_lanes(hits.t + i, hit.t);
             store_lanes(hits.surface + i, hit.surface);
             const S number = iota<S>() + S(static_cast<T>(i));
@@ -101,6 +127,7 @@ void append(RayQueue<T>& to, const RayQueue<T>& from) {
     for (int c = 0; c < 3; ++c) copy(to.origin[c], from.origin[c]), copy(to.direction[c], from.direction[c]);
     copy(to.source, from.source), copy(to.pixel, from.pixel), copy(to.weight, from.weight);
     copy(to.medium, from.medium);
+    if constexpr (proves) copy(to.away, from.away), copy(to.turn, from.turn);
     to.count += from.count;
 }
 
@@ -112,11 +139,20 @@ bool trace_generation(const World<T>& world, const Limits<T>& limits, const Gene
                       int depth, const PixelBatch<T>& batch, Workspace<T>& workspace, Counts& counts) {
     counts.depth = counts.depth < depth ? depth : counts.depth;
     HitList<T>& list = hits(workspace);
-    intersect<S>(world, rays.open, list);
+    intersect<S>(world, rays.open, list, limits, depth, batch);
     RayQueue<T>& refracted = refracted_queue(workspace);
     next.open.count = next.inside.count = refracted.count = 0;
-    const Shading<S> shading{world, limits, rays, list, batch, next, refracted, workspace, counts, depth,
-                             batch.sights != nullptr || world.bumps != nullptr};
+    const Shading<S> shading{world,
+                             limits,
+                             rays,
+                             list,
+                             batch,
+                             next,
+                             refracted,
+                             workspace,
+                             counts,
+                             depth,
+                             batch.sights != nullptr || world.bends != nullptr};
     shade_misses(shading);
     for (int bin = 0; bin < world.bins; ++bin)
         if (!shade_bin(shading, bin)) return false;
@@ -131,6 +167,7 @@ RayQueue<T> part_of(RayQueue<T> rays, int begin, int count) {
     const auto skip = [begin](T*& values) { values += begin; };
     for (int c = 0; c < 3; ++c) skip(rays.origin[c]), skip(rays.direction[c]);
     skip(rays.source), skip(rays.pixel), skip(rays.weight), skip(rays.medium), skip(rays.t);
+    if constexpr (proves) skip(rays.away), skip(rays.turn);
     rays.count = count;
     return rays;
 }
@@ -167,6 +204,10 @@ bool trace(const World<T>& world, const Eye<T>& eye, const Limits<T>& limits, co
     const auto start = [&](int slot) {
         Generation<T>& first = generation(workspace, slot);
         generate_camera_rays<S>(eye, batch, first.open);
+        if constexpr (proves) {
+            std::fill_n(first.open.away, batch.count, limits.slack.eye_away);
+            std::fill_n(first.open.turn, batch.count, limits.slack.eye_turn);
+        }
         first.inside.count = 0;
         std::fill_n(first.inside_begin, world.bins, 0);
         std::fill_n(first.inside_end, world.bins, 0);
@@ -180,6 +221,7 @@ bool trace(const World<T>& world, const Eye<T>& eye, const Limits<T>& limits, co
             counts = before;
             if (batch.count > 1) return false;
             batch.sums[0] = {}, batch.past[0] = 0;
+            if constexpr (proves) batch.bounds[0] = 0;
             constexpr int first_of_parts = 2;
             start(first_of_parts);
             trace_in_parts<S>(world, limits, first_of_parts, 1, batch, workspace, counts);
@@ -189,9 +231,17 @@ bool trace(const World<T>& world, const Eye<T>& eye, const Limits<T>& limits, co
 }
 
 }  // namespace
+}  // namespace strahl::inline STRAHL_LEVEL::inline STRAHL_INSTANCE
 
+namespace strahl::inline STRAHL_LEVEL {
+
+#ifdef STRAHL_PROVES
+#define STRAHL_NAME proving_kernel
+#else
+#define STRAHL_NAME kernel
+#endif
 template <>
-Kernel<STRAHL_ELEMENT> kernel<STRAHL_ELEMENT>() {
+Kernel<STRAHL_ELEMENT> STRAHL_NAME<STRAHL_ELEMENT>() {
     using S = Widest<STRAHL_ELEMENT>;
     return {trace<S, STRAHL_ELEMENT>, width<S>};
 }

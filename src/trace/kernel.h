@@ -22,6 +22,7 @@ struct RayQueue {
     T* medium;  // list of bodies entered; only in nested worlds
     T* t;       // where the ray meets its body again; only of rays inside
     int count = 0;
+    T *away = nullptr, *turn = nullptr;  // see Doubt; only of proving kernels
 };
 inline constexpr int ray_arrays = 11;
 
@@ -80,16 +81,29 @@ struct Eye {
 template <class T>
 struct Sight {
     std::uint32_t signature = 0;
-    T glint = 0;                                         // what blunt highlights, of exponent 4, would bring
-    T distance = std::numeric_limits<T>::infinity();     // of the camera ray's hit
-    std::int32_t surface = -1;                           // of that hit
-    std::uint32_t lit = 0;                               // bit i: light i reaches that hit, see most_lit
-    T reflected[3] = {}, reflection = 0;                 // direction and weight of the ray reflected there
-    T further = 0;                                       // the longest way that rays went from there
+    T glint = 0;                                      // what blunt highlights, of exponent 4, would bring
+    T distance = std::numeric_limits<T>::infinity();  // of the camera ray's hit
+    std::int32_t surface = -1;                        // of that hit
+    std::uint32_t lit = 0;                            // bit i: light i reaches that hit, see most_lit
+    T reflected[3] = {}, reflection = 0;              // direction and weight of the ray reflected there
+    T further = 0;                                    // the longest way that rays went from there
 };
 
 /// The last bit of Sight::lit, which counts for all lights from this number on.
 inline constexpr int most_lit = 31;
+
+/// By how much a world's numbers may be off those of the scene, which are exact: proving kernels count it as an error
+/// of the ray. Infinite: nothing is known.
+template <class T>
+struct Slack {
+    T share = 0;                   // places and lengths of balls and cylinders, in their size and their distance from 0
+    T turn = 0;                    // directions: normals of planes and axes of cylinders
+    T plane = 0;                   // distances of planes from 0
+    T eye_away = 0, eye_turn = 0;  // of camera rays: where they start, and their directions
+    T gain = 1;                    // most by which bodies on its way multiply a light
+    T reach = 0;                   // the largest coordinate of a bounded body
+    bool fits() const { return share <= 8 * std::numeric_limits<T>::epsilon(); }  // into the margins of culling
+};
 
 /// How far rays are followed.
 template <class T>
@@ -100,6 +114,7 @@ struct Limits {
     T noticed = 0;                            // hits of no more weight do not count in signatures
     T brightest_limit = 0;                    // nor with any number of generations; infinite if there is no bound
     const std::atomic<bool>* stop = nullptr;  // if it becomes true the picture is no longer wanted
+    Slack<T> slack{};                         // for proving kernels
     bool stopped() const { return stop && stop->load(std::memory_order_relaxed); }
 };
 
@@ -117,6 +132,7 @@ struct PixelBatch {
     T* past;  // what each pixel lacks at most by generations past the last
     int count;
     Sight<T>* sights = nullptr;  // of each pixel, if that is wanted
+    T* bounds = nullptr;  // for proving kernels: no pixel's sum is further than this from that of exact arithmetic
 };
 
 /// Traces a batch. False if some generation has more rays than fit: the batch must be split, its sums thrown away. A
@@ -132,26 +148,37 @@ struct Kernel {
 };
 
 // One inline namespace for each instruction set; the kernel's own code lives in them, so that nothing merges when
-// linked. Each is there for float and double, the scalar one for long double too.
+// linked. Each is there for float and double, the scalar one for long double too; those that
+// prove for double alone.
 inline namespace scalar {
 template <class T>
 Kernel<T> kernel();
-}
+template <class T>
+Kernel<T> proving_kernel();
+}  // namespace scalar
 inline namespace v2 {
 template <class T>
 Kernel<T> kernel();
-}
+template <class T>
+Kernel<T> proving_kernel();
+}  // namespace v2
 inline namespace v3 {
 template <class T>
 Kernel<T> kernel();
-}
+template <class T>
+Kernel<T> proving_kernel();
+}  // namespace v3
 inline namespace v4 {
 template <class T>
 Kernel<T> kernel();
-}
+template <class T>
+Kernel<T> proving_kernel();
+}  // namespace v4
 inline namespace neon {
 template <class T>
 Kernel<T> kernel();
-}
+template <class T>
+Kernel<T> proving_kernel();
+}  // namespace neon
 
 }  // namespace strahl

@@ -31,6 +31,10 @@ function(strahl_kernel level elements)
     file(CONFIGURE OUTPUT ${folder}/${name}.cpp CONTENT "#define STRAHL_ELEMENT ${element}\n#include \"trace/kernel.cpp\"\n")
     list(APPEND sources ${folder}/${name}.cpp)
   endforeach()
+  # Proofs are in double.
+  file(CONFIGURE OUTPUT ${folder}/proving.cpp
+       CONTENT "#define STRAHL_ELEMENT double\n#define STRAHL_PROVES\n#include \"trace/kernel.cpp\"\n")
+  list(APPEND sources ${folder}/proving.cpp)
   foreach(kind ${strahl_kinds})
     set(header kind.h)
     if(kind STREQUAL Union)

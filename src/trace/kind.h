@@ -109,7 +109,7 @@ void FormFunctions<Form, S>::intersect_single(const World<T>& world, int first, 
     const auto& group = world.groups.template get<Form>();
     const Ray<S> ray = single.ray;
     for (int i = first; i < first + count; i += width<S>) {
-        const auto item = load_items<Item<Form, S>, S>(group.columns, group.stride, i);
+        const auto item = load_of_leaf<S>(group, first, count, i);
         auto span = cross<Form>(item, ray, cross_each);
         settle_start(world, i, 1, item, ray, first_lanes<S>(first + count - i), span);
         const S t = first_crossing(span);
@@ -146,7 +146,7 @@ bool FormFunctions<Form, S>::occlude_single(const World<T>& world, int first, in
     const Ray<S> ray = single.ray;
     const S distance(single.t);
     for (int i = first; i < first + count; i += width<S>) {
-        const auto item = load_items<Item<Form, S>, S>(group.columns, group.stride, i);
+        const auto item = load_of_leaf<S>(group, first, count, i);
         auto span = cross<Form>(item, ray, cross_each);
         settle_start(world, i, 1, item, ray, first_lanes<S>(first + count - i), span);
         auto crossed_by = crossed(span, span.hit & first_lanes<S>(first + count - i), distance);

@@ -39,15 +39,13 @@ struct BufferWalk {
 
     /// Of these lanes those whose items, all opaque, are in the way; tested one after the other.
     [[gnu::noinline]] Mask<S> darkened_one_by_one(Mask<S> lanes, int form, const int* items) const {
+        const S one(1);
         T dark[width<S>] = {};
         for (unsigned left = bits(lanes); left; left &= left - 1) {
             const int k = std::countr_zero(left);
-            const auto pick = [k](const Vec3<S>& v) {
-                return Vec3<S>(S(lane(v.x, k)), S(lane(v.y, k)), S(lane(v.z, k)));
-            };
-            SingleRay<S> one{.ray = {pick(ray.origin), pick(ray.direction), S(lane(ray.source, k))},
-                             .t = lane(distance, k)};
-            dark[k] = calls<S>(form).occlude_single(world, items[k], 1, one);
+            const Mask<S> own = first_lanes<S>(k + 1) & !first_lanes<S>(k);
+            Transmission<S> light{{one, one, one}, select(own, one, S(-1))};
+            dark[k] = calls<S>(form).occlude(world, items[k], 1, ray, distance, own, light);
         }
         return load_lanes<S>(dark) > S(0);
     }

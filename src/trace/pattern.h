@@ -19,8 +19,9 @@ struct PatternCalls {
     /// these surfaces.
     static void paint(const World<T>& world, const int* materials, const Vec3<S>& position, const S& surface,
                       MaterialKernel<S>& values);
-    /// The normals as the bumps of these materials bend them, of length 1.
-    static Vec3<S> bent(const World<T>& world, const int* materials, const Vec3<S>& position, const Vec3<S>& normal);
+    /// The normals at these positions of these surfaces as the materials bend them, of length 1.
+    static Vec3<S> bent(const World<T>& world, const int* materials, const Vec3<S>& position, const S& surface,
+                        const Vec3<S>& normal);
     /// A number for each of the pieces of a pattern that have edges in between: checks, bricks, ramps, repetitions of
     /// images; 0 where there are none.
     static S piece(const World<T>& world, const int* materials, const Vec3<S>& position, const S& surface);

@@ -4,7 +4,7 @@
 
 #include "trace/shading.h"
 
-namespace strahl::inline STRAHL_LEVEL {
+namespace strahl::inline STRAHL_LEVEL::inline STRAHL_INSTANCE {
 
 /// What is pruned at once is no more than this share of what a pixel may still lack: later and weaker rays, of which
 /// there are more, want some of it too.
@@ -65,4 +65,4 @@ STRAHL_INLINE void truncate(const Shading<S>& shading, const Hit<S>& hit) {
     }
 }
 
-}  // namespace strahl::inline STRAHL_LEVEL
+}  // namespace strahl::inline STRAHL_LEVEL::inline STRAHL_INSTANCE

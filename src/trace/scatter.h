@@ -2,7 +2,7 @@
 #pragma once
 #include "trace/prune.h"
 
-namespace strahl::inline STRAHL_LEVEL {
+namespace strahl::inline STRAHL_LEVEL::inline STRAHL_INSTANCE {
 
 /// A ray that goes on from a hit.
 template <class S>
@@ -10,6 +10,7 @@ struct Branch {
     Mask<S> mask;
     Vec3<S> direction;
     S weight, medium;
+    [[no_unique_address]] IfProving<Doubt<S>> doubt;
 };
 /// Lengths that are off by more than unit() mends: those of directions that come from normals of bodies too small for
 /// this kind of number. What culls packets of rays relies on the length. Rays without any direction end.
@@ -24,7 +25,7 @@ STRAHL_INLINE Branch<S> branch(const Hit<S>& hit, Mask<S> mask, const Vec3<S>& d
     using T = Element<S>;
     constexpr T mended = T(1) / (std::uint64_t(1) << (std::numeric_limits<T>::digits / 2 - 1));
     const S weight = min(hit.weight * share, S(largest_gain));
-    Branch<S> ray{Mask<S>(mask & (weight > S(0))), unit(direction), weight, medium};
+    Branch<S> ray{Mask<S>(mask & (weight > S(0))), unit(direction), weight, medium, {}};
     const Mask<S> off = ray.mask & !(abs(dot(direction, direction) - S(1)) <= S(mended));
     if (any(off)) [[unlikely]] {
         Branch<S> copy = ray;
@@ -43,6 +44,7 @@ STRAHL_INLINE void push(const Shading<S>& shading, RayQueue<Element<S>>& to, con
         for (int c = 0; c < 3; ++c) put(to.origin[c] + n, hit.position[c]), put(to.direction[c] + n, ray.direction[c]);
         put(to.source + n, hit.surface), put(to.pixel + n, hit.pixel), put(to.weight + n, ray.weight);
         if (shading.world.nested) put(to.medium + n, ray.medium);
+        if constexpr (proves) put(to.away + n, ray.doubt.away), put(to.turn + n, ray.doubt.turn);
     };
     if (all(ray.mask))
         put_with([](T* place, const S& value) { store_lanes(place, value); });
@@ -120,7 +122,13 @@ STRAHL_INLINE void keep_inside(const Shading<S>& shading, const Hit<S>& hit, Bra
     const Mask<S> in = hit.outside;
     Branch<S> within{Mask<S>((reflected.mask & !in) | (refracted.mask & in)),
                      select(in, refracted.direction, reflected.direction),
-                     select(in, refracted.weight, reflected.weight), S(0)};
+                     select(in, refracted.weight, reflected.weight),
+                     S(0),
+                     {}};
+    if constexpr (proves) {
+        within.doubt.away = select(in, refracted.doubt.away, reflected.doubt.away);
+        within.doubt.turn = select(in, refracted.doubt.turn, reflected.doubt.turn);
+    }
     const Span<S> span = span_of_item(shading.world, shading.world.sort_bins[hit.bin],
                                       Ray<S>{hit.position, within.direction, hit.surface});
     within.mask = within.mask & span.hit & (span.far > S(0));
@@ -131,13 +139,38 @@ STRAHL_INLINE void keep_inside(const Shading<S>& shading, const Hit<S>& hit, Bra
 }
 
 /// The mirrored direction where there are bumps. One that would go under the surface is mirrored again: by the surface
-/// itself, as POV-Ray does, either in place of the bent normal or, where that faces away from where the ray goes, after it.
+/// itself, as POV-Ray does, either in place of the bent normal or, where that faces away from where the ray goes, after
+/// it.
 template <class S>
 [[gnu::noinline, gnu::cold]] Vec3<S> reflect_bent(const Hit<S>& hit, const Vec3<S>& flat) {
     const Vec3<S> mirrored = reflect(hit);
     const Mask<S> under = dot(mirrored, flat) < S(0), turned = dot(mirrored, hit.normal) < S(0);
     const Vec3<S> from = select(turned, hit.direction, mirrored);
     return select(under, fma(S(-2) * dot(from, flat), flat, from), mirrored);
+}
+
+/// What is known of mirrored rays.
+template <class S>
+STRAHL_INLINE Doubt<S> bound_reflection(const HitBounds<S>& known) {
+    return {select(known.followed, known.away, S(-1)), select(known.followed, turn_reflected(known), S(0))};
+}
+
+/// What is known of refracted rays; c is the cosine before the surface, k its square beyond it and b the
+/// ratio of indices. Where it can't be told whether the reflection is total, and in worlds where rays keep medium
+/// stacks, the pixel's bound grows by all that the refracted light may be.
+template <class S>
+STRAHL_INLINE void bound_refraction(const Shading<S>& shading, const Hit<S>& hit, const HitBounds<S>& known,
+                                    Mask<S> glass, Mask<S> far, const S& b, const S& c, const S& k,
+                                    Branch<S>& refracted) {
+    const S k_error = error_beyond(known, b, c);
+    const Mask<S> told = abs(k) > k_error, all_told = first_lanes<S>(shading.world.nested ? 0 : width<S>);
+    const Mask<S> doubt = glass & known.followed & !(told & all_told & !far);
+    refracted.doubt.away = select(known.followed & !doubt, known.away, S(-1));
+    refracted.doubt.turn = select(known.followed & !doubt, turn_refracted(known, b, c, k, k_error), S(0));
+    if (none(doubt)) return;
+    const S most(shading.limits.brightest[shading.limits.depth - shading.depth]);
+    add_bounds(shading.batch, hit.pixel, count(hit.active),
+               select(doubt, hit.weight * hit.material.refraction * most, S(0)));
 }
 
 /// Queues reflected and refracted rays that can still be seen. The lanes whose own light can hardly be.
@@ -153,12 +186,13 @@ STRAHL_INLINE Mask<S> scatter(const Shading<S>& shading, const Hit<S>& hit, cons
         return light.pruned;
     }
     const auto mirrored = [&]() __attribute__((always_inline)) {
-        if (rare && world.bumps) [[unlikely]]
+        if (rare && world.bends) [[unlikely]]
             return reflect_bent(hit, known.flat);
         return reflect(hit);
     };
     if (!world.transparent || none(glass)) {
         Branch<S> reflected = branch(hit, hit.active, mirrored(), material.reflection, hit.medium);
+        if constexpr (proves) reflected.doubt = bound_reflection(known.bounds);
         Contribution<S> part(reflected.weight * brightest, reflected.mask);
         prune(shading, hit.pixel, part, light);
         reflected.mask = reflected.mask & !part.pruned;
@@ -169,7 +203,7 @@ STRAHL_INLINE Mask<S> scatter(const Shading<S>& shading, const Hit<S>& hit, cons
     S b = select(hit.outside, S(1) / material.ior, material.ior), medium = hit.medium;
     if (world.nested) change_medium(shading, hit, glass, b, medium);
     Vec3<S> normal = hit.normal;
-    if (rare && world.bumps) [[unlikely]]
+    if (rare && world.bends) [[unlikely]]
         normal = select(dot(hit.direction, normal) > S(0), -normal, normal);  // bent away from the eye: its other side
     const S s = -dot(hit.direction, normal);
     S k = fma(b * b, fma(s, s, S(-1)), S(1));
@@ -184,6 +218,10 @@ STRAHL_INLINE Mask<S> scatter(const Shading<S>& shading, const Hit<S>& hit, cons
     const S all = material.reflection + material.refraction;
     Branch<S> reflected = branch(hit, hit.active, mirrored(), select(total, all, material.reflection), hit.medium);
     Branch<S> refracted = branch(hit, glass & !total, beyond, material.refraction, medium);
+    if constexpr (proves) {
+        reflected.doubt = bound_reflection(known.bounds);
+        bound_refraction(shading, hit, known.bounds, glass, far, b, s, k, refracted);
+    }
     Contribution<S> reflected_part(reflected.weight * brightest, reflected.mask);
     Contribution<S> refracted_part(refracted.weight * brightest, refracted.mask);
     prune(shading, hit.pixel, reflected_part, refracted_part, light);
@@ -197,4 +235,4 @@ STRAHL_INLINE Mask<S> scatter(const Shading<S>& shading, const Hit<S>& hit, cons
     return light.pruned;
 }
 
-}  // namespace strahl::inline STRAHL_LEVEL
+}  // namespace strahl::inline STRAHL_LEVEL::inline STRAHL_INSTANCE

@@ -5,8 +5,11 @@
 #include "trace/fog.h"
 #include "trace/illuminate.h"
 #include "trace/scatter.h"
+#ifdef STRAHL_PROVES
+#include "trace/proving.h"
+#endif
 
-namespace strahl::inline STRAHL_LEVEL {
+namespace strahl::inline STRAHL_LEVEL::inline STRAHL_INSTANCE {
 
 /// Rays that hit nothing bring back the background.
 template <class S>
@@ -27,6 +30,12 @@ void shade_misses(const Shading<S>& shading) {
         if (world.fog) [[unlikely]]
             color = splat<S>(world.fog_color);
         add_light(shading.batch, pixel, pick.lanes, scale(weight, color));
+        if constexpr (proves) {
+            const S most = world.sky || world.fog ? weight * S(brightest_of(shading.limits, shading.depth))
+                                                  : rounding_of(scale(weight, color), shading.depth, 0);
+            const Mask<S> followed = first_lanes<S>(pick.lanes) & (pick(shading.rays.open.away) >= S(0));
+            add_bounds(shading.batch, pixel, pick.lanes, select(followed, most, S(0)));
+        }
     }
 }
 
@@ -134,6 +143,23 @@ STRAHL_INLINE Hit<S> make_hit(const Shading<S>& shading, int bin, const RayQueue
             bin};
 }
 
+/// What is known of hits, but for colours and normals by patterns, fog, and insides that are only nearly known.
+template <class S>
+STRAHL_INLINE HitBounds<S> bounds_of(const Shading<S>& shading, const Hit<S>& hit, const RayQueue<Element<S>>& from,
+                                     const LaneIndices<S>& pick, const Element<S>* t, bool within,
+                                     const HitMaterial<S>& material) {
+    const auto& world = shading.world;
+    const Ray<S> ray{{pick(from.origin.x), pick(from.origin.y), pick(from.origin.z)},
+                     {pick(from.direction.x), pick(from.direction.y), pick(from.direction.z)},
+                     pick(from.source)};
+    alignas(64) Element<S> known[width<S>];
+    for (int k = 0; k < width<S>; ++k)
+        known[k] = !(world.fog || world.bends || (world.patterns && patterned(world, material.numbers[k])) ||
+                     (within && !shading.limits.slack.fits()));
+    return bound_hits(shading, hit, ray, {pick(from.away), pick(from.turn)}, pick(t), pick(from.weight), pick.lanes,
+                      load_lanes<S>(known) > S(0));
+}
+
 /// Shades the hits of a bin. False if the queues are full.
 template <class S>
 bool shade_bin(const Shading<S>& shading, int bin) {
@@ -156,9 +182,11 @@ bool shade_bin(const Shading<S>& shading, int bin) {
         if (world.fog) [[unlikely]]
             hit.weight = left_by_fog(world, S(hit.weight), S(hit.medium), pick(t));
         RareHit<S> rare;
+        if constexpr (proves) rare.bounds = bounds_of(shading, hit, from, pick, t, within, material);
         if (shading.rare) [[unlikely]] {
             rare.flat = hit.normal;
-            if (world.bumps) hit.normal = PatternCalls<S>::bent(world, material.numbers, hit.position, rare.flat);
+            if (world.bends)
+                hit.normal = PatternCalls<S>::bent(world, material.numbers, hit.position, hit.surface, rare.flat);
             if (shading.batch.sights) {
                 S seen_from = pick(from.source);
                 if (world.patterns)
@@ -175,9 +203,13 @@ bool shade_bin(const Shading<S>& shading, int bin) {
         if (world.fog) [[unlikely]]
             light = fma(pick(from.weight) - hit.weight, splat<S>(world.fog_color), light);
         add_light(shading.batch, hit.pixel, pick.lanes, light);
+        if constexpr (proves) {
+            const S off = fma(hit.weight, rare.bounds.off, rounding_of(light, shading.depth, world.light_count));
+            add_bounds(shading.batch, hit.pixel, pick.lanes, select(rare.bounds.followed, off, S(0)));
+        }
     }
     next.inside_end[bin] = next.inside.count;
     return true;
 }
 
-}  // namespace strahl::inline STRAHL_LEVEL
+}  // namespace strahl::inline STRAHL_LEVEL::inline STRAHL_INSTANCE

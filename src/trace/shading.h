@@ -4,7 +4,38 @@
 #include "trace/query.h"
 #include "trace/shading_math.h"
 
-namespace strahl::inline STRAHL_LEVEL {
+// Code of the plain and of the proving instances of the kernel, which are the same text.
+#ifdef STRAHL_PROVES
+#include "trace/proving_query.h"
+#define STRAHL_INSTANCE proving
+#else
+#define STRAHL_INSTANCE plain
+#endif
+
+namespace strahl::inline STRAHL_LEVEL::inline STRAHL_INSTANCE {
+
+/// Does this instance of the kernel prove? Then bounds of errors travel with rays, see proving.h.
+#ifdef STRAHL_PROVES
+inline constexpr bool proves = true;
+#else
+inline constexpr bool proves = false;
+template <class S>
+struct Doubt;
+#endif
+struct Nothing {};
+template <class S>
+struct LitBounds;
+template <class Value>
+using IfProving = std::conditional_t<proves, Value, Nothing>;
+
+/// What is known of a pack of hits besides what the plain kernel knows.
+template <class S>
+struct HitBounds {
+    S away{0}, normal{0};  // see PointBounds
+    S turn{0};             // of the rays that came
+    S off{0};              // bound of the error of the light that the hit sends back, before its weight
+    Mask<S> followed;      // lanes whose errors are bounded; those of all others are in their pixels' bounds
+};
 
 /// The shading of one generation.
 template <class S>
@@ -60,6 +91,7 @@ template <class S>
 struct RareHit {
     std::uint32_t words[width<S>];
     Vec3<S> flat;
+    [[no_unique_address]] IfProving<HitBounds<S>> bounds;
 };
 
 template <class S>
@@ -73,4 +105,4 @@ STRAHL_INLINE void add_light(const PixelBatch<Element<S>>& batch, const S& pixel
     add_lanes(batch.sums[0].rgb, pixel, lanes, light);
 }
 
-}  // namespace strahl::inline STRAHL_LEVEL
+}  // namespace strahl::inline STRAHL_LEVEL::inline STRAHL_INSTANCE

@@ -2,7 +2,7 @@
 #pragma once
 #include "trace/shading.h"
 
-namespace strahl::inline STRAHL_LEVEL {
+namespace strahl::inline STRAHL_LEVEL::inline STRAHL_INSTANCE {
 
 /// Mixes a word into a hash, lane by lane in plain arrays, which the compiler turns into vectors. Multiplications by
 /// odd numbers and shifts lose nothing (M. E. O'Neill, "PCG: A Family of Simple Fast Space-Efficient Statistically Good
@@ -50,7 +50,8 @@ template <class S>
         std::uint32_t word = mixed(depth, bits_of(surfaces[k]));
         word = mixed(word, bits_of(sides[k]));
         word = mixed(word, bits_of(sources[k]));
-        rare.words[k] = weights[k] > shading.limits.noticed ? mixed(word, weight_word(shading.world, weights[k])) | 1 : 0;
+        rare.words[k] =
+            weights[k] > shading.limits.noticed ? mixed(word, weight_word(shading.world, weights[k])) | 1 : 0;
     }
     for (int k = 0; k < lanes; ++k) {
         Sight<T>& sight = shading.batch.sights[static_cast<int>(pixels[k])];
@@ -104,4 +105,4 @@ template <class S>
     }
 }
 
-}  // namespace strahl::inline STRAHL_LEVEL
+}  // namespace strahl::inline STRAHL_LEVEL::inline STRAHL_INSTANCE

@@ -13,8 +13,8 @@
 
 namespace strahl {
 
-/// Begins at time 0, at which bodies are as they are declared (see matrix), unless they follow tracks. Whether any moves
-/// is looked up when another time is asked for, so that other scenes are not searched.
+/// Begins at time 0, at which bodies are as they are declared (see matrix), unless they follow tracks. Whether any
+/// moves is looked up when another time is asked for, so that other scenes are not searched.
 class Stage {
   public:
     explicit Stage(Scene&& own) : now(std::move(own)) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "num/vec_math.h"
 #include "trace/cells.h"
@@ -44,8 +45,11 @@ double growth_of(const Quad& directions, const DVec3& axis) {
 
 }  // namespace
 
-Thin::Thin(const Scene& scene, const View& view)
-    : bodies(scene), lights(points_of(scene.lights)), eye(view.camera.position) {
+Thin::Thin(const Scene& scene, const View& view, std::shared_ptr<const ThinBodies> known)
+    : own(known ? std::move(known) : std::make_shared<const ThinBodies>(scene)),
+      bodies(*own),
+      lights(points_of(scene.lights)),
+      eye(view.camera.position) {
     const CameraFrame frame = frame_of(view.camera, static_cast<double>(view.width) / view.height);
     right = (2 * frame.tan_x / view.width) * frame.right, down = (2 * frame.tan_y / view.height) * frame.down;
     diagonal = std::sqrt(square(right + down));
@@ -70,7 +74,7 @@ bool Thin::hides_in(const std::array<Corner, 4>& corners, double least) const {
     }
     one_surface = one_surface && corners[0].sample->surface >= 0;
     // How far apart the corners are, at most. Where all bodies are larger, neither they nor their shadows are thin.
-    const double own_growth = (corners[2].x - corners[0].x) * diagonal / 2;
+    const double own_growth = std::max(corners[2].x - corners[0].x, corners[2].y - corners[0].y) * diagonal / 2;
     const double across = 2 * own_growth * (furthest + 2 * bodies.least());
     const bool wide = !(across + furthest - nearest < .99 * bodies.least());
     Quad places, reflected;
@@ -95,7 +99,11 @@ bool Thin::hides_in(const std::array<Corner, 4>& corners, double least) const {
 Tube Thin::from_eye(const Quad& directions, double furthest) const {
     const DVec3 axis = unit(middle_of(directions));
     const double growth = growth_of(directions, axis);
-    return {.from = eye, .direction = axis, .length = furthest, .radius = 0, .growth = growth,
+    return {.from = eye,
+            .direction = axis,
+            .length = furthest,
+            .radius = 0,
+            .growth = growth,
             .area = area(directions, axis) / (growth * growth)};
 }
 
@@ -127,7 +135,11 @@ bool Thin::hides_reflection(const Quad& points, double radius, const Quad& direc
     if (!(start + growth * longest >= .99 * bodies.least())) return false;
     const double near_area = area(points, axis) / (start * start);
     const double far_area = growth > 0 ? area(directions, axis) / (growth * growth) : near_area;
-    return bodies.meets({.from = middle, .direction = axis, .length = furthest, .radius = start, .growth = growth,
+    return bodies.meets({.from = middle,
+                         .direction = axis,
+                         .length = furthest,
+                         .radius = start,
+                         .growth = growth,
                          .area = std::min(near_area, far_area)},
                         least, points);
 }

@@ -3,6 +3,7 @@
 // that they are there.
 #pragma once
 #include <array>
+#include <memory>
 #include <vector>
 
 #include "trace/tracer.h"
@@ -21,7 +22,8 @@ struct Corner {
 /// What the samples of a view may miss.
 class Thin {
   public:
-    Thin(const Scene& scene, const View& view);
+    /// `known` are the bodies of this scene, if they were asked for before.
+    Thin(const Scene& scene, const View& view, std::shared_ptr<const ThinBodies> known = nullptr);
 
     /// May something lie between the corners that concerns at least the share `least` of the cell? A body that the
     /// camera sees; and where the corners are on one surface, a body's shadow, or its reflection if the surface is
@@ -35,7 +37,8 @@ class Thin {
     bool hides_reflection(const Quad& points, double radius, const Quad& directions, double furthest,
                           double least) const;
 
-    const ThinBodies bodies;
+    const std::shared_ptr<const ThinBodies> own;
+    const ThinBodies& bodies;
     const std::vector<Light> lights;
     DVec3 eye, first, right, down;  // the direction through (x, y) is that of first + x right + y down
     double diagonal;                // of a pixel, at distance 1

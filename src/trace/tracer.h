@@ -36,8 +36,8 @@ bool for_other_processors();
 /// Lanes of a pack (1 for scalar and for extended precision).
 int lanes(Precision precision, Simd simd);
 
-/// Pixels x + i * step_x, y + j * step_y for 0 <= i < columns, 0 <= j < rows of a picture. A crop has steps of 1; the
-/// passes of a progressive picture are coarse lattices that together meet every pixel once.
+/// Pixels x + i * step_x, y + j * step_y for 0 <= i < columns, 0 <= j < rows of a picture. A crop has steps of 1, the
+/// window's resolution levels have steps of 16 to 1.
 struct Lattice {
     int x = 0, y = 0, columns = 0, rows = 0, step_x = 1, step_y = 1;
 };
@@ -47,6 +47,8 @@ struct Lattice {
 struct Tile {
     Lattice lattice;
     std::variant<std::span<const float>, std::span<const double>> rgb;
+    /// With View::prove, of each pixel: no channel is further than this from what exact arithmetic would give.
+    std::span<const double> bounds{};
 };
 /// Copies a tile to its place among the values of the lattice that is being traced, 3 for each pixel, row by row.
 template <class T>
@@ -71,6 +73,9 @@ struct View {
     double shift_x = 0, shift_y = 0;  // of the sampling point from the pixel's centre, in pixels
     double error = 0;  // a pixel may lack this much light in a channel: weak rays are left out until they add up to it
     double time = 0;   // in seconds: where moving bodies and lights are
+    /// Tiles come with bounds of their errors; one ray in each pixel, in float64. What is exact goes through the
+    /// pixel's middle: by how much a shift changes it is in the bound.
+    bool prove = false;
     std::shared_ptr<const std::vector<Track>> tracks{};  // if any, in place of the scene's
 };
 
@@ -95,6 +100,12 @@ class Tracer {
     /// were handed to the sink are whole in both cases. Not to be called from two threads at once.
     Counts trace(const View& view, const Lattice& lattice, ThreadPool& pool, const Sink& sink,
                  const std::atomic<bool>* stop = nullptr);
+
+    /// The same with rays only where the picture is not smooth; what lies between is interpolated (lattice_cells.h).
+    /// Pixels that are filled are off by half of `contrast`, in linear values, and few by more: not a bound. Worlds of
+    /// very many bodies are traced as they are. A crop must begin at multiples of 8 pixels of the lattice.
+    Counts trace_filled(const View& view, const Lattice& lattice, double contrast, ThreadPool& pool, const Sink& sink,
+                        const std::atomic<bool>* stop = nullptr);
 
     /// The same with more than one ray in a pixel: of a region, a lattice with steps of 1. Values are in double, in
     /// every precision.

@@ -1,6 +1,7 @@
 // A tracer of one precision.
 #pragma once
 #include <atomic>
+#include <cmath>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -11,8 +12,10 @@
 #include "trace/cell_picture.h"
 #include "trace/light_buffer.h"
 #include "trace/moving_hierarchy.h"
+#include "trace/slack.h"
 #include "trace/stage.h"
 #include "trace/thread_pool.h"
+#include "trace/world_arrays.h"
 
 namespace strahl {
 
@@ -21,6 +24,8 @@ struct AnyTracer {
     virtual ~AnyTracer() = default;
     virtual void prepare(const View&, ThreadPool&) = 0;
     virtual Counts trace(const View&, const Lattice&, ThreadPool&, const Sink&, const std::atomic<bool>*) = 0;
+    virtual Counts trace_filled(const View&, const Lattice&, double, ThreadPool&, const Sink&,
+                                const std::atomic<bool>*) = 0;
     virtual Counts trace_grids(const View&, const Sampling&, const Lattice&, ThreadPool&, const Sink&,
                                const std::atomic<bool>*) = 0;
     virtual Counts trace_cells(const View&, CellPicture&, int, ThreadPool&, const Sink&, const std::atomic<bool>*) = 0;
@@ -53,11 +58,39 @@ Kernel<T> kernel_for(Simd simd) {
     return scalar::kernel<T>();
 }
 
+/// Proofs are in double.
+template <class T>
+Kernel<T> proving_kernel_for(Simd simd) {
+    if constexpr (std::is_same_v<T, double>) {
+#if defined(STRAHL_KERNEL_v2)
+        if (simd == Simd::v2) return v2::proving_kernel<T>();
+#endif
+#if defined(STRAHL_KERNEL_v3)
+        if (simd == Simd::v3) return v3::proving_kernel<T>();
+#endif
+#if defined(STRAHL_KERNEL_v4)
+        if (simd == Simd::v4) return v4::proving_kernel<T>();
+#endif
+#if defined(STRAHL_KERNEL_neon)
+        if (simd == Simd::neon) return neon::proving_kernel<T>();
+#endif
+        return scalar::proving_kernel<T>();
+    } else {
+        static_cast<void>(simd);
+        return {};
+    }
+}
+
 template <class T>
 class TracerOf : public AnyTracer {
+    using Out = typename Batches<T>::Out;
+
   public:
     TracerOf(Scene&& own, Simd simd)
-        : AnyTracer(std::move(own)), extent(extent_of(scene())), kernel(kernel_for<T>(simd)) {}
+        : AnyTracer(std::move(own)),
+          extent(extent_of(scene())),
+          kernel(kernel_for<T>(simd)),
+          proving(proving_kernel_for<T>(simd)) {}
 
     void prepare(const View& view, ThreadPool& pool) override {
         const bool moved = stage.set(view.time, view.tracks, pool);
@@ -65,49 +98,73 @@ class TracerOf : public AnyTracer {
         const Placement wanted = placement(extent, view.camera.position);
         if (built && wanted == placed && !moved) return;
         light_buffers.reset(), pixels = 0;
-        built.reset();
+        if (moved) thin_bodies.reset();
+        built.reset(), slack.reset();
         built = std::make_unique<BuiltWorld<T>>(scene(), wanted, pool, stage.moves() ? &moving : nullptr);
         placed = wanted;
     }
 
     Counts trace(const View& view, const Lattice& lattice, ThreadPool& pool, const Sink& sink,
                  const std::atomic<bool>* stop) override {
-        return each_tile(view, lattice, pool, stop,
-                         [&](Batches<T>& batches, const Lattice& tile) { batches.trace_tile(tile, sink); });
+        return each_tile(view, lattice, lattice_tile, 0, pool, stop,
+                         [&](Batches<T>& batches, const Lattice& tile, int) { batches.trace_tile(tile, sink); });
+    }
+
+    Counts trace_filled(const View& view, const Lattice& lattice, double contrast, ThreadPool& pool, const Sink& sink,
+                        const std::atomic<bool>* stop) override {
+        prepare(view, pool);
+        // To learn what is thin takes longer than cells save.
+        constexpr std::size_t many = 10000, many_moving = 1000;
+        if (scene().primitives.size() > (stage.moves() ? many_moving : many))
+            return trace(view, lattice, pool, sink, stop);
+        if (!thin_bodies) thin_bodies = std::make_shared<const ThinBodies>(scene());
+        const Thin thin(scene(), view, thin_bodies);
+        lattice_cells.resize(std::max<std::size_t>(lattice_cells.size(), pool.size()));
+        int side = LatticeCells<Out>::side;  // smaller where threads would wait for the last ones; pixels are the same
+        const double few = 8. * pool.size(), all = double(lattice.columns) * lattice.rows;
+        while (side > lattice_tile && all < few * side * side) side /= 2;
+        return each_tile(view, lattice, side, contrast, pool, stop,
+                         [&](Batches<T>& batches, const Lattice& tile, int thread) {
+                             batches.trace_filled(tile, contrast, thin, placed.scale, lattice_cells[thread], sink);
+                         });
     }
 
     Counts trace_grids(const View& view, const Sampling& sampling, const Lattice& region, ThreadPool& pool,
                        const Sink& sink, const std::atomic<bool>* stop) override {
-        return each_tile(view, region, pool, stop,
-                         [&](Batches<T>& batches, const Lattice& tile) { batches.trace_grid(tile, sampling, sink); });
+        return each_tile(view, region, lattice_tile, 0, pool, stop, [&](Batches<T>& batches, const Lattice& tile, int) {
+            batches.trace_grid(tile, sampling, sink);
+        });
     }
 
     Counts trace_cells(const View& view, CellPicture& picture, int finest, ThreadPool& pool, const Sink& sink,
                        const std::atomic<bool>* stop) override {
-        const auto refine = [&](Batches<T>& batches, int i) {
-            picture.refine(i, finest, sink, stop, [&](int x, int y, std::span<const Point> points, CellSample* samples) {
-                batches.trace_points(x, y, placed.scale, points, samples);
-            });
+        const auto refine = [&](Batches<T>& batches, int i, int) {
+            picture.refine(i, finest, sink, stop,
+                           [&](int x, int y, std::span<const Point> points, CellSample* samples) {
+                               batches.trace_points(x, y, placed.scale, points, samples);
+                           });
         };
         return each(view, picture.tiles(), picture.contrast(), pool, stop, refine);
     }
 
   private:
-    /// Calls work(batches, tile) for the tiles of a lattice, on all threads.
+    /// Calls work(batches, tile, thread) for the tiles of a lattice, on all threads.
     template <class Work>
-    Counts each_tile(const View& view, const Lattice& lattice, ThreadPool& pool, const std::atomic<bool>* stop,
-                     const Work& work) {
-        const int columns = (lattice.columns + lattice_tile - 1) / lattice_tile;
-        const int tiles = columns * ((lattice.rows + lattice_tile - 1) / lattice_tile);
-        return each(view, tiles, 0, pool, stop, [&](Batches<T>& batches, int i) {
-            const int x = i % columns * lattice_tile, y = i / columns * lattice_tile;
-            work(batches, Lattice{lattice.x + x * lattice.step_x, lattice.y + y * lattice.step_y,
-                                  std::min(lattice_tile, lattice.columns - x), std::min(lattice_tile, lattice.rows - y),
-                                  lattice.step_x, lattice.step_y});
+    Counts each_tile(const View& view, const Lattice& lattice, int side, double noticed, ThreadPool& pool,
+                     const std::atomic<bool>* stop, const Work& work) {
+        const int columns = (lattice.columns + side - 1) / side;
+        const int tiles = columns * ((lattice.rows + side - 1) / side);
+        return each(view, tiles, noticed, pool, stop, [&](Batches<T>& batches, int i, int thread) {
+            const int x = i % columns * side, y = i / columns * side;
+            work(batches,
+                 Lattice{lattice.x + x * lattice.step_x, lattice.y + y * lattice.step_y,
+                         std::min(side, lattice.columns - x), std::min(side, lattice.rows - y), lattice.step_x,
+                         lattice.step_y},
+                 thread);
         });
     }
 
-    /// Calls work(batches, i) for 0 <= i < tiles, on all threads.
+    /// Calls work(batches, i, thread) for 0 <= i < tiles, on all threads.
     template <class Work>
     Counts each(const View& view, int tiles, double noticed, ThreadPool& pool, const std::atomic<bool>* stop,
                 const Work& work) {
@@ -122,7 +179,7 @@ class TracerOf : public AnyTracer {
         World<T> world = built->world();
         world.eye = eye.position;
         pixels += std::int64_t(tiles) * lattice_tile * lattice_tile;
-        if (!light_buffers && LightBuffers<T>::pay(world, pixels))
+        if (!view.prove && !light_buffers && LightBuffers<T>::pay(world, pixels))
             light_buffers = std::make_unique<LightBuffers<T>>(world, pool);
         if (light_buffers) world.light_buffers = light_buffers->buffers();
         const Limits<T> limits{.depth = view.depth,
@@ -130,7 +187,8 @@ class TracerOf : public AnyTracer {
                                .brightest = brightest.data(),
                                .noticed = static_cast<T>(noticed),
                                .brightest_limit = upper<T>(bound.limit),
-                               .stop = stop};
+                               .stop = stop,
+                               .slack = view.prove ? slack_for(view, world, bound.gain) : Slack<T>{}};
         const std::vector<int> around = built->bodies_around(view.camera.position);
         std::atomic<int> next{0};
         std::vector<Counts> counts(pool.size());
@@ -140,8 +198,8 @@ class TracerOf : public AnyTracer {
             int list = 0;
             for (const int body : around) list = push(workspace.mediums, list, body);
             own.medium = static_cast<T>(list);
-            Batches<T> batches(world, kernel, own, limits, workspace);
-            for (int i; !limits.stopped() && (i = next++) < tiles;) work(batches, i);
+            Batches<T> batches(world, view.prove ? proving : kernel, own, limits, workspace, view.prove);
+            for (int i; !limits.stopped() && (i = next++) < tiles;) work(batches, i, thread);
             counts[thread] = batches.counts;
         };
         pool.run([&](int thread) {
@@ -157,14 +215,44 @@ class TracerOf : public AnyTracer {
         return sum;
     }
 
+    Slack<T> slack_for(const View& view, const World<T>& world, double gain) {
+        if constexpr (std::is_same_v<T, double>) {
+            if (!slack) {
+                slack = slack_of(scene(), placed);
+                if (lacks_items(world)) slack->share = slack->turn = slack->plane = HUGE_VAL;
+            }
+            Slack<double> all = *slack;
+            add_eye(all, view, placed);
+            all.gain = gain;
+            all.reach = world.rounding / WorldArrays<T>::rounding(1);
+            return all;
+        } else {
+            static_cast<void>(view), static_cast<void>(world), static_cast<void>(gain);
+            return {};
+        }
+    }
+
+    /// Were bodies left out whose numbers in T are those of another? That they are the same in the scene is not known.
+    bool lacks_items(const World<T>& world) const {
+        ItemCounts declared;
+        for (const Primitive& primitive : scene().primitives) count_items<T>(primitive, declared);
+        int form = 0;
+        bool lacks = false;
+        world.groups.each([&](const auto& group) { lacks |= group.count != declared.items[form++]; });
+        return lacks;
+    }
+
     Extent extent;
     MovingHierarchy moving;
-    Kernel<T> kernel;
+    Kernel<T> kernel, proving;
+    std::optional<Slack<double>> slack;  // of the world's bodies, once proofs want it
     Placement placed;
     std::unique_ptr<BuiltWorld<T>> built;
     std::unique_ptr<LightBuffers<T>> light_buffers;  // once they pay
     std::int64_t pixels = 0;                         // traced in this world
+    std::shared_ptr<const ThinBodies> thin_bodies;   // once they are asked for
     std::vector<std::unique_ptr<Workspace<T>>> workspaces;
+    std::vector<LatticeCells<Out>> lattice_cells;  // one for each thread
 };
 
 }  // namespace strahl

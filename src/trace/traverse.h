@@ -114,11 +114,11 @@ class PacketBounds {
     using E = Element<F>;
 
   public:
-    STRAHL_INLINE PacketBounds(const TraversalRay<S>& ray, Mask<S> active) {
+    STRAHL_INLINE PacketBounds(const auto& ray, Mask<S> active) {
         const S most(std::numeric_limits<T>::infinity());
         for (int i = 0; i < 3; ++i) {
-            const T origin_least = least(select(active, ray.origin[i], most));
-            const T origin_most = -least(select(active, -ray.origin[i], most));
+            const T origin_least = least(select(active, ray.low(i), most));
+            const T origin_most = -least(select(active, -ray.high(i), most));
             const T inverse_least = least(select(active, ray.inverse[i], most));
             const T inverse_most = -least(select(active, -ray.inverse[i], most));
             sign[i] = inverse_least > 0 ? 1 : inverse_most < 0 ? -1 : 0;
@@ -237,8 +237,8 @@ STRAHL_INLINE void traverse_single(const Node* nodes, int root, const R<S>& ray,
 /// Traverses a hierarchy with a pack of rays: visit(leaf, mask) for leaves, with the lanes whose rays cross its box,
 /// until that returns true. Where few rays are left, each goes on by itself: single(lane, leaf), which may be an inner
 /// node. What is asked of a ray does not depend on its neighbours if `sorted` is false, and else but for the order.
-template <bool sorted, class S, class Visit, class Single>
-STRAHL_INLINE void traverse(const Node* nodes, const TraversalRay<S>& ray, Mask<S> active, const S& limit,
+template <bool sorted, template <class> class R, class S, class Visit, class Single>
+STRAHL_INLINE void traverse(const Node* nodes, const R<S>& ray, Mask<S> active, const S& limit,
                             const Visit& visit, const Single& single) {
     using F = ForBoxes<S>;
     using T = Element<F>;

@@ -59,10 +59,24 @@ Workspace<T>::Workspace() {
     T* const first = values.get() + ray_arrays * queue_capacity;
     hits = {first, first + queue_capacity, order_by_bin.get(), counts.data()};
     refracted_queue = queue_in(values.get());
-    pixels_x.resize(batch_pixels + widest_pack), pixels_y.resize(batch_pixels + widest_pack);
+    pixels_x.resize(scattered_pixels + widest_pack), pixels_y.resize(scattered_pixels + widest_pack);
     order.resize(batch_pixels);
-    sums.resize(batch_pixels), past.resize(batch_pixels);
-    sights.resize(batch_pixels);
+    sums.resize(scattered_pixels), past.resize(scattered_pixels);
+    sights.resize(scattered_pixels);
+}
+
+template <class T>
+void Workspace<T>::hold_doubts(RayQueue<T>& queue) {
+    doubts.push_back(zeros<T>(2 * queue_capacity));
+    queue.away = doubts.back().get(), queue.turn = queue.away + queue_capacity;
+}
+
+template <class T>
+void Workspace<T>::hold_bounds() {
+    if (!bounds.empty()) return;
+    bounds.resize(scattered_pixels);
+    hold_doubts(refracted_queue);
+    for (const auto& made : held) hold_doubts(made->generation.open), hold_doubts(made->generation.inside);
 }
 
 template <class T>
@@ -74,6 +88,7 @@ Generation<T>& Workspace<T>::generation(int slot) {
         made.stretches.resize(2 * most_bins);
         made.generation = {queue_in(made.values.get()), queue_in(made.values.get() + ray_arrays * queue_capacity),
                            made.stretches.data(), made.stretches.data() + most_bins};
+        if (!bounds.empty()) hold_doubts(made.generation.open), hold_doubts(made.generation.inside);
     }
     return held[slot]->generation;
 }

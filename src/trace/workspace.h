@@ -18,6 +18,9 @@ class MediumStacks {
     std::unordered_map<std::uint64_t, int> known;
 };
 
+/// Most pixels in a batch of scattered ones, in which each body is seen by few.
+inline constexpr int scattered_pixels = 1024;
+
 template <class T>
 class Workspace {
   public:
@@ -31,10 +34,15 @@ class Workspace {
     std::vector<PixelSum<T>> sums;
     std::vector<T> past;
     std::vector<Sight<T>> sights;
-    int batch = batch_pixels;  // pixels that last fitted
+    int batch = scattered_pixels;  // pixels that last fitted
+    std::vector<T> bounds;         // of the pixels, for proving kernels
+    /// Makes room for what proving kernels add to rays.
+    void hold_bounds();
 
   private:
     Buffer<T> values, order_by_bin;
+    std::vector<Buffer<T>> doubts;
+    void hold_doubts(RayQueue<T>& queue);
     std::vector<std::int32_t> counts;
     struct Held {
         Buffer<T> values;

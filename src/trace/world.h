@@ -56,8 +56,10 @@ struct ImageKernel {
     bool once;
     Vec3<T> around;  // where it is there once: the colour outside
     T border;        // and how much before 0 and 1 it begins and ends
-    // Of one that is mapped by uv: the surfaces of the mesh, the numbers of their corners' places, and these. Null where
-    // there are none.
+};
+/// Where the corners of a mesh are by uv: its surfaces, the numbers of their corners' places, and these. Null of other
+/// bodies.
+struct PlacesKernel {
     std::int32_t first_surface, surfaces;
     const MeshData::Corners* corners;
     const MeshData::Place* places;
@@ -66,22 +68,38 @@ struct ImageKernel {
 template <class T>
 struct PatternKernel {
     PatternForm form;
+    bool by_uv;  // then p is where the surface is by uv, and not in the world
     std::int32_t first_stop, stops, octaves;
     Vec3<T> rows[3], offset;
     Vec3<T> mortar;  // its share of a brick along each axis
     T border, turbulence, omega, lambda;
     ImageKernel<T> image;
+    PlacesKernel places;
     Vec3<T> ambient;        // Ia Ka
     T diffuse, refraction;  // Kd, Kt
 };
-/// The bump of a material in the space of one body: n is bent to n + |columns^T n| times the sum of value(p + step)
-/// bend. The steps are in the kernel's space of the pattern. Without columns there is none.
+/// What bends the normals of a material in the space of one body.
 template <class T>
-struct BumpKernel {
+struct ReliefKernel {
     PatternKernel<T> pattern;
+    bool flat;           // nothing does
     Vec3<T> columns[3];  // what the axes of the pattern's space are in the world, the longest of length 1
+};
+/// n is bent to n + |columns^T n| times the sum of value(p + step) bend. The steps are in the kernel's space of the
+/// pattern.
+template <class T>
+struct BumpKernel : ReliefKernel<T> {
     Vec3<T> steps[4], bends[4];
-    bool flat;
+};
+template <class T>
+struct NormalMapKernel : ReliefKernel<T> {
+    T height;
+};
+/// What a material has of both.
+template <class T>
+struct BendKernel {
+    NormalMapKernel<T> map;
+    BumpKernel<T> bump;
 };
 template <class T>
 struct ColorStopKernel {
@@ -136,10 +154,9 @@ struct Group {
     using ItemOf = Item<F, S>;
     const Item<F, T>* items = nullptr;
     int count = 0, in_hierarchy = 0;
-    // Item i's field f once more is columns[f * stride + i], and a pack may be read past the end of each column. Only
-    // where there is a hierarchy.
+    // The items of the leaves once more, field by field: field f of the i-th of a leaf's n items, the first of which is
+    // item k, is columns[k * fields + f * n + i]. A pack may be read past the end. Only where there is a hierarchy.
     const T* columns = nullptr;
-    std::size_t stride = 0;
     int first_bin = 0;  // its bins are this one and, if there is a bin per item, one for each
 };
 
@@ -158,10 +175,13 @@ struct CompositeLeaf {
     std::int32_t surface, faces;  // the number of its first face, and how many it has
     std::int32_t half_space;      // 0 if it is none; else whether it is behind its plane's normal (1) or before it (-1)
     const Node* nodes = nullptr;  // of a mesh: the hierarchy of its triangles, which are the items from `item` on
+    std::int32_t first_key = 0;   // of a mesh: the key of its first triangle, if that has one of its own
+    bool in_planes = false;       // of a mesh: some of its triangles have the keys of planes
 };
 /// How the insides of leaves make the inside of the whole: the next leaf, or the last two results as one.
 enum class CompositeStep : std::uint8_t { leaf, unite, intersect, subtract };
-/// Ranges of the world's arrays. Faces have keys: those below `most_planes` are numbers of planes.
+/// Ranges of the world's arrays. Faces have keys: those below `most_planes` are numbers of planes. A triangle has that
+/// of its plane if a face of another part lies there.
 struct CompositeInfo {
     std::int32_t first_leaf, leaves, first_step, steps, first_plane, planes;
     std::int32_t first_key, surface, surfaces;
@@ -225,10 +245,10 @@ struct World {
     T rounding = 0;  // what the coordinates of points on bodies may be off
     const MaterialKernel<T>* materials = nullptr;
     // Materials with patterns follow those without: each as often as there are bodies in spaces of their own that have
-    // it, with the largest colour of the pattern as its colour. The first ones are not used where there are bumps.
+    // it, with the largest colour of the pattern as its colour. The first ones are not used where normals are bent.
     int first_pattern = std::numeric_limits<int>::max();
     const PatternKernel<T>* patterns = nullptr;  // of these materials; null if there are none
-    const BumpKernel<T>* bumps = nullptr;  // likewise; then all materials are among these. Null if there are no bumps
+    const BendKernel<T>* bends = nullptr;  // likewise; then all materials are among these. Null if no normals are bent
     const ColorStopKernel<T>* stops = nullptr;
     const LightKernel<T>* lights = nullptr;
     int light_count = 0;

@@ -102,10 +102,10 @@ struct WorldArrays {
     std::vector<ItemRange> loops;
     std::vector<MaterialKernel<T>> materials;
     std::vector<PatternKernel<T>> patterns;
-    std::vector<BumpKernel<T>> bumps;
+    std::vector<BendKernel<T>> bends;
     std::vector<ColorStopKernel<T>> stops;
     PatternKernel<T> sky;
-    std::vector<std::shared_ptr<const MeshData>> meshes;           // those with places in pictures
+    std::vector<std::shared_ptr<const MeshData>> meshes;            // those with places in pictures
     std::map<const Pixels*, std::shared_ptr<const Pixels>> pixels;  // by those of the scene, which may be encoded
     // Only where there are patterns: the material of each leaf of the scene, and the first leaf of each primitive.
     std::vector<std::int32_t> leaf_materials, first_leaf;
@@ -152,8 +152,10 @@ struct WorldArrays {
     // add_patterns.cpp
     void add_patterns(const Scene& scene, const Placement& placement);
     void add_colors(const Pigment& pigment, PatternKernel<T>& kernel, bool linear);
-    /// What an image by uv knows of the body, whose first surface is given.
-    void add_places(const Shape& shape, int first_surface, ImageKernel<T>& kernel);
+    /// What patterns by uv know of a body, whose first surface is given.
+    PlacesKernel add_places(const Shape& shape, int first_surface);
+    BendKernel<T> bend_of(const Material& material, const glm::dmat4& to_world, const Placement& placement,
+                          const PlacesKernel& places);
     const float* add_pixels(const std::shared_ptr<const Pixels>& from, bool linear);
     /// The number of a primitive's material, or of its leaf's, the number of which goes on by one.
     int material_of(const Primitive& primitive, std::int32_t& leaf) const {

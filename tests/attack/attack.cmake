@@ -16,7 +16,8 @@ endif()
 # The renderer. In the sanitize preset only the scalar level is instrumented.
 add_library(strahl_picture_check STATIC ${attack}/picture_check.cpp ${attack}/shrink.cpp)
 target_link_libraries(strahl_picture_check PUBLIC strahl_text strahl_trace)
-add_executable(attack_renderer ${attack}/renderer.cpp ${attack}/wild_scene.cpp ${attack}/wild_values.cpp)
+add_executable(attack_renderer ${attack}/renderer.cpp ${attack}/wild_scene.cpp ${attack}/wild_materials.cpp
+               ${attack}/wild_values.cpp)
 target_link_libraries(attack_renderer PRIVATE strahl_picture_check)
 strahl_test(attacked strahl_picture_check)
 add_dependencies(attack attack_renderer)

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/mman.h>
+#include <sys/personality.h>
 #include <sys/resource.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
@@ -86,6 +87,7 @@ void Attacker::order(Watched watched, long at, Harm harm, int error) {
 Ran Attacker::run(const Case& attacked, double seconds, bool preloaded) {
     for (std::atomic<long>& count : control().counts) count = 0;
     control().done = 0, control().foreign = false, control().where[0] = 0, control().attached = false;
+    if (control().finds_paths) std::ranges::for_each(control().paths, [](Path& path) { path.hash = 0; });
     std::vector<char*> words{program.data()};
     std::vector<std::string> own = attacked.words;
     for (std::string& word : own) words.push_back(word.data());
@@ -99,6 +101,7 @@ Ran Attacker::run(const Case& attacked, double seconds, bool preloaded) {
                   err = ::open("err", O_WRONLY | O_CREAT | O_TRUNC, 0600);
         ::dup2(none, 0), ::dup2(out, 1), ::dup2(err, 2);
         if (::chdir(work.c_str()) != 0) ::_exit(127);
+        ::personality(ADDR_NO_RANDOMIZE);  // so that paths of calls are the same in all runs, where that is allowed
         ::setenv("TMPDIR", work.c_str(), 1);
         ::setenv("PATH", (work.string() + ":/usr/bin:/bin").c_str(), 1);
         // A library behind the pictures starts a thread for each processor, which takes half of the time of such a run.

@@ -19,6 +19,20 @@ flythrough {
 }
 )";
 
+/// Of what is not in the other.
+const char many_words[] = R"(camera { position <5, -20, 18>  look_at <0, 0, 0>  up <0, 0, -1>  fov 10 }
+light { position <-5, 0, 10>  color <.9, .9, .9>  edges <1, 0, 0>, <0, 1, 0> }
+light { position <8, -9, 12>  color <.2, .3, .4>  spot { look_at <0, 0, 0>  radius 10  falloff 20 } }
+background { color gradient { colors { 0 <.1, .1, .3>  1 <.5, .7, 1> } } }
+fog { distance 100  color <.6, .7, .8> }
+define stone material { rgb marble { turbulence .5  colors { 0 <1, 1, 1>  1 <.5, .2, .1> } } }
+difference { box { <-1, -1, 0>, <1, 1, 1> }  mesh { triangle { <0, 0, 0>, <1, 0, 0>, <0, 1, 0> }
+  triangle { <0, 0, 0>, <0, 1, 0>, <0, 0, 1> }  triangle { <0, 0, 0>, <0, 0, 1>, <1, 0, 0> }
+  triangle { <1, 0, 0>, <0, 0, 1>, <0, 1, 0> } }  material { rgb checker { <1, 0, 0>, <0, 1, 0> } }  scale <2, 2, 2> }
+union { torus { <3, 0, 1>, <0, 0, 1>, 1, .25 }  cone { <3, 0, 1>, .5, <3, 0, 3>, 0 }  material stone }
+sphere { <-3, 2, 1>, 1  motion { key { time 0 }  key { time 2  translate <0, 0, 2> } } }
+)";
+
 /// In place of POV-Ray: the attack is on what starts it.
 const char povray[] = "#!/bin/sh\nexec cp \"$TMPDIR/a.bmp\" scene.png\n";
 
@@ -63,6 +77,14 @@ std::vector<Case> cases() {
         {"to a pipe", render("-", "1", {"--format", "png"}), alone},
         {"--frames", render("film.bmp", "1", {"--frames", "0-2"}), alone},
         {"a checkpoint", render("picture.png", "2", {"--size", "8x200", "--checkpoint", "0"}), alone},
+        {"many words", render("picture.bmp", "2", {"--time", "1"}), {{"scene.rt", many_words}}},
+        {"import",
+         {"import", "scene.nff", "-o", "scene.rt"},
+         {{"scene.nff",
+           "v\nfrom 0 -9 3\nat 0 0 0\nup 0 0 1\nangle 30\nhither 1\nresolution 8 6\nl 3 -4 9\n"
+           "f 1 .5 .2 .8 .2 9 0 0\ns 0 0 1 1\nc 1 1 0 1\n1 1 2 0\n"
+           "p 3\n0 0 0\n1 0 0\n0 1 0\n"},
+          {"scene.rt", "older"}}},
         {"a part", render("picture.bmp", "1", {"--size", "8x200", "--checkpoint", "0", "--part", "1/2"}), alone},
     };
     all.push_back({.name = "crosscheck",

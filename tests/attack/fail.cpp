@@ -49,6 +49,20 @@ void describe(const char* function) {
     }
 }
 
+/// Notes by which path of calls this allocation came.
+void find_path(Watched kind, long number) {
+    void* frames[60];
+    const int count = ::backtrace(frames, 60);
+    std::uint64_t hash = static_cast<std::uint64_t>(kind) + 1;
+    for (int i = 1; i < count; ++i) hash = (hash ^ reinterpret_cast<std::uintptr_t>(frames[i])) * 0x9e3779b97f4a7c15;
+    for (int tried = 0; tried < Control::most_paths; ++tried) {
+        Path& path = control->paths[(hash + static_cast<unsigned>(tried)) % Control::most_paths];
+        std::uint64_t found = 0;
+        if (path.hash.compare_exchange_strong(found, hash)) return void((path.kind = kind, path.first = number));
+        if (found == hash) return;
+    }
+}
+
 }  // namespace
 
 /// Is it this call's turn? Then what is done to it is noted.
@@ -56,6 +70,11 @@ bool struck(Watched kind, const char* function) {
     if (kind == Watched::allocations && loading) kind = Watched::loading;
     if (!begun || inside) return false;
     const long count = ++control->counts[static_cast<int>(kind)];
+    if (control->finds_paths && (kind == Watched::allocations || kind == Watched::loading)) {
+        inside = true;
+        find_path(kind, count);
+        inside = false;
+    }
     if (control->watched != kind || count != control->at) return false;
     inside = true;
     describe(function);

@@ -1,10 +1,11 @@
-// Every allocation, thread start and file call of the program fails in turn.
+// Every thread start and file call of the program, and the first allocation by every path of calls, fails in turn.
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <map>
 #include <random>
+#include <set>
 #include <utility>
 
 #include "parts.h"
@@ -42,18 +43,38 @@ std::string in_words(const Trial& trial, const Control& control) {
            control.where + ")";
 }
 
-/// All there is to try for a case: one trial for each call that the run without harm makes, and each harm.
-void add_trials(Attacker& attacker, const Case& attacked, Ran& good, std::vector<Trial>& trials) {
+/// The numbers of the calls that the last run made. Of allocations, of which there are far more, the first by each path
+/// that is not known from another case.
+std::vector<long> calls(const Control& control, Watched watched, std::set<std::uint64_t>& known) {
+    std::vector<long> numbers;
+    if (watched == Watched::allocations || watched == Watched::loading) {
+        for (const Path& path : control.paths)
+            if (path.hash != 0 && path.kind == watched && known.insert(path.hash).second) numbers.push_back(path.first);
+        std::ranges::sort(numbers);
+    } else {
+        for (long at = 1; at <= control.counts[static_cast<int>(watched)]; ++at) numbers.push_back(at);
+    }
+    return numbers;
+}
+
+/// All there is to try for a case: one trial for each of these calls of the run without harm, and each harm.
+void add_trials(Attacker& attacker, const Case& attacked, Ran& good, std::set<std::uint64_t>& known,
+                std::vector<Trial>& trials) {
     attacker.order(Watched::nothing, 0);
     for (const bool only_named : {true, false}) {
         attacker.control().only_named = only_named;
+        if (!only_named) {
+            attacker.control().finds_paths = true;
+            attacker.prepare(attacked);
+            attacker.run(attacked, 10 * longest);
+            attacker.control().finds_paths = false;
+        }
         const double start = now();
         good = attacker.run_fresh(attacked);
         const double seconds = now() - start;
         for (const Watched watched : kinds) {
             if (only_named && watched != Watched::files) continue;
-            const long calls = attacker.control().counts[static_cast<int>(watched)];
-            for (long at = 1; at <= calls; ++at) {
+            for (const long at : calls(attacker.control(), watched, known)) {
                 const auto add = [&](Harm harm, int error) {
                     trials.push_back({&attacked, &good, seconds, watched, harm, error, at, only_named});
                 };
@@ -86,14 +107,16 @@ void mix(std::vector<Trial>& trials) {
 }  // namespace
 
 int faults(Attacker& attacker, const Plan& plan) {
-    const double start = now(), end = start + plan.seconds;
+    const double start = now();
     const std::vector<Case> all = cases();
     std::vector<Ran> good(all.size());
     std::vector<Trial> trials;
+    std::set<std::uint64_t> known;
     // A short attack has no time for all cases.
     for (std::size_t i = 0; i < all.size() && (plan.only >= 0 || now() < start + plan.seconds / 4); ++i)
-        add_trials(attacker, all[i], good[i], trials);
+        add_trials(attacker, all[i], good[i], known, trials);
     mix(trials);
+    const double end = std::max(start + plan.seconds, now() + plan.seconds / 2);  // finding paths may take long
     Tally tally;
     long foreign = 0, per_kind[5] = {}, all_of_kind[5] = {};
     for (const Trial& trial : trials) ++all_of_kind[static_cast<int>(trial.watched)];

@@ -33,6 +33,13 @@ for stage in parse build trace write; do
 done
 for type in reflected refracted shadow; do (($(value rays $type) > 0)) || fault "no $type rays in $(<stats.json)"; done
 
+expect 0 "" render scene.rt -o x.bmp --size 64x48 --crop 20,14,30,20 --prove map.png --stats stats.json
+is 8 proof bits
+is double precision
+is 1 samples in_each_pixel
+(($(value proof proved) + $(value proof undecided) == 600 && $(value proof proved) > 300 && $(value proof undecided) > 0)) || fault "proof in $(<stats.json)"
+[[ -s map.png ]] || fault "there is no map"
+
 expect 0 "" render scene.rt -o x.bmp --size 64x48 --error 1e-3 --stats stats.json
 [[ $(value samples aimed) == 0.001 ]] || fault "$(value samples aimed) is aimed at"
 [[ $(value samples estimated) == 0.00* ]] || fault "the error is thought to be $(value samples estimated)"

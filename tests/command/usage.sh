@@ -50,6 +50,11 @@ refuse "need a file" -o - --format bmp --resume
 refuse "need a file" -o - --format bmp --part 1/2
 refuse "numbered files" -o - --format bmp --frames 0-1
 refuse "standard output" -o - --format bmp --stats -
+refuse "in double" -o x.bmp --prove map.png --precision float
+refuse "one ray in each pixel" -o x.bmp --prove map.png --samples 2x2
+refuse "one picture" -o x.bmp --prove map.png --frames 0-1
+refuse ".png or .bmp" -o x.bmp --prove map.exr
+refuse "overwrite the picture" -o x.png --prove x.png
 sed '/^flythrough/,$d' scene.rt >still.rt
 expect 2 "needs a scene with a flythrough" render still.rt -o x.bmp --time 1
 expect 2 "needs a scene with a flythrough" render still.rt -o x.bmp --frames 0-1

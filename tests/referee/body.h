@@ -23,6 +23,7 @@ struct Leaf {
     Material material;
     Paint<R> paint;
     glm::dmat4 material_to_world;
+    Space<R> shape_to_world;
     int first_face;
     std::array<Vector<R>, 3> rows;
     Vector<R> offset;
@@ -30,8 +31,9 @@ struct Leaf {
     Leaf(const Shape& shape, const Material& material, int first_face, const LeafMatrices& matrices)
         : shape(shape),
           material(material),
-          paint(material.rgb, by_uv(material.rgb) ? glm::dmat4(1) : matrices.material),
+          paint(material.rgb, matrices.material),
           material_to_world(matrices.material),
+          shape_to_world(matrices.shape),
           first_face(first_face) {
         const glm::dmat4& m = matrices.shape;
         const Vector<R> a{m[0].x, m[0].y, m[0].z}, b{m[1].x, m[1].y, m[1].z}, c{m[2].x, m[2].y, m[2].z};
@@ -40,9 +42,24 @@ struct Leaf {
         offset = {m[3].x, m[3].y, m[3].z};
     }
     Vector<R> color(int face, const Vector<R>& point) const {
-        const Mesh* const mesh = std::get_if<Mesh>(&shape);
-        if (!by_uv(material.rgb)) return paint.at(point);
-        return paint.at(mesh ? place_in<R>(*mesh->data, face - first_face, turn(point - offset)) : Vector<R>{0, 0, 0});
+        if (!material.rgb.pattern || !material.rgb.pattern->by_uv) return paint.at(point);
+        return paint.at(place_in<R>(*std::get<Mesh>(shape).data, face - first_face, turn(point - offset)));
+    }
+    Vector<R> bent(int face, const Vector<R>& point, Vector<R> normal) const {
+        const Vector<R> flat = normal;
+        const auto bend = [&](const auto& relief) {
+            if (!relief.pattern) return;
+            const Space<R> own(matrix(relief.pattern->transformations)), whole(material_to_world);
+            if (!relief.pattern->by_uv) return void(normal = referee::bent(relief, whole.around(own), point, normal));
+            const Mesh& mesh = std::get<Mesh>(shape);
+            const Vector<R> place = place_in<R>(*mesh.data, face - first_face, turn(point - offset));
+            const Space<R> by_uv = space_by_uv(*mesh.data, face - first_face, shape_to_world, point, place, flat);
+            const Vector<R> bent = referee::bent(relief, by_uv.around(own), point, flat);
+            normal = unit(bent + dot(bent, flat) * (normal - flat));  // what was bent before is bent further
+        };
+        bend(material.normal);
+        bend(material.bump);
+        return normal;
     }
     Vector<R> turn(const Vector<R>& v) const { return {dot(rows[0], v), dot(rows[1], v), dot(rows[2], v)}; }
     bool surrounds(const Vector<R>& p) const {
@@ -96,11 +113,10 @@ struct Body {
         return std::any_of(leaves.begin(), leaves.end(), [](const auto& leaf) { return leaf.material.refraction > 0; });
     }
     const Material& material(int face) const { return leaf_of(face).material; }
-    /// The colour at a point of a face.
     Vector<R> bent(int face, const Vector<R>& point, const Vector<R>& normal) const {
-        const Leaf<R>& leaf = leaf_of(face);
-        return referee::bent(leaf.material.bump, leaf.material_to_world, point, normal);
+        return leaf_of(face).bent(face, point, normal);
     }
+    /// The colour at a point of a face.
     Vector<R> color(int face, const Vector<R>& point) const { return leaf_of(face).color(face, point); }
     bool surrounds(const Vector<R>& p) const {
         auto leaf = leaves.begin();

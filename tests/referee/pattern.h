@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "scene/pattern.h"
-#include "tests/referee/line.h"
+#include "tests/referee/space.h"
 
 namespace strahl::referee {
 
@@ -59,7 +59,8 @@ R turns(R x, R y) {
 template <class R>
 Vector<R> color_in(const ImagePattern& image, const Vector<R>& p) {
     R u = p.x, v = p.y;
-    if (image.map == ImageMap::spherical || image.map == ImageMap::cylindrical) u = turns(p.x, p.y), u = u < 0 ? u + 1 : u;
+    if (image.map == ImageMap::spherical || image.map == ImageMap::cylindrical)
+        u = turns(p.x, p.y), u = u < 0 ? u + 1 : u;
     if (image.map == ImageMap::spherical) v = 2 * turns(root(p.x * p.x + p.y * p.y), p.z) + R(.5);
     if (image.map == ImageMap::cylindrical) v = p.z;
     if (image.once && !(u >= 0 && u < 1 && v >= 0 && v < 1)) return *image.once;
@@ -133,16 +134,10 @@ inline void decode(Pigment& pigment) {
     const auto* const image = pigment.pattern ? std::get_if<ImagePattern>(&pigment.pattern->kind) : nullptr;
     if (!image || image->pixels->linear) return;
     Pixels pixels = *image->pixels;
-    for (float& v : pixels.values)
-        v = static_cast<float>(v <= .04045 ? v / 12.92 : std::pow((v + .055) / 1.055, 2.4));
+    for (float& v : pixels.values) v = static_cast<float>(v <= .04045 ? v / 12.92 : std::pow((v + .055) / 1.055, 2.4));
     Pattern pattern = *pigment.pattern;
     std::get<ImagePattern>(pattern.kind).pixels = std::make_shared<const Pixels>(std::move(pixels));
     pigment = Pigment(std::move(pattern));
-}
-
-inline bool by_uv(const Pigment& pigment) {
-    const auto* const image = pigment.pattern ? std::get_if<ImagePattern>(&pigment.pattern->kind) : nullptr;
-    return image && image->map == ImageMap::uv;
 }
 
 /// The colour of a pigment at a point of its own space, before the pattern's transformations are undone.
@@ -155,7 +150,8 @@ struct Paint {
     /// `to_world` takes the space of the material into the world.
     Paint(const Pigment& pigment, const glm::dmat4& to_world) : pigment(pigment) {
         if (!pigment.pattern) return;
-        const glm::dmat4 m = to_world * matrix(pigment.pattern->transformations);
+        const glm::dmat4 own = matrix(pigment.pattern->transformations),
+                         m = pigment.pattern->by_uv ? own : to_world * own;
         const Vector<R> a{m[0].x, m[0].y, m[0].z}, b{m[1].x, m[1].y, m[1].z}, c{m[2].x, m[2].y, m[2].z};
         const R scale = R(1) / dot(a, cross(b, c));
         rows = {scale * cross(b, c), scale * cross(c, a), scale * cross(a, b)};
@@ -164,8 +160,7 @@ struct Paint {
     Vector<R> at(const Vector<R>& point) const {
         if (!pigment.pattern) return pigment.color;
         const Vector<R> moved = point - offset, p{dot(rows[0], moved), dot(rows[1], moved), dot(rows[2], moved)};
-        if (const auto* const image = std::get_if<ImagePattern>(&pigment.pattern->kind))
-            return color_in(*image, p);
+        if (const auto* const image = std::get_if<ImagePattern>(&pigment.pattern->kind)) return color_in(*image, p);
         const R value = std::visit(ValueAt<R>{p}, pigment.pattern->kind);
         const std::vector<ColorStop>& stops = pigment.pattern->colors;
         std::size_t next = 0;
@@ -178,15 +173,13 @@ struct Paint {
     }
 };
 
-/// A normal, bent where it turns towards the eye; `to_world` as above.
+/// A normal, bent where it turns towards the eye, by a pattern in this space.
 template <class R>
-Vector<R> bent(const Bump& bump, const glm::dmat4& to_world, const Vector<R>& point, const Vector<R>& normal) {
-    if (!bump.pattern) return normal;
-    const glm::dmat4 m = to_world * matrix(bump.pattern->transformations);
-    const Vector<R> a{m[0].x, m[0].y, m[0].z}, b{m[1].x, m[1].y, m[1].z}, c{m[2].x, m[2].y, m[2].z};
+Vector<R> bent(const Bump& bump, const Space<R>& space, const Vector<R>& point, const Vector<R>& normal) {
+    const auto& [a, b, c, origin] = space;
     const R volume = dot(a, cross(b, c));
     const Vector<R> x = R(1) / volume * cross(b, c), y = R(1) / volume * cross(c, a), z = R(1) / volume * cross(a, b);
-    const Vector<R> moved = point - Vector<R>{m[3].x, m[3].y, m[3].z}, p{dot(x, moved), dot(y, moved), dot(z, moved)};
+    const Vector<R> moved = point - origin, p{dot(x, moved), dot(y, moved), dot(z, moved)};
     Vector<R> own = unit(Vector<R>{dot(a, normal), dot(b, normal), dot(c, normal)});
     const R step = R(bump.step());
     for (const DVec3& corner : Bump::corners) {
@@ -194,6 +187,31 @@ Vector<R> bent(const Bump& bump, const glm::dmat4& to_world, const Vector<R>& po
         own = own - R(bump.height) * value * 3 / (4 * step) * Vector<R>(corner);
     }
     return unit(own.x * x + own.y * y + own.z * z);
+}
+
+/// The same by a normal map.
+template <class R>
+Vector<R> bent(const NormalMap& map, const Space<R>& space, const Vector<R>& point, const Vector<R>& normal) {
+    const auto& [a, b, c, origin] = space;
+    const R volume = dot(a, cross(b, c));
+    const Vector<R> moved = point - origin;
+    const Vector<R> p{dot(cross(b, c), moved) / volume, dot(cross(c, a), moved) / volume,
+                      dot(cross(a, b), moved) / volume};
+    const auto& image = std::get<ImagePattern>(map.pattern->kind);
+    const R rho = p.x * p.x + p.y * p.y;
+    Vector<R> along_u = a, along_v = b;
+    if (image.map != ImageMap::planar) along_u = p.x * b - p.y * a, along_v = c;
+    if (image.map == ImageMap::spherical) along_v = rho * c - (p.x * p.z) * a - (p.y * p.z) * b;
+    const auto flat = [&](const Vector<R>& v) { return v - dot(v, normal) * normal; };
+    const Vector<R> u = flat(along_u), v = flat(along_v), color = color_in(image, p);
+    const R least = R(NormalMap::least_sine * NormalMap::least_sine);
+    if (!(dot(u, u) > least * dot(along_u, along_u))) return normal;
+    const Vector<R> across = cross(normal, unit(u));
+    const R up = dot(across, v);
+    const bool mirrored = up < 0 && up * up > least * dot(along_v, along_v);
+    const R of_x = R(map.height) * (2 * color.x - 1), of_y = R(map.height) * (2 * color.y - 1);
+    const R of_z = color.z > R(.5) ? 2 * color.z - 1 : R(0);
+    return unit(of_x * unit(u) + (mirrored ? -of_y : of_y) * across + of_z * normal);
 }
 
 }  // namespace strahl::referee

@@ -23,6 +23,7 @@ inline Pixels made_up_pixels(const std::string& path) {
     }
     return pixels;
 }
+/// Of any map but uv, which most bodies lack.
 inline ImagePattern random_image(Dice& dice) {
     ImagePattern image;
     const auto number = [&](int most) { return std::to_string(1 + dice.upto(most)); };
@@ -82,6 +83,15 @@ inline Bump random_bump(Dice& dice) {
     while (!std::visit(bends, pattern.kind)) pattern.kind = random_pattern_kind(dice);
     pattern.colors.clear();
     return {std::make_shared<const Pattern>(std::move(pattern)), dice.in(.01, .3)};
+}
+
+inline NormalMap random_normal_map(Dice& dice) {
+    Pattern pattern = random_pattern(dice);
+    pattern.kind = random_image(dice), pattern.colors.clear();
+    NormalMap map;
+    map.pattern = std::make_shared<const Pattern>(std::move(pattern));
+    if (dice.chance(.5)) map.height = dice.in(.1, 3);
+    return map;
 }
 
 }  // namespace strahl

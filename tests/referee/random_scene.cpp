@@ -7,6 +7,7 @@
 
 #include "tests/referee/dice.h"
 #include "tests/referee/random_pattern.h"
+#include "tests/referee/random_places.h"
 
 namespace strahl {
 namespace {
@@ -202,6 +203,15 @@ Scene random_scene(std::uint64_t seed, const RandomScene& what) {
     if (what.bumps)
         for (Material& material : scene.materials)
             if (dice.chance(.6)) material.bump = random_bump(dice);
+    if (what.normals)
+        for (Material& material : scene.materials)
+            if (dice.chance(.6)) material.normal = random_normal_map(dice);
+    if (what.patterns || what.bumps || what.normals)
+        for (Primitive& primitive : scene.primitives)
+            if (Mesh* const mesh = std::get_if<Mesh>(&primitive.shape)) {
+                give_places(*mesh, dice);
+                map_by_uv(scene.materials[primitive.material]);
+            }
     if (what.camera_inside) {
         camera.fov = dice.in(25, 55);
         const DVec3 beside = dice.arrow(0, .5);

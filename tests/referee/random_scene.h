@@ -11,7 +11,8 @@ struct RandomScene {
     bool transformed = true;     // primitives rotated, moved, scaled unevenly and mirrored
     bool lights = false;         // spots, parallel light and grids beside points, in half of the scenes fog
     bool patterns = false;       // half of the materials have one in place of their colour
-    bool bumps = false;          // most materials bend normals
+    bool bumps = false;          // most materials have one
+    bool normals = false;        // most materials have a normal map
     bool camera_inside = false;  // the eye is in at least one transparent body
 };
 

@@ -13,7 +13,9 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <fstream>
+#include <new>
 #include <vector>
 
 #include "scratch.h"
@@ -24,6 +26,7 @@ namespace {
 std::vector<std::string> events;
 int failing_sync = 0;
 bool deadly_sync = false;
+std::size_t most_memory = -1;  // that can be had in one piece
 
 }  // namespace
 
@@ -40,6 +43,14 @@ extern "C" int rename(const char* from, const char* to) noexcept {
     events.push_back("rename");
     return static_cast<int>(::syscall(SYS_renameat2, AT_FDCWD, from, AT_FDCWD, to, 0));
 }
+
+[[gnu::noinline]] void* operator new(std::size_t size) {
+    if (size > most_memory) throw std::bad_alloc();
+    if (void* const p = std::malloc(size)) return p;
+    throw std::bad_alloc();
+}
+[[gnu::noinline]] void operator delete(void* p) noexcept { std::free(p); }
+[[gnu::noinline]] void operator delete(void* p, std::size_t) noexcept { std::free(p); }
 
 namespace strahl {
 namespace {
@@ -179,6 +190,11 @@ TEST_CASE("all names of a file show the new bytes, and a failure leaves it its o
         const FileSizeLimit limit(1000);
         CHECK(says(fault_of(folder / "one", std::string(100000, 'x')), "File too large"));
     }
+    CHECK(bytes_of(folder / "two") == "old");
+    CHECK(folder.files() == 2);
+    most_memory = 100000;
+    CHECK_THROWS_AS(write_file(folder / "one", "longer than before"), const std::bad_alloc&);
+    most_memory = -1;
     CHECK(bytes_of(folder / "two") == "old");
     CHECK(folder.files() == 2);
     failing_sync = 2;  // of the folder with the copy: until that is on the disk, nothing is overwritten

@@ -16,7 +16,8 @@ TEST_CASE("an image bends normals by its brightness, in whatever scene") {
     // A ramp in red from 0 to 1/2 across 33 pixels, whose middles are 1/33 apart; POV-Ray's weight of red is .297.
     const auto ramp = [](const std::string&) {
         Pixels pixels{33, 1, false, {}, Color(.5, .9, .9)};
-        for (int i = 0; i < 33; ++i) pixels.values.insert(pixels.values.end(), {static_cast<float>(i) / 64.f, .9f, .9f});
+        for (int i = 0; i < 33; ++i)
+            pixels.values.insert(pixels.values.end(), {static_cast<float>(i) / 64.f, .9f, .9f});
         return pixels;
     };
     for (const Precision precision : {Precision::float32, Precision::float64, Precision::extended})
@@ -25,11 +26,15 @@ TEST_CASE("an image bends normals by its brightness, in whatever scene") {
                 CAPTURE(std::string(name(precision)));
                 CAPTURE(settings);
                 CAPTURE(space);
-                const Scene scene = parse_scene(
-                    "global_settings { " + settings + " }\ncamera { position <.4, 0, 9>  look_at <.4, 0, 0>  sky <0, 1, 0>  "
-                    "fov 1 }\nlight { direction <3, 0, -4>  color <1, 1, 1> }\nplane { " + floor_points +
-                    "  material { rgb <1, 1, 1>  ambient 0  diffuse 1  specular 0  reflection 0\n"
-                    "  bump image { \"ramp\"  height 2  " + space + " } } }", "ramp", {}, ramp);
+                const Scene scene =
+                    parse_scene("global_settings { " + settings +
+                                    " }\ncamera { position <.4, 0, 9>  look_at <.4, 0, 0>  sky <0, 1, 0>  "
+                                    "fov 1 }\nlight { direction <3, 0, -4>  color <1, 1, 1> }\nplane { " +
+                                    floor_points +
+                                    "  material { rgb <1, 1, 1>  ambient 0  diffuse 1  specular 0  reflection 0\n"
+                                    "  bump image { \"ramp\"  height 2  " +
+                                    space + " } } }",
+                                "ramp", {}, ramp);
                 const double slope = 2 * .297 * 33 / 64, wanted = (.8 + .6 * slope) / std::sqrt(1 + slope * slope);
                 CHECK(picture(scene, precision, 1, 1).rgb[0] == doctest::Approx(wanted).epsilon(1e-4));
             }
@@ -41,10 +46,12 @@ TEST_CASE("where images are") {
         return Pixels{2, 2, false, {1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1}, Color(1)};
     };
     const auto seen = [&](const std::string& body, const DVec3& from, const DVec3& to, Precision precision) {
-        Scene scene = parse_scene("global_settings { ambient_light <1, 1, 1> }\n"
-                                  "defaultmaterial { ambient 1  diffuse 0  reflection 0  specular 0 }\n"
-                                  "camera { position <0, 0, 9>  look_at <0, 0, 0>  sky <0, 1, 0>  fov 1 }\n" + body,
-                                  "four", {}, four);
+        Scene scene = parse_scene(
+            "global_settings { ambient_light <1, 1, 1> }\n"
+            "defaultmaterial { ambient 1  diffuse 0  reflection 0  specular 0 }\n"
+            "camera { position <0, 0, 9>  look_at <0, 0, 0>  sky <0, 1, 0>  fov 1 }\n" +
+                body,
+            "four", {}, four);
         scene.camera.position = from, scene.camera.look_at = to, scene.camera.up = {.3, .4, -.5};
         const Frame frame = picture(scene, precision, 1, 1);
         return Color(frame.rgb[0], frame.rgb[1], frame.rgb[2]);
@@ -57,8 +64,8 @@ TEST_CASE("where images are") {
             for (int c = 0; c < 3; ++c) CHECK(color[c] == doctest::Approx(wanted[c]).epsilon(1e-5));
         };
         const auto plane = [&](const std::string& more, double x, double y, const Color& wanted) {
-            check("plane { " + floor_points + "  material { rgb image { \"four\" " + more + " } } }", {x, y, 9}, {x, y, 0},
-                  wanted);
+            check("plane { " + floor_points + "  material { rgb image { \"four\" " + more + " } } }", {x, y, 9},
+                  {x, y, 0}, wanted);
         };
         for (const double x : {.25, 5.25, -.75}) plane("", x, .75, {1, 0, 0}), plane("", x, -.75, {0, 0, 1});
         plane("", .75, .75, {0, 1, 0});
@@ -100,21 +107,23 @@ TEST_CASE("an image by uv is where the places of its mesh's corners say") {
                 points += text_of(p) + " ";
                 places += "<" + text_of(p.x) + ", " + text_of(p.y) + ">";
             }
-            mesh += (smooth ? "smooth_triangle { " + points : "triangle { ") + points + " uv_vectors " + places + " }\n";
+            mesh +=
+                (smooth ? "smooth_triangle { " + points : "triangle { ") + points + " uv_vectors " + places + " }\n";
         }
-        return parse_scene("camera { position <3, 5, 6>  look_at <0, 0, 0>  sky <0, 0, 1>  fov 12 }\n"
-                           "light { position <9, 4, 9>  color <1, 1, 1> }\n"
-                           "defaultmaterial { ambient .5  reflection .3  refraction .4  ior 1.2 }\n"
-                           "plane { <0, 0, -2>, <1, 0, -2>, <0, 1, -2>  material { refraction 0 } }\n"
-                           "define body mesh { " + mesh + "material { rgb image { \"r\" map " + map + "  scale .7 } } }\n" +
-                               bodies, "uv", {}, random);
+        return parse_scene(
+            "camera { position <3, 5, 6>  look_at <0, 0, 0>  sky <0, 0, 1>  fov 12 }\n"
+            "light { position <9, 4, 9>  color <1, 1, 1> }\n"
+            "defaultmaterial { ambient .5  reflection .3  refraction .4  ior 1.2 }\n"
+            "plane { <0, 0, -2>, <1, 0, -2>, <0, 1, -2>  material { refraction 0 } }\n"
+            "define body mesh { " +
+                mesh + "material { rgb image { \"r\" map " + map + "  scale .7 } } }\n" + bodies,
+            "uv", {}, random);
     };
     std::string many;
     for (int i = 0; i < 70; ++i) many += "sphere { <0, 0, -9>, .1 }\n";
     const std::string turned = "body { rotate <20, 30, 40>  scale <1, 1.2, .8>  translate <.1, .2, 0> } ";
-    for (const std::string& bodies :
-         {std::string("body { }"), turned + "body { translate <1, 1, .3> }", many + turned,
-          "sphere { <0, 0, -1>, .3 } union { sphere { <0, 0, 1.2>, .5 } " + turned + "}"})
+    for (const std::string& bodies : {std::string("body { }"), turned + "body { translate <1, 1, .3> }", many + turned,
+                                      "sphere { <0, 0, -1>, .3 } union { sphere { <0, 0, 1.2>, .5 } " + turned + "}"})
         for (const bool smooth : {false, true})
             for (const Precision precision : {Precision::float32, Precision::float64, Precision::extended}) {
                 CAPTURE(bodies);
@@ -138,7 +147,8 @@ TEST_CASE("an image by uv is the referee's") {
         "mesh { smooth_triangle { <-1, 1, 0>, <1, 1, .3>, <0, -1, 1>  <0, 1, 1>, <.3, 1, 1>, <0, 0, 1>\n"
         "                         uv_vectors <-.2, .1>, <3, -1>, <1, 5> }\n"
         "       triangle { <1, 1, 1>, <-1, 1, 1>, <0, 2, 0>  uv_vectors <1, 1>, <1, 2>, <4, 4> }\n"
-        "       material { rgb image { \"r\" map uv  rotate <0, 0, 30>  scale .4 }  refraction .5 }  scale <1, 1.2, .8> }",
+        "       material { rgb image { \"r\" map uv  rotate <0, 0, 30>  scale .4 }  refraction .5 }  scale <1, 1.2, "
+        ".8> }",
         "uv", {}, random);
     const int width = 24, height = 18;
     const Frame own = picture(scene, Precision::float64, width, height);
@@ -153,12 +163,13 @@ TEST_CASE("images in float are those in double but for rounding, and no pixel is
         for (const std::string more : {"scale .7", "translate <1e15, -1e15, 1e15>", "scale 1e-300"}) {
             CAPTURE(map);
             CAPTURE(more);
-            const Scene scene = parse_scene("global_settings { ambient_light <1, 1, 1> }\n"
-                                            "defaultmaterial { ambient 1  diffuse 0  reflection 0  specular 0 }\n"
-                                            "camera { position <3, 5, 4>  look_at <0, 0, 0>  sky <0, 0, 1>  fov 12 }\n"
-                                            "sphere { <0, 0, 0>, 1  material { rgb image { \"r\" map " + map + "  " + more +
-                                                " } } }\nbox { <-2, -2, -2>, <2, 2, -1>  material { rgb image { \"r\" } } }",
-                                            "ball", {}, random);
+            const Scene scene = parse_scene(
+                "global_settings { ambient_light <1, 1, 1> }\n"
+                "defaultmaterial { ambient 1  diffuse 0  reflection 0  specular 0 }\n"
+                "camera { position <3, 5, 4>  look_at <0, 0, 0>  sky <0, 0, 1>  fov 12 }\n"
+                "sphere { <0, 0, 0>, 1  material { rgb image { \"r\" map " +
+                    map + "  " + more + " } } }\nbox { <-2, -2, -2>, <2, 2, -1>  material { rgb image { \"r\" } } }",
+                "ball", {}, random);
             const Frame single = picture(scene, Precision::float32), twice = picture(scene);
             CHECK(std::ranges::all_of(single.rgb, [](double v) { return v >= 0 && v <= 1; }));
             CHECK(std::ranges::all_of(twice.rgb, [](double v) { return v >= 0 && v <= 1; }));

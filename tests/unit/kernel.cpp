@@ -166,14 +166,15 @@ TEST_CASE("random scenes with patterns, or with fog, spots and parallel light") 
     }
 }
 
-TEST_CASE("random scenes with bumps") {
+TEST_CASE("random scenes with bumps and normal maps") {
     std::array<Tally, 3> tally;
     for (int seed = 0; seed < random_scenes; ++seed) {
         CAPTURE(seed);
         const RandomScene what{.transparent = seed % 3 != 0,
                                .transformed = seed % 2 != 0,
                                .patterns = seed % 4 == 0,
-                               .bumps = true,
+                               .bumps = seed % 5 < 3,
+                               .normals = seed % 5 > 1,
                                .camera_inside = seed % 5 == 4};
         hold(random_scene(6000 + seed, what), 2 + seed % 3, tally);
     }

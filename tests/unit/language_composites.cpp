@@ -78,8 +78,9 @@ TEST_CASE("composites that can't be") {
     check_fault("union { " + ball + "\ndifference { } }", "3:1: this difference is none: it has no parts");
     check_fault("intersection { " + ball + "\ndisc { <0,0,0>, <0,0,1>, 1 } }",
                 "3:1: a disc can't be part of a body: only closed ones can");
-    const std::string three = "triangle { <0,0,0>, <0,1,0>, <1,0,0> } triangle { <0,0,0>, <1,0,0>, <0,0,1> } "
-                              "triangle { <0,0,0>, <0,0,1>, <0,1,0> } ";
+    const std::string three =
+        "triangle { <0,0,0>, <0,1,0>, <1,0,0> } triangle { <0,0,0>, <1,0,0>, <0,0,1> } "
+        "triangle { <0,0,0>, <0,0,1>, <0,1,0> } ";
     check_fault("union { mesh { " + three + "} }",
                 "2:9: this mesh can't be part of a body: it is open between <0, 1, 0> and <1, 0, 0>");
     CHECK(with_eye("union { mesh { " + three + "triangle { <1,0,0>, <0,1,0>, <0,0,1> } } }").primitives.size() == 1);
@@ -93,10 +94,11 @@ TEST_CASE("composites that can't be") {
                 "2:1: this union can't be divided: 1025 of its bodies belong together, and at most 1024 may");
     check_fault("union { " + many + ball + ball + "material { refraction .5 } }",
                 "2:1: this union can't be divided: 1025 of its bodies belong together, and at most 1024 may");
-    check_fault("union { " + ball + "camera_ }",
-                "2:31: unknown word 'camera_' in 'union'; known here: material, motion, rotate, translate, scale, sphere, "
-                "plane, cylinder, cone, box, disc, torus, triangle, smooth_triangle, mesh, union, intersection, "
-                "difference");
+    check_fault(
+        "union { " + ball + "camera_ }",
+        "2:31: unknown word 'camera_' in 'union'; known here: material, motion, rotate, translate, scale, sphere, "
+        "plane, cylinder, cone, box, disc, torus, triangle, smooth_triangle, mesh, union, intersection, "
+        "difference");
     check_fault("union { material { }\nmaterial { } " + ball + "}", "3:1: a second 'material'; the first is in line 2");
     check_fault("union { " + ball + "\nlight { position <0,0,0> color <1,1,1> }",
                 "3:1: '}' missing: the 'union' of line 2 is still open");

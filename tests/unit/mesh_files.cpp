@@ -82,8 +82,7 @@ TEST_CASE("PLY: after a lone carriage return, values may begin with the byte of 
 
 TEST_CASE("OBJ: indices from either end, with normals of their own") {
     const std::string points = "v 0 0 0\nv 1 0 0 1\n\tv 0 2 0\r\nv +.1 .25 3e0 0 0 0\n";
-    const std::string rest =
-        "g top\nusemtl x\nf 1 3 2\nf -4/1 2/-1 -1/7\nf 2 \\\n 3\\\r\n 4 # end\nf 3 1 4\nl 1 2\n";
+    const std::string rest = "g top\nusemtl x\nf 1 3 2\nf -4/1 2/-1 -1/7\nf 2 \\\n 3\\\r\n 4 # end\nf 3 1 4\nl 1 2\n";
     CHECK(read("a.obj", "# made \\\nmtllib x.mtl\n" + points + "s off\n" + rest) == pyramid());
     CHECK(read("A.OBJ", rest.substr(0, rest.find("-4")) + "1 2 4\nf 2 3 4\nf 3 1 4\n" + points) == pyramid());
     std::string old = points + "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4";
@@ -111,7 +110,8 @@ TEST_CASE("places in a picture") {
     CHECK(obj.corner_places == std::vector<Corners>{{1, 0, 2}, {3, 3, 0}, {3, 0, 0}});
     CHECK(obj.place_numbers() == obj.corner_places.data());
     // A triangle without a surface goes with its places; faces without any are at the origin.
-    const MeshData mixed = read("a.obj", points + places + "f 1 2 3\nf 1/1 1/1 2/2\nf 1//1 2//1 4//1\nf 2/1 3/2 4/3\nvn 0 0 1\n");
+    const MeshData mixed =
+        read("a.obj", points + places + "f 1 2 3\nf 1/1 1/1 2/2\nf 1//1 2//1 4//1\nf 2/1 3/2 4/3\nvn 0 0 1\n");
     CHECK(mixed.corner_places == std::vector<Corners>{{3, 3, 3}, {3, 3, 3}, {0, 1, 2}});
     CHECK(mixed.places[3] == MeshData::Place{0, 0});
     CHECK(read("a.obj", points + places + "f 1 2 3\n").place_numbers() == nullptr);

@@ -25,8 +25,7 @@ TEST_CASE("a pattern moves with its body") {
     CHECK(different(as_it_is, turned, .01) > 500);
     // The same by the pattern's own transformations.
     const std::string marble_turned = marble.substr(0, marble.size() - 1) + turn + " }";
-    const Frame by_hand =
-        picture(flat("sphere { <0, 0, 0>, 2" + turn + "  material { rgb " + marble + " } }"));
+    const Frame by_hand = picture(flat("sphere { <0, 0, 0>, 2" + turn + "  material { rgb " + marble + " } }"));
     CHECK(different(turned, by_hand, 1e-12) == 0);
     const Frame inside_out = picture(flat("union { sphere { <0, 0, 0>, 2" + turn + "  material { rgb " + marble +
                                           " } } sphere { <50, 0, 0>, 1 } }"));
@@ -99,9 +98,9 @@ TEST_CASE("patterns that repeat are as good far away as here") {
         const bool slanted = kind.starts_with("gradient");
         // 289 * 2000 is a multiple of all their periods but the slanted one's.
         const Frame here = picture(scene("translate <0, 0, .3> "), Precision::float32);
-        const Frame there = picture(
-            scene(slanted ? "translate <578000, -1156000, .3> " : "translate <578000, -1156000, 578000.3> "),
-            Precision::float32);
+        const Frame there =
+            picture(scene(slanted ? "translate <578000, -1156000, .3> " : "translate <578000, -1156000, 578000.3> "),
+                    Precision::float32);
         CHECK(different(here, there, 1e-3) < 40);
     }
 }
@@ -156,16 +155,19 @@ TEST_CASE("bumps are as steep as their height says, and no light comes from behi
                 const double slope = 1 / std::sqrt(1 + height * height), tolerance = 1e-4;
                 CHECK(lit({0, 0, 1}, "") == doctest::Approx(slope).epsilon(tolerance));
                 CHECK(lit({-3, 0, 4}, "") == doctest::Approx((.8 + .6 * height) * slope).epsilon(tolerance));
-                CHECK(lit({-3, 0, 4}, "rotate <0, 0, 180>") == doctest::Approx((.8 - .6 * height) * slope).epsilon(tolerance));
+                CHECK(lit({-3, 0, 4}, "rotate <0, 0, 180>") ==
+                      doctest::Approx((.8 - .6 * height) * slope).epsilon(tolerance));
                 CHECK(lit({-4, 0, -1}, "") == 0);
             }
 }
 
 TEST_CASE("bumps leave outlines and what is inside as they are") {
-    const std::string balls = "light { position <9, 20, 30>  color <1, 1, 1> } union { sphere { <-1, 0, 0>, 2 } "
-                              "sphere { <1, .5, 0>, 1.5 }  rotate <10, 20, 30>  material { ";
+    const std::string balls =
+        "light { position <9, 20, 30>  color <1, 1, 1> } union { sphere { <-1, 0, 0>, 2 } "
+        "sphere { <1, .5, 0>, 1.5 }  rotate <10, 20, 30>  material { ";
     const Frame smooth = picture(flat(balls + "diffuse 1  refraction .5  ior 1 } }"));
-    const Frame bumpy = picture(flat(balls + "diffuse 1  refraction .5  ior 1  bump noise { height .3  scale .3 } } }"));
+    const Frame bumpy =
+        picture(flat(balls + "diffuse 1  refraction .5  ior 1  bump noise { height .3  scale .3 } } }"));
     const Frame flat_bumps = picture(flat(balls + "diffuse 1  refraction .5  ior 1  bump noise { height 0 } } }"));
     CHECK(different(smooth, bumpy, .01) > 500);
     CHECK(different(smooth, flat_bumps, 1e-12) == 0);
@@ -174,11 +176,10 @@ TEST_CASE("bumps leave outlines and what is inside as they are") {
 
 TEST_CASE("numbers without sense make no pixel that is none") {
     const std::string floor = "plane { " + floor_points + "  material { rgb ";
-    for (const std::string kind :
-         {"checker { <1, 1, 1>, <.5, .5, .5> ",
-          "brick { <1, 1, 1>, <.5, .5, .5>  brick_size <1e-9, 1e9, 1>  mortar 1e9 ",
-          "noise { octaves 10  lambda 1e9  colors { 0 <1, 1, 1> .5 <0, 0, 0> .5 <1, 0, 0> } ",
-          "wood { turbulence 1e9  lambda 1e-9  colors { 0 <1, 1, 1> 1 <0, 0, 0> } "})
+    for (const std::string kind : {"checker { <1, 1, 1>, <.5, .5, .5> ",
+                                   "brick { <1, 1, 1>, <.5, .5, .5>  brick_size <1e-9, 1e9, 1>  mortar 1e9 ",
+                                   "noise { octaves 10  lambda 1e9  colors { 0 <1, 1, 1> .5 <0, 0, 0> .5 <1, 0, 0> } ",
+                                   "wood { turbulence 1e9  lambda 1e-9  colors { 0 <1, 1, 1> 1 <0, 0, 0> } "})
         for (const std::string more : {"", "scale 1e-300 ", "translate <1e15, -1e15, 1e15> ", "scale 1e300 "})
             for (const Precision precision : {Precision::float32, Precision::float64, Precision::extended}) {
                 CAPTURE(kind);

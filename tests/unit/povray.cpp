@@ -47,7 +47,9 @@ int worst_of_grids(const std::string& name, int grid) {
                [&](const Tile& tile) { place(tile, whole, ours); });
     int worst = 0;
     for (std::size_t i = 0; i < ours.size(); ++i) {
-        const auto steps = [](double value) { return static_cast<int>(std::lround(65535 * std::clamp(value, 0., 1.))); };
+        const auto steps = [](double value) {
+            return static_cast<int>(std::lround(65535 * std::clamp(value, 0., 1.)));
+        };
         worst = std::max(worst, std::abs(steps(ours[i]) - steps(theirs.picture.values[i])));
     }
     return worst;
@@ -82,10 +84,12 @@ TEST_CASE("every scene's picture agrees with POV-Ray's") {
     std::string faults;
     const auto work = [&] {
         for (std::size_t i = next++; i < names.size(); i = next++) {
-            const auto allowed = table.find(names[i]);
+            const auto entry = table.find(names[i]);
+            const Allowed allowed = entry == table.end() ? Allowed{} : entry->second;
+            if (!allowed.comparable()) continue;
             std::string found;
             try {
-                found = check(names[i], allowed == table.end() ? Allowed{} : allowed->second, 160, 120);
+                found = check(names[i], allowed, 160, 120);
             } catch (const std::exception& error) {
                 found = error.what();
             }

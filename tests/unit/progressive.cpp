@@ -16,29 +16,21 @@ namespace {
 
 const int sizes[][2] = {{64, 48}, {1, 1}, {7, 3}, {16, 16}, {17, 33}, {1, 40}, {40, 1}, {37, 29}};
 
-void visit(const Lattice& lattice, const auto& pixel) {
-    for (int j = 0; j < lattice.rows; ++j)
-        for (int i = 0; i < lattice.columns; ++i) pixel(lattice.x + i * lattice.step_x, lattice.y + j * lattice.step_y);
-}
-
 }  // namespace
 
-TEST_CASE("a level and the passes after it contain every pixel exactly once") {
-    for (const auto& [width, height] : sizes)
-        for (int first = 0; first <= finest_level; ++first) {
-            std::vector<int> met(width * height);
-            const auto count = [&](int x, int y) {
-                REQUIRE((x < width && y < height));
-                ++met[y * width + x];
-            };
-            visit(pixels_of(first, width, height), count);
-            for (int level = first + 1; level <= finest_level; ++level) {
-                visit(new_pixels_of(level, width, height), count);
-                // The pixels known so far are exactly this level.
-                visit(pixels_of(level, width, height), [&](int x, int y) { CHECK(met[y * width + x] == 1); });
-            }
-            for (const int times : met) CHECK(times == 1);
+TEST_CASE("the passes after a level are finer than it, and the last one finishes") {
+    for (int level = 0; level < averaged_level; ++level) {
+        const auto left = passes_after(level);
+        REQUIRE(!left.empty());
+        CHECK(left.front().level > level);
+        CHECK(left.back().level == averaged_level);
+        CHECK(left.back().finest == 0);
+        for (std::size_t i = 1; i < left.size(); ++i) {
+            CHECK(left[i].level > left[i - 1].level);
+            CHECK(left[i].finest < left[i - 1].finest);
         }
+    }
+    CHECK(passes_after(averaged_level).empty());
 }
 
 TEST_CASE("every level has twice the pixels of the one before, from every 16th to all") {
@@ -47,33 +39,6 @@ TEST_CASE("every level has twice the pixels of the one before, from every 16th t
     CHECK(steps_of(finest_level) == Steps{1, 1});
     for (int level = 1; level <= finest_level; ++level)
         CHECK(count(pixels_of(level, 64, 48)) == 2 * count(pixels_of(level - 1, 64, 48)));
-}
-
-TEST_CASE("a picture that is refined is smooth between pixels of the level before, and exact at all that are known") {
-    const auto color = [](int x, int y) { return static_cast<std::uint32_t>(3 * x + 2 * y); };  // a ramp
-    const int width = 49, height = 33;
-    Image level;
-    for (int l = 0; l <= finest_level; ++l) {
-        const Steps steps = steps_of(l);
-        const Lattice all = pixels_of(l, width, height), newer = l == 0 ? all : new_pixels_of(l, width, height);
-        Image finer;
-        finer.resize(all.columns, all.rows);
-        if (l > 0) {
-            const Steps before = steps_of(l - 1);
-            expand(level, {before.x / steps.x, before.y / steps.y}, finer);
-        }
-        // 48 and 32 are on every level: the ramp is met everywhere, to rounding, without the new pixels.
-        if (l > 0)
-            visit(all, [&](int x, int y) {
-                const int got = int(finer.rgba[y / steps.y * all.columns + x / steps.x]), exact = int(color(x, y));
-                CHECK(std::abs(got - exact) <= 1);
-            });
-        std::vector<std::uint32_t> colors;
-        visit(newer, [&](int x, int y) { colors.push_back(color(x, y)); });
-        store(newer, colors.data(), steps, finer);
-        level = finer;
-        visit(all, [&](int x, int y) { CHECK(level.rgba[y / steps.y * all.columns + x / steps.x] == color(x, y)); });
-    }
 }
 
 TEST_CASE("an expanded level is exact at its pixels and between its neighbours elsewhere") {

@@ -78,15 +78,45 @@ TEST_CASE("averages come out as exact as they aim") {
     }
 }
 
+TEST_CASE("the error that is estimated is the true one, within a factor of two") {
+    for (const auto& [name, depth] : {std::pair<std::string, int>{"article", 20},
+                                      {"flythrough", 20},
+                                      {"die", 6},
+                                      {"crosscheck/balls_of_mirror", 6},
+                                      {"kinds/torus", 6}}) {
+        CAPTURE(name);
+        const Scene scene = read_scene(name);
+        View view = view_of(scene, 160, 120);
+        view.depth = depth;
+        const Lattice all{.columns = view.width, .rows = view.height};
+        const std::vector<double> exact = whole(scene, view, {.grid = 16}, Precision::float32);
+        ThreadPool pool(2);
+        Tracer tracer(scene, Precision::float64);
+        for (const double aim : {4. / 510, 1. / 510, .5 / 510}) {
+            CAPTURE(aim);
+            CellPicture cells(scene, view, all, aim);
+            std::vector<double> rgb(exact.size());
+            tracer.trace(view, cells, 0, pool, [&](const Tile& tile) { place(tile, all, rgb); });
+            const double ratio = 510 * cells.sampled().error() / rms(rgb, exact);
+            CHECK(ratio > .5);
+            CHECK(ratio < 2);
+        }
+    }
+}
+
 TEST_CASE("checks and bricks are known by themselves, not by their colours alone") {
     // Without that the errors of both are 3.7.
     for (const std::string pattern : {"checker { <.9, .9, .9>, <.1, .1, .1>  rotate <0, 0, 25> }",
                                       "brick { <.9, .9, .9>, <.1, .1, .1>  scale .2  rotate <0, 0, 25> }"}) {
         CAPTURE(pattern);
-        const Scene scene = parse_scene("camera { position <0, -10, 5>  look_at <0, 0, .5>  up <0, 0, -1>  fov 18 }\n"
-                                        "light { position <-7, -9, 12>  color <.9, .9, .9> }\n"
-                                        "disc { <0, 0, 0>, <0, 0, 1>, 6  material { rgb " + pattern + " } }\n"
-                                        "sphere { <0, 0, 1>, 1  material { reflection .6 } }", "checks");
+        const Scene scene = parse_scene(
+            "camera { position <0, -10, 5>  look_at <0, 0, .5>  up <0, 0, -1>  fov 18 }\n"
+            "light { position <-7, -9, 12>  color <.9, .9, .9> }\n"
+            "disc { <0, 0, 0>, <0, 0, 1>, 6  material { rgb " +
+                pattern +
+                " } }\n"
+                "sphere { <0, 0, 1>, 1  material { reflection .6 } }",
+            "checks");
         const View view = view_of(scene, 160, 120);
         const double error = rms(whole(scene, view, Sampling{}), whole(scene, view, {.grid = 16}));
         CAPTURE(error);
@@ -102,7 +132,8 @@ TEST_CASE("averages depend neither on threads, crops, lanes nor passes") {
         const std::vector<double> picture = traced(tracer, view, {}, all);
         CHECK(picture == traced(tracer, view, {}, all, 3));
         CHECK(picture == whole(scene, view, {}, Precision::float64, Simd::scalar));
-        for (const Lattice crop : {Lattice{33, 17, 20, 30}, Lattice{0, 0, 1, 1}, Lattice{74, 60, 1, 1}, Lattice{7, 0, 40, 9}}) {
+        for (const Lattice crop :
+             {Lattice{33, 17, 20, 30}, Lattice{0, 0, 1, 1}, Lattice{74, 60, 1, 1}, Lattice{7, 0, 40, 9}}) {
             const std::vector<double> part = traced(tracer, view, {}, crop);
             std::vector<double> cut;
             for (int y = crop.y; y < crop.y + crop.rows; ++y) {

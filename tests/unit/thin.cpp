@@ -37,7 +37,9 @@ std::vector<double> picture(const Scene& scene, int width, const Sampling& sampl
     const Lattice all{.columns = view.width, .rows = view.height};
     std::vector<double> rgb(std::size_t(3) * view.width * view.height);
     ThreadPool pool(2);
-    Tracer(scene, Precision::float64).trace(view, sampling, all, pool, [&](const Tile& tile) { place(tile, all, rgb); });
+    Tracer(scene, Precision::float64).trace(view, sampling, all, pool, [&](const Tile& tile) {
+        place(tile, all, rgb);
+    });
     return rgb;
 }
 
@@ -131,7 +133,11 @@ TEST_CASE("tubes meet what points of them lie in") {
         const double length_of_tube = 2 * positive(random), end = .3 * positive(random);
         const DVec3 middle = point();
         const Capsule capsule{middle, i % 3 == 0 ? middle : middle + point(), .01 + .2 * positive(random)};
-        Tube tube{.from = point(), .direction = normalize(point()), .length = length_of_tube, .radius = 0, .growth = 0,
+        Tube tube{.from = point(),
+                  .direction = normalize(point()),
+                  .length = length_of_tube,
+                  .radius = 0,
+                  .growth = 0,
                   .area = 2};
         tube.radius = i % 2 == 0 ? .3 * positive(random) : 0, tube.growth = (end - tube.radius) / length_of_tube;
         const double radius = radius_at(tube, capsule);

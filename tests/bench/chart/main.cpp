@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <cstring>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@
 #include "scene/sphere.h"
 #include "show/progressive.h"
 #include "text/parse.h"
+#include "trace/cell_picture.h"
 #include "trace/thread_pool.h"
 #include "trace/tracer.h"
 
@@ -23,7 +25,8 @@ using namespace strahl;
 
 namespace {
 
-constexpr double distance = 3;  // of the centres of two mirror balls of radius 1
+constexpr double half_step = .5 / 255;  // what the window's pixels may lack
+constexpr double distance = 3;          // of the centres of two mirror balls of radius 1
 
 /// A ray that should go to and fro on the line between the centres for ever: the bits its place is right in, bounce by
 /// bounce. What drives it off is rounding alone.
@@ -86,41 +89,57 @@ class Canvas {
     std::vector<double> rgb;
 };
 
-void passes(const std::string& path) {
+struct Difference {
+    double other, mean;  // share of pixels of another 8-bit colour, mean difference of values
+};
+Difference difference(const Canvas& ours, const Canvas& theirs, bool linear) {
+    std::size_t other = 0;
+    double sum = 0;
+    for (std::size_t i = 0; i < ours.rgb.size(); i += 3) {
+        bool same = true;
+        for (std::size_t k = i; k < i + 3; ++k) {
+            const int off = quantise(ours.rgb[k], linear, 255) - quantise(theirs.rgb[k], linear, 255);
+            same &= off == 0;
+            sum += std::abs(off) / 255.;
+        }
+        other += !same;
+    }
+    const double values = double(ours.rgb.size());
+    return {3 * double(other) / values, sum / values};
+}
+
+/// The first picture of the window, of every 8th pixel in both directions, and the passes that follow.
+void show_passes(const std::string& path) {
     const Scene scene = parse_scene(read_text(path), path);
-    const View view{.camera = scene.camera, .depth = scene.settings.max_trace_level};
-    const Frame exact = render(scene, view, Precision::extended);
-    Tracer tracer(scene, Precision::float32);
+    const View view{.camera = scene.camera, .depth = scene.settings.max_trace_level, .error = half_step};
+    const Lattice whole{.columns = view.width, .rows = view.height};
     ThreadPool pool;
+    Canvas exact(view.width, view.height);
+    Tracer(scene, Precision::float64).trace(view, {.error = 1e-4}, whole, pool, [&](const Tile& tile) {
+        exact.fill(tile, {});
+    });
+    Tracer tracer(scene, Precision::float32);
     tracer.prepare(view, pool);
-    constexpr int rounds = 7;
-    std::vector<double> seconds[finest_level + 1];
+    constexpr int rounds = 7, first = 2;
+    const auto later = passes_after(first);
+    std::vector<std::vector<double>> seconds(1 + later.size());
     for (int round = 0; round < rounds; ++round) {
         Canvas canvas(view.width, view.height);
-        double sum = 0;
-        for (int level = 0; level <= finest_level; ++level) {
-            const Lattice lattice =
-                level == 0 ? pixels_of(0, view.width, view.height) : new_pixels_of(level, view.width, view.height);
-            const auto start = std::chrono::steady_clock::now();
-            tracer.trace(view, lattice, pool, [&](const Tile& tile) { canvas.fill(tile, steps_of(level)); });
-            sum += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-            seconds[level].push_back(sum);
+        std::optional<CellPicture> cells;
+        const auto start = std::chrono::steady_clock::now();
+        for (std::size_t pass = 0; pass < seconds.size(); ++pass) {
+            const auto keep = [&](const Tile& tile) { canvas.fill(tile, pass == 0 ? steps_of(first) : Steps{}); };
+            if (pass == 0)
+                tracer.trace_filled(view, pixels_of(first, view.width, view.height), 3. / 255, pool, keep);
+            else
+                tracer.trace(view, *cells, later[pass - 1].finest, pool, keep);
+            if (pass == 0) cells.emplace(tracer.scene(), view, whole, Sampling{}.error);
+            seconds[pass].push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
             if (round + 1 < rounds) continue;
-            std::size_t other = 0;
-            double mean = 0;
-            for (std::size_t i = 0; i < canvas.rgb.size(); i += 3) {
-                bool same = true;
-                for (std::size_t k = i; k < i + 3; ++k) {
-                    const int ours = quantise(canvas.rgb[k], scene.settings.linear, 255);
-                    const int theirs = quantise(exact.rgb[k], scene.settings.linear, 255);
-                    same &= ours == theirs;
-                    mean += std::abs(ours - theirs) / 255. / double(canvas.rgb.size());
-                }
-                other += !same;
-            }
-            std::nth_element(seconds[level].begin(), seconds[level].begin() + rounds / 2, seconds[level].end());
+            const auto [other, mean] = difference(canvas, exact, scene.settings.linear);
+            std::ranges::nth_element(seconds[pass], seconds[pass].begin() + rounds / 2);
             const double pixels = double(view.width) * view.height;
-            std::printf("%g\t%g\t%g\n", seconds[level][rounds / 2] * 1e6 / pixels, double(other) / pixels, mean);
+            std::printf("%g\t%g\t%g\n", seconds[pass][rounds / 2] * 1e6 / pixels, other, mean);
         }
     }
 }
@@ -131,7 +150,7 @@ int main(int argc, char** argv) {
     if (argc == 2 && std::strcmp(argv[1], "bounces") == 0)
         bounces();
     else if (argc == 3 && std::strcmp(argv[1], "passes") == 0)
-        passes(argv[2]);
+        show_passes(argv[2]);
     else
         return std::fprintf(stderr, "usage: bench_chart bounces | passes SCENE\n"), 2;
 }

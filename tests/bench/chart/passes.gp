@@ -1,7 +1,7 @@
 # The error of a resting picture in the window over time. Set by the caller: folder, picture.
 set terminal svg size 760,460 font "sans,13" background "white"
 set output picture
-set title "Error after the camera stopped: the window's nine passes, float"
+set title "Error after the camera stopped: the window's first picture and its passes, float"
 set logscale xy
 set xlabel "seconds per megapixel"
 set ylabel "error"

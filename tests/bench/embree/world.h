@@ -1,5 +1,5 @@
-// A scene in Embree's input: balls are its sphere points, cylinders user geometry, meshes its triangles; planes stay outside, in a plain
-// loop.
+// A scene in Embree's input: balls are its sphere points, cylinders user geometry, meshes its triangles; planes stay
+// outside, in a plain loop.
 #pragma once
 #include <embree3/rtcore.h>
 

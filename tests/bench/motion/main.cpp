@@ -45,7 +45,7 @@ void measure(const Scene& scene, const char* what, int frames, ThreadPool& pool)
     MovingHierarchy moving;
     for (int frame = 0; frame < frames; ++frame) {
         const double start = bench::seconds();
-        stage.set(1.9 / 25 * frame / 3 + .05, pool);
+        stage.set(1.9 / 25 * frame / 3 + .05, nullptr, pool);
         const double set = bench::seconds();
         const Placement placed = placement(extent_of(stage.scene()), scene.camera.position);
         world.reset();

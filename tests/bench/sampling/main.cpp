@@ -29,12 +29,12 @@ struct Result {
 /// An adaptive picture, and the RMS error that it is thought to have.
 Result refine(Tracer& tracer, const View& view, double error, ThreadPool& pool) {
     const Lattice whole{.columns = view.width, .rows = view.height};
-    Result result{.rgb = std::vector<double>(std::size_t(3) * view.width * view.height)};
+    Result result;
+    result.rgb.resize(std::size_t(3) * view.width * view.height);
     tracer.prepare(view, pool);
     const auto start = std::chrono::steady_clock::now();
     CellPicture picture(tracer.scene(), view, whole, error);
-    result.rays =
-        tracer.trace(view, picture, 0, pool, [&](const Tile& tile) { place(tile, whole, result.rgb); });
+    result.rays = tracer.trace(view, picture, 0, pool, [&](const Tile& tile) { place(tile, whole, result.rgb); });
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     result.estimate = picture.sampled().error();
     return result;
@@ -42,7 +42,8 @@ Result refine(Tracer& tracer, const View& view, double error, ThreadPool& pool) 
 
 Result render(Tracer& tracer, const View& view, const Sampling& sampling, ThreadPool& pool) {
     const Lattice whole{.columns = view.width, .rows = view.height};
-    Result result{.rgb = std::vector<double>(std::size_t(3) * view.width * view.height)};
+    Result result;
+    result.rgb.resize(std::size_t(3) * view.width * view.height);
     tracer.prepare(view, pool);
     const auto start = std::chrono::steady_clock::now();
     result.rays = tracer.trace(view, sampling, whole, pool, [&](const Tile& tile) { place(tile, whole, result.rgb); });
@@ -75,10 +76,10 @@ void print(const std::string& name, const Result& result, const std::vector<doub
     }
     std::ranges::sort(worst);
     const auto percentile = [&](double share) { return worst[std::size_t(share * double(worst.size() - 1))] * 255; };
-    std::printf("%-14s %7.2f %8.1f %8.3f %8.3f %8.2f %8.1f %9.4f %9.3f\n", name.c_str(), double(result.rays.camera) / pixels,
-                double(result.rays.total()) / pixels, 510 * std::sqrt(squares / double(exact.size())),
-                percentile(.99), percentile(.999), worst.back() * 255, result.seconds,
-                510 * result.estimate);
+    std::printf("%-14s %7.2f %8.1f %8.3f %8.3f %8.2f %8.1f %9.4f %9.3f\n", name.c_str(),
+                double(result.rays.camera) / pixels, double(result.rays.total()) / pixels,
+                510 * std::sqrt(squares / double(exact.size())), percentile(.99), percentile(.999), worst.back() * 255,
+                result.seconds, 510 * result.estimate);
 }
 
 int compare(int argc, char** argv) {
@@ -102,7 +103,8 @@ int compare(int argc, char** argv) {
     if (argc > 5) {  // other programs' pictures
         for (int i = 5; i < argc; ++i) {
             const Picture picture = read_picture(argv[i]);
-            Result result{.rgb = picture.values};
+            Result result;
+            result.rgb = picture.values;
             result.rays.camera = static_cast<std::uint64_t>(pixels);
             print(std::filesystem::path(argv[i]).stem().string(), result, exact, pixels);
         }

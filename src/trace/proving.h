@@ -1,0 +1,176 @@
+// How bounds travel with rays: what their hits do to them, and what the pixels get.
+#pragma once
+#include "trace/proving_query.h"
+#include "trace/shading.h"
+
+namespace strahl::inline STRAHL_LEVEL::inline STRAHL_INSTANCE {
+
+/// Adds to the bounds of a pack's pixels, and for what follows the rounding of their sums.
+template <class S>
+STRAHL_INLINE void add_bounds(const PixelBatch<Element<S>>& batch, const S& pixel, int lanes, const S& bound) {
+    using T = Element<S>;
+    alignas(64) T pixels[width<S>], bounds[width<S>];
+    store_lanes(pixels, pixel), store_lanes(bounds, bound);
+    for (int k = 0; k < lanes; ++k) {
+        const int i = static_cast<int>(pixels[k]);
+        const T* const rgb = batch.sums[i].rgb;
+        batch.bounds[i] += bounds[k] + unit_error<S> * max(rgb[0], max(rgb[1], rgb[2]));
+    }
+}
+
+/// The most that rays of a generation bring back, of all that is decided at random from here on.
+template <class T>
+STRAHL_INLINE T brightest_of(const Limits<T>& limits, int depth) {
+    return limits.brightest[limits.depth - depth + 1];
+}
+
+/// Sums of a hit's light are rounded so often at most, but for its lights.
+template <class S>
+STRAHL_INLINE S rounding_of(const Vec3<S>& light, int depth, int lights) {
+    using T = Element<S>;
+    return S(T(32 + 4 * depth + 4 * lights) * unit_error<S>) * largest(light);
+}
+
+/// Rays that may be turned by more than this are not followed.
+inline constexpr float most_turn = 1e-3f;
+
+/// Finds what a generation's rays meet. Where that can't be told the plain kernel decides, the pixel's bound grows by
+/// all that the ray may bring, and it is not followed any more.
+template <class S, class T>
+STRAHL_INLINE Nearest<S> nearest_proved(const World<T>& world, const Limits<T>& limits, const RayQueue<T>& rays, int i,
+                                        const Ray<S>& ray, Mask<S> active, BodySet set, int depth,
+                                        const PixelBatch<T>& batch) {
+    const S away = load_lanes<S>(rays.away + i), turn = load_lanes<S>(rays.turn + i);
+    const Mask<S> followed = active & (away >= S(0));
+    const Candidates<S> found =
+        candidates(world, DoubtfulRay<S>{ray, {max(away, S(0)), turn}}, followed, set, limits.slack);
+    Nearest<S> best;
+    best.t = found.t, best.surface = found.surface, best.bin = found.bin;
+    const Mask<S> told = followed & (found.hits() | found.misses()) & (turn < S(most_turn)), open = active & !told;
+    if (none(open)) return best;
+    const Nearest<S> plain = nearest(world, ray, open, set);
+    best.t = select(open, plain.t, best.t), best.surface = select(open, plain.surface, best.surface);
+    best.bin = select(open, plain.bin, best.bin);
+    const Mask<S> lost = open & followed;
+    if (none(lost)) return best;
+    const S weight = load_lanes<S>(rays.weight + i);
+    add_bounds(batch, load_lanes<S>(rays.pixel + i), std::min(width<S>, rays.count - i),
+               select(lost, weight * S(brightest_of(limits, depth)), S(0)));
+    store_lanes(rays.away + i, select(lost, S(-1), away)), store_lanes(rays.turn + i, select(lost, S(0), turn));
+    return best;
+}
+
+/// What is known of hits of one bin, found at `t`. Those of which nothing is are left, with all that they may bring.
+template <class S>
+STRAHL_INLINE HitBounds<S> bound_hits(const Shading<S>& shading, const Hit<S>& hit, const Ray<S>& ray,
+                                      const Doubt<S>& doubt, const S& t, const S& weight, int lanes, Mask<S> known) {
+    const auto& world = shading.world;
+    const Mask<S> followed = hit.active & (doubt.away >= S(0));
+    alignas(64) Element<S> surfaces[width<S>];
+    store_lanes(surfaces, hit.surface);
+    int items[width<S>];
+    for (int k = 0; k < width<S>; ++k) items[k] = world.references[static_cast<int>(surfaces[k])].item;
+    PointBounds<S> found{S(0), S(0), first_lanes<S>(0)};
+    if_hot(world, world.sort_bins[hit.bin].form, [&](const auto& group) {
+        using Item = typename std::remove_cvref_t<decltype(group)>::template ItemOf<S>;
+        const Item own = gather_items<Item, S>(group.items, items);
+        found = point_bounds(own.shape, ray, doubt, t, SurfacePoint<S>{hit.position, hit.normal},
+                             S(hit.surface - own.surface), shading.limits.slack);
+    });
+    HitBounds<S> bounds;
+    bounds.followed = followed & known & found.sure & (doubt.turn < S(most_turn));
+    const auto keep = [&](const S& value) { return select(bounds.followed, value, S(0)); };
+    bounds.away = keep(found.away), bounds.normal = keep(found.normal), bounds.turn = keep(doubt.turn);
+    const Mask<S> lost = followed & !bounds.followed;
+    if (any(lost)) {
+        const S most = weight * S(brightest_of(shading.limits, shading.depth));
+        add_bounds(shading.batch, hit.pixel, lanes, select(lost, most, S(0)));
+    }
+    return bounds;
+}
+
+/// By how much a mirrored or a refracted direction may be turned; b is the ratio of indices, c and k the cosine before
+/// and the squared cosine beyond the surface, which is off by no more than `k_error`.
+template <class S>
+STRAHL_INLINE S turn_reflected(const HitBounds<S>& known) {
+    return fma(S(2.1), known.normal, known.turn) + S(16 * unit_error<S>);
+}
+template <class S>
+STRAHL_INLINE S error_beyond(const HitBounds<S>& known, const S& b, const S& c) {
+    const S off = known.turn + known.normal;
+    return b * b * off * fma(S(2.2), c, S(1.1) * off) + S(16 * unit_error<S>) * fma(b, b, S(1));
+}
+template <class S>
+STRAHL_INLINE S turn_refracted(const HitBounds<S>& known, const S& b, const S& c, const S& k, const S& k_error) {
+    const S least = sqrt(max(k - k_error, S(0))), most = sqrt(k + k_error);
+    const S by_turn = max(b, b * c / least);
+    const S low = b * c / most, high = b * c / least;
+    const S by_normal = max(max(abs(S(1) - low), abs(S(1) - high)), max(abs(b * c - least), abs(b * c - most)));
+    return S(1.1) * fma(by_turn, known.turn, by_normal * known.normal) +
+           S(8 * unit_error<S>) * (S(1) + fma(b, b, S(1)) / least);
+}
+
+/// What a light may add to a hit's light in exact arithmetic other than in computed: by the angle at which it comes, by
+/// its highlight, and by whether it comes at all.
+template <class S>
+struct LitBounds {
+    S cosine, highlight;  // how far these are off
+    S distance;           // likewise
+    Doubt<S> ray;         // of the shadow ray
+    Mask<S> doubt;        // lanes in which it can't be told whether it is on the normal's side
+};
+template <class S>
+STRAHL_INLINE LitBounds<S> bound_lit(const HitBounds<S>& known, const Hit<S>& hit, const LightKernel<Element<S>>& light,
+                                     const S& length, const S& cosine, const S& shine, const S& highlight) {
+    constexpr auto u = unit_error<S>;
+    const MaterialKernel<S>& material = hit.material;
+    const Vec3<S> place = splat<S>(light.position);
+    const S off = S(light.finite) * (known.away + S(4 * u) * (norm1(place) + norm1(hit.position)));
+    const Mask<S> near = !(off < S(.25) * length);
+    LitBounds<S> lit;
+    const S turn = S(2) * off / length + S(16 * u);
+    lit.ray = {known.away, turn};
+    lit.distance = select(near, length, off + S(8 * u) * length);
+    lit.cosine = S(1.05) * (known.normal + turn) + S(8 * u);
+    const S error = turn_reflected(known) + turn + S(16 * u), base = max(shine, material.shines_from);
+    const S relative = material.pow * error / base;
+    const Mask<S> mild = (relative < S(.5)) & (error < S(.25) * base);
+    lit.highlight =
+        select(mild, fma(S(2) * relative + S(2 * u) * (material.pow + S(4)), highlight, u * material.specular),
+               material.specular);
+    lit.doubt = near | !(abs(cosine) > lit.cosine);
+    return lit;
+}
+
+/// Adds a light of which nothing is known to the errors of hits.
+template <class S>
+STRAHL_INLINE void add_unknown_light(const Shading<S>& shading, const Hit<S>& hit, const LightKernel<Element<S>>& light,
+                                     HitBounds<S>& known) {
+    const Vec3<S> most = splat<S>(light.color);
+    known.off = fma(S(shading.limits.slack.gain) * largest(most), largest(hit.material.diffuse) + hit.material.specular,
+                    known.off);
+}
+
+/// The share of a light that reaches hits, in the lanes of `faces`. Adds the light's error to that of the hits.
+template <class S>
+STRAHL_INLINE Vec3<S> share_proved(const Shading<S>& shading, const Hit<S>& hit, const LitBounds<S>& lit,
+                                   const Vec3<S>& l, const S& distance, Mask<S> faces, const S& cosine,
+                                   const S& highlight, const Start<S>& start, HitBounds<S>& known) {
+    const Ray<S> ray{hit.position, l, hit.surface};
+    const Slack<Element<S>>& slack = shading.limits.slack;
+    LightBounds<S> found = light_bounds(shading.world, DoubtfulRay<S>{ray, lit.ray}, distance, lit.distance,
+                                        faces & known.followed, start, slack);
+    Mask<S> doubt = faces & ((found.doubt & !found.dark) | !known.followed);
+    Vec3<S> share = select(found.dark, Vec3<S>(S(0), S(0), S(0)), found.share);
+    if (any(doubt)) share = select(doubt, visibility(shading.world, ray, distance, doubt, start), share);
+    doubt = doubt | (hit.active & lit.doubt);
+    const Vec3<S> color = splat<S>(shading.world.lights[start.light].color);
+    const S diffuse = largest(hit.material.diffuse), error = fma(diffuse, lit.cosine, lit.highlight);
+    const S light = fma(diffuse, abs(cosine), highlight);
+    const S rounding = S(unit_error<S>) * found.crossings * light;
+    known.off = known.off + select(doubt, S(slack.gain) * largest(color) * (light + error),
+                                   select(faces, largest(color) * largest(share) * (error + rounding), S(0)));
+    return share;
+}
+
+}  // namespace strahl::inline STRAHL_LEVEL::inline STRAHL_INSTANCE

@@ -1,0 +1,182 @@
+// Exact arithmetic, as nearly as numbers of 113 bits have it: a recursive tracer of spheres, planes and cylinders that
+// takes the doubles of a Scene and rounds nothing to double, the camera's axes and all matrices included.
+#pragma once
+#include <array>
+#include <vector>
+
+#include "scene/scene.h"
+#include "tests/referee/basic.h"
+#include "trace/tracer.h"
+
+namespace strahl::exact {
+
+using R = Quadruple;
+using referee::Crossing;
+using referee::Line;
+using Vector = referee::Vector<R>;
+
+inline R radians(double degrees) {
+    const R pi = R(0x1.921fb54442d18p+1) + R(0x1.1a62633145c07p-53) + R(-0x1.f1976b7ed8fbcp-109);
+    return R(degrees) * pi / 180;
+}
+inline R cosine_of(R x) {
+    const R half = sine_of(x / 2);
+    return 1 - 2 * half * half;
+}
+
+/// local = rows * (world - moved)
+struct Space {
+    std::array<Vector, 3> columns{Vector{1, 0, 0}, Vector{0, 1, 0}, Vector{0, 0, 1}}, rows;
+    Vector moved;
+
+    explicit Space(const std::vector<Transformation>& steps) {
+        for (const Transformation& step : steps) std::visit([&](const auto& own) { add(own); }, step);
+        const auto& [a, b, c] = columns;
+        const R scale = R(1) / dot(a, cross(b, c));
+        rows = {scale * cross(b, c), scale * cross(c, a), scale * cross(a, b)};
+    }
+    Vector turn(const Vector& v) const { return {dot(rows[0], v), dot(rows[1], v), dot(rows[2], v)}; }
+
+  private:
+    template <class Step>
+    void then(const Step& step) {
+        for (Vector& column : columns) column = step(column);
+        moved = step(moved);
+    }
+    void add(const Rotate& r) {
+        const auto sine = [](double degrees) { return sine_of(radians(degrees)); };
+        const auto cosine = [](double degrees) { return cosine_of(radians(degrees)); };
+        then([&, s = sine(r.degrees.x), c = cosine(r.degrees.x)](const Vector& v) {
+            return Vector{v.x, c * v.y - s * v.z, s * v.y + c * v.z};
+        });
+        then([&, s = sine(r.degrees.y), c = cosine(r.degrees.y)](const Vector& v) {
+            return Vector{c * v.x + s * v.z, v.y, c * v.z - s * v.x};
+        });
+        then([&, s = sine(r.degrees.z), c = cosine(r.degrees.z)](const Vector& v) {
+            return Vector{c * v.x - s * v.y, s * v.x + c * v.y, v.z};
+        });
+    }
+    void add(const Translate& t) { moved = moved + Vector(t.by); }
+    void add(const Scale& s) {
+        then([&](const Vector& v) { return v * Vector(s.by); });
+    }
+    void add(const Motion&) {}
+};
+
+struct Body {
+    Shape shape;
+    Material material;
+    Space space;
+
+    std::vector<Crossing<R>> meet(const Line<R>& line, int self) const {
+        const Line<R> local{space.turn(line.origin - space.moved), space.turn(line.direction)};
+        const int source = line.body == self ? line.face : -1;
+        std::vector<Crossing<R>> found;
+        if (const auto* sphere = std::get_if<Sphere>(&shape)) found = crossings(*sphere, local, source).list;
+        if (const auto* plane = std::get_if<Plane>(&shape)) found = crossings(*plane, local, source).list;
+        if (const auto* cylinder = std::get_if<Cylinder>(&shape)) found = crossings(*cylinder, local, source).list;
+        for (auto& [t, face, n] : found) n = n.x * space.rows[0] + n.y * space.rows[1] + n.z * space.rows[2];
+        return found;
+    }
+    bool surrounds(const Vector& world) const {
+        const Vector p = space.turn(world - space.moved);
+        if (const auto* sphere = std::get_if<Sphere>(&shape)) return contains<R>(*sphere, p);
+        if (const auto* plane = std::get_if<Plane>(&shape)) return contains<R>(*plane, p);
+        return contains<R>(std::get<Cylinder>(shape), p);
+    }
+};
+
+class Tracer {
+  public:
+    Tracer(const Scene& own, const View& own_view) : scene(own), view(own_view), eye(view.camera.position) {
+        for (const Primitive& p : scene.primitives)
+            bodies.push_back({p.shape, scene.materials[p.material], Space(p.transformations)});
+        forward = unit(Vector(view.camera.look_at) - eye);
+        right = unit(cross(Vector(view.camera.up), forward));
+        down = cross(forward, right);
+        const R angle = radians(view.camera.fov), tangent = sine_of(angle) / cosine_of(angle);
+        const R aspect = view.camera.aspectratio ? R(*view.camera.aspectratio) : R(view.width) / R(view.height);
+        right = tangent * right, down = tangent / aspect * down;
+    }
+    /// Through the middle of a pixel.
+    Vector at(int x, int y) const {
+        const R u = (2 * R(x) + 1) / view.width - 1, v = (2 * R(y) + 1) / view.height - 1;
+        std::vector<int> inside;
+        for (int i = 0; i < std::ssize(bodies); ++i)
+            if (bodies[i].material.refraction > 0 && bodies[i].surrounds(eye)) inside.push_back(i);
+        return see({eye, unit(forward + u * right + v * down)}, 1, inside);
+    }
+
+  private:
+    Vector see(const Line<R>& line, int generation, const std::vector<int>& inside) const {
+        int body = -1;
+        Crossing<R> hit{};
+        for (int i = 0; i < std::ssize(bodies); ++i)
+            for (const auto& crossing : bodies[i].meet(line, i))
+                if (crossing.t > 0 && (body < 0 || crossing.t < hit.t)) body = i, hit = crossing;
+        if (body < 0) return scene.background.color;
+        const Material& material = bodies[body].material;
+        const Vector e = line.direction, p = line.origin + hit.t * e, color = material.rgb.color;
+        Vector n = unit(hit.normal);
+        if (dot(e, n) > 0) n = R(-1) * n;
+        const Vector mirrored = e - 2 * dot(e, n) * n;
+        Vector sum = R(material.ambient) * color * Vector(scene.settings.ambient_light);
+        for (const Light& light : scene.lights) sum = sum + from(light, p, n, mirrored, body, hit.face);
+        if (generation >= view.depth) return sum;
+        R share = material.reflection;
+        if (material.refraction > 0) {
+            auto [ratio, after] = pass(body, inside);
+            const R s = -dot(e, n), k = 1 - ratio * ratio * (1 - s * s);
+            if (k < 0)
+                share += R(material.refraction);
+            else
+                sum =
+                    sum + R(material.refraction) * see({p, unit(ratio * e + (ratio * s - root(k)) * n), body, hit.face},
+                                                       generation + 1, after);
+        }
+        if (share > 0) sum = sum + share * see({p, mirrored, body, hit.face}, generation + 1, inside);
+        return sum;
+    }
+
+    Vector from(const Light& light, const Vector& p, const Vector& n, const Vector& mirrored, int body,
+                int face) const {
+        const Vector way = light.direction ? R(-1) * Vector(*light.direction) : Vector(light.position) - p,
+                     l = unit(way);
+        const R facing = dot(n, l), glance = dot(mirrored, l);
+        if (!(facing > 0)) return {};
+        const Material& material = bodies[body].material;
+        const R highlight = glance > 0 ? R(material.specular) * power(glance, R(material.pow)) : R(0);
+        Vector share = light.color * (R(material.diffuse) * facing * Vector(material.rgb.color) +
+                                      Vector{highlight, highlight, highlight});
+        const R distance = root(dot(way, way));
+        for (int i = 0; i < std::ssize(bodies); ++i)
+            for (const auto& crossing : bodies[i].meet({p, l, body, face}, i)) {
+                if (!(crossing.t > 0 && (light.direction || crossing.t < distance))) continue;
+                const Material& other = bodies[i].material;
+                if (!(other.refraction > 0)) return {};
+                share = R(other.refraction) * share * Vector(other.rgb.color);
+            }
+        return share;
+    }
+
+    /// The ratio of indices at a surface of `body`, and the medium stack behind it, by POV-Ray's rule.
+    std::pair<R, std::vector<int>> pass(int body, std::vector<int> inside) const {
+        const auto ior = [&](int i) { return i < 0 ? R(1) : R(bodies[i].material.ior); };
+        const auto inner = [&] { return inside.empty() ? -1 : inside.back(); };
+        const int before = inner();
+        for (std::size_t i = 0; i < inside.size(); ++i) {
+            if (inside[i] != body) continue;
+            inside.erase(inside.begin() + static_cast<std::ptrdiff_t>(i));
+            return {body == before ? ior(before) / ior(inner()) : R(1), inside};
+        }
+        inside.push_back(body);
+        return {ior(before) / ior(body), inside};
+    }
+
+    Scene scene;
+    View view;
+    Vector eye, forward, right, down;
+    std::vector<Body> bodies;
+};
+
+}  // namespace strahl::exact

@@ -1,0 +1,131 @@
+// Random worlds of what proofs know: glass, mirrors and dull bodies that touch and overlap, of all sizes and anywhere.
+#pragma once
+#include <cmath>
+
+#include "scene/scene.h"
+#include "tests/referee/dice.h"
+
+namespace strahl::proof {
+
+inline Material random_material(Dice& dice, bool glass) {
+    Material m;
+    m.rgb.color = dice.vector(.2, 1);
+    m.ambient = dice.in(0, .3), m.diffuse = dice.in(.1, .7);
+    m.specular = dice.chance(.5) ? dice.in(0, 1) : 0, m.pow = std::floor(std::pow(10, dice.in(0, 2.5)));
+    m.reflection = dice.chance(.5) ? dice.in(.1, .9) : 0;
+    if (glass && dice.chance(.4))
+        m.refraction = dice.in(.3, .9), m.reflection = dice.in(0, .3), m.ior = dice.in(1, 2.4);
+    if (dice.chance(.05)) m.ior = 1;
+    return m;
+}
+
+/// The same world of scale 1 around 0, scaled and moved. `hard` ones have glass, contacts and transformations.
+inline Scene random_world(std::uint64_t seed) {
+    Dice dice(seed);
+    const double size = dice.chance(.5) ? 1 : std::pow(10, dice.in(-3, 4));
+    const double far = dice.chance(.5) ? 0 : std::pow(10, dice.in(0, 4));
+    const DVec3 shift = dice.vector(-far, far);
+    const bool glass = dice.chance(.5), transformed = dice.chance(.3), contacts = dice.chance(.5);
+    const int count = dice.chance(.2) ? 40 + dice.upto(80) : 2 + dice.upto(9);
+    const auto place = [&](const DVec3& p) { return size * p + shift; };
+    Scene scene;
+    scene.background.color = dice.vector(.1, .9);
+    scene.settings.max_trace_level = 2 + dice.upto(6);
+    for (int i = 0; i <= dice.upto(3); ++i) {
+        Light light{.position = place(dice.arrow(4, 12)), .color = dice.vector(.2, .9)};
+        if (dice.chance(.15)) light.direction = dice.direction();
+        scene.lights.push_back(light);
+    }
+    const auto put = [&](const Shape& shape) {
+        Primitive primitive{shape, static_cast<int>(scene.materials.size()), {}};
+        if (transformed && dice.chance(.5)) {
+            primitive.transformations.push_back(Rotate{dice.vector(-200, 200)});
+            primitive.transformations.push_back(Scale{DVec3(dice.in(.5, 2))});
+            primitive.transformations.push_back(Translate{size * dice.vector(-1, 1)});
+        }
+        scene.primitives.push_back(primitive);
+        scene.materials.push_back(random_material(dice, glass));
+    };
+    DVec3 last(0);
+    double last_radius = 1;
+    for (int i = 0; i < count; ++i) {
+        const double radius = count > 20 ? dice.in(.05, .3) : dice.in(.2, 1.2);
+        const bool touches = contacts && i > 0 && dice.chance(.3);
+        const DVec3 centre = touches ? last + (last_radius + radius) * dice.direction() : dice.vector(-2.5, 2.5);
+        if (dice.chance(.7)) {
+            put(Sphere{place(centre), size * radius});
+            last = centre, last_radius = radius;
+        } else {
+            put(Cylinder{place(centre), place(centre + dice.arrow(.3, 3)), size * radius * .6});
+        }
+    }
+    if (dice.chance(.6)) {
+        const DVec3 a{0, 0, -2.5};
+        if (dice.chance(.5))
+            put(Plane{place(a), place(a + DVec3(1, 0, 0)), place(a + DVec3(0, 1, 0))});
+        else
+            put(Plane{place(a), place(a + dice.vector(-1, 1)), place(a + dice.vector(-1, 1))});
+    }
+    scene.camera.position = place(dice.chance(.1) ? dice.vector(-1, 1) : dice.arrow(5, 9));
+    scene.camera.look_at = place(dice.vector(-1, 1));
+    scene.camera.up = {dice.in(-.2, .2), 0, -1};
+    scene.camera.fov = dice.in(10, 40);
+    return scene;
+}
+
+/// The size of pictures of the following worlds.
+inline constexpr int edge_columns = 6, edge_rows = 4;
+
+/// A world of edges: through the middle of each pixel of a small picture goes a ray that touches a ball or a rod, but
+/// for rounding, or whose mirrored or shadow ray from the floor does.
+inline Scene world_of_edges(std::uint64_t seed) {
+    Dice dice(seed);
+    Scene scene;
+    scene.background.color = dice.vector(.1, .9);
+    scene.settings.max_trace_level = 3;
+    const double size = std::pow(10, dice.in(-3, 4)), far = dice.chance(.5) ? 0 : size * std::pow(10, dice.in(0, 3));
+    const DVec3 shift = dice.vector(-far, far), eye = shift + size * dice.vector(-1, 1) + size * DVec3(0, -8, 5);
+    const DVec3 lamp = shift + size * DVec3(dice.in(-6, 6), dice.in(-6, 2), 9);
+    scene.camera.position = eye, scene.camera.look_at = shift, scene.camera.up = {dice.in(-.2, .2), 0, -1};
+    scene.camera.fov = dice.in(10, 25);
+    scene.lights.push_back({.position = lamp, .color = Color(.8)});
+    const auto dull = [&](double reflection) {
+        Material m = random_material(dice, false);
+        m.reflection = reflection;
+        scene.materials.push_back(m);
+        return static_cast<int>(scene.materials.size()) - 1;
+    };
+    const double level = shift.z;
+    const DVec3 on_floor{shift.x, shift.y, level};
+    scene.primitives.push_back(
+        {Plane{on_floor, on_floor + size * DVec3(1, 0, 0), on_floor + size * DVec3(0, 1, 0)}, dull(.5), {}});
+    const CameraFrame frame = frame_of(scene.camera, double(edge_columns) / edge_rows);
+    const auto unit = [](const DVec3& v) { return v / std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); };
+    const auto cross = [](const DVec3& a, const DVec3& b) {
+        return DVec3(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
+    };
+    for (int y = 0; y < edge_rows; ++y)
+        for (int x = 0; x < edge_columns; ++x) {
+            const double u = (2. * x + 1) / edge_columns - 1, v = (2. * y + 1) / edge_rows - 1;
+            DVec3 from = eye, way = unit(frame.forward + u * frame.tan_x * frame.right + v * frame.tan_y * frame.down);
+            const double floor = (level - eye.z) / way.z;
+            const int which = floor > 0 ? dice.upto(2) : 0;
+            double t = floor * dice.in(.5, .9);
+            if (which > 0) {
+                from = eye + floor * way, t = size * dice.in(1, 3);
+                way = which == 1 ? unit(lamp - from) : DVec3(way.x, way.y, -way.z);
+            }
+            if (!(floor > 0)) t = size * dice.in(3, 6);
+            const DVec3 across = unit(cross(way, dice.direction())), along = unit(cross(across, dice.direction()));
+            const double radius = size * dice.in(.02, .08);
+            const DVec3 centre = from + t * way + radius * across;
+            if (dice.chance(.6))
+                scene.primitives.push_back({Sphere{centre, radius}, dull(0), {}});
+            else
+                scene.primitives.push_back(
+                    {Cylinder{centre - 3 * radius * along, centre + 3 * radius * along, radius}, dull(0), {}});
+        }
+    return scene;
+}
+
+}  // namespace strahl::proof
