@@ -235,13 +235,8 @@ bool trace(const World<T>& world, const Eye<T>& eye, const Limits<T>& limits, co
 
 namespace strahl::inline STRAHL_LEVEL {
 
-#ifdef STRAHL_PROVES
-#define STRAHL_NAME proving_kernel
-#else
-#define STRAHL_NAME kernel
-#endif
 template <>
-Kernel<STRAHL_ELEMENT> STRAHL_NAME<STRAHL_ELEMENT>() {
+Kernel<STRAHL_ELEMENT> kernel<STRAHL_ELEMENT, proves>() {
     using S = Widest<STRAHL_ELEMENT>;
     return {trace<S, STRAHL_ELEMENT>, width<S>};
 }

@@ -148,37 +148,26 @@ struct Kernel {
 };
 
 // One inline namespace for each instruction set; the kernel's own code lives in them, so that nothing merges when
-// linked. Each is there for float and double, the scalar one for long double too; those that
-// prove for double alone.
+// linked. Each is there for float and double, the scalar one for long double too; those that prove for double alone.
 inline namespace scalar {
-template <class T>
+template <class T, bool proving>
 Kernel<T> kernel();
-template <class T>
-Kernel<T> proving_kernel();
 }  // namespace scalar
 inline namespace v2 {
-template <class T>
+template <class T, bool proving>
 Kernel<T> kernel();
-template <class T>
-Kernel<T> proving_kernel();
 }  // namespace v2
 inline namespace v3 {
-template <class T>
+template <class T, bool proving>
 Kernel<T> kernel();
-template <class T>
-Kernel<T> proving_kernel();
 }  // namespace v3
 inline namespace v4 {
-template <class T>
+template <class T, bool proving>
 Kernel<T> kernel();
-template <class T>
-Kernel<T> proving_kernel();
 }  // namespace v4
 inline namespace neon {
-template <class T>
+template <class T, bool proving>
 Kernel<T> kernel();
-template <class T>
-Kernel<T> proving_kernel();
 }  // namespace neon
 
 }  // namespace strahl

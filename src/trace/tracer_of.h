@@ -39,46 +39,23 @@ T upper(double value) {
     return value < 1e18 ? static_cast<T>(value) : std::numeric_limits<T>::infinity();
 }
 
-template <class T>
+template <class T, bool proving>
 Kernel<T> kernel_for(Simd simd) {
     if constexpr (!std::is_same_v<T, long double>) {
 #if defined(STRAHL_KERNEL_v2)
-        if (simd == Simd::v2) return v2::kernel<T>();
+        if (simd == Simd::v2) return v2::kernel<T, proving>();
 #endif
 #if defined(STRAHL_KERNEL_v3)
-        if (simd == Simd::v3) return v3::kernel<T>();
+        if (simd == Simd::v3) return v3::kernel<T, proving>();
 #endif
 #if defined(STRAHL_KERNEL_v4)
-        if (simd == Simd::v4) return v4::kernel<T>();
+        if (simd == Simd::v4) return v4::kernel<T, proving>();
 #endif
 #if defined(STRAHL_KERNEL_neon)
-        if (simd == Simd::neon) return neon::kernel<T>();
+        if (simd == Simd::neon) return neon::kernel<T, proving>();
 #endif
     }
-    return scalar::kernel<T>();
-}
-
-/// Proofs are in double.
-template <class T>
-Kernel<T> proving_kernel_for(Simd simd) {
-    if constexpr (std::is_same_v<T, double>) {
-#if defined(STRAHL_KERNEL_v2)
-        if (simd == Simd::v2) return v2::proving_kernel<T>();
-#endif
-#if defined(STRAHL_KERNEL_v3)
-        if (simd == Simd::v3) return v3::proving_kernel<T>();
-#endif
-#if defined(STRAHL_KERNEL_v4)
-        if (simd == Simd::v4) return v4::proving_kernel<T>();
-#endif
-#if defined(STRAHL_KERNEL_neon)
-        if (simd == Simd::neon) return neon::proving_kernel<T>();
-#endif
-        return scalar::proving_kernel<T>();
-    } else {
-        static_cast<void>(simd);
-        return {};
-    }
+    return scalar::kernel<T, proving>();
 }
 
 template <class T>
@@ -89,8 +66,9 @@ class TracerOf : public AnyTracer {
     TracerOf(Scene&& own, Simd simd)
         : AnyTracer(std::move(own)),
           extent(extent_of(scene())),
-          kernel(kernel_for<T>(simd)),
-          proving(proving_kernel_for<T>(simd)) {}
+          kernel(kernel_for<T, false>(simd)) {
+        if constexpr (std::is_same_v<T, double>) proving = kernel_for<T, true>(simd);
+    }
 
     void prepare(const View& view, ThreadPool& pool) override {
         const bool moved = stage.set(view.time, view.tracks, pool);
@@ -244,7 +222,7 @@ class TracerOf : public AnyTracer {
 
     Extent extent;
     MovingHierarchy moving;
-    Kernel<T> kernel, proving;
+    Kernel<T> kernel, proving;  // proofs are in double
     std::optional<Slack<double>> slack;  // of the world's bodies, once proofs want it
     Placement placed;
     std::unique_ptr<BuiltWorld<T>> built;
