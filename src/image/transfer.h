@@ -18,4 +18,12 @@ inline std::uint16_t quantise(double v, bool linear, int steps) {
     return static_cast<std::uint16_t>(static_cast<int>((linear ? srgb(clamped) : clamped) * steps + 0.5));
 }
 
+/// Is code(v) the same for all values no further than `bound` from v? False if either is infinite or not a number.
+template <class Code>
+bool same_code(double v, double bound, const Code& code) {
+    if (!std::isfinite(v) || !std::isfinite(bound)) return false;
+    const double off = bound + 0x1p-50 * (std::fabs(v) + bound);  // adding rounds, and so does encoding
+    return code(v - off) == code(v + off);
+}
+
 }  // namespace strahl

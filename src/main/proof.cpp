@@ -8,14 +8,15 @@
 
 namespace strahl {
 
-bool same_code(double value, double bound, const FileFormat& format) {
-    if (!std::isfinite(value) || !std::isfinite(bound)) return false;
-    // Adding rounds, and so does encoding.
-    const double off = bound + 0x1p-50 * (std::fabs(value) + bound), low = value - off, high = value + off;
-    if (format.bits == 32) return static_cast<float>(low) == static_cast<float>(high);
-    const int steps = (1 << format.bits) - 1;
-    return quantise(low, format.linear, steps) == quantise(high, format.linear, steps);
+namespace {
+
+/// Would the file hold the same for all values that are no further than `bound` from this one?
+bool decided(double value, double bound, const FileFormat& format) {
+    if (format.bits == 32) return same_code(value, bound, [](double v) { return static_cast<float>(v); });
+    return same_code(value, bound, [&](double v) { return quantise(v, format.linear, (1 << format.bits) - 1); });
 }
+
+}  // namespace
 
 Proof::Proof(const Lattice& own_part, const FileFormat& own_format)
     : part(own_part), format(own_format), bounds(std::size_t(part.columns) * part.rows), proved(bounds.size()) {}
@@ -28,7 +29,7 @@ void Proof::keep(const Tile& tile) {
             std::size_t(own.y - part.y + i / own.columns) * part.columns + (own.x - part.x + i % own.columns);
         bounds[at] = tile.bounds[i];
         proved[at] = std::all_of(rgb.begin() + 3 * i, rgb.begin() + 3 * i + 3,
-                                 [&](double value) { return same_code(value, tile.bounds[i], format); });
+                                 [&](double value) { return decided(value, tile.bounds[i], format); });
     }
 }
 

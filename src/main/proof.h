@@ -9,9 +9,6 @@
 
 namespace strahl {
 
-/// Would the file hold the same for all values that are no further than `bound` from this one?
-bool same_code(double value, double bound, const FileFormat& format);
-
 class Proof {
   public:
     /// Of this part of a picture, as files of this format hold it.

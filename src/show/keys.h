@@ -92,7 +92,7 @@ inline constexpr std::array key_help{
     KeyHelp{"[ ]", "depth: fewer, more reflections"},
     KeyHelp{", .", "lower, higher resolution in motion"},
     KeyHelp{"F11  V", "full screen; fill it, or keep proportions"},
-    KeyHelp{"X", "mark pixels that rounding decides"},
+    KeyHelp{"X", "mark pixels that rounding decides, or that are not proved"},
     KeyHelp{"I  H  N", "information; this help; no text"},
     KeyHelp{"gamepad", "sticks, triggers: move; A: pause, X: key"},
     KeyHelp{"Esc", "quit"},

@@ -90,23 +90,26 @@ void draw_notes(const Overlay& overlay) {
         for (const std::string& note : overlay.notes) ImGui::TextUnformatted(note.c_str());
         for (const Overlay::Progress& work : overlay.progress) {
             ImGui::TextUnformatted(work.text.c_str());
-            ImGui::ProgressBar(static_cast<float>(work.share),
-                               {ImGui::GetFontSize() * 18, ImGui::GetFontSize() * 0.4f}, "");
+            ImGui::ProgressBar(static_cast<float>(work.share), {ImGui::GetFontSize() * 18, ImGui::GetFontSize() * 0.4f},
+                               "");
         }
         ImGui::PopTextWrapPos();
     });
 }
 
-/// Small crosses, since single pixels are hard to see: orange where float differs, red where double does.
+/// Blue where nothing is proved; on it small crosses, since single pixels are hard to see: orange where float differs,
+/// red where double does.
 void draw_marks(const Overlay& overlay) {
     const float reach = ImGui::GetFontSize() / 5;
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    const auto place = [](int from, int length, int pixel, int pixels) {
-        return static_cast<float>(from + length * (pixel + .5) / pixels);
+    const auto place = [&](double x, double y) {
+        return ImVec2{static_cast<float>(overlay.area.x + overlay.area.width * x / overlay.width),
+                      static_cast<float>(overlay.area.y + overlay.area.height * y / overlay.height)};
     };
-    for (const Mark& mark : overlay.marks) {
-        const ImVec2 at{place(overlay.area.x, overlay.area.width, mark.x, overlay.width),
-                        place(overlay.area.y, overlay.area.height, mark.y, overlay.height)};
+    for (const auto& [x, y, columns] : overlay.marks.undecided)
+        list.AddRectFilled(place(x, y), place(x + columns, y + 1), IM_COL32(60, 100, 255, 160));
+    for (const Mark& mark : overlay.marks.marks) {
+        const ImVec2 at = place(mark.x + .5, mark.y + .5);
         const ImU32 color = mark.in_double ? IM_COL32(255, 0, 25, 255) : IM_COL32(255, 153, 0, 255);
         list.AddLine({at.x - reach, at.y}, {at.x + reach, at.y}, color, 1.5f);
         list.AddLine({at.x, at.y - reach}, {at.x, at.y + reach}, color, 1.5f);

@@ -20,7 +20,7 @@ struct Overlay {
         double share = 0;
     };
     std::vector<Progress> progress;  // of work in the background
-    std::vector<Mark> marks;         // of pixels, on the picture
+    Stability marks;                 // of pixels, on the picture
     int width = 1, height = 1;       // of that picture
     ScreenArea area;                 // and where it is
     float reserved = 0;              // pixels at the bottom of the window that something else needs

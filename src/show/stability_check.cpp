@@ -1,4 +1,4 @@
-// Renders in three precisions and lists the pixels that differ.
+// Renders in three precisions and once more with bounds, and lists the pixels that differ or are not proved.
 #include "show/stability_check.h"
 
 #include <algorithm>
@@ -8,6 +8,45 @@
 #include "trace/agreement.h"
 
 namespace strahl {
+namespace {
+
+/// Adds the runs of rows whose bounds leave more than one colour open.
+class Undecided {
+  public:
+    Undecided(const Scene& scene, int threads)
+        : tracer(scene, Precision::float64), pool(threads), linear(scene.settings.linear) {}
+
+    void add_rows(View view, const Lattice& rows, Stability& found, const std::atomic<bool>* stop) {
+        view.prove = true;
+        std::vector<char> proved(std::size_t(rows.columns) * rows.rows);
+        const auto keep = [&](const Tile& tile) {
+            const auto& rgb = std::get<std::span<const double>>(tile.rgb);
+            const Lattice& part = tile.lattice;
+            for (int i = 0; i < part.columns * part.rows; ++i)
+                proved[std::size_t(part.y - rows.y + i / part.columns) * rows.columns + part.x + i % part.columns] =
+                    std::all_of(&rgb[3 * i], &rgb[3 * i] + 3, [&](double v) {
+                        return same_code(v, tile.bounds[i],
+                                         [this](double value) { return quantise(value, linear, 255); });
+                    });
+        };
+        tracer.trace(view, rows, pool, keep, stop);
+        for (int i = 0; i < std::ssize(proved);) {
+            const int x = i % rows.columns, y = rows.y + i / rows.columns;
+            const auto first = proved.begin() + i, end = first + (rows.columns - x);
+            const int columns = static_cast<int>(std::find(first, end, !*first) - first);
+            if (!*first) found.undecided.push_back({x, y, columns});
+            i += columns;
+        }
+        found.proved += double(std::count(proved.begin(), proved.end(), 1)) / (double(view.width) * view.height);
+    }
+
+  private:
+    Tracer tracer;
+    ThreadPool pool;
+    const bool linear;
+};
+
+}  // namespace
 
 StabilityCheck::StabilityCheck(int thread_count, std::function<void()> notify_function)
     : threads(thread_count), notify(std::move(notify_function)) {}
@@ -20,13 +59,16 @@ void StabilityCheck::start(std::shared_ptr<const Scene> scene, const View& view)
     thread = std::thread([this, scene = std::move(scene), view] {
         Agreements agreements(*scene, threads,
                               [linear = scene->settings.linear](double v) { return quantise(v, linear, 255); });
+        Undecided undecided(*scene, threads);
         constexpr int band = 64;  // rows at a time
         for (int y = 0; y < view.height && !stop; y += band) {
             const Lattice rows{.y = y, .columns = view.width, .rows = std::min(band, view.height - y)};
             const auto map = agreements.of(view, rows, nullptr, &stop);
             for (std::size_t i = 0; i < map.size(); ++i)
                 if (map[i] != Agreement::all)
-                    marks.push_back({int(i) % view.width, y + int(i) / view.width, map[i] == Agreement::not_float64});
+                    found.marks.push_back(
+                        {int(i) % view.width, y + int(i) / view.width, map[i] == Agreement::not_float64});
+            undecided.add_rows(view, rows, found, &stop);
             share = double(y + rows.rows) / view.height;
             notify();
         }
@@ -39,14 +81,14 @@ void StabilityCheck::cancel() {
     stop = true;
     if (thread.joinable()) thread.join();
     stop = ready = false;
-    marks.clear();
+    found = {};
 }
 
-std::optional<std::vector<Mark>> StabilityCheck::take() {
+std::optional<Stability> StabilityCheck::take() {
     if (!ready) return {};
     thread.join();
     ready = false;
-    return std::exchange(marks, {});
+    return std::exchange(found, {});
 }
 
 }  // namespace strahl

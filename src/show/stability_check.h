@@ -1,4 +1,5 @@
-// Finds in the background the pixels whose colour in float or double differs from that in long double.
+// Finds in the background the pixels whose colour in float or double differs from that in long double, and those whose
+// colour in double is not proved (tests/proof/README.md).
 #pragma once
 #include <atomic>
 #include <functional>
@@ -17,9 +18,20 @@ struct Mark {
     bool in_double = false;  // in double too
 };
 
+/// What a view depends on rounding in. All colours are of 8 bits.
+struct Stability {
+    std::vector<Mark> marks;
+    /// Rows of pixels that are not proved.
+    struct Run {
+        int x = 0, y = 0, columns = 0;
+    };
+    std::vector<Run> undecided;
+    double proved = 0;  // share of the pixels
+};
+
 class StabilityCheck {
   public:
-    /// `notify` is called from another thread when the marks are ready.
+    /// `notify` is called from another thread when there is progress.
     StabilityCheck(int threads, std::function<void()> notify);
     ~StabilityCheck();
 
@@ -30,15 +42,15 @@ class StabilityCheck {
     bool under_way() const { return thread.joinable() && !ready; }
     /// The share of the picture that is done, 0 to 1.
     double progress() const { return share; }
-    /// The marks, once, when they are ready.
-    std::optional<std::vector<Mark>> take();
+    /// What was found, once, when it is ready.
+    std::optional<Stability> take();
 
   private:
     const int threads;
     const std::function<void()> notify;
     std::atomic<bool> stop = false, ready = false;
     std::atomic<double> share = 0;
-    std::vector<Mark> marks;
+    Stability found;
     std::thread thread;
 };
 

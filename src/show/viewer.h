@@ -119,8 +119,8 @@ class Viewer {
     double write_until = -1;  // when the question ends whether a changed file is to be written anyway
     bool waiting = false;  // for the first scene without an error
     bool started = false;  // the flight of `strahl play`
-    std::vector<Mark> marks;  // of the picture on the screen
-    bool marked = false;      // marks are shown or being computed
+    Stability marks;      // of the picture on the screen
+    bool marked = false;  // marks are shown or being computed
     std::string fault;
     double fault_until = 0;  // infinite for the watched scene
     struct Note {

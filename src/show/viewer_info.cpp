@@ -64,7 +64,7 @@ Overlay Viewer::overlay() {
                                     share});
     }
     if (stability.under_way())
-        overlay.progress.push_back({"This view in float, double and long double", stability.progress()});
+        overlay.progress.push_back({"This view in float, double, long double and with bounds", stability.progress()});
     return overlay;
 }
 

@@ -2,6 +2,7 @@
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <limits>
 #include <utility>
@@ -76,7 +77,7 @@ void Viewer::handle_reload() {
 /// Marks belong to a picture at rest and are removed when it moves.
 void Viewer::toggle_stability() {
     stability.cancel();
-    marks.clear(), draws_due = 2;
+    marks = {}, draws_due = 2;
     if (!marked && moving) return note("X marks a picture at rest: Space pauses");
     marked = !marked && wanted.scene;
     if (!marked) return;
@@ -90,9 +91,12 @@ void Viewer::handle_stability() {
     auto found = stability.take();
     if (!found) return;
     marks = std::move(*found);
-    const auto in_double = std::count_if(marks.begin(), marks.end(), [](const Mark& m) { return m.in_double; });
-    note("rounding decides " + std::to_string(marks.size()) + " pixels in float, " + std::to_string(in_double) +
-         " in double");
+    const auto& all = marks.marks;
+    const auto in_double = std::count_if(all.begin(), all.end(), [](const Mark& m) { return m.in_double; });
+    char proved[40];
+    std::snprintf(proved, sizeof proved, "; %.6g %% are proved", 100 * marks.proved);
+    note("rounding decides " + std::to_string(all.size()) + " pixels in float, " + std::to_string(in_double) +
+         " in double" + proved);
 }
 
 void Viewer::handle_stills() {

@@ -102,7 +102,7 @@ shows paused.png
 
 echo "-- pixels that rounding decides are marked while the picture rests"
 xdotool key x
-await 'rounding decides'
+await '% are proved'
 xdotool key x
 shows paused.png
 
