@@ -91,9 +91,7 @@ void Checkpoint::resume() {
 bool Checkpoint::save() {
     if (own_path.empty()) return false;
     if (!file && writer.held() == 0) return false;
-    if (!file) file = std::make_shared<BandFile>(own_path, header());
-    writer.save(file);
-    last = Clock::now();
+    append();
     return true;
 }
 
@@ -102,11 +100,15 @@ void Checkpoint::save_if_due() {
     if (lock && writer.held() > 0 && (Clock::now() - last >= interval || writer.held() > most_held)) save();
 }
 
-
 void Checkpoint::become(const std::string& part) {
+    append();
+    file->rename(part);
+}
+
+void Checkpoint::append() {
     if (!file) file = std::make_shared<BandFile>(own_path, header());
     writer.save(file);
-    file->rename(part);
+    last = Clock::now();
 }
 
 }  // namespace strahl

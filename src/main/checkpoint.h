@@ -36,6 +36,8 @@ class Checkpoint {
     void become(const std::string& part);
 
   private:
+    void append();
+
     using Clock = std::chrono::steady_clock;
 
     PictureWriter& writer;
