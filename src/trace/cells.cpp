@@ -17,6 +17,7 @@ constexpr int side = tile_pixels + 1;  // of the lattice
 /// `estimate` in cell_values.cpp.
 constexpr double unseen = 3.5;
 constexpr double steepest_gradient = .06;  // across a cell of one signature
+constexpr double least_side = .25;         // of a footprint, in pixels
 
 std::uint64_t key_of(Point p) { return std::uint64_t(std::uint32_t(p.x)) << 32 | std::uint32_t(p.y); }
 
@@ -57,6 +58,12 @@ void Cells::begin(int x, int y, int new_columns, int new_rows, double new_contra
         for (int k = 0; k < 4; ++k) cell.corners[k] = sample_at(on_side(cell.x, cell.y, cell.size, k, 0));
         waiting.push_back(cell);
     }
+}
+
+double side_of(Point point) {
+    const std::int32_t all = point.x | point.y, step = all & -all;  // the last bit set
+    const bool middle = point.x & step && point.y & step;
+    return std::clamp(double(middle ? 2 * step : step) / unit, least_side, 1.);
 }
 
 int Cells::sample_at(Point point) {
@@ -142,6 +149,8 @@ void Cells::look_at_large(const Cell& cell) {
     const CellSample& middle = samples[cell.middle];
     if (cell.size > largest) return divide(cell);
     const bool surprising = equal_signatures(cell) && middle.signature != corners[0]->signature;
+    const auto filtered = [](const CellSample* sample) { return sample->filtered; };
+    if (std::ranges::any_of(corners, filtered)) return divide(cell);  // half of the image lies between footprints
     const bool smooth = looks_smooth(corners, middle, contrast);
     const bool clear = (smooth || surprising) && !hides_something(cell);
     const double off = middle_off(corners, middle) * (cell.size / unit);
@@ -157,7 +166,7 @@ void Cells::look_at_corners(Cell& cell, int finest) {
     const double difference = spread(cell) * share;
     const bool rough = glints || hidden ||
                        !(equal ? difference <= std::min(16 * contrast, steepest_gradient) : difference <= contrast);
-    const bool small = equal ? cell.size <= unit / 4 : cell.size < unit / 2;
+    const bool small = equal ? cell.size <= unit / 4 && !shows_image(cell) : cell.size < unit / 2;
     if (!rough && small) return finish(cell, mean(cell), spread(cell));
     if (cell.size <= finest) return waiting.push_back(cell);
     if (rough) return !hidden && begin_search(cell) ? active.push_back(cell) : go_on(cell);
@@ -173,7 +182,7 @@ void Cells::go_on(Cell& cell) {
 }
 
 void Cells::look_at_middle(Cell& cell) {
-    const double s = double(cell.size) / unit, off = middle_off(corners_of(cell), samples[cell.middle]);
+    const double s = double(cell.size) / unit, off = off_corners(cell);
     const bool equal = equal_signatures(cell) && samples[cell.middle].signature == samples[cell.corners[0]].signature;
     if (off * s * s <= contrast) return finish(cell, mean(cell), equal ? off : spread(cell));  // slopes are no errors
     cell.middle = -1;
