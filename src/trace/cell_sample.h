@@ -16,8 +16,8 @@ struct CellSample {
     std::uint32_t lit;               // bit i: light i reaches it; the last one counts for all lights from most_lit on
     float reflected[3], reflection;  // direction and weight of the reflected ray
     float further;                   // the longest way that rays went from there
-    bool filtered;                   // from an image that pixels show much of; then
-    float color[3];                  // is what light is multiplied by
+    bool filtered;   // it has the colour of an image that is not seen magnified; then
+    float color[3];  // is what its light is multiplied by
 };
 
 /// What filtered samples of one signature, four corners and perhaps a middle, would have brought back if the image had

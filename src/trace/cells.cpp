@@ -17,7 +17,6 @@ constexpr int side = tile_pixels + 1;  // of the lattice
 /// `estimate` in cell_values.cpp.
 constexpr double unseen = 3.5;
 constexpr double steepest_gradient = .06;  // across a cell of one signature
-constexpr double least_side = .25;         // of a footprint, in pixels
 
 std::uint64_t key_of(Point p) { return std::uint64_t(std::uint32_t(p.x)) << 32 | std::uint32_t(p.y); }
 
@@ -63,7 +62,7 @@ void Cells::begin(int x, int y, int new_columns, int new_rows, double new_contra
 double side_of(Point point) {
     const std::int32_t all = point.x | point.y, step = all & -all;  // the last bit set
     const bool middle = point.x & step && point.y & step;
-    return std::clamp(double(middle ? 2 * step : step) / unit, least_side, 1.);
+    return std::min(double(middle ? 2 * step : step) / unit, 1.);
 }
 
 int Cells::sample_at(Point point) {

@@ -138,7 +138,7 @@ TEST_CASE("images become linear light before they are averaged, and reliefs of t
 
 TEST_CASE("a floor of checks to the horizon comes out as the mean of 4096 rays a pixel") {
     const Scene scene = scene_of(floor_to_horizon);
-    const View view = view_of(scene, 64, 48);
+    const View view = view_of(scene, 80, 60);
     const Lattice all{.columns = view.width, .rows = view.height};
     Tracer reference(scene, Precision::float32);
     const std::vector<double> exact = grid(reference, view, 64);
