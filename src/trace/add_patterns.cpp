@@ -66,7 +66,8 @@ struct KernelSpace {
                         image.map,
                         image.once.has_value(),
                         cast<T>(image.once.value_or(Color(0))),
-                        static_cast<T>(border<T>)};
+                        static_cast<T>(border<T>),
+                        0};
         if (image.once || image.map == ImageMap::spherical) return;
         period = image.map == ImageMap::cylindrical ? DVec3(0, 0, 1) : DVec3(1, 1, 0);
     }
@@ -158,29 +159,19 @@ BumpKernel<T> kernel_of(const Bump& bump, const glm::dmat4& to_world, const Plac
     return kernel;
 }
 
-/// Linear light from a value that is sRGB-encoded (IEC 61966-2-1).
-float decoded(float v) { return static_cast<float>(v <= .04045 ? v / 12.92 : std::pow((v + .055) / 1.055, 2.4)); }
-
 }  // namespace
 
 template <class T>
-const float* WorldArrays<T>::add_pixels(const std::shared_ptr<const Pixels>& from, bool linear) {
-    std::shared_ptr<const Pixels>& own = pixels[from.get()];
-    if (!own) {
-        own = from;
-        if (linear && !from->linear) {
-            const auto copy = std::make_shared<Pixels>(*from);
-            std::ranges::transform(copy->values, copy->values.begin(), decoded);
-            own = copy;
-        }
-    }
-    return own->values.data();
+void WorldArrays<T>::add_image(const std::shared_ptr<const Pixels>& from, bool linear, bool colors,
+                               ImageKernel<T>& kernel) {
+    kernel.number = images->add(from, linear, colors);
+    kernel.pixels = (*images)[kernel.number].own->values.data();
 }
 
 template <class T>
 void WorldArrays<T>::add_colors(const Pigment& pigment, PatternKernel<T>& kernel, bool linear) {
     const Pattern* const pattern = pigment.pattern.get();
-    if (const auto* const image = image_of(pigment.pattern)) kernel.image.pixels = add_pixels(image->pixels, linear);
+    if (const auto* const image = image_of(pigment.pattern)) add_image(image->pixels, linear, true, kernel.image);
     kernel.first_stop = static_cast<std::int32_t>(stops.size());
     const std::vector<ColorStop> colors = pattern ? pattern->colors : std::vector{ColorStop{0, pigment.color}};
     for (double before = 0; const ColorStop& stop : colors) {
@@ -206,7 +197,7 @@ BendKernel<T> WorldArrays<T>::bend_of(const Material& material, const glm::dmat4
                       kernel_of<T>(material.bump, to_world, placement)};
     const auto finish = [&](const Relief& relief, PatternKernel<T>& kernel) {
         kernel.places = places;
-        if (const auto* const image = image_of(relief.pattern)) kernel.image.pixels = add_pixels(image->pixels, false);
+        if (const auto* const image = image_of(relief.pattern)) add_image(image->pixels, false, false, kernel.image);
     };
     finish(material.normal, own.map.pattern);
     finish(material.bump, own.bump.pattern);
@@ -250,6 +241,7 @@ void WorldArrays<T>::add_patterns(const Scene& scene, const Placement& placement
             if (by_uv) kernel.places = add_places(leaf.shape, surface);
             kernel.first_stop = ranges[leaf.material].first_stop, kernel.stops = ranges[leaf.material].stops;
             kernel.image.pixels = ranges[leaf.material].image.pixels;
+            kernel.image.number = ranges[leaf.material].image.number;
             kernel.ambient = cast<T>(scene.settings.ambient_light * material.ambient);
             patterns.push_back(kernel);
             if (any_bent) bends.push_back(bend_of(material, matrices.material, placement, kernel.places));

@@ -92,8 +92,15 @@ class Batches {
                 // Pixel 0 of the camera's lattice is the middle of the first pixel.
                 workspace.pixels_x[i] = static_cast<T>(x - .5 + points[done + i].x / double(Point::unit));
                 workspace.pixels_y[i] = static_cast<T>(y - .5 + points[done + i].y / double(Point::unit));
+                if (world.mip_maps) workspace.sides[i] = static_cast<T>(side_of(points[done + i]));
             }
+            if (world.mip_maps) std::fill_n(workspace.colors.begin(), 3 * count, T(-1));
             look(count, scale, samples + done);
+            for (int i = 0; i < count && world.mip_maps; ++i) {
+                CellSample& sample = samples[done + i];
+                for (int c = 0; c < 3; ++c) sample.color[c] = static_cast<float>(workspace.colors[3 * i + c]);
+                sample.filtered = sample.color[0] >= 0;
+            }
         }
     }
 
@@ -176,13 +183,16 @@ class Batches {
         std::fill(workspace.bounds.begin(), workspace.bounds.end(), T(0));
         for (int done = 0; done < pixels;) {
             const int count = std::min(workspace.batch, pixels - done);
+            const Footprints<T> footprints{eye.forward, eye.scale_x * eye.right, eye.scale_y * eye.down,
+                                           workspace.sides.data() + done, workspace.colors.data() + 3 * done};
             const PixelBatch<T> batch{workspace.pixels_x.data() + done,
                                       workspace.pixels_y.data() + done,
                                       workspace.sums.data() + done,
                                       workspace.past.data() + done,
                                       count,
                                       sights ? sights + done : nullptr,
-                                      prove ? workspace.bounds.data() + done : nullptr};
+                                      prove ? workspace.bounds.data() + done : nullptr,
+                                      world.mip_maps ? &footprints : nullptr};
             if (kernel.trace(world, eye, limits, batch, workspace, counts)) {
                 done += count;
                 workspace.batch = std::min(scattered_pixels, 2 * workspace.batch);

@@ -164,8 +164,9 @@ void WorldArrays<T>::cull_for_lights() {
 }
 
 template <class T>
-WorldArrays<T>::WorldArrays(const Scene& scene, const Placement& placement, ThreadPool& pool, MovingHierarchy* moving)
-    : moving(moving) {
+WorldArrays<T>::WorldArrays(const Scene& scene, const Placement& placement, ThreadPool& pool, MovingHierarchy* moving,
+                            std::shared_ptr<Images> kept)
+    : moving(moving), images(std::move(kept)) {
     add_materials(scene);
     add_patterns(scene, placement);
     for (const Light& light : points_of(scene.lights)) lights.push_back(light_kernel<T>(light, placement));
@@ -199,8 +200,10 @@ WorldArrays<T>::WorldArrays(const Scene& scene, const Placement& placement, Thre
 }
 
 template <class T>
-BuiltWorld<T>::BuiltWorld(const Scene& scene, const Placement& placement, ThreadPool& pool, MovingHierarchy* moving)
-    : arrays(std::make_unique<WorldArrays<T>>(scene, placement, pool, moving)) {}
+BuiltWorld<T>::BuiltWorld(const Scene& scene, const Placement& placement, ThreadPool& pool, MovingHierarchy* moving,
+                          const std::shared_ptr<Images>& images)
+    : arrays(std::make_unique<WorldArrays<T>>(scene, placement, pool, moving,
+                                              images ? images : std::make_shared<Images>())) {}
 template <class T>
 BuiltWorld<T>::~BuiltWorld() = default;
 template <class T>

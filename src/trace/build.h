@@ -11,6 +11,7 @@ namespace strahl {
 
 class ThreadPool;
 class MovingHierarchy;
+class Images;
 
 /// Where a world's coordinates start and how long its unit is: world = (scene - origin) * scale. The scale is a power
 /// of two and the origin on a coarse grid, so that both are exact wherever numbers are of a sane size.
@@ -43,8 +44,9 @@ struct WorldArrays;
 template <class T>
 class BuiltWorld {
   public:
-    /// `moving` is what was kept of the same scene at other moments.
-    BuiltWorld(const Scene& scene, const Placement& placement, ThreadPool& pool, MovingHierarchy* moving = nullptr);
+    /// `moving` and `images` are what was kept of the same scene at other moments.
+    BuiltWorld(const Scene& scene, const Placement& placement, ThreadPool& pool, MovingHierarchy* moving = nullptr,
+               const std::shared_ptr<Images>& images = nullptr);
     ~BuiltWorld();
     const World<T>& world() const;
     /// Transparent bodies, by surface number, that hold a point of the scene, in the order declared.

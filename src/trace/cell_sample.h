@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <span>
 
 namespace strahl {
 
@@ -15,7 +16,14 @@ struct CellSample {
     std::uint32_t lit;               // bit i: light i reaches it; the last one counts for all lights from most_lit on
     float reflected[3], reflection;  // direction and weight of the reflected ray
     float further;                   // the longest way that rays went from there
+    bool filtered;   // it has the colour of an image that is not seen magnified; then
+    float color[3];  // is what its light is multiplied by
 };
+
+/// What filtered samples of one signature, four corners and perhaps a middle, would have brought back if the image had
+/// one colour: the middle's, or else the mean of all. What colours explain of the differences, by least squares, is
+/// taken out.
+std::array<std::array<double, 3>, 5> without_image(std::span<const CellSample* const> samples);
 
 /// The largest difference of highlights between samples of a cell in which none lies, times the cell's share of a
 /// pixel.

@@ -11,6 +11,8 @@ constexpr std::int32_t unit = Point::unit;
 /// The error of a cell over the difference between its samples, found by experiment on five worlds: what is estimated
 /// is .7 to 1.9 times the error there (tests/bench/sampling.md).
 constexpr double estimate = .17;
+/// By how much the filter of images is off, over the difference of the middle from the corners, likewise.
+constexpr double filter_off = .6;
 
 }  // namespace
 
@@ -19,29 +21,63 @@ bool Cells::equal_signatures(const Cell& cell) const {
     return of(0) == of(1) && of(1) == of(2) && of(2) == of(3);
 }
 
+bool Cells::shows_image(const Cell& cell) const {
+    const CellSample& first = samples[cell.corners[0]];
+    if (!first.filtered) return false;
+    const auto same = [&](int k) { return samples[k].filtered && samples[k].signature == first.signature; };
+    return std::ranges::all_of(cell.corners, same) && (cell.middle < 0 || same(cell.middle));
+}
+
+/// Calls use(value), where value(k, c) is channel c of corner k or, as k = 4, of the middle if it is known; of cells
+/// that show an image as if this had one colour.
+template <class Use>
+auto Cells::with_values(const Cell& cell, const Use& use) const {
+    if (!shows_image(cell))
+        return use([&](int k, int c) { return samples[k < 4 ? cell.corners[k] : cell.middle].rgb[c]; });
+    std::array<const CellSample*, 5> all{};
+    std::ranges::copy(corners_of(cell), all.begin());
+    if (cell.middle >= 0) all[4] = &samples[cell.middle];
+    const auto values = without_image(std::span(all).first(cell.middle < 0 ? 4 : 5));
+    return use([&](int k, int c) { return values[k][c]; });
+}
+
 /// The largest difference of a channel between two corners.
 double Cells::spread(const Cell& cell) const {
-    double most = 0;
-    for (int c = 0; c < 3; ++c) {
-        double low = samples[cell.corners[0]].rgb[c], high = low;
-        for (int k = 1; k < 4; ++k) {
-            low = std::min(low, samples[cell.corners[k]].rgb[c]);
-            high = std::max(high, samples[cell.corners[k]].rgb[c]);
+    return with_values(cell, [](const auto& value) {
+        double most = 0;
+        for (int c = 0; c < 3; ++c) {
+            double low = value(0, c), high = low;
+            for (int k = 1; k < 4; ++k) low = std::min(low, value(k, c)), high = std::max(high, value(k, c));
+            most = std::max(most, high - low);
         }
-        most = std::max(most, high - low);
-    }
-    return most;
+        return most;
+    });
 }
 
 std::array<double, 3> Cells::mean(const Cell& cell) const {
-    std::array<double, 3> color{};
-    for (int c = 0; c < 3; ++c) {
-        for (const int corner : cell.corners) color[c] += samples[corner].rgb[c];
-        color[c] *= .25;
-        // With the middle, of four triangles.
-        if (cell.middle >= 0) color[c] = (2 * color[c] + samples[cell.middle].rgb[c]) / 3;
-    }
-    return color;
+    return with_values(cell, [&](const auto& value) {
+        std::array<double, 3> color{};
+        for (int c = 0; c < 3; ++c) {
+            for (int k = 0; k < 4; ++k) color[c] += value(k, c);
+            color[c] *= .25;
+            // With the middle, of four triangles.
+            if (cell.middle >= 0) color[c] = (2 * color[c] + value(4, c)) / 3;
+        }
+        return color;
+    });
+}
+
+/// By how much a channel of the middle is off the mean of the corners, at most. Of an image the middle has seen the
+/// mean, and its filter is thought to be off by a share of that.
+double Cells::off_corners(const Cell& cell) const {
+    const double whole = middle_off(corners_of(cell), samples[cell.middle]);
+    if (!shows_image(cell)) return whole;
+    return with_values(cell, [&](const auto& value) {
+        double off = filter_off * whole;
+        for (int c = 0; c < 3; ++c)
+            off = std::max(off, std::abs(.25 * (value(0, c) + value(1, c) + value(2, c) + value(3, c)) - value(4, c)));
+        return off;
+    });
 }
 
 /// Adds a cell of a pixel or less to its pixel, with the difference between samples that were taken for equal.

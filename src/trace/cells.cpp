@@ -59,6 +59,12 @@ void Cells::begin(int x, int y, int new_columns, int new_rows, double new_contra
     }
 }
 
+double side_of(Point point) {
+    const std::int32_t all = point.x | point.y, step = all & -all;  // the last bit set
+    const bool middle = point.x & step && point.y & step;
+    return std::min(double(middle ? 2 * step : step) / unit, 1.);
+}
+
 int Cells::sample_at(Point point) {
     const auto add = [&] { return points.push_back(point), static_cast<int>(points.size()) - 1; };
     if ((point.x | point.y) % unit == 0) {
@@ -142,6 +148,8 @@ void Cells::look_at_large(const Cell& cell) {
     const CellSample& middle = samples[cell.middle];
     if (cell.size > largest) return divide(cell);
     const bool surprising = equal_signatures(cell) && middle.signature != corners[0]->signature;
+    const auto filtered = [](const CellSample* sample) { return sample->filtered; };
+    if (std::ranges::any_of(corners, filtered)) return divide(cell);  // half of the image lies between footprints
     const bool smooth = looks_smooth(corners, middle, contrast);
     const bool clear = (smooth || surprising) && !hides_something(cell);
     const double off = middle_off(corners, middle) * (cell.size / unit);
@@ -157,7 +165,7 @@ void Cells::look_at_corners(Cell& cell, int finest) {
     const double difference = spread(cell) * share;
     const bool rough = glints || hidden ||
                        !(equal ? difference <= std::min(16 * contrast, steepest_gradient) : difference <= contrast);
-    const bool small = equal ? cell.size <= unit / 4 : cell.size < unit / 2;
+    const bool small = equal ? cell.size <= unit / 4 && !shows_image(cell) : cell.size < unit / 2;
     if (!rough && small) return finish(cell, mean(cell), spread(cell));
     if (cell.size <= finest) return waiting.push_back(cell);
     if (rough) return !hidden && begin_search(cell) ? active.push_back(cell) : go_on(cell);
@@ -173,7 +181,7 @@ void Cells::go_on(Cell& cell) {
 }
 
 void Cells::look_at_middle(Cell& cell) {
-    const double s = double(cell.size) / unit, off = middle_off(corners_of(cell), samples[cell.middle]);
+    const double s = double(cell.size) / unit, off = off_corners(cell);
     const bool equal = equal_signatures(cell) && samples[cell.middle].signature == samples[cell.corners[0]].signature;
     if (off * s * s <= contrast) return finish(cell, mean(cell), equal ? off : spread(cell));  // slopes are no errors
     cell.middle = -1;

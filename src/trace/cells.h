@@ -25,6 +25,10 @@ struct Point {
     bool operator==(const Point&) const = default;
 };
 
+/// The side of a sample's footprint, in pixels: of the square that it stands for where cells have no edges. A middle is
+/// all that is asked of its cell then; others are corners of cells that large and small ones share.
+double side_of(Point point);
+
 /// Traces points of a tile; answers in their order.
 using TracePoints = std::function<void(std::span<const Point>, CellSample*)>;
 
@@ -82,8 +86,12 @@ class Cells {
     void look_beside(Cell& cell);
     bool hides_something(const Cell& cell) const;
     bool equal_signatures(const Cell& cell) const;
+    bool shows_image(const Cell& cell) const;
+    template <class Use>
+    auto with_values(const Cell& cell, const Use& use) const;
     double spread(const Cell& cell) const;
     std::array<double, 3> mean(const Cell& cell) const;
+    double off_corners(const Cell& cell) const;
     void fill(const Cell& cell);
     void finish(const Cell& cell, const std::array<double, 3>& color, double difference);
 

@@ -1,5 +1,6 @@
 // Colours of pictures. scene/image.h says where a point is in one.
 #pragma once
+#include <array>
 #include <limits>
 
 #include "scene/image.h"
@@ -42,9 +43,9 @@ struct PixelPair {
     }
 };
 
-/// The colour at a point of the pattern's space; where coordinates are too large for numbers that of a corner.
+/// Where a point of the pattern's space is in the picture: u and v.
 template <class S>
-[[gnu::noinline]] Vec3<S> image_color(const ImageKernel<Element<S>>& image, const Vec3<S>& p) {
+STRAHL_INLINE std::array<S, 2> place_in_image(const ImageKernel<Element<S>>& image, const Vec3<S>& p) {
     using T = Element<S>;
     S u = p.x, v = p.y;
     if (image.map == ImageMap::spherical || image.map == ImageMap::cylindrical) u = turns(p.x, p.y), v = p.z;
@@ -52,6 +53,14 @@ template <class S>
         const S latitude = turns(sqrt(fma(p.x, p.x, p.y * p.y)), p.z);
         v = fma(S(2), select(latitude > S(T(.5)), latitude - S(1), latitude), S(T(.5)));
     }
+    return {u, v};
+}
+
+/// The colour at a point of the pattern's space; where coordinates are too large for numbers that of a corner.
+template <class S>
+[[gnu::noinline]] Vec3<S> image_color(const ImageKernel<Element<S>>& image, const Vec3<S>& p) {
+    using T = Element<S>;
+    const auto [u, v] = place_in_image(image, p);
     const auto in_picture = [&](const S& x) {
         const S own = image.once ? x : x - floor(x);
         return select((own >= S(0)) & (own <= S(1)), own, S(0));

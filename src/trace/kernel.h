@@ -124,6 +124,16 @@ struct PixelSum {
     T rgb[3], pruned;
 };
 
+/// What images are filtered by, where that is wanted: squares of the view around the places of samples.
+template <class T>
+struct Footprints {
+    Vec3<T> forward, right, down;  // in the plane at distance 1: its middle, and from a pixel to the next ones
+    const T* sides;                // of the samples' squares, in pixels
+    /// Three values for each sample: what the light that its camera ray meets is multiplied by where that comes from an
+    /// image that is not seen much larger than it is, else as they were.
+    T* colors;
+};
+
 /// Pixels to trace.
 template <class T>
 struct PixelBatch {
@@ -133,6 +143,7 @@ struct PixelBatch {
     int count;
     Sight<T>* sights = nullptr;  // of each pixel, if that is wanted
     T* bounds = nullptr;  // for proving kernels: no pixel's sum is further than this from that of exact arithmetic
+    const Footprints<T>* footprints = nullptr;  // of each pixel, if that is wanted
 };
 
 /// Traces a batch. False if some generation has more rays than fit: the batch must be split, its sums thrown away. A

@@ -53,6 +53,14 @@ STRAHL_INLINE Vec3<S> place_in(const PlacedTriangles<S>& t, const Vec3<S>& posit
     const auto mean = [&](int j) { return fma(of_e, t.on_e[j], fma(of_f, t.on_f[j], t.place[j])); };
     return {mean(0), mean(1), S(0)};
 }
+/// How they change along a way in the plane of a triangle.
+template <class S>
+STRAHL_INLINE Vec3<S> way_in(const PlacedTriangles<S>& t, const Vec3<S>& way) {
+    const Vec3<S> n = cross(t.e, t.f);
+    const S per = S(1) / dot(n, n), of_e = per * dot(cross(way, t.f), n), of_f = per * dot(cross(t.e, way), n);
+    const auto change = [&](int j) { return fma(of_e, t.on_e[j], of_f * t.on_f[j]); };
+    return {change(0), change(1), S(0)};
+}
 
 /// The ways along a surface on which u grows by 1, and v, both times the same number above 0; 0 where there are none.
 template <class S>

@@ -12,6 +12,14 @@ STRAHL_INLINE bool patterned(const World<T>& world, int material) {
     return material >= world.first_pattern;
 }
 
+/// What part of a surface a sample's square of the view shows, as if the surface were flat: a parallelogram.
+template <class S>
+struct Footprint {
+    Vec3<S> direction;     // of the ray, of length 1
+    Vec3<S> normal;        // of the surface
+    Vec3<S> across, down;  // from the hit to where rays a side of the square beside this one are as far as it is
+};
+
 template <class S>
 struct PatternCalls {
     using T = Element<S>;
@@ -19,14 +27,19 @@ struct PatternCalls {
     /// these surfaces.
     static void paint(const World<T>& world, const int* materials, const Vec3<S>& position, const S& surface,
                       MaterialKernel<S>& values);
+    /// The same with images filtered. How many of the image's pixels long footprints are, 0 where there is no image.
+    static S paint_filtered(const World<T>& world, const int* materials, const Vec3<S>& position, const S& surface,
+                            const Footprint<S>& footprint, MaterialKernel<S>& values);
     /// The normals at these positions of these surfaces as the materials bend them, of length 1.
     static Vec3<S> bent(const World<T>& world, const int* materials, const Vec3<S>& position, const S& surface,
                         const Vec3<S>& normal);
     /// A number for each of the pieces of a pattern that have edges in between: checks, bricks, ramps, repetitions of
-    /// images; 0 where there are none.
-    static S piece(const World<T>& world, const int* materials, const Vec3<S>& position, const S& surface);
+    /// images; 0 where there are none, as between repetitions of filtered images.
+    static S piece(const World<T>& world, const int* materials, const Vec3<S>& position, const S& surface,
+                   bool filtered);
     /// The background in these directions.
     static Vec3<S> sky(const World<T>& world, const Vec3<S>& direction);
+    static S sky_filtered(const World<T>& world, const Footprint<S>& footprint, Vec3<S>& color);
     /// Takes from the light what a surface of a transparent material takes in these lanes, `t` along the ray.
     static void filter(const World<T>& world, int material, const S& surface, const Ray<S>& ray, const S& t,
                        Mask<S> lanes, Vec3<S>& share);

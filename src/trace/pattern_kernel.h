@@ -1,5 +1,6 @@
 // Colours and normals of patterns. scene/pattern.h says what they are.
 #pragma once
+#include "trace/footprint_kernel.h"
 #include "trace/relief_kernel.h"
 
 namespace strahl::inline STRAHL_LEVEL {
@@ -33,6 +34,37 @@ template <class S>
     return color;
 }
 
+/// The same, images filtered; lanes beyond these have any colour. How many of an image's pixels long footprints are.
+template <class S>
+[[gnu::noinline]] S filtered_at(const World<Element<S>>& world, const PatternKernel<Element<S>>& pattern,
+                                const Vec3<S>& position, const S& surface, const Footprint<S>& footprint, Mask<S> lanes,
+                                Vec3<S>& color) {
+    if (pattern.form != PatternForm::image) {
+        color = color_at(world, pattern, position, surface);
+        return S(0);
+    }
+    const auto along = [&](const Vec3<S>& way, const Vec3<S>& normal) {
+        return fma(-dot(way, normal) / dot(footprint.direction, normal), footprint.direction, way);
+    };
+    const auto turned = [&](const Vec3<S>& way) {
+        Vec3<S> own;
+        for (int c = 0; c < 3; ++c) own[c] = dot(splat<S>(pattern.rows[c]), way);
+        return own;
+    };
+    Vec3<S> place = position, across, down;
+    if (pattern.by_uv) {
+        const PlacedTriangles<S> triangles = placed_triangles(world, pattern.places, surface);
+        const Vec3<S> normal = cross(triangles.e, triangles.f);
+        place = place_in(triangles, position);
+        across = way_in(triangles, along(footprint.across, normal));
+        down = way_in(triangles, along(footprint.down, normal));
+    } else {
+        across = along(footprint.across, footprint.normal), down = along(footprint.down, footprint.normal);
+    }
+    return filtered_color(pattern.image, world.mip_maps[pattern.image.number], in_space_of(pattern, place),
+                          turned(across), turned(down), lanes, color);
+}
+
 /// Calls visit(which, lanes) for each of the patterned materials in a pack.
 template <class S, class Visit>
 STRAHL_INLINE void each_pattern(const World<Element<S>>& world, const int* materials, const Visit& visit) {
@@ -49,17 +81,37 @@ STRAHL_INLINE void each_pattern(const World<Element<S>>& world, const int* mater
     }
 }
 
+/// Gives a material the colours of its pattern.
+template <class S>
+STRAHL_INLINE void set_colors(const PatternKernel<Element<S>>& pattern, Mask<S> lanes, const Vec3<S>& color,
+                              MaterialKernel<S>& values) {
+    for (int c = 0; c < 3; ++c) {
+        values.ambient[c] = select(lanes, S(pattern.ambient[c]) * color[c], values.ambient[c]);
+        values.diffuse[c] = select(lanes, S(pattern.diffuse) * color[c], values.diffuse[c]);
+    }
+}
+
 template <class S>
 void PatternCalls<S>::paint(const World<T>& world, const int* materials, const Vec3<S>& position, const S& surface,
                             MaterialKernel<S>& values) {
     each_pattern<S>(world, materials, [&](int which, Mask<S> lanes) {
         const PatternKernel<T>& pattern = world.patterns[which];
-        const Vec3<S> color = color_at(world, pattern, position, surface);
-        for (int c = 0; c < 3; ++c) {
-            values.ambient[c] = select(lanes, S(pattern.ambient[c]) * color[c], values.ambient[c]);
-            values.diffuse[c] = select(lanes, S(pattern.diffuse) * color[c], values.diffuse[c]);
-        }
+        set_colors(pattern, lanes, color_at(world, pattern, position, surface), values);
     });
+}
+
+template <class S>
+S PatternCalls<S>::paint_filtered(const World<T>& world, const int* materials, const Vec3<S>& position,
+                                  const S& surface, const Footprint<S>& footprint, MaterialKernel<S>& values) {
+    S all(0);
+    each_pattern<S>(world, materials, [&](int which, Mask<S> lanes) {
+        const PatternKernel<T>& pattern = world.patterns[which];
+        Vec3<S> color;
+        const S longer = filtered_at(world, pattern, position, surface, footprint, lanes, color);
+        set_colors(pattern, lanes, color, values);
+        all = select(lanes, longer, all);
+    });
+    return all;
 }
 
 template <class S>
@@ -79,7 +131,7 @@ Vec3<S> PatternCalls<S>::bent(const World<T>& world, const int* materials, const
 /// The piece of PatternCalls, in three whole or half numbers.
 template <class S>
 [[gnu::noinline]] Vec3<S> piece_at(const World<Element<S>>& world, const PatternKernel<Element<S>>& pattern,
-                                   const Vec3<S>& position, const S& surface) {
+                                   const Vec3<S>& position, const S& surface, bool filtered) {
     using T = Element<S>;
     const Vec3<S> p = place_of(world, pattern, position, surface);
     const Vec3<S> whole(floor(p.x), floor(p.y), floor(p.z));
@@ -96,6 +148,7 @@ template <class S>
             return {whole.x, zero, zero};
         case PatternForm::image:
             if (pattern.image.map == ImageMap::spherical || pattern.image.map == ImageMap::cylindrical) break;
+            if (filtered && !pattern.image.once) break;
             return {whole.x, whole.y, zero};
         default:
             break;
@@ -103,10 +156,11 @@ template <class S>
     return {zero, zero, zero};
 }
 template <class S>
-S PatternCalls<S>::piece(const World<T>& world, const int* materials, const Vec3<S>& position, const S& surface) {
+S PatternCalls<S>::piece(const World<T>& world, const int* materials, const Vec3<S>& position, const S& surface,
+                         bool filtered) {
     S all(0);
     each_pattern<S>(world, materials, [&](int which, Mask<S> lanes) {
-        const Vec3<S> p = piece_at(world, world.patterns[which], position, surface);
+        const Vec3<S> p = piece_at(world, world.patterns[which], position, surface, filtered);
         // Square roots of primes: no two sums are the same as long as numbers have the digits.
         const S number =
             fma(S(T(1.4142135623730951)), p.x, fma(S(T(1.7320508075688772)), p.y, S(T(2.23606797749979)) * p.z));
@@ -118,6 +172,11 @@ S PatternCalls<S>::piece(const World<T>& world, const int* materials, const Vec3
 template <class S>
 Vec3<S> PatternCalls<S>::sky(const World<T>& world, const Vec3<S>& direction) {
     return color_at(world, *world.sky, direction, S(-1));
+}
+
+template <class S>
+S PatternCalls<S>::sky_filtered(const World<T>& world, const Footprint<S>& footprint, Vec3<S>& color) {
+    return filtered_at(world, *world.sky, footprint.direction, S(-1), footprint, first_lanes<S>(width<S>), color);
 }
 
 template <class S>

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "trace/fog.h"
+#include "trace/footprint.h"
 #include "trace/illuminate.h"
 #include "trace/scatter.h"
 #ifdef STRAHL_PROVES
@@ -25,7 +26,9 @@ void shade_misses(const Shading<S>& shading) {
         Vec3<S> color = splat<S>(world.background);
         if (world.sky) [[unlikely]] {
             const auto& d = shading.rays.open.direction;
-            color = PatternCalls<S>::sky(world, {pick(d.x), pick(d.y), pick(d.z)});
+            const Vec3<S> direction(pick(d.x), pick(d.y), pick(d.z));
+            color = filters(shading) ? filtered_sky(shading, direction, S(pixel), pick.lanes)
+                                     : PatternCalls<S>::sky(world, direction);
         }
         if (world.fog) [[unlikely]]
             color = splat<S>(world.fog_color);
@@ -60,9 +63,16 @@ class HitMaterial {
         number = -1;
     }
     /// Gives it the colours that the patterns have at these points.
-    STRAHL_INLINE void paint(const World<T>& world, const SurfaceHit<S>& hit) {
+    STRAHL_INLINE void paint(const Shading<S>& shading, const SurfaceHit<S>& hit, const RayQueue<T>& from,
+                             const LaneIndices<S>& pick, const T* t) {
         MaterialKernel<S> copy = values;
-        PatternCalls<S>::paint(world, numbers, Vec3<S>(hit.point.position), S(hit.surface), copy);
+        if (filters(shading)) {
+            const auto& d = from.direction;
+            paint_filtered(shading, numbers, SurfaceHit<S>(hit), {pick(d.x), pick(d.y), pick(d.z)}, pick(t),
+                           pick(from.pixel), pick.lanes, copy);
+        } else {
+            PatternCalls<S>::paint(shading.world, numbers, Vec3<S>(hit.point.position), S(hit.surface), copy);
+        }
         values = copy;
     }
 
@@ -119,13 +129,13 @@ STRAHL_INLINE Hit<S> make_hit(const Shading<S>& shading, int bin, const RayQueue
         material.broadcast(world, own.material);
         if (world.patterns) [[unlikely]] {
             std::fill_n(material.numbers, width<S>, own.material);
-            if (patterned(world, own.material)) material.paint(world, hit);
+            if (patterned(world, own.material)) material.paint(shading, hit, from, pick, t);
         }
     } else {
         hit = surfaces_at(world, own.form, shading.hits.surface, pick, ray, pick(t), material.numbers);
         material.load(world);
         if (world.patterns) [[unlikely]]
-            material.paint(world, hit);
+            material.paint(shading, hit, from, pick, t);
     }
     const Mask<S> outside = dot(ray.direction, hit.point.normal) < S(0);
     return {first_lanes<S>(pick.lanes),
@@ -190,7 +200,8 @@ bool shade_bin(const Shading<S>& shading, int bin) {
             if (shading.batch.sights) {
                 S seen_from = pick(from.source);
                 if (world.patterns)
-                    seen_from = seen_from + PatternCalls<S>::piece(world, material.numbers, hit.position, hit.surface);
+                    seen_from = seen_from + PatternCalls<S>::piece(world, material.numbers, hit.position, hit.surface,
+                                                                   filters(shading));
                 note_hits(shading, hit, seen_from, pick(t), pick.lanes, rare);
             }
         }

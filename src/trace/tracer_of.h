@@ -10,6 +10,7 @@
 #include "trace/batches.h"
 #include "trace/bound.h"
 #include "trace/cell_picture.h"
+#include "trace/images.h"
 #include "trace/light_buffer.h"
 #include "trace/moving_hierarchy.h"
 #include "trace/slack.h"
@@ -78,7 +79,7 @@ class TracerOf : public AnyTracer {
         light_buffers.reset(), pixels = 0;
         if (moved) thin_bodies.reset();
         built.reset(), slack.reset();
-        built = std::make_unique<BuiltWorld<T>>(scene(), wanted, pool, stage.moves() ? &moving : nullptr);
+        built = std::make_unique<BuiltWorld<T>>(scene(), wanted, pool, stage.moves() ? &moving : nullptr, images);
         placed = wanted;
     }
 
@@ -122,7 +123,7 @@ class TracerOf : public AnyTracer {
                                batches.trace_points(x, y, placed.scale, points, samples);
                            });
         };
-        return each(view, picture.tiles(), picture.contrast(), pool, stop, refine);
+        return each(view, picture.tiles(), picture.contrast(), pool, stop, refine, true);
     }
 
   private:
@@ -145,7 +146,7 @@ class TracerOf : public AnyTracer {
     /// Calls work(batches, i, thread) for 0 <= i < tiles, on all threads.
     template <class Work>
     Counts each(const View& view, int tiles, double noticed, ThreadPool& pool, const std::atomic<bool>* stop,
-                const Work& work) {
+                const Work& work, bool filters_images = false) {
         prepare(view, pool);
         while (static_cast<int>(workspaces.size()) < pool.size())
             workspaces.push_back(std::make_unique<Workspace<T>>());
@@ -160,6 +161,7 @@ class TracerOf : public AnyTracer {
         if (!view.prove && !light_buffers && LightBuffers<T>::pay(world, pixels))
             light_buffers = std::make_unique<LightBuffers<T>>(world, pool);
         if (light_buffers) world.light_buffers = light_buffers->buffers();
+        if (filters_images) world.mip_maps = images->mip_maps();
         const Limits<T> limits{.depth = view.depth,
                                .error = static_cast<T>(view.error),
                                .brightest = brightest.data(),
@@ -222,6 +224,7 @@ class TracerOf : public AnyTracer {
 
     Extent extent;
     MovingHierarchy moving;
+    const std::shared_ptr<Images> images = std::make_shared<Images>();
     Kernel<T> kernel, proving;  // proofs are in double
     std::optional<Slack<double>> slack;  // of the world's bodies, once proofs want it
     Placement placed;

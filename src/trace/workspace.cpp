@@ -63,6 +63,7 @@ Workspace<T>::Workspace() {
     order.resize(batch_pixels);
     sums.resize(scattered_pixels), past.resize(scattered_pixels);
     sights.resize(scattered_pixels);
+    sides.resize(scattered_pixels), colors.resize(3 * scattered_pixels);
 }
 
 template <class T>

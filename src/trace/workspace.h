@@ -34,6 +34,7 @@ class Workspace {
     std::vector<PixelSum<T>> sums;
     std::vector<T> past;
     std::vector<Sight<T>> sights;
+    std::vector<T> sides, colors;  // see Footprints
     int batch = scattered_pixels;  // pixels that last fitted
     std::vector<T> bounds;         // of the pixels, for proving kernels
     /// Makes room for what proving kernels add to rays.

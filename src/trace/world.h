@@ -47,6 +47,16 @@ struct MaterialKernel {
 
 /// What the value of a pattern is made from.
 enum class PatternForm : std::int32_t { checker, brick, ramp, noise, layers, rings, image, constant };
+/// A picture at one size: three values for each pixel, row by row from the top.
+struct MipLevel {
+    const float* pixels;
+    std::int32_t width, height;
+};
+/// From its own size to one pixel, see images.h.
+struct MipMapKernel {
+    const MipLevel* levels = nullptr;
+    std::int32_t count = 0;
+};
 /// A picture that a pattern has its colours from, see scene/image.h.
 template <class T>
 struct ImageKernel {
@@ -54,8 +64,9 @@ struct ImageKernel {
     std::int32_t width, height;
     ImageMap map;
     bool once;
-    Vec3<T> around;  // where it is there once: the colour outside
-    T border;        // and how much before 0 and 1 it begins and ends
+    Vec3<T> around;       // where it is there once: the colour outside
+    T border;             // and how much before 0 and 1 it begins and ends
+    std::int32_t number;  // among the world's mip maps
 };
 /// Where the corners of a mesh are by uv: its surfaces, the numbers of their corners' places, and these. Null of other
 /// bodies.
@@ -250,13 +261,14 @@ struct World {
     const PatternKernel<T>* patterns = nullptr;  // of these materials; null if there are none
     const BendKernel<T>* bends = nullptr;  // likewise; then all materials are among these. Null if no normals are bent
     const ColorStopKernel<T>* stops = nullptr;
+    const MipMapKernel* mip_maps = nullptr;  // by the numbers of images; null where these are not filtered
     const LightKernel<T>* lights = nullptr;
     int light_count = 0;
     const LightBuffer<T>* light_buffers = nullptr;  // by light; null if there are none
     Vec3<T> background{0};
     const PatternKernel<T>* sky = nullptr;  // the pattern of the background, by direction; null if it has none
-    const T* iors = nullptr;               // by surface; only in nested worlds
-    const std::int32_t* bodies = nullptr;  // likewise: the first surface of the body
+    const T* iors = nullptr;                // by surface; only in nested worlds
+    const std::int32_t* bodies = nullptr;   // likewise: the first surface of the body
 
     // What the scene contains; what it does not is not looked for.
     bool fog = false;

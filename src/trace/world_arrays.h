@@ -2,7 +2,6 @@
 #pragma once
 #include <array>
 #include <atomic>
-#include <map>
 #include <memory>
 #include <type_traits>
 #include <vector>
@@ -11,6 +10,7 @@
 #include "scene/scene.h"
 #include "trace/build.h"
 #include "trace/hierarchy.h"
+#include "trace/images.h"
 #include "trace/light_culling.h"
 #include "trace/moving_hierarchy.h"
 #include "trace/thread_pool.h"
@@ -105,8 +105,7 @@ struct WorldArrays {
     std::vector<BendKernel<T>> bends;
     std::vector<ColorStopKernel<T>> stops;
     PatternKernel<T> sky;
-    std::vector<std::shared_ptr<const MeshData>> meshes;            // those with places in pictures
-    std::map<const Pixels*, std::shared_ptr<const Pixels>> pixels;  // by those of the scene, which may be encoded
+    std::vector<std::shared_ptr<const MeshData>> meshes;  // those with places in pictures
     // Only where there are patterns: the material of each leaf of the scene, and the first leaf of each primitive.
     std::vector<std::int32_t> leaf_materials, first_leaf;
     std::vector<LightKernel<T>> lights;
@@ -134,8 +133,10 @@ struct WorldArrays {
     std::vector<Body> transparent;  // only in nested worlds
 
     MovingHierarchy* const moving;  // of the world at the moments before, or nullptr
+    const std::shared_ptr<Images> images;
 
-    WorldArrays(const Scene& scene, const Placement& placement, ThreadPool& pool, MovingHierarchy* moving);
+    WorldArrays(const Scene& scene, const Placement& placement, ThreadPool& pool, MovingHierarchy* moving,
+                std::shared_ptr<Images> kept);
 
     /// What coordinates may be off, the largest of them being `furthest`.
     static double rounding(double furthest) {
@@ -156,7 +157,7 @@ struct WorldArrays {
     PlacesKernel add_places(const Shape& shape, int first_surface);
     BendKernel<T> bend_of(const Material& material, const glm::dmat4& to_world, const Placement& placement,
                           const PlacesKernel& places);
-    const float* add_pixels(const std::shared_ptr<const Pixels>& from, bool linear);
+    void add_image(const std::shared_ptr<const Pixels>& from, bool linear, bool colors, ImageKernel<T>& kernel);
     /// The number of a primitive's material, or of its leaf's, the number of which goes on by one.
     int material_of(const Primitive& primitive, std::int32_t& leaf) const {
         return leaf_materials.empty() ? primitive.material : leaf_materials[leaf++];
