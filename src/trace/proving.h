@@ -14,7 +14,7 @@ STRAHL_INLINE void add_bounds(const PixelBatch<Element<S>>& batch, const S& pixe
     for (int k = 0; k < lanes; ++k) {
         const int i = static_cast<int>(pixels[k]);
         const T* const rgb = batch.sums[i].rgb;
-        batch.bounds[i] += bounds[k] + unit_error<S> * max(rgb[0], max(rgb[1], rgb[2]));
+        batch.bounds[i] += bounds[k] + T(.5) * unit_error<S> * max(rgb[0], max(rgb[1], rgb[2]));
     }
 }
 
@@ -24,11 +24,12 @@ STRAHL_INLINE T brightest_of(const Limits<T>& limits, int depth) {
     return limits.brightest[limits.depth - depth + 1];
 }
 
-/// Sums of a hit's light are rounded so often at most, but for its lights.
+/// Rounding of a hit's light: of its colours, products and sums, 6 and one for each light, and of its weight, two for
+/// each generation. What is rounded in the share of a light that comes through, share_proved knows.
 template <class S>
 STRAHL_INLINE S rounding_of(const Vec3<S>& light, int depth, int lights) {
     using T = Element<S>;
-    return S(T(32 + 4 * depth + 4 * lights) * unit_error<S>) * largest(light);
+    return S((T(4) + T(depth) + T(.5) * T(lights)) * unit_error<S>) * largest(light);
 }
 
 /// Rays that may be turned by more than this are not followed.
@@ -91,27 +92,38 @@ STRAHL_INLINE HitBounds<S> bound_hits(const Shading<S>& shading, const Hit<S>& h
 
 /// By how much a mirrored or a refracted direction may be turned; b is the ratio of indices, c and k the cosine before
 /// and the squared cosine beyond the surface, which is off by no more than `k_error`.
+///
+/// Mirrors turn by twice what the normal is turned. Roundings: e n is off by 3/2 u, which counts twice, the normal's
+/// length by 9/4 u, also twice; two products and sums.
 template <class S>
 STRAHL_INLINE S turn_reflected(const HitBounds<S>& known) {
-    return fma(S(2.1), known.normal, known.turn) + S(16 * unit_error<S>);
+    return fma(S(2.002), known.normal, known.turn) + S(10 * unit_error<S>);
 }
+/// k = 1 - b^2 (1 - c^2). Roundings: c is off by 3/2 u, so c^2 by 3; b twice by 1/2, sums and products by 2.
 template <class S>
 STRAHL_INLINE S error_beyond(const HitBounds<S>& known, const S& b, const S& c) {
     const S off = known.turn + known.normal;
-    return b * b * off * fma(S(2.2), c, S(1.1) * off) + S(16 * unit_error<S>) * fma(b, b, S(1));
+    return S(1.001) * b * b * off * fma(S(2), abs(c), off) + S(8 * unit_error<S>) * fma(b, b, S(1));
 }
+/// In the plane of incidence a turn by q becomes one by A q, where A = b c / sqrt(k) by Snell's law, across it by b q. A
+/// turn of the normal by N becomes one by |1 - A| N or |b c - sqrt(k)| N. All within what c and k may be. Roundings:
+/// lengths of directions, c and k itself count b^2 / sqrt(k) times.
 template <class S>
 STRAHL_INLINE S turn_refracted(const HitBounds<S>& known, const S& b, const S& c, const S& k, const S& k_error) {
-    const S least = sqrt(max(k - k_error, S(0))), most = sqrt(k + k_error);
-    const S by_turn = max(b, b * c / least);
-    const S low = b * c / most, high = b * c / least;
-    const S by_normal = max(max(abs(S(1) - low), abs(S(1) - high)), max(abs(b * c - least), abs(b * c - most)));
-    return S(1.1) * fma(by_turn, known.turn, by_normal * known.normal) +
-           S(8 * unit_error<S>) * (S(1) + fma(b, b, S(1)) / least);
+    const S off = known.turn + known.normal, least = sqrt(max(k - k_error, S(0))), most = sqrt(k + k_error);
+    const S low_c = b * (c - off), high_c = b * (c + off), low = low_c / most, high = high_c / least;
+    const S by_normal =
+        max(max(abs(S(1) - low), abs(S(1) - high)), max(abs(high_c - least), abs(low_c - most)));
+    return S(1.01) * fma(max(b, high), known.turn, by_normal * known.normal) +
+           S(8 * unit_error<S>) * (S(1) + b + fma(b, b, S(1)) / least);
 }
 
 /// What a light may add to a hit's light in exact arithmetic other than in computed: by the angle at which it comes, by
 /// its highlight, and by whether it comes at all.
+///
+/// The light's place was rounded once. The way to it has 2 roundings in direction and, in length, of its square's sum and
+/// root 7/4 u; so the cosine has 7/2 u, with the product's. Of (s + d)^p - s^p with x = p d / s no more than s^p (e^x -
+/// 1) is left, e^x - 1 <= x + x^2 up to x = 1.79; powers have p roundings. Below `shines_from` all is less than u / 64.
 template <class S>
 struct LitBounds {
     S cosine, highlight;  // how far these are off
@@ -125,19 +137,16 @@ STRAHL_INLINE LitBounds<S> bound_lit(const HitBounds<S>& known, const Hit<S>& hi
     constexpr auto u = unit_error<S>;
     const MaterialKernel<S>& material = hit.material;
     const Vec3<S> place = splat<S>(light.position);
-    const S off = S(light.finite) * (known.away + S(4 * u) * (norm1(place) + norm1(hit.position)));
+    const S off = S(light.finite) * fma(S(.51 * u), norm1(place), known.away);
     const Mask<S> near = !(off < S(.25) * length);
     LitBounds<S> lit;
-    const S turn = S(2) * off / length + S(16 * u);
+    const S turn = off / (length - off) + S(1.5 * u);
     lit.ray = {known.away, turn};
     lit.distance = select(near, length, off + S(8 * u) * length);
-    lit.cosine = S(1.05) * (known.normal + turn) + S(8 * u);
-    const S error = turn_reflected(known) + turn + S(16 * u), base = max(shine, material.shines_from);
-    const S relative = material.pow * error / base;
-    const Mask<S> mild = (relative < S(.5)) & (error < S(.25) * base);
-    lit.highlight =
-        select(mild, fma(S(2) * relative + S(2 * u) * (material.pow + S(4)), highlight, u * material.specular),
-               material.specular);
+    lit.cosine = fma(S(1.001), known.normal + turn, S(4 * u));
+    const S error = turn_reflected(known) + turn + S(6 * u), base = max(shine, material.shines_from);
+    const S x = material.pow * error / base, mild_error = fma(x, x, x) + S(.51 * u) * (material.pow + S(4));
+    lit.highlight = select(x < S(.5), fma(mild_error, highlight, u * material.specular), material.specular);
     lit.doubt = near | !(abs(cosine) > lit.cosine);
     return lit;
 }

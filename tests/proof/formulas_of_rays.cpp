@@ -19,15 +19,15 @@ struct OffHit {
         hit.position = dice.vector(-3, 3);
         const Vector n = unit(Vector(dice.direction()));
         const R c = std::pow(10, dice.in(dice.chance(.3) ? -6 : -1, 0));
-        hit.normal = rounded(n);
-        hit.direction = rounded(unit(root(1 - c * c) * perpendicular(dice, n) - c * n));
+        hit.normal = nearly_unit(dice, n);
+        hit.direction = nearly_unit(dice, root(1 - c * c) * perpendicular(dice, n) - c * n);
         const Vector turned = any_of(dice, vector(hit.direction)), tilted = any_of(dice, vector(hit.direction));
         position = Vector(hit.position) + R(any_size(dice)) * any_of(dice, n);
         normal = unit(vector(hit.normal) + R(any_size(dice)) * tilted);
         direction = unit(vector(hit.direction) + R(any_size(dice)) * turned);
         known.away = above(length(position - vector(hit.position)));
         known.normal = above(length(normal - vector(hit.normal)));
-        known.turn = above(length(direction - vector(hit.direction)));
+        known.turn = turn_from(direction, hit.direction);
         known.followed = true;
     }
     bool ahead() const { return dot(direction, normal) < 0; }
@@ -44,7 +44,7 @@ MaterialKernel<double> material_of(Dice& dice) {
 }
 
 Vector direction_of(const OffHit& off, const Vec3<double>& direction) {
-    return vector(branch(off.hit, true, direction, 1., 0.).direction);
+    return unit(vector(branch(off.hit, true, direction, 1., 0.).direction));
 }
 
 }  // namespace
@@ -104,7 +104,7 @@ TEST_CASE("formulas of light") {
         if (!(lit.distance < .25 * length_of_way)) continue;
         if (off.ahead() == (dot(hit.direction, hit.normal) < 0))
             highlight.take(size(exact_highlight - own), lit.highlight);
-        way.take(length(exact_l - vector(l)), lit.ray.turn);
+        way.take(length(exact_l - unit(vector(l))), lit.ray.turn);
         cosine.take(size(exact_c - c), lit.cosine);
         if (!lit.doubt) facing.demand((exact_c > 0) == (c > 0));
     }

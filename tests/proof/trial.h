@@ -44,7 +44,7 @@ struct Closest {
     long tried = 0, violated = 0;
     void take(R error, double bound) {
         ++tried;
-        violated += !(error <= bound);
+        violated += !(error <= R(bound) + R(1e-32));  // what is exact has 34 digits
         if (bound > 0) share = std::max(share, static_cast<double>(error) / bound);
     }
     void demand(bool so) { ++tried, violated += !so; }
@@ -72,15 +72,23 @@ struct OffRay {
     Doubt<double> doubt;
     Line<R> line;
 };
+/// How far a direction is from one that is brought to length 1.
+inline double turn_from(const Vector& exact, const DVec3& computed) {
+    return above(length(exact - unit(vector(computed))));
+}
+/// The length of a direction is off as much as may be.
+inline DVec3 nearly_unit(Dice& dice, const Vector& v) {
+    return rounded(R(1 + dice.in(-2, 2) * std::numeric_limits<double>::epsilon()) * unit(v));
+}
 /// The exact one is moved and turned along these.
 inline OffRay off_ray(Dice& dice, const DVec3& origin, const Vector& towards, const Vector& moved,
                       const Vector& turned) {
     OffRay off;
-    off.ray = {origin, rounded(unit(towards)), -1};
+    off.ray = {origin, nearly_unit(dice, towards), -1};
     off.line = {Vector(origin) + R(any_size(dice)) * moved,
                 unit(vector(off.ray.direction) + R(any_size(dice)) * turned)};
     off.doubt = {above(length(off.line.origin - Vector(origin))),
-                 above(length(off.line.direction - vector(off.ray.direction)))};
+                 turn_from(off.line.direction, off.ray.direction)};
     return off;
 }
 inline Vector any_of(Dice& dice, const Vector& normal) {
