@@ -168,8 +168,9 @@ void add_eye(Slack<double>& slack, const View& view, const Placement& placement)
     const Exact condition = (1 + apart / length_of(exact(camera.look_at) - exact(camera.position))) / sine;
     const Exact wrong = off(frame.forward, forward) + off(frame.right * frame.tan_x, tan_x * right) +
                         off(frame.down * frame.tan_y, tan_y * down) + rounding * condition * (1 + tan_x + tan_y);
-    // Roundings in units of 2 each: where a pixel is has 7 at most, as a share of a tangent, and counts no more than that
-    // against the direction, whose length is at least the forward axis's; 2 sums, 2 products of a tangent, the division.
+    // Roundings in units of 2 each: where a pixel is has 7 at most, as a share of a tangent, and counts no more than
+    // that against the direction, whose length is at least the forward axis's; 2 sums, 2 products of a tangent, the
+    // division.
     constexpr double u = std::numeric_limits<double>::epsilon();
     const DVec3 eye = (camera.position - placement.origin) * placement.scale;
     const Vector place = Exact(placement.scale) * (exact(camera.position) - exact(placement.origin));

@@ -149,10 +149,11 @@ struct PointBounds {
 /// Of a point p whose distance from its own exact surface is at most `off`, on a surface of curvature k, by how far the
 /// ray misses it: whatever found it. `turned`: by how much the normal there differs from that of the exact surface.
 ///
-/// The exact ray passes p at a distance of at most g; what this misses is rounded by (t + |p|) u / 2. It meets the plane
-/// that touches the surface no further than g / c from p, c being the cosine, and there the surface is within off + k
-/// X^2 / 2 of that plane, where X is how far the exact point is: c X <= g + off + k X^2 / 2, of which the smaller root is
-/// 2 d / (c + sqrt(c^2 - 2 k d)) with d = g + off. Factors of 1.1 in k and 1.001 are for k d < .001 and for rounding.
+/// The exact ray passes p at a distance of at most g; what this misses is rounded by (t + |p|) u / 2. It meets the
+/// plane that touches the surface no further than g / c from p, c being the cosine, and there the surface is within off
+/// + k X^2 / 2 of that plane, where X is how far the exact point is: c X <= g + off + k X^2 / 2, of which the smaller
+/// root is 2 d / (c + sqrt(c^2 - 2 k d)) with d = g + off. Factors of 1.1 in k and 1.001 are for k d < .001 and for
+/// rounding.
 template <class S>
 STRAHL_INLINE PointBounds<S> point_bounds(const Ray<S>& ray, const Doubt<S>& doubt, const S& t,
                                           const SurfacePoint<S>& point, const S& off, const S& k, const S& turned) {
@@ -181,9 +182,8 @@ STRAHL_INLINE PointBounds<S> point_bounds(const SphereKernel<S>& ball, const Ray
 }
 /// p is put onto the plane: off by the rounding of n p, 3/2 |p| u, and of this.
 template <class S>
-STRAHL_INLINE PointBounds<S> point_bounds(const PlaneKernel<S>&, const Ray<S>& ray, const Doubt<S>& doubt,
-                                          const S& t, const SurfacePoint<S>& point, const S&,
-                                          const Slack<Element<S>>& slack) {
+STRAHL_INLINE PointBounds<S> point_bounds(const PlaneKernel<S>&, const Ray<S>& ray, const Doubt<S>& doubt, const S& t,
+                                          const SurfacePoint<S>& point, const S&, const Slack<Element<S>>& slack) {
     constexpr auto u = unit_error<S>;
     const S off = fma(S(slack.turn + 2.1 * u), norm1(point.position), S(slack.plane));
     return point_bounds(ray, doubt, t, point, off, S(0), S(slack.turn));
