@@ -83,7 +83,7 @@ TEST_CASE("formulas of light") {
         const OffHit off(dice, material_of(dice));
         const Hit<double>& hit = off.hit;
         // A light that was placed, and often one in the mirrored direction.
-        const DVec3 home = dice.chance(.5) ? DVec3(0) : dice.vector(-1e4, 1e4);
+        const DVec3 home = dice.chance(.3) ? DVec3(0) : dice.vector(-1, 1) * std::pow(10, dice.in(-1, 4));
         const DVec3 aim = dice.chance(.5) ? rounded(off.mirrored() + R(any_size(dice, -1)) * Vector(dice.direction()))
                                           : dice.direction();
         const double away = std::pow(10, dice.in(-2, 3));
