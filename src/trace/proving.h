@@ -134,7 +134,8 @@ STRAHL_INLINE S cosine_error(const S& a, const S& cosine) {
 /// The light's place was rounded once. The way to it has 2 roundings in direction and, in length, of its square's sum
 /// and root 7/4 u; so the cosine has 4 u, with the product's, and 9/4 by the normal's length. A mirrored direction is
 /// not brought to length 1 here: 16 u. Of (s + d)^p - s^p with x = p d / s no more than s^p (e^x - 1) is left, e^x - 1
-/// <= x + x^2 up to x = 1.79; powers have p roundings. Below `shines_from` all is less than u / 64.
+/// <= x + x^2 up to x = 1.79 (a p below 1 counts as 1); powers have p roundings. Below `shines_from` all is less than u
+/// / 64.
 template <class S>
 struct LitBounds {
     S cosine, highlight;  // how far these are off
@@ -168,7 +169,7 @@ STRAHL_INLINE LitBounds<S> bound_lit(const HitBounds<S>& known, const Hit<S>& hi
     lit.highlight = S(0);
     if (none(hit.active & (material.specular > S(0)))) return lit;
     const S error = cosine_error(turn_reflected(known) + turn, shine) + S(16 * u);
-    const S base = max(shine, material.shines_from), x = material.pow * error / base,
+    const S base = max(shine, material.shines_from), x = max(material.pow, S(1)) * error / base,
             mild_error = fma(x, x, x) + S(.51 * u) * (material.pow + S(4));
     lit.highlight = select(x < S(.5), fma(mild_error, highlight, u * material.specular), material.specular);
     return lit;

@@ -38,6 +38,7 @@ MaterialKernel<double> material_of(Dice& dice) {
     MaterialKernel<double> material{};
     material.diffuse = Vec3<double>(dice.in(0, 1)), material.specular = dice.in(.1, 1);
     material.pow = std::floor(std::pow(10, dice.in(0, 2.5)));
+    if (dice.chance(.2)) material.pow = dice.in(.01, 1);
     material.shines_from = std::pow(std::numeric_limits<double>::epsilon() / 64, 1 / material.pow);
     material.ior = dice.chance(.5) ? dice.in(1, 2.5) : std::pow(16, dice.in(0, 1));
     return material;
