@@ -102,7 +102,11 @@ STRAHL_INLINE Vec3<S> illumination(const Shading<S>& shading, const Hit<S>& hit,
         }
         const Vec3<S> to_light = fma(S(-light.finite), hit.position, splat<S>(light.position));
         const S facing = dot(hit.normal, to_light);
-        if (!proves && none(hit.active & (facing > zero))) continue;
+        if constexpr (proves) {
+            if (none(may_face(rare.bounds, hit, light, to_light, facing))) continue;
+        } else if (none(hit.active & (facing > zero))) {
+            continue;
+        }
         const S squared = dot(to_light, to_light);
         const S length = sqrt(squared), inverse = S(1) / length;
         S distance = length * S(light.far);

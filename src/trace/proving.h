@@ -14,7 +14,7 @@ STRAHL_INLINE void add_bounds(const PixelBatch<Element<S>>& batch, const S& pixe
     for (int k = 0; k < lanes; ++k) {
         const int i = static_cast<int>(pixels[k]);
         const T* const rgb = batch.sums[i].rgb;
-        batch.bounds[i] += bounds[k] + unit_error<S> * max(rgb[0], max(rgb[1], rgb[2]));
+        batch.bounds[i] += bounds[k] + T(.5) * unit_error<S> * max(rgb[0], max(rgb[1], rgb[2]));
     }
 }
 
@@ -24,11 +24,12 @@ STRAHL_INLINE T brightest_of(const Limits<T>& limits, int depth) {
     return limits.brightest[limits.depth - depth + 1];
 }
 
-/// Sums of a hit's light are rounded so often at most, but for its lights.
+/// Rounding of a hit's light: of its colours, products and sums, 6 and one for each light, and of its weight, two for
+/// each generation but the first. What is rounded in the share of a light that comes through, share_proved knows.
 template <class S>
 STRAHL_INLINE S rounding_of(const Vec3<S>& light, int depth, int lights) {
     using T = Element<S>;
-    return S(T(32 + 4 * depth + 4 * lights) * unit_error<S>) * largest(light);
+    return S((T(2) + T(depth) + T(.5) * T(lights)) * unit_error<S>) * largest(light);
 }
 
 /// Rays that may be turned by more than this are not followed.
@@ -66,14 +67,18 @@ STRAHL_INLINE HitBounds<S> bound_hits(const Shading<S>& shading, const Hit<S>& h
                                       const Doubt<S>& doubt, const S& t, const S& weight, int lanes, Mask<S> known) {
     const auto& world = shading.world;
     const Mask<S> followed = hit.active & (doubt.away >= S(0));
-    alignas(64) Element<S> surfaces[width<S>];
-    store_lanes(surfaces, hit.surface);
-    int items[width<S>];
-    for (int k = 0; k < width<S>; ++k) items[k] = world.references[static_cast<int>(surfaces[k])].item;
+    const SortBin& bin = world.sort_bins[hit.bin];
+    int items[width<S>] = {};
+    if (!world.bin_per_item) {
+        alignas(64) Element<S> surfaces[width<S>];
+        store_lanes(surfaces, hit.surface);
+        for (int k = 0; k < width<S>; ++k) items[k] = world.references[static_cast<int>(surfaces[k])].item;
+    }
     PointBounds<S> found{S(0), S(0), first_lanes<S>(0)};
-    if_hot(world, world.sort_bins[hit.bin].form, [&](const auto& group) {
+    if_hot(world, bin.form, [&](const auto& group) {
         using Item = typename std::remove_cvref_t<decltype(group)>::template ItemOf<S>;
-        const Item own = gather_items<Item, S>(group.items, items);
+        const Item own =
+            world.bin_per_item ? splat_item<Item, S>(group.items[bin.item]) : gather_items<Item, S>(group.items, items);
         found = point_bounds(own.shape, ray, doubt, t, SurfacePoint<S>{hit.position, hit.normal},
                              S(hit.surface - own.surface), shading.limits.slack);
     });
@@ -91,27 +96,46 @@ STRAHL_INLINE HitBounds<S> bound_hits(const Shading<S>& shading, const Hit<S>& h
 
 /// By how much a mirrored or a refracted direction may be turned; b is the ratio of indices, c and k the cosine before
 /// and the squared cosine beyond the surface, which is off by no more than `k_error`.
+///
+/// Mirrors turn by twice what the normal is turned. Roundings: e n is off by 3/2 u, which counts twice, the normal's
+/// length by 9/4 u, also twice; two products and sums.
 template <class S>
 STRAHL_INLINE S turn_reflected(const HitBounds<S>& known) {
-    return fma(S(2.1), known.normal, known.turn) + S(16 * unit_error<S>);
+    return fma(S(2.002), known.normal, known.turn) + S(10 * unit_error<S>);
 }
+/// k = 1 - b^2 (1 - c^2). Roundings: c is off by 3/2 u, so c^2 by 3; b twice by 1/2, sums and products by 2.
 template <class S>
 STRAHL_INLINE S error_beyond(const HitBounds<S>& known, const S& b, const S& c) {
     const S off = known.turn + known.normal;
-    return b * b * off * fma(S(2.2), c, S(1.1) * off) + S(16 * unit_error<S>) * fma(b, b, S(1));
+    return S(1.001) * b * b * off * fma(S(2), abs(c), off) + S(8 * unit_error<S>) * fma(b, b, S(1));
 }
+/// In the plane of incidence a turn by q becomes one by A q, where A = b c / sqrt(k) by Snell's law, across it by b q.
+/// A turn of the normal by N becomes one by |1 - A| N or |b c - sqrt(k)| N. All within what c and k may be. Roundings:
+/// lengths of directions, c and k itself count b^2 / sqrt(k) times.
 template <class S>
 STRAHL_INLINE S turn_refracted(const HitBounds<S>& known, const S& b, const S& c, const S& k, const S& k_error) {
-    const S least = sqrt(max(k - k_error, S(0))), most = sqrt(k + k_error);
-    const S by_turn = max(b, b * c / least);
-    const S low = b * c / most, high = b * c / least;
-    const S by_normal = max(max(abs(S(1) - low), abs(S(1) - high)), max(abs(b * c - least), abs(b * c - most)));
-    return S(1.1) * fma(by_turn, known.turn, by_normal * known.normal) +
-           S(8 * unit_error<S>) * (S(1) + fma(b, b, S(1)) / least);
+    const S off = known.turn + known.normal, least = sqrt(max(k - k_error, S(0))), most = sqrt(k + k_error);
+    const S low_c = b * (c - off), high_c = b * (c + off), low = low_c / most, high = high_c / least;
+    const S by_normal = max(max(abs(S(1) - low), abs(S(1) - high)), max(abs(high_c - least), abs(low_c - most)));
+    return S(1.01) * fma(max(b, high), known.turn, by_normal * known.normal) +
+           S(8 * unit_error<S>) * (S(1) + b + fma(b, b, S(1)) / least);
+}
+
+/// How far the cosine of an angle is off that is off by a: cos(x + a) - cos x is at most a sin x + a^2 / 2. The cosine
+/// that is known may have 16 units of rounding.
+template <class S>
+STRAHL_INLINE S cosine_error(const S& a, const S& cosine) {
+    return S(1.001) * a * (sqrt(max(fma(-cosine, cosine, S(1)), S(0)) + S(32 * unit_error<S>)) + a);
 }
 
 /// What a light may add to a hit's light in exact arithmetic other than in computed: by the angle at which it comes, by
 /// its highlight, and by whether it comes at all.
+///
+/// The light's place was rounded once. The way to it has 2 roundings in direction and, in length, of its square's sum
+/// and root 7/4 u; so the cosine has 4 u, with the product's, and 9/4 by the normal's length. A mirrored direction is
+/// not brought to length 1 here: 16 u. Of (s + d)^p - s^p with x = p d / s no more than s^p (e^x - 1) is left, e^x - 1
+/// <= x + x^2 up to x = 1.79 (a p below 1 counts as 1); powers have p roundings. Below `shines_from` all is less than u
+/// / 64.
 template <class S>
 struct LitBounds {
     S cosine, highlight;  // how far these are off
@@ -119,26 +143,35 @@ struct LitBounds {
     Doubt<S> ray;         // of the shadow ray
     Mask<S> doubt;        // lanes in which it can't be told whether it is on the normal's side
 };
+/// The hits that may be on the side of their surface that a light is on: all but those whose cosine is below -1e-3,
+/// where normal and light are better known than that.
+template <class S>
+STRAHL_INLINE Mask<S> may_face(const HitBounds<S>& known, const Hit<S>& hit, const LightKernel<Element<S>>& light,
+                               const Vec3<S>& to_light, const S& facing) {
+    const S way = norm1(to_light);
+    const S off = S(light.finite) * fma(S(unit_error<S>), norm1(splat<S>(light.position)), known.away);
+    return hit.active & !((facing < S(-1e-3f) * way) & (off < S(1e-4f) * way) & (known.normal < S(1e-4f)));
+}
 template <class S>
 STRAHL_INLINE LitBounds<S> bound_lit(const HitBounds<S>& known, const Hit<S>& hit, const LightKernel<Element<S>>& light,
                                      const S& length, const S& cosine, const S& shine, const S& highlight) {
     constexpr auto u = unit_error<S>;
     const MaterialKernel<S>& material = hit.material;
     const Vec3<S> place = splat<S>(light.position);
-    const S off = S(light.finite) * (known.away + S(4 * u) * (norm1(place) + norm1(hit.position)));
+    const S off = S(light.finite) * fma(S(.51 * u), norm1(place), known.away);
     const Mask<S> near = !(off < S(.25) * length);
     LitBounds<S> lit;
-    const S turn = S(2) * off / length + S(16 * u);
+    const S turn = off / (length - off) + S(1.5 * u);
     lit.ray = {known.away, turn};
     lit.distance = select(near, length, off + S(8 * u) * length);
-    lit.cosine = S(1.05) * (known.normal + turn) + S(8 * u);
-    const S error = turn_reflected(known) + turn + S(16 * u), base = max(shine, material.shines_from);
-    const S relative = material.pow * error / base;
-    const Mask<S> mild = (relative < S(.5)) & (error < S(.25) * base);
-    lit.highlight =
-        select(mild, fma(S(2) * relative + S(2 * u) * (material.pow + S(4)), highlight, u * material.specular),
-               material.specular);
+    lit.cosine = cosine_error(known.normal + turn, cosine) + S(6.5 * u);
     lit.doubt = near | !(abs(cosine) > lit.cosine);
+    lit.highlight = S(0);
+    if (none(hit.active & (material.specular > S(0)))) return lit;
+    const S error = cosine_error(turn_reflected(known) + turn, shine) + S(16 * u);
+    const S base = max(shine, material.shines_from), x = max(material.pow, S(1)) * error / base,
+            mild_error = fma(x, x, x) + S(.51 * u) * (material.pow + S(4));
+    lit.highlight = select(x < S(.5), fma(mild_error, highlight, u * material.specular), material.specular);
     return lit;
 }
 

@@ -213,10 +213,11 @@ template <class S>
     };
     each_hot_item(
         world, set, [&](const auto& group, int i) __attribute__((always_inline)) {
-            const Mask<S> mask = reached_by(group.first_bin + i);
+            const Mask<S> mask = reached_by(group.first_bin + i) & !light.dark;
             if (any(mask)) pass_item(world, group.items[i], own, mask, distance, off, slack, light);
-            return false;
+            return none(active & !light.dark);
         });
+    if (none(active & !light.dark)) return light;
     each_cold_range(world, set, [&](const ItemRange&, int bin) {
         light.doubt = light.doubt | reached_by(bin);
         return false;

@@ -162,12 +162,14 @@ STRAHL_INLINE HitBounds<S> bounds_of(const Shading<S>& shading, const Hit<S>& hi
     const Ray<S> ray{{pick(from.origin.x), pick(from.origin.y), pick(from.origin.z)},
                      {pick(from.direction.x), pick(from.direction.y), pick(from.direction.z)},
                      pick(from.source)};
-    alignas(64) Element<S> known[width<S>];
-    for (int k = 0; k < width<S>; ++k)
-        known[k] = !(world.fog || world.bends || (world.patterns && patterned(world, material.numbers[k])) ||
-                     (within && !shading.limits.slack.fits()));
+    Mask<S> known = first_lanes<S>(world.fog || world.bends || (within && !shading.limits.slack.fits()) ? 0 : width<S>);
+    if (world.patterns) {
+        alignas(64) Element<S> plain[width<S>];
+        for (int k = 0; k < width<S>; ++k) plain[k] = !patterned(world, material.numbers[k]);
+        known = known & (load_lanes<S>(plain) > S(0));
+    }
     return bound_hits(shading, hit, ray, {pick(from.away), pick(from.turn)}, pick(t), pick(from.weight), pick.lanes,
-                      load_lanes<S>(known) > S(0));
+                      known);
 }
 
 /// Shades the hits of a bin. False if the queues are full.

@@ -168,6 +168,9 @@ void add_eye(Slack<double>& slack, const View& view, const Placement& placement)
     const Exact condition = (1 + apart / length_of(exact(camera.look_at) - exact(camera.position))) / sine;
     const Exact wrong = off(frame.forward, forward) + off(frame.right * frame.tan_x, tan_x * right) +
                         off(frame.down * frame.tan_y, tan_y * down) + rounding * condition * (1 + tan_x + tan_y);
+    // Roundings in units of 2 each: where a pixel is has 7 at most, as a share of a tangent, and counts no more than
+    // that against the direction, whose length is at least the forward axis's; 2 sums, 2 products of a tangent, the
+    // division.
     constexpr double u = std::numeric_limits<double>::epsilon();
     const DVec3 eye = (camera.position - placement.origin) * placement.scale;
     const Vector place = Exact(placement.scale) * (exact(camera.position) - exact(placement.origin));
@@ -177,7 +180,7 @@ void add_eye(Slack<double>& slack, const View& view, const Placement& placement)
     const Exact shifted =
         2 * (std::abs(Exact(view.shift_x)) * tan_x / view.width + std::abs(Exact(view.shift_y)) * tan_y / view.height);
     slack.eye_turn =
-        static_cast<double>(wrong + shifted) * (1 + 1e-9) + u * (12 + 6 * static_cast<double>(tan_x + tan_y));
+        static_cast<double>(wrong + shifted) * (1 + 1e-9) + u * (1.6 + 4 * static_cast<double>(tan_x + tan_y));
 }
 
 }  // namespace strahl

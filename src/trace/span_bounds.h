@@ -6,14 +6,17 @@
 namespace strahl::inline STRAHL_LEVEL {
 
 /// Of a ray: the exact one starts no further than `away` from the computed origin, and its direction, of length 1, is
-/// no further than `turn` from the computed one. Rays that are not followed have nothing of the kind, `away` is below
-/// 0: all light that they may bring is in the bound of their pixel already.
+/// no further than `turn` from the computed one brought to length 1; that of the latter is off by at most 3 units. Rays
+/// that are not followed have nothing of the kind, `away` is below 0: all light that they may bring is in the bound of
+/// their pixel already.
 template <class S>
 struct Doubt {
     S away, turn;
 };
 
-/// More than the rounding of an operation, as a share of its result.
+/// A unit: twice the rounding of an operation, as a share of its result. Formulas count roundings, without fma, and so
+/// halves of it. A vector's are no longer than a share of the vector; a scalar product of unit vectors is off by 3/2
+/// units, a vector divided by its length by 9/4 in length and by 1/2 in direction.
 template <class S>
 inline constexpr Element<S> unit_error = std::numeric_limits<Element<S>>::epsilon();
 
@@ -143,47 +146,58 @@ struct PointBounds {
     Mask<S> sure;
 };
 
-/// Of a point whose distance from its own exact surface is at most `off`, on a surface of curvature k, by how far the
-/// ray misses it: whatever found it. The rest follows from where the exact ray must cross.
+/// Of a point p whose distance from its own exact surface is at most `off`, on a surface of curvature k, by how far the
+/// ray misses it: whatever found it. `turned`: by how much the normal there differs from that of the exact surface.
+///
+/// The exact ray passes p at a distance of at most g; what this misses is rounded by (t + |p|) u / 2. It meets the
+/// plane that touches the surface no further than g / c from p, c being the cosine, and there the surface is within off
+/// + k X^2 / 2 of that plane, where X is how far the exact point is: c X <= g + off + k X^2 / 2, of which the smaller
+/// root is 2 d / (c + sqrt(c^2 - 2 k d)) with d = g + off. Factors of 1.1 in k and 1.001 are for k d < .001 and for
+/// rounding.
 template <class S>
 STRAHL_INLINE PointBounds<S> point_bounds(const Ray<S>& ray, const Doubt<S>& doubt, const S& t,
                                           const SurfacePoint<S>& point, const S& off, const S& k, const S& turned) {
     constexpr auto u = unit_error<S>;
     const Vec3<S> missed = point.position - fma(t, ray.direction, ray.origin);
-    const S scale = norm1(ray.origin) + norm1(point.position) + t;
-    const S d = doubt.away + t * doubt.turn + off + norm1(missed) + S(4 * u) * scale;
-    const S cosine = abs(dot(ray.direction, point.normal)) - doubt.turn - turned - S(16 * u);
+    const S rounding = S(.51 * u) * (norm1(point.position) + t);
+    const S d = doubt.away + t * doubt.turn + off + norm1(missed) + rounding;
+    const S cosine = abs(dot(ray.direction, point.normal)) - doubt.turn - turned - S(8 * u);
     const S square = fma(cosine, cosine, S(-2.2) * k * d);
-    const S away = S(1.05) * d / sqrt(max(square, S(0)));
-    const S normal = S(1.05) * k * (away + off) + turned + S(8 * u);
-    const Mask<S> sure = (cosine > S(0)) & (square > S(0)) & (k * d < S(.05)) & (away + d + S(4 * u) * t < t);
+    const S away = S(2.002) * d / (cosine + sqrt(max(square, S(0))));
+    const S normal = fma(S(1.002) * k, away, turned);
+    const Mask<S> sure = (cosine > S(0)) & (square > S(0)) & (k * d < S(.001)) & (away + d + S(4 * u) * t < t);
     return {away, normal, sure};
 }
 
+/// p = c + r n: p is off by the rounding of this, (r + |p|) u / 2, and by r times what n is too long, 9/4 u. The exact
+/// normal at x is (x - c) / r, that is n, (x - p) / r and the former. Slack counts in both.
 template <class S>
 STRAHL_INLINE PointBounds<S> point_bounds(const SphereKernel<S>& ball, const Ray<S>& ray, const Doubt<S>& doubt,
                                           const S& t, const SurfacePoint<S>& point, const S&,
                                           const Slack<Element<S>>& slack) {
     constexpr auto u = unit_error<S>;
     const S own = S(slack.share) * (norm1(ball.centre) + ball.radius), k = S(1) / ball.radius;
-    return point_bounds(ray, doubt, t, point, own + S(8 * u) * ball.radius, k, S(2) * k * own);
+    const S off = own + S(u) * fma(S(2.8), ball.radius, S(.51) * norm1(point.position));
+    return point_bounds(ray, doubt, t, point, off, k, k * off);
 }
+/// p is put onto the plane: off by the rounding of n p, 3/2 |p| u, and of this.
 template <class S>
-STRAHL_INLINE PointBounds<S> point_bounds(const PlaneKernel<S>& plane, const Ray<S>& ray, const Doubt<S>& doubt,
-                                          const S& t, const SurfacePoint<S>& point, const S&,
-                                          const Slack<Element<S>>& slack) {
+STRAHL_INLINE PointBounds<S> point_bounds(const PlaneKernel<S>&, const Ray<S>& ray, const Doubt<S>& doubt, const S& t,
+                                          const SurfacePoint<S>& point, const S&, const Slack<Element<S>>& slack) {
     constexpr auto u = unit_error<S>;
-    const S from = norm1(point.position);
-    const S off = S(slack.plane) + S(slack.turn) * from + S(8 * u) * (from + abs(plane.distance));
+    const S off = fma(S(slack.turn + 2.1 * u), norm1(point.position), S(slack.plane));
     return point_bounds(ray, doubt, t, point, off, S(0), S(slack.turn));
 }
+/// With f, no longer than r + height, from the base to p: what is across the axis is off by at most 4 |f| u along it,
+/// the end's height by 5/4 u, the radius by 11/4 u, and all of it by the rounding of two sums.
 template <class S>
 STRAHL_INLINE PointBounds<S> point_bounds(const CylinderKernel<S>& cylinder, const Ray<S>& ray, const Doubt<S>& doubt,
                                           const S& t, const SurfacePoint<S>& point, const S& face,
                                           const Slack<Element<S>>& slack) {
     constexpr auto u = unit_error<S>;
-    const S size = norm1(cylinder.base) + cylinder.radius + cylinder.height;
-    const S off = S(slack.share) * size + S(slack.turn) * cylinder.height + S(8 * u) * (size + norm1(point.position));
+    const S own = S(slack.share) * (norm1(cylinder.base) + cylinder.radius + cylinder.height);
+    const S rounding = fma(S(7), cylinder.radius + cylinder.height, S(.51) * norm1(point.position));
+    const S off = own + fma(S(slack.turn), cylinder.height, S(u) * rounding);
     const Mask<S> side = face == S(0);
     const S k = select(side, S(1) / cylinder.radius, S(0));
     PointBounds<S> known = point_bounds(ray, doubt, t, point, off, k, fma(S(2) * k, off, S(slack.turn)));

@@ -1,0 +1,158 @@
+// Each formula of proofs on its own, against numbers of 113 bits: rays, bodies and lights that are off by some amount
+// of any size, or by rounding alone, in the directions that hurt most.
+//
+//     PROOF_TRIALS=1000000 test_proof -tc='formulas*' -s     more of them
+#include "tests/proof/trial.h"
+
+using namespace strahl;
+using namespace strahl::trial;
+
+namespace {
+
+/// A body, and as the kernel has it, whose numbers are off by some share.
+template <class Shape>
+struct Case;
+template <>
+struct Case<Sphere> {
+    Sphere shape;
+    SphereKernel<double> kernel;
+    Slack<double> slack;
+    explicit Case(Dice& dice) : shape{dice.vector(-3, 3), std::pow(10, dice.in(-1.5, .5))} {
+        const double off = any_size(dice, -7);
+        kernel = {rounded(Vector(shape.centre) + R(off) * Vector(dice.direction())), shape.radius * (1 + off)};
+        const R wrong = length(vector(kernel.centre) - Vector(shape.centre)) + size(R(kernel.radius) - R(shape.radius));
+        slack.share = 1.0000001 * above(wrong / (R(norm1(kernel.centre)) + R(kernel.radius)));
+    }
+    double scale() const { return shape.radius; }
+    /// Some point of the surface, and the normal there.
+    std::pair<Vector, Vector> point(Dice& dice) const {
+        const Vector n = unit(Vector(dice.direction()));
+        return {Vector(shape.centre) + R(shape.radius) * n, n};
+    }
+};
+template <>
+struct Case<Plane> {
+    Plane shape;
+    PlaneKernel<double> kernel;
+    Slack<double> slack;
+    explicit Case(Dice& dice) {
+        shape.a = dice.vector(-3, 3), shape.b = shape.a + dice.direction(), shape.c = shape.a + dice.direction();
+        const double off = any_size(dice, -7);
+        const Vector n = unit(referee::normal<R>(shape)), across = perpendicular(dice, n);
+        kernel.normal = rounded(unit(n + R(off) * across));
+        kernel.distance = static_cast<double>(dot(n, Vector(shape.a))) + off;
+        slack.turn = above(length(vector(kernel.normal) - n));
+        slack.plane = above(size(kernel.distance - dot(n, Vector(shape.a))));
+    }
+    double scale() const { return 1; }
+    std::pair<Vector, Vector> point(Dice& dice) const {
+        const Vector n = unit(referee::normal<R>(shape));
+        return {Vector(shape.a) + R(dice.in(-3, 3)) * perpendicular(dice, n), n};
+    }
+};
+template <>
+struct Case<Cylinder> {
+    Cylinder shape;
+    CylinderKernel<double> kernel;
+    Slack<double> slack;
+    Vector axis;
+    R height;
+    explicit Case(Dice& dice) {
+        shape.base = dice.vector(-3, 3), shape.cap = shape.base + dice.arrow(.1, 3);
+        shape.radius = std::pow(10, dice.in(-1.5, .3));
+        const Vector rise = Vector(shape.cap) - Vector(shape.base);
+        height = length(rise), axis = unit(rise);
+        const double off = any_size(dice, -7);
+        kernel.axis = rounded(unit(axis + R(off) * perpendicular(dice, axis)));
+        kernel.base = rounded(Vector(shape.base) + R(off) * Vector(dice.direction()));
+        kernel.radius = shape.radius * (1 + off), kernel.height = static_cast<double>(height) * (1 - off);
+        slack.turn = above(length(vector(kernel.axis) - axis));
+        const R wrong = length(vector(kernel.base) - Vector(shape.base)) + size(R(kernel.radius) - R(shape.radius)) +
+                        size(R(kernel.height) - height);
+        slack.share = 1.0000001 * above(wrong / (R(norm1(kernel.base)) + R(kernel.radius) + R(kernel.height)));
+    }
+    double scale() const { return shape.radius; }
+    /// Half of them near a rim.
+    std::pair<Vector, Vector> point(Dice& dice) const {
+        const Vector out = perpendicular(dice, axis), base = shape.base;
+        const R near = dice.chance(.5) ? R(std::pow(10, dice.in(-14, -1))) : R(dice.in(0, 1));
+        const bool cap = dice.chance(.5);
+        if (dice.chance(.5))
+            return {base + (cap ? (1 - near) * height : near * height) * axis + R(shape.radius) * out, out};
+        return {base + (cap ? height : R(0)) * axis + R(shape.radius) * (1 - near) * out, R(cap ? 1 : -1) * axis};
+    }
+};
+
+/// Of bodies that a ray crosses.
+template <class Shape>
+struct Spans {
+    Closest near{"crossing"}, far{"last crossing", !std::is_same_v<Shape, Plane>}, other{"from its own surface"},
+        away{"point"}, normal{"normal"}, told{"certain, or not"};
+
+    void try_span(const Case<Shape>& body, const OffRay& off) {
+        const SpanBounds<double> span = span_bounds(body.kernel, off.ray, off.doubt, -1., body.slack);
+        auto list = crossings(body.shape, off.line, -1).list;
+        std::ranges::sort(list, {}, &referee::Crossing<R>::t);
+        told.demand(list.empty() ? !span.sure || std::is_same_v<Shape, Plane> : span.maybe);
+        if (list.empty()) return;
+        take(near, list.front().t, span.near_low, span.near_high);
+        if (list.size() > 1) take(far, list.back().t, span.far_low, span.far_high);
+    }
+    static void take(Closest& kind, R t, double low, double high) {
+        if (!(low > -inf && high < inf)) return kind.demand(t <= 0 || (t >= low && t <= high));
+        kind.take(size(t - (R(low) + R(high)) / 2), above((R(high) - R(low)) / 2));
+    }
+    void try_point(Dice& dice, const Case<Shape>& body, const OffRay& off) {
+        const Span<double> span = body.kernel.span(off.ray, -1.);
+        const double t = first_crossing(span), face = first_face(span);
+        if (!span.hit || !(t > 0)) return;
+        const SurfacePoint<double> point = body.kernel.at(off.ray, t, face);
+        const PointBounds<double> known = point_bounds(body.kernel, off.ray, off.doubt, t, point, face, body.slack);
+        if (!known.sure) return;
+        const referee::Crossing<R>* met = nullptr;
+        const auto list = crossings(body.shape, off.line, -1).list;
+        for (const auto& crossing : list)
+            if (crossing.face == static_cast<int>(face) && (!met || size(crossing.t - t) < size(met->t - t)))
+                met = &crossing;
+        told.demand(met && met->t > 0);
+        if (!met) return;
+        const Vector exact = off.line.origin + met->t * off.line.direction;
+        away.take(length(exact - vector(point.position)), known.away);
+        normal.take(length(unit(met->normal) - vector(point.normal)), known.normal);
+        OffRay on = off_ray(dice, point.position, any_of(dice, vector(point.normal)) + R(.9) * Vector(dice.direction()),
+                            Vector(), any_of(dice, vector(point.normal)));
+        on.line.origin = exact, on.doubt.away = above(length(exact - vector(point.position)));
+        on.ray.source = face;
+        const SpanBounds<double> from = span_bounds(body.kernel, on.ray, on.doubt, face, body.slack);
+        auto ahead = crossings(body.shape, on.line, static_cast<int>(face)).list;
+        std::ranges::sort(ahead, {}, &referee::Crossing<R>::t);
+        const bool leaves = !ahead.empty() && ahead.back().t > 0;
+        if constexpr (std::is_same_v<Shape, Plane>) return other.demand(!from.maybe);
+        told.demand(leaves ? from.maybe : !(from.sure && from.far_low > 0));
+        if (leaves) take(other, ahead.back().t, from.far_low, from.far_high);
+    }
+};
+
+template <class Shape>
+void try_body(std::uint64_t seed) {
+    Dice dice(seed);
+    Spans<Shape> spans;
+    for (int i = 0; i < trials(); ++i) {
+        const Case<Shape> body(dice);
+        const auto [point, normal] = body.point(dice);
+        const R c = std::pow(10, dice.chance(.3) ? dice.in(-9, 0) : dice.in(-.7, 0));
+        const Vector along = R(dice.chance(.8) ? -1 : 1) * c * normal + root(1 - c * c) * perpendicular(dice, normal);
+        const double way = std::pow(10, dice.in(-1, 1)), beside = dice.chance(.7) ? 0 : any_size(dice, -1);
+        const Vector aim = point + R((dice.chance(.5) ? 1 : -1) * beside * body.scale()) * normal;
+        const OffRay off =
+            off_ray(dice, rounded(aim - R(way) * along), along, any_of(dice, normal), any_of(dice, normal));
+        spans.try_span(body, off);
+        spans.try_point(dice, body, off);
+    }
+}
+
+}  // namespace
+
+TEST_CASE("formulas of balls") { try_body<Sphere>(1); }
+TEST_CASE("formulas of planes") { try_body<Plane>(2); }
+TEST_CASE("formulas of cylinders") { try_body<Cylinder>(3); }

@@ -1,0 +1,101 @@
+// What the trials of formulas share: numbers of any size, and rays that are off by them.
+#pragma once
+#define STRAHL_LEVEL formulas
+#define STRAHL_SCALAR
+#define STRAHL_PROVES
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+#include "tests/proof/exact.h"
+#include "tests/referee/dice.h"
+#include "trace/illuminate.h"
+#include "trace/proving.h"
+#include "trace/scatter.h"
+
+namespace strahl::trial {
+
+using exact::R;
+using exact::Vector;
+using referee::Line;
+
+inline constexpr double inf = std::numeric_limits<double>::infinity();
+
+inline R length(const Vector& v) { return root(dot(v, v)); }
+inline R size(R x) { return x < 0 ? -x : x; }
+inline Vector vector(const Vec3<double>& v) { return {v.x, v.y, v.z}; }
+inline DVec3 rounded(const Vector& v) {
+    return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
+}
+/// The least double that is not below.
+inline double above(R x) {
+    const double nearest = static_cast<double>(x);
+    return nearest < x ? std::nextafter(nearest, inf) : nearest;
+}
+
+/// How near errors of one kind come to their bounds.
+struct Closest {
+    const char* name;
+    bool expected = true;
+    double share = 0;
+    long tried = 0, violated = 0;
+    void take(R error, double bound) {
+        ++tried;
+        violated += !(error <= R(bound) + R(1e-32));  // what is exact has 34 digits
+        if (bound > 0) share = std::max(share, static_cast<double>(error) / bound);
+    }
+    void demand(bool so) { ++tried, violated += !so; }
+    ~Closest() {
+        if (expected)
+            std::printf("    %-36s %8ld tried, %5ld violated, error / bound at most %.3f\n", name, tried, violated,
+                        share);
+        CHECK((tried > 0) == expected);
+        CHECK(violated == 0);
+    }
+};
+
+inline int trials() {
+    const char* const text = std::getenv("PROOF_TRIALS");
+    return text ? std::atoi(text) : 20000;
+}
+
+/// A share of 1 that has any size, or is 0.
+inline double any_size(Dice& dice, double most = -4) { return dice.chance(.4) ? 0 : std::pow(10, dice.in(-15, most)); }
+inline Vector perpendicular(Dice& dice, const Vector& to) { return unit(cross(to, Vector(dice.direction()))); }
+
+/// A ray, and what it is in exact arithmetic.
+struct OffRay {
+    Ray<double> ray;
+    Doubt<double> doubt;
+    Line<R> line;
+};
+/// How far a direction is from one that is brought to length 1.
+inline double turn_from(const Vector& exact, const DVec3& computed) {
+    return above(length(exact - unit(vector(computed))));
+}
+/// The length of a direction is off as much as may be.
+inline DVec3 nearly_unit(Dice& dice, const Vector& v) {
+    return rounded(R(1 + dice.in(-2, 2) * std::numeric_limits<double>::epsilon()) * unit(v));
+}
+/// The exact one is moved and turned along these.
+inline OffRay off_ray(Dice& dice, const DVec3& origin, const Vector& towards, const Vector& moved,
+                      const Vector& turned) {
+    OffRay off;
+    off.ray = {origin, nearly_unit(dice, towards), -1};
+    off.line = {Vector(origin) + R(any_size(dice)) * moved,
+                unit(vector(off.ray.direction) + R(any_size(dice)) * turned)};
+    off.doubt = {above(length(off.line.origin - Vector(origin))), turn_from(off.line.direction, off.ray.direction)};
+    return off;
+}
+inline Vector any_of(Dice& dice, const Vector& normal) {
+    const int which = dice.upto(3);
+    return which == 0   ? normal
+           : which == 1 ? R(-1) * normal
+           : which == 2 ? perpendicular(dice, normal)
+                        : Vector(dice.direction());
+}
+
+}  // namespace strahl::trial
