@@ -41,6 +41,11 @@ std::string quoted_json(const std::string& text) {
 
 }  // namespace
 
+ShownPicture shown_picture(double time, int level, int width, int height) {
+    level = std::min(level, finest_level);
+    return {time, level, count(pixels_of(level, width, height))};
+}
+
 Benchmark benchmark_of(const std::vector<ShownPicture>& shown) {
     Benchmark b;
     b.pictures = static_cast<int>(shown.size());

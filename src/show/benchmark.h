@@ -9,9 +9,11 @@ namespace strahl {
 /// A picture that was shown.
 struct ShownPicture {
     double time = 0;  // when, in seconds
-    int level = 0;    // see progressive.h
+    int level = 0;    // see progressive.h; averages count as all pixels
     double pixels = 0;
 };
+/// Of `width` x `height` pixels. The first picture of a flight may be the last one of the rest before it.
+ShownPicture shown_picture(double time, int level, int width, int height);
 
 struct Benchmark {
     int pictures = 0;

@@ -207,7 +207,7 @@ void Viewer::draw() {
     draw_seconds += 0.2 * (now() - moment - draw_seconds);
     if (moving && state.number != before) picture_shown(ordered[state.number % ordered.size()]);
     if (moving && state.number != before)
-        motion.picture({now(), state.level, count(pixels_of(state.level, state.width, state.height))});
+        motion.picture(shown_picture(now(), state.level, state.width, state.height));
     if (options.play && !rocket && state.number > 0 && !(sound && sound->loading()) && !std::exchange(started, true))
         session.perform({Action::pause}, now());
     apply(input);
