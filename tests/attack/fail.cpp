@@ -26,11 +26,13 @@ bool begun = false;
 thread_local bool loading = false;  // within dlopen()
 thread_local bool inside = false;   // one of our own calls, or one that is counted already
 
-/// The functions on the stack, and whether one of them is in a library that neither belongs to us nor to the language.
+/// The functions on the stack, and whether one of them is in a library that neither belongs to us nor to the language;
+/// the loader works for such ones.
 void describe(const char* function) {
     std::size_t length = static_cast<std::size_t>(std::snprintf(control->where, sizeof control->where, "%s", function));
     void* frames[60];
     const int count = ::backtrace(frames, 60);
+    control->foreign |= loading;
     for (int i = 1; i < count; ++i) {
         Dl_info info{};
         if (!::dladdr(frames[i], &info) || !info.dli_fname) continue;
