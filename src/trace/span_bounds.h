@@ -75,7 +75,8 @@ STRAHL_INLINE SpanBounds<S> span_bounds(const PlaneKernel<K>& plane, const Ray<S
             Mask<S>(elsewhere & slanted)};
 }
 
-/// Between the planes of a cylinder's ends, whose own is known.
+/// Between the planes of a cylinder's ends; rays may start on one. The errors of `along` and of the slope hold 9 units
+/// more than their own roundings, as shares of |along| and of 1: these are for roundings here.
 template <class S>
 STRAHL_INLINE SpanBounds<S> between_ends(const S& along, const S& slope, const S& height, const S& error,
                                          const S& slope_error, const S& start) {
@@ -169,35 +170,47 @@ STRAHL_INLINE PointBounds<S> point_bounds(const Ray<S>& ray, const Doubt<S>& dou
     return {away, normal, sure};
 }
 
-/// p = c + r n: p is off by the rounding of this, (r + |p|) u / 2, and by r times what n is too long, 9/4 u. The exact
-/// normal at x is (x - c) / r, that is n, (x - p) / r and the former. Slack counts in both.
+/// How far a point p that was found on a body may be off the exact one's surface. p = c + r n: by the rounding of this,
+/// (r + |p|) u / 2, and by r times what n is too long, 9/4 u.
 template <class S>
-STRAHL_INLINE PointBounds<S> point_bounds(const SphereKernel<S>& ball, const Ray<S>& ray, const Doubt<S>& doubt,
-                                          const S& t, const SurfacePoint<S>& point, const S&,
-                                          const Slack<Element<S>>& slack) {
-    constexpr auto u = unit_error<S>;
-    const S own = S(slack.share) * (norm1(ball.centre) + ball.radius), k = S(1) / ball.radius;
-    const S off = own + S(u) * fma(S(2.8), ball.radius, S(.51) * norm1(point.position));
-    return point_bounds(ray, doubt, t, point, off, k, k * off);
+STRAHL_INLINE S off_surface(const SphereKernel<S>& ball, const Vec3<S>& p, const Slack<Element<S>>& slack) {
+    return S(slack.share) * (norm1(ball.centre) + ball.radius) +
+           S(unit_error<S>) * fma(S(2.8), ball.radius, S(.51) * norm1(p));
 }
 /// p is put onto the plane: off by the rounding of n p, 3/2 |p| u, and of this.
 template <class S>
-STRAHL_INLINE PointBounds<S> point_bounds(const PlaneKernel<S>&, const Ray<S>& ray, const Doubt<S>& doubt, const S& t,
-                                          const SurfacePoint<S>& point, const S&, const Slack<Element<S>>& slack) {
-    constexpr auto u = unit_error<S>;
-    const S off = fma(S(slack.turn + 2.1 * u), norm1(point.position), S(slack.plane));
-    return point_bounds(ray, doubt, t, point, off, S(0), S(slack.turn));
+STRAHL_INLINE S off_surface(const PlaneKernel<S>&, const Vec3<S>& p, const Slack<Element<S>>& slack) {
+    return fma(S(slack.turn + Element<S>(2.1) * unit_error<S>), norm1(p), S(slack.plane));
 }
 /// With f, no longer than r + height, from the base to p: what is across the axis is off by at most 4 |f| u along it,
 /// the end's height by 5/4 u, the radius by 11/4 u, and all of it by the rounding of two sums.
 template <class S>
+STRAHL_INLINE S off_surface(const CylinderKernel<S>& cylinder, const Vec3<S>& p, const Slack<Element<S>>& slack) {
+    const S own = S(slack.share) * (norm1(cylinder.base) + cylinder.radius + cylinder.height);
+    const S rounding = fma(S(7), cylinder.radius + cylinder.height, S(.51) * norm1(p));
+    return own + fma(S(slack.turn), cylinder.height, S(unit_error<S>) * rounding);
+}
+
+/// The exact normal at x is (x - c) / r, that is n, (x - p) / r and by what n is too long. Slack counts in both.
+template <class S>
+STRAHL_INLINE PointBounds<S> point_bounds(const SphereKernel<S>& ball, const Ray<S>& ray, const Doubt<S>& doubt,
+                                          const S& t, const SurfacePoint<S>& point, const S&,
+                                          const Slack<Element<S>>& slack) {
+    const S k = S(1) / ball.radius, off = off_surface(ball, point.position, slack);
+    return point_bounds(ray, doubt, t, point, off, k, k * off);
+}
+template <class S>
+STRAHL_INLINE PointBounds<S> point_bounds(const PlaneKernel<S>& plane, const Ray<S>& ray, const Doubt<S>& doubt,
+                                          const S& t, const SurfacePoint<S>& point, const S&,
+                                          const Slack<Element<S>>& slack) {
+    const S off = off_surface(plane, point.position, slack);
+    return point_bounds(ray, doubt, t, point, off, S(0), S(slack.turn));
+}
+template <class S>
 STRAHL_INLINE PointBounds<S> point_bounds(const CylinderKernel<S>& cylinder, const Ray<S>& ray, const Doubt<S>& doubt,
                                           const S& t, const SurfacePoint<S>& point, const S& face,
                                           const Slack<Element<S>>& slack) {
-    constexpr auto u = unit_error<S>;
-    const S own = S(slack.share) * (norm1(cylinder.base) + cylinder.radius + cylinder.height);
-    const S rounding = fma(S(7), cylinder.radius + cylinder.height, S(.51) * norm1(point.position));
-    const S off = own + fma(S(slack.turn), cylinder.height, S(u) * rounding);
+    const S off = off_surface(cylinder, point.position, slack);
     const Mask<S> side = face == S(0);
     const S k = select(side, S(1) / cylinder.radius, S(0));
     PointBounds<S> known = point_bounds(ray, doubt, t, point, off, k, fma(S(2) * k, off, S(slack.turn)));

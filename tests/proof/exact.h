@@ -86,25 +86,36 @@ struct Body {
     }
 };
 
-class Tracer {
-  public:
-    Tracer(const Scene& own, const View& own_view) : scene(own), view(own_view), eye(view.camera.position) {
-        for (const Primitive& p : scene.primitives)
-            bodies.push_back({p.shape, scene.materials[p.material], Space(p.transformations)});
-        forward = unit(Vector(view.camera.look_at) - eye);
+/// Looks through the middles of pixels.
+struct Eye {
+    Vector position, forward, right, down;
+    int width, height;
+
+    explicit Eye(const View& view) : position(view.camera.position), width(view.width), height(view.height) {
+        forward = unit(Vector(view.camera.look_at) - position);
         right = unit(cross(Vector(view.camera.up), forward));
         down = cross(forward, right);
         const R angle = radians(view.camera.fov), tangent = sine_of(angle) / cosine_of(angle);
-        const R aspect = view.camera.aspectratio ? R(*view.camera.aspectratio) : R(view.width) / R(view.height);
+        const R aspect = view.camera.aspectratio ? R(*view.camera.aspectratio) : R(width) / R(height);
         right = tangent * right, down = tangent / aspect * down;
     }
-    /// Through the middle of a pixel.
+    Line<R> ray(int x, int y) const {
+        const R u = (2 * R(x) + 1) / width - 1, v = (2 * R(y) + 1) / height - 1;
+        return {position, unit(forward + u * right + v * down)};
+    }
+};
+
+class Tracer {
+  public:
+    Tracer(const Scene& own, const View& own_view) : scene(own), view(own_view), eye(view) {
+        for (const Primitive& p : scene.primitives)
+            bodies.push_back({p.shape, scene.materials[p.material], Space(p.transformations)});
+    }
     Vector at(int x, int y) const {
-        const R u = (2 * R(x) + 1) / view.width - 1, v = (2 * R(y) + 1) / view.height - 1;
         std::vector<int> inside;
         for (int i = 0; i < std::ssize(bodies); ++i)
-            if (bodies[i].material.refraction > 0 && bodies[i].surrounds(eye)) inside.push_back(i);
-        return see({eye, unit(forward + u * right + v * down)}, 1, inside);
+            if (bodies[i].material.refraction > 0 && bodies[i].surrounds(eye.position)) inside.push_back(i);
+        return see(eye.ray(x, y), 1, inside);
     }
 
   private:
@@ -175,7 +186,7 @@ class Tracer {
 
     Scene scene;
     View view;
-    Vector eye, forward, right, down;
+    Eye eye;
     std::vector<Body> bodies;
 };
 

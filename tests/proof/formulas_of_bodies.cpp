@@ -24,6 +24,8 @@ struct Case<Sphere> {
         slack.share = 1.0000001 * above(wrong / (R(norm1(kernel.centre)) + R(kernel.radius)));
     }
     double scale() const { return shape.radius; }
+    /// How far a point is from a face.
+    R off(const Vector& p, int) const { return size(length(p - Vector(shape.centre)) - R(shape.radius)); }
     /// Some point of the surface, and the normal there.
     std::pair<Vector, Vector> point(Dice& dice) const {
         const Vector n = unit(Vector(dice.direction()));
@@ -45,6 +47,7 @@ struct Case<Plane> {
         slack.plane = above(size(kernel.distance - dot(n, Vector(shape.a))));
     }
     double scale() const { return 1; }
+    R off(const Vector& p, int) const { return size(dot(unit(referee::normal<R>(shape)), p - Vector(shape.a))); }
     std::pair<Vector, Vector> point(Dice& dice) const {
         const Vector n = unit(referee::normal<R>(shape));
         return {Vector(shape.a) + R(dice.in(-3, 3)) * perpendicular(dice, n), n};
@@ -72,6 +75,11 @@ struct Case<Cylinder> {
         slack.share = 1.0000001 * above(wrong / (R(norm1(kernel.base)) + R(kernel.radius) + R(kernel.height)));
     }
     double scale() const { return shape.radius; }
+    R off(const Vector& p, int face) const {
+        const Vector f = p - Vector(shape.base);
+        const R along = dot(f, axis);
+        return size(face == 0 ? length(f - along * axis) - R(shape.radius) : face == 1 ? along : along - height);
+    }
     /// Half of them near a rim.
     std::pair<Vector, Vector> point(Dice& dice) const {
         const Vector out = perpendicular(dice, axis), base = shape.base;
@@ -87,7 +95,7 @@ struct Case<Cylinder> {
 template <class Shape>
 struct Spans {
     Closest near{"crossing"}, far{"last crossing", !std::is_same_v<Shape, Plane>}, other{"from its own surface"},
-        away{"point"}, normal{"normal"}, told{"certain, or not"};
+        away{"point"}, surface{"point off its surface"}, normal{"normal"}, told{"certain, or not"};
 
     void try_span(const Case<Shape>& body, const OffRay& off) {
         const SpanBounds<double> span = span_bounds(body.kernel, off.ray, off.doubt, -1., body.slack);
@@ -109,6 +117,8 @@ struct Spans {
         const SurfacePoint<double> point = body.kernel.at(off.ray, t, face);
         const PointBounds<double> known = point_bounds(body.kernel, off.ray, off.doubt, t, point, face, body.slack);
         if (!known.sure) return;
+        surface.take(body.off(vector(point.position), static_cast<int>(face)),
+                     off_surface(body.kernel, point.position, body.slack));
         const referee::Crossing<R>* met = nullptr;
         const auto list = crossings(body.shape, off.line, -1).list;
         for (const auto& crossing : list)
@@ -152,6 +162,35 @@ void try_body(std::uint64_t seed) {
 }
 
 }  // namespace
+
+/// Rays that hardly lean, and lines that are off by as much as they are slanted.
+TEST_CASE("formulas of cylinders' ends") {
+    Closest between{"way in and out"};
+    Dice dice(8);
+    for (int i = 0; i < trials(); ++i) {
+        const double height = std::pow(10, dice.in(-1, 1)), start = dice.chance(.5) ? -1 : dice.upto(2);
+        const double slope = (dice.chance(.5) ? 1 : -1) * std::pow(10, dice.in(-6, 0));
+        const double slope_error = std::abs(slope) * dice.in(0, 1.5), error = any_size(dice, -1) * height;
+        // Rays that start on an end are there but for this.
+        const double along = start == 1   ? error * dice.in(-1, 1)
+                             : start == 2 ? height + error * dice.in(-1, 1)
+                                          : height * dice.in(-.5, 1.5);
+        const auto most = [&] { return R(dice.chance(.5) ? dice.in(-1, 1) : dice.chance(.5) ? 1 : -1); };
+        const R exact_slope = R(slope) + most() * R(slope_error), off = R(along) + most() * R(error);
+        if (exact_slope == 0) continue;
+        const R to_base = start == 1 ? R(0) : R(-1) * off / exact_slope;
+        const R to_cap = start == 2 ? R(0) : (R(height) - off) / exact_slope;
+        const R near = to_base < to_cap ? to_base : to_cap, far = to_base < to_cap ? to_cap : to_base;
+        if (far < 0) continue;  // all of it is behind the ray
+        const double spare = 9 * unit_error<double>;
+        const SpanBounds<double> span =
+            between_ends(along, slope, height, error + spare * std::abs(along), slope_error + spare, start);
+        const auto holds = [](R t, double low, double high) {
+            return (low == -inf || R(low) <= t) && (high == inf || t <= R(high));
+        };
+        between.demand(holds(near, span.near_low, span.near_high) && holds(far, span.far_low, span.far_high));
+    }
+}
 
 TEST_CASE("formulas of balls") { try_body<Sphere>(1); }
 TEST_CASE("formulas of planes") { try_body<Plane>(2); }

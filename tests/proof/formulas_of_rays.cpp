@@ -90,7 +90,11 @@ TEST_CASE("formulas of light") {
         const double away = std::pow(10, dice.in(-2, 3));
         const DVec3 file = home + DVec3(hit.position) + away * aim;
         LightKernel<double> light{file - home, Vec3<double>(1)};
-        const Vector exact_place = Vector(file) - Vector(home);
+        Vector exact_place = Vector(file) - Vector(home);
+        if (dice.chance(.3)) {  // parallel light
+            light.finite = 0, light.position = aim;
+            exact_place = off.position + Vector(aim);
+        }
 
         const Vec3<double> to_light = fma(-light.finite, hit.position, light.position);
         const double length_of_way = std::sqrt(dot(to_light, to_light)), inverse = 1 / length_of_way;

@@ -76,8 +76,9 @@ inline Scene random_world(std::uint64_t seed) {
 /// The size of pictures of the following worlds.
 inline constexpr int edge_columns = 6, edge_rows = 4;
 
-/// A world of edges: through the middle of each pixel of a small picture goes a ray that touches a ball or a rod, but
-/// for rounding, or whose mirrored or shadow ray from the floor does.
+/// A world of edges: through the middle of each pixel of a small picture goes a ray that touches a ball or a rod or
+/// meets a rim or an end whose plane holds the lamp, but for rounding, or whose mirrored or shadow ray from the floor
+/// does.
 inline Scene world_of_edges(std::uint64_t seed) {
     Dice dice(seed);
     Scene scene;
@@ -119,7 +120,18 @@ inline Scene world_of_edges(std::uint64_t seed) {
             const DVec3 across = unit(cross(way, dice.direction())), along = unit(cross(across, dice.direction()));
             const double radius = size * dice.in(.02, .08);
             const DVec3 centre = from + t * way + radius * across;
-            if (dice.chance(.6))
+            const double kind = dice.in(0, 1);
+            if (kind < .2) {  // where an end and the side meet, both of which face the ray
+                const DVec3 out = unit(across - way), axis = unit(cross(cross(out, across - 2. * way), out));
+                const DVec3 cap = from + t * way - radius * out;
+                scene.primitives.push_back({Cylinder{cap - 6 * radius * axis, cap, radius}, dull(0), {}});
+            } else if (kind < .3) {  // the middle of an end, where a highlight begins at once
+                const DVec3 cap = from + t * way, axis = unit(cross(lamp - cap, dice.direction()));
+                const double towards = axis.x * way.x + axis.y * way.y + axis.z * way.z;
+                const DVec3 base = cap + (towards < 0 ? -6 : 6) * radius * axis;
+                scene.primitives.push_back({Cylinder{base, cap, radius}, dull(0), {}});
+                scene.materials.back().specular = .8, scene.materials.back().pow = 1;
+            } else if (kind < .7)
                 scene.primitives.push_back({Sphere{centre, radius}, dull(0), {}});
             else
                 scene.primitives.push_back(

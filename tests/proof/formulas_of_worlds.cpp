@@ -1,0 +1,108 @@
+// How far worlds and camera rays in double are off, by the formulas of slack.cpp and against numbers of 113 bits.
+#include "tests/proof/trial.h"
+#include "trace/batches.h"
+#include "trace/slack.h"
+
+using namespace strahl;
+using namespace strahl::trial;
+
+namespace {
+
+std::vector<Transformation> similar(Dice& dice) {
+    std::vector<Transformation> steps;
+    for (int left = dice.upto(3); left > 0; --left) {
+        const int which = dice.upto(2);
+        if (which == 0) steps.push_back(Rotate{dice.vector(-200, 200)});
+        if (which == 1) steps.push_back(Scale{DVec3(std::pow(10, dice.in(-2, 2)))});
+        if (which == 2) steps.push_back(Translate{std::pow(10, dice.in(-1, 4)) * dice.direction()});
+    }
+    return steps;
+}
+
+struct Differences {
+    Closest share{"place and size of a body"}, turn{"axis or normal"}, plane{"distance of a plane"};
+
+    /// Of a shape under these transformations.
+    template <class Shape>
+    void take(const Shape& shape, const std::vector<Transformation>& steps, const Placement& placement) {
+        const exact::Space space(steps);
+        const auto turned = [&](const Vector& v) {
+            return v.x * space.columns[0] + v.y * space.columns[1] + v.z * space.columns[2];
+        };
+        const R scale = placement.scale;
+        const auto place = [&](const DVec3& p) {
+            return scale * (turned(Vector(p)) + space.moved - Vector(placement.origin));
+        };
+        const R stretch = scale * length(space.columns[0]);
+        const auto off = [](const Vec3<double>& computed, const Vector& exact) {
+            return length(vector(computed) - exact);
+        };
+        Scene scene;
+        scene.primitives.push_back({shape, 0, steps});
+        const Slack<double> slack = slack_of(scene, placement);
+        const WorldTransform to_world{matrix(steps), similarity(steps), placement.origin, placement.scale};
+        shape.template emit<double>(to_world, [&]<class Kernel>(const Kernel& kernel) {
+            if constexpr (std::is_same_v<Kernel, SphereKernel<double>>)
+                share.take((off(kernel.centre, place(shape.centre)) + size(kernel.radius - stretch * R(shape.radius))) /
+                               (norm1(kernel.centre) + kernel.radius),
+                           slack.share);
+            if constexpr (std::is_same_v<Kernel, PlaneKernel<double>>) {
+                const Vector n = unit(turned(referee::normal<R>(shape)));
+                turn.take(off(kernel.normal, n), slack.turn);
+                plane.take(size(kernel.distance - dot(n, place(shape.a))), slack.plane);
+            }
+            if constexpr (std::is_same_v<Kernel, CylinderKernel<double>>) {
+                const Vector rise = Vector(shape.cap) - Vector(shape.base);
+                share.take((off(kernel.base, place(shape.base)) + size(kernel.radius - stretch * R(shape.radius)) +
+                            size(kernel.height - stretch * length(rise))) /
+                               (norm1(kernel.base) + kernel.radius + kernel.height),
+                           slack.share);
+                turn.take(off(kernel.axis, unit(turned(rise))), slack.turn);
+            }
+        });
+    }
+};
+
+}  // namespace
+
+TEST_CASE("formulas of worlds") {
+    Differences differences;
+    Dice dice(9);
+    for (int i = 0; i < trials(); ++i) {
+        const double far = std::pow(10, dice.in(-1, 5));
+        const Placement placement{dice.chance(.5) ? DVec3(0) : dice.vector(-far, far),
+                                  std::ldexp(1, dice.upto(20) - 10)};
+        const DVec3 at = dice.vector(-far, far);
+        const std::vector<Transformation> steps = similar(dice);
+        const int which = dice.upto(2);
+        if (which == 0) differences.take(Sphere{at, dice.in(.1, 3)}, steps, placement);
+        if (which == 1) differences.take(Plane{at, at + dice.direction(), at + dice.direction()}, steps, placement);
+        if (which == 2) differences.take(Cylinder{at, at + dice.arrow(.1, 3), dice.in(.1, 3)}, steps, placement);
+    }
+}
+
+TEST_CASE("formulas of camera rays") {
+    Closest start{"start"}, turn{"direction"};
+    Dice dice(10);
+    for (int i = 0; i < trials(); ++i) {
+        const double far = std::pow(10, dice.in(-1, 3));
+        View view;
+        view.width = 1 + dice.upto(2000), view.height = 1 + dice.upto(2000);
+        view.camera.position = dice.vector(-far, far);
+        view.camera.look_at = view.camera.position + dice.arrow(1, 10);
+        view.camera.up = dice.direction(), view.camera.fov = dice.in(1, 80);
+        const Placement placement{dice.chance(.5) ? DVec3(0) : dice.vector(-far, far), std::ldexp(1, dice.upto(8) - 4)};
+        Slack<double> slack;
+        add_eye(slack, view, placement);
+        const Eye<double> eye = eye_of<double>(view, placement);
+        const exact::Eye exact(view);
+        const int x = dice.upto(view.width - 1), y = dice.upto(view.height - 1);
+        // As the kernel has it.
+        const double u = fma(double(x), eye.scale_x, eye.bias_x), v = fma(double(y), eye.scale_y, eye.bias_y);
+        const Vec3<double> d = fma(u, eye.right, fma(v, eye.down, eye.forward));
+        const Vec3<double> direction = scale(1 / std::sqrt(dot(d, d)), d);
+        turn.take(length(exact.ray(x, y).direction - unit(vector(direction))), slack.eye_turn);
+        const Vector place = R(placement.scale) * (exact.position - Vector(placement.origin));
+        start.take(length(place - vector(eye.position)), slack.eye_away);
+    }
+}
