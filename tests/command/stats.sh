@@ -52,20 +52,20 @@ is double precision
 [[ $(value error allowed) == 0.00196* ]] || fault "error allowed is $(value error allowed)"
 
 # --error: a larger error needs fewer rays.
-expect 0 "" render scene.rt -o x.bmp --size 64x48 --error 1e-1 --stats stats.json
+expect 0 "" render scene.rt -o x.bmp --size 64x48 --samples 1 --error 1e-1 --stats stats.json
 is float precision
 awk "BEGIN { exit !(0 < $(value error dropped) && $(value error dropped) < .0501) }" || fault "dropped in $(<stats.json)"
 few=$(value rays total)
-expect 0 "" render scene.rt -o x.bmp --size 64x48 --error 1e-6 --stats stats.json
+expect 0 "" render scene.rt -o x.bmp --size 64x48 --samples 1 --error 1e-6 --stats stats.json
 is double precision
 (($(value rays total) > few)) || fault "--error 1e-6 takes no more rays than --error 1e-1"
-expect 0 "" render scene.rt -o x.bmp --size 64x48 --error 0 --stats stats.json
+expect 0 "" render scene.rt -o x.bmp --size 64x48 --samples 1 --error 0 --stats stats.json
 is 0 error allowed
 printf 'camera { position <0, -5, 1>  look_at <0, 0, 0>  up <0, 0, -1>  fov 20 } light { position <0, 0, 9>  color <1, 1, 1> }
 sphere { <0, 0, 0>, 1  material { reflection .1 } }' >one.rt
-expect 0 "" render one.rt -o x.bmp --size 64x48 --error 0 --stats stats.json
+expect 0 "" render one.rt -o x.bmp --size 64x48 --samples 1 --error 0 --stats stats.json
 is 0 error guaranteed  # a ball alone: no ray meets it twice, nothing is cut off
-expect 0 "" render one.rt -o x.bmp --size 64x48 --depth 1 --error 0 --stats stats.json
+expect 0 "" render one.rt -o x.bmp --size 64x48 --samples 1 --depth 1 --error 0 --stats stats.json
 [[ $(value error guaranteed) == 0.1* ]] || fault "what the second generation brings is $(value error guaranteed)"
 expect 2 "--error" render scene.rt -o x.bmp --error -1
 expect 2 "--error" render scene.rt -o x.bmp --error nan
