@@ -30,11 +30,11 @@ std::ostream& operator<<(std::ostream& out, const DVec3& v) {
 }
 
 /// How many there are of each kind.
-using Counts = std::array<std::size_t, std::variant_size_v<Shape>>;
+using CountOfKinds = std::array<std::size_t, std::variant_size_v<Shape>>;
 
 /// "7: 5 spheres, 1 plane, 1 cylinder"
 template <class... Kinds>
-std::string kinds_in_words(const Counts& counts, std::variant<Kinds...>*) {
+std::string kinds_in_words(const CountOfKinds& counts, std::variant<Kinds...>*) {
     constexpr std::array names{Kinds::name...};
     std::string words = std::to_string(std::accumulate(counts.begin(), counts.end(), std::size_t{0}));
     const char* separator = ": ";
@@ -45,17 +45,17 @@ std::string kinds_in_words(const Counts& counts, std::variant<Kinds...>*) {
 
 /// The lines for the bodies, and for the simple ones that composites consist of.
 std::string bodies_in_words(const Scene& scene) {
-    Counts bodies{}, parts{};
+    CountOfKinds bodies{}, parts{};
     for (const Primitive& primitive : scene.primitives) {
         ++bodies[primitive.shape.index()];
         for_each_leaf(primitive, [&](const Primitive& leaf, const glm::dmat4&) {
             if (&leaf != &primitive) ++parts[leaf.shape.index()];
         });
     }
-    const auto line = [](const char* name, const Counts& counts) {
+    const auto line = [](const char* name, const CountOfKinds& counts) {
         return name + kinds_in_words(counts, static_cast<Shape*>(nullptr)) + "\n";
     };
-    return line("  primitives   ", bodies) + (parts == Counts{} ? "" : line("  made of      ", parts));
+    return line("  primitives   ", bodies) + (parts == CountOfKinds{} ? "" : line("  made of      ", parts));
 }
 
 /// The box around all bounded bodies.

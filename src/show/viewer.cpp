@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <limits>
 #include <utility>
 
 #include "image/picture.h"
@@ -18,7 +17,6 @@
 namespace strahl {
 namespace {
 
-constexpr double forever = std::numeric_limits<double>::infinity();
 constexpr double rest_interval = 0.05;   // seconds between drawings while a resting picture is refined
 constexpr double signal_interval = 0.2;  // seconds until a signal is noticed
 

@@ -3,8 +3,8 @@
 #include <array>
 #include <chrono>
 #include <deque>
+#include <limits>
 #include <memory>
-#include <optional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -122,7 +122,8 @@ class Viewer {
     Stability marks;      // of the picture on the screen
     bool marked = false;  // marks are shown or being computed
     std::string fault;
-    double fault_until = 0;  // infinite for the watched scene
+    static constexpr double forever = std::numeric_limits<double>::infinity();
+    double fault_until = 0;  // forever for the watched scene
     struct Note {
         std::string text;
         double until;

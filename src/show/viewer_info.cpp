@@ -14,7 +14,7 @@ std::string format(const char* form, Values... values) {
     return text;
 }
 
-std::string text_of(const DVec3& v) { return format("<%.5g, %.5g, %.5g>", v.x, v.y, v.z); }
+std::string short_text(const DVec3& v) { return format("<%.5g, %.5g, %.5g>", v.x, v.y, v.z); }
 
 }  // namespace
 
@@ -35,8 +35,8 @@ std::vector<std::pair<std::string, std::string>> Viewer::info() const {
     add("precision", format("%s, %d lanes (%s)", name(Precision::float32), lanes(Precision::float32, best_simd()),
                             name(best_simd())));
     add("threads", std::to_string(tracing.threads()));
-    add("position", text_of(session.camera.position));
-    add("look_at", text_of(session.camera.look_at));
+    add("position", short_text(session.camera.position));
+    add("look_at", short_text(session.camera.look_at));
     add("moving", (session.orbiting ? "orbit, " : "free flight, ") + format("speed %.3g", session.speed) +
                       (session.finest < finest_level ? ", at most " + resolution_text(session.finest) : ""));
     if (session.flying())

@@ -4,19 +4,12 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <limits>
 #include <utility>
 
 #include "image/picture.h"
 #include "show/viewer.h"
 
 namespace strahl {
-namespace {
-
-constexpr double forever = std::numeric_limits<double>::infinity();
-
-}  // namespace
-
 /// What the options ask of a scene that is shown for the first time.
 void Viewer::start_scene() {
     if (options.play && !rocket) {

@@ -6,8 +6,6 @@
 namespace strahl {
 namespace {
 
-constexpr std::int32_t unit = Point::unit;
-
 /// The error of a cell over the difference between its samples, found by experiment on five worlds: what is estimated
 /// is .7 to 1.9 times the error there (tests/bench/sampling.md).
 constexpr double estimate = .17;

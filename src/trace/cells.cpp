@@ -10,7 +10,7 @@
 namespace strahl {
 namespace {
 
-constexpr std::int32_t unit = Point::unit, least_cell = unit / 32;
+constexpr std::int32_t least_cell = Point::unit / 32;
 constexpr int side = tile_pixels + 1;  // of the lattice
 /// Where the middle of a cell saw what its corners did not, and no thin body is known there, as much is thought to lie
 /// in cells whose middle did not see it: so many times the square of the middle's difference. Found by experiment, as
@@ -62,7 +62,7 @@ void Cells::begin(int x, int y, int new_columns, int new_rows, double new_contra
 double side_of(Point point) {
     const std::int32_t all = point.x | point.y, step = all & -all;  // the last bit set
     const bool middle = point.x & step && point.y & step;
-    return std::min(double(middle ? 2 * step : step) / unit, 1.);
+    return std::min(double(middle ? 2 * step : step) / Point::unit, 1.);
 }
 
 int Cells::sample_at(Point point) {

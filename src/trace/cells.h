@@ -55,6 +55,8 @@ class Cells {
     void add_to(Sampled& sampled) const;
 
   private:
+    static constexpr std::int32_t unit = Point::unit;
+
     enum class Stage : std::uint8_t { corners, middle, ends, beside };
     struct Cell {
         std::int32_t x, y, size;     // in units of Point
@@ -69,7 +71,7 @@ class Cells {
     };
 
     std::size_t pixel_of(const Cell& cell) const {
-        return 3 * (std::size_t(cell.y / Point::unit) * columns + cell.x / Point::unit);
+        return 3 * (std::size_t(cell.y / unit) * columns + cell.x / unit);
     }
     int sample_at(Point point);
     bool within(std::int32_t x, std::int32_t y) const;

@@ -16,17 +16,6 @@ namespace {
 constexpr double cells_per_item = 4;
 constexpr std::int32_t band_rows = 32;  // a thread's piece of a face
 
-/// A ball around an item as the light sees it.
-struct SeenItem {
-    DVec3 centre;  // relative to the light
-    double radius, near;
-    std::int32_t item, form;
-};
-/// What an item covers of a face.
-struct Footprint {
-    Slopes u, v;
-    std::int32_t seen;  // its number in the list of these
-};
 /// How many items the hierarchy has.
 template <class T>
 std::int64_t items_in_hierarchy(const World<T>& world) {
@@ -39,6 +28,17 @@ std::int64_t items_in_hierarchy(const World<T>& world) {
 
 template <class T>
 struct LightBuffers<T>::Arrays {
+    /// A ball around an item as the light sees it.
+    struct SeenItem {
+        DVec3 centre;  // relative to the light
+        double radius, near;
+        std::int32_t item, form;
+    };
+    /// What an item covers of a face.
+    struct Print {
+        Slopes u, v;
+        std::int32_t seen;  // its number in the list of these
+    };
     /// Rows of a face, and the candidates of its cells beyond the first ones, numbered from 1: 0 is none.
     struct Band {
         std::int32_t face, first_row, last_row;
@@ -50,7 +50,7 @@ struct LightBuffers<T>::Arrays {
     static constexpr T none = std::numeric_limits<T>::infinity();
 
     std::vector<SeenItem> seen;
-    std::vector<std::vector<Footprint>> prints;  // by face, furthest item first
+    std::vector<std::vector<Print>> prints;  // by face, furthest item first
     std::vector<BufferFace<T>> faces;
     std::vector<Band> bands;
     Buffer<Candidate<T>> first, candidates;  // those that cells begin with, and all
@@ -118,12 +118,12 @@ void LightBuffers<T>::Arrays::look(const LightKernel<T>& light) {
 template <class T>
 void LightBuffers<T>::Arrays::add_face(const Basis& basis, double limit, double slack, bool parallel) {
     const double wide = 1.001 * limit;  // what is a little beyond counts, for rounding
-    std::vector<Footprint> own;
+    std::vector<Print> own;
     Slopes u{wide, -wide}, v = u;
     for (std::size_t i = 0; i < seen.size(); ++i) {
         const auto& [centre, radius, near, item, form] = seen[i];
         const double x = dot_product(basis.right, centre), y = dot_product(basis.up, centre);
-        Footprint print{{x - radius, x + radius}, {y - radius, y + radius}, static_cast<std::int32_t>(i)};
+        Print print{{x - radius, x + radius}, {y - radius, y + radius}, static_cast<std::int32_t>(i)};
         if (!parallel) {
             const double z = dot_product(basis.axis, centre);
             if (z < -radius) continue;
@@ -177,7 +177,7 @@ void LightBuffers<T>::Arrays::fill(Band& band) {
         return static_cast<std::int32_t>(std::floor(cells + off));
     };
     constexpr double off = 1. / 64;  // of a cell, for rounding
-    for (const Footprint& print : prints[band.face]) {
+    for (const Print& print : prints[band.face]) {
         const std::int32_t top = std::max(cell(print.v.low, face.low_v, face.per_v, -off), band.first_row);
         const std::int32_t bottom = std::min(cell(print.v.high, face.low_v, face.per_v, off), band.last_row);
         if (top > bottom) continue;

@@ -16,10 +16,10 @@ using Quad = std::array<DVec3, 4>;
 
 /// Reflected rays part at most so many times as fast as the camera's own, or they are not asked about: in mirrors more
 /// curved everything is small, so that there the price, two to three times the rays, is not worth it.
-constexpr double most_growth = 2;
+constexpr double most_widening = 2;
 
 double square(const DVec3& v) { return dot_product(v, v); }
-DVec3 unit(const DVec3& v) { return (1 / std::sqrt(square(v))) * v; }
+DVec3 unit_of(const DVec3& v) { return (1 / std::sqrt(square(v))) * v; }
 DVec3 middle_of(const Quad& corners) { return .25 * (corners[0] + corners[1] + corners[2] + corners[3]); }
 /// As seen along a direction.
 double area(const Quad& corners, const DVec3& direction) {
@@ -84,10 +84,10 @@ bool Thin::hides_in(const std::array<Corner, 4>& corners, double least) const {
             const float* const direction = corners[k].sample->reflected;
             reflected[k] = DVec3(direction[0], direction[1], direction[2]);
         }
-        mirrors = growth_of(reflected, unit(middle_of(reflected))) < most_growth * own_growth;
+        mirrors = growth_of(reflected, unit_of(middle_of(reflected))) < most_widening * own_growth;
     }
     if (!wide && !mirrors) return false;
-    for (int k = 0; k < 4; ++k) places[k] = unit(first + corners[k].x * right + corners[k].y * down);
+    for (int k = 0; k < 4; ++k) places[k] = unit_of(first + corners[k].x * right + corners[k].y * down);
     if (wide && bodies.meets(from_eye(places, furthest), least)) return true;
     if (!one_surface || (lit == 0 && !mirrors)) return false;
     for (int k = 0; k < 4; ++k) places[k] = eye + double(corners[k].sample->distance) * places[k];
@@ -97,7 +97,7 @@ bool Thin::hides_in(const std::array<Corner, 4>& corners, double least) const {
 }
 
 Tube Thin::from_eye(const Quad& directions, double furthest) const {
-    const DVec3 axis = unit(middle_of(directions));
+    const DVec3 axis = unit_of(middle_of(directions));
     const double growth = growth_of(directions, axis);
     return {.from = eye,
             .direction = axis,
@@ -129,7 +129,7 @@ bool Thin::hides_shadow(const Quad& points, double radius, std::uint32_t lit, do
 
 bool Thin::hides_reflection(const Quad& points, double radius, const Quad& directions, double furthest,
                             double least) const {
-    const DVec3 axis = unit(middle_of(directions)), middle = middle_of(points);
+    const DVec3 axis = unit_of(middle_of(directions)), middle = middle_of(points);
     const double growth = growth_of(directions, axis), start = radius * (1 + growth);
     const double longest = std::min(furthest, end + std::sqrt(square(middle - eye)));
     if (!(start + growth * longest >= .99 * bodies.least())) return false;

@@ -6,7 +6,7 @@
 namespace strahl {
 namespace {
 constexpr std::size_t queue_capacity = batch_rays + 4 * widest_pack;  // whole packs are stored past the end
-constexpr std::size_t most_bins = 128;
+constexpr std::size_t most_hit_bins = 128;
 }  // namespace
 
 int push(MediumStacks& all, int list, int body) {
@@ -54,8 +54,8 @@ RayQueue<T> queue_in(T* next) {
 template <class T>
 Workspace<T>::Workspace() {
     values = zeros<T>((2 + ray_arrays) * queue_capacity);
-    order_by_bin = uninitialized_buffer<T>(most_bins * HitList<T>::capacity);
-    counts.resize(most_bins);
+    order_by_bin = uninitialized_buffer<T>(most_hit_bins * HitList<T>::capacity);
+    counts.resize(most_hit_bins);
     T* const first = values.get() + ray_arrays * queue_capacity;
     hits = {first, first + queue_capacity, order_by_bin.get(), counts.data()};
     refracted_queue = queue_in(values.get());
@@ -86,9 +86,9 @@ Generation<T>& Workspace<T>::generation(int slot) {
         held.push_back(std::make_unique<Held>());
         Held& made = *held.back();
         made.values = zeros<T>(2 * ray_arrays * queue_capacity);
-        made.stretches.resize(2 * most_bins);
+        made.stretches.resize(2 * most_hit_bins);
         made.generation = {queue_in(made.values.get()), queue_in(made.values.get() + ray_arrays * queue_capacity),
-                           made.stretches.data(), made.stretches.data() + most_bins};
+                           made.stretches.data(), made.stretches.data() + most_hit_bins};
         if (!bounds.empty()) hold_doubts(made.generation.open), hold_doubts(made.generation.inside);
     }
     return held[slot]->generation;
