@@ -103,7 +103,7 @@ struct Cuboid {
 
     static constexpr const char* name = "box";
     static constexpr int faces = 6, max_crossings = 2;
-    static constexpr bool bounded = true, convex = true, closed = true, hot = false;
+    static constexpr bool bounded = true, convex = true, closed = true, hot = false, plane_faces = true;
     static constexpr bool arguments_move = false;  // the turned corners of a turned box don't tell it
     static constexpr auto fields = std::make_tuple(Field{"corner", &Cuboid::corner, "a corner"},
                                                    Field{"opposite corner", &Cuboid::opposite, "the one opposite"});

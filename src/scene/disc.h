@@ -47,7 +47,7 @@ struct Disc {
 
     static constexpr const char* name = "disc";
     static constexpr int faces = 1, max_crossings = 1;
-    static constexpr bool bounded = true, convex = true, closed = false, hot = false;
+    static constexpr bool bounded = true, convex = true, closed = false, hot = false, plane_faces = true;
     static constexpr auto fields =
         std::make_tuple(Field{"centre", &Disc::centre, "the point in the middle"},
                         Field{"normal", &Disc::normal, "the direction that the disc faces", Range::direction},

@@ -23,6 +23,7 @@ struct Form {
     static constexpr bool hot = Kind::hot && number == 0;
     /// So short that the loops over their items hold it too.
     static constexpr bool compact = hot || requires { requires Kind::compact; };
+    static constexpr bool plane_faces = requires { requires Kind::plane_faces; };
 };
 template <class... Forms>
 struct FormList {

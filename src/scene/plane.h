@@ -41,7 +41,7 @@ struct Plane {
 
     static constexpr const char* name = "plane";
     static constexpr int faces = 1, max_crossings = 1;
-    static constexpr bool bounded = false, convex = true, closed = true, hot = true;
+    static constexpr bool bounded = false, convex = true, closed = true, hot = true, plane_faces = true;
     static constexpr auto fields = std::make_tuple(Field{"first point", &Plane::a, "a point of the plane"},
                                                    Field{"second point", &Plane::b, "another point"},
                                                    Field{"third point", &Plane::c, "a third, not on their line"});

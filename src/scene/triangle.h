@@ -161,6 +161,7 @@ struct Triangle {
     static constexpr const char* name = "triangle";
     static constexpr int faces = 1, max_crossings = 1;
     static constexpr bool bounded = true, convex = true, closed = false, hot = false, compact = true;
+    static constexpr bool plane_faces = true;
     static constexpr auto fields = std::make_tuple(Field{"first corner", &Triangle::a, "a corner"},
                                                    Field{"second corner", &Triangle::b, "another"},
                                                    Field{"third corner", &Triangle::c, "the third, not on their line"});

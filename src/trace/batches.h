@@ -45,6 +45,7 @@ class Batches {
           workspace(own_workspace),
           prove(with_bounds) {
         if (prove) workspace.hold_bounds();
+        if (world.mip_maps) workspace.hold_cones();
     }
 
     Counts counts;  // its own memory: threads that count beside each other wait for each other
@@ -157,7 +158,7 @@ class Batches {
             for (int c = 0; c < 3; ++c) sample.rgb[c] = finite<double>(workspace.sums[i].rgb[c]);
             const Sight<T>& sight = workspace.sights[i];
             sample.signature = sight.signature;
-            sample.glint = static_cast<float>(sight.glint);
+            sample.glint = static_cast<float>(sight.glint), sample.uneven = sight.uneven;
             sample.surface = sight.surface, sample.lit = sight.lit;
             for (int c = 0; c < 3; ++c) sample.reflected[c] = static_cast<float>(sight.reflected[c]);
             sample.reflection = static_cast<float>(sight.reflection);

@@ -16,6 +16,7 @@ struct CellSample {
     std::uint32_t lit;               // bit i: light i reaches it; the last one counts for all lights from most_lit on
     float reflected[3], reflection;  // direction and weight of the reflected ray
     float further;                   // the longest way that rays went from there
+    bool uneven;                     // see Sight
     bool filtered;   // it has the colour of an image that is not seen magnified; then
     float color[3];  // is what its light is multiplied by
 };

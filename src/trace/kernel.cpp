@@ -128,6 +128,8 @@ void append(RayQueue<T>& to, const RayQueue<T>& from) {
     copy(to.source, from.source), copy(to.pixel, from.pixel), copy(to.weight, from.weight);
     copy(to.medium, from.medium);
     if constexpr (proves) copy(to.away, from.away), copy(to.turn, from.turn);
+    if (to.width) [[unlikely]]
+        copy(to.width, from.width), copy(to.spread, from.spread);
     to.count += from.count;
 }
 
@@ -168,6 +170,7 @@ RayQueue<T> part_of(RayQueue<T> rays, int begin, int count) {
     for (int c = 0; c < 3; ++c) skip(rays.origin[c]), skip(rays.direction[c]);
     skip(rays.source), skip(rays.pixel), skip(rays.weight), skip(rays.medium), skip(rays.t);
     if constexpr (proves) skip(rays.away), skip(rays.turn);
+    if (rays.width) skip(rays.width), skip(rays.spread);
     rays.count = count;
     return rays;
 }

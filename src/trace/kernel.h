@@ -22,7 +22,8 @@ struct RayQueue {
     T* medium;  // list of bodies entered; only in nested worlds
     T* t;       // where the ray meets its body again; only of rays inside
     int count = 0;
-    T *away = nullptr, *turn = nullptr;  // see Doubt; only of proving kernels
+    T *away = nullptr, *turn = nullptr;    // see Doubt; only of proving kernels
+    T *width = nullptr, *spread = nullptr;  // see RayCone; only where images are filtered
 };
 inline constexpr int ray_arrays = 11;
 
@@ -87,6 +88,7 @@ struct Sight {
     std::uint32_t lit = 0;                            // bit i: light i reaches that hit, see most_lit
     T reflected[3] = {}, reflection = 0;              // direction and weight of the ray reflected there
     T further = 0;                                    // the longest way that rays went from there
+    bool uneven = false;                              // a pattern was seen that varies within its pieces
 };
 
 /// The last bit of Sight::lit, which counts for all lights from this number on.

@@ -19,17 +19,21 @@ int count_signatures(const std::array<const CellSample*, 4>& corners, const Cell
 
 }  // namespace
 
-/// Its corners and its middle.
 template <class Out>
-void LatticeCells<Out>::ask(const Cell& cell) {
-    const auto [x, y, n] = cell;
-    for (const auto& [column, row] :
-         {std::pair{x, y}, {x + n / 2, y + n / 2}, {x + n, y}, {x, y + n}, {x + n, y + n}}) {
+void LatticeCells<Out>::ask(std::initializer_list<std::pair<int, int>> pixels) {
+    for (const auto& [column, row] : pixels) {
         int& sample = sample_at(column, row);
         if (sample >= 0) continue;
         sample = static_cast<int>(places.size());
         places.push_back({static_cast<std::uint8_t>(column), static_cast<std::uint8_t>(row)});
     }
+}
+
+/// Its corners and its middle.
+template <class Out>
+void LatticeCells<Out>::ask(const Cell& cell) {
+    const int x = cell.x, y = cell.y, n = cell.size;
+    ask({{x, y}, {x + n / 2, y + n / 2}, {x + n, y}, {x, y + n}, {x + n, y + n}});
 }
 
 template <class Out>
@@ -48,15 +52,20 @@ void LatticeCells<Out>::look(const Look& look) {
 
 template <class Out>
 auto LatticeCells<Out>::corners_of(const Cell& cell) -> Corners {
-    const auto [x, y, n] = cell;
+    const int x = cell.x, y = cell.y, n = cell.size;
     return {&samples[sample_at(x, y)], &samples[sample_at(x + n, y)], &samples[sample_at(x + n, y + n)],
             &samples[sample_at(x, y + n)]};
 }
 
 template <class Out>
+const CellSample& LatticeCells<Out>::middle_of(const Cell& cell) {
+    return samples[sample_at(cell.x + cell.size / 2, cell.y + cell.size / 2)];
+}
+
+template <class Out>
 bool LatticeCells<Out>::smooth(const Cell& cell, const Corners& corners, double contrast, const Thin& thin) {
-    const auto [x, y, n] = cell;
-    if (!looks_smooth(corners, samples[sample_at(x + n / 2, y + n / 2)], contrast)) return false;
+    if (!looks_smooth(corners, middle_of(cell), contrast)) return false;
+    const int x = cell.x, y = cell.y, n = cell.size;
     const double left = tile.x + .5 + x * tile.step_x, right = left + n * tile.step_x;
     const double top = tile.y + .5 + y * tile.step_y, bottom = top + n * tile.step_y;
     const double pixels = double(n) * n * tile.step_x * tile.step_y;
@@ -65,9 +74,24 @@ bool LatticeCells<Out>::smooth(const Cell& cell, const Corners& corners, double 
         contrast / 16 / pixels);
 }
 
+/// Is what lies in the middles of the sides between the corners too?
+template <class Out>
+bool LatticeCells<Out>::even_sides(const Cell& cell, const Corners& corners, double contrast) {
+    const int x = cell.x, y = cell.y, n = cell.size, half = n / 2;
+    const std::array<std::pair<int, int>, 4> middles{
+        {{x + half, y}, {x + n, y + half}, {x + half, y + n}, {x, y + half}}};
+    for (std::size_t k = 0; k < 4; ++k) {
+        const CellSample &first = *corners[k], &second = *corners[(k + 1) % 4];
+        if (!looks_smooth({&first, &second, &first, &second}, samples[sample_at(middles[k].first, middles[k].second)],
+                          contrast))
+            return false;
+    }
+    return true;
+}
+
 template <class Out>
 void LatticeCells<Out>::fill(const Cell& cell, const Corners& corners) {
-    const auto [left, top, n] = cell;
+    const int left = cell.x, top = cell.y, n = cell.size;
     const int columns = std::min(n, tile.columns - left), rows = std::min(n, tile.rows - top);
     const auto of = [&](int k, int c) { return static_cast<Out>(corners[k]->rgb[c]); };
     for (int y = 0; y < rows; ++y) {
@@ -96,12 +120,15 @@ void LatticeCells<Out>::leave(const Cell& cell) {
 /// Sees whether a cell whose samples are known is filled, left or divided.
 template <class Out>
 void LatticeCells<Out>::advance(const Cell& cell, double contrast, const Thin& thin) {
-    const auto [x, y, size] = cell;
-    const int half = size / 2;
+    const int x = cell.x, y = cell.y, size = cell.size, half = size / 2;
     const Corners corners = corners_of(cell);
-    if (smooth(cell, corners, contrast, thin)) return filled.push_back(cell);
-    if (size == finest || count_signatures(corners, samples[sample_at(x + half, y + half)]) > most_seen)
-        return leave(cell);
+    const CellSample& middle = middle_of(cell);
+    if (cell.sides ? even_sides(cell, corners, contrast) : smooth(cell, corners, contrast, thin)) {
+        if (cell.sides || !middle.uneven) return filled.push_back(cell);
+        parts.push_back({x, y, size, true});
+        return ask({{x + half, y}, {x + size, y + half}, {x + half, y + size}, {x, y + half}});
+    }
+    if (size == finest || count_signatures(corners, middle) > most_seen) return leave(cell);
     for (const Cell& part : {Cell{x, y, half}, {x + half, y, half}, {x, y + half, half}, {x + half, y + half, half}})
         if (within(part.x, part.y)) parts.push_back(part), ask(part);
 }

@@ -1,15 +1,18 @@
 // A tile of a lattice in cells of 8 and of 4 of its pixels: those that are known to be smooth are filled.
 //
 // In motion there is time for some of the pixels only, and where the picture is smooth a few tell all. Cells have their
-// corners on pixels. A cell whose corners and middle saw the same is filled between its corners; one of 8 pixels that
-// saw two or three things is divided; of what is left all pixels are traced, by blocks, so that packs are those of a
+// corners on pixels. A cell whose corners and middle saw the same is filled between its corners, and where that is a
+// pattern that varies only if the middles of its sides agree as well; one of 8 pixels that saw two or three things is
+// divided; of what is left all pixels are traced, by blocks, so that packs are those of a
 // plain lattice. Where much is seen, as in flakes, that is most of the picture. Pixels that are traced have the values
 // that they have in a plain lattice.
 #pragma once
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <initializer_list>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "trace/cell_sample.h"
@@ -41,6 +44,7 @@ class LatticeCells {
   private:
     struct Cell {
         int x, y, size;
+        bool sides = false;  // the middles of its sides are known as well
     };
     using Corners = std::array<const CellSample*, 4>;
 
@@ -48,10 +52,13 @@ class LatticeCells {
 
     int& sample_at(int x, int y) { return known[y * across + x]; }
     bool within(int x, int y) const { return x < tile.columns && y < tile.rows; }
+    void ask(std::initializer_list<std::pair<int, int>> pixels);
     void ask(const Cell& cell);
     void look(const Look& look);
     Corners corners_of(const Cell& cell);
+    const CellSample& middle_of(const Cell& cell);
     bool smooth(const Cell& cell, const Corners& corners, double contrast, const Thin& thin);
+    bool even_sides(const Cell& cell, const Corners& corners, double contrast);
     void fill(const Cell& cell, const Corners& corners);
     void leave(const Cell& cell);
     void advance(const Cell& cell, double contrast, const Thin& thin);

@@ -12,6 +12,16 @@ STRAHL_INLINE bool patterned(const World<T>& world, int material) {
     return material >= world.first_pattern;
 }
 
+/// May colours or normals of this material vary within a piece of its pattern? See PatternCalls::piece.
+template <class T>
+STRAHL_INLINE bool uneven(const World<T>& world, int material) {
+    if (!patterned(world, material)) return false;
+    const int which = material - world.first_pattern;
+    if (world.bends && !(world.bends[which].map.flat && world.bends[which].bump.flat)) return true;
+    const PatternForm form = world.patterns[which].form;
+    return form != PatternForm::checker && form != PatternForm::brick && form != PatternForm::constant;
+}
+
 /// What part of a surface a sample's square of the view shows, as if the surface were flat: a parallelogram.
 template <class S>
 struct Footprint {
@@ -36,7 +46,7 @@ struct PatternCalls {
     /// A number for each of the pieces of a pattern that have edges in between: checks, bricks, ramps, repetitions of
     /// images; 0 where there are none, as between repetitions of filtered images.
     static S piece(const World<T>& world, const int* materials, const Vec3<S>& position, const S& surface,
-                   bool filtered);
+                   Mask<S> filtered);
     /// The background in these directions.
     static Vec3<S> sky(const World<T>& world, const Vec3<S>& direction);
     static S sky_filtered(const World<T>& world, const Footprint<S>& footprint, Vec3<S>& color);

@@ -131,7 +131,7 @@ Vec3<S> PatternCalls<S>::bent(const World<T>& world, const int* materials, const
 /// The piece of PatternCalls, in three whole or half numbers.
 template <class S>
 [[gnu::noinline]] Vec3<S> piece_at(const World<Element<S>>& world, const PatternKernel<Element<S>>& pattern,
-                                   const Vec3<S>& position, const S& surface, bool filtered) {
+                                   const Vec3<S>& position, const S& surface, Mask<S> filtered) {
     using T = Element<S>;
     const Vec3<S> p = place_of(world, pattern, position, surface);
     const Vec3<S> whole(floor(p.x), floor(p.y), floor(p.z));
@@ -148,8 +148,8 @@ template <class S>
             return {whole.x, zero, zero};
         case PatternForm::image:
             if (pattern.image.map == ImageMap::spherical || pattern.image.map == ImageMap::cylindrical) break;
-            if (filtered && !pattern.image.once) break;
-            return {whole.x, whole.y, zero};
+            if (pattern.image.once) return {whole.x, whole.y, zero};
+            return {select(filtered, zero, whole.x), select(filtered, zero, whole.y), zero};
         default:
             break;
     }
@@ -157,7 +157,7 @@ template <class S>
 }
 template <class S>
 S PatternCalls<S>::piece(const World<T>& world, const int* materials, const Vec3<S>& position, const S& surface,
-                         bool filtered) {
+                         Mask<S> filtered) {
     S all(0);
     each_pattern<S>(world, materials, [&](int which, Mask<S> lanes) {
         const Vec3<S> p = piece_at(world, world.patterns[which], position, surface, filtered);

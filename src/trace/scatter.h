@@ -1,6 +1,7 @@
 // The rays that go on from hits.
 #pragma once
 #include "trace/prune.h"
+#include "trace/ray_cone.h"
 
 namespace strahl::inline STRAHL_LEVEL::inline STRAHL_INSTANCE {
 
@@ -36,7 +37,8 @@ STRAHL_INLINE Branch<S> branch(const Hit<S>& hit, Mask<S> mask, const Vec3<S>& d
 }
 
 template <class S>
-STRAHL_INLINE void push(const Shading<S>& shading, RayQueue<Element<S>>& to, const Hit<S>& hit, const Branch<S>& ray) {
+STRAHL_INLINE void push(const Shading<S>& shading, RayQueue<Element<S>>& to, const Hit<S>& hit, const Branch<S>& ray,
+                        const RareHit<S>& known) {
     using T = Element<S>;
     if (none(ray.mask)) return;
     const int n = to.count;
@@ -50,6 +52,8 @@ STRAHL_INLINE void push(const Shading<S>& shading, RayQueue<Element<S>>& to, con
         put_with([](T* place, const S& value) { store_lanes(place, value); });
     else
         put_with([&](T* place, const S& value) { compress(place, value, ray.mask); });
+    if (filters(shading)) [[unlikely]]
+        put_cones(shading, to, Hit<S>(hit), Vec3<S>(ray.direction), Mask<S>(ray.mask), known);
     to.count += count(ray.mask);
 }
 
@@ -116,8 +120,8 @@ STRAHL_INLINE Span<S> span_of_item(const World<Element<S>>& world, const SortBin
 
 /// Of the two rays at a surface of an enclosed body the one inside goes apart: where it leaves is found at once.
 template <class S>
-STRAHL_INLINE void keep_inside(const Shading<S>& shading, const Hit<S>& hit, Branch<S>& reflected,
-                               Branch<S>& refracted) {
+STRAHL_INLINE void keep_inside(const Shading<S>& shading, const Hit<S>& hit, Branch<S>& reflected, Branch<S>& refracted,
+                               const RareHit<S>& known) {
     RayQueue<Element<S>>& queue = shading.next.inside;
     const Mask<S> in = hit.outside;
     Branch<S> within{Mask<S>((reflected.mask & !in) | (refracted.mask & in)),
@@ -135,7 +139,7 @@ STRAHL_INLINE void keep_inside(const Shading<S>& shading, const Hit<S>& hit, Bra
     reflected.mask = reflected.mask & (in | !within.mask);
     refracted.mask = refracted.mask & !(in & within.mask);
     compress(queue.t + queue.count, span.far, within.mask);
-    push(shading, queue, hit, within);
+    push(shading, queue, hit, within, known);
 }
 
 /// The mirrored direction where there are bumps. One that would go under the surface is mirrored again: by the surface
@@ -197,7 +201,7 @@ STRAHL_INLINE Mask<S> scatter(const Shading<S>& shading, const Hit<S>& hit, cons
         prune(shading, hit.pixel, part, light);
         reflected.mask = reflected.mask & !part.pruned;
         counts.reflected += count(reflected.mask);
-        push(shading, next.open, hit, reflected);
+        push(shading, next.open, hit, reflected, known);
         return light.pruned;
     }
     S b = select(hit.outside, S(1) / material.ior, material.ior), medium = hit.medium;
@@ -229,9 +233,9 @@ STRAHL_INLINE Mask<S> scatter(const Shading<S>& shading, const Hit<S>& hit, cons
     refracted.mask = refracted.mask & !refracted_part.pruned;
     counts.reflected += count(reflected.mask);
     counts.refracted += count(refracted.mask);
-    if (world.enclosed >> hit.bin & 1) keep_inside(shading, hit, reflected, refracted);
-    push(shading, refracted_queue, hit, refracted);
-    push(shading, next.open, hit, reflected);
+    if (world.enclosed >> hit.bin & 1) keep_inside(shading, hit, reflected, refracted, known);
+    push(shading, refracted_queue, hit, refracted, known);
+    push(shading, next.open, hit, reflected, known);
     return light.pruned;
 }
 

@@ -26,9 +26,8 @@ void shade_misses(const Shading<S>& shading) {
         Vec3<S> color = splat<S>(world.background);
         if (world.sky) [[unlikely]] {
             const auto& d = shading.rays.open.direction;
-            const Vec3<S> direction(pick(d.x), pick(d.y), pick(d.z));
-            color = filters(shading) ? filtered_sky(shading, direction, S(pixel), pick.lanes)
-                                     : PatternCalls<S>::sky(world, direction);
+            color = filters(shading) ? filtered_sky(shading, pick)
+                                     : PatternCalls<S>::sky(world, {pick(d.x), pick(d.y), pick(d.z)});
         }
         if (world.fog) [[unlikely]]
             color = splat<S>(world.fog_color);
@@ -66,13 +65,10 @@ class HitMaterial {
     STRAHL_INLINE void paint(const Shading<S>& shading, const SurfaceHit<S>& hit, const RayQueue<T>& from,
                              const LaneIndices<S>& pick, const T* t) {
         MaterialKernel<S> copy = values;
-        if (filters(shading)) {
-            const auto& d = from.direction;
-            paint_filtered(shading, numbers, SurfaceHit<S>(hit), {pick(d.x), pick(d.y), pick(d.z)}, pick(t),
-                           pick(from.pixel), pick.lanes, copy);
-        } else {
+        if (filters(shading))
+            paint_filtered(shading, numbers, SurfaceHit<S>(hit), from, pick, pick(t), copy);
+        else
             PatternCalls<S>::paint(shading.world, numbers, Vec3<S>(hit.point.position), S(hit.surface), copy);
-        }
         values = copy;
     }
 
@@ -200,11 +196,16 @@ bool shade_bin(const Shading<S>& shading, int bin) {
             if (world.bends)
                 hit.normal = PatternCalls<S>::bent(world, material.numbers, hit.position, hit.surface, rare.flat);
             if (shading.batch.sights) {
+                Mask<S> filtered = first_lanes<S>(0);
+                if (filters(shading)) {
+                    rare.cone = cone_at(shading, from, pick, hit.direction, pick(t));
+                    filtered = rare.cone.width > S(0);
+                }
                 S seen_from = pick(from.source);
                 if (world.patterns)
-                    seen_from = seen_from + PatternCalls<S>::piece(world, material.numbers, hit.position, hit.surface,
-                                                                   filters(shading));
-                note_hits(shading, hit, seen_from, pick(t), pick.lanes, rare);
+                    seen_from = seen_from +
+                                PatternCalls<S>::piece(world, material.numbers, hit.position, hit.surface, filtered);
+                note_hits(shading, hit, seen_from, pick(t), pick.lanes, material.numbers, rare);
             }
         }
         Mask<S> dim = first_lanes<S>(0);

@@ -85,12 +85,21 @@ struct Hit {
     int bin;
 };
 
+/// What a sample's square of the view becomes along its rays, nowhere wider than it is: a cone (J. Amanatides, "Ray
+/// Tracing with Cones", 1984).
+template <class S>
+struct RayCone {
+    S width;   // where the ray starts or, of hits, ends; 0 if nothing is known
+    S spread;  // by which it grows along the ray, for each length of this
+};
+
 /// What is only known of a pack of hits where it is rare: the words of their samples' signatures, which tell where the
 /// light went from here, and the normals before they were bent.
 template <class S>
 struct RareHit {
     std::uint32_t words[width<S>];
     Vec3<S> flat;
+    RayCone<S> cone;  // only set where images are filtered
     [[no_unique_address]] IfProving<HitBounds<S>> bounds;
 };
 

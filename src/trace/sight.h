@@ -1,5 +1,6 @@
 // What samples saw besides their light: only noted where a batch asks for it.
 #pragma once
+#include "trace/pattern.h"
 #include "trace/shading.h"
 
 namespace strahl::inline STRAHL_LEVEL::inline STRAHL_INSTANCE {
@@ -28,12 +29,15 @@ STRAHL_INLINE std::uint32_t weight_word(const World<T>& world, T weight) {
     return world.fog ? static_cast<std::uint32_t>(std::ilogb(weight)) : bits_of(weight);
 }
 
+/// Patterns of hits that weigh less, in weights that are noticed, hardly show.
+inline constexpr int least_uneven = 4;
+
 /// Notes a pack of hits in the signatures of their samples, those of hits that can be seen: which surface from which
 /// side, from where, how weak and after how many bounces. The weight tells reflected, refracted and totally reflected
-/// rays apart.
+/// rays apart. `materials` are their numbers where there are patterns.
 template <class S>
 [[gnu::noinline]] void note_hits(const Shading<S>& shading, const Hit<S>& hit, const S& source, const S& t, int lanes,
-                                 RareHit<S>& rare) {
+                                 const int* materials, RareHit<S>& rare) {
     using T = Element<S>;
     alignas(64) T surfaces[width<S>], sides[width<S>], sources[width<S>], weights[width<S>], pixels[width<S>];
     alignas(64) T distances[width<S>], reflected[3][width<S>] = {}, reflections[width<S>] = {};
@@ -56,6 +60,9 @@ template <class S>
     for (int k = 0; k < lanes; ++k) {
         Sight<T>& sight = shading.batch.sights[static_cast<int>(pixels[k])];
         sight.signature += rare.words[k];
+        if (shading.world.patterns && weights[k] > least_uneven * shading.limits.noticed &&
+            uneven(shading.world, materials[k]))
+            sight.uneven = true;
         if (shading.depth == 2) sight.further = std::max(sight.further, distances[k]);
         if (shading.depth != 1) continue;
         sight.distance = distances[k], sight.surface = static_cast<std::int32_t>(surfaces[k]);

@@ -67,17 +67,30 @@ Workspace<T>::Workspace() {
 }
 
 template <class T>
-void Workspace<T>::hold_doubts(RayQueue<T>& queue) {
-    doubts.push_back(zeros<T>(2 * queue_capacity));
-    queue.away = doubts.back().get(), queue.turn = queue.away + queue_capacity;
+void Workspace<T>::hold_pair(T*& first, T*& second) {
+    if (first) return;
+    pairs.push_back(zeros<T>(2 * queue_capacity));
+    first = pairs.back().get(), second = first + queue_capacity;
+}
+
+template <class T>
+void Workspace<T>::hold_pairs(RayQueue<T>& queue) {
+    if (!bounds.empty()) hold_pair(queue.away, queue.turn);
+    if (with_cones) hold_pair(queue.width, queue.spread);
 }
 
 template <class T>
 void Workspace<T>::hold_bounds() {
-    if (!bounds.empty()) return;
     bounds.resize(scattered_pixels);
-    hold_doubts(refracted_queue);
-    for (const auto& made : held) hold_doubts(made->generation.open), hold_doubts(made->generation.inside);
+    hold_pairs(refracted_queue);
+    for (const auto& made : held) hold_pairs(made->generation.open), hold_pairs(made->generation.inside);
+}
+
+template <class T>
+void Workspace<T>::hold_cones() {
+    with_cones = true;
+    hold_pairs(refracted_queue);
+    for (const auto& made : held) hold_pairs(made->generation.open), hold_pairs(made->generation.inside);
 }
 
 template <class T>
@@ -89,7 +102,7 @@ Generation<T>& Workspace<T>::generation(int slot) {
         made.stretches.resize(2 * most_hit_bins);
         made.generation = {queue_in(made.values.get()), queue_in(made.values.get() + ray_arrays * queue_capacity),
                            made.stretches.data(), made.stretches.data() + most_hit_bins};
-        if (!bounds.empty()) hold_doubts(made.generation.open), hold_doubts(made.generation.inside);
+        hold_pairs(made.generation.open), hold_pairs(made.generation.inside);
     }
     return held[slot]->generation;
 }

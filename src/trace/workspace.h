@@ -39,11 +39,15 @@ class Workspace {
     std::vector<T> bounds;         // of the pixels, for proving kernels
     /// Makes room for what proving kernels add to rays.
     void hold_bounds();
+    /// Makes room for what rays carry where images are filtered.
+    void hold_cones();
 
   private:
     Buffer<T> values, order_by_bin;
-    std::vector<Buffer<T>> doubts;
-    void hold_doubts(RayQueue<T>& queue);
+    std::vector<Buffer<T>> pairs;  // of arrays that queues have besides `values`
+    bool with_cones = false;
+    void hold_pair(T*& first, T*& second);
+    void hold_pairs(RayQueue<T>& queue);
     std::vector<std::int32_t> counts;
     struct Held {
         Buffer<T> values;

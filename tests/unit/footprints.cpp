@@ -174,6 +174,70 @@ TEST_CASE("images of all maps are filtered") {
     }
 }
 
+TEST_CASE("images in mirrors and behind glass are filtered as far as it is known how wide a sample sees") {
+    struct Case {
+        std::string body;
+        double error, samples;  // at most; the comment says how much there was when camera rays alone were filtered
+    };
+    const std::string floor =
+        "plane { <0, 0, 0>, <1, 0, 0>, <0, 1, 0>\n"
+        "        material { rgb image { \"checks\"  scale 3  rotate <0, 0, 25> } } }\n";
+    const std::string mirror = "  material { diffuse 0  ambient 0  reflection .9 } }\n";
+    const std::string glass = "  material { diffuse 0  ambient 0  refraction .9  ior 1.5 } }\n";
+    for (const auto& [body, error, samples] : {
+             Case{"plane { <0, 1, 0>, <1, 1, 0>, <.05, 1, 1>" + mirror, 4, 13},  // 20 and 25
+             Case{"sphere { <0, 4, 1>, 4" + mirror, 5, 12},                      // 9 and 14
+             Case{"cylinder { <-3, 0, 1>, <3, 0, 1>, 1" + mirror, 9, 14},        // 11 and 11
+             Case{"box { <-2, -5, 0>, <2, -4.9, 3>" + glass, 4, 12},             // 15 and 23
+             Case{"torus { <0, 0, 1>, <0, 1, 0>, 1, .4" + mirror, 8, 16},        // no filters: not known
+             Case{"sphere { <0, -20, 1>, 24" + mirror, 6, 13},
+             Case{"sphere { <0, -3, 1.5>, 1.2" + glass, 8, 16},
+         }) {
+        CAPTURE(body);
+        const Scene scene = scene_of(eye + floor + body);
+        const View view = view_of(scene, 64, 48);
+        const Lattice all{.columns = view.width, .rows = view.height};
+        Tracer tracer(scene, Precision::float64);
+        const Traced own = refined(tracer, view, all);
+        const double off = rms(own.rgb, grid(tracer, view, 32));
+        MESSAGE("RMS ", off, ", estimate ", own.estimate, ", samples ", own.samples);
+        CHECK(off < error);
+        CHECK(own.samples < samples);
+    }
+}
+
+/// Seen in a mirror, a scene looks as it does to the camera behind the mirror.
+TEST_CASE("an image in a flat mirror looks as it does from behind the mirror") {
+    const std::string floor =
+        "plane { <0, 0, 0>, <1, 0, 0>, <0, 1, 0>\n"
+        "        material { rgb image { \"checks\"  scale 2  rotate <0, 0, 25> } } }\n";
+    const auto camera = [](double x, double to) {
+        return "camera { position <" + std::to_string(x) + ", 0, 2>  look_at <" + std::to_string(to) +
+               ", 0, 1>  sky <0, 0, 1>  fov 15 }\n";
+    };
+    const Scene mirrored = scene_of(lit + camera(0, 4) + floor +
+                                    "plane { <4, 0, 0>, <4, 1, 0>, <4, 0, 1>  material { diffuse 0  ambient 0  "
+                                    "reflection 1 } }\n");
+    const Scene direct = scene_of(lit + camera(8, 4) + floor);
+    const View view = view_of(mirrored, 64, 48), from_behind = view_of(direct, 64, 48);
+    const Lattice all{.columns = 64, .rows = 48};
+    Tracer one(mirrored, Precision::float64), other(direct, Precision::float64);
+    const Traced seen = refined(one, view, all), expected = refined(other, from_behind, all);
+    const std::vector<double> exact = grid(one, view, 32);
+    double squares = 0;
+    int count = 0;
+    for (int y = 0; y < 48; ++y)
+        for (int x = 0; x < 64; ++x, ++count)
+            for (int c = 0; c < 3; ++c) {
+                const double off = seen.rgb[3 * (64 * y + x) + c] - expected.rgb[3 * (64 * y + 63 - x) + c];
+                squares += off * off / 3;
+            }
+    const double off = 510 * std::sqrt(squares / count);
+    MESSAGE("off ", off, ", RMS ", rms(seen.rgb, exact), ", samples ", seen.samples, " and ", expected.samples);
+    CHECK(off < 2);
+    CHECK(seen.samples < 1.3 * expected.samples);
+}
+
 TEST_CASE("grids, one ray and pictures in motion stay as they are, before and after a picture that is filtered") {
     const Scene scene = scene_of(many_images);
     const View view = view_of(scene, 60, 45);

@@ -68,6 +68,17 @@ TEST_CASE("a picture that is filled where it is smooth looks like the one that i
     }
 }
 
+TEST_CASE("patterns that are as fine as the cells are not filled") {
+    const Scene scene = read_scene("demo");
+    const View view = view_of(scene, 640, 360);
+    const Lattice all{.columns = view.width, .rows = view.height};
+    const Traced plain = traced(scene, view, all, false), filled = traced(scene, view, all, true);
+    const std::vector<double> off = differences(plain, filled);
+    CAPTURE(share_above(off, 1.5));
+    CHECK(share_above(off, 1.5) < .005);
+    CHECK(double(filled.rays.total()) < .9 * double(plain.rays.total()));
+}
+
 TEST_CASE("what is filled depends neither on threads, lanes nor crops") {
     for (const Scene& scene : {read_scene("article"), random_scene(17, {.camera_inside = true})}) {
         const View view = view_of(scene, 203, 141);

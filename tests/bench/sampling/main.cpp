@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -51,7 +52,7 @@ Result render(Tracer& tracer, const View& view, const Sampling& sampling, Thread
     return result;
 }
 
-/// The reference, from a file of this scene and size if there is one.
+/// The reference, from a file of this scene's text and size if there is one.
 std::vector<double> reference(Tracer& tracer, const View& view, int grid, const std::string& path, ThreadPool& pool) {
     std::vector<double> rgb(std::size_t(3) * view.width * view.height);
     const auto bytes = static_cast<std::streamsize>(rgb.size() * sizeof(double));
@@ -87,7 +88,8 @@ int compare(int argc, char** argv) {
     const int width = argc > 2 ? std::atoi(argv[2]) : 320, grid = argc > 3 ? std::atoi(argv[3]) : 32;
     const double time = argc > 4 ? std::atof(argv[4]) : -1;
     const bool in_float = std::getenv("STRAHL_FLOAT");
-    Scene scene = parse_scene(read_text(path), path, {}, read_pixels);
+    const std::string text = read_text(path);
+    Scene scene = parse_scene(text, path, {}, read_pixels);
     View view{.camera = scene.camera, .width = width, .height = width * 3 / 4};
     if (time >= 0 && scene.flythrough) view.camera = camera_at(*scene.flythrough, scene.camera, time);
     view.depth = scene.settings.max_trace_level;
@@ -97,7 +99,8 @@ int compare(int argc, char** argv) {
     Tracer tracer(scene, in_float ? Precision::float32 : Precision::float64);
     const char* const folder = std::getenv("TMPDIR");
     const std::string kept = std::string(folder ? folder : "/tmp") + "/strahl-" +
-                             std::filesystem::path(path).stem().string() + "-" + std::to_string(width) + "-" +
+                             std::filesystem::path(path).stem().string() + "-" +
+                             std::to_string(std::hash<std::string>()(text)) + "-" + std::to_string(width) + "-" +
                              std::to_string(grid) + "-" + std::to_string(time) + ".raw";
     const std::vector<double> exact = reference(tracer, view, grid, kept, pool);
     if (argc > 5) {  // other programs' pictures
