@@ -16,7 +16,7 @@ class PictureCheck {
     /// What is wrong with this scene's pictures, a line each, which starts with the setting.
     std::vector<std::string> faults(const WildScene& scene);
 
-    std::vector<Precision> precisions{Precision::float32, Precision::float64};
+    std::vector<Precision> precisions{Precision::float64, Precision::float32};
 
   private:
     using Values = std::vector<double>;
@@ -29,6 +29,7 @@ class PictureCheck {
     // Of a sanitize build only the scalar one is instrumented.
     std::vector<Simd> levels = sanitized() ? std::vector{Simd::scalar} : fused_levels();
     WildScene wild;
+    Values in_double;  // if that was traced before
     std::vector<std::string> found;
 };
 

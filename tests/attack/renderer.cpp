@@ -49,7 +49,7 @@ void shrink(std::uint64_t seed) {
     WildScene wild = wild_scene(seed);
     const std::string first = kind(wild);
     if (first.empty()) return;
-    check.precisions = {first.starts_with(name(Precision::float32)) ? Precision::float32 : Precision::float64};
+    if (first.starts_with(name(Precision::float64))) check.precisions = {Precision::float64};
     wild = shrunk(wild, [&](const WildScene& w) { return kind(w) == first; });
     std::printf("// %s\n%s", first.c_str(), words_of(wild).c_str());
 }
