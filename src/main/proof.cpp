@@ -11,33 +11,76 @@ namespace strahl {
 namespace {
 
 /// Would the file hold the same for all values that are no further than `bound` from this one?
-bool decided(double value, double bound, const FileFormat& format) {
+bool same_in_file(double value, double bound, const FileFormat& format) {
     if (format.bits == 32) return same_code(value, bound, [](double v) { return static_cast<float>(v); });
     return same_code(value, bound, [&](double v) { return quantise(v, format.linear, (1 << format.bits) - 1); });
 }
+
+const double* values_of(const Tile& tile) { return std::get<std::span<const double>>(tile.rgb).data(); }
 
 }  // namespace
 
 Proof::Proof(const Lattice& own_part, const FileFormat& own_format)
     : part(own_part), format(own_format), bounds(std::size_t(part.columns) * part.rows), proved(bounds.size()) {}
 
-void Proof::keep(const Tile& tile) {
-    const auto& rgb = std::get<std::span<const double>>(tile.rgb);
+bool Proof::decided(const Tile& tile, int i) const {
+    const double* const rgb = values_of(tile) + 3 * i;
+    return std::all_of(rgb, rgb + 3, [&](double value) { return same_in_file(value, tile.bounds[i], format); });
+}
+
+void Proof::put(const Pixel& pixel, const double* rgb, PictureWriter& writer) const {
+    writer.put(pixel.x - part.x, pixel.y - part.y, 1, 1, rgb);
+}
+
+void Proof::keep(const Tile& tile, PictureWriter& writer) {
+    const double* const rgb = values_of(tile);
     const Lattice& own = tile.lattice;
+    std::vector<int> left;
     for (int i = 0; i < own.columns * own.rows; ++i) {
-        const std::size_t at =
-            std::size_t(own.y - part.y + i / own.columns) * part.columns + (own.x - part.x + i % own.columns);
+        const std::size_t at = place_of(own.x + i % own.columns, own.y + i / own.columns);
         bounds[at] = tile.bounds[i];
-        proved[at] = std::all_of(rgb.begin() + 3 * i, rgb.begin() + 3 * i + 3,
-                                 [&](double value) { return decided(value, tile.bounds[i], format); });
+        proved[at] = decided(tile, i) ? By::in_double : By::nothing;
+        if (proved[at] == By::nothing) left.push_back(i);
+    }
+    if (left.empty()) return writer.put(own.x - part.x, own.y - part.y, own.columns, own.rows, rgb);
+    auto next = left.begin();
+    const std::lock_guard lock(mutex);
+    for (int i = 0; i < own.columns * own.rows; ++i) {
+        const Pixel pixel{own.x + i % own.columns, own.y + i / own.columns};
+        if (next == left.end() || i != *next)
+            put(pixel, rgb + 3 * i, writer);
+        else
+            undecided.push_back({pixel, {rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2]}}), ++next;
     }
 }
 
+std::vector<Pixel> Proof::open() const {
+    std::vector<Pixel> pixels;
+    for (const Open& own : undecided) pixels.push_back(own.pixel);
+    return pixels;
+}
+
+bool Proof::settle(const Tile& pixel, PictureWriter& writer) {
+    if (!decided(pixel, 0)) return false;
+    const Lattice& own = pixel.lattice;
+    const std::size_t at = place_of(own.x, own.y);
+    bounds[at] = pixel.bounds[0];
+    proved[at] = By::in_extended;
+    put({own.x, own.y}, values_of(pixel), writer);
+    return true;
+}
+
+void Proof::close(PictureWriter& writer) {
+    for (const auto& [pixel, rgb] : undecided)
+        if (proved[place_of(pixel.x, pixel.y)] == By::nothing) put(pixel, rgb.data(), writer);
+    undecided.clear();
+}
+
 ProofCounts Proof::counts() const {
-    const std::int64_t all = std::ssize(proved), decided = std::count(proved.begin(), proved.end(), 1);
+    const std::int64_t all = std::ssize(proved), left = std::ranges::count(proved, By::nothing);
     std::vector<double> sorted = bounds;
     std::nth_element(sorted.begin(), sorted.begin() + all / 2, sorted.end());
-    return {format.bits, decided, all - decided, sorted[all / 2]};
+    return {format.bits, all - left, std::ranges::count(proved, By::in_extended), left, sorted[all / 2]};
 }
 
 void Proof::write(const std::string& path) const {
@@ -45,9 +88,9 @@ void Proof::write(const std::string& path) const {
     for (std::size_t i = 0; i < proved.size(); ++i) {
         // From 1 at a bound of 1e-16 to .25 at 1.
         const double bright = std::clamp(.25 - std::log10(bounds[i] + 1e-16) * (.75 / 16), .25, 1.);
-        double* const rgb = &picture.values[3 * i];
-        proved[i] ? (rgb[0] = .2 * bright, rgb[1] = .8 * bright, rgb[2] = .4 * bright)
-                  : (rgb[0] = 1, rgb[1] = 0, rgb[2] = 0);
+        constexpr double colors[3][3]{{1, 0, 0}, {.2, .8, .4}, {.2, .4, 1}};
+        for (int c = 0; c < 3; ++c)
+            picture.values[3 * i + c] = colors[int(proved[i])][c] * (proved[i] == By::nothing ? 1 : bright);
     }
     write_picture(picture, path, {.bits = 8});
 }

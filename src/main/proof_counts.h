@@ -6,7 +6,7 @@ namespace strahl {
 
 struct ProofCounts {
     int bits = 8;  // of the file's values
-    std::int64_t proved = 0, undecided = 0;
+    std::int64_t proved = 0, in_extended = 0, undecided = 0;  // pixels; the second ones are among the first
     double median = 0;  // of the bounds of the pixels' errors
 };
 

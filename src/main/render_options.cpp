@@ -46,7 +46,9 @@ void check_film(const RenderOptions& options) {
 
 void check_proof(const RenderOptions& options) {
     if (options.precision && *options.precision != Precision::float64)
-        throw UsageError("--prove traces in double; leave --precision out");
+        throw UsageError(
+            "--prove traces in double, and again in extended precision what that leaves undecided; leave "
+            "--precision out");
     const Sampling& asked = options.sampling;
     if (asked.grid > 1 || asked.centre)
         throw UsageError("--prove traces one ray in each pixel; leave --samples out, or give it 1");

@@ -11,6 +11,7 @@
 #include "num/decimal.h"
 #include "text/utf8.h"
 #include "trace/cell_picture.h"
+#include "trace/prove_again.h"
 
 namespace strahl {
 
@@ -70,6 +71,7 @@ bool Renderer::render(const Shot& shot, const Target& target, const std::string&
     tracer.prepare(view(shot, accuracy.depth, accuracy.dropped), pool);
     stats.build_seconds += watch.lap();
     const std::uint64_t done = trace(shot, regions, all, writer, checkpoint, label);
+    if (proof) prove_again(shot, writer, label);
     stats.trace_seconds += watch.lap();
     const bool whole = done == all;
     if (stream) {
@@ -120,8 +122,14 @@ BandHeader Renderer::header(const Shot& shot, const PictureWriter& writer, const
     add("time", shot.time), add("depth", accuracy.depth), add("dropped", accuracy.dropped);
     add("grid", stats.sampling.grid), add("centre", stats.sampling.centre), add("error", stats.sampling.error);
     words.append(" precision ").append(name(accuracy.precision)).append(tracer.simd() == Simd::v2 ? " unfused" : "");
-    return {hash_of_program(), scene_hash + " " + hash_of_meshes(scene()), words, ending_of(ending), writer.layout(),
-            format.compression, share.part, share.parts};
+    return {hash_of_program(),
+            scene_hash + " " + hash_of_meshes(scene()),
+            words,
+            ending_of(ending),
+            writer.layout(),
+            format.compression,
+            share.part,
+            share.parts};
 }
 
 /// What is not finished of the share's bands, in regions of consecutive bands that have not too many tiles to be
@@ -186,9 +194,10 @@ std::uint64_t Renderer::trace(const Shot& shot, const std::vector<Lattice>& regi
     std::atomic<std::uint64_t> done = all - pixels(regions);
     const auto keep = [&](const Tile& tile) {
         const Lattice& own = tile.lattice;
-        std::visit([&](auto rgb) { writer.put(own.x - part.x, own.y - part.y, own.columns, own.rows, rgb.data()); },
-                   tile.rgb);
-        if (proof) proof->keep(tile);
+        const auto put = [&](auto rgb) {
+            writer.put(own.x - part.x, own.y - part.y, own.columns, own.rows, rgb.data());
+        };
+        proof ? proof->keep(tile, writer) : std::visit(put, tile.rgb);
         const std::uint64_t size = pixels(own);
         progress.advance(done.fetch_add(size) + size, all);
         if (!interrupted()) checkpoint.save_if_due();
@@ -205,6 +214,25 @@ std::uint64_t Renderer::trace(const Shot& shot, const std::vector<Lattice>& regi
         }
     }
     return done;
+}
+
+/// What double leaves undecided, in extended precision.
+void Renderer::prove_again(const Shot& shot, PictureWriter& writer, const std::string& label) {
+    const std::vector<Pixel> open = proof->open();
+    if (!open.empty() && !interrupted()) {
+        Progress progress(options.quiet, label + "in extended precision ");
+        std::atomic<std::uint64_t> done = 0;
+        const auto decides = [&](const Tile& tile) {
+            progress.advance(++done, open.size());
+            return proof->settle(tile, writer);
+        };
+        Tracer extended(tracer.scene(), Precision::extended);
+        stats.rays += strahl::prove_again(extended, view(shot, accuracy.depth, accuracy.dropped), open, pool, decides,
+                                          interrupt.flag());
+        if (interrupted())
+            std::cerr << "strahl: interrupted; what was not traced in extended precision yet stays undecided\n";
+    }
+    proof->close(writer);
 }
 
 }  // namespace strahl

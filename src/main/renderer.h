@@ -55,6 +55,7 @@ class Renderer {
     std::vector<Lattice> missing(const PictureWriter& writer, Share share) const;
     std::uint64_t trace(const Shot& shot, const std::vector<Lattice>& regions, std::uint64_t all, PictureWriter& writer,
                         Checkpoint& checkpoint, const std::string& label);
+    void prove_again(const Shot& shot, PictureWriter& writer, const std::string& label);
     void tell_interrupted(const std::string& done, const std::string& path, bool shared, PictureWriter& writer,
                           Checkpoint& checkpoint);
 

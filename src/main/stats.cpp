@@ -52,7 +52,7 @@ std::string to_json(const Stats& stats) {
     json << "  \"samples\": " << samples(stats) << ",\n";
     if (const auto& proved = stats.proved)
         json << "  \"proof\": { \"bits\": " << proved->bits << ", \"proved\": " << proved->proved
-             << ", \"undecided\": " << proved->undecided << ", \"bound_median\": " << number(proved->median)
+             << ", \"in_extended\": " << proved->in_extended << ", \"undecided\": " << proved->undecided << ", \"bound_median\": " << number(proved->median)
              << " },\n";
     json << "  \"lanes\": " << stats.lanes << ",\n  \"threads\": " << stats.threads << ",\n";
     json << "  \"parse_seconds\": " << stats.parse_seconds << ",\n  \"build_seconds\": " << stats.build_seconds

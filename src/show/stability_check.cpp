@@ -6,30 +6,37 @@
 
 #include "image/transfer.h"
 #include "trace/agreement.h"
+#include "trace/prove_again.h"
 
 namespace strahl {
 namespace {
 
-/// Adds the runs of rows whose bounds leave more than one colour open.
+/// Adds the runs of rows whose bounds leave more than one colour open, in extended precision as well.
 class Undecided {
   public:
     Undecided(const Scene& scene, int threads)
-        : tracer(scene, Precision::float64), pool(threads), linear(scene.settings.linear) {}
+        : tracer(scene, Precision::float64),
+          extended(scene, Precision::extended),
+          pool(threads),
+          linear(scene.settings.linear) {}
 
     void add_rows(View view, const Lattice& rows, Stability& found, const std::atomic<bool>* stop) {
         view.prove = true;
         std::vector<char> proved(std::size_t(rows.columns) * rows.rows);
         const auto keep = [&](const Tile& tile) {
-            const auto& rgb = std::get<std::span<const double>>(tile.rgb);
             const Lattice& part = tile.lattice;
+            bool all = true;
             for (int i = 0; i < part.columns * part.rows; ++i)
-                proved[std::size_t(part.y - rows.y + i / part.columns) * rows.columns + part.x + i % part.columns] =
-                    std::all_of(&rgb[3 * i], &rgb[3 * i] + 3, [&](double v) {
-                        return same_code(v, tile.bounds[i],
-                                         [this](double value) { return quantise(value, linear, 255); });
-                    });
+                all &=
+                    proved[std::size_t(part.y - rows.y + i / part.columns) * rows.columns + part.x + i % part.columns] =
+                        decided(tile, i);
+            return all;
         };
         tracer.trace(view, rows, pool, keep, stop);
+        std::vector<Pixel> open;
+        for (int i = 0; i < std::ssize(proved); ++i)
+            if (!proved[i]) open.push_back({i % rows.columns, rows.y + i / rows.columns});
+        if (!open.empty()) prove_again(extended, view, open, pool, keep, stop);
         for (int i = 0; i < std::ssize(proved);) {
             const int x = i % rows.columns, y = rows.y + i / rows.columns;
             const auto first = proved.begin() + i, end = first + (rows.columns - x);
@@ -41,7 +48,14 @@ class Undecided {
     }
 
   private:
-    Tracer tracer;
+    bool decided(const Tile& tile, int i) const {
+        const double* const rgb = std::get<std::span<const double>>(tile.rgb).data() + 3 * i;
+        return std::all_of(rgb, rgb + 3, [&](double v) {
+            return same_code(v, tile.bounds[i], [this](double value) { return quantise(value, linear, 255); });
+        });
+    }
+
+    Tracer tracer, extended;
     ThreadPool pool;
     const bool linear;
 };

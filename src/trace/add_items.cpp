@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "scene/overlap.h"
+#include "trace/extended.h"
 #include "trace/world_arrays.h"
 
 namespace strahl {
@@ -75,7 +76,8 @@ void WorldArrays<T>::add_items(const Scene& scene, const Placement& placement, T
             std::visit(
                 [&](const auto& shape) {
                     const int faces = faces_of(primitive.shape);
-                    shape.template emit<T>(to_world, PutItems<T>{*this, own, box, material, faces});
+                    emit_in<T>(shape, to_world, primitive.transformations,
+                               PutItems<T>{*this, own, box, material, faces});
                 },
                 primitive.shape);
         }

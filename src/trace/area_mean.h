@@ -33,7 +33,8 @@ Vec3<E> mean_direction(const E (&x)[2], const E (&y)[2], E h) {
 }
 
 /// The mean of n.l over the rectangle with the edges u and v around `middle`, as seen from the origin, all of it above
-/// the surface. A small one is summed up at 4 by 4 points of Gauss and Legendre: the closed form would cancel.
+/// the surface. A small one is summed up at 4 by 4 points of Gauss and Legendre: the closed form would cancel. It is off
+/// by a unit of E for each time that one edge is as long as the other, which must not make light of a long one negative.
 template <class T>
 T mean_cosine(const Vec3<T>& normal, const Vec3<T>& middle, const Vec3<T>& u, const Vec3<T>& v) {
     const T width_squared = dot(u, u), height_squared = dot(v, v);
@@ -60,7 +61,7 @@ T mean_cosine(const Vec3<T>& normal, const Vec3<T>& middle, const Vec3<T>& u, co
     const Vec3<E> mean = mean_direction({x - half_x, x + half_x}, {y - half_y, y + half_y}, dot(to, axes[2]));
     E cosine(0);
     for (int c = 0; c < 3; ++c) cosine += mean[c] * dot(n, axes[c]);
-    return static_cast<T>(cosine);
+    return static_cast<T>(max(cosine, E(0)));
 }
 
 }  // namespace strahl::inline STRAHL_LEVEL

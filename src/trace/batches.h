@@ -9,6 +9,7 @@
 
 #include "trace/build.h"
 #include "trace/cells.h"
+#include "trace/eye.h"
 #include "trace/kernel.h"
 #include "trace/lattice_cells.h"
 #include "trace/tracer.h"
@@ -16,19 +17,6 @@
 #include "trace/z_curve.h"
 
 namespace strahl {
-
-template <class T>
-Eye<T> eye_of(const View& view, const Placement& placement) {
-    const CameraFrame frame = frame_of(view.camera, static_cast<double>(view.width) / view.height);
-    return {.position = cast<T>((view.camera.position - placement.origin) * placement.scale),
-            .forward = cast<T>(frame.forward),
-            .right = cast<T>(frame.right * frame.tan_x),
-            .down = cast<T>(frame.down * frame.tan_y),
-            .scale_x = static_cast<T>(2. / view.width),
-            .scale_y = static_cast<T>(2. / view.height),
-            .bias_x = static_cast<T>((1 + 2 * view.shift_x) / view.width - 1),
-            .bias_y = static_cast<T>((1 + 2 * view.shift_y) / view.height - 1)};
-}
 
 /// One thread's tracing of one picture.
 template <class T>
@@ -135,7 +123,10 @@ class Batches {
     double bound_of(int i) const {
         const PixelSum<T>& sum = workspace.sums[i];
         const T most = std::max({sum.rgb[0], sum.rgb[1], sum.rgb[2]});
-        const T bound = T(1.001) * (workspace.bounds[i] + sum.pruned) + 16 * std::numeric_limits<T>::epsilon() * most;
+        // A pixel of long double becomes one of double, as this bound does.
+        constexpr T rounding = 16 * std::numeric_limits<T>::epsilon() +
+                               (std::is_same_v<T, long double> ? std::numeric_limits<double>::epsilon() : 0);
+        const T bound = T(1.001) * (workspace.bounds[i] + sum.pruned) + rounding * most;
         return bound >= 0 ? static_cast<double>(bound) : std::numeric_limits<double>::infinity();
     }
     template <class To>

@@ -13,6 +13,7 @@
 #include "scene/leaves.h"
 #include "scene/overlap.h"
 #include "trace/bound.h"
+#include "trace/extended.h"
 #include "trace/world_arrays.h"
 
 namespace strahl {
@@ -39,11 +40,20 @@ BoundingVolume bounding_volume_of(const K& kernel, const ItemBox& rounded, doubl
     }
 }
 
+/// In which the numbers of a world are reckoned.
+template <class T>
+using Made = std::conditional_t<std::is_same_v<T, Extended>, Extended, double>;
+
 template <class T>
 LightKernel<T> light_kernel(const Light& light, const Placement& placement) {
-    LightKernel<T> kernel{cast<T>((light.position - placement.origin) * placement.scale), cast<T>(light.color)};
+    using M = Made<T>;
+    const Vec3<M> position = (cast<M>(light.position) - cast<M>(placement.origin)) * M(placement.scale);
+    LightKernel<T> kernel{Vec3<T>(position), cast<T>(light.color)};
     if (light.direction) {
-        kernel.position = cast<T>(-normalize(*light.direction));
+        if constexpr (std::is_same_v<M, Extended>)
+            kernel.position = -unit_of(extended(*light.direction));
+        else
+            kernel.position = cast<T>(-normalize(*light.direction));
         kernel.finite = 0, kernel.far = std::numeric_limits<T>::infinity();
     }
     if (light.area) {
@@ -98,12 +108,13 @@ void WorldArrays<T>::fill_groups() {
 
 template <class T>
 void WorldArrays<T>::add_materials(const Scene& scene) {
-    const DVec3 ambient = scene.settings.ambient_light;
+    using M = Made<T>;
+    const Vec3<M> ambient = cast<M>(scene.settings.ambient_light);
     const std::vector<double> scattered = scattered_light(scene);
     for (const Material& m : scene.materials) {
-        const Color& rgb = m.rgb.color;
-        materials.push_back({cast<T>(ambient * rgb * m.ambient), cast<T>(rgb * m.diffuse),
-                             cast<T>(rgb * m.refraction), static_cast<T>(m.specular), static_cast<T>(m.pow),
+        const Vec3<M> rgb = cast<M>(m.rgb.color);
+        materials.push_back({Vec3<T>(ambient * rgb * M(m.ambient)), Vec3<T>(rgb * M(m.diffuse)),
+                             Vec3<T>(rgb * M(m.refraction)), static_cast<T>(m.specular), static_cast<T>(m.pow),
                              static_cast<T>(m.reflection), static_cast<T>(m.refraction), static_cast<T>(m.ior),
                              shines_from<T>(m.pow), static_cast<T>(scattered[materials.size()])});
         world.transparent |= m.refraction > 0;
@@ -172,8 +183,8 @@ WorldArrays<T>::WorldArrays(const Scene& scene, const Placement& placement, Thre
     for (const Light& light : points_of(scene.lights)) lights.push_back(light_kernel<T>(light, placement));
     if (scene.fog) {
         world.fog = true;
-        world.fog_per = static_cast<T>(std::min<long double>(1 / (scene.fog->distance * placement.scale),
-                                                             std::numeric_limits<T>::max()));
+        world.fog_per = static_cast<T>(
+            std::min<long double>(1 / (scene.fog->distance * placement.scale), std::numeric_limits<T>::max()));
         world.fog_color = cast<T>(scene.fog->color);
     }
     const auto bent_glass = [](const Material& m) { return m.refraction > 0 && m.bends(); };

@@ -22,7 +22,7 @@ struct RayQueue {
     T* medium;  // list of bodies entered; only in nested worlds
     T* t;       // where the ray meets its body again; only of rays inside
     int count = 0;
-    T *away = nullptr, *turn = nullptr;    // see Doubt; only of proving kernels
+    T *away = nullptr, *turn = nullptr;     // see Doubt; only of proving kernels
     T *width = nullptr, *spread = nullptr;  // see RayCone; only where images are filtered
 };
 inline constexpr int ray_arrays = 11;
@@ -104,7 +104,8 @@ struct Slack {
     T eye_away = 0, eye_turn = 0;  // of camera rays: where they start, and their directions
     T gain = 1;                    // most by which bodies on its way multiply a light
     T reach = 0;                   // the largest coordinate of a bounded body
-    bool fits() const { return share <= 8 * std::numeric_limits<T>::epsilon(); }  // into the margins of culling
+    T culled = 0;                  // share of a world in double: culling takes bodies to be where that has them
+    bool fits() const { return culled <= 8 * std::numeric_limits<double>::epsilon(); }  // into the margins of culling
 };
 
 /// How far rays are followed.
@@ -161,7 +162,7 @@ struct Kernel {
 };
 
 // One inline namespace for each instruction set; the kernel's own code lives in them, so that nothing merges when
-// linked. Each is there for float and double, the scalar one for long double too; those that prove for double alone.
+// linked. Each is there for float and double, the scalar one for long double too; of those that prove none for float.
 inline namespace scalar {
 template <class T, bool proving>
 Kernel<T> kernel();

@@ -30,11 +30,12 @@ function(strahl_kernel level elements)
     string(REPLACE " " "_" name ${element})
     file(CONFIGURE OUTPUT ${folder}/${name}.cpp CONTENT "#define STRAHL_ELEMENT ${element}\n#include \"trace/kernel.cpp\"\n")
     list(APPEND sources ${folder}/${name}.cpp)
+    if(NOT element STREQUAL float)
+      file(CONFIGURE OUTPUT ${folder}/proving_${name}.cpp
+           CONTENT "#define STRAHL_ELEMENT ${element}\n#define STRAHL_PROVES\n#include \"trace/kernel.cpp\"\n")
+      list(APPEND sources ${folder}/proving_${name}.cpp)
+    endif()
   endforeach()
-  # Proofs are in double.
-  file(CONFIGURE OUTPUT ${folder}/proving.cpp
-       CONTENT "#define STRAHL_ELEMENT double\n#define STRAHL_PROVES\n#include \"trace/kernel.cpp\"\n")
-  list(APPEND sources ${folder}/proving.cpp)
   foreach(kind ${strahl_kinds})
     set(header kind.h)
     if(kind STREQUAL Union)

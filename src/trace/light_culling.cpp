@@ -57,7 +57,7 @@ LightCone<T> cone_of(const BoundingVolume& body, const LightPlace& light, double
     const DVec3 way = body.ball.centre - light.point;
     const double away = length(way), radius = body.ball.radius + margin;
     if (body.plane || !(radius < .99 * away) || !std::isfinite(away)) return {};
-    constexpr double rounding = 32 * static_cast<double>(std::numeric_limits<T>::epsilon());
+    constexpr double rounding = 32 * culling_unit<T>;
     const double cosine = std::sqrt(1 - radius / away * (radius / away)) - rounding;
     const DVec3 axis = way / away;
     return {{static_cast<T>(axis.x), static_cast<T>(axis.y), static_cast<T>(axis.z)},

@@ -1,11 +1,18 @@
 // Which of few bodies can be seen from a point, or be between a light and a body.
 #pragma once
+#include <algorithm>
+#include <limits>
 #include <vector>
 
 #include "num/box.h"
 #include "trace/world.h"
 
 namespace strahl {
+
+/// Of the numbers of what culls: they are rounded to T, and made in double.
+template <class T>
+inline constexpr double culling_unit = static_cast<double>(
+    std::max<long double>(std::numeric_limits<T>::epsilon(), std::numeric_limits<double>::epsilon()));
 
 /// A body's surroundings in world coordinates: a ball and a box, or for a plane normal . x = distance.
 struct BoundingVolume {
@@ -28,7 +35,7 @@ LightCone<T> cone_of(const BoundingVolume& body, const LightPlace& light, double
 
 /// The bodies that may be between a light and points of bodies[body], itself included unless it is a plane.
 BodySet occluders_of(const std::vector<BoundingVolume>& bodies, std::size_t body, const LightPlace& light,
-                    double margin);
+                     double margin);
 
 /// Is bodies[body] bounded and apart from all others, planes not crossing it either?
 bool isolated(const std::vector<BoundingVolume>& bodies, std::size_t body, double margin);

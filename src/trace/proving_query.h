@@ -41,7 +41,7 @@ STRAHL_INLINE DoubtfulRay<S> lane_of(const DoubtfulRay<S>& own, int k) {
 template <class S>
 STRAHL_INLINE RoundedTraversalRay<S> traversal_ray(const DoubtfulRay<S>& own, const Slack<Element<S>>& slack) {
     const S way = norm1(own.ray.origin) + S(2 * slack.reach);
-    const S off = own.doubt.away + (own.doubt.turn + S(8 * unit_error<S>)) * way + S(4 * slack.share * slack.reach);
+    const S off = own.doubt.away + (own.doubt.turn + S(8 * unit_error<S>)) * way + S(4 * slack.culled * slack.reach);
     const Vec3<S> offs(off, off, off);
     return {own.ray.origin - offs, own.ray.origin + offs, traversal_ray(own.ray).inverse};
 }

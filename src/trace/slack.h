@@ -1,4 +1,4 @@
-// By how much a world in double differs from the scene that it is made of.
+// By how much a world in double or in extended precision differs from the scene that it is made of.
 #pragma once
 #include "trace/build.h"
 #include "trace/kernel.h"
@@ -8,9 +8,11 @@ namespace strahl {
 
 /// Of spheres, planes and cylinders under transformations that keep angles, which are all bodies that proofs know.
 /// Found by making their numbers once more in long double. Infinite where a body has motions.
-Slack<double> slack_of(const Scene& scene, const Placement& placement);
+template <class T>
+Slack<T> slack_of(const Scene& scene, const Placement& placement);
 
 /// Adds that of the camera's rays, which should go through the middles of pixels: a shift is an error as well.
-void add_eye(Slack<double>& slack, const View& view, const Placement& placement);
+template <class T>
+void add_eye(Slack<T>& slack, const View& view, const Placement& placement);
 
 }  // namespace strahl

@@ -49,6 +49,11 @@ Counts Tracer::trace(const View& view, const Lattice& lattice, ThreadPool& pool,
     return implementation->tracer->trace(view, lattice, pool, sink, stop);
 }
 
+Counts Tracer::trace(const View& view, std::span<const Pixel> pixels, ThreadPool& pool, const Sink& sink,
+                     const std::atomic<bool>* stop) {
+    return implementation->tracer->trace_pixels(view, pixels, pool, sink, stop);
+}
+
 Counts Tracer::trace_filled(const View& view, const Lattice& lattice, double contrast, ThreadPool& pool,
                             const Sink& sink, const std::atomic<bool>* stop) {
     return implementation->tracer->trace_filled(view, lattice, contrast, pool, sink, stop);

@@ -42,6 +42,10 @@ struct Lattice {
     int x = 0, y = 0, columns = 0, rows = 0, step_x = 1, step_y = 1;
 };
 
+struct Pixel {
+    int x, y;
+};
+
 /// Values of one tile: red, green, blue of each pixel of `lattice`, row by row, linear and unclamped. Float for
 /// float32, double for the two others.
 struct Tile {
@@ -73,7 +77,7 @@ struct View {
     double shift_x = 0, shift_y = 0;  // of the sampling point from the pixel's centre, in pixels
     double error = 0;  // a pixel may lack this much light in a channel: weak rays are left out until they add up to it
     double time = 0;   // in seconds: where moving bodies and lights are
-    /// Tiles come with bounds of their errors; one ray in each pixel, in float64. What is exact goes through the
+    /// Tiles come with bounds of their errors; one ray in each pixel, in float64 or extended. What is exact goes through the
     /// pixel's middle: by how much a shift changes it is in the bound.
     bool prove = false;
     std::shared_ptr<const std::vector<Track>> tracks{};  // if any, in place of the scene's
@@ -99,6 +103,10 @@ class Tracer {
     /// Traces the lattice on all threads of the pool and returns when it is done or `stop` became true; tiles that
     /// were handed to the sink are whole in both cases. Not to be called from two threads at once.
     Counts trace(const View& view, const Lattice& lattice, ThreadPool& pool, const Sink& sink,
+                 const std::atomic<bool>* stop = nullptr);
+
+    /// The same of single pixels, each of them a tile.
+    Counts trace(const View& view, std::span<const Pixel> pixels, ThreadPool& pool, const Sink& sink,
                  const std::atomic<bool>* stop = nullptr);
 
     /// The same with rays only where the picture is not smooth; what lies between is interpolated (lattice_cells.h).

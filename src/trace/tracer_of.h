@@ -25,6 +25,8 @@ struct AnyTracer {
     virtual ~AnyTracer() = default;
     virtual void prepare(const View&, ThreadPool&) = 0;
     virtual Counts trace(const View&, const Lattice&, ThreadPool&, const Sink&, const std::atomic<bool>*) = 0;
+    virtual Counts trace_pixels(const View&, std::span<const Pixel>, ThreadPool&, const Sink&,
+                                const std::atomic<bool>*) = 0;
     virtual Counts trace_filled(const View&, const Lattice&, double, ThreadPool&, const Sink&,
                                 const std::atomic<bool>*) = 0;
     virtual Counts trace_grids(const View&, const Sampling&, const Lattice&, ThreadPool&, const Sink&,
@@ -65,10 +67,8 @@ class TracerOf : public AnyTracer {
 
   public:
     TracerOf(Scene&& own, Simd simd)
-        : AnyTracer(std::move(own)),
-          extent(extent_of(scene())),
-          kernel(kernel_for<T, false>(simd)) {
-        if constexpr (std::is_same_v<T, double>) proving = kernel_for<T, true>(simd);
+        : AnyTracer(std::move(own)), extent(extent_of(scene())), kernel(kernel_for<T, false>(simd)) {
+        if constexpr (!std::is_same_v<T, float>) proving = kernel_for<T, true>(simd);
     }
 
     void prepare(const View& view, ThreadPool& pool) override {
@@ -87,6 +87,13 @@ class TracerOf : public AnyTracer {
                  const std::atomic<bool>* stop) override {
         return each_tile(view, lattice, lattice_tile, 0, pool, stop,
                          [&](Batches<T>& batches, const Lattice& tile, int) { batches.trace_tile(tile, sink); });
+    }
+
+    Counts trace_pixels(const View& view, std::span<const Pixel> pixels, ThreadPool& pool, const Sink& sink,
+                        const std::atomic<bool>* stop) override {
+        return each(view, static_cast<int>(pixels.size()), 0, pool, stop, [&](Batches<T>& batches, int i, int) {
+            batches.trace_tile({pixels[i].x, pixels[i].y, 1, 1}, sink);
+        });
     }
 
     Counts trace_filled(const View& view, const Lattice& lattice, double contrast, ThreadPool& pool, const Sink& sink,
@@ -196,20 +203,18 @@ class TracerOf : public AnyTracer {
     }
 
     Slack<T> slack_for(const View& view, const World<T>& world, double gain) {
-        if constexpr (std::is_same_v<T, double>) {
+        Slack<T> all;
+        if constexpr (!std::is_same_v<T, float>) {
             if (!slack) {
-                slack = slack_of(scene(), placed);
-                if (lacks_items(world)) slack->share = slack->turn = slack->plane = HUGE_VAL;
+                slack = slack_of<T>(scene(), placed);
+                if (lacks_items(world)) slack->share = slack->turn = slack->plane = slack->culled = HUGE_VAL;
             }
-            Slack<double> all = *slack;
+            all = *slack;
             add_eye(all, view, placed);
-            all.gain = gain;
-            all.reach = world.rounding / WorldArrays<T>::rounding(1);
-            return all;
-        } else {
-            static_cast<void>(view), static_cast<void>(world), static_cast<void>(gain);
-            return {};
         }
+        all.gain = static_cast<T>(gain);
+        all.reach = world.rounding / static_cast<T>(WorldArrays<T>::rounding(1));
+        return all;
     }
 
     /// Were bodies left out whose numbers in T are those of another? That they are the same in the scene is not known.
@@ -225,8 +230,8 @@ class TracerOf : public AnyTracer {
     Extent extent;
     MovingHierarchy moving;
     const std::shared_ptr<Images> images = std::make_shared<Images>();
-    Kernel<T> kernel, proving;  // proofs are in double
-    std::optional<Slack<double>> slack;  // of the world's bodies, once proofs want it
+    Kernel<T> kernel, proving;      // none of float proves
+    std::optional<Slack<T>> slack;  // of the world's bodies, once proofs want it
     Placement placed;
     std::unique_ptr<BuiltWorld<T>> built;
     std::unique_ptr<LightBuffers<T>> light_buffers;  // once they pay

@@ -139,9 +139,7 @@ struct WorldArrays {
                 std::shared_ptr<Images> kept);
 
     /// What coordinates may be off, the largest of them being `furthest`.
-    static double rounding(double furthest) {
-        return 32 * static_cast<double>(std::numeric_limits<T>::epsilon()) * furthest;
-    }
+    static double rounding(double furthest) { return 32 * culling_unit<T> * furthest; }
     // add_items.cpp
     void add_items(const Scene& scene, const Placement& placement, ThreadPool& pool);
     // arrange_items.cpp

@@ -84,7 +84,7 @@ int main(int count, char** arguments) {
     const auto start = std::chrono::steady_clock::now();
     const auto passed = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
     PictureCheck check;
-    std::uint64_t done = 0, faults = 0;
+    std::uint64_t done = 0, faults = 0, slowest_seed = 0;
     double slowest = 0, now = 0;
     do {
         std::rewind(progress);
@@ -93,11 +93,11 @@ int main(int count, char** arguments) {
         faults += attack(check, seed + done++);
         const double before = now;
         now = passed();
-        slowest = std::max(slowest, now - before);
+        if (now - before > slowest) slowest = now - before, slowest_seed = seed + done - 1;
     } while (now < seconds && !alone);
     std::fclose(progress);
     std::remove("attack-renderer-seed");
-    std::printf("%llu scenes, %llu faults, %.2f s the slowest\n", static_cast<unsigned long long>(done),
-                static_cast<unsigned long long>(faults), slowest);
+    std::printf("%llu scenes, %llu faults, %.2f s the slowest, seed %llu\n", static_cast<unsigned long long>(done),
+                static_cast<unsigned long long>(faults), slowest, static_cast<unsigned long long>(slowest_seed));
     return faults > 0;
 }

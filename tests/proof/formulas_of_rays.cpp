@@ -156,14 +156,14 @@ TEST_CASE("formulas of boxes") {
         // The exact ray passes a corner or an edge of a box; what is in it may be off as well.
         const DVec3 low = dice.vector(-3, 3), high = low + dice.vector(.01, 1);
         Slack<double> slack;
-        slack.reach = 4, slack.share = any_size(dice);
+        slack.reach = 4, slack.culled = any_size(dice);
         DVec3 place;
         for (int c = 0; c < 3; ++c)
             place[c] = dice.chance(.3) ? dice.in(low[c], high[c]) : dice.chance(.5) ? low[c] : high[c];
         Vector point(place);
         for (int c = 0; c < 3; ++c) {
             R& x = c == 0 ? point.x : c == 1 ? point.y : point.z;
-            x = x + R(2 * slack.share * slack.reach) * (dice.chance(.5) ? 1 : -1);
+            x = x + R(2 * slack.culled * slack.reach) * (dice.chance(.5) ? 1 : -1);
         }
         const double way = std::pow(10, dice.in(-1, .8));
         const Vector along = Vector(dice.direction()), origin = point - R(way) * along;

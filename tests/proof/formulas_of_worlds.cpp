@@ -1,6 +1,6 @@
-// How far worlds and camera rays in double are off, by the formulas of slack.cpp and against numbers of 113 bits.
+// How far worlds and camera rays are off, by the formulas of slack.cpp and against numbers of 113 bits.
 #include "tests/proof/trial.h"
-#include "trace/batches.h"
+#include "trace/eye.h"
 #include "trace/slack.h"
 
 using namespace strahl;
@@ -19,8 +19,14 @@ std::vector<Transformation> similar(Dice& dice) {
     return steps;
 }
 
+/// Of worlds in T.
+template <class T>
 struct Differences {
     Closest share{"place and size of a body"}, turn{"axis or normal"}, plane{"distance of a plane"};
+
+    static R off(const Vec3<T>& computed, const Vector& exact) {
+        return length(Vector{computed.x, computed.y, computed.z} - exact);
+    }
 
     /// Of a shape under these transformations.
     template <class Shape>
@@ -34,24 +40,21 @@ struct Differences {
             return scale * (turned(Vector(p)) + space.moved - Vector(placement.origin));
         };
         const R stretch = scale * length(space.columns[0]);
-        const auto off = [](const Vec3<double>& computed, const Vector& exact) {
-            return length(vector(computed) - exact);
-        };
         Scene scene;
         scene.primitives.push_back({shape, 0, steps});
-        const Slack<double> slack = slack_of(scene, placement);
+        const Slack<T> slack = slack_of<T>(scene, placement);
         const WorldTransform to_world{matrix(steps), similarity(steps), placement.origin, placement.scale};
-        shape.template emit<double>(to_world, [&]<class Kernel>(const Kernel& kernel) {
-            if constexpr (std::is_same_v<Kernel, SphereKernel<double>>)
+        emit_in<T>(shape, to_world, steps, [&]<class Kernel>(const Kernel& kernel) {
+            if constexpr (std::is_same_v<Kernel, SphereKernel<T>>)
                 share.take((off(kernel.centre, place(shape.centre)) + size(kernel.radius - stretch * R(shape.radius))) /
                                (norm1(kernel.centre) + kernel.radius),
                            slack.share);
-            if constexpr (std::is_same_v<Kernel, PlaneKernel<double>>) {
+            if constexpr (std::is_same_v<Kernel, PlaneKernel<T>>) {
                 const Vector n = unit(turned(referee::normal<R>(shape)));
                 turn.take(off(kernel.normal, n), slack.turn);
                 plane.take(size(kernel.distance - dot(n, place(shape.a))), slack.plane);
             }
-            if constexpr (std::is_same_v<Kernel, CylinderKernel<double>>) {
+            if constexpr (std::is_same_v<Kernel, CylinderKernel<T>>) {
                 const Vector rise = Vector(shape.cap) - Vector(shape.base);
                 share.take((off(kernel.base, place(shape.base)) + size(kernel.radius - stretch * R(shape.radius)) +
                             size(kernel.height - stretch * length(rise))) /
@@ -63,10 +66,32 @@ struct Differences {
     }
 };
 
+/// Of camera rays in T.
+template <class T>
+struct RayDifferences {
+    Closest start{"start"}, turn{"direction"};
+
+    void take(const View& view, const Placement& placement, int x, int y) {
+        Slack<T> slack;
+        add_eye(slack, view, placement);
+        const Eye<T> eye = eye_of<T>(view, placement);
+        const exact::Eye exact(view);
+        // As the kernel has it.
+        const T u = fma(T(x), eye.scale_x, eye.bias_x), v = fma(T(y), eye.scale_y, eye.bias_y);
+        const Vec3<T> d = fma(u, eye.right, fma(v, eye.down, eye.forward));
+        const Vec3<T> direction = scale(1 / std::sqrt(dot(d, d)), d);
+        const auto exactly = [](const Vec3<T>& own) { return Vector{own.x, own.y, own.z}; };
+        turn.take(length(exact.ray(x, y).direction - unit(exactly(direction))), slack.eye_turn);
+        const Vector place = R(placement.scale) * (exact.position - Vector(placement.origin));
+        start.take(length(place - exactly(eye.position)), slack.eye_away);
+    }
+};
+
 }  // namespace
 
 TEST_CASE("formulas of worlds") {
-    Differences differences;
+    Differences<double> differences;
+    Differences<Extended> in_extended;
     Dice dice(9);
     for (int i = 0; i < trials(); ++i) {
         const double far = std::pow(10, dice.in(-1, 5));
@@ -74,15 +99,19 @@ TEST_CASE("formulas of worlds") {
                                   std::ldexp(1, dice.upto(20) - 10)};
         const DVec3 at = dice.vector(-far, far);
         const std::vector<Transformation> steps = similar(dice);
+        const auto take = [&](const auto& shape) {
+            differences.take(shape, steps, placement), in_extended.take(shape, steps, placement);
+        };
         const int which = dice.upto(2);
-        if (which == 0) differences.take(Sphere{at, dice.in(.1, 3)}, steps, placement);
-        if (which == 1) differences.take(Plane{at, at + dice.direction(), at + dice.direction()}, steps, placement);
-        if (which == 2) differences.take(Cylinder{at, at + dice.arrow(.1, 3), dice.in(.1, 3)}, steps, placement);
+        if (which == 0) take(Sphere{at, dice.in(.1, 3)});
+        if (which == 1) take(Plane{at, at + dice.direction(), at + dice.direction()});
+        if (which == 2) take(Cylinder{at, at + dice.arrow(.1, 3), dice.in(.1, 3)});
     }
 }
 
 TEST_CASE("formulas of camera rays") {
-    Closest start{"start"}, turn{"direction"};
+    RayDifferences<double> differences;
+    RayDifferences<Extended> in_extended;
     Dice dice(10);
     for (int i = 0; i < trials(); ++i) {
         const double far = std::pow(10, dice.in(-1, 3));
@@ -92,17 +121,7 @@ TEST_CASE("formulas of camera rays") {
         view.camera.look_at = view.camera.position + dice.arrow(1, 10);
         view.camera.up = dice.direction(), view.camera.fov = dice.in(1, 80);
         const Placement placement{dice.chance(.5) ? DVec3(0) : dice.vector(-far, far), std::ldexp(1, dice.upto(8) - 4)};
-        Slack<double> slack;
-        add_eye(slack, view, placement);
-        const Eye<double> eye = eye_of<double>(view, placement);
-        const exact::Eye exact(view);
         const int x = dice.upto(view.width - 1), y = dice.upto(view.height - 1);
-        // As the kernel has it.
-        const double u = fma(double(x), eye.scale_x, eye.bias_x), v = fma(double(y), eye.scale_y, eye.bias_y);
-        const Vec3<double> d = fma(u, eye.right, fma(v, eye.down, eye.forward));
-        const Vec3<double> direction = scale(1 / std::sqrt(dot(d, d)), d);
-        turn.take(length(exact.ray(x, y).direction - unit(vector(direction))), slack.eye_turn);
-        const Vector place = R(placement.scale) * (exact.position - Vector(placement.origin));
-        start.take(length(place - vector(eye.position)), slack.eye_away);
+        differences.take(view, placement, x, y), in_extended.take(view, placement, x, y);
     }
 }

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <string>
 #include <vector>
 
 #include "tests/proof/exact.h"
@@ -24,12 +25,12 @@ namespace {
 struct Proved {
     std::vector<double> rgb, bounds;
 };
-Proved prove(const Scene& scene, View view) {
+Proved prove(const Scene& scene, View view, Precision precision = Precision::float64) {
     view.prove = true;
     Proved proved{std::vector<double>(3 * std::size_t(view.width) * view.height),
                   std::vector<double>(std::size_t(view.width) * view.height)};
     ThreadPool pool(2);
-    Tracer tracer(scene, Precision::float64, std::getenv("PROOF_SCALAR") ? Simd::scalar : Simd::automatic);
+    Tracer tracer(scene, precision, std::getenv("PROOF_SCALAR") ? Simd::scalar : Simd::automatic);
     const Lattice whole{.columns = view.width, .rows = view.height};
     tracer.trace(view, whole, pool, [&](const Tile& tile) {
         place(tile, whole, proved.rgb);
@@ -52,13 +53,13 @@ struct Tally {
         slack.insert(slack.end(), more.slack.begin(), more.slack.end());
         return *this;
     }
-    void print(const char* name) {
+    void print(const std::string& name) {
         const auto middle = slack.begin() + std::ssize(slack) / 2;
         std::nth_element(slack.begin(), middle, slack.end());
         std::printf(
             "%s: %lld values, proved %.2f %% at 8 bits, %.2f %% at 16; %lld and %lld wrong, %lld bounds violated; "
             "bound over error %.0f in the median\n",
-            name, static_cast<long long>(values), 100. * certain[0] / values, 100. * certain[1] / values,
+            name.c_str(), static_cast<long long>(values), 100. * certain[0] / values, 100. * certain[1] / values,
             static_cast<long long>(lies[0]), static_cast<long long>(lies[1]), static_cast<long long>(violated),
             slack.empty() ? 0 : *middle);
     }
@@ -78,16 +79,22 @@ struct Tally {
     }
 };
 
-/// Values of one world that are judged by exact arithmetic: as it is, and with rays that are off by more than rounding.
+/// Values of one world that are judged by exact arithmetic: as it is, with rays that are off by more than rounding, and
+/// in extended precision.
 struct Judged {
-    Tally plain, shifted;
-    Judged& operator+=(const Judged& more) { return plain += more.plain, shifted += more.shifted, *this; }
+    Tally plain, shifted, extended;
+    Judged& operator+=(const Judged& more) {
+        return plain += more.plain, shifted += more.shifted, extended += more.extended, *this;
+    }
+    void print(const std::string& name) {
+        plain.print(name), shifted.print(name + ", shifted"), extended.print(name + ", extended");
+    }
 };
 void judge(const Scene& scene, const View& view, Judged& judged) {
     const Proved proved = prove(scene, view);
     View off = view;
     off.shift_x = 1e-7, off.shift_y = -1e-7;
-    const Proved shifted = prove(scene, off);
+    const Proved shifted = prove(scene, off), extended = prove(scene, view, Precision::extended);
     const exact::Tracer judge(scene, view);
     for (int y = 0; y < view.height; ++y)
         for (int x = 0; x < view.width; ++x) {
@@ -97,12 +104,13 @@ void judge(const Scene& scene, const View& view, Judged& judged) {
             for (int c = 0; c < 3; ++c) {
                 judged.plain.add(proved.rgb[3 * i + c], proved.bounds[i], rgb[c]);
                 judged.shifted.add(shifted.rgb[3 * i + c], shifted.bounds[i], rgb[c]);
+                judged.extended.add(extended.rgb[3 * i + c], extended.bounds[i], rgb[c]);
             }
         }
 }
 
 void check_honest(const Judged& judged) {
-    for (const Tally& tally : {judged.plain, judged.shifted}) {
+    for (const Tally& tally : {judged.plain, judged.shifted, judged.extended}) {
         CHECK(tally.violated == 0);
         CHECK(tally.lies[0] == 0);
         CHECK(tally.lies[1] == 0);
@@ -131,8 +139,7 @@ TEST_CASE("proofs do not lie") {
         check_honest(own), check_honest(near_edges);
         all += own, edges += near_edges;
     }
-    all.plain.print("worlds"), all.shifted.print("worlds, shifted");
-    edges.plain.print("edges"), edges.shifted.print("edges, shifted");
+    all.print("worlds"), edges.print("edges");
     CHECK(all.plain.certain[1] > .85 * all.plain.values);
     CHECK(edges.plain.certain[1] < .5 * edges.plain.values);
 }
@@ -142,7 +149,7 @@ TEST_CASE("worlds to look at are proved") {
         const Scene scene = read_scene(name);
         Judged judged;
         judge(scene, view_of(scene, 40, 30), judged);
-        judged.plain.print(name);
+        judged.print(name);
         CAPTURE(name);
         check_honest(judged);
         CHECK(judged.plain.certain[1] > .99 * judged.plain.values);

@@ -40,9 +40,9 @@ Scene with_points(Scene scene, int n) {
     std::vector<Light> lights;
     for (const Light& light : scene.lights)
         for (int i = 0; i < n * n; ++i)
-            lights.push_back({light.position + ((i % n + .5) / n - .5) * light.area->u +
-                                  ((i / n + .5) / n - .5) * light.area->v,
-                              light.color / (double(n) * n)});
+            lights.push_back(
+                {light.position + ((i % n + .5) / n - .5) * light.area->u + ((i / n + .5) / n - .5) * light.area->v,
+                 light.color / (double(n) * n)});
     scene.lights = lights;
     return scene;
 }
@@ -116,4 +116,14 @@ TEST_CASE("a rectangle that is partly below the horizon shines by what is above"
         parse_scene(stage + "light { position <0, 2, 0>  color <1, 1, 1>  edges <1, 0, 0>, <0, 0, 2> }", "x");
     const Frame points = picture(with_points(scene, 64), Precision::float64);
     CHECK(difference(picture(scene, Precision::float64), points).largest < .005);
+}
+
+TEST_CASE("a very long rectangle takes no light away") {
+    const Scene scene = parse_scene(
+        "camera { position <0, -9, 4>  look_at <0, 0, 0>  up <0, 0, -1>  fov 22 }\n"
+        "light { position <0, 0, 2>  color <1, 1, 1>  edges <1e13, 0, 0>, <0, 0, .75> }\n"
+        "plane { <0, 0, 0>, <1, 0, 0>, <0, 1, 0>  material { ambient 0  reflection 0 } }\n",
+        "x");
+    for (const Precision precision : {Precision::float32, Precision::float64})
+        for (const double value : picture(scene, precision).rgb) CHECK(value >= 0);
 }

@@ -1,0 +1,88 @@
+#include "trace/extended.h"
+
+#include <algorithm>
+#include <numbers>
+#include <utility>
+#include <variant>
+
+namespace strahl {
+namespace {
+
+constexpr Extended degree = std::numbers::pi_v<Extended> / 180;
+
+}  // namespace
+
+ExtendedTransform::ExtendedTransform(std::span<const Transformation> steps, const DVec3& own_origin, double own_scale)
+    : origin(extended(own_origin)), scale(own_scale) {
+    for (const Transformation& step : steps) std::visit([&](const auto& own) { add(own); }, step);
+}
+
+/// By less than an eighth of a turn and by quarters, which are exact.
+void ExtendedTransform::turn_by(int from, int to, double degrees) {
+    int quarters = 0;
+    const Extended rest = std::remquo(Extended(degrees), Extended(90), &quarters) * degree;
+    Extended sine = std::sin(rest), cosine = std::cos(rest);
+    if (quarters & 1) std::swap(sine, cosine), cosine = -cosine;
+    if (quarters & 2) sine = -sine, cosine = -cosine;
+    then([&](const ExtendedVector& v) {
+        ExtendedVector turned = v;
+        turned[from] = cosine * v[from] - sine * v[to];
+        turned[to] = sine * v[from] + cosine * v[to];
+        return turned;
+    });
+}
+
+// An angle, its sine and cosine have two roundings each and the sum three more; of a vector's components two take part,
+// three times. Roundings of the matrix count once more where a point goes through it.
+void ExtendedTransform::add(const Rotate& rotate) {
+    turn_by(1, 2, rotate.degrees.x);
+    turn_by(2, 0, rotate.degrees.y);
+    turn_by(0, 1, rotate.degrees.z);
+    roundings += 48;
+}
+void ExtendedTransform::add(const Translate& translate) {
+    moved = moved + extended(translate.by);
+    size = std::max({size, sum_of(extended(translate.by)), sum_of(moved)});
+    roundings += 2;
+}
+void ExtendedTransform::add(const Scale& factor) {
+    then([&](const ExtendedVector& v) { return v * extended(factor.by); });
+    similarity *= std::abs(Extended(factor.by.x));
+    size = std::max(size, size * std::abs(Extended(factor.by.x)));
+    roundings += 4;
+}
+void ExtendedTransform::add(const Motion&) { size = std::numeric_limits<Extended>::infinity(); }
+
+SphereKernel<Extended> extended_kernel(const Sphere& sphere, const ExtendedTransform& to_world) {
+    return {to_world.point(sphere.centre), to_world.length(sphere.radius)};
+}
+PlaneKernel<Extended> extended_kernel(const Plane& plane, const ExtendedTransform& to_world) {
+    const ExtendedVector a = extended(plane.a), u = to_world.turn(extended(plane.b) - a),
+                         v = to_world.turn(extended(plane.c) - a);
+    const ExtendedVector normal = Extended(to_world.mirrors() ? -1 : 1) * unit_of(cross_of(u, v));
+    return {normal, dot_of(normal, to_world.point(plane.a))};
+}
+CylinderKernel<Extended> extended_kernel(const Cylinder& cylinder, const ExtendedTransform& to_world) {
+    const ExtendedVector rise = extended(cylinder.cap) - extended(cylinder.base);
+    return {to_world.point(cylinder.base), unit_of(to_world.turn(rise)), to_world.length(cylinder.radius),
+            to_world.length(length_of(rise))};
+}
+
+Eye<Extended> extended_eye(const View& view, const Placement& placement) {
+    const Camera& camera = view.camera;
+    const ExtendedVector position = extended(camera.position);
+    const ExtendedVector forward = unit_of(extended(camera.look_at) - position);
+    const ExtendedVector right = unit_of(cross_of(unit_of(extended(camera.up)), forward));
+    const Extended aspect = camera.aspectratio ? Extended(*camera.aspectratio) : Extended(view.width) / view.height;
+    const Extended tangent = std::tan(Extended(camera.fov) * degree);
+    return {.position = Extended(placement.scale) * (position - extended(placement.origin)),
+            .forward = forward,
+            .right = tangent * right,
+            .down = tangent / aspect * cross_of(forward, right),
+            .scale_x = Extended(2) / view.width,
+            .scale_y = Extended(2) / view.height,
+            .bias_x = (1 + 2 * Extended(view.shift_x)) / view.width - 1,
+            .bias_y = (1 + 2 * Extended(view.shift_y)) / view.height - 1};
+}
+
+}  // namespace strahl

@@ -1,0 +1,93 @@
+// The numbers of bodies and of a camera in long double: what extended precision traces, and what slack.cpp takes for
+// exact. Spheres, planes and cylinders under transformations that keep angles, which are all bodies that proofs know.
+#pragma once
+#include <cmath>
+#include <limits>
+#include <span>
+#include <type_traits>
+
+#include "scene/kinds.h"
+#include "trace/build.h"
+#include "trace/kernel.h"
+#include "trace/tracer.h"
+
+namespace strahl {
+
+using Extended = long double;
+using ExtendedVector = Vec3<Extended>;
+
+template <class T>
+ExtendedVector extended(const Vec3<T>& v) {
+    return {v.x, v.y, v.z};
+}
+inline Extended dot_of(const ExtendedVector& a, const ExtendedVector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline Extended length_of(const ExtendedVector& v) { return std::sqrt(dot_of(v, v)); }
+inline Extended sum_of(const ExtendedVector& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
+inline ExtendedVector unit_of(const ExtendedVector& v) { return Extended(1) / length_of(v) * v; }
+inline ExtendedVector cross_of(const ExtendedVector& a, const ExtendedVector& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+/// The way from a primitive's own space into the world's, as WorldTransform has it in double.
+class ExtendedTransform {
+  public:
+    ExtendedTransform(std::span<const Transformation> steps, const DVec3& origin, double scale);
+
+    ExtendedVector turn(const ExtendedVector& v) const {
+        return v.x * columns[0] + v.y * columns[1] + v.z * columns[2];
+    }
+    ExtendedVector point(const DVec3& p) const { return scale * (turn(extended(p)) + moved - origin); }
+    Extended length(Extended own) const { return own * similarity * scale; }
+    bool mirrors() const { return dot_of(columns[0], cross_of(columns[1], columns[2])) < 0; }
+
+    /// Are all steps known? Motions are not.
+    bool known() const { return size < std::numeric_limits<Extended>::infinity(); }
+    /// How far lengths and directions may be off by rounding, as a share.
+    Extended rounding() const { return roundings * unit; }
+    /// And points, as a distance in the world. The numbers of the scene are exact, so that to move by them costs digits
+    /// of what comes out alone.
+    Extended rounding(const DVec3& p) const {
+        const Extended steps = roundings == few ? 0 : rounding() * (length(sum_of(extended(p))) + scale * size);
+        return steps + 4 * unit * sum_of(point(p));
+    }
+
+  private:
+    template <class Step>
+    void then(const Step& step) {
+        for (ExtendedVector& column : columns) column = step(column);
+        moved = step(moved);
+    }
+    void turn_by(int from, int to, double degrees);
+    void add(const Rotate& rotate);
+    void add(const Translate& translate);
+    void add(const Scale& factor);
+    void add(const Motion& motion);
+
+    ExtendedVector columns[3]{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, moved{0}, origin;
+    Extended scale, similarity = 1, size = 0;  // the largest number that was added on the way, beside the columns
+    static constexpr Extended unit = std::numeric_limits<Extended>::epsilon() / 2;
+    static constexpr int few = 8;
+    int roundings = few;
+};
+
+SphereKernel<Extended> extended_kernel(const Sphere& sphere, const ExtendedTransform& to_world);
+PlaneKernel<Extended> extended_kernel(const Plane& plane, const ExtendedTransform& to_world);
+CylinderKernel<Extended> extended_kernel(const Cylinder& cylinder, const ExtendedTransform& to_world);
+
+/// Emits what a shape does. Long double gets numbers from above where there are any, and not such that were rounded to
+/// double before.
+template <class T, class Shape, class Emit>
+void emit_in(const Shape& shape, const WorldTransform& to_world, std::span<const Transformation> steps,
+             const Emit& emit) {
+    if constexpr (std::is_same_v<T, Extended> &&
+                  requires(const ExtendedTransform& own) { extended_kernel(shape, own); }) {
+        const ExtendedTransform own(steps, to_world.origin, to_world.scale);
+        if (own.known() && (to_world.similar() || std::is_same_v<Shape, Plane>))
+            return emit(extended_kernel(shape, own));
+    }
+    shape.template emit<T>(to_world, emit);
+}
+
+Eye<Extended> extended_eye(const View& view, const Placement& placement);
+
+}  // namespace strahl

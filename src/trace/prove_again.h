@@ -1,0 +1,17 @@
+// Proofs in extended precision of what double leaves undecided.
+#pragma once
+#include <atomic>
+#include <functional>
+#include <span>
+
+#include "trace/tracer.h"
+
+namespace strahl {
+
+/// Traces pixels again with bounds. `decides`, called from any thread, gets them one by one and tells whether that
+/// decides it. Where it hardly ever does, which pixels from all over tell, the others are left: what proofs do not know
+/// is unknown in every precision.
+Counts prove_again(Tracer& extended, const View& view, std::span<const Pixel> pixels, ThreadPool& pool,
+                   const std::function<bool(const Tile&)>& decides, const std::atomic<bool>* stop = nullptr);
+
+}  // namespace strahl
