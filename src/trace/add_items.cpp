@@ -38,7 +38,7 @@ struct PutItems {
 }  // namespace
 
 template <class T>
-void WorldArrays<T>::add_items(const Scene& scene, const Placement& placement, ThreadPool& pool) {
+void WorldArrays<T>::add_items(const Scene& scene, const Placement& placement, ThreadPool& pool, bool proves) {
     const auto size = static_cast<std::int32_t>(scene.primitives.size());
     std::vector<ItemCounts> before(size / share_items + 2);
     share_out(pool, size, share_items, [&](std::int32_t first, std::int32_t last) {
@@ -77,7 +77,7 @@ void WorldArrays<T>::add_items(const Scene& scene, const Placement& placement, T
                 [&](const auto& shape) {
                     const int faces = faces_of(primitive.shape);
                     emit_in<T>(shape, to_world, primitive.transformations,
-                               PutItems<T>{*this, own, box, material, faces});
+                               PutItems<T>{*this, own, box, material, faces}, proves);
                 },
                 primitive.shape);
         }
@@ -86,8 +86,8 @@ void WorldArrays<T>::add_items(const Scene& scene, const Placement& placement, T
     reach = *std::max_element(reaches.begin(), reaches.end());
 }
 
-template void WorldArrays<float>::add_items(const Scene&, const Placement&, ThreadPool&);
-template void WorldArrays<double>::add_items(const Scene&, const Placement&, ThreadPool&);
-template void WorldArrays<long double>::add_items(const Scene&, const Placement&, ThreadPool&);
+template void WorldArrays<float>::add_items(const Scene&, const Placement&, ThreadPool&, bool);
+template void WorldArrays<double>::add_items(const Scene&, const Placement&, ThreadPool&, bool);
+template void WorldArrays<long double>::add_items(const Scene&, const Placement&, ThreadPool&, bool);
 
 }  // namespace strahl

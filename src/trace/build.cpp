@@ -176,7 +176,7 @@ void WorldArrays<T>::cull_for_lights() {
 
 template <class T>
 WorldArrays<T>::WorldArrays(const Scene& scene, const Placement& placement, ThreadPool& pool, MovingHierarchy* moving,
-                            std::shared_ptr<Images> kept)
+                            std::shared_ptr<Images> kept, bool proves)
     : moving(moving), images(std::move(kept)) {
     add_materials(scene);
     add_patterns(scene, placement);
@@ -199,7 +199,7 @@ WorldArrays<T>::WorldArrays(const Scene& scene, const Placement& placement, Thre
     world.iors = iors.data();
     world.bodies = bodies.data();
 
-    add_items(scene, placement, pool);
+    add_items(scene, placement, pool, proves);
     world.rounding = static_cast<T>(rounding(reach));
     arrange_items(pool);
     add_composites(scene, placement, pool);
@@ -212,9 +212,9 @@ WorldArrays<T>::WorldArrays(const Scene& scene, const Placement& placement, Thre
 
 template <class T>
 BuiltWorld<T>::BuiltWorld(const Scene& scene, const Placement& placement, ThreadPool& pool, MovingHierarchy* moving,
-                          const std::shared_ptr<Images>& images)
+                          const std::shared_ptr<Images>& images, bool proves)
     : arrays(std::make_unique<WorldArrays<T>>(scene, placement, pool, moving,
-                                              images ? images : std::make_shared<Images>())) {}
+                                              images ? images : std::make_shared<Images>(), proves)) {}
 template <class T>
 BuiltWorld<T>::~BuiltWorld() = default;
 template <class T>

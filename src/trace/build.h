@@ -44,9 +44,10 @@ struct WorldArrays;
 template <class T>
 class BuiltWorld {
   public:
-    /// `moving` and `images` are what was kept of the same scene at other moments.
+    /// `moving` and `images` are what was kept of the same scene at other moments. For proofs a world in long double is
+    /// made in long double, see extended.h.
     BuiltWorld(const Scene& scene, const Placement& placement, ThreadPool& pool, MovingHierarchy* moving = nullptr,
-               const std::shared_ptr<Images>& images = nullptr);
+               const std::shared_ptr<Images>& images = nullptr, bool proves = false);
     ~BuiltWorld();
     const World<T>& world() const;
     /// Transparent bodies, by surface number, that hold a point of the scene, in the order declared.

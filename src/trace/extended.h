@@ -74,15 +74,15 @@ SphereKernel<Extended> extended_kernel(const Sphere& sphere, const ExtendedTrans
 PlaneKernel<Extended> extended_kernel(const Plane& plane, const ExtendedTransform& to_world);
 CylinderKernel<Extended> extended_kernel(const Cylinder& cylinder, const ExtendedTransform& to_world);
 
-/// Emits what a shape does. Long double gets numbers from above where there are any, and not such that were rounded to
-/// double before.
+/// Emits what a shape does. For proofs long double gets numbers from above where there are any, and not such that were
+/// rounded to double before. In pictures these would differ from patterns and composites, which are made in double.
 template <class T, class Shape, class Emit>
 void emit_in(const Shape& shape, const WorldTransform& to_world, std::span<const Transformation> steps,
-             const Emit& emit) {
+             const Emit& emit, bool proves = true) {
     if constexpr (std::is_same_v<T, Extended> &&
                   requires(const ExtendedTransform& own) { extended_kernel(shape, own); }) {
         const ExtendedTransform own(steps, to_world.origin, to_world.scale);
-        if (own.known() && (to_world.similar() || std::is_same_v<Shape, Plane>))
+        if (proves && own.known() && (to_world.similar() || std::is_same_v<Shape, Plane>))
             return emit(extended_kernel(shape, own));
     }
     shape.template emit<T>(to_world, emit);

@@ -75,12 +75,13 @@ class TracerOf : public AnyTracer {
         const bool moved = stage.set(view.time, view.tracks, pool);
         if (moved) extent = extent_of(scene());
         const Placement wanted = placement(extent, view.camera.position);
-        if (built && wanted == placed && !moved) return;
+        if (built && wanted == placed && !moved && (proves == view.prove || !std::is_same_v<T, Extended>)) return;
         light_buffers.reset(), pixels = 0;
         if (moved) thin_bodies.reset();
         built.reset(), slack.reset();
-        built = std::make_unique<BuiltWorld<T>>(scene(), wanted, pool, stage.moves() ? &moving : nullptr, images);
-        placed = wanted;
+        built = std::make_unique<BuiltWorld<T>>(scene(), wanted, pool, stage.moves() ? &moving : nullptr, images,
+                                                view.prove);
+        placed = wanted, proves = view.prove;
     }
 
     Counts trace(const View& view, const Lattice& lattice, ThreadPool& pool, const Sink& sink,
@@ -233,6 +234,7 @@ class TracerOf : public AnyTracer {
     Kernel<T> kernel, proving;      // none of float proves
     std::optional<Slack<T>> slack;  // of the world's bodies, once proofs want it
     Placement placed;
+    bool proves = false;  // is the world one for proofs?
     std::unique_ptr<BuiltWorld<T>> built;
     std::unique_ptr<LightBuffers<T>> light_buffers;  // once they pay
     std::int64_t pixels = 0;                         // traced in this world

@@ -136,12 +136,12 @@ struct WorldArrays {
     const std::shared_ptr<Images> images;
 
     WorldArrays(const Scene& scene, const Placement& placement, ThreadPool& pool, MovingHierarchy* moving,
-                std::shared_ptr<Images> kept);
+                std::shared_ptr<Images> kept, bool proves);
 
     /// What coordinates may be off, the largest of them being `furthest`.
     static double rounding(double furthest) { return 32 * culling_unit<T> * furthest; }
     // add_items.cpp
-    void add_items(const Scene& scene, const Placement& placement, ThreadPool& pool);
+    void add_items(const Scene& scene, const Placement& placement, ThreadPool& pool, bool proves);
     // arrange_items.cpp
     void arrange_items(ThreadPool& pool);
     void make_hierarchy(ThreadPool& pool);
