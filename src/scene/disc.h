@@ -62,7 +62,7 @@ struct Disc {
     Box bounds() const {
         const DVec3 n = normalize(normal);
         DVec3 reach;
-        for (int i = 0; i < 3; ++i) reach[i] = radius * std::sqrt(std::max(0., 1 - n[i] * n[i]));
+        for (int i = 0; i < 3; ++i) reach[i] = radius * sine_to_axis(n, i);
         return {centre - reach, centre + reach};
     }
     bool contains(const DVec3&) const { return false; }

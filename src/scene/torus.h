@@ -119,7 +119,7 @@ struct Torus {
     Box bounds() const {
         const DVec3 a = normalize(axis);
         DVec3 reach;
-        for (int i = 0; i < 3; ++i) reach[i] = minor + major * std::sqrt(std::max(0., 1 - a[i] * a[i]));
+        for (int i = 0; i < 3; ++i) reach[i] = minor + major * sine_to_axis(a, i);
         return {centre - reach, centre + reach};
     }
     bool contains(const DVec3& p) const {

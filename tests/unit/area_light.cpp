@@ -1,4 +1,6 @@
 // Rectangles that shine, against many points in their place.
+#define STRAHL_LEVEL area_light_test
+#define STRAHL_SCALAR
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -6,9 +8,12 @@
 #include <string>
 #include <vector>
 
+#include "num/vec_math.h"
+#include "tests/referee/dice.h"
 #include "tests/unit/levels.h"
 #include "tests/unit/scenes.h"
 #include "text/parse.h"
+#include "trace/area_mean.h"
 
 using namespace strahl;
 
@@ -119,11 +124,15 @@ TEST_CASE("a rectangle that is partly below the horizon shines by what is above"
 }
 
 TEST_CASE("a very long rectangle takes no light away") {
-    const Scene scene = parse_scene(
-        "camera { position <0, -9, 4>  look_at <0, 0, 0>  up <0, 0, -1>  fov 22 }\n"
-        "light { position <0, 0, 2>  color <1, 1, 1>  edges <1e13, 0, 0>, <0, 0, .75> }\n"
-        "plane { <0, 0, 0>, <1, 0, 0>, <0, 1, 0>  material { ambient 0  reflection 0 } }\n",
-        "x");
-    for (const Precision precision : {Precision::float32, Precision::float64})
-        for (const double value : picture(scene, precision).rgb) CHECK(value >= 0);
+    Dice dice(1);
+    for (int i = 0; i < 20000; ++i) {
+        // Almost along a surface, of which all of it is in front.
+        const DVec3 u = std::pow(10, dice.in(0, 14)) * dice.direction();
+        const DVec3 across = dice.direction(), v = across - dot_product(across, u) / dot_product(u, u) * u;
+        const DVec3 middle = dice.vector(-3, 3);
+        const DVec3 normal = normalize(cross_product(u, dice.direction()) + dice.in(0, 1e-3) * v);
+        const auto in_front = [&](double a, double b) { return dot(normal, middle + a * u + b * v) > 0; };
+        if (in_front(-.5, -.5) && in_front(-.5, .5) && in_front(.5, -.5) && in_front(.5, .5))
+            REQUIRE(mean_cosine(normal, middle, u, v) >= 0);
+    }
 }

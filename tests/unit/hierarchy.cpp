@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 #include <set>
 #include <tuple>
@@ -176,4 +177,16 @@ TEST_CASE("a scene of more surfaces than float can number is refused, with what 
     scene.primitives.push_back({Cuboid{}, 0, {}});
     CHECK_THROWS_WITH_AS(check_capacity(scene, Precision::float32), doctest::Contains("--precision double"), FileError);
     CHECK_NOTHROW(check_capacity(scene, Precision::float64));
+}
+
+TEST_CASE("round bodies that hardly lean are within their boxes") {
+    for (const double lean : {1., 1e-3, 1e-6, 1e-9, 1e-12, 1e-15}) {
+        CAPTURE(lean);
+        const DVec3 axis{0, lean, 1};
+        const double sine = lean / std::sqrt(1 + lean * lean), rim = .999999999 * 3 * sine;
+        CHECK(Disc{{0, 0, 0}, axis, 3, 0}.bounds().high.z >= rim);
+        CHECK(Torus{{0, 0, 0}, axis, 3, 1e-20}.bounds().high.z >= rim);
+        CHECK(Cylinder{-axis, {0, 0, 0}, 3}.bounds().high.z >= rim);
+        CHECK(Cone{-axis, 1, {0, 0, 0}, 3}.bounds().high.z >= rim);
+    }
 }
