@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "trace/area_light.h"
 #include "trace/area_mean.h"
@@ -193,7 +194,9 @@ class AreaSum {
             for (int k = 0; k < lanes; ++k) xs[k] = T(cells.x[i + k]), ys[k] = T(cells.y[i + k]);
             const S x = load_lanes<S>(xs), y = load_lanes<S>(ys), half(T(size) / 2);
             const Vec3<S> way = way_to(x + half, y + half);
-            store_lanes(cosines, max(dot(splat<S>(normal), way), S(0)) / sqrt(dot(way, way)));
+            // The point may be where the lamp is.
+            const S length = max(sqrt(dot(way, way)), S(std::sqrt(std::numeric_limits<T>::min())));
+            store_lanes(cosines, max(dot(splat<S>(normal), way), S(0)) / length);
             store_lanes(shines, glossy ? mean_highlight(x, y, size) : S(0));
             for (int k = 0; k < lanes; ++k) {
                 const Vec3<T> arrives = mean_share(cells.x[i + k], cells.y[i + k], size);
