@@ -136,3 +136,15 @@ TEST_CASE("a very long rectangle takes no light away") {
             REQUIRE(mean_cosine(normal, middle, u, v) >= 0);
     }
 }
+
+TEST_CASE("a point in a lamp is lit by a number") {
+    // Straight below the camera is the middle of a cell of the lamp.
+    const Scene scene = parse_scene(
+        "camera { position <3, 0, 9>  look_at <3, 0, 0>  up <0, 1, 0>  fov 22 }\n"
+        "light { position <0, 0, 3>  color <1, 1, 1>  edges <64, 0, 0>, <0, 0, 64> }\n"
+        "plane { <0, 0, 0>, <1, 0, 0>, <0, 1, 0>  material { reflection 0 } }\n",
+        "x");
+    const View view{.camera = scene.camera, .width = 1, .height = 1, .depth = 4};
+    for (const Precision precision : {Precision::float32, Precision::float64})
+        for (const double value : render(scene, view, precision).rgb) CHECK(std::isfinite(value));
+}
