@@ -26,15 +26,15 @@ Vec3<E> mean_direction(const E (&x)[2], const E (&y)[2], E h) {
         total.x += sign * (y[1] * r[i][1] - y[0] * r[i][0] + p * along_y) / 2;
         total.y += sign * (x[1] * r[1][i] - x[0] * r[0][i] + q * along_x) / 2;
         total.z += sign * h * (x[i] * along_y + y[i] * along_x);
-        for (int j = 0; h > 0 && j < 2; ++j)
-            total.z -= (i == j ? h : -h) * h * std::atan(x[i] * y[j] / (h * r[i][j]));
+        for (int j = 0; h > 0 && j < 2; ++j) total.z -= (i == j ? h : -h) * h * std::atan(x[i] * y[j] / (h * r[i][j]));
     }
     return scale(1 / ((x[1] - x[0]) * (y[1] - y[0])), total);
 }
 
 /// The mean of n.l over the rectangle with the edges u and v around `middle`, as seen from the origin, all of it above
-/// the surface. A small one is summed up at 4 by 4 points of Gauss and Legendre: the closed form would cancel. It is off
-/// by a unit of E for each time that one edge is as long as the other, which must not make light of a long one negative.
+/// the surface. A small one is summed up at 4 by 4 points of Gauss and Legendre: the closed form would cancel. It is
+/// off by a unit of E for each time that one edge is as long as the other, which must not make light of a long one
+/// negative.
 template <class T>
 T mean_cosine(const Vec3<T>& normal, const Vec3<T>& middle, const Vec3<T>& u, const Vec3<T>& v) {
     const T width_squared = dot(u, u), height_squared = dot(v, v);
@@ -57,7 +57,9 @@ T mean_cosine(const Vec3<T>& normal, const Vec3<T>& middle, const Vec3<T>& u, co
     const Vec3<E> to = wide(middle), w = cross(wide(u), wide(v)), n = wide(normal);
     const Vec3<E> axes[3]{scale(1 / length(wide(u)), wide(u)), scale(1 / length(wide(v)), wide(v)),
                           scale((dot(w, to) < 0 ? -1 : 1) / length(w), w)};
-    const E x = dot(to, axes[0]), y = dot(to, axes[1]), half_x = length(wide(u)) / 2, half_y = length(wide(v)) / 2;
+    // A strip as narrow as rounding would be none. One a millionth of its distance wide has the same mean.
+    const E x = dot(to, axes[0]), y = dot(to, axes[1]), least = E(5e-7) * length(to);
+    const E half_x = max(length(wide(u)) / 2, least), half_y = max(length(wide(v)) / 2, least);
     const Vec3<E> mean = mean_direction({x - half_x, x + half_x}, {y - half_y, y + half_y}, dot(to, axes[2]));
     E cosine(0);
     for (int c = 0; c < 3; ++c) cosine += mean[c] * dot(n, axes[c]);
