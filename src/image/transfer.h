@@ -25,5 +25,10 @@ bool same_code(double v, double bound, const Code& code) {
     const double off = bound + 0x1p-50 * (std::fabs(v) + bound);  // adding rounds, and so does encoding
     return code(v - off) == code(v + off);
 }
+/// The same of a pixel's three values.
+template <class Code>
+bool same_codes(const double* rgb, double bound, const Code& code) {
+    return same_code(rgb[0], bound, code) && same_code(rgb[1], bound, code) && same_code(rgb[2], bound, code);
+}
 
 }  // namespace strahl

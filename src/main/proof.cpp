@@ -10,12 +10,6 @@ namespace strahl {
 
 namespace {
 
-/// Would the file hold the same for all values that are no further than `bound` from this one?
-bool same_in_file(double value, double bound, const FileFormat& format) {
-    if (format.bits == 32) return same_code(value, bound, [](double v) { return static_cast<float>(v); });
-    return same_code(value, bound, [&](double v) { return quantise(v, format.linear, (1 << format.bits) - 1); });
-}
-
 const double* values_of(const Tile& tile) { return std::get<std::span<const double>>(tile.rgb).data(); }
 
 }  // namespace
@@ -23,9 +17,12 @@ const double* values_of(const Tile& tile) { return std::get<std::span<const doub
 Proof::Proof(const Lattice& own_part, const FileFormat& own_format)
     : part(own_part), format(own_format), bounds(std::size_t(part.columns) * part.rows), proved(bounds.size()) {}
 
+/// Would the file hold the same for all values that are no further than the bound from those of pixel i?
 bool Proof::decided(const Tile& tile, int i) const {
     const double* const rgb = values_of(tile) + 3 * i;
-    return std::all_of(rgb, rgb + 3, [&](double value) { return same_in_file(value, tile.bounds[i], format); });
+    if (format.bits == 32) return same_codes(rgb, tile.bounds[i], [](double v) { return static_cast<float>(v); });
+    return same_codes(rgb, tile.bounds[i],
+                      [&](double v) { return quantise(v, format.linear, (1 << format.bits) - 1); });
 }
 
 void Proof::put(const Pixel& pixel, const double* rgb, PictureWriter& writer) const {
@@ -35,22 +32,22 @@ void Proof::put(const Pixel& pixel, const double* rgb, PictureWriter& writer) co
 void Proof::keep(const Tile& tile, PictureWriter& writer) {
     const double* const rgb = values_of(tile);
     const Lattice& own = tile.lattice;
-    std::vector<int> left;
+    bool all = true;
     for (int i = 0; i < own.columns * own.rows; ++i) {
         const std::size_t at = place_of(own.x + i % own.columns, own.y + i / own.columns);
+        const bool known = decided(tile, i);
         bounds[at] = tile.bounds[i];
-        proved[at] = decided(tile, i) ? By::in_double : By::nothing;
-        if (proved[at] == By::nothing) left.push_back(i);
+        proved[at] = known ? By::in_double : By::nothing;
+        all &= known;
     }
-    if (left.empty()) return writer.put(own.x - part.x, own.y - part.y, own.columns, own.rows, rgb);
-    auto next = left.begin();
+    if (all) return writer.put(own.x - part.x, own.y - part.y, own.columns, own.rows, rgb);
     const std::lock_guard lock(mutex);
     for (int i = 0; i < own.columns * own.rows; ++i) {
         const Pixel pixel{own.x + i % own.columns, own.y + i / own.columns};
-        if (next == left.end() || i != *next)
-            put(pixel, rgb + 3 * i, writer);
+        if (proved[place_of(pixel.x, pixel.y)] == By::nothing)
+            undecided.push_back({pixel, {rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2]}});
         else
-            undecided.push_back({pixel, {rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2]}}), ++next;
+            put(pixel, rgb + 3 * i, writer);
     }
 }
 

@@ -52,8 +52,8 @@ std::string to_json(const Stats& stats) {
     json << "  \"samples\": " << samples(stats) << ",\n";
     if (const auto& proved = stats.proved)
         json << "  \"proof\": { \"bits\": " << proved->bits << ", \"proved\": " << proved->proved
-             << ", \"in_extended\": " << proved->in_extended << ", \"undecided\": " << proved->undecided << ", \"bound_median\": " << number(proved->median)
-             << " },\n";
+             << ", \"in_extended\": " << proved->in_extended << ", \"undecided\": " << proved->undecided
+             << ", \"bound_median\": " << number(proved->median) << " },\n";
     json << "  \"lanes\": " << stats.lanes << ",\n  \"threads\": " << stats.threads << ",\n";
     json << "  \"parse_seconds\": " << stats.parse_seconds << ",\n  \"build_seconds\": " << stats.build_seconds
          << ",\n";

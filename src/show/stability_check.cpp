@@ -49,10 +49,8 @@ class Undecided {
 
   private:
     bool decided(const Tile& tile, int i) const {
-        const double* const rgb = std::get<std::span<const double>>(tile.rgb).data() + 3 * i;
-        return std::all_of(rgb, rgb + 3, [&](double v) {
-            return same_code(v, tile.bounds[i], [this](double value) { return quantise(value, linear, 255); });
-        });
+        return same_codes(std::get<std::span<const double>>(tile.rgb).data() + 3 * i, tile.bounds[i],
+                          [this](double v) { return quantise(v, linear, 255); });
     }
 
     Tracer tracer, extended;

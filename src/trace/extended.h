@@ -81,9 +81,10 @@ void emit_in(const Shape& shape, const WorldTransform& to_world, std::span<const
              const Emit& emit, bool proves = true) {
     if constexpr (std::is_same_v<T, Extended> &&
                   requires(const ExtendedTransform& own) { extended_kernel(shape, own); }) {
-        const ExtendedTransform own(steps, to_world.origin, to_world.scale);
-        if (proves && own.known() && (to_world.similar() || std::is_same_v<Shape, Plane>))
-            return emit(extended_kernel(shape, own));
+        if (proves && (to_world.similar() || std::is_same_v<Shape, Plane>)) {
+            const ExtendedTransform own(steps, to_world.origin, to_world.scale);
+            if (own.known()) return emit(extended_kernel(shape, own));
+        }
     }
     shape.template emit<T>(to_world, emit);
 }

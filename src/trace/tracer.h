@@ -77,8 +77,8 @@ struct View {
     double shift_x = 0, shift_y = 0;  // of the sampling point from the pixel's centre, in pixels
     double error = 0;  // a pixel may lack this much light in a channel: weak rays are left out until they add up to it
     double time = 0;   // in seconds: where moving bodies and lights are
-    /// Tiles come with bounds of their errors; one ray in each pixel, in float64 or extended. What is exact goes through the
-    /// pixel's middle: by how much a shift changes it is in the bound.
+    /// Tiles come with bounds of their errors; one ray in each pixel, in float64 or extended. What is exact goes through
+    /// the pixel's middle: by how much a shift changes it is in the bound.
     bool prove = false;
     std::shared_ptr<const std::vector<Track>> tracks{};  // if any, in place of the scene's
 };

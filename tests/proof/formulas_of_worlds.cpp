@@ -24,9 +24,7 @@ template <class T>
 struct Differences {
     Closest share{"place and size of a body"}, turn{"axis or normal"}, plane{"distance of a plane"};
 
-    static R off(const Vec3<T>& computed, const Vector& exact) {
-        return length(Vector{computed.x, computed.y, computed.z} - exact);
-    }
+    static R off(const Vec3<T>& computed, const Vector& exact) { return length(vector(computed) - exact); }
 
     /// Of a shape under these transformations.
     template <class Shape>
@@ -80,10 +78,9 @@ struct RayDifferences {
         const T u = fma(T(x), eye.scale_x, eye.bias_x), v = fma(T(y), eye.scale_y, eye.bias_y);
         const Vec3<T> d = fma(u, eye.right, fma(v, eye.down, eye.forward));
         const Vec3<T> direction = scale(1 / std::sqrt(dot(d, d)), d);
-        const auto exactly = [](const Vec3<T>& own) { return Vector{own.x, own.y, own.z}; };
-        turn.take(length(exact.ray(x, y).direction - unit(exactly(direction))), slack.eye_turn);
+        turn.take(length(exact.ray(x, y).direction - unit(vector(direction))), slack.eye_turn);
         const Vector place = R(placement.scale) * (exact.position - Vector(placement.origin));
-        start.take(length(place - exactly(eye.position)), slack.eye_away);
+        start.take(length(place - vector(eye.position)), slack.eye_away);
     }
 };
 

@@ -26,7 +26,10 @@ inline constexpr double inf = std::numeric_limits<double>::infinity();
 
 inline R length(const Vector& v) { return root(dot(v, v)); }
 inline R size(R x) { return x < 0 ? -x : x; }
-inline Vector vector(const Vec3<double>& v) { return {v.x, v.y, v.z}; }
+template <class T>
+Vector vector(const Vec3<T>& v) {
+    return {v.x, v.y, v.z};
+}
 inline DVec3 rounded(const Vector& v) {
     return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
 }
