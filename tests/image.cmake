@@ -1,9 +1,7 @@
 # Files, pictures and their comparison, and the parts of the commands that need nothing else.
-strahl_test(file strahl_text)
-strahl_test(picture strahl_image)
-strahl_test(bands strahl_image)
-strahl_test(hostile_pictures strahl_image)
-strahl_test(compare strahl_image)
-strahl_test(progress strahl_flags)
-target_sources(test_compare PRIVATE ${CMAKE_SOURCE_DIR}/src/main/command_compare.cpp)
-target_sources(test_progress PRIVATE ${CMAKE_SOURCE_DIR}/src/main/progress.cpp)
+# These two replace functions of the C library and the sanitizers' options, each for itself.
+strahl_tests(test_file unit strahl_text file)
+strahl_tests(test_picture unit strahl_image picture)
+strahl_tests(test_image unit "strahl_image;strahl_text" bands hostile_pictures compare progress)
+target_sources(test_image PRIVATE ${CMAKE_SOURCE_DIR}/src/main/command_compare.cpp
+                                  ${CMAKE_SOURCE_DIR}/src/main/progress.cpp)

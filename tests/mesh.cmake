@@ -1,3 +1,2 @@
 # Readers of mesh files.
-strahl_test(mesh_files strahl_mesh)
-strahl_test(hostile_meshes strahl_mesh)
+strahl_tests(test_mesh unit strahl_mesh mesh_files hostile_meshes)

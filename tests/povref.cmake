@@ -1,5 +1,3 @@
 # Conversion to POV-Ray and stored pictures; and POV-Ray itself, which must be installed.
-strahl_test(povref strahl_povref)
-strahl_test(povref_agreement strahl_povref)
-strahl_test(povray strahl_povref)
+strahl_tests(test_povref unit strahl_povref povref povref_agreement povray)
 set_tests_properties(povray PROPERTIES LABELS slow TIMEOUT 600)

@@ -19,7 +19,7 @@ target_link_libraries(strahl_picture_check PUBLIC strahl_text strahl_trace)
 add_executable(attack_renderer ${attack}/renderer.cpp ${attack}/wild_scene.cpp ${attack}/wild_materials.cpp
                ${attack}/wild_values.cpp)
 target_link_libraries(attack_renderer PRIVATE strahl_picture_check)
-strahl_test(attacked strahl_picture_check)
+strahl_tests(test_attacked unit strahl_picture_check attacked)
 add_dependencies(attack attack_renderer)
 add_test(NAME attack_renderer COMMAND attack_renderer --seconds 5)
 

@@ -3,7 +3,7 @@
 // Where a change of the engine is meant to change pictures, the file is written anew, from this machine's best
 // instruction set:
 //
-//     build/release/tests/test_hashes --no-skip --test-case="hashes.txt is written anew"
+//     build/release/tests/test_trace --no-skip --test-case="hashes.txt is written anew"
 #include <doctest/doctest.h>
 
 #include <bit>

@@ -34,7 +34,7 @@ bool soon(const std::function<bool()>& done) {
 
 TEST_CASE("stills equal rendered pictures and replace no file") {
     const Scratch folder;
-    const auto scene = scene_of();
+    const auto scene = shown_scene();
     const View view{.camera = scene->camera, .width = 20, .height = 15, .depth = 5};
     {
         std::ofstream(folder / "still.bmp") << "mine";
@@ -66,7 +66,7 @@ TEST_CASE("stills equal rendered pictures and replace no file") {
 
 TEST_CASE("unfinished stills are dropped by name and leave no file") {
     const Scratch folder;
-    const auto scene = scene_of();
+    const auto scene = shown_scene();
     Stills stills(2, [] {});
     for (const char* name : {"a", "b"})
         stills.add({scene, {.camera = scene->camera, .width = 8000, .height = 6000}, folder / name});
@@ -76,7 +76,7 @@ TEST_CASE("unfinished stills are dropped by name and leave no file") {
 
 TEST_CASE("a still that can't be written reports the reason") {
     const Scratch folder;
-    const auto scene = scene_of();
+    const auto scene = shown_scene();
     Stills stills(1, [] {});
     stills.add({scene, {.camera = scene->camera, .width = 4, .height = 3}, folder / "missing/still"});
     REQUIRE(soon([&] { return stills.pending() == 0; }));

@@ -14,7 +14,7 @@ sphere { <0,0,2>, 2 material { rgb <1,.2,.2> } }
 sphere { <2.5,-2,1>, 1 material { rgb <.2,1,.2> refraction .6 ior 1.3 } }
 plane { <0,0,0>, <1,0,0>, <0,1,0> }
 )";
-inline std::shared_ptr<const Scene> scene_of(const std::string& more = "") {
+inline std::shared_ptr<const Scene> shown_scene(const std::string& more = "") {
     return std::make_shared<const Scene>(parse_scene(scene_text + more, "test"));
 }
 

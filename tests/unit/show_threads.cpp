@@ -101,7 +101,7 @@ TEST_CASE("the finished picture equals one rendered in float") {
     for (const char* more : {"", "global_settings { assumed_gamma 1 }"})
         for (const auto& [width, height] : {std::pair{64, 48}, {77, 35}, {5, 3}}) {
             Watcher watcher;
-            const Order order = order_of(1, scene_of(more), width, height);
+            const Order order = order_of(1, shown_scene(more), width, height);
             watcher.tracing.want(order);
             REQUIRE(watcher.finish(1));
             CHECK(watcher.screen.rgba == exact(order).image.rgba);
@@ -113,7 +113,7 @@ TEST_CASE("the finished picture equals one rendered in float") {
 
 TEST_CASE("the newest view wins") {
     Watcher watcher;
-    const auto scene = scene_of();
+    const auto scene = shown_scene();
     Order order;
     for (int i = 1; i <= 200; ++i) {
         order = order_of(i, scene, 64 + i % 3, 48, 10 + 0.01 * i);
@@ -126,7 +126,7 @@ TEST_CASE("the newest view wins") {
 
 TEST_CASE("in motion a picture is not refined; at rest refinement continues") {
     Watcher watcher;
-    Order order = order_of(1, scene_of(), 64, 48);
+    Order order = order_of(1, shown_scene(), 64, 48);
     order.moving = true, order.finest = 3;
     watcher.tracing.want(order);
     REQUIRE(watcher.watch([](const Refinement& r) { return r.number == 1; }));
@@ -146,7 +146,7 @@ TEST_CASE("in motion a picture is not refined; at rest refinement continues") {
 
 TEST_CASE("the resolution follows the budget, up to the limit") {
     Watcher watcher;
-    const auto scene = scene_of();
+    const auto scene = shown_scene();
     for (const auto& [budget, finest, level] : {std::tuple{1e9, 5, 5}, {1e9, finest_level, finest_level}, {1e-9, 8, 0}})
         for (int i = 1; i <= 20; ++i) {
             Order order = order_of(watcher.state.number + 1, scene, 32, 24, 10 + 0.01 * i);
@@ -159,21 +159,21 @@ TEST_CASE("the resolution follows the budget, up to the limit") {
 
 TEST_CASE("another scene, another depth, another size") {
     Watcher watcher;
-    Order order = order_of(1, scene_of(), 64, 48);
+    Order order = order_of(1, shown_scene(), 64, 48);
     watcher.tracing.want(order);
     REQUIRE(watcher.finish(1));
     order.number = 2, order.view.depth = 1;
     watcher.tracing.want(order);
     REQUIRE(watcher.finish(2));
     CHECK(watcher.screen.rgba == exact(order).image.rgba);
-    order = order_of(3, scene_of("background { color <1,0,0> } global_settings { assumed_gamma 1 }"), 40, 30);
+    order = order_of(3, shown_scene("background { color <1,0,0> } global_settings { assumed_gamma 1 }"), 40, 30);
     watcher.tracing.want(order);
     REQUIRE(watcher.finish(3));
     CHECK(watcher.screen.rgba == exact(order).image.rgba);
 }
 
 TEST_CASE("tracing can be stopped at any time") {
-    const auto scene = scene_of();
+    const auto scene = shown_scene();
     for (int i = 0; i < 30; ++i) {
         TraceThread tracing(2, [] {});
         if (i % 3 > 0) tracing.want(order_of(1, scene, 400, 300));
