@@ -46,6 +46,7 @@ struct ConeKernel {
 
     template <class S>
     STRAHL_INLINE Span<S> span(const Ray<S>& ray, S start) const {
+        constexpr auto inf = std::numeric_limits<Element<S>>::infinity();
         const S zero(0), one(1), two(2), h(height);
         const Mask<S> starts_here = (start >= zero) & (start < S(faces));
         const Vec3<S> a = splat<S>(axis), d = ray.direction, f = ray.origin - splat<S>(base);
@@ -56,6 +57,8 @@ struct ConeKernel {
 
         if (any(starts_here)) {
             const S beyond = leave_side(f, d, along_f, along_d);
+            // Near is the face it starts on: cross_side() tells nothing of rays that miss the side.
+            side.near = select(start == zero, S(inf), select(starts_here, S(-inf), side.near));
             side.far = select(start == zero, beyond, select(starts_here & !side.hit, zero, side.far));
             along_f = select(start == one, zero, select(start == two, h, along_f));
         }

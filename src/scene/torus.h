@@ -113,9 +113,14 @@ struct Torus {
     static constexpr auto fields = std::make_tuple(
         Field{"centre", &Torus::centre, "the point in the middle"},
         Field{"axis", &Torus::axis, "the direction around which the torus lies", Range::direction},
-        Field{"major radius", &Torus::major, "from the centre to the middle of the tube", Range::positive},
+        Field{"major radius", &Torus::major,
+              "from the centre to the middle of the tube; at least a thousandth of the other", Range::positive},
         Field{"minor radius", &Torus::minor, "that of the tube", Range::positive});
-    const char* fault() const { return length(axis) > 0 ? nullptr : "its axis has no direction"; }
+    const char* fault() const {
+        if (!(length(axis) > 0)) return "its axis has no direction";
+        // Of one that is all but a sphere rounding can't tell the two sheets.
+        return major >= minor / 1000 ? nullptr : "its major radius is less than a thousandth of its minor one";
+    }
     Box bounds() const {
         const DVec3 a = normalize(axis);
         DVec3 reach;

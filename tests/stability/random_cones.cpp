@@ -104,6 +104,7 @@ TEST_CASE("rays that start on a cone: none meets it again from outside, all cros
             const Span<T> next = own.span(Ray<T>{point.position, d, span.near_face}, span.near_face);
             CHECK(next.near == 0);
             const T side = dot(point.normal, d);
+            if (side < 0) CHECK(next.near_face == span.near_face);
             self += side > 0 && next.hit && next.far > 0;
             const double slack = 1e3 * double(std::numeric_limits<T>::epsilon()) * (cone.height() + 9);
             const bool deep =
