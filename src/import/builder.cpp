@@ -29,14 +29,14 @@ bool has_direction(const DVec3& v) { return within(v, anything) && largest(v) >=
 void Builder::set_camera(const Camera& camera) {
     if (!within(camera.position, coordinates) || !within(camera.look_at, coordinates) ||
         !within(camera.up, coordinates))
-        words.fail("the camera is too far away: coordinates go up to 1e15");
+        words.fail("the camera is too far away: coordinates go up to 1e9");
     if (const char* const fault = degenerate(camera)) words.fail(std::string("the camera sees nothing: ") + fault);
     scene.camera = camera;
 }
 
 void Builder::add_light(Light light) {
     if (scene.lights.size() == limits.lights) words.fail("more than " + std::to_string(limits.lights) + " lights");
-    if (!within(light.position, coordinates)) return warn("a light is left out: coordinates go up to 1e15");
+    if (!within(light.position, coordinates)) return warn("a light is left out: coordinates go up to 1e9");
     if (light.direction && !has_direction(*light.direction))
         return warn("a directional light is left out: it has no direction");
     if (light.direction && !within(*light.direction, directions)) *light.direction /= largest(*light.direction);

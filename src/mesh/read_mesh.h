@@ -27,7 +27,7 @@ struct MeshLimits {
 /// of
 ///   vertices. OBJ's faces without any among others that have some are at the origin.
 ///
-/// Every index is in range, every coordinate from -1e15 to 1e15, and every normal that a corner uses has a direction.
+/// Every index is in range, every coordinate from -1e9 to 1e9, and every normal that a corner uses has a direction.
 /// Only regular files are opened. Throws FileError, which says where in the file the fault is and what to do.
 MeshData read_mesh(const std::string& path, const MeshLimits& limits = {});
 

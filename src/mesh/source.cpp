@@ -24,9 +24,9 @@ void Source::fail(const std::string& message, const char* at) const {
 }
 
 std::string Source::fault(const DVec3& point) {
-    const auto fine = [](double c) { return c >= -1e15 && c <= 1e15; };  // as in scenes; false for NaN
+    const auto fine = [](double c) { return c >= -1e9 && c <= 1e9; };  // as in scenes; false for NaN
     if (fine(point.x) && fine(point.y) && fine(point.z)) return "";
-    return "lies at " + text_of(point) + "; coordinates go from -1e15 to 1e15";
+    return "lies at " + text_of(point) + "; coordinates go from -1e9 to 1e9";
 }
 
 void Source::check_triangles(std::uint64_t count) const {

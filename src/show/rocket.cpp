@@ -17,13 +17,13 @@
 
 #include "scene/error.h"
 #include "text/messages.h"
+#include "text/parameter.h"
 
 namespace strahl {
 namespace {
 
 constexpr std::string_view demo_greeting = "hello, synctracker!", editor_greeting = "hello, demo!";
 constexpr char get_track = 2, set_row = 3;
-constexpr double largest_value = 1e15;
 constexpr std::uint32_t last_row = 1'000'000'000;
 constexpr std::size_t most_unsent = 1 << 20;
 
@@ -60,7 +60,7 @@ std::optional<RocketCommand> command_of(std::string_view bytes, bool& broken) {
             const auto way = static_cast<unsigned char>(bytes[13]);
             broken |= way >= interpolations;
             if (broken || !std::isfinite(value)) return std::nullopt;
-            command.key.value = std::clamp<double>(value, -largest_value, largest_value);
+            command.key.value = std::clamp<double>(value, coordinates.low, coordinates.high);
             command.key.way = static_cast<Interpolation>(way);
             return command;
         }

@@ -26,7 +26,7 @@ struct RocketCommand {
 class RocketDecoder {
   public:
     /// Adds what these bytes complete. A key whose value is no number or whose row is beyond 1e9 is left out, and
-    /// values stay within -1e15 to 1e15. False once there was something else than the protocol's commands: what follows
+    /// values stay within -1e9 to 1e9. False once there was something else than the protocol's commands: what follows
     /// can't be read.
     bool feed(std::string_view bytes, std::vector<RocketCommand>& commands);
 

@@ -5,6 +5,7 @@
 
 #include "num/vec_math.h"
 #include "show/session.h"
+#include "text/parameter.h"
 
 namespace strahl {
 namespace {
@@ -56,7 +57,7 @@ Answer Session::add_key(double now) {
 
 Answer Session::change_key(std::size_t number, const Keyframe& key, bool merged, double now) {
     const Camera there = camera_of(key, scene->camera);
-    const auto within = [](double v) { return std::abs(v) <= 1e12; };
+    const auto within = [](double v) { return coordinates.contains(v); };
     bool sound = there.fov > 0 && there.fov < 90 && within(key.time);
     for (int i = 0; i < 3; ++i) sound &= within(there.position[i]) && within(there.look_at[i]);
     if (!sound) return {"a camera can't be like this", ""};

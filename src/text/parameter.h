@@ -20,12 +20,12 @@ struct Bounds {
 
 inline constexpr double largest_number = std::numeric_limits<double>::max();
 inline constexpr double smallest_positive = std::numeric_limits<double>::min();  // denormals lose digits
-inline constexpr double largest_coordinate = 1e15;
-inline constexpr Bounds coordinates{-largest_coordinate, largest_coordinate, "from -1e15 to 1e15"};
+inline constexpr double largest_coordinate = 1e9;
+inline constexpr Bounds coordinates{-largest_coordinate, largest_coordinate, "from -1e9 to 1e9"};
 inline constexpr Bounds lengths{smallest_positive, largest_coordinate,
-                                "greater than 0 (at least 2.3e-308) and at most 1e15"};
-inline constexpr Bounds lengths_or_zero{0, largest_coordinate, "from 0 to 1e15"};
-inline constexpr Bounds seconds{0, largest_coordinate, "from 0 to 1e15"};
+                                "greater than 0 (at least 2.3e-308) and at most 1e9"};
+inline constexpr Bounds lengths_or_zero{0, largest_coordinate, "from 0 to 1e9"};
+inline constexpr Bounds seconds{0, largest_coordinate, "from 0 to 1e9"};
 inline constexpr Bounds shares{0, 1, "from 0 to 1"};
 // Products of three of these are numbers in float too.
 inline constexpr Bounds not_negative{0, 1e9, "from 0 to 1e9"};
@@ -39,7 +39,7 @@ inline constexpr Bounds octave_counts{1, 10, "a whole number from 1 to 10", true
 inline constexpr Bounds grid_sizes{1, 64, "a whole number from 1 to 64", true};
 inline constexpr Bounds row_counts{1, 256, "a whole number from 1 to 256", true};
 inline constexpr Bounds only_one{1, 1, "1, the only value known"};
-inline constexpr Bounds directions{-largest_coordinate, largest_coordinate, "from -1e15 to 1e15, not all 0"};
+inline constexpr Bounds directions{-largest_coordinate, largest_coordinate, "from -1e9 to 1e9, not all 0"};
 inline constexpr Bounds anything{-largest_number, largest_number, "a number"};
 
 /// The bounds of a coefficient.

@@ -111,7 +111,7 @@ void Reader::set_time(double& time, const std::optional<double>& beat, std::stri
     if (!beat || !block.good()) return;
     if (music) time = *beat * 60 / music->bpm;
     if (music && seconds.contains(time)) return;
-    diagnostics.add(at, music ? "this beat is after more than 1e15 seconds"
+    diagnostics.add(at, music ? "this beat is after more than 1e9 seconds"
                               : "how long a beat is must be said above: 'music { bpm 120 }'");
     block.bad = true;
 }

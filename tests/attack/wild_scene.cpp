@@ -113,7 +113,7 @@ void Wild::repeat_body() {
     Primitive copy = scene.primitives[number];
     if (dice.chance(.85)) {
         const double distance = dice.chance(wildness) ? this->number(lengths) : dice.in(0, 8);
-        copy.transformations.push_back(Translate{dice.vector(-1, 1) * std::min(distance, 1e12)});
+        copy.transformations.push_back(Translate{dice.vector(-1, 1) * std::min(distance, largest_coordinate)});
     }
     if (dice.chance(.3)) copy.material = new_material();
     trim(copy);

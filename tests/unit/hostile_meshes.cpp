@@ -111,7 +111,7 @@ TEST_CASE("numbers that are none, or too large") {
           Says{"a.ply:12: vertex 2 (counted from 0) has more values"});
     CHECK(fault_in("a.ply", changed("3 0 1 2", "3 0 1 2 0")) ==
           Says{"a.ply:13: face 0 (counted from 0) has more values"});
-    for (const char* word : {"nan", "inf", "-inf", "1.0000001e15", "-1e16", "1e308"}) {
+    for (const char* word : {"nan", "inf", "-inf", "1.0000001e9", "-1e10", "1e308"}) {
         CAPTURE(word);
         CHECK(fault_in("a.ply", changed("0 1 0", std::string("0 ") + word + " 0")) ==
               Says{":12: vertex 2 (counted from 0) lies at <0, "});
@@ -124,7 +124,7 @@ TEST_CASE("numbers that are none, or too large") {
         for (const char* number : {"float", "double"})
             CHECK(fault_in("a.ply", ply_of(mesh, {"binary_big_endian", number})) == Says{"vertex 1 (counted from 0)"});
     }
-    CHECK(fault_in("a.ply", changed("0 1 0", "0 1e15 0")) == "");
+    CHECK(fault_in("a.ply", changed("0 1 0", "0 1e9 0")) == "");
     CHECK(fault_in("a.obj", "v 0 0\nv 1 0 0") == Says{"a.obj:1: this line ends where a coordinate should be"});
 }
 

@@ -62,12 +62,12 @@ TEST_CASE("mistakes with names") {
     check_fault(ball + "ball { <0,0,0> }", "3:8: a word or '}' expected in 'ball', but here comes '<'");
     check_fault(ball + "ball { scale 1e300 }",
                 "3:8: up to here the transformations of this ball make it too large, too small or too far away "
-                "(coordinates go up to 1e15)");
+                "(coordinates go up to 1e9)");
     check_fault("define thin disc { <0,0,0>, <0,0,1>, 1 }\nunion { thin { } }",
                 "3:9: a thin can't be part of a body: only closed ones can");
     // An error in a definition is told once.
     check_fault("define ball sphere { <0,0,0>, -1 }\nball { } ball { scale 2 }",
-                "2:31: 'radius' of 'sphere' must be greater than 0 (at least 2.3e-308) and at most 1e15, not '-1'");
+                "2:31: 'radius' of 'sphere' must be greater than 0 (at least 2.3e-308) and at most 1e9, not '-1'");
     // What doubles 40 times is more than a scene may have, and ends early.
     std::string doubling = "define a0 sphere { <0,0,0>, 1 }\n";
     for (int i = 1; i < 40; ++i) {

@@ -12,7 +12,7 @@ TEST_CASE("an error is quoted with a caret under it") {
     // Columns count characters; the caret is right after tabs, wide letters and combining marks.
     CHECK(message(eye + "/* \xC3\xA4\xE6\x97\xA5"
                         "a\xCC\x88 */\tsphere { <0,0,0>, -1 }") ==
-          "x.rt:2:30: 'radius' of 'sphere' must be greater than 0 (at least 2.3e-308) and at most 1e15, not '-1'\n"
+          "x.rt:2:30: 'radius' of 'sphere' must be greater than 0 (at least 2.3e-308) and at most 1e9, not '-1'\n"
           "    /* \xC3\xA4\xE6\x97\xA5"
           "a\xCC\x88 */    sphere { <0,0,0>, -1 }\n"
           "                                    ^~");

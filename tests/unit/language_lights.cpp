@@ -46,7 +46,7 @@ TEST_CASE("fog") {
     CHECK(!with_eye("").fog);
     check_fault("fog { color <1,1,1> }", "2:1: 'fog' lacks 'distance'");
     check_fault("fog { color <1,1,1> distance 0 }",
-                "2:30: 'distance' of 'fog' must be greater than 0 (at least 2.3e-308) and at most 1e15, not '0'");
+                "2:30: 'distance' of 'fog' must be greater than 0 (at least 2.3e-308) and at most 1e9, not '0'");
     check_fault("fog { color <1,1,1> distance 1 }\nfog { color <1,1,1> distance 1 }",
                 "3:1: a second 'fog'; the first is in line 2");
 }

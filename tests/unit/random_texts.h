@@ -39,12 +39,12 @@ class RandomScenes {
     DVec3 position() {
         DVec3 p;
         for (int i = 0; i < 3; ++i) {
-            constexpr double odd[] = {0, -0.0, 1e15, -1e15, 5e-324, 1e-300, .1, 1. / 3, 123456789.123456789};
+            constexpr double odd[] = {0, -0.0, 1e9, -1e9, 5e-324, 1e-300, .1, 1. / 3, 123456789.123456789};
             p[i] = chance(6) ? odd[below(std::size(odd))] : number(100);
         }
         return p;
     }
-    double length() { return chance(6) ? std::exp(uniform(-300, 30)) : .25 + std::fabs(number(10)); }
+    double length() { return chance(6) ? std::exp(uniform(-300, 20)) : .25 + std::fabs(number(10)); }
     double positive() { return chance(6) ? std::exp(uniform(-20, 20)) : .25 + std::fabs(number(10)); }
     double not_negative() { return chance(6) ? 0 : chance(8) ? 1e9 : std::fabs(number(4)); }
     Light light() {

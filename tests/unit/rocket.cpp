@@ -66,7 +66,7 @@ TEST_CASE("commands are the same however they are cut into packets") {
         CHECK(commands[2].paused);
         CHECK((commands[3].track == 3 && commands[3].key.row == 8));
         CHECK(!commands[5].paused);
-        CHECK(commands[6].key == TrackKey{1'000'000'000, 1e15, Interpolation::ramp});
+        CHECK(commands[6].key == TrackKey{1'000'000'000, 1e9, Interpolation::ramp});
     }
 }
 

@@ -70,9 +70,9 @@ TEST_CASE("between keys a track goes as the first of them says") {
     for (const Interpolation way :
          {Interpolation::step, Interpolation::linear, Interpolation::smooth, Interpolation::ramp}) {
         CHECK(at(way, 2) == 10);
-        CHECK(at(way, -1e15) == 10);
+        CHECK(at(way, -1e9) == 10);
         CHECK(at(way, 6) == 30);
-        CHECK(at(way, 1e15) == 30);
+        CHECK(at(way, 1e9) == 30);
     }
     CHECK(at(Interpolation::step, 5.99) == 10);
     CHECK(at(Interpolation::linear, 3) == 15);
@@ -147,7 +147,7 @@ TEST_CASE("pictures are those of the values at the moment") {
 
 TEST_CASE("numbers stay within what they may be, whatever an editor sends") {
     Scene scene = parse(followers);
-    for (const double value : {0., -1., 1e15, -1e15, 1e-300}) {
+    for (const double value : {0., -1., 1e9, -1e9, 1e-300}) {
         scene.tracks = tracks_named("abcdefghij", {{0, value, Interpolation::step}});
         const Scene now = at(scene, 0);
         CHECK(!degenerate(camera_at(scene, 0.)));
@@ -215,7 +215,7 @@ TEST_CASE("keys can stand at beats of the music") {
     check_fault(music + "sphere { <0,0,0>, 1 motion { key { beat 15 " + keys.substr(0, 8) + "beat 3 scale 2 } } }",
                 "3:52: times must rise: the key before, in line 3, is not earlier than this one");
     check_fault("music { bpm 1e-9 }\nsphere { <0,0,0>, 1 motion { key { beat 1e9 " + keys,
-                "3:36: this beat is after more than 1e15 seconds");
+                "3:36: this beat is after more than 1e9 seconds");
     check_fault("sphere { <0,0,0>, 1 motion { key { " + keys, "2:30: 'key' lacks 'time' (or 'beat')");
 }
 
@@ -270,11 +270,11 @@ TEST_CASE("mistakes in a file of tracks") {
                  {"x.tracks:1:17: unknown word 'smoth' after a key; did you mean 'smooth'?",
                   "x.tracks:1:24: this key lacks 'step', 'linear', 'smooth' or 'ramp', the way to the next one"});
     check_tracks("track \"x\" { 2 1 step\n2 1 step }", {"x.tracks:2:1: rows must rise: the key before is in row 2"});
-    check_tracks("track \"x\" { -1 1 step 1.5 1 step 1e10 1 step 0 1e16 step }",
+    check_tracks("track \"x\" { -1 1 step 1.5 1 step 1e10 1 step 0 1e10 step }",
                  {"x.tracks:1:13: 'row' of 'track' must be a whole number from 0 to 1e9, not '-1'",
                   "x.tracks:1:23: 'row' of 'track' must be a whole number from 0 to 1e9, not '1.5'",
                   "x.tracks:1:34: 'row' of 'track' must be a whole number from 0 to 1e9, not '1e10'",
-                  "x.tracks:1:48: 'value' of 'track' must be from -1e15 to 1e15, not '1e16'"});
+                  "x.tracks:1:48: 'value' of 'track' must be from -1e9 to 1e9, not '1e10'"});
     check_tracks("trakc \"x\" { }\ntrack \"y\" { }\ntrack \"y\" { }",
                  {"x.tracks:1:1: unknown word 'trakc' in a file of tracks; did you mean 'track'?",
                   "x.tracks:3:8: a second track of this name"});
