@@ -7,6 +7,7 @@ add_executable(attack_io ${attack}/io.cpp ${attack}/attacked.cpp ${attack}/cases
 foreach(part strahl_fail attack_io)
   target_compile_options(${part} PRIVATE -Wall -Wextra)
 endforeach()
+set_target_properties(attack_io PROPERTIES UNITY_BUILD ON)
 if(STRAHL_SANITIZE)
   target_compile_definitions(strahl_fail PRIVATE STRAHL_SANITIZED)
 endif()
