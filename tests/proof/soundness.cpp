@@ -14,6 +14,7 @@
 
 #include "tests/proof/exact.h"
 #include "tests/proof/worlds.h"
+#include "tests/unit/sanitized.h"
 #include "tests/unit/scenes.h"
 #include "trace/thread_pool.h"
 
@@ -125,7 +126,7 @@ int number(const char* variable, int otherwise) {
 }  // namespace
 
 TEST_CASE("proofs do not lie") {
-    const int worlds = number("PROOF_WORLDS", 60), first = number("PROOF_FIRST", 0);
+    const int worlds = number("PROOF_WORLDS", sanitized() ? 15 : 60), first = number("PROOF_FIRST", 0);
     Judged all, edges;
     for (int seed = first; seed < first + worlds; ++seed) {
         const Scene scene = proof::random_world(seed);

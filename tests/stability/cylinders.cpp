@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "scene/cylinder.h"
 #include "tests/stability/naive.h"
@@ -140,4 +141,12 @@ TEST_CASE("a wire thinner than any epsilon") {
             CHECK(std::abs(seen - 64 * std::tan(std::asin(1. / 6)) / std::tan(20 / 57.29577951308232)) <= 1);
         }
     }
+}
+
+TEST_CASE_TEMPLATE("points on a rod that rounding hides are points of its axis", T, float, double) {
+    const CylinderKernel<T> rod{{0, 0, 0}, {0, 0, 1}, std::numeric_limits<T>::min(), 1};
+    const SurfacePoint<T> point = rod.at(Ray<T>{{0, -1, T(.5)}, {0, 1, 0}, -1}, T(1), T(0));
+    CHECK(point.position.z == T(.5));
+    CHECK(naive::length(Vec3<T>(point.position.x, point.position.y, 0)) < T(1e-30));
+    CHECK(!std::isnan(point.normal.x + point.normal.y + point.normal.z));
 }
