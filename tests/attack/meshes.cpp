@@ -18,7 +18,7 @@ void read(const std::string& path) {
     };
     promise(!mesh.triangles.empty());
     promise(mesh.corner_normals.empty() || mesh.corner_normals.size() == mesh.triangles.size());
-    for (const DVec3& p : mesh.points) promise(std::abs(p.x) <= 1e15 && std::abs(p.y) <= 1e15 && std::abs(p.z) <= 1e15);
+    for (const DVec3& p : mesh.points) promise(std::abs(p.x) <= 1e9 && std::abs(p.y) <= 1e9 && std::abs(p.z) <= 1e9);
     for (const auto& [a, b, c] : mesh.triangles) {
         const auto last = static_cast<std::int32_t>(mesh.points.size()) - 1;
         promise(std::min({a, b, c}) >= 0 && std::max({a, b, c}) <= last);
