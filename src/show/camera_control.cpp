@@ -33,7 +33,8 @@ DVec3 turned(const Axes& axes, double right, double upwards) {
 /// `moved`, or `camera` if `moved` is degenerate, too far from the origin or too near to look_at.
 Camera checked(const Camera& moved, const Camera& camera) {
     const double reach = std::max(length(moved.position), length(moved.look_at));
-    const bool sound = reach <= largest_coordinate && length(moved.look_at - moved.position) > 1e-9 * reach && !degenerate(moved);
+    const bool sound =
+        reach <= largest_coordinate && length(moved.look_at - moved.position) > 1e-9 * reach && !degenerate(moved);
     return sound ? moved : camera;
 }
 

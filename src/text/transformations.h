@@ -49,8 +49,7 @@ inline const char* flat_fault(glm::dmat4 m) {
     for (int i = 0; i < 3; ++i) m[i] /= largest;
     return condition(m) < 1e12 ? "" : "flatten it: one side shrinks more than 1e12 times as much as another";
 }
-inline constexpr const char* reach_fault =
-    "make it too large, too small or too far away (coordinates go up to 1e9)";
+inline constexpr const char* reach_fault = "make it too large, too small or too far away (coordinates go up to 1e9)";
 /// Why a space may not be transformed so, or "".
 inline std::string transformations_fault(const glm::dmat4& m) {
     for (int c = 0; c < 3; ++c)

@@ -109,9 +109,8 @@ TEST_CASE("invalid flythroughs") {
     check_fault(path("duration 2", "1", "1"),
                 "4:40: times must rise: the key before, in line 3, is not earlier than this one");
     check_fault(path("duration 2", "0", "2.5"), "4:40: this is after the end, which 'duration' in line 2 sets");
-    check_fault(
-        path("duration 0", "0", "1"),
-        "2:23: 'duration' of 'flythrough' must be greater than 0 (at least 2.3e-308) and at most 1e9, not '0'");
+    check_fault(path("duration 0", "0", "1"),
+                "2:23: 'duration' of 'flythrough' must be greater than 0 (at least 2.3e-308) and at most 1e9, not '0'");
     check_fault(path("duration 2", "-1", "1"), "3:45: 'time' of 'key' must be from 0 to 1e9, not '-1'");
     check_fault(path("loop duration 2", "0", "2"),
                 "4:40: at this time the loop is at its first key again: make this key the same as that in line 3, or "

@@ -49,7 +49,7 @@ TEST_CASE("stills equal rendered pictures and replace no file") {
             paths.insert(outcome.path);
         }
         CHECK(paths == std::set<std::string>{folder / "still-2.bmp", folder / "still-3.bmp", folder / "still-4.bmp",
-                                                folder / "still.png"});
+                                             folder / "still.png"});
         CHECK(stills.outcomes().empty());
     }
     CHECK(bytes_of(folder / "still.bmp") == "mine");
