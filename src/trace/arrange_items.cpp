@@ -82,7 +82,7 @@ void WorldArrays<T>::make_hierarchy(ThreadPool& pool) {
     // Where light passes bodies, their order in the leaves is that in which their colours are multiplied.
     hierarchy = moving && !world.transparent ? moving->fit(std::move(boxes), starts, rounding(reach), pool)
                                              : build_hierarchy(std::move(boxes), size, rounding(reach), pool);
-    if (!moving) trim_memory();  // what moves needs as much again soon
+    if (!moving && size > share_items) trim_memory();  // what moves needs as much again soon
 
     // Item i in the order of the leaves becomes item places[i] of its form.
     const auto form_at = [&](std::int32_t i) {

@@ -12,6 +12,19 @@
 
 namespace strahl {
 
+WildScene affordable(WildScene wild) {
+    constexpr int most = 10000, step = 4;
+    View& view = wild.view;
+    const Lattice few{0, 0, (view.width + step - 1) / step, (view.height + step - 1) / step, step, step};
+    ThreadPool one(1);
+    Tracer tracer(wild.scene, Precision::float32, Simd::scalar);
+    const Counts counts = tracer.trace(view, few, one, [](const Tile&) {});
+    const double rays = static_cast<double>(counts.total()) / few.columns / few.rows;
+    while (view.width * view.height * rays > most && view.width > 5)
+        view.width = (view.width + 1) / 2, view.height = (view.height + 1) / 2;
+    return wild;
+}
+
 PictureCheck::Values PictureCheck::trace(Tracer& tracer, const Lattice& lattice, ThreadPool& pool) {
     Values values(std::size_t(3) * lattice.columns * lattice.rows);
     tracer.trace(wild.view, lattice, pool, [&](const Tile& tile) { place(tile, lattice, values); });

@@ -30,7 +30,7 @@ std::string words_of(const WildScene& wild) {
 
 /// Tells what is wrong with the scene of a seed, and writes it to a file. Is anything?
 bool attack(PictureCheck& check, std::uint64_t seed) {
-    const WildScene wild = wild_scene(seed);
+    const WildScene wild = affordable(wild_scene(seed));
     const std::vector<std::string> faults = check.faults(wild);
     if (faults.empty()) return false;
     const std::string file = "seed-" + std::to_string(seed) + ".rt";
@@ -46,7 +46,7 @@ void shrink(std::uint64_t seed) {
         const std::vector<std::string> faults = check.faults(wild);
         return faults.empty() ? "" : faults[0].substr(0, faults[0].find(':'));
     };
-    WildScene wild = wild_scene(seed);
+    WildScene wild = affordable(wild_scene(seed));
     const std::string first = kind(wild);
     if (first.empty()) return;
     if (first.starts_with(name(Precision::float64))) check.precisions = {Precision::float64};
@@ -73,7 +73,7 @@ int main(int count, char** arguments) {
         else
             return std::fprintf(stderr, "attack_renderer: what is '%s'?\n", arguments[i]), 2;
     }
-    if (write) return std::fputs(words_of(wild_scene(seed)).c_str(), stdout), 0;
+    if (write) return std::fputs(words_of(affordable(wild_scene(seed))).c_str(), stdout), 0;
 
     // Each tracer's workspaces come from what the last one left, which is faster, and shows who reads before writing.
     ::mallopt(M_MMAP_THRESHOLD, 1 << 30), ::mallopt(M_TRIM_THRESHOLD, 1 << 30);
