@@ -11,6 +11,7 @@
 
 using namespace strahl;
 using namespace strahl::stability;
+using naive::unit;
 
 namespace {
 
@@ -23,10 +24,6 @@ BoxKernel<T> kernel(const Cuboid& box, const WorldTransform& to_world = {}) {
 template <class T>
 Span<T> ours(const Cuboid& box, const Vec3<T>& o, const Vec3<T>& d) {
     return kernel<T>(box).span(Ray<T>{o, d, T(-1)}, T(-1));
-}
-template <class T>
-Vec3<T> unit(const Vec3<T>& v) {
-    return v / naive::length(v);
 }
 /// Products with 1/d, ordered with min and max, as in many a book.
 template <class T>

@@ -18,10 +18,7 @@ template <class T>
 Span<T> ours(const Cone& cone, const Vec3<T>& o, const Vec3<T>& d) {
     return kernel<T>(cone).span(Ray<T>{o, d, T(-1)}, T(-1));
 }
-template <class T>
-Vec3<T> unit(const Vec3<T>& v) {
-    return v / naive::length(v);
-}
+using naive::unit;
 
 /// In 113 bits: where the ray first meets the cone, or infinity.
 inline double exact(const Cone& cone, const DVec3& o, const DVec3& d) {

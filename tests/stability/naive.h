@@ -13,6 +13,10 @@ template <class T>
 T length(const Vec3<T>& a) {
     return root(times(a, a));
 }
+template <class T>
+Vec3<T> unit(const Vec3<T>& v) {
+    return v / length(v);
+}
 template <class R, class T>
 Vec3<R> to(const Vec3<T>& v) {
     return {static_cast<R>(v.x), static_cast<R>(v.y), static_cast<R>(v.z)};

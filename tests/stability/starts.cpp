@@ -14,11 +14,11 @@ using namespace strahl::stability;
 
 namespace {
 
-struct Wrong {
+struct WrongRays {
     int self = 0, lost = 0;  // reflected rays that hit the sphere again; refracted ones that miss its far side
 };
 struct Comparison {
-    Wrong naive, ours;
+    WrongRays naive, ours;
     double chord = 0;  // largest error of Strahl's chords, in radii
 };
 

@@ -15,13 +15,10 @@
 
 using namespace strahl;
 using namespace strahl::stability;
+using naive::unit;
 
 namespace {
 
-template <class T>
-Vec3<T> unit(const Vec3<T>& v) {
-    return v / naive::length(v);
-}
 /// How far p is outside of the torus, in 64 bits.
 template <class T>
 long double outside(const TorusKernel<T>& torus, const DVec3& p) {

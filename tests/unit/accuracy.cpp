@@ -14,9 +14,7 @@
 #include "trace/edge.h"
 #include "trace/thread_pool.h"
 
-using namespace strahl;
-
-namespace {
+namespace strahl::accuracy {
 
 const int columns = sanitized() ? 12 : 40, rows = sanitized() ? 9 : 30, every = sanitized() ? 9 : 1;
 
@@ -29,8 +27,6 @@ double apart(const Frame& a, const Frame& b, int pixel) {
     }
     return most;
 }
-
-}  // namespace
 
 // At the scene's depth: there is no exact picture of unlimited depth. Light past the depth limit is tested in
 // bound.cpp.
@@ -107,3 +103,5 @@ TEST_CASE("an edge is a jump, not a gradual change") {
     CHECK(near < columns * rows / 2);
     CHECK(nearer < near);
 }
+
+}  // namespace strahl::accuracy

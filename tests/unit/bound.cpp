@@ -12,9 +12,7 @@
 #include "trace/thread_pool.h"
 #include "trace/tracer.h"
 
-using namespace strahl;
-
-namespace {
+namespace strahl::bound {
 
 View view_of(const Scene& scene, int depth, double error = 0) {
     return {.camera = scene.camera, .width = 24, .height = 18, .depth = depth, .error = error};
@@ -62,8 +60,6 @@ void hold(const Scene& scene, int depth) {
     }
 }
 
-}  // namespace
-
 TEST_CASE("no more radiance is lost than the bound says") {
     for (int seed = 0; seed < 40; ++seed) {
         CAPTURE(seed);
@@ -108,3 +104,5 @@ TEST_CASE("a larger error needs fewer rays, and error 0 traces all") {
         last = counts.total();
     }
 }
+
+}  // namespace strahl::bound

@@ -13,9 +13,7 @@
 #include "trace/images.h"
 #include "trace/thread_pool.h"
 
-using namespace strahl;
-
-namespace {
+namespace strahl::footprints {
 
 /// Black and white squares of 4 pixels.
 Pixels checks(const std::string&) {
@@ -92,8 +90,6 @@ double rms(const std::vector<double>& a, const std::vector<double>& b) {
     for (std::size_t i = 0; i < a.size(); ++i) squares += (a[i] - b[i]) * (a[i] - b[i]);
     return 510 * std::sqrt(squares / double(a.size()));
 }
-
-}  // namespace
 
 TEST_CASE("every mip level has the mean of its picture") {
     Dice dice(5);
@@ -275,3 +271,5 @@ TEST_CASE("filtered pictures depend neither on threads, crops nor lanes") {
         }
     }
 }
+
+}  // namespace strahl::footprints

@@ -12,9 +12,7 @@
 #include "tests/unit/scenes.h"
 #include "trace/thread_pool.h"
 
-using namespace strahl;
-
-namespace {
+namespace strahl::lattice_cells {
 
 constexpr double contrast = 3. / 255;
 
@@ -48,8 +46,6 @@ std::vector<double> differences(const Traced& a, const Traced& b) {
 double share_above(const std::vector<double>& values, double limit) {
     return double(std::ranges::count_if(values, [&](double v) { return v > limit; })) / double(values.size());
 }
-
-}  // namespace
 
 TEST_CASE("a picture that is filled where it is smooth looks like the one that is traced") {
     for (const std::string name : {"article", "flythrough", "die", "mirror_ball"}) {
@@ -145,3 +141,5 @@ TEST_CASE("a picture that is stopped hands on whole tiles only") {
     CHECK(tiles >= 1);
     CHECK(tiles <= 2);
 }
+
+}  // namespace strahl::lattice_cells

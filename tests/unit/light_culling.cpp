@@ -18,9 +18,7 @@
 #include "trace/thread_pool.h"
 #include "trace/tracer.h"
 
-using namespace strahl;
-
-namespace {
+namespace strahl::light_culling {
 
 const int columns = sanitized() ? 10 : 40, rows = sanitized() ? 8 : 30;
 const int every = sanitized() ? 9 : 1, random_scenes = sanitized() ? 8 : 120;
@@ -46,8 +44,6 @@ double largest_difference(const Scene& scene, Precision precision) {
         most = std::max(most, std::abs(few.rgb[i] - many.rgb[i]) / std::max(1., std::abs(few.rgb[i])));
     return most;
 }
-
-}  // namespace
 
 TEST_CASE("light culling does not change pictures") {
     int index = 0, seen = 0;
@@ -140,8 +136,6 @@ TEST_CASE("a body is isolated if no other body reaches into it") {
     CHECK(isolated({glass, ball({1.5, 1.5, 2}, 1)}, 0, 1e-6));      // boxes overlap, balls do not
 }
 
-namespace {
-
 /// A floor under clusters of balls and cylinders, small and large, many of which touch or overlap.
 Scene large_world(int seed, bool scattered) {
     std::mt19937 engine(seed);
@@ -190,8 +184,6 @@ std::vector<double> in_stripes(const Scene& scene, const View& view, Precision p
     return values;
 }
 
-}  // namespace
-
 TEST_CASE("light buffers do not change a bit") {
     const int scenes = sanitized() ? 1 : 4;
     for (int seed = 0; seed < scenes; ++seed) {
@@ -226,3 +218,5 @@ TEST_CASE("light buffers are bounded, and the same for any number of threads") {
         if (Sphere* const ball = std::get_if<Sphere>(&primitive.shape)) ball->radius = 3;
     CHECK(made(scene, 1).second == 0);
 }
+
+}  // namespace strahl::light_culling

@@ -12,9 +12,7 @@
 #include "trace/cell_picture.h"
 #include "trace/thread_pool.h"
 
-using namespace strahl;
-
-namespace {
+namespace strahl::sampling {
 
 View view_of(const Scene& scene, int width, int height) {
     return {.camera = scene.camera, .width = width, .height = height, .depth = 6, .error = 1. / 510};
@@ -42,8 +40,6 @@ double rms(const std::vector<double>& a, const std::vector<double>& b) {
     }
     return 510 * std::sqrt(squares / double(a.size()));
 }
-
-}  // namespace
 
 TEST_CASE("a grid is the average of shifted pictures") {
     const Scene scene = random_scene(3);
@@ -206,3 +202,5 @@ TEST_CASE("what is counted of samples") {
     CHECK(a.count() == 25);
     CHECK(Sampled().error() == 0);
 }
+
+}  // namespace strahl::sampling
