@@ -10,12 +10,12 @@ flythrough { duration 9  key { time 0  position <0, 0, 0>  look_at <0, 1, 0> }
                          key { time 9  position <0, 1, 0>  look_at <0, 2, 0> } }
 SCENE
 
-# stop SIGNAL ARGUMENT...: starts a rendering that would take minutes, and interrupts it when some of it is done.
+# stop SIGNAL ARGUMENT...: starts a rendering that takes long, and interrupts it when some of it is done.
 stop() {
     local signal=$1 delay pid status
     shift
     for delay in .5 1 2 4 8 16; do
-        "$strahl" render long.rt --depth 256 --precision extended --threads 2 "$@" 2>said &
+        "$strahl" render long.rt --depth 100 --precision extended --threads 2 "$@" 2>said &
         pid=$!
         sleep "$delay"
         kill -s "$signal" "$pid"

@@ -43,7 +43,9 @@ LineCrossings<R> crossings(const Torus& torus, const Line<R>& line, int source) 
     const Vector<R> d = R(1) / length * line.direction;
     const R shift = source == 0 ? R(0) : -dot(o, d);
     const Vector<R> p = o + shift * d;
-    const R square = dot(p, p), along = dot(p, axis), slope = dot(d, axis), towards = dot(p, d);
+    const R square = dot(p, p), far = (major + minor) * (1 + R(1e-9));
+    if (source != 0 && square > far * far) return found;  // it misses the ball around the torus
+    const R along = dot(p, axis), slope = dot(d, axis), towards = dot(p, d);
     const R k = square + major * major - minor * minor, four = 4 * major * major;
     std::vector<R> c{k * k - four * (square - along * along), 4 * k * towards - 2 * four * (towards - along * slope),
                      2 * k + 4 * towards * towards - four * (1 - slope * slope), 4 * towards, R(1)};

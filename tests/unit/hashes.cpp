@@ -13,6 +13,7 @@
 #include <string>
 
 #include "tests/unit/levels.h"
+#include "tests/unit/sanitized.h"
 #include "tests/unit/scenes.h"
 
 using namespace strahl;
@@ -48,9 +49,11 @@ std::string line(const std::string& scene_name, Simd simd) {
 
 TEST_CASE("pictures have the stored hashes") {
     std::ifstream in(file);
+    int number = 0;
     for (const std::string& scene : scene_names()) {
         std::string stored;
         std::getline(in, stored);
+        if (sanitized() && ++number % 3) continue;
         for (const Simd simd : fused_levels()) {
             CAPTURE(std::string(name(simd)));
             CHECK(line(scene, simd) == stored);

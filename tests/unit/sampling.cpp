@@ -66,7 +66,7 @@ TEST_CASE("averages come out as exact as they aim") {
     for (const std::string name : {"article", "die", "flythrough"}) {
         CAPTURE(name);
         const Scene scene = read_scene(name);
-        const View view = view_of(scene, 120, 90);
+        const View view = view_of(scene, 96, 72);
         const std::vector<double> exact = whole(scene, view, {.grid = 12}, Precision::float32);
         const double stairs = rms(whole(scene, view, {.grid = 1}), exact);
         const double usual = rms(whole(scene, view, {}), exact), fine = rms(whole(scene, view, {.error = 2e-4}), exact);
@@ -85,7 +85,7 @@ TEST_CASE("the error that is estimated is the true one, within a factor of two")
                                       {"kinds/torus", 6}}) {
         CAPTURE(name);
         const Scene scene = read_scene(name);
-        View view = view_of(scene, 160, 120);
+        View view = view_of(scene, 120, 90);
         view.depth = depth;
         const Lattice all{.columns = view.width, .rows = view.height};
         const std::vector<double> exact = whole(scene, view, {.grid = 16}, Precision::float32);
