@@ -218,7 +218,7 @@ void compare(Dice& dice, bool meshes, Precision precision, R unsure, Count& sum)
     Tree tree(dice, meshes);
     Camera& camera = tree.stage.scene.camera;
     tree.stage.look(dice.direction() * dice(7, 12), DVec3(dice(-1, 1), dice(-1, 1), dice(-1, 1)), 30, dice.direction());
-    const Frame frame = shoot(tree.stage.scene, precision, sanitized() ? Shot{.width = 32, .height = 24} : Shot{});
+    const Frame frame = shoot(tree.stage.scene, precision, sanitized() ? Shot{.width = 20, .height = 15} : Shot{});
     const CameraFrame view = frame_of(camera, double(frame.width) / frame.height);
     for (int y = 0; y < frame.height; ++y)
         for (int x = 0; x < frame.width; ++x) {
@@ -258,5 +258,5 @@ double wanted_rays() {
 TEST_CASE("random trees with faces in the same planes, against plain inside tests") { compare(wanted_rays(), false); }
 
 TEST_CASE("random trees with closed meshes, against plain inside tests") {
-    compare(sanitized() ? 1500 : std::max(wanted_rays() / 2, 3e4), true);
+    compare(sanitized() ? 2000 : std::max(wanted_rays() / 2, 3e4), true);
 }
