@@ -1,6 +1,8 @@
 #include "scene/composite.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "scene/leaves.h"
 #include "scene/overlap.h"
@@ -9,15 +11,18 @@
 namespace strahl {
 namespace {
 
-/// The box around a part, which for a plane across an axis ends there.
+/// The box around a part, which for a plane across an axis ends there. Turned by a right angle it still is across one;
+/// more than that rounding leans it too much for a world of any size.
 Box box_of(const Primitive& part, const glm::dmat4& to_world) {
     Box box = transformed_bounds(part, to_world);
     const Plane* const plane = std::get_if<Plane>(&part.shape);
     if (!plane) return box;
     const HalfSpace space = plane->half_space(to_world * matrix(part.transformations));
+    constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
     for (int c = 0; c < 3; ++c) {
-        if (space.normal[c] == 1) box.high[c] = space.point[c];
-        if (space.normal[c] == -1) box.low[c] = space.point[c];
+        const bool leans =
+            std::abs(space.normal[(c + 1) % 3]) > rounding || std::abs(space.normal[(c + 2) % 3]) > rounding;
+        if (!leans) (space.normal[c] > 0 ? box.high : box.low)[c] = space.point[c];
     }
     return box;
 }

@@ -74,6 +74,20 @@ Box transformed_bounds(const Shape& any, const glm::dmat4& m) {
         any);
 }
 
+double reach_from(const DVec3& point, const Primitive& primitive) {
+    double most = 0;
+    const auto look = [&](const Box& box) {
+        if (!box.finite()) return;
+        for (int c = 0; c < 3; ++c)
+            most = std::max({most, std::abs(box.low[c] - point[c]), std::abs(box.high[c] - point[c])});
+    };
+    look(world_bounds(primitive));
+    for_each_leaf(primitive, [&](const Primitive& leaf, const glm::dmat4& to_world) {
+        look(transformed_bounds(leaf.shape, to_world));
+    });
+    return most;
+}
+
 std::optional<HalfSpace> half_space(const Primitive& primitive) {
     return std::visit(
         [&]<class Kind>(const Kind& shape) -> std::optional<HalfSpace> {

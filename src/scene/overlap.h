@@ -10,6 +10,9 @@ Box world_bounds(const Primitive& primitive);
 Box transformed_bounds(const Primitive& primitive, const glm::dmat4& to_world);
 /// The same of a shape.
 Box transformed_bounds(const Shape& shape, const glm::dmat4& to_world);
+/// How far from a point the primitive and all of its parts reach along an axis of the world, as far as they are
+/// bounded; 0 if nothing is. A part may reach further than what others leave of it.
+double reach_from(const DVec3& point, const Primitive& primitive);
 /// The half-space that a primitive of an unbounded kind is.
 std::optional<HalfSpace> half_space(const Primitive& primitive);
 

@@ -69,7 +69,9 @@ void WorldArrays<T>::add_items(const Scene& scene, const Placement& placement, T
                                           placement.origin, placement.scale};
             const Box whole = transformed_bounds(primitive.shape, to_world.matrix);
             const Box box{to_world.place(whole.low), to_world.place(whole.high)};
-            if (box.finite())
+            if (std::visit([]<class Kind>(const Kind&) { return is_composite<Kind>; }, primitive.shape))
+                reach = std::max(reach, reach_from(placement.origin, primitive) * placement.scale);
+            else if (box.finite())
                 for (int c = 0; c < 3; ++c) reach = std::max({reach, std::abs(box.low[c]), std::abs(box.high[c])});
             std::int32_t leaf = leaf_of(i);
             const T material = static_cast<T>(material_of(primitive, leaf));

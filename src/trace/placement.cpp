@@ -12,13 +12,9 @@ namespace {
 /// How far bodies and lights reach from a point.
 double reach_from(const DVec3& point, const Scene& scene) {
     double most = 0;
-    const auto look = [&](const DVec3& p) {
-        for (int c = 0; c < 3; ++c) most = std::max(most, std::fabs(p[c] - point[c]));
-    };
-    for (const Primitive& primitive : scene.primitives)
-        if (const Box box = world_bounds(primitive); box.finite()) look(box.low), look(box.high);
+    for (const Primitive& primitive : scene.primitives) most = std::max(most, reach_from(point, primitive));
     for (const Light& light : scene.lights)
-        if (!light.direction) look(light.position);
+        for (int c = 0; c < 3 && !light.direction; ++c) most = std::max(most, std::fabs(light.position[c] - point[c]));
     return most;
 }
 

@@ -8,7 +8,7 @@
 #include "tests/referee/random_pattern.h"
 #include "text/parse.h"
 #include "text/write.h"
-#include "trace/world.h"
+#include "trace/bound.h"
 
 namespace strahl {
 
@@ -31,21 +31,21 @@ PictureCheck::Values PictureCheck::trace(Tracer& tracer, const Lattice& lattice,
     return values;
 }
 
-/// Infinity comes out as the largest number of the precision. Light that passes glass brighter than white grows up to
-/// largest_gain times; in float, where it may pass a body more or less, that is right if in double it is so bright that
-/// one such gain leads there.
+/// No value may be brighter than light in this scene can be, but for rounding. Where that is more than the precision
+/// has, infinity comes out as its largest number; that a value is less in double says nothing, for in float a ray may
+/// pass a glass body more or miss a shadow.
 void PictureCheck::look_for_strange_values(const Values& values, Precision precision, const std::string& setting) {
     const double most =
         precision == Precision::float32 ? std::numeric_limits<float>::max() : std::numeric_limits<double>::max();
+    const double bound = 1.001 * bound_for(wild.scene, wild.view.depth).brightest.back();
+    const double limit =
+        bound < most || precision == Precision::float32 ? std::min(bound, most) : std::nextafter(most, 0);
     std::size_t count = 0, first = 0;
-    const auto too_bright = [&](std::size_t i) {
-        return precision == Precision::float32 && i < in_double.size() && in_double[i] > most / largest_gain;
-    };
     for (std::size_t i = 0; i < values.size(); ++i)
-        if (!(values[i] >= 0 && (values[i] < most || too_bright(i))) && count++ == 0) first = i;
+        if (!(values[i] >= 0 && values[i] <= limit) && count++ == 0) first = i;
     if (count)
         found.push_back(setting + ": " + std::to_string(count) + " of " + std::to_string(values.size()) +
-                        " values are not finite or negative, the first in pixel " +
+                        " values are not finite, negative or too bright, the first in pixel " +
                         std::to_string(first / 3 % wild.view.width) + "," +
                         std::to_string(first / 3 / wild.view.width) + ": " + std::to_string(values[first]));
 }
@@ -78,7 +78,6 @@ void PictureCheck::check(Precision precision) {
     const Lattice whole{.columns = view.width, .rows = view.height};
     Tracer scalar(wild.scene, precision, Simd::scalar);
     const Values expected = trace(scalar, whole, one);
-    if (precision == Precision::float64) in_double = expected;
     look_for_strange_values(expected, precision, setting(Simd::scalar, ""));
     for (const Simd simd : levels) {
         Tracer tracer(wild.scene, precision, simd);
@@ -98,7 +97,7 @@ void PictureCheck::check(Precision precision) {
 }
 
 std::vector<std::string> PictureCheck::faults(const WildScene& scene) {
-    wild = scene, found.clear(), in_double.clear();
+    wild = scene, found.clear();
     try {
         if (parse_scene(write_scene(wild.scene), "written", {}, made_up_pixels) != wild.scene)
             found.push_back("written and parsed it is another scene");

@@ -33,7 +33,6 @@ class PictureCheck {
     // Of a sanitize build only the scalar one is instrumented.
     std::vector<Simd> levels = sanitized() ? std::vector{Simd::scalar} : fused_levels();
     WildScene wild;
-    Values in_double;  // if that was traced before
     std::vector<std::string> found;
 };
 

@@ -18,8 +18,8 @@
 
 namespace strahl::trial {
 
-using exact::R;
-using exact::Vector;
+using R = Quadruple;
+using Vector = referee::Vector<R>;
 using referee::Line;
 
 inline constexpr double inf = std::numeric_limits<double>::infinity();

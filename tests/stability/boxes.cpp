@@ -4,10 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <vector>
 
+#include "scene/overlap.h"
 #include "tests/stability/naive.h"
 #include "tests/stability/stage.h"
 #include "tests/unit/levels.h"
+#include "trace/build.h"
 #include "trace/thread_pool.h"
 
 using namespace strahl;
@@ -205,4 +209,14 @@ TEST_CASE("a ray's hit does not depend on its neighbours in the pack") {
     const Frame whole = shoot(scene, Precision::float32, {64, 48, 3});
     const View view{.camera = scene.camera, .width = 64, .height = 48, .depth = 3};
     for (const Simd simd : fused_levels()) CHECK(render(scene, view, Precision::float32, 1, simd) == whole);
+}
+
+TEST_CASE("a unit of length in which parts that others take away are not too far off") {
+    Scene scene;
+    scene.camera.position = {0, 0, 6e-112}, scene.camera.look_at = {0, 0, 0};
+    const Primitive dot{Sphere{{0, 0, 0}, 1e-112}, 0, {}}, far{Sphere{{0, 0, 9e8}, 1}, 0, {}};
+    const auto parts = std::make_shared<const std::vector<Primitive>>(std::vector<Primitive>{dot, far});
+    scene.primitives = {{Difference{parts}, 0, {}}};
+    CHECK(reach_from({0, 0, -1e8}, scene.primitives[0]) == 1e9 + 1);
+    CHECK(9e8 / extent_of(scene).size < 0x1p61);  // or squares of coordinates would overflow in float
 }

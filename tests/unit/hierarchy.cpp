@@ -12,7 +12,11 @@
 
 #include "scene/error.h"
 #include "scene/scene.h"
+#include "tests/referee/random_pattern.h"
+#include "tests/referee/referee.h"
+#include "tests/unit/levels.h"
 #include "tests/unit/sanitized.h"
+#include "text/parse.h"
 #include "trace/duplicates.h"
 #include "trace/moving_hierarchy.h"
 #include "trace/thread_pool.h"
@@ -189,4 +193,22 @@ TEST_CASE("round bodies that hardly lean are within their boxes") {
         CHECK(Cylinder{-axis, {0, 0, 0}, 3}.bounds().high.z >= rim);
         CHECK(Cone{-axis, 1, {0, 0, 0}, 3}.bounds().high.z >= rim);
     }
+}
+
+TEST_CASE("rays from the far side of a part far larger than the other bodies") {
+    // In float they meet a box and a rod at distances that are off by more than these are large.
+    const Scene scene = parse_scene(R"(
+        camera { position <5.5, 0, 0> look_at <0, 0, 0> up <0, 1, 0> fov 45 }
+        box { <0, 0, 1>, <1, 1, 0> }
+        union {
+          sphere { <0, -.845219132480084, -1>, 25529607.089063216
+            material { normal image { "1-7-109" map spherical scale .2
+              rotate <-70.22148176685813, -70.67283933075757, 113.58161125184893> } } }
+          plane { <2.245337251199974, 0, 2>, <.47930883524154044, 1, 2.4765051087822503>, <2, 1, 1> }
+        }
+        cylinder { <1, -2.6, 0>, <0, 0, 0>, 2 material { ambient 1 } })",
+                                    "text", {}, made_up_pixels);
+    const View view{.camera = scene.camera, .width = 280, .height = 240, .depth = 2};
+    const Frame scalar = render(scene, view, Precision::float32, 1, Simd::scalar);
+    for (const Simd simd : fused_levels()) CHECK(render(scene, view, Precision::float32, 1, simd) == scalar);
 }

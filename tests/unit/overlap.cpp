@@ -195,3 +195,16 @@ TEST_CASE("a composite that is endless on one side moves with its transformation
     CHECK(box.high.z == 5);
     CHECK(box.low.z == -std::numeric_limits<double>::infinity());
 }
+
+TEST_CASE("a plane ends a composite's box only if it lies across an axis, but for rounding") {
+    const auto upper = [](double lean, const strahl::Transformation& turn) {
+        const strahl::Plane plane{{0, 0, 0}, {1, 0, lean}, {0, 1, 0}};
+        const auto parts = std::make_shared<const std::vector<strahl::Primitive>>(
+            std::vector<strahl::Primitive>{{strahl::Sphere{{0, 0, 0}, 1e9}, 0, {}}, {plane, 0, {}}});
+        return strahl::world_bounds({strahl::Intersection{parts}, 0, {turn}}).high;
+    };
+    const strahl::Translate nowhere{{0, 0, 0}};
+    CHECK(upper(0, nowhere).z == 0);
+    CHECK(upper(1e-9, nowhere).z >= 1);  // its normal's z is 1 in double
+    CHECK(upper(0, strahl::Rotate{{-90, 0, 0}}).y == 0);
+}
