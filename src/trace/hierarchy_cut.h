@@ -30,9 +30,10 @@ inline const Bounds nothing{Quad{} + infinity, Quad{} - infinity};
 inline Bounds bounds_of(const ItemBox& box) { return std::bit_cast<Bounds>(box); }
 
 /// With a margin, and with what rounding cost: half a unit in the last place was lost when the corner was rounded, and
-/// half a one is lost here.
+/// half a one is lost here. The smallest floats have few places.
 inline Bounds grown(const Bounds& box, double margin) {
-    const Quad grow = Quad{} + static_cast<float>(margin), units = Quad{} + 0x1p-22f;
+    const Quad grow = Quad{} + (static_cast<float>(margin) + std::numeric_limits<float>::min()),
+               units = Quad{} + 0x1p-22f;
     return {box.low - (grow + maximum(box.low, -box.low) * units),
             box.high + (grow + maximum(box.high, -box.high) * units)};
 }

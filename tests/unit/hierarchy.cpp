@@ -195,6 +195,15 @@ TEST_CASE("round bodies that hardly lean are within their boxes") {
     }
 }
 
+TEST_CASE("the boxes of a hierarchy hold bodies however small coordinates are") {
+    for (const double x : {1.1, 1e-30, 1e-40, 6.24e-45, 1e-46}) {
+        CAPTURE(x);
+        const Hierarchy hierarchy = built({item_box(Box{DVec3(x), DVec3(x)}, 0)}, 0, 1);
+        CHECK(hierarchy.nodes[0].low[0][0] < x);
+        CHECK(hierarchy.nodes[0].high[0][0] > x);
+    }
+}
+
 TEST_CASE("rays from the far side of a part far larger than the other bodies") {
     // In float they meet a box and a rod at distances that are off by more than these are large.
     const Scene scene = parse_scene(R"(
