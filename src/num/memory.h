@@ -100,7 +100,7 @@ STRAHL_INLINE void add_lanes(Element<S>* to, const S& index, int lanes, const Ve
     if constexpr (interleaves<S>) {
         alignas(64) T fours[4 * width<S>];
         interleave(fours, v.x, v.y, v.z);
-        for (int k = 0; k < lanes; ++k) add_four(to + 4 * static_cast<int>(at[k]), fours + 4 * interleaved(k));
+        for (int k = 0; k < lanes; ++k) add_four(to + 4 * static_cast<int>(at[k]), fours + 4 * interleaved<S>(k));
         return;
     }
     alignas(64) T terms[3][width<S>];

@@ -170,32 +170,32 @@ STRAHL_INLINE void store_whole(int* to, const Pack<T>& numbers) {
 /// How many fields load_fields() reads at once; 1: there is none.
 template <class S>
 inline constexpr int fields_at_once = 1;
-template <>
-inline constexpr int fields_at_once<Pack<float>> = has_mask_registers ? 4 : 1;
-template <>
-inline constexpr int fields_at_once<Pack<double>> = has_mask_registers ? 2 : 1;
+template <class T>
+inline constexpr int fields_at_once<Pack<T>> = has_mask_registers ? 4 : 1;
 /// to[f] are the numbers at from[k] + f.
 template <class T>
 STRAHL_INLINE void load_fields(const T* const* from, Pack<T>* to) {
     typename Native<T, sizeof(Pack<T>)>::Register registers[fields_at_once<Pack<T>>];
-    if constexpr (sizeof(T) == 4)
-        load_fours(from, registers);
-    else
-        load_twos(from, registers);
+    load_fours(from, registers);
     for (int f = 0; f < fields_at_once<Pack<T>>; ++f) to[f] = Pack<T>(typename Pack<T>::Register(registers[f]));
 }
 
 /// Is there an interleave()?
 template <class S>
 inline constexpr bool interleaves = false;
-template <>
-inline constexpr bool interleaves<Pack<float>> = has_mask_registers;
-/// Writes (x, y, z, 0) of lane k from 4 * interleaved(k) on: then one add_four serves all three.
+template <class T>
+inline constexpr bool interleaves<Pack<T>> = has_mask_registers;
+/// Writes (x, y, z, 0) of lane k from 4 * interleaved<Pack<T>>(k) on: then one add_four serves all three.
 template <class T>
 STRAHL_INLINE void interleave(T* to, Pack<T> x, Pack<T> y, Pack<T> z) {
     interleave(to, raw(x), raw(y), raw(z));
 }
-constexpr int interleaved(int k) { return 4 * (k % 4) + k / 4; }
+/// As unpacking leaves them: every fourth float beside each other, every second double.
+template <class S>
+constexpr int interleaved(int k) {
+    constexpr int rows = 16 / sizeof(Element<S>);
+    return width<S> / rows * (k % rows) + k / rows;
+}
 
 template <class T>
 struct LaneTraits<Pack<T>> {

@@ -88,16 +88,19 @@ STRAHL_INLINE void load_fours(const float* const* from, __m512* to) {
     to[2] = _mm512_castpd_ps(_mm512_unpacklo_pd(high_ab, high_cd));
     to[3] = _mm512_castpd_ps(_mm512_unpackhi_pd(high_ab, high_cd));
 }
-/// Two numbers from each of 8 places.
-STRAHL_INLINE void load_twos(const double* const* from, __m512d* to) {
+/// The same from each of 8 places.
+STRAHL_INLINE void load_fours(const double* const* from, __m512d* to) {
     const auto row = [from](int j) __attribute__((always_inline)) {
-        const __m512d first = _mm512_castpd128_pd512(_mm_loadu_pd(from[j]));
-        const __m512d two = _mm512_insertf64x2(first, _mm_loadu_pd(from[2 + j]), 1);
-        return _mm512_insertf64x2(_mm512_insertf64x2(two, _mm_loadu_pd(from[4 + j]), 2), _mm_loadu_pd(from[6 + j]), 3);
+        return _mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_loadu_pd(from[j])), _mm256_loadu_pd(from[4 + j]), 1);
     };
-    const __m512d a = row(0), b = row(1);
-    to[0] = _mm512_unpacklo_pd(a, b);
-    to[1] = _mm512_unpackhi_pd(a, b);
+    const __m512d a = row(0), b = row(1), c = row(2), d = row(3);
+    const __m512i low = _mm512_setr_epi64(0, 1, 8, 9, 4, 5, 12, 13), high = _mm512_setr_epi64(2, 3, 10, 11, 6, 7, 14, 15);
+    const __m512d even_ab = _mm512_unpacklo_pd(a, b), even_cd = _mm512_unpacklo_pd(c, d);
+    const __m512d odd_ab = _mm512_unpackhi_pd(a, b), odd_cd = _mm512_unpackhi_pd(c, d);
+    to[0] = _mm512_permutex2var_pd(even_ab, low, even_cd);
+    to[1] = _mm512_permutex2var_pd(odd_ab, low, odd_cd);
+    to[2] = _mm512_permutex2var_pd(even_ab, high, even_cd);
+    to[3] = _mm512_permutex2var_pd(odd_ab, high, odd_cd);
 }
 
 /// See interleaved() in pack.h.
@@ -114,6 +117,19 @@ STRAHL_INLINE void interleave(float* to, __m512 x, __m512 y, __m512 z) {
 }
 STRAHL_INLINE void add_four(float* to, const float* from) {
     _mm_storeu_ps(to, _mm_add_ps(_mm_loadu_ps(to), _mm_load_ps(from)));
+}
+STRAHL_INLINE void interleave(double* to, __m512d x, __m512d y, __m512d z) {
+    const __m512d none = _mm512_setzero_pd();
+    const __m512i first = _mm512_setr_epi64(0, 1, 8, 9, 2, 3, 10, 11), last = _mm512_setr_epi64(4, 5, 12, 13, 6, 7, 14, 15);
+    const __m512d even_xy = _mm512_unpacklo_pd(x, y), even_z = _mm512_unpacklo_pd(z, none);
+    const __m512d odd_xy = _mm512_unpackhi_pd(x, y), odd_z = _mm512_unpackhi_pd(z, none);
+    _mm512_store_pd(to, _mm512_permutex2var_pd(even_xy, first, even_z));
+    _mm512_store_pd(to + 8, _mm512_permutex2var_pd(even_xy, last, even_z));
+    _mm512_store_pd(to + 16, _mm512_permutex2var_pd(odd_xy, first, odd_z));
+    _mm512_store_pd(to + 24, _mm512_permutex2var_pd(odd_xy, last, odd_z));
+}
+STRAHL_INLINE void add_four(double* to, const double* from) {
+    _mm256_storeu_pd(to, _mm256_add_pd(_mm256_loadu_pd(to), _mm256_load_pd(from)));
 }
 #endif
 

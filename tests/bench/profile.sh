@@ -9,7 +9,7 @@ shift 2
 work=$(mktemp -d)
 trap 'rm -rf -- "$work"' EXIT
 perf record -q -o "$work/data" "$strahl" render "$scene" -o "$work/picture.bmp" --quiet --threads 1 \
-    --size 1920x1080 --error 0 "$@" 2>/dev/null
+    --size 1920x1080 --samples 1 --error 0 "$@" 2>/dev/null
 perf report -i "$work/data" --stdio --no-children -F overhead,symbol 2>/dev/null | awk '
     !/strahl::/ { next }
     /visibility<|occlude/ { stage = "shadow rays" }
