@@ -15,9 +15,9 @@ STRAHL_INLINE S load_lanes(const Element<S>* from) {
     else
         return S(typename S::Register(from, std::experimental::element_aligned));
 }
-/// The same from floats.
-template <class S>
-STRAHL_INLINE S load_converted(const float* from) {
+/// The same from numbers of another kind.
+template <class S, class T>
+STRAHL_INLINE S load_converted(const T* from) {
     if constexpr (width<S> == 1)
         return static_cast<S>(*from);
     else

@@ -80,6 +80,14 @@ template <class T>
 STRAHL_INLINE unsigned bits(PackMask<T> mask) {
     return static_cast<unsigned>(mask.m.__to_bitset().to_ulong());
 }
+/// The lanes whose bits are set.
+template <class S>
+STRAHL_INLINE Mask<S> mask_of(unsigned bits) {
+    if constexpr (width<S> == 1)
+        return bits & 1;
+    else
+        return {S::Register::mask_type::__from_bitset(bits)};
+}
 template <class T>
 STRAHL_INLINE Pack<T> select(PackMask<T> mask, Pack<T> yes, Pack<T> no) {
     if constexpr (has_mask_registers) {  // the standard's way keeps g++ 12 from putting it into the instruction before

@@ -76,6 +76,26 @@ STRAHL_INLINE Doubt<T> most_doubt(const RayQueue<T>& rays, int i, Mask<S> active
     return {most(rays.away), most(rays.turn)};
 }
 
+/// The nearest surfaces in a world with a hierarchy, of rays from `first` on: `packs` packs, or as many as there are.
+template <class S, int packs, class PackOf>
+[[gnu::noinline]] void nearest_of_many(const World<Element<S>>& world, const PackOf& pack_of, int first, int rays,
+                                       Nearest<S> (&found)[packs]) {
+    static_assert(packs % together<S> == 0);
+    for (int n = 0; n < packs && first + n * width<S> < rays; n += together<S>) {
+        Ray<S> own[together<S>];
+        Mask<S> active[together<S>];
+        Nearest<S> best[together<S>];
+        for (int h = 0; h < together<S>; ++h) {
+            const int i = first + (n + h) * width<S>;
+            own[h] = i < rays ? pack_of(i) : own[0];
+            active[h] = first_lanes<S>(rays - i);
+            best[h] = nearest_in_loops(world, own[h], active[h], 0);
+        }
+        nearest_beyond_loops(world, own, active, 0, best);
+        for (int h = 0; h < together<S>; ++h) found[n + h] = best[h];
+    }
+}
+
 /// Finds the nearest surfaces, and sorts the rays by the bins of these, stably. The last three are for proofs.
 template <class S, class T>
 void intersect(const World<T>& world, const RayQueue<T>& rays, HitList<T>& hits,
@@ -107,9 +127,7 @@ void intersect(const World<T>& world, const RayQueue<T>& rays, HitList<T>& hits,
         };
         for (int i = first; i < last; i += width<S>)
             sets[(i - first) / width<S>] = world.bin_per_item ? cull(i, first_lanes<S>(rays.count - i)) : BodySet(0);
-        for (int i = first; i < last; i += width<S>) {
-            const Mask<S> active = first_lanes<S>(rays.count - i);
-            const Nearest<S> hit = find(i, active, sets[(i - first) / width<S>]);
+        const auto keep = [&](int i, Mask<S> active, const Nearest<S>& hit) __attribute__((always_inline)) {
             store_lanes(hits.t + i, hit.t);
             store_lanes(hits.surface + i, hit.surface);
             const S number = iota<S>() + S(static_cast<T>(i));
@@ -117,6 +135,17 @@ void intersect(const World<T>& world, const RayQueue<T>& rays, HitList<T>& hits,
                 compress(hits.of(bin) + hits.count[bin], number, lanes);
                 hits.count[bin] += count(lanes);
             });
+        };
+        if (together<S> > 1 && !proves && world.nodes) {
+            Nearest<S> found[packs];
+            nearest_of_many(world, pack_of, first, rays.count, found);
+            for (int i = first; i < last; i += width<S>)
+                keep(i, first_lanes<S>(rays.count - i), found[(i - first) / width<S>]);
+            continue;
+        }
+        for (int i = first; i < last; i += width<S>) {
+            const Mask<S> active = first_lanes<S>(rays.count - i);
+            keep(i, active, find(i, active, sets[(i - first) / width<S>]));
         }
     }
 }

@@ -46,22 +46,6 @@ STRAHL_INLINE RoundedTraversalRay<S> traversal_ray(const DoubtfulRay<S>& own, co
     return {own.ray.origin - offs, own.ray.origin + offs, traversal_ray(own.ray).inverse};
 }
 
-/// One ray in all lanes.
-template <class S>
-STRAHL_INLINE RoundedTraversalRay<ForBoxes<S>> lane_of(const RoundedTraversalRay<S>& ray, int k) {
-    using F = ForBoxes<S>;
-    using E = Element<F>;
-    RoundedTraversalRay<F> result;
-    for (int i = 0; i < 3; ++i) {
-        const Element<S> low = lane(ray.origin_low[i], k), high = lane(ray.origin_high[i], k);
-        const bool near = low > -farthest && high < farthest;
-        result.origin_low[i] = F(near ? rounded<E>(low, low < 0) : E(0));
-        result.origin_high[i] = F(near ? rounded<E>(high, high > 0) : E(0));
-        result.inverse[i] = F(near ? static_cast<E>(lane(ray.inverse[i], k)) : E(0));
-    }
-    return result;
-}
-
 template <class S, class Item, class Bin>
 [[gnu::noinline]] void add_item(const Item& item, const DoubtfulRay<S>& own, Mask<S> mask,
                                 const Slack<Element<S>>& slack, const Bin& bin, Candidates<S>& found) {

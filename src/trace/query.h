@@ -49,17 +49,32 @@ STRAHL_INLINE void each_cold_range(const World<T>& world, BodySet set, const Loo
         if (look(world.loops[i], 0)) return;
 }
 
-/// The nearest surfaces of the hierarchy.
+/// The nearest surfaces of the hierarchy, of packs that go through it together.
 template <class S>
-STRAHL_INLINE void nearest_in_hierarchy(const World<Element<S>>& world, const Ray<S>& ray, Mask<S> active,
-                                        Nearest<S>& best) {
-    const TraversalRay<S> line = traversal_ray(ray);
-    const auto look = [&](const Leaf& leaf, Mask<S> mask) {
-        calls<S>(leaf.form()).intersect(world, leaf.first, leaf.count(), ray, mask, best);
+STRAHL_INLINE void nearest_in_hierarchy(const World<Element<S>>& world, const Ray<S> (&rays)[together<S>],
+                                        const Mask<S> (&active)[together<S>], Nearest<S> (&best)[together<S>]) {
+    using F = ForBoxes<S>;
+    const auto line = traversal_ray(rays);
+    F limit(std::numeric_limits<Element<F>>::infinity());
+    const auto set_limit = [&] {
+        S ends[together<S>];
+        for (int h = 0; h < together<S>; ++h) ends[h] = best[h].t;
+        limit = join(ends);
+        if constexpr (together<S> > 1) limit = limit * F(1 + 8 * std::numeric_limits<Element<F>>::epsilon());
+    };
+    const auto look = [&](const Leaf& leaf, Mask<F> mask) {
+        for (int h = 0; h < together<S>; ++h) {
+            const Mask<S> own = pack_of<S>(mask, h);
+            if (together<S> == 1 || any(own))
+                calls<S>(leaf.form()).intersect(world, leaf.first, leaf.count(), rays[h], own, best[h]);
+        }
+        set_limit();
         return false;
     };
-    traverse<true>(world.nodes, line, active, best.t, look, [&](int k, const Leaf& from) {
-        SingleRay<S> single{lane_of(ray, k), lane(best.t, k), lane(best.surface, k)};
+    set_limit();
+    traverse<true>(world.nodes, line, join_masks<S>(active), limit, look, [&](int lane_of_all, const Leaf& from) {
+        const int h = lane_of_all / width<S>, k = lane_of_all % width<S>;
+        SingleRay<S> single{lane_of(rays[h], k), lane(best[h].t, k), lane(best[h].surface, k)};
         const auto look_single = [&](const Leaf& leaf) {
             calls<S>(leaf.form()).intersect_single(world, leaf.first, leaf.count(), single);
             return false;
@@ -67,9 +82,10 @@ STRAHL_INLINE void nearest_in_hierarchy(const World<Element<S>>& world, const Ra
         if (from.code != 0)
             look_single(from);
         else
-            traverse_single<true>(world.nodes, from.first, lane_of(line, k), single.t, look_single);
-        best.t = with_lane(best.t, k, single.t);
-        best.surface = with_lane(best.surface, k, single.surface);
+            traverse_single<true>(world.nodes, from.first, lane_of(line, lane_of_all), single.t, look_single);
+        best[h].t = with_lane(best[h].t, k, single.t);
+        best[h].surface = with_lane(best[h].surface, k, single.surface);
+        set_limit();
     });
 }
 
@@ -84,17 +100,23 @@ STRAHL_INLINE S bins_of(const World<Element<S>>& world, const S& surface) {
     return load_lanes<S>(bins);
 }
 
-/// The nearest surfaces of what the hot loops leave out. Not inline: of small worlds it would be a burden.
+/// The nearest surfaces of what the hot loops leave out, of packs that go through the hierarchy together. Not inline: of
+/// small worlds it would be a burden.
 template <class S>
-[[gnu::noinline]] void nearest_beyond_loops(const World<Element<S>>& world, const Ray<S>& ray, Mask<S> active,
-                                            BodySet set, Nearest<S>& best) {
-    const S before = best.surface;
-    each_cold_range(world, set, [&](const ItemRange& items, int) {
-        calls<S>(items.form).intersect(world, items.first, items.count, ray, active, best);
-        return false;
-    });
-    if (world.nodes) nearest_in_hierarchy(world, ray, active, best);
-    best.bin = select(best.surface == before, best.bin, bins_of(world, best.surface));
+[[gnu::noinline]] void nearest_beyond_loops(const World<Element<S>>& world, const Ray<S> (&rays)[together<S>],
+                                            const Mask<S> (&active)[together<S>], BodySet set,
+                                            Nearest<S> (&best)[together<S>]) {
+    S before[together<S>];
+    for (int h = 0; h < together<S>; ++h) {
+        before[h] = best[h].surface;
+        each_cold_range(world, set, [&](const ItemRange& items, int) {
+            calls<S>(items.form).intersect(world, items.first, items.count, rays[h], active[h], best[h]);
+            return false;
+        });
+    }
+    if (world.nodes) nearest_in_hierarchy(world, rays, active, best);
+    for (int h = 0; h < together<S>; ++h)
+        best[h].bin = select(best[h].surface == before[h], best[h].bin, bins_of(world, best[h].surface));
 }
 
 /// The hot loops only note the rays that seem to start in an opaque body. They look again, more closely.
@@ -116,9 +138,10 @@ template <class S>
     best.bin = select(suspects, found.bin, best.bin);
 }
 
-/// The nearest surfaces; where there is a bin for each item, among the bodies of the set.
+/// The nearest surfaces of the hot loops; where there is a bin for each item, among the bodies of the set.
 template <class S>
-STRAHL_INLINE Nearest<S> nearest(const World<Element<S>>& world, const Ray<S>& ray, Mask<S> active, BodySet set) {
+STRAHL_INLINE Nearest<S> nearest_in_loops(const World<Element<S>>& world, const Ray<S>& ray, Mask<S> active,
+                                          BodySet set) {
     using T = Element<S>;
     Nearest<S> best;
     best.bin = S(static_cast<T>(world.bins));
@@ -140,10 +163,21 @@ STRAHL_INLINE Nearest<S> nearest(const World<Element<S>>& world, const Ray<S>& r
         nearest_again(world, Ray<S>(ray), suspects, set, copy);
         best = copy;
     }
-    if (world.beyond_loops) {  // works on a copy, so that in small worlds all stays in registers
-        Nearest<S> copy = best;
-        nearest_beyond_loops(world, Ray<S>(ray), active, set, copy);
-        best = copy;
+    return best;
+}
+
+/// The nearest surfaces.
+template <class S>
+STRAHL_INLINE Nearest<S> nearest(const World<Element<S>>& world, const Ray<S>& ray, Mask<S> active, BodySet set) {
+    Nearest<S> best = nearest_in_loops(world, ray, active, set);
+    if (world.beyond_loops) {  // works on copies, so that in small worlds all stays in registers
+        Ray<S> rays[together<S>];
+        Mask<S> lanes[together<S>];
+        Nearest<S> copies[together<S>];
+        for (int h = 0; h < together<S>; ++h)
+            rays[h] = ray, lanes[h] = h == 0 ? active : first_lanes<S>(0), copies[h] = best;
+        nearest_beyond_loops(world, rays, lanes, set, copies);
+        best = copies[0];
     }
     return best;
 }

@@ -57,22 +57,81 @@ STRAHL_INLINE TraversalRay<S> traversal_ray(const Ray<S>& ray) {
 /// Coordinates from here on are not rounded but taken to be anywhere: no float may overflow.
 inline constexpr double farthest = 1e18;
 
-/// One ray in all lanes.
+/// One ray in all lanes, rounded outwards where boxes have fewer bits.
 template <class S>
-STRAHL_INLINE auto lane_of(const TraversalRay<S>& ray, int k) {
+STRAHL_INLINE RoundedTraversalRay<ForBoxes<S>> lane_of(const RoundedTraversalRay<S>& ray, int k) {
     using F = ForBoxes<S>;
     using E = Element<F>;
-    if constexpr (std::is_same_v<F, S>) {
+    RoundedTraversalRay<F> result;
+    for (int i = 0; i < 3; ++i) {
+        const Element<S> low = lane(ray.origin_low[i], k), high = lane(ray.origin_high[i], k);
+        const bool near = low > -farthest && high < farthest;
+        result.origin_low[i] = F(near ? rounded<E>(low, low < 0) : E(0));
+        result.origin_high[i] = F(near ? rounded<E>(high, high > 0) : E(0));
+        result.inverse[i] = F(near ? static_cast<E>(lane(ray.inverse[i], k)) : E(0));
+    }
+    return result;
+}
+template <class S>
+STRAHL_INLINE auto lane_of(const TraversalRay<S>& ray, int k) {
+    if constexpr (std::is_same_v<ForBoxes<S>, S>) {
         const auto pick = [k](const Vec3<S>& v) { return Vec3<S>(S(lane(v.x, k)), S(lane(v.y, k)), S(lane(v.z, k))); };
         return TraversalRay<S>{pick(ray.origin), pick(ray.inverse)};
     } else {
+        return lane_of(RoundedTraversalRay<S>{ray.origin, ray.origin, ray.inverse}, k);
+    }
+}
+
+/// Packs of rays that go through a hierarchy together: as many rays as there are lanes for boxes.
+template <class S>
+inline constexpr int together = width<ForBoxes<S>> / width<S>;
+/// The lanes for boxes, which are those of these packs in turn.
+template <class S>
+STRAHL_INLINE ForBoxes<S> join(const S (&packs)[together<S>]) {
+    if constexpr (together<S> == 1) return packs[0];
+    alignas(64) Element<S> lanes[width<ForBoxes<S>>];
+    for (int h = 0; h < together<S>; ++h) store_lanes(lanes + h * width<S>, packs[h]);
+    return load_converted<ForBoxes<S>>(lanes);
+}
+template <class S>
+STRAHL_INLINE Mask<ForBoxes<S>> join_masks(const Mask<S> (&packs)[together<S>]) {
+    if constexpr (together<S> == 1) return packs[0];
+    unsigned all = 0;
+    for (int h = 0; h < together<S>; ++h) all |= bits(packs[h]) << h * width<S>;
+    return mask_of<ForBoxes<S>>(all);
+}
+/// Of those lanes the ones of a pack.
+template <class S>
+STRAHL_INLINE Mask<S> pack_of(Mask<ForBoxes<S>> mask, int h) {
+    if constexpr (together<S> == 1)
+        return mask;
+    else
+        return mask_of<S>(bits(mask) >> h * width<S>);
+}
+/// Rays of several packs, rounded outwards if boxes have fewer bits.
+template <class S>
+STRAHL_INLINE auto traversal_ray(const Ray<S> (&rays)[together<S>]) {
+    using F = ForBoxes<S>;
+    if constexpr (together<S> == 1) {
+        return traversal_ray(rays[0]);
+    } else {
+        constexpr auto unit = std::numeric_limits<Element<F>>::epsilon();
+        const F up(1 + unit), down(1 - unit);
         RoundedTraversalRay<F> result;
+        TraversalRay<S> lines[together<S>];
+        for (int h = 0; h < together<S>; ++h) lines[h] = traversal_ray(rays[h]);
         for (int i = 0; i < 3; ++i) {
-            const Element<S> origin = lane(ray.origin[i], k);
-            const bool near = abs(origin) < farthest;
-            result.origin_low[i] = F(near ? rounded<E>(origin, origin < 0) : E(0));
-            result.origin_high[i] = F(near ? rounded<E>(origin, origin > 0) : E(0));
-            result.inverse[i] = F(near ? static_cast<E>(lane(ray.inverse[i], k)) : E(0));
+            S origins[together<S>], inverses[together<S>];
+            for (int h = 0; h < together<S>; ++h) {
+                const Mask<S> near = abs(lines[h].origin[i]) < S(farthest);
+                origins[h] = select(near, lines[h].origin[i], S(0));
+                inverses[h] = select(near, lines[h].inverse[i], S(0));
+            }
+            const F origin = join(origins);
+            const Mask<F> negative = origin < F(0);
+            result.origin_low[i] = origin * select(negative, up, down);
+            result.origin_high[i] = origin * select(negative, down, up);
+            result.inverse[i] = join(inverses);
         }
         return result;
     }
