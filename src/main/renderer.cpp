@@ -160,8 +160,9 @@ Accuracy Renderer::choose(const Scene& scene, const Shot& shot) {
     const double unseen = half_step(format);
     // The curve that encodes linear light enlarges errors where it is steep.
     const double steepest = format.linear && format.bits != 32 ? steepest_srgb : 1;
-    if (!options.prove.empty()) {  // what is left out would not be proved
-        stats.error = options.error.value_or(0);
+    if (!options.prove.empty()) {  // what is left out is in the bounds
+        constexpr double share = 1e-5;
+        stats.error = options.error.value_or(share * unseen * steepest);
         return {.precision = Precision::float64,
                 .depth = options.depth.value_or(scene.settings.max_trace_level),
                 .dropped = stats.error / steepest};

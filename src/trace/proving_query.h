@@ -62,9 +62,9 @@ template <class S, class Item, class Bin>
               crossed.far, surface, S(bin));
 }
 
-/// What may be met in the hierarchy.
+/// What may be met in the hierarchy. Not inline: of small worlds its stack would be a burden.
 template <class S>
-STRAHL_INLINE void candidates_in_hierarchy(const World<Element<S>>& world, const DoubtfulRay<S>& own, Mask<S> active,
+[[gnu::noinline]] void candidates_in_hierarchy(const World<Element<S>>& world, const DoubtfulRay<S>& own, Mask<S> active,
                                            const Slack<Element<S>>& slack, Candidates<S>& found) {
     using T = Element<S>;
     const auto line = traversal_ray(own, slack);
@@ -177,6 +177,34 @@ template <class S, class Item>
     }
 }
 
+/// What the hierarchy takes from the light. Not inline: of small worlds its stack would be a burden.
+template <class S>
+[[gnu::noinline]] void light_bounds_in_hierarchy(const World<Element<S>>& world, const DoubtfulRay<S>& own,
+                                                 const S& distance, const S& off, Mask<S> active,
+                                                 const Slack<Element<S>>& slack, LightBounds<S>& light) {
+    S limit = select(active & !light.dark, distance + off, S(-1));
+    const auto line = traversal_ray(own, slack);
+    const auto look = [&](const Leaf& leaf, Mask<S> mask) {
+        const bool known = if_hot(world, leaf.form(), [&](const auto& group) {
+            for (int i = leaf.first; i < leaf.first + leaf.count(); ++i)
+                pass_item(world, group.items[i], own, mask, distance, off, slack, light);
+        });
+        if (!known) light.doubt = light.doubt | mask;
+        limit = select(light.dark, S(-1), limit);
+        return all(limit < S(0));
+    };
+    traverse<false>(world.nodes, line, active & !light.dark, limit, look, [&](int k, const Leaf& from) {
+        const Mask<S> own_lane = first_lanes<S>(k + 1) & !first_lanes<S>(k);
+        if (from.code != 0)
+            look(from, own_lane);
+        else
+            traverse_single<false>(world.nodes, from.first, lane_of(line, k), lane(limit, k), [&](const Leaf& leaf) {
+                look(leaf, own_lane);
+                return lane(limit, k) < 0;
+            });
+    });
+}
+
 /// What light of a light certainly reaches hits.
 template <class S>
 [[gnu::noinline]] LightBounds<S> light_bounds(const World<Element<S>>& world, const DoubtfulRay<S>& own,
@@ -206,28 +234,7 @@ template <class S>
         light.doubt = light.doubt | reached_by(bin);
         return false;
     });
-    if (!world.nodes) return light;
-    S limit = select(active & !light.dark, distance + off, S(-1));
-    const auto line = traversal_ray(own, slack);
-    const auto look = [&](const Leaf& leaf, Mask<S> mask) {
-        const bool known = if_hot(world, leaf.form(), [&](const auto& group) {
-            for (int i = leaf.first; i < leaf.first + leaf.count(); ++i)
-                pass_item(world, group.items[i], own, mask, distance, off, slack, light);
-        });
-        if (!known) light.doubt = light.doubt | mask;
-        limit = select(light.dark, S(-1), limit);
-        return all(limit < S(0));
-    };
-    traverse<false>(world.nodes, line, active & !light.dark, limit, look, [&](int k, const Leaf& from) {
-        const Mask<S> own_lane = first_lanes<S>(k + 1) & !first_lanes<S>(k);
-        if (from.code != 0)
-            look(from, own_lane);
-        else
-            traverse_single<false>(world.nodes, from.first, lane_of(line, k), lane(limit, k), [&](const Leaf& leaf) {
-                look(leaf, own_lane);
-                return lane(limit, k) < 0;
-            });
-    });
+    if (world.nodes) light_bounds_in_hierarchy(world, own, distance, off, active, slack, light);
     return light;
 }
 
