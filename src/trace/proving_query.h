@@ -215,7 +215,7 @@ template <class S>
     const BodySet set = !world.bin_per_item ? 0
                         : slack.fits()      ? world.occluders[start.light * world.bins + start.bin]
                                             : ~BodySet(0);
-    const auto reached_by = [&](int bin) {
+    const auto reached_by = [&](int bin) __attribute__((always_inline)) {
         if (!world.bin_per_item || !slack.fits()) return active;
         const LightCone<Element<S>>& cone = world.cones[start.light * world.bins + bin];
         Mask<S> mask = active & !(dot(splat<S>(cone.axis), own.ray.direction) > S(-cone.cosine) + own.doubt.turn) &
@@ -226,7 +226,8 @@ template <class S>
     each_hot_item(
         world, set, [&](const auto& group, int i) __attribute__((always_inline)) {
             const Mask<S> mask = reached_by(group.first_bin + i) & !light.dark;
-            if (any(mask)) pass_item(world, group.items[i], own, mask, distance, off, slack, light);
+            if (none(mask)) return false;
+            pass_item(world, group.items[i], own, mask, distance, off, slack, light);
             return none(active & !light.dark);
         });
     if (none(active & !light.dark)) return light;
