@@ -169,7 +169,7 @@ STRAHL_INLINE void compress(T* to, Pack<T> value, PackMask<T> mask) {
 /// Whole numbers as such.
 template <class T>
 STRAHL_INLINE void store_whole(int* to, const Pack<T>& numbers) {
-    if constexpr (has_mask_registers)
+    if constexpr (has_fours)
         store_whole(to, raw(numbers));
     else
         for (int i = 0; i < Pack<T>::size; ++i) to[i] = static_cast<int>(numbers.v[i]);
@@ -179,7 +179,7 @@ STRAHL_INLINE void store_whole(int* to, const Pack<T>& numbers) {
 template <class S>
 inline constexpr int fields_at_once = 1;
 template <class T>
-inline constexpr int fields_at_once<Pack<T>> = has_mask_registers ? 4 : 1;
+inline constexpr int fields_at_once<Pack<T>> = has_fours ? 4 : 1;
 /// to[f] are the numbers at from[k] + f.
 template <class T>
 STRAHL_INLINE void load_fields(const T* const* from, Pack<T>* to) {
@@ -192,7 +192,7 @@ STRAHL_INLINE void load_fields(const T* const* from, Pack<T>* to) {
 template <class S>
 inline constexpr bool interleaves = false;
 template <class T>
-inline constexpr bool interleaves<Pack<T>> = has_mask_registers;
+inline constexpr bool interleaves<Pack<T>> = has_fours;
 /// Writes (x, y, z, 0) of lane k from 4 * interleaved<Pack<T>>(k) on: then one add_four serves all three.
 template <class T>
 STRAHL_INLINE void interleave(T* to, Pack<T> x, Pack<T> y, Pack<T> z) {

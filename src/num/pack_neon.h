@@ -6,7 +6,7 @@
 
 namespace strahl::inline STRAHL_LEVEL {
 
-inline constexpr bool has_fma = true, has_mask_registers = false, has_least = true;
+inline constexpr bool has_fma = true, has_mask_registers = false, has_least = true, has_fours = false;
 
 }  // namespace strahl::inline STRAHL_LEVEL
 

@@ -7,9 +7,9 @@
 namespace strahl::inline STRAHL_LEVEL {
 
 #if defined(__FMA__)
-inline constexpr bool has_fma = true;
+inline constexpr bool has_fma = true, has_fours = true;
 #else
-inline constexpr bool has_fma = false;
+inline constexpr bool has_fma = false, has_fours = false;
 #endif
 #if defined(__AVX512F__)
 inline constexpr bool has_mask_registers = true, has_least = true;
@@ -38,6 +38,72 @@ STRAHL_INLINE __m256d maximum(__m256d a, __m256d b) { return _mm256_max_pd(a, b)
 STRAHL_INLINE __m256 fused(__m256 a, __m256 b, __m256 c) { return _mm256_fmadd_ps(a, b, c); }
 STRAHL_INLINE __m256d fused(__m256d a, __m256d b, __m256d c) { return _mm256_fmadd_pd(a, b, c); }
 #endif
+#if defined(__FMA__)
+// Whole numbers, for addresses. g++ would take the lanes out of the register one by one if it knew what is in memory.
+STRAHL_INLINE void store_whole(int* to, __m256 numbers) {
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm256_cvttps_epi32(numbers));
+    asm("" : "+m"(*reinterpret_cast<int(*)[8]>(to)));
+}
+STRAHL_INLINE void store_whole(int* to, __m256d numbers) {
+    _mm_storeu_si128(reinterpret_cast<__m128i*>(to), _mm256_cvttpd_epi32(numbers));
+    asm("" : "+m"(*reinterpret_cast<int(*)[4]>(to)));
+}
+
+/// Four numbers from each of 8 places: to[f] has those at from[k] + f.
+STRAHL_INLINE void load_fours(const float* const* from, __m256* to) {
+    const auto row = [from](int j) __attribute__((always_inline)) {
+        return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(from[j])), _mm_loadu_ps(from[4 + j]), 1);
+    };
+    const __m256 a = row(0), b = row(1), c = row(2), d = row(3);
+    const __m256d low_ab = _mm256_castps_pd(_mm256_unpacklo_ps(a, b));
+    const __m256d high_ab = _mm256_castps_pd(_mm256_unpackhi_ps(a, b));
+    const __m256d low_cd = _mm256_castps_pd(_mm256_unpacklo_ps(c, d));
+    const __m256d high_cd = _mm256_castps_pd(_mm256_unpackhi_ps(c, d));
+    to[0] = _mm256_castpd_ps(_mm256_unpacklo_pd(low_ab, low_cd));
+    to[1] = _mm256_castpd_ps(_mm256_unpackhi_pd(low_ab, low_cd));
+    to[2] = _mm256_castpd_ps(_mm256_unpacklo_pd(high_ab, high_cd));
+    to[3] = _mm256_castpd_ps(_mm256_unpackhi_pd(high_ab, high_cd));
+}
+/// The same from each of 4 places.
+STRAHL_INLINE void load_fours(const double* const* from, __m256d* to) {
+    const __m256d a = _mm256_loadu_pd(from[0]), b = _mm256_loadu_pd(from[1]);
+    const __m256d c = _mm256_loadu_pd(from[2]), d = _mm256_loadu_pd(from[3]);
+    const __m256d even_ab = _mm256_unpacklo_pd(a, b), even_cd = _mm256_unpacklo_pd(c, d);
+    const __m256d odd_ab = _mm256_unpackhi_pd(a, b), odd_cd = _mm256_unpackhi_pd(c, d);
+    to[0] = _mm256_permute2f128_pd(even_ab, even_cd, 0x20);
+    to[1] = _mm256_permute2f128_pd(odd_ab, odd_cd, 0x20);
+    to[2] = _mm256_permute2f128_pd(even_ab, even_cd, 0x31);
+    to[3] = _mm256_permute2f128_pd(odd_ab, odd_cd, 0x31);
+}
+
+/// See interleaved() in pack.h.
+STRAHL_INLINE void interleave(float* to, __m256 x, __m256 y, __m256 z) {
+    const __m256 none = _mm256_setzero_ps();
+    const __m256d low_xy = _mm256_castps_pd(_mm256_unpacklo_ps(x, y));
+    const __m256d high_xy = _mm256_castps_pd(_mm256_unpackhi_ps(x, y));
+    const __m256d low_z = _mm256_castps_pd(_mm256_unpacklo_ps(z, none));
+    const __m256d high_z = _mm256_castps_pd(_mm256_unpackhi_ps(z, none));
+    _mm256_store_ps(to, _mm256_castpd_ps(_mm256_unpacklo_pd(low_xy, low_z)));
+    _mm256_store_ps(to + 8, _mm256_castpd_ps(_mm256_unpackhi_pd(low_xy, low_z)));
+    _mm256_store_ps(to + 16, _mm256_castpd_ps(_mm256_unpacklo_pd(high_xy, high_z)));
+    _mm256_store_ps(to + 24, _mm256_castpd_ps(_mm256_unpackhi_pd(high_xy, high_z)));
+}
+STRAHL_INLINE void interleave(double* to, __m256d x, __m256d y, __m256d z) {
+    const __m256d none = _mm256_setzero_pd();
+    const __m256d even_xy = _mm256_unpacklo_pd(x, y), even_z = _mm256_unpacklo_pd(z, none);
+    const __m256d odd_xy = _mm256_unpackhi_pd(x, y), odd_z = _mm256_unpackhi_pd(z, none);
+    _mm256_store_pd(to, _mm256_permute2f128_pd(even_xy, even_z, 0x20));
+    _mm256_store_pd(to + 4, _mm256_permute2f128_pd(even_xy, even_z, 0x31));
+    _mm256_store_pd(to + 8, _mm256_permute2f128_pd(odd_xy, odd_z, 0x20));
+    _mm256_store_pd(to + 12, _mm256_permute2f128_pd(odd_xy, odd_z, 0x31));
+}
+STRAHL_INLINE void add_four(float* to, const float* from) {
+    _mm_storeu_ps(to, _mm_add_ps(_mm_loadu_ps(to), _mm_load_ps(from)));
+}
+STRAHL_INLINE void add_four(double* to, const double* from) {
+    _mm256_storeu_pd(to, _mm256_add_pd(_mm256_loadu_pd(to), _mm256_load_pd(from)));
+}
+#endif
 #if defined(__AVX512F__)
 STRAHL_INLINE __m512 minimum(__m512 a, __m512 b) { return _mm512_min_ps(a, b); }
 STRAHL_INLINE __m512d minimum(__m512d a, __m512d b) { return _mm512_min_pd(a, b); }
@@ -62,7 +128,6 @@ STRAHL_INLINE void store_compressed(double* to, __mmask8 mask, __m512d value) {
     _mm512_storeu_pd(to, _mm512_maskz_compress_pd(mask, value));
 }
 
-// Whole numbers, for addresses. g++ would take the lanes out of the register one by one if it knew what is in memory.
 STRAHL_INLINE void store_whole(int* to, __m512 numbers) {
     _mm512_storeu_si512(to, _mm512_cvttps_epi32(numbers));
     asm("" : "+m"(*reinterpret_cast<int(*)[16]>(to)));
@@ -71,7 +136,6 @@ STRAHL_INLINE void store_whole(int* to, __m512d numbers) {
     _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm512_cvttpd_epi32(numbers));
     asm("" : "+m"(*reinterpret_cast<int(*)[8]>(to)));
 }
-/// Four numbers from each of 16 places: to[f] has those at from[k] + f.
 STRAHL_INLINE void load_fours(const float* const* from, __m512* to) {
     const auto row = [from](int j) __attribute__((always_inline)) {
         const __m512 first = _mm512_castps128_ps512(_mm_loadu_ps(from[j]));
@@ -88,7 +152,6 @@ STRAHL_INLINE void load_fours(const float* const* from, __m512* to) {
     to[2] = _mm512_castpd_ps(_mm512_unpacklo_pd(high_ab, high_cd));
     to[3] = _mm512_castpd_ps(_mm512_unpackhi_pd(high_ab, high_cd));
 }
-/// The same from each of 8 places.
 STRAHL_INLINE void load_fours(const double* const* from, __m512d* to) {
     const auto row = [from](int j) __attribute__((always_inline)) {
         return _mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_loadu_pd(from[j])), _mm256_loadu_pd(from[4 + j]), 1);
@@ -103,7 +166,6 @@ STRAHL_INLINE void load_fours(const double* const* from, __m512d* to) {
     to[3] = _mm512_permutex2var_pd(odd_ab, high, odd_cd);
 }
 
-/// See interleaved() in pack.h.
 STRAHL_INLINE void interleave(float* to, __m512 x, __m512 y, __m512 z) {
     const __m512 none = _mm512_setzero_ps();
     const __m512d low_xy = _mm512_castps_pd(_mm512_unpacklo_ps(x, y));
@@ -115,9 +177,6 @@ STRAHL_INLINE void interleave(float* to, __m512 x, __m512 y, __m512 z) {
     _mm512_store_ps(to + 32, _mm512_castpd_ps(_mm512_unpacklo_pd(high_xy, high_z)));
     _mm512_store_ps(to + 48, _mm512_castpd_ps(_mm512_unpackhi_pd(high_xy, high_z)));
 }
-STRAHL_INLINE void add_four(float* to, const float* from) {
-    _mm_storeu_ps(to, _mm_add_ps(_mm_loadu_ps(to), _mm_load_ps(from)));
-}
 STRAHL_INLINE void interleave(double* to, __m512d x, __m512d y, __m512d z) {
     const __m512d none = _mm512_setzero_pd();
     const __m512i first = _mm512_setr_epi64(0, 1, 8, 9, 2, 3, 10, 11), last = _mm512_setr_epi64(4, 5, 12, 13, 6, 7, 14, 15);
@@ -127,9 +186,6 @@ STRAHL_INLINE void interleave(double* to, __m512d x, __m512d y, __m512d z) {
     _mm512_store_pd(to + 8, _mm512_permutex2var_pd(even_xy, last, even_z));
     _mm512_store_pd(to + 16, _mm512_permutex2var_pd(odd_xy, first, odd_z));
     _mm512_store_pd(to + 24, _mm512_permutex2var_pd(odd_xy, last, odd_z));
-}
-STRAHL_INLINE void add_four(double* to, const double* from) {
-    _mm256_storeu_pd(to, _mm256_add_pd(_mm256_loadu_pd(to), _mm256_load_pd(from)));
 }
 #endif
 
