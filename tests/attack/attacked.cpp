@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -33,14 +34,18 @@ void show_stacks(pid_t child) {
     if (std::system(command.c_str()) != 0) std::fprintf(stderr, "no stacks: no gdb\n");
 }
 
-/// Waits until the child ends, or kills it when the time is up. Returns its status as Ran has it.
-int wait_for(pid_t child, double seconds) {
+/// Waits until the child ends, or kills it when the time is up. Returns its status as Ran has it. A library that came
+/// to harm may hang, and is not waited for so long.
+int wait_for(pid_t child, double seconds, const Control& control) {
     const int ended = static_cast<int>(::syscall(SYS_pidfd_open, child, 0));
-    pollfd wait{ended, POLLIN, 0};
-    timespec left{static_cast<time_t>(seconds),
-                  static_cast<long>(1e9 * (seconds - static_cast<double>(time_t(seconds))))};
-    const bool late = ::ppoll(&wait, 1, &left, nullptr) == 0;
-    if (late && seconds >= longest) show_stacks(child);
+    const auto goes_on_after = [&](double time) {
+        pollfd wait{ended, POLLIN, 0};
+        const timespec left{static_cast<time_t>(time), static_cast<long>(1e9 * (time - std::floor(time)))};
+        return ::ppoll(&wait, 1, &left, nullptr) == 0;
+    };
+    const double at_first = std::min(seconds, longest / 4);
+    const bool late = goes_on_after(at_first) && (control.foreign || goes_on_after(seconds - at_first));
+    if (late && seconds >= longest && !control.foreign) show_stacks(child);
     if (late) ::kill(child, SIGKILL);
     ::close(ended);
     int status = 0;
@@ -114,7 +119,7 @@ Ran Attacker::run(const Case& attacked, double seconds, bool preloaded) {
         ::_exit(127);
     }
     Ran ran;
-    ran.status = wait_for(child, seconds);
+    ran.status = wait_for(child, seconds, control());
     if (preloaded && !control().attached) throw std::runtime_error("the library is not preloaded");
     ran.out = bytes_of("out"), ran.err = bytes_of("err"), ran.files = files_in(work);
     return ran;

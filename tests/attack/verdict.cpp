@@ -24,6 +24,7 @@ std::string verdict(const Case& attacked, const Ran& good, const Ran& ran, const
         return ran.status < 0 ? "it was ended by signal " + std::to_string(-ran.status)
                               : "exit status " + std::to_string(ran.status);
     if (ran.status > 0 && ran.err.empty()) return "no message";
+    if (ran.err.find("bad_alloc") != std::string::npos) return "a message that only a programmer knows";
     for (const char* word : {"Sanitizer", "runtime error:"})
         if (ran.err.find(word) != std::string::npos) return "a sanitizer's report";
     if (ran.status == 0 && !attacked.times && ran.out != good.out) return "done, but it printed something else";
@@ -49,7 +50,7 @@ std::string verdict(const Case& attacked, const Ran& good, const Ran& ran, const
         if (copied && (name == "picture.bmp" || name == "other.bmp") &&
             (kill || ran.err.find("all of it is in '.strahl-") != std::string::npos))
             continue;
-        if (kill && name.starts_with("strahl-povray-")) continue;
+        if ((kill || control.foreign) && name.starts_with("strahl-povray-")) continue;
         return name + " should not be there, or is not whole";
     }
     return "";
