@@ -135,7 +135,7 @@ int faults(Attacker& attacker, const Plan& plan) {
         const Ran ran = attacker.run_fresh(*trial.attacked);
         ++tally.tried, ++per_kind[static_cast<int>(trial.watched)];
         const std::string fault = verdict(*trial.attacked, *trial.good, ran, attacker.control());
-        foreign += fault.empty() && (ran.status < 0 || ran.status == 127);
+        foreign += fault.empty() && (ran.status < 0 || ran.status == 127 || (ran.status > 0 && ran.err.empty()));
         if (fault.empty()) continue;
         tally.fault(std::to_string(trial.number()) + ": " + in_words(trial, attacker.control()) + ": " + fault, ran);
     }
