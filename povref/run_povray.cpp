@@ -39,12 +39,7 @@ class Scratch {
         const int opened = ::open(folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC);
         for (const char* const file : {"scene.pov", "scene.ini", "scene.png", "log"}) ::unlinkat(opened, file, 0);
         ::close(opened);
-        if (::rmdir(folder.c_str()) == 0) return;
-        try {
-            std::error_code ignored;
-            fs::remove_all(folder, ignored);
-        } catch (const std::bad_alloc&) {  // it stays
-        }
+        if (::rmdir(folder.c_str()) != 0) remove_folder(folder);
     }
     Scratch(const Scratch&) = delete;
     std::string path(const char* name) const { return folder + "/" + name; }

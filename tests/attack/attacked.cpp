@@ -23,6 +23,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// In place of bytes.
+const std::string a_folder = "a folder";
+
 std::string bytes_of(const fs::path& path) {
     std::ifstream file(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};
@@ -60,7 +63,7 @@ Files files_in(const fs::path& folder) {
     Files files;
     for (const auto& entry : fs::recursive_directory_iterator(folder))
         files[entry.path().lexically_relative(folder).string()] =
-            entry.is_regular_file() ? bytes_of(entry.path()) : "a folder";
+            entry.is_regular_file() ? bytes_of(entry.path()) : a_folder;
     return files;
 }
 
@@ -68,8 +71,12 @@ void put(const Files& files, const fs::path& folder) {
     fs::remove_all(folder);
     fs::create_directories(folder);
     for (const auto& [name, bytes] : files) {
+        if (bytes == a_folder) {
+            fs::create_directory(folder / name);
+            continue;
+        }
         std::ofstream(folder / name, std::ios::binary) << bytes;
-        if (name == "povray") fs::permissions(folder / name, fs::perms::owner_all);
+        if (bytes.starts_with("#!")) fs::permissions(folder / name, fs::perms::owner_all);
     }
 }
 
@@ -128,6 +135,15 @@ Ran Attacker::run(const Case& attacked, double seconds, bool preloaded) {
 void Attacker::record(const std::string& path) {
     log = path.empty() ? fs::path() : fs::absolute(path);
     if (!path.empty()) std::ofstream(log, std::ios::trunc);
+}
+
+std::vector<Case> Attacker::completed(std::vector<Case> all) {
+    for (Case& attacked : all) {
+        put(attacked.before, work);
+        for (const std::vector<std::string>& words : attacked.first)
+            attacked.before = run({.name = attacked.name, .words = words, .before = {}}, longest, false).files;
+    }
+    return all;
 }
 
 void Attacker::prepare(const Case& attacked) const {

@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <iterator>
 #include <map>
 #include <set>
 #include <utility>
@@ -116,7 +117,9 @@ void mix(std::vector<Trial>& trials) {
 
 int faults(Attacker& attacker, const Plan& plan) {
     const double start = now();
-    const std::vector<Case> all = cases();
+    std::vector<Case> all = cases();
+    std::ranges::move(cases_with_others(), std::back_inserter(all));
+    all = attacker.completed(all);
     std::vector<Ran> good(all.size());
     std::vector<Trial> trials;
     std::set<std::uint64_t> known;
