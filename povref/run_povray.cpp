@@ -3,14 +3,18 @@
 #include <fcntl.h>
 #include <spawn.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
+#include <cerrno>
 #include <charconv>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
+#include <new>
 #include <regex>
 #include <stdexcept>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -27,20 +31,21 @@ namespace fs = std::filesystem;
 /// A temporary folder, removed with its content.
 class Scratch {
   public:
-    Scratch() {
-        std::string name = (fs::temp_directory_path() / "strahl-povray-XXXXXX").string();
-        if (!mkdtemp(name.data())) throw std::runtime_error("cannot make a folder in " + name);
-        folder = name;
+    Scratch() : folder((fs::temp_directory_path() / "strahl-povray-XXXXXX").string()) {
+        if (!::mkdtemp(folder.data())) throw std::runtime_error("cannot make a folder in " + folder);
     }
+    /// The files that are always there go without any memory, and from a folder that can't be listed. Others take some.
     ~Scratch() {
-        std::error_code ignored;
-        fs::remove_all(folder, ignored);
+        const int opened = ::open(folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC);
+        for (const char* const file : {"scene.pov", "scene.ini", "scene.png", "log"}) ::unlinkat(opened, file, 0);
+        ::close(opened);
+        if (::rmdir(folder.c_str()) != 0) remove_folder(folder);
     }
     Scratch(const Scratch&) = delete;
-    std::string path(const char* name) const { return (folder / name).string(); }
+    std::string path(const char* name) const { return folder + "/" + name; }
 
   private:
-    fs::path folder;
+    std::string folder;
 };
 
 /// Runs `words` in `folder`, with all output in the file `log`. Returns the exit status, or -1 if there is no such
@@ -52,14 +57,19 @@ int run(std::vector<std::string> words, const std::string& folder, const std::st
     arguments.push_back(nullptr);
     posix_spawn_file_actions_t files;
     posix_spawn_file_actions_init(&files);
-    posix_spawn_file_actions_addchdir_np(&files, folder.c_str());
-    posix_spawn_file_actions_addopen(&files, 0, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_addopen(&files, 1, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-    posix_spawn_file_actions_adddup2(&files, 1, 2);
+    // They take memory, and without the first one POV-Ray would write into the user's folder.
+    const bool ready =
+        posix_spawn_file_actions_addchdir_np(&files, folder.c_str()) == 0 &&
+        posix_spawn_file_actions_addopen(&files, 0, "/dev/null", O_RDONLY, 0) == 0 &&
+        posix_spawn_file_actions_addopen(&files, 1, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600) == 0 &&
+        posix_spawn_file_actions_adddup2(&files, 1, 2) == 0;
     pid_t child = 0;
-    const int failed = posix_spawnp(&child, arguments[0], &files, nullptr, arguments.data(), environ);
+    const int failed =
+        ready ? posix_spawnp(&child, arguments[0], &files, nullptr, arguments.data(), environ) : ENOMEM;
     posix_spawn_file_actions_destroy(&files);
-    if (failed) return -1;
+    if (failed == ENOENT) return -1;
+    if (failed == ENOMEM) throw std::bad_alloc();
+    if (failed) throw std::runtime_error("cannot start povray: " + std::generic_category().message(failed));
     int status = 0;
     // A signal may reach any thread, so that it need not end a wait in this one.
     while (waitpid(child, &status, WNOHANG) == 0) {

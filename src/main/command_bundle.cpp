@@ -1,6 +1,7 @@
 // strahl bundle: collects a folder under another name, then renames it.
 #include "main/command_bundle.h"
 
+#include <dirent.h>
 #include <fcntl.h>
 #include <link.h>
 #include <sys/stat.h>
@@ -15,6 +16,7 @@
 #include <filesystem>
 #include <iostream>
 #include <map>
+#include <new>
 #include <set>
 #include <string_view>
 #include <system_error>
@@ -67,23 +69,18 @@ std::vector<fs::path> libraries() {
 /// A folder beside another one, whose name it gets when it is whole. Else nothing is left of it.
 class NewFolder {
   public:
-    explicit NewFolder(const fs::path& own_target) : target(own_target) {
-        std::string name = target.string() + ".tmp-XXXXXX";
-        if (!::mkdtemp(name.data())) fail(errno);
-        folder = name;
+    explicit NewFolder(const fs::path& own_target) : target(own_target), folder(target.string() + ".tmp-XXXXXX") {
+        if (!::mkdtemp(folder.data())) fail(errno);
         const mode_t mask = ::umask(0);
         ::umask(mask);
         ::chmod(folder.c_str(), 0777 & ~mask);
     }
-    ~NewFolder() {
-        std::error_code ignored;
-        fs::remove_all(folder, ignored);
-    }
+    ~NewFolder() { remove_folder(folder); }
     NewFolder(const NewFolder&) = delete;
 
-    const fs::path& path() const { return folder; }
+    fs::path path() const { return folder; }
 
-    /// An older one gets the name of this, and is removed with it.
+    /// An older one gets the name of this, and is removed.
     void finish() {
         const int file = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
         const bool synced = file >= 0 && ::syncfs(file) == 0;
@@ -92,6 +89,9 @@ class NewFolder {
         if (!synced) fail(error);
         const unsigned how = fs::exists(target) ? RENAME_EXCHANGE : RENAME_NOREPLACE;
         if (::renameat2(AT_FDCWD, folder.c_str(), AT_FDCWD, target.c_str(), how) != 0) fail(errno);
+        if (how == RENAME_EXCHANGE && !remove_folder(folder))
+            throw OutputError("'" + target.string() + "' is made, but the older bundle stays in '" + folder +
+                              "': " + std::generic_category().message(errno));
     }
 
   private:
@@ -100,12 +100,23 @@ class NewFolder {
     }
 
     const fs::path target;
-    fs::path folder;
+    std::string folder;
 };
+
+/// Not std::filesystem::is_empty: where memory runs out, that ends the program.
+bool is_empty_folder(const fs::path& path) {
+    DIR* const listed = ::opendir(path.c_str());
+    if (!listed && errno == ENOMEM) throw std::bad_alloc();
+    if (!listed) return false;
+    int entries = 0;
+    while (::readdir(listed)) ++entries;
+    ::closedir(listed);
+    return entries == 2;  // "." and ".."
+}
 
 /// Only what this command made, or nothing, is replaced.
 void require_own(const fs::path& folder) {
-    if (!fs::exists(folder) || (fs::is_directory(folder) && fs::is_empty(folder))) return;
+    if (!fs::exists(folder) || is_empty_folder(folder)) return;
     std::string head(script_head.size(), '\0');
     if (const fs::path script = folder / "play"; fs::is_regular_file(script))
         FileStream(script.string()).read(head.data(), static_cast<std::streamsize>(head.size()));
@@ -124,6 +135,7 @@ class Collection {
         check();
         fs::create_directories((folder / to).parent_path());
         fs::copy_file(from, folder / to);
+        total += double(fs::file_size(from));
         fs::permissions(folder / to, fs::perms::owner_read | fs::perms::owner_write, fs::perm_options::add);
     }
     void write(const fs::path& to, std::string_view bytes) {
@@ -133,7 +145,9 @@ class Collection {
         file.exceptions(std::ios::failbit | std::ios::badbit);
         file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
         file.close();
+        total += double(bytes.size());
     }
+    double size() const { return total; }
     /// A name for a file of the scene, in a folder of their own, where each name is given once.
     std::string name_for(const std::string& file, const char* ending) {
         const fs::path own = fs::path(file).filename();
@@ -150,6 +164,7 @@ class Collection {
     }
 
     const fs::path folder;
+    double total = 0;  // bytes
     const Interrupt& interrupt;
     std::set<std::string> given;
 };
@@ -226,13 +241,6 @@ std::string read_me(const BundleOptions& options, const std::vector<fs::path>& l
            names + "\n";
 }
 
-double size_of(const fs::path& folder) {
-    double size = 0;
-    for (const auto& entry : fs::recursive_directory_iterator(folder))
-        if (entry.is_regular_file()) size += double(entry.file_size());
-    return size;
-}
-
 }  // namespace
 
 int bundle_command(const BundleOptions& options) try {
@@ -253,9 +261,8 @@ int bundle_command(const BundleOptions& options) try {
     bundle.write("play", start_script(scene));
     fs::permissions(folder.path() / "play", fs::perms(0111), fs::perm_options::add);
     bundle.write("README.txt", read_me(options, own_libraries));
-    const double size = size_of(folder.path());
     folder.finish();
-    std::cout << printable(target.string()) << ": " << bytes_in_words(size) << "; " << printable(target.string())
+    std::cout << printable(target.string()) << ": " << bytes_in_words(bundle.size()) << "; " << printable(target.string())
               << "/play plays it\n";
     if (!for_other_processors())
         std::cerr << "strahl: this strahl was built for processors like this one; on others it plays slowly. "

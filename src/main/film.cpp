@@ -93,13 +93,15 @@ void Film::start(const std::string& ffmpeg, const std::optional<FilmSound>& soun
     arguments.push_back(nullptr);
     posix_spawn_file_actions_t files;
     posix_spawn_file_actions_init(&files);
-    posix_spawn_file_actions_adddup2(&files, pair[1], STDIN_FILENO);
-    posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-    posix_spawn_file_actions_adddup2(&files, messages, STDERR_FILENO);
+    // They take memory, and without the first one ffmpeg would wait for what the user types.
+    const bool ready = posix_spawn_file_actions_adddup2(&files, pair[1], STDIN_FILENO) == 0 &&
+                       posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0) == 0 &&
+                       posix_spawn_file_actions_adddup2(&files, messages, STDERR_FILENO) == 0;
     posix_spawnattr_t attributes;
     posix_spawnattr_init(&attributes);
     posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSID);
-    const int error = ::posix_spawn(&process, ffmpeg.c_str(), &files, &attributes, arguments.data(), environ);
+    const int error =
+        ready ? ::posix_spawn(&process, ffmpeg.c_str(), &files, &attributes, arguments.data(), environ) : ENOMEM;
     posix_spawnattr_destroy(&attributes);
     posix_spawn_file_actions_destroy(&files);
     ::close(pair[1]);

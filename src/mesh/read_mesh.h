@@ -23,9 +23,8 @@ struct MeshLimits {
 /// - STL has no shared points: there, corners of equal coordinates become one point.
 /// - Smooth or flat: PLY and OBJ may give normals; what OBJ leaves without them among faces that have them gets the
 ///   normal of its plane. STL's normals are ignored.
-/// - Places in a picture: those of OBJ's `vt`, and in PLY the properties u and v, s and t, or texture_u and texture_v
-/// of
-///   vertices. OBJ's faces without any among others that have some are at the origin.
+/// - Places in a picture: those of OBJ's `vt`, and in PLY the vertices' properties u and v, s and t, or texture_u and
+///   texture_v. OBJ's faces without any among others that have some are at the origin.
 ///
 /// Every index is in range, every coordinate from -1e9 to 1e9, and every normal that a corner uses has a direction.
 /// Only regular files are opened. Throws FileError, which says where in the file the fault is and what to do.

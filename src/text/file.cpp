@@ -2,6 +2,7 @@
 #include "text/file.h"
 
 #include <fcntl.h>
+#include <ftw.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -180,6 +181,12 @@ void write_file(const std::string& path, std::string_view bytes) {
     OutputFile file(path);
     file.append(bytes);
     file.finish();
+}
+
+// Not std::filesystem::remove_all: where memory runs out, that ends the program.
+bool remove_folder(const std::string& path) {
+    const auto remove = [](const char* name, const struct stat*, int, FTW*) { return std::remove(name); };
+    return ::nftw(path.c_str(), remove, 16, FTW_DEPTH | FTW_PHYS) == 0;
 }
 
 bool same_file(const std::string& a, const std::string& b) {

@@ -38,6 +38,9 @@ class OutputFile {
 /// All of a file at once.
 void write_file(const std::string& path, std::string_view bytes);
 
+/// Removes a folder and all that is in it, as far as it can. If something stays, errno says why.
+bool remove_folder(const std::string& path);
+
 /// Would bytes written to one of these paths be in the way of the other's? Not of "-", devices and pipes.
 bool same_file(const std::string& a, const std::string& b);
 

@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -22,6 +23,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// In place of bytes.
+const std::string a_folder = "a folder";
+
 std::string bytes_of(const fs::path& path) {
     std::ifstream file(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};
@@ -33,14 +37,18 @@ void show_stacks(pid_t child) {
     if (std::system(command.c_str()) != 0) std::fprintf(stderr, "no stacks: no gdb\n");
 }
 
-/// Waits until the child ends, or kills it when the time is up. Returns its status as Ran has it.
-int wait_for(pid_t child, double seconds) {
+/// Waits until the child ends, or kills it when the time is up. Returns its status as Ran has it. A library that came
+/// to harm may hang, and is not waited for so long.
+int wait_for(pid_t child, double seconds, const Control& control) {
     const int ended = static_cast<int>(::syscall(SYS_pidfd_open, child, 0));
-    pollfd wait{ended, POLLIN, 0};
-    timespec left{static_cast<time_t>(seconds),
-                  static_cast<long>(1e9 * (seconds - static_cast<double>(time_t(seconds))))};
-    const bool late = ::ppoll(&wait, 1, &left, nullptr) == 0;
-    if (late && seconds >= longest) show_stacks(child);
+    const auto goes_on_after = [&](double time) {
+        pollfd wait{ended, POLLIN, 0};
+        const timespec left{static_cast<time_t>(time), static_cast<long>(1e9 * (time - std::floor(time)))};
+        return ::ppoll(&wait, 1, &left, nullptr) == 0;
+    };
+    const double at_first = std::min(seconds, longest / 4);
+    const bool late = goes_on_after(at_first) && (control.foreign || goes_on_after(seconds - at_first));
+    if (late && seconds >= longest && !control.foreign) show_stacks(child);
     if (late) ::kill(child, SIGKILL);
     ::close(ended);
     int status = 0;
@@ -55,7 +63,7 @@ Files files_in(const fs::path& folder) {
     Files files;
     for (const auto& entry : fs::recursive_directory_iterator(folder))
         files[entry.path().lexically_relative(folder).string()] =
-            entry.is_regular_file() ? bytes_of(entry.path()) : "a folder";
+            entry.is_regular_file() ? bytes_of(entry.path()) : a_folder;
     return files;
 }
 
@@ -63,8 +71,12 @@ void put(const Files& files, const fs::path& folder) {
     fs::remove_all(folder);
     fs::create_directories(folder);
     for (const auto& [name, bytes] : files) {
+        if (bytes == a_folder) {
+            fs::create_directory(folder / name);
+            continue;
+        }
         std::ofstream(folder / name, std::ios::binary) << bytes;
-        if (name == "povray") fs::permissions(folder / name, fs::perms::owner_all);
+        if (bytes.starts_with("#!")) fs::permissions(folder / name, fs::perms::owner_all);
     }
 }
 
@@ -114,7 +126,7 @@ Ran Attacker::run(const Case& attacked, double seconds, bool preloaded) {
         ::_exit(127);
     }
     Ran ran;
-    ran.status = wait_for(child, seconds);
+    ran.status = wait_for(child, seconds, control());
     if (preloaded && !control().attached) throw std::runtime_error("the library is not preloaded");
     ran.out = bytes_of("out"), ran.err = bytes_of("err"), ran.files = files_in(work);
     return ran;
@@ -123,6 +135,15 @@ Ran Attacker::run(const Case& attacked, double seconds, bool preloaded) {
 void Attacker::record(const std::string& path) {
     log = path.empty() ? fs::path() : fs::absolute(path);
     if (!path.empty()) std::ofstream(log, std::ios::trunc);
+}
+
+std::vector<Case> Attacker::completed(std::vector<Case> all) {
+    for (Case& attacked : all) {
+        put(attacked.before, work);
+        for (const std::vector<std::string>& words : attacked.first)
+            attacked.before = run({.name = attacked.name, .words = words, .before = {}}, longest, false).files;
+    }
+    return all;
 }
 
 void Attacker::prepare(const Case& attacked) const {

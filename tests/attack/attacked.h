@@ -20,10 +20,13 @@ struct Case {
     std::string name;
     std::vector<std::string> words;
     Files before;
+    std::vector<std::vector<std::string>> first = {};  // commands that make more of these files
     bool times = false;      // it prints times, so that no two runs print the same
     bool hard_link = false;  // picture.bmp has a second name, other.bmp
 };
 std::vector<Case> cases();
+/// Those that other programs or the kernel write files for, of which only `faults` knows what to expect.
+std::vector<Case> cases_with_others();
 /// Stills and films that take long enough to be killed at any moment.
 std::vector<Case> larger_cases();
 
@@ -61,6 +64,9 @@ class Attacker {
 
     /// The path of the log of the next runs' file calls, or nothing.
     void record(const std::string& path);
+
+    /// Runs the commands that make files for these cases.
+    std::vector<Case> completed(std::vector<Case> all);
 
     /// Makes the folder as it should be before.
     void prepare(const Case& attacked) const;

@@ -140,12 +140,20 @@ int fsync(int file) {
     return result;
 }
 int fdatasync(int file) { return fsync(file); }
+int syncfs(int file) noexcept {
+    const auto call = [&] { return orders() ? 0 : kernel(SYS_syncfs, file); };
+    return static_cast<int>(harmed("syncfs", call));
+}
 
 int rename(const char* from, const char* to) noexcept {
     const auto call = [&] { return kernel(SYS_renameat2, AT_FDCWD, from, AT_FDCWD, to, 0); };
     const int result = static_cast<int>(harmed("rename", call));
     if (result == 0) record("rename", 0, 0, 0, from, to);
     return result;
+}
+int renameat2(int from_folder, const char* from, int to_folder, const char* to, unsigned flags) noexcept {
+    const auto call = [&] { return kernel(SYS_renameat2, from_folder, from, to_folder, to, flags); };
+    return static_cast<int>(harmed("renameat2", call));
 }
 int linkat(int from_folder, const char* from, int to_folder, const char* to, int flags) noexcept {
     const auto call = [&] { return kernel(SYS_linkat, from_folder, from, to_folder, to, flags); };

@@ -35,6 +35,8 @@ sphere { <-3, 2, 1>, 1  motion { key { time 0 }  key { time 2  translate <0, 0, 
 
 /// In place of POV-Ray: the attack is on what starts it.
 const char povray[] = "#!/bin/sh\nexec cp \"$TMPDIR/a.bmp\" scene.png\n";
+/// In place of ffmpeg: the film is what it gets.
+const char ffmpeg[] = "#!/bin/sh\nfor file; do :; done\nexec cat >\"${file#file:}\"\n";
 
 /// A red picture of 8x6 pixels.
 std::string red() {
@@ -87,12 +89,29 @@ std::vector<Case> cases() {
           {"scene.rt", "older"}}},
         {"a part", render("picture.bmp", "1", {"--size", "8x200", "--checkpoint", "0", "--part", "1/2"}), alone},
     };
+    const auto part = [&](const char* which) {
+        return render("picture.bmp", "1", {"--size", "8x200", "--part", which});
+    };
+    all.push_back({.name = "join",
+                   .words = {"join", "picture.bmp.part-1-of-2", "picture.bmp.part-2-of-2", "-o", "picture.bmp"},
+                   .before = with_older,
+                   .first = {part("1/2"), part("2/2")}});
     all.push_back({.name = "crosscheck",
                    .words = {"crosscheck", "scene.rt", "--size", "8x6", "--sheet", "sheet.png"},
                    .before = {{"scene.rt", scene}, {"a.bmp", red()}, {"povray", povray}},
                    .times = true});
     for (Case& attacked : all) attacked.hard_link = attacked.name == "a hard link";
     return all;
+}
+
+std::vector<Case> cases_with_others() {
+    return {{"a film",
+             {"render", "scene.rt", "-o", "film.mp4", "--size", "8x6", "--frames", "0-2", "--threads", "1"},
+             {{"scene.rt", scene}, {"film.mp4", "an older film"}, {"ffmpeg", ffmpeg}}},
+            {"bundle",
+             {"bundle", "scene.rt", "-o", "folder"},
+             {{"scene.rt", scene}},
+             {{"bundle", "scene.rt", "-o", "folder"}}}};
 }
 
 std::vector<Case> larger_cases() {

@@ -4,10 +4,13 @@
 #include <dlfcn.h>
 #include <execinfo.h>
 #include <fcntl.h>
+#include <link.h>
 #include <pthread.h>
 #include <sys/mman.h>
 #include <unistd.h>
+#include <unwind.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstddef>
@@ -51,12 +54,26 @@ void describe(const char* function) {
     }
 }
 
-/// Notes by which path of calls this allocation came.
+/// Notes by which path of calls this allocation came. A function that calls itself counts once, where it was called
+/// last. While a library is loaded, what loads it does not count. A place in a library is the same wherever the loader
+/// puts that.
 void find_path(Watched kind, long number) {
-    void* frames[60];
-    const int count = ::backtrace(frames, 60);
+    constexpr int most = 100;
+    constexpr std::uint64_t factor = 0x9e3779b97f4a7c15;
+    void *frames[most], *functions[most];
+    const int count = ::backtrace(frames, most);
     std::uint64_t hash = static_cast<std::uint64_t>(kind) + 1;
-    for (int i = 1; i < count; ++i) hash = (hash ^ reinterpret_cast<std::uintptr_t>(frames[i])) * 0x9e3779b97f4a7c15;
+    for (int i = 1; i < count; ++i) {
+        functions[i] = ::_Unwind_FindEnclosingFunction(frames[i]);
+        dl_find_object library{};
+        if (::_dl_find_object(frames[i], &library) != 0) continue;
+        const char* name = library.dlfo_link_map->l_name;
+        if (kind == Watched::loading && !*name) break;  // the program itself
+        if (std::find(functions + 1, functions + i, functions[i]) != functions + i) continue;
+        for (; *name; ++name) hash = (hash ^ static_cast<unsigned char>(*name)) * factor;
+        hash = (hash ^ static_cast<std::uint64_t>(static_cast<char*>(frames[i]) -
+                                                  static_cast<char*>(library.dlfo_map_start))) * factor;
+    }
     for (int tried = 0; tried < Control::most_paths; ++tried) {
         Path& path = control->paths[(hash + static_cast<unsigned>(tried)) % Control::most_paths];
         std::uint64_t found = 0;

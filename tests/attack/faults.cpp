@@ -3,8 +3,8 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <iterator>
 #include <map>
-#include <random>
 #include <set>
 #include <utility>
 
@@ -22,7 +22,9 @@ struct Trial {
     int error;
     long at;
     bool only_named;
-    long number = 0;  // the same one in every run
+
+    /// The same one in every run, and a random order of all trials.
+    long number() const;
 };
 
 constexpr Watched kinds[] = {Watched::allocations, Watched::loading, Watched::threads, Watched::files};
@@ -32,6 +34,14 @@ const char* name_of(Watched watched) {
            : watched == Watched::loading   ? "library allocation"
            : watched == Watched::threads   ? "thread"
                                            : "file call";
+}
+
+long Trial::number() const {
+    std::uint64_t hash = 0;
+    for (const char c : attacked->name) hash = (hash ^ static_cast<unsigned char>(c)) * 0x9e3779b97f4a7c15;
+    for (const long value : {long(watched), long(harm), long(error), at, long(only_named)})
+        hash = (hash ^ (hash >> 32) ^ static_cast<std::uint64_t>(value)) * 0x9e3779b97f4a7c15;
+    return static_cast<long>(hash >> 32);
 }
 
 std::string in_words(const Trial& trial, const Control& control) {
@@ -92,8 +102,7 @@ void add_trials(Attacker& attacker, const Case& attacked, Ran& good, std::set<st
 /// Puts them in a random order in which all cases and kinds of calls get the same time: a short attack tries some of
 /// each, a longer one all of those that are quick.
 void mix(std::vector<Trial>& trials) {
-    std::shuffle(trials.begin(), trials.end(), std::mt19937(1));
-    for (std::size_t i = 0; i < trials.size(); ++i) trials[i].number = static_cast<long>(i);
+    std::ranges::sort(trials, {}, &Trial::number);
     std::map<std::pair<const Case*, Watched>, long> counts;
     std::vector<std::pair<double, Trial>> turns;
     for (const Trial& trial : trials)
@@ -108,7 +117,9 @@ void mix(std::vector<Trial>& trials) {
 
 int faults(Attacker& attacker, const Plan& plan) {
     const double start = now();
-    const std::vector<Case> all = cases();
+    std::vector<Case> all = cases();
+    std::ranges::move(cases_with_others(), std::back_inserter(all));
+    all = attacker.completed(all);
     std::vector<Ran> good(all.size());
     std::vector<Trial> trials;
     std::set<std::uint64_t> known;
@@ -121,15 +132,15 @@ int faults(Attacker& attacker, const Plan& plan) {
     long foreign = 0, per_kind[5] = {}, all_of_kind[5] = {};
     for (const Trial& trial : trials) ++all_of_kind[static_cast<int>(trial.watched)];
     for (const Trial& trial : trials) {
-        if (plan.only >= 0 ? static_cast<long>(plan.only) != trial.number : now() > end) continue;
+        if (plan.only >= 0 ? static_cast<long>(plan.only) != trial.number() : now() > end) continue;
         attacker.control().only_named = trial.only_named;
         attacker.order(trial.watched, trial.at, trial.harm, trial.error);
         const Ran ran = attacker.run_fresh(*trial.attacked);
         ++tally.tried, ++per_kind[static_cast<int>(trial.watched)];
         const std::string fault = verdict(*trial.attacked, *trial.good, ran, attacker.control());
-        foreign += fault.empty() && (ran.status < 0 || ran.status == 127);
+        foreign += fault.empty() && (ran.status < 0 || ran.status == 127 || (ran.status > 0 && ran.err.empty()));
         if (fault.empty()) continue;
-        tally.fault(std::to_string(trial.number) + ": " + in_words(trial, attacker.control()) + ": " + fault, ran);
+        tally.fault(std::to_string(trial.number()) + ": " + in_words(trial, attacker.control()) + ": " + fault, ran);
     }
     std::string notes;
     for (const Watched watched : kinds)

@@ -11,7 +11,7 @@ namespace {
 long at_every_call(Attacker& attacker, double end, Tally& tally) {
     const long before = tally.tried;
     for (const bool only_named : {false, true})
-        for (const Case& attacked : cases()) {
+        for (const Case& attacked : attacker.completed(cases())) {
             attacker.control().only_named = only_named;
             attacker.order(Watched::nothing, 0);
             const Ran good = attacker.run_fresh(attacked);

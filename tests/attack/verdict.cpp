@@ -16,14 +16,16 @@ bool whole(const std::string& name, const std::string& bytes, const Files& befor
 
 std::string verdict(const Case& attacked, const Ran& good, const Ran& ran, const Control& control) {
     const bool kill = control.done && control.harm != Harm::error && control.harm != Harm::cut;
-    // In somebody else's code, or, with 127, in the loader on its behalf.
-    const bool died = control.foreign && (ran.status < 0 || ran.status == 127);
+    // In somebody else's code, or, with 127, in the loader on its behalf. Some libraries end the program by exit().
+    const bool quietly = control.watched == Watched::loading && ran.status > 0 && ran.err.empty();
+    const bool died = control.foreign && (ran.status < 0 || ran.status == 127 || quietly);
     if (ran.status == -1000 && !died) return "it did not end within 20 s";
     const bool interrupted = ran.status == 130 && control.error == EINTR;
     if (!kill && !died && !interrupted && (ran.status < 0 || ran.status > 3))
         return ran.status < 0 ? "it was ended by signal " + std::to_string(-ran.status)
                               : "exit status " + std::to_string(ran.status);
-    if (ran.status > 0 && ran.err.empty()) return "no message";
+    if (ran.status > 0 && ran.err.empty() && !died) return "no message";
+    if (ran.err.find("bad_alloc") != std::string::npos) return "a message that only a programmer knows";
     for (const char* word : {"Sanitizer", "runtime error:"})
         if (ran.err.find(word) != std::string::npos) return "a sanitizer's report";
     if (ran.status == 0 && !attacked.times && ran.out != good.out) return "done, but it printed something else";
@@ -49,7 +51,8 @@ std::string verdict(const Case& attacked, const Ran& good, const Ran& ran, const
         if (copied && (name == "picture.bmp" || name == "other.bmp") &&
             (kill || ran.err.find("all of it is in '.strahl-") != std::string::npos))
             continue;
-        if (kill && name.starts_with("strahl-povray-")) continue;
+        if (name.starts_with("folder.tmp-") && ran.err.find("the older bundle stays in") != std::string::npos) continue;
+        if ((kill || control.foreign) && name.starts_with("strahl-povray-")) continue;
         return name + " should not be there, or is not whole";
     }
     return "";

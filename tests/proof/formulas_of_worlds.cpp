@@ -112,7 +112,8 @@ TEST_CASE("formulas of camera rays") {
     Dice dice(10);
     for (int i = 0; i < trials(); ++i) {
         const double far = std::pow(10, dice.in(-1, 3));
-        View view{.prove = true};
+        View view;
+        view.prove = true;
         view.width = 1 + dice.upto(2000), view.height = 1 + dice.upto(2000);
         view.camera.position = dice.vector(-far, far);
         view.camera.look_at = view.camera.position + dice.arrow(1, 10);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <new>
 #include <vector>
 
 namespace {
@@ -89,6 +90,9 @@ bool guarded(std::string& reason, Work work) {
         const bool done = work();
         if (!done && reason.empty()) reason = "the picture library gives no reason";
         return done;
+    } catch (const std::bad_alloc&) {
+        reason = "out of memory";  // so short that it takes none
+        return false;
     } catch (const std::exception& error) {
         reason = error.what();
         return false;
