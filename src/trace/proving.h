@@ -75,7 +75,7 @@ STRAHL_INLINE HitBounds<S> bound_hits(const Shading<S>& shading, const Hit<S>& h
         for (int k = 0; k < width<S>; ++k) items[k] = world.references[static_cast<int>(surfaces[k])].item;
     }
     PointBounds<S> found{S(0), S(0), first_lanes<S>(0)};
-    if_hot(world, bin.form, [&](const auto& group) {
+    if_known(world, bin.form, [&](const auto& group) {
         using Item = typename std::remove_cvref_t<decltype(group)>::template ItemOf<S>;
         const Item own =
             world.bin_per_item ? splat_item<Item, S>(group.items[bin.item]) : gather_items<Item, S>(group.items, items);

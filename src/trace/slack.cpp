@@ -43,6 +43,32 @@ struct Comparison {
         raise(slack.share, off / (sum_of(extended(kernel.base)) + kernel.radius + kernel.height));
         raise(slack.turn, length_of(extended(kernel.axis) - own.axis) + to_world.rounding());
     }
+    void operator()(const Disc& disc, const DiscKernel<T>& kernel) const {
+        const DiscKernel<Extended> own = extended_kernel(disc, to_world);
+        const Extended off = apart(kernel.centre, own.centre) + to_world.rounding(disc.centre) +
+                             std::abs(kernel.radius - own.radius) + std::abs(kernel.hole - own.hole) +
+                             to_world.rounding() * (kernel.radius + kernel.hole);
+        raise(slack.share, off / (sum_of(extended(kernel.centre)) + kernel.radius));
+        raise(slack.turn, length_of(extended(kernel.normal) - own.normal) + to_world.rounding());
+    }
+    /// Places are those of the corners, directions the rows as shares of their lengths.
+    void operator()(const Cuboid& box, const BoxKernel<T>& kernel) const {
+        const BoxKernel<Extended> own = extended_kernel(box, to_world);
+        const std::array rows{own.row_x, own.row_y, own.row_z};
+        const std::array made{extended(kernel.row_x), extended(kernel.row_y), extended(kernel.row_z)};
+        const auto edges = dual_of(rows), made_edges = dual_of(made);
+        Extended condition = 0;  // the most by which rows are further off than edges
+        for (int i = 0; i < 3; ++i) condition += length_of(edges[i]) * length_of(rows[i]);
+        const Extended rounding = 2 * condition * to_world.rounding();
+        const ExtendedVector centre = extended(box.corner) + extended(box.opposite);
+        Extended off = apart(kernel.centre, own.centre) + to_world.rounding(box.corner) +
+                       to_world.rounding(box.opposite) + ExtendedTransform::unit * to_world.length(sum_of(centre));
+        for (int i = 0; i < 3; ++i) {
+            off += sum_of(made_edges[i] - edges[i]) + rounding * sum_of(edges[i]);
+            raise(slack.turn, length_of(made[i] - rows[i]) / length_of(made[i]) + rounding);
+        }
+        raise(slack.share, off / (sum_of(extended(kernel.centre)) + sum_of(extended(kernel.box.half))));
+    }
     /// Kernels that proofs do not know.
     template <class Kind, class Kernel>
     void operator()(const Kind&, const Kernel&) const {}

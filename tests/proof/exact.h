@@ -1,12 +1,14 @@
-// Exact arithmetic, as nearly as numbers of 113 bits have it: a recursive tracer of spheres, planes and cylinders that
-// takes the doubles of a Scene and rounds nothing to double, the camera's axes and all matrices included. The same in
-// long double, 100 times as fast, sees nearly all of what need not be judged by more.
+// Exact arithmetic, as nearly as numbers of 113 bits have it: a recursive tracer that takes the doubles of a Scene and
+// rounds nothing to double, the camera's axes and all matrices included. Bodies are the referee's. The same in long
+// double, 100 times as fast, sees nearly all of what need not be judged by more.
 #pragma once
 #include <array>
 #include <vector>
 
 #include "scene/scene.h"
 #include "tests/referee/basic.h"
+#include "tests/referee/box.h"
+#include "tests/referee/disc.h"
 #include "trace/tracer.h"
 
 namespace strahl::exact {
@@ -77,17 +79,22 @@ struct Body {
         const Line<R> local{space.turn(line.origin - space.moved), space.turn(line.direction)};
         const int source = line.body == self ? line.face : -1;
         std::vector<Crossing<R>> found;
-        if (const auto* sphere = std::get_if<Sphere>(&shape)) found = crossings(*sphere, local, source).list;
-        if (const auto* plane = std::get_if<Plane>(&shape)) found = crossings(*plane, local, source).list;
-        if (const auto* cylinder = std::get_if<Cylinder>(&shape)) found = crossings(*cylinder, local, source).list;
+        std::visit(
+            [&](const auto& own) {
+                if constexpr (requires { crossings(own, local, source); }) found = crossings(own, local, source).list;
+            },
+            shape);
         for (auto& [t, face, n] : found) n = n.x * space.rows[0] + n.y * space.rows[1] + n.z * space.rows[2];
         return found;
     }
     bool surrounds(const Vector<R>& world) const {
         const Vector<R> p = space.turn(world - space.moved);
-        if (const auto* sphere = std::get_if<Sphere>(&shape)) return contains<R>(*sphere, p);
-        if (const auto* plane = std::get_if<Plane>(&shape)) return contains<R>(*plane, p);
-        return contains<R>(std::get<Cylinder>(shape), p);
+        return std::visit(
+            [&](const auto& own) {
+                if constexpr (requires { contains<R>(own, p); }) return contains<R>(own, p);
+                return false;
+            },
+            shape);
     }
 };
 

@@ -2,18 +2,13 @@
 // of any size, or by rounding alone, in the directions that hurt most.
 //
 //     PROOF_TRIALS=1000000 test_proof -tc='formulas*' -s     more of them
-#include "tests/proof/trial.h"
+#include "tests/proof/spans.h"
 
 using namespace strahl;
 using namespace strahl::trial;
 
-namespace {
-
-/// A body, and as the kernel has it, whose numbers are off by some share.
-template <class Shape>
-struct Case;
 template <>
-struct Case<Sphere> {
+struct trial::Case<Sphere> {
     Sphere shape;
     SphereKernel<double> kernel;
     Slack<double> slack;
@@ -33,7 +28,7 @@ struct Case<Sphere> {
     }
 };
 template <>
-struct Case<Plane> {
+struct trial::Case<Plane> {
     Plane shape;
     PlaneKernel<double> kernel;
     Slack<double> slack;
@@ -54,7 +49,7 @@ struct Case<Plane> {
     }
 };
 template <>
-struct Case<Cylinder> {
+struct trial::Case<Cylinder> {
     Cylinder shape;
     CylinderKernel<double> kernel;
     Slack<double> slack;
@@ -90,78 +85,6 @@ struct Case<Cylinder> {
         return {base + (cap ? height : R(0)) * axis + R(shape.radius) * (1 - near) * out, R(cap ? 1 : -1) * axis};
     }
 };
-
-/// Of bodies that a ray crosses.
-template <class Shape>
-struct Spans {
-    Closest near{"crossing"}, far{"last crossing", !std::is_same_v<Shape, Plane>}, other{"from its own surface"},
-        away{"point"}, surface{"point off its surface"}, normal{"normal"}, told{"certain, or not"};
-
-    void try_span(const Case<Shape>& body, const OffRay& off) {
-        const SpanBounds<double> span = span_bounds(body.kernel, off.ray, off.doubt, -1., body.slack);
-        auto list = crossings(body.shape, off.line, -1).list;
-        std::ranges::sort(list, {}, &referee::Crossing<R>::t);
-        told.demand(list.empty() ? !span.sure || std::is_same_v<Shape, Plane> : span.maybe);
-        if (list.empty()) return;
-        take(near, list.front().t, span.near_low, span.near_high);
-        if (list.size() > 1) take(far, list.back().t, span.far_low, span.far_high);
-    }
-    static void take(Closest& kind, R t, double low, double high) {
-        if (!(low > -inf && high < inf)) return kind.demand(t <= 0 || (t >= low && t <= high));
-        kind.take(size(t - (R(low) + R(high)) / 2), above((R(high) - R(low)) / 2));
-    }
-    void try_point(Dice& dice, const Case<Shape>& body, const OffRay& off) {
-        const Span<double> span = body.kernel.span(off.ray, -1.);
-        const double t = first_crossing(span), face = first_face(span);
-        if (!span.hit || !(t > 0)) return;
-        const SurfacePoint<double> point = body.kernel.at(off.ray, t, face);
-        const PointBounds<double> known = point_bounds(body.kernel, off.ray, off.doubt, t, point, face, body.slack);
-        if (!known.sure) return;
-        surface.take(body.off(vector(point.position), static_cast<int>(face)),
-                     off_surface(body.kernel, point.position, body.slack));
-        const referee::Crossing<R>* met = nullptr;
-        const auto list = crossings(body.shape, off.line, -1).list;
-        for (const auto& crossing : list)
-            if (crossing.face == static_cast<int>(face) && (!met || size(crossing.t - t) < size(met->t - t)))
-                met = &crossing;
-        told.demand(met && met->t > 0);
-        if (!met) return;
-        const Vector exact = off.line.origin + met->t * off.line.direction;
-        away.take(length(exact - vector(point.position)), known.away);
-        normal.take(length(unit(met->normal) - vector(point.normal)), known.normal);
-        OffRay on = off_ray(dice, point.position, any_of(dice, vector(point.normal)) + R(.9) * Vector(dice.direction()),
-                            Vector(), any_of(dice, vector(point.normal)));
-        on.line.origin = exact, on.doubt.away = above(length(exact - vector(point.position)));
-        on.ray.source = face;
-        const SpanBounds<double> from = span_bounds(body.kernel, on.ray, on.doubt, face, body.slack);
-        auto ahead = crossings(body.shape, on.line, static_cast<int>(face)).list;
-        std::ranges::sort(ahead, {}, &referee::Crossing<R>::t);
-        const bool leaves = !ahead.empty() && ahead.back().t > 0;
-        if constexpr (std::is_same_v<Shape, Plane>) return other.demand(!from.maybe);
-        told.demand(leaves ? from.maybe : !(from.sure && from.far_low > 0));
-        if (leaves) take(other, ahead.back().t, from.far_low, from.far_high);
-    }
-};
-
-template <class Shape>
-void try_body(std::uint64_t seed) {
-    Dice dice(seed);
-    Spans<Shape> spans;
-    for (int i = 0; i < trials(); ++i) {
-        const Case<Shape> body(dice);
-        const auto [point, normal] = body.point(dice);
-        const R c = std::pow(10, dice.chance(.3) ? dice.in(-9, 0) : dice.in(-.7, 0));
-        const Vector along = R(dice.chance(.8) ? -1 : 1) * c * normal + root(1 - c * c) * perpendicular(dice, normal);
-        const double way = std::pow(10, dice.in(-1, 1)), beside = dice.chance(.7) ? 0 : any_size(dice, -1);
-        const Vector aim = point + R((dice.chance(.5) ? 1 : -1) * beside * body.scale()) * normal;
-        const OffRay off =
-            off_ray(dice, rounded(aim - R(way) * along), along, any_of(dice, normal), any_of(dice, normal));
-        spans.try_span(body, off);
-        spans.try_point(dice, body, off);
-    }
-}
-
-}  // namespace
 
 /// Rays that hardly lean, and lines that are off by as much as they are slanted.
 TEST_CASE("formulas of cylinders' ends") {

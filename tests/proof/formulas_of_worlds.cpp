@@ -28,7 +28,10 @@ struct Differences {
 
     /// Of a shape under these transformations.
     template <class Shape>
-    void take(const Shape& shape, const std::vector<Transformation>& steps, const Placement& placement) {
+    void take(const Shape& shape, std::vector<Transformation> steps, const Placement& placement,
+              const std::vector<Transformation>& uneven) {
+        if (std::tuple_size_v<typename Shape::template Kernels<T>> == 1)  // it takes any transformation
+            steps.insert(steps.end(), uneven.begin(), uneven.end());
         const exact::Space space(steps);
         const auto turned = [&](const Vector& v) {
             return v.x * space.columns[0] + v.y * space.columns[1] + v.z * space.columns[2];
@@ -48,7 +51,7 @@ struct Differences {
                                (norm1(kernel.centre) + kernel.radius),
                            slack.share);
             if constexpr (std::is_same_v<Kernel, PlaneKernel<T>>) {
-                const Vector n = unit(turned(referee::normal<R>(shape)));
+                const Vector a = shape.a, n = unit(cross(turned(Vector(shape.b) - a), turned(Vector(shape.c) - a)));
                 turn.take(off(kernel.normal, n), slack.turn);
                 plane.take(size(kernel.distance - dot(n, place(shape.a))), slack.plane);
             }
@@ -59,6 +62,36 @@ struct Differences {
                                (norm1(kernel.base) + kernel.radius + kernel.height),
                            slack.share);
                 turn.take(off(kernel.axis, unit(turned(rise))), slack.turn);
+            }
+            if constexpr (std::is_same_v<Kernel, DiscKernel<T>>) {
+                share.take((off(kernel.centre, place(shape.centre)) + size(kernel.radius - stretch * R(shape.radius)) +
+                            size(kernel.hole - stretch * R(shape.hole))) /
+                               (norm1(kernel.centre) + kernel.radius),
+                           slack.share);
+                turn.take(off(kernel.normal, unit(turned(Vector(shape.normal)))), slack.turn);
+            }
+            if constexpr (std::is_same_v<Kernel, BoxKernel<T>>) {
+                const Vector low = shape.corner, high = shape.opposite, way = high - low;
+                const auto at = [&](const Vector& p) {
+                    return scale * (turned(p) + space.moved - Vector(placement.origin));
+                };
+                const Vector rows[] = {R(2) / size(way.x) / scale * space.rows[0],
+                                       R(2) / size(way.y) / scale * space.rows[1],
+                                       R(2) / size(way.z) / scale * space.rows[2]};
+                const Vector made[] = {vector(kernel.row_x), vector(kernel.row_y), vector(kernel.row_z)};
+                R most = 0;  // of its corners, which are the centre and edges that have products of 1 or -1 with rows
+                const Vector centre = at(R(.5) * (low + high));
+                const auto corner = [&](const Vector* own, const Vector& middle, int x, int y, int z) {
+                    const Vector u = cross(own[1], own[2]), v = cross(own[2], own[0]), w = cross(own[0], own[1]);
+                    return middle + R(1) / dot(own[0], u) * (R(x) * u + R(y) * v + R(z) * w);
+                };
+                for (int x : {-1, 1})
+                    for (int y : {-1, 1})
+                        for (int z : {-1, 1})
+                            most = std::max(most, length(corner(made, vector(kernel.centre), x, y, z) -
+                                                         corner(rows, centre, x, y, z)));
+                share.take(most / (norm1(kernel.centre) + norm1(kernel.box.half)), slack.share);
+                for (int i : {0, 1, 2}) turn.take(length(made[i] - rows[i]) / length(made[i]), slack.turn);
             }
         });
     }
@@ -96,13 +129,17 @@ TEST_CASE("formulas of worlds") {
                                   std::ldexp(1, dice.upto(20) - 10)};
         const DVec3 at = dice.vector(-far, far);
         const std::vector<Transformation> steps = similar(dice);
+        const std::vector<Transformation> uneven{Scale{dice.vector(.1, 3)}, Rotate{dice.vector(-200, 200)}};
+        const std::vector<Transformation> more = dice.chance(.5) ? uneven : std::vector<Transformation>{};
         const auto take = [&](const auto& shape) {
-            differences.take(shape, steps, placement), in_extended.take(shape, steps, placement);
+            differences.take(shape, steps, placement, more), in_extended.take(shape, steps, placement, more);
         };
-        const int which = dice.upto(2);
+        const int which = dice.upto(4);
         if (which == 0) take(Sphere{at, dice.in(.1, 3)});
         if (which == 1) take(Plane{at, at + dice.direction(), at + dice.direction()});
         if (which == 2) take(Cylinder{at, at + dice.arrow(.1, 3), dice.in(.1, 3)});
+        if (which == 4) take(Cuboid{at, at + dice.arrow(.1, 3)});
+        if (which == 3) take(Disc{at, dice.arrow(.1, 3), dice.in(.2, 3), dice.chance(.5) ? 0 : dice.in(.01, .19)});
     }
 }
 
