@@ -96,6 +96,15 @@ BoxKernel<Extended> extended_kernel(const Cuboid& box, const ExtendedTransform& 
     return kernel;
 }
 
+TriangleKernel<Extended> extended_kernel(const Triangle& triangle, const ExtendedTransform& to_world) {
+    return {to_world.point(triangle.a), to_world.point(triangle.b), to_world.point(triangle.c)};
+}
+TriangleKernel<Extended> extended_kernel(const Mesh& mesh, const ExtendedTransform& to_world, std::size_t i) {
+    const auto [a, b, c] = mesh.data->triangles[i];
+    const auto& points = mesh.data->points;
+    return extended_kernel(Triangle{points[a], points[b], points[c]}, to_world);
+}
+
 Eye<Extended> extended_eye(const View& view, const Placement& placement) {
     const Camera& camera = view.camera;
     const ExtendedVector position = extended(camera.position);

@@ -80,22 +80,38 @@ PlaneKernel<Extended> extended_kernel(const Plane& plane, const ExtendedTransfor
 CylinderKernel<Extended> extended_kernel(const Cylinder& cylinder, const ExtendedTransform& to_world);
 DiscKernel<Extended> extended_kernel(const Disc& disc, const ExtendedTransform& to_world);
 BoxKernel<Extended> extended_kernel(const Cuboid& box, const ExtendedTransform& to_world);
+TriangleKernel<Extended> extended_kernel(const Triangle& triangle, const ExtendedTransform& to_world);
+/// Triangle number i, of flat ones.
+TriangleKernel<Extended> extended_kernel(const Mesh& mesh, const ExtendedTransform& to_world, std::size_t i);
 /// To vectors u, v, w those whose products with them are 1 and with the others 0.
 std::array<ExtendedVector, 3> dual_of(const std::array<ExtendedVector, 3>& vectors);
 
+/// Emits the numbers from above, if there are any for this shape under these transformations.
+template <class Shape, class Emit>
+bool emit_extended(const Shape& shape, const WorldTransform& to_world, std::span<const Transformation> steps,
+                   const Emit& emit) {
+    constexpr bool is_mesh = std::is_same_v<Shape, Mesh>;
+    constexpr bool takes_any = is_mesh || std::tuple_size_v<typename Shape::template Kernels<Extended>> == 1;
+    if (!to_world.similar() && !takes_any) return false;
+    const ExtendedTransform own(steps, to_world.origin, to_world.scale);
+    if (!own.known()) return false;
+    if constexpr (is_mesh) {
+        if (!shape.data->corner_normals.empty()) return false;
+        for (std::size_t i = 0; i < shape.data->triangles.size(); ++i) emit(extended_kernel(shape, own, i));
+        return true;
+    } else if constexpr (requires { extended_kernel(shape, own); }) {
+        emit(extended_kernel(shape, own));
+        return true;
+    }
+    return false;
+}
 /// Emits what a shape does. For proofs long double gets numbers from above where there are any, and not such that were
 /// rounded to double before. In pictures these would differ from patterns and composites, which are made in double.
 template <class T, class Shape, class Emit>
 void emit_in(const Shape& shape, const WorldTransform& to_world, std::span<const Transformation> steps,
              const Emit& emit, bool proves = true) {
-    if constexpr (std::is_same_v<T, Extended> &&
-                  requires(const ExtendedTransform& own) { extended_kernel(shape, own); }) {
-        constexpr bool any_transformation = std::tuple_size_v<typename Shape::template Kernels<T>> == 1;
-        if (proves && (to_world.similar() || any_transformation)) {
-            const ExtendedTransform own(steps, to_world.origin, to_world.scale);
-            if (own.known()) return emit(extended_kernel(shape, own));
-        }
-    }
+    if constexpr (std::is_same_v<T, Extended>)
+        if (proves && emit_extended(shape, to_world, steps, emit)) return;
     shape.template emit<T>(to_world, emit);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 #include "trace/flat_bounds.h"
 #include "trace/span_bounds.h"
+#include "trace/triangle_bounds.h"
 
 namespace strahl::inline STRAHL_LEVEL {
 

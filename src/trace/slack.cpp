@@ -14,6 +14,7 @@ template <class T>
 struct Comparison {
     const ExtendedTransform& to_world;
     Slack<T>& slack;
+    std::size_t& triangles;  // of a mesh, that were compared
 
     static void raise(T& most, Extended value) {
         most = std::max(most, value < 1e300L ? static_cast<T>(value) * (1 + 1e-15) : HUGE_VAL);
@@ -69,6 +70,17 @@ struct Comparison {
         }
         raise(slack.share, off / (sum_of(extended(kernel.centre)) + sum_of(extended(kernel.box.half))));
     }
+    void operator()(const Triangle& triangle, const TriangleKernel<T>& kernel) const {
+        const TriangleKernel<Extended> own = extended_kernel(triangle, to_world);
+        const Extended off = std::max({apart(kernel.a, own.a) + to_world.rounding(triangle.a),
+                                       apart(kernel.b, own.b) + to_world.rounding(triangle.b),
+                                       apart(kernel.c, own.c) + to_world.rounding(triangle.c)});
+        raise(slack.share, off / (sum_of(extended(kernel.a)) + sum_of(extended(kernel.b)) + sum_of(extended(kernel.c))));
+    }
+    void operator()(const Mesh& mesh, const TriangleKernel<T>& kernel) const {
+        const auto [a, b, c] = mesh.data->triangles[triangles++];
+        (*this)(Triangle{mesh.data->points[a], mesh.data->points[b], mesh.data->points[c]}, kernel);
+    }
     /// Kernels that proofs do not know.
     template <class Kind, class Kernel>
     void operator()(const Kind&, const Kernel&) const {}
@@ -83,7 +95,8 @@ Slack<T> slack_of(const Scene& scene, const Placement& placement) {
         const ExtendedTransform own(primitive.transformations, placement.origin, placement.scale);
         const WorldTransform to_world{matrix(primitive.transformations), similarity(primitive.transformations),
                                       placement.origin, placement.scale};
-        const Comparison<T> compare{own, slack};
+        std::size_t triangles = 0;
+        const Comparison<T> compare{own, slack, triangles};
         std::visit(
             [&](const auto& shape) {
                 emit_in<T>(shape, to_world, primitive.transformations,

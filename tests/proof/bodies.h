@@ -1,6 +1,8 @@
 // What random worlds for proofs have besides balls and rods.
 #pragma once
 #include <cmath>
+#include <memory>
+#include <variant>
 #include <vector>
 
 #include "scene/scene.h"
@@ -13,10 +15,35 @@ inline DVec3 cross(const DVec3& a, const DVec3& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
+/// Triangles that share a corner and sides, by themselves or as a mesh.
+inline std::vector<Shape> fan(Dice& dice, const DVec3& centre, double radius) {
+    const int count = 1 + dice.upto(4);
+    const bool flat = dice.chance(.2), closes = count > 2 && dice.chance(.5);
+    const DVec3 x = dice.direction(), y = dice.direction();
+    MeshData data{.points = {centre}};
+    for (int i = 0; i <= count; ++i) {
+        const double angle = 1.2 * i;
+        const DVec3 out = std::cos(angle) * x + std::sin(angle) * y;
+        data.points.push_back(centre + dice.in(.5, 1.5) * radius * (flat ? out : unit(out + .5 * dice.direction())));
+    }
+    for (int i = 1; i <= count; ++i) data.triangles.push_back({0, i, i == count && closes ? 1 : i + 1});
+    if (dice.chance(.5)) return {Mesh{std::make_shared<const MeshData>(data)}};
+    std::vector<Shape> triangles;
+    for (const auto& [a, b, c] : data.triangles)
+        triangles.push_back(Triangle{data.points[a], data.points[b], data.points[c]});
+    return triangles;
+}
+inline bool takes_any_transformation(const Shape& shape) {
+    return std::visit([]<class Kind>(const Kind&) { return Kind::bounded && requires { Kind::plane_faces; }; }, shape) &&
+           !std::holds_alternative<Disc>(shape);
+}
+
 /// One or several bodies around a centre. What touches something does so there, towards `out`.
 inline std::vector<Shape> random_bodies(Dice& dice, const DVec3& centre, double radius, bool touches,
                                         const DVec3& out) {
-    if (dice.chance(.5)) {
+    const int kind = dice.upto(2);
+    if (kind == 0) return fan(dice, centre, radius);
+    if (kind == 1) {
         const DVec3 size = radius * dice.vector(.1, 1);
         const Cuboid box{centre - size, centre + size};
         if (!touches) return {box};
@@ -30,7 +57,16 @@ inline std::vector<Shape> random_bodies(Dice& dice, const DVec3& centre, double 
 
 /// Bodies of about this size that a ray from afar along `way` meets at `target` on an edge, but for rounding.
 inline std::vector<Shape> edge_bodies(Dice& dice, const DVec3& target, const DVec3& way, double size) {
-    if (dice.chance(.5)) {  // a corner or an edge of a box, or its middle
+    const int kind = dice.upto(2);
+    if (kind == 0) {  // a side of a triangle or of two, or a corner
+        const DVec3 along = dice.chance(.2) ? way : dice.direction();
+        const DVec3 a = target + dice.in(.2, 2) * size * along;
+        const DVec3 b = dice.chance(.3) ? target : target - dice.in(.2, 2) * size * along;
+        const Triangle one{a, b, target + dice.in(.2, 2) * size * dice.direction()};
+        if (dice.chance(.5)) return {one};
+        return {one, Triangle{b, a, target + dice.in(.2, 2) * size * dice.direction()}};
+    }
+    if (kind == 1) {  // a corner or an edge of a box, or its middle
         DVec3 from = target, to = target;
         for (int i = 0; i < 3; ++i) {
             const double way_to = dice.in(.2, 2) * size;

@@ -9,6 +9,7 @@
 #include "tests/referee/basic.h"
 #include "tests/referee/box.h"
 #include "tests/referee/disc.h"
+#include "tests/referee/triangle.h"
 #include "trace/tracer.h"
 
 namespace strahl::exact {

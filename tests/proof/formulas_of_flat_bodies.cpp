@@ -84,6 +84,42 @@ struct trial::Case<Cuboid> {
                 Vector{normal[0], normal[1], normal[2]}};
     }
 };
+template <>
+struct trial::Case<Triangle> {
+    Triangle shape;
+    TriangleKernel<double> kernel;
+    Slack<double> slack;
+    Vector normal;
+    /// A third of them are narrow.
+    explicit Case(Dice& dice) {
+        const DVec3 e = dice.arrow(.1, 3), f = dice.arrow(.1, 3);
+        const double narrow = dice.chance(.3) ? std::pow(10, dice.in(-9, 0)) : 1;
+        shape.a = dice.vector(-3, 3), shape.b = shape.a + e;
+        shape.c = shape.a + (dice.chance(.5) ? narrow * f : dice.in(.1, 2) * e + narrow * f);
+        normal = unit(cross(Vector(shape.b) - Vector(shape.a), Vector(shape.c) - Vector(shape.a)));
+        const double off = any_size(dice, -7);
+        const auto moved = [&](const DVec3& corner) { return rounded(Vector(corner) + R(off) * any_of(dice, normal)); };
+        kernel = {moved(shape.a), moved(shape.b), moved(shape.c)};
+        R wrong = length(vector(kernel.a) - Vector(shape.a));
+        wrong = std::max(wrong, length(vector(kernel.b) - Vector(shape.b)));
+        wrong = std::max(wrong, length(vector(kernel.c) - Vector(shape.c)));
+        slack.share = 1.0000001 * above(wrong / R(norm1(kernel.a) + norm1(kernel.b) + norm1(kernel.c)));
+    }
+    double scale() const { return 1; }
+    R off(const Vector& p, int) const { return size(dot(normal, p - Vector(shape.a))); }
+    /// Three quarters of them near a side, on either side of it, or near a corner.
+    std::pair<Vector, Vector> point(Dice& dice) const {
+        const auto near = [&] { return R(std::pow(10, dice.in(-15, -1)) * (dice.chance(.7) ? 1 : -1)); };
+        const R first = dice.chance(.5) ? near() : R(dice.in(0, 1));
+        const R second = (1 - first) * (dice.chance(.5) ? near() : R(dice.in(0, 1)));
+        const Vector corners[] = {shape.a, shape.b, shape.c};
+        const int turned = dice.upto(2);
+        return {first * corners[turned] + second * corners[(turned + 1) % 3] +
+                    (1 - first - second) * corners[(turned + 2) % 3],
+                normal};
+    }
+};
 
 TEST_CASE("formulas of discs") { try_body<Disc>(11); }
 TEST_CASE("formulas of cuboids") { try_body<Cuboid>(12); }
+TEST_CASE("formulas of triangles") { try_body<Triangle>(13); }

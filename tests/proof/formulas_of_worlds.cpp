@@ -70,6 +70,12 @@ struct Differences {
                            slack.share);
                 turn.take(off(kernel.normal, unit(turned(Vector(shape.normal)))), slack.turn);
             }
+            if constexpr (std::is_same_v<Kernel, TriangleKernel<T>>) {
+                const R whole = norm1(kernel.a) + norm1(kernel.b) + norm1(kernel.c);
+                share.take(off(kernel.a, place(shape.a)) / whole, slack.share);
+                share.take(off(kernel.b, place(shape.b)) / whole, slack.share);
+                share.take(off(kernel.c, place(shape.c)) / whole, slack.share);
+            }
             if constexpr (std::is_same_v<Kernel, BoxKernel<T>>) {
                 const Vector low = shape.corner, high = shape.opposite, way = high - low;
                 const auto at = [&](const Vector& p) {
@@ -134,10 +140,11 @@ TEST_CASE("formulas of worlds") {
         const auto take = [&](const auto& shape) {
             differences.take(shape, steps, placement, more), in_extended.take(shape, steps, placement, more);
         };
-        const int which = dice.upto(4);
+        const int which = dice.upto(5);
         if (which == 0) take(Sphere{at, dice.in(.1, 3)});
         if (which == 1) take(Plane{at, at + dice.direction(), at + dice.direction()});
         if (which == 2) take(Cylinder{at, at + dice.arrow(.1, 3), dice.in(.1, 3)});
+        if (which == 5) take(Triangle{at, at + dice.arrow(.1, 3), at + dice.arrow(.1, 3)});
         if (which == 4) take(Cuboid{at, at + dice.arrow(.1, 3)});
         if (which == 3) take(Disc{at, dice.arrow(.1, 3), dice.in(.2, 3), dice.chance(.5) ? 0 : dice.in(.01, .19)});
     }

@@ -61,7 +61,12 @@ inline Scene random_world(std::uint64_t seed) {
         const DVec3 centre = touches ? last + (last_radius + radius) * dice.direction() : dice.vector(-2.5, 2.5);
         if (has_others && others.chance(.6)) {
             const DVec3 out = unit(centre - last), at = touches ? last + last_radius * out : centre;
-            for (const Shape& shape : random_bodies(others, place(at), size * radius, touches, out)) put(shape);
+            for (const Shape& shape : random_bodies(others, place(at), size * radius, touches, out)) {
+                put(shape);
+                std::vector<Transformation>& steps = scene.primitives.back().transformations;
+                if (!steps.empty() && takes_any_transformation(shape) && others.chance(.5))
+                    steps.insert(steps.begin(), Scale{others.vector(.5, 2)});
+            }
         } else if (dice.chance(.7)) {
             put(Sphere{place(centre), size * radius});
             last = centre, last_radius = radius;
