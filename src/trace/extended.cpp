@@ -68,6 +68,18 @@ CylinderKernel<Extended> extended_kernel(const Cylinder& cylinder, const Extende
     return {to_world.point(cylinder.base), unit_of(to_world.turn(rise)), to_world.length(cylinder.radius),
             to_world.length(length_of(rise))};
 }
+ConeKernel<Extended> extended_kernel(const Cone& cone, const ExtendedTransform& to_world) {
+    const ExtendedVector rise = extended(cone.cap) - extended(cone.base);
+    const Extended height = length_of(rise), widening = Extended(cone.cap_radius) - cone.base_radius;
+    const Extended slant = std::sqrt(height * height + widening * widening);
+    return {to_world.point(cone.base),
+            unit_of(to_world.turn(rise)),
+            to_world.length(cone.base_radius),
+            to_world.length(height),
+            height / slant,
+            widening / slant,
+            to_world.length(std::max(cone.base_radius, cone.cap_radius))};
+}
 DiscKernel<Extended> extended_kernel(const Disc& disc, const ExtendedTransform& to_world) {
     return {to_world.point(disc.centre), unit_of(to_world.turn(extended(disc.normal))), to_world.length(disc.radius),
             to_world.length(disc.hole)};

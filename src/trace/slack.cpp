@@ -44,6 +44,17 @@ struct Comparison {
         raise(slack.share, off / (sum_of(extended(kernel.base)) + kernel.radius + kernel.height));
         raise(slack.turn, length_of(extended(kernel.axis) - own.axis) + to_world.rounding());
     }
+    void operator()(const Cone& cone, const ConeKernel<T>& kernel) const {
+        const ConeKernel<Extended> own = extended_kernel(cone, to_world);
+        const Extended size = kernel.widest + Extended(kernel.height);
+        const Extended off = apart(kernel.base, own.base) + to_world.rounding(cone.base) +
+                             std::abs(kernel.radius - own.radius) + std::abs(kernel.height - own.height) +
+                             2 * to_world.rounding() * size;
+        const ExtendedVector angle{kernel.cosine - own.cosine, kernel.sine - own.sine, 0};
+        raise(slack.share, off / (sum_of(extended(kernel.base)) + size));
+        raise(slack.turn,
+              std::max(length_of(extended(kernel.axis) - own.axis), length_of(angle)) + to_world.rounding());
+    }
     void operator()(const Disc& disc, const DiscKernel<T>& kernel) const {
         const DiscKernel<Extended> own = extended_kernel(disc, to_world);
         const Extended off = apart(kernel.centre, own.centre) + to_world.rounding(disc.centre) +

@@ -52,7 +52,8 @@ STRAHL_INLINE SpanBounds<S> span_bounds(const TriangleKernel<K>& kernel, const R
     constexpr auto inf = SpanBounds<S>::inf;
     const KnownTriangle<S> triangle(kernel, slack);
     const Vec3<S> to_a = splat<S>(kernel.a) - ray.origin, d = ray.direction;
-    const S way = sqrt(dot(to_a, to_a)) + triangle.width;
+    const Vec3<S> to_b = to_a + triangle.e, to_c = to_a + triangle.f;
+    const S way = sqrt(max(dot(to_a, to_a), max(dot(to_b, to_b), dot(to_c, to_c))));
     const S over = dot(triangle.n, to_a) / triangle.tall, towards = dot(triangle.n, d) / triangle.tall;
     const S slope = abs(towards) - doubt.turn - triangle.tilt - S(2 * u), t = over / towards;
     const Vec3<S> q = fma(t, d, -to_a);
@@ -60,7 +61,7 @@ STRAHL_INLINE SpanBounds<S> span_bounds(const TriangleKernel<K>& kernel, const R
     const S reach = fma(S(3 * u) * triangle.narrow, norm1(q), off) / slope;
     const S within = triangle.within(q), edge = reach + triangle.edge(q);
     const Mask<S> slanted = triangle.clear & (slope > S(0)), elsewhere = !(start == S(0));
-    const S leans = fma(way, abs(towards) + doubt.turn + S(3 * u) * (S(2) + triangle.narrow), off);
+    const S leans = fma(way, abs(towards) + S(3 * u) * (S(2) + triangle.narrow), off);
     const S along_e = dot(triangle.e, d), along_f = dot(triangle.f, d);
     const S nearest = dot(to_a, d) + min(S(0), min(along_e, along_f)) - off;
     return {S(-inf), S(-inf), select(slanted, t - reach, select(nearest > S(0), nearest, S(-inf))),

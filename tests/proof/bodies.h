@@ -41,8 +41,13 @@ inline bool takes_any_transformation(const Shape& shape) {
 /// One or several bodies around a centre. What touches something does so there, towards `out`.
 inline std::vector<Shape> random_bodies(Dice& dice, const DVec3& centre, double radius, bool touches,
                                         const DVec3& out) {
-    const int kind = dice.upto(2);
+    const int kind = dice.upto(3);
     if (kind == 0) return fan(dice, centre, radius);
+    if (kind == 2) {
+        const DVec3 cap = centre + radius * (touches ? dice.in(.3, 3) * out : dice.arrow(.3, 3));
+        const double other = dice.chance(.5) ? 0 : dice.in(.1, 1) * radius;
+        return {dice.chance(.5) ? Cone{centre, other, cap, radius} : Cone{centre, radius, cap, other}};
+    }
     if (kind == 1) {
         const DVec3 size = radius * dice.vector(.1, 1);
         const Cuboid box{centre - size, centre + size};
@@ -57,7 +62,18 @@ inline std::vector<Shape> random_bodies(Dice& dice, const DVec3& centre, double 
 
 /// Bodies of about this size that a ray from afar along `way` meets at `target` on an edge, but for rounding.
 inline std::vector<Shape> edge_bodies(Dice& dice, const DVec3& target, const DVec3& way, double size) {
-    const int kind = dice.upto(2);
+    const int kind = dice.upto(3);
+    if (kind == 2) {  // an apex, a rim, or a line of the side that the ray goes along
+        const DVec3 axis = dice.direction(), rise = dice.in(.5, 3) * size * axis;
+        const DVec3 out = size * unit(cross(axis, dice.direction()));
+        if (dice.chance(.3)) return {Cone{target + rise, size, target, 0}};
+        if (dice.chance(.5)) return {Cone{target - out, size, target - out + rise, dice.in(0, 2) * size}};
+        const DVec3 along = dice.in(1, 3) * size * way, apex = target + along;
+        const DVec3 aside = size * unit(cross(way, dice.direction()));
+        const DVec3 tilted = unit(target - along + aside - apex);  // from the apex, half the angle away from the ray
+        const double slant = dice.in(1, 4) * size, cosine = -(tilted.x * way.x + tilted.y * way.y + tilted.z * way.z);
+        return {Cone{apex, 0, apex + slant * cosine * tilted, slant * std::sqrt(1 - cosine * cosine)}};
+    }
     if (kind == 0) {  // a side of a triangle or of two, or a corner
         const DVec3 along = dice.chance(.2) ? way : dice.direction();
         const DVec3 a = target + dice.in(.2, 2) * size * along;

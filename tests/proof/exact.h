@@ -8,6 +8,7 @@
 #include "scene/scene.h"
 #include "tests/referee/basic.h"
 #include "tests/referee/box.h"
+#include "tests/referee/cone.h"
 #include "tests/referee/disc.h"
 #include "tests/referee/triangle.h"
 #include "trace/tracer.h"

@@ -85,6 +85,55 @@ struct trial::Case<Cylinder> {
         return {base + (cap ? height : R(0)) * axis + R(shape.radius) * (1 - near) * out, R(cap ? 1 : -1) * axis};
     }
 };
+template <>
+struct trial::Case<Cone> {
+    Cone shape;
+    ConeKernel<double> kernel;
+    Slack<double> slack;
+    referee::ConeShape<R> exact{Cone{}};
+    R cosine, sine;
+    /// Half of them have an apex.
+    explicit Case(Dice& dice) {
+        shape.base = dice.vector(-3, 3), shape.cap = shape.base + dice.arrow(.1, 3);
+        shape.base_radius = std::pow(10, dice.in(-1.5, .3));
+        shape.cap_radius = dice.chance(.5) ? 0 : std::pow(10, dice.in(-1.5, .3));
+        if (dice.chance(.5)) std::swap(shape.base_radius, shape.cap_radius);
+        exact = referee::ConeShape<R>(shape);
+        cosine = 1 / root(1 + exact.slope * exact.slope), sine = exact.slope * cosine;
+        const double off = any_size(dice, -7), widest = std::max(shape.base_radius, shape.cap_radius);
+        kernel.axis = rounded(unit(exact.axis + R(off) * perpendicular(dice, exact.axis)));
+        kernel.base = rounded(Vector(shape.base) + R(off) * Vector(dice.direction()));
+        kernel.radius = shape.base_radius * (1 + off), kernel.height = static_cast<double>(exact.height) * (1 - off);
+        const R angle = (dice.chance(.5) ? 1 : -1) * off;
+        kernel.cosine = static_cast<double>(cosine - angle * sine), kernel.widest = widest;
+        kernel.sine = static_cast<double>(sine + angle * cosine);
+        const Vector wrong_angle{R(kernel.cosine) - cosine, R(kernel.sine) - sine, 0};
+        slack.turn = std::max(above(length(vector(kernel.axis) - exact.axis)), above(length(wrong_angle)));
+        const R wrong = length(vector(kernel.base) - Vector(shape.base)) +
+                        size(R(kernel.radius) - R(shape.base_radius)) + size(R(kernel.height) - exact.height);
+        slack.share = 1.0000001 * above(wrong / (R(norm1(kernel.base)) + R(widest) + R(kernel.height)));
+    }
+    double scale() const { return kernel.widest; }
+    R radius(R along) const { return exact.radius + exact.slope * along; }
+    R off(const Vector& p, int face) const {
+        const Vector f = p - exact.base;
+        const R along = dot(f, exact.axis);
+        if (face == 0) return size(cosine * (length(f - along * exact.axis) - radius(along)));
+        return size(face == 1 ? along : along - exact.height);
+    }
+    /// Half of them near a rim or an apex, on either side of it.
+    std::pair<Vector, Vector> point(Dice& dice) const {
+        const Vector out = perpendicular(dice, exact.axis);
+        const bool cap = dice.chance(.5);
+        R near = dice.in(0, 1);
+        if (dice.chance(.5)) near = std::pow(10, dice.in(-14, -1)) * (dice.chance(.7) ? 1 : -1);
+        const R along = (cap ? 1 - near : near) * exact.height, end = cap ? exact.height : R(0);
+        // 113 bits do not tell how an apex is passed that is met but for rounding.
+        if (dice.chance(.6) || (cap ? shape.cap_radius : shape.base_radius) == 0)
+            return {exact.base + along * exact.axis + radius(along) * out, cosine * out - sine * exact.axis};
+        return {exact.base + end * exact.axis + (1 - near) * radius(end) * out, R(cap ? 1 : -1) * exact.axis};
+    }
+};
 
 /// Rays that hardly lean, and lines that are off by as much as they are slanted.
 TEST_CASE("formulas of cylinders' ends") {
@@ -118,3 +167,4 @@ TEST_CASE("formulas of cylinders' ends") {
 TEST_CASE("formulas of balls") { try_body<Sphere>(1); }
 TEST_CASE("formulas of planes") { try_body<Plane>(2); }
 TEST_CASE("formulas of cylinders") { try_body<Cylinder>(3); }
+TEST_CASE("formulas of cones") { try_body<Cone>(14); }

@@ -63,6 +63,16 @@ struct Differences {
                            slack.share);
                 turn.take(off(kernel.axis, unit(turned(rise))), slack.turn);
             }
+            if constexpr (std::is_same_v<Kernel, ConeKernel<T>>) {
+                const referee::ConeShape<R> exact(shape);
+                const R cosine = 1 / root(1 + exact.slope * exact.slope), sine = exact.slope * cosine;
+                share.take((off(kernel.base, place(shape.base)) + size(kernel.radius - stretch * exact.radius) +
+                            size(kernel.height - stretch * exact.height)) /
+                               (norm1(kernel.base) + kernel.widest + kernel.height),
+                           slack.share);
+                turn.take(off(kernel.axis, unit(turned(exact.axis))), slack.turn);
+                turn.take(length(Vector{kernel.cosine - cosine, kernel.sine - sine, 0}), slack.turn);
+            }
             if constexpr (std::is_same_v<Kernel, DiscKernel<T>>) {
                 share.take((off(kernel.centre, place(shape.centre)) + size(kernel.radius - stretch * R(shape.radius)) +
                             size(kernel.hole - stretch * R(shape.hole))) /
@@ -140,11 +150,12 @@ TEST_CASE("formulas of worlds") {
         const auto take = [&](const auto& shape) {
             differences.take(shape, steps, placement, more), in_extended.take(shape, steps, placement, more);
         };
-        const int which = dice.upto(5);
+        const int which = dice.upto(6);
         if (which == 0) take(Sphere{at, dice.in(.1, 3)});
         if (which == 1) take(Plane{at, at + dice.direction(), at + dice.direction()});
         if (which == 2) take(Cylinder{at, at + dice.arrow(.1, 3), dice.in(.1, 3)});
         if (which == 5) take(Triangle{at, at + dice.arrow(.1, 3), at + dice.arrow(.1, 3)});
+        if (which == 6) take(Cone{at, dice.in(.1, 3), at + dice.arrow(.1, 3), dice.chance(.5) ? 0 : dice.in(0, 3)});
         if (which == 4) take(Cuboid{at, at + dice.arrow(.1, 3)});
         if (which == 3) take(Disc{at, dice.arrow(.1, 3), dice.in(.2, 3), dice.chance(.5) ? 0 : dice.in(.01, .19)});
     }
