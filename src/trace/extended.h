@@ -1,5 +1,6 @@
 // The numbers of bodies and of a camera in long double: what extended precision traces, and what slack.cpp takes for
-// exact. Of bodies that proofs know, under transformations that keep angles or, where their kernels take any, under all.
+// exact. Of bodies that proofs know, under transformations that keep angles or, where their kernels take any, under
+// all.
 #pragma once
 #include <array>
 #include <cmath>

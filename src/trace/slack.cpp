@@ -86,7 +86,8 @@ struct Comparison {
         const Extended off = std::max({apart(kernel.a, own.a) + to_world.rounding(triangle.a),
                                        apart(kernel.b, own.b) + to_world.rounding(triangle.b),
                                        apart(kernel.c, own.c) + to_world.rounding(triangle.c)});
-        raise(slack.share, off / (sum_of(extended(kernel.a)) + sum_of(extended(kernel.b)) + sum_of(extended(kernel.c))));
+        raise(slack.share,
+              off / (sum_of(extended(kernel.a)) + sum_of(extended(kernel.b)) + sum_of(extended(kernel.c))));
     }
     void operator()(const Mesh& mesh, const TriangleKernel<T>& kernel) const {
         const auto [a, b, c] = mesh.data->triangles[triangles++];

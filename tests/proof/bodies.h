@@ -33,9 +33,10 @@ inline std::vector<Shape> fan(Dice& dice, const DVec3& centre, double radius) {
         triangles.push_back(Triangle{data.points[a], data.points[b], data.points[c]});
     return triangles;
 }
+/// May it be scaled unevenly?
 inline bool takes_any_transformation(const Shape& shape) {
-    return std::visit([]<class Kind>(const Kind&) { return Kind::bounded && requires { Kind::plane_faces; }; }, shape) &&
-           !std::holds_alternative<Disc>(shape);
+    return std::holds_alternative<Cuboid>(shape) || std::holds_alternative<Triangle>(shape) ||
+           std::holds_alternative<Mesh>(shape);
 }
 
 /// One or several bodies around a centre. What touches something does so there, towards `out`.

@@ -137,6 +137,22 @@ class Tracer {
         return see(eye.ray(x, y), 1, inside);
     }
 
+    /// What a spot sends along -l.
+    static R share_of_spot(const Light& light, const Vector& l) {
+        if (!light.spot) return 1;
+        const auto less_cosine = [](double degrees) {
+            const R sine = sine_of(radians<R>(degrees) / 2);
+            return 2 * sine * sine;
+        };
+        const Vector off = l + unit(Vector(light.spot->look_at) - Vector(light.position));
+        const R from_axis = dot(off, off) / 2, radius = less_cosine(light.spot->radius);
+        const R falloff = less_cosine(light.spot->falloff);
+        if (!(from_axis < falloff) || !(from_axis < 1)) return 0;
+        const R part = from_axis > radius ? (falloff - from_axis) / (falloff - radius) : R(1);
+        const R share = part * part * (3 - 2 * part);
+        return light.spot->tightness == 0 ? share : share * power(1 - from_axis, R(light.spot->tightness));
+    }
+
   private:
     Vector see(const Line<R>& line, int generation, const std::vector<int>& inside) const {
         int body = -1;
@@ -178,6 +194,7 @@ class Tracer {
         const R highlight = glance > 0 ? R(material.specular) * power(glance, R(material.pow)) : R(0);
         Vector share = light.color * (R(material.diffuse) * facing * Vector(material.rgb.color) +
                                       Vector{highlight, highlight, highlight});
+        share = share_of_spot(light, l) * share;
         const R distance = root(dot(way, way));
         for (int i = 0; i < std::ssize(bodies); ++i)
             for (const auto& crossing : bodies[i].meet({p, l, body, face}, i)) {

@@ -46,8 +46,10 @@ struct Spans {
         const Vector exact = off.line.origin + met->t * off.line.direction;
         away.take(length(exact - vector(point.position)), known.away);
         normal.take(length(unit(met->normal) - vector(point.normal)), known.normal);
-        OffRay on = off_ray(dice, point.position, any_of(dice, vector(point.normal)) + R(.9) * Vector(dice.direction()),
-                            Vector(), any_of(dice, vector(point.normal)));
+        Vector towards = any_of(dice, vector(point.normal)) + R(.9) * Vector(dice.direction());
+        if (std::is_same_v<Shape, Cone> && dice.chance(.3))  // of rays along its side a formula of its own knows
+            towards = perpendicular(dice, vector(point.normal)) + R(any_size(dice)) * vector(point.normal);
+        OffRay on = off_ray(dice, point.position, towards, Vector(), any_of(dice, vector(point.normal)));
         on.line.origin = exact, on.doubt.away = above(length(exact - vector(point.position)));
         on.ray.source = face;
         const SpanBounds<double> from = span_bounds(body.kernel, on.ray, on.doubt, face, body.slack);

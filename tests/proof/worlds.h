@@ -2,6 +2,7 @@
 // Two thirds of them have other bodies besides balls and rods.
 #pragma once
 #include <cmath>
+#include <numbers>
 
 #include "scene/scene.h"
 #include "tests/proof/bodies.h"
@@ -53,6 +54,12 @@ inline Scene random_world(std::uint64_t seed) {
     };
     Dice others = dice_of_others(seed);
     const bool has_others = others.chance(.67);
+    for (Light& light : scene.lights) {
+        if (!has_others || light.direction || !others.chance(.3)) continue;
+        const double radius = others.in(0, 40), soft = others.chance(.3) ? 0 : others.in(0, 40);
+        light.spot = Spot{place(others.vector(-1, 1)), radius, radius + soft};
+        if (others.chance(.4)) light.spot->tightness = others.chance(.7) ? others.upto(30) : others.in(0, 3);
+    }
     DVec3 last(0);
     double last_radius = 1;
     for (int i = 0; i < count; ++i) {
@@ -95,6 +102,7 @@ inline constexpr int edge_columns = 6, edge_rows = 4;
 /// meets a rim or an end whose plane holds the lamp, but for rounding, or whose mirrored or shadow ray from the floor
 /// does, or meets an edge of some other body.
 inline Scene world_of_edges(std::uint64_t seed) {
+    constexpr double degree = std::numbers::pi / 180;
     Dice dice(seed);
     Scene scene;
     scene.background.color = dice.vector(.1, .9);
@@ -118,6 +126,16 @@ inline Scene world_of_edges(std::uint64_t seed) {
     const CameraFrame frame = frame_of(scene.camera, double(edge_columns) / edge_rows);
     Dice others = dice_of_others(seed);
     const bool has_others = others.chance(.67);
+    if (has_others && others.chance(.3)) {  // a spot whose border passes through a point of the floor, but for rounding
+        const double u = (2. * others.upto(edge_columns - 1) + 1) / edge_columns - 1;
+        const double v = (2. * (edge_rows - 1) + 1) / edge_rows - 1;
+        const DVec3 way = unit(frame.forward + u * frame.tan_x * frame.right + v * frame.tan_y * frame.down);
+        const DVec3 to_point = unit(eye + (level - eye.z) / way.z * way - lamp), axis = unit(shift - lamp);
+        const DVec3 off = to_point - axis;
+        const double angle = 2 * std::asin(std::sqrt(off.x * off.x + off.y * off.y + off.z * off.z) / 2) / degree;
+        const bool hard = others.chance(.5);
+        scene.lights[0].spot = Spot{shift, hard ? angle : angle * others.in(.5, 1), angle};
+    }
     for (int y = 0; y < edge_rows; ++y)
         for (int x = 0; x < edge_columns; ++x) {
             const double u = (2. * x + 1) / edge_columns - 1, v = (2. * y + 1) / edge_rows - 1;
