@@ -71,12 +71,15 @@ LightKernel<T> light_kernel(const Light& light, const Placement& placement) {
     }
     if (light.spot) {
         const auto less_cosine = [](double degrees) {  // than 1, by how much
-            const double sine = std::sin(degrees * (std::numbers::pi / 360));
+            const M sine = std::sin(degrees * (std::numbers::pi_v<M> / 360));
             return 2 * sine * sine;
         };
-        const double radius = less_cosine(light.spot->radius), falloff = less_cosine(light.spot->falloff);
+        const M radius = less_cosine(light.spot->radius), falloff = less_cosine(light.spot->falloff);
         kernel.spot = true;
-        kernel.axis = cast<T>(normalize(light.spot->look_at - light.position));
+        if constexpr (std::is_same_v<M, Extended>)
+            kernel.axis = unit_of(extended(light.spot->look_at) - extended(light.position));
+        else
+            kernel.axis = cast<T>(normalize(light.spot->look_at - light.position));
         kernel.radius = static_cast<T>(radius), kernel.falloff = static_cast<T>(falloff);
         kernel.per = static_cast<T>(1 / (falloff - radius));
         kernel.tightness = static_cast<T>(light.spot->tightness);

@@ -47,8 +47,9 @@ void ExtendedTransform::add(const Translate& translate) {
 }
 void ExtendedTransform::add(const Scale& factor) {
     then([&](const ExtendedVector& v) { return v * extended(factor.by); });
-    similarity *= std::abs(Extended(factor.by.x));
-    size = std::max(size, size * std::abs(Extended(factor.by.x)));
+    const auto [least, most] = std::minmax({std::abs(factor.by.x), std::abs(factor.by.y), std::abs(factor.by.z)});
+    stretch *= most, unevenness *= Extended(most) / least;
+    size = std::max(size, size * most);
     roundings += 4;
 }
 void ExtendedTransform::add(const Motion&) { size = std::numeric_limits<Extended>::infinity(); }
@@ -66,6 +67,54 @@ CylinderKernel<Extended> extended_kernel(const Cylinder& cylinder, const Extende
     const ExtendedVector rise = extended(cylinder.cap) - extended(cylinder.base);
     return {to_world.point(cylinder.base), unit_of(to_world.turn(rise)), to_world.length(cylinder.radius),
             to_world.length(length_of(rise))};
+}
+ConeKernel<Extended> extended_kernel(const Cone& cone, const ExtendedTransform& to_world) {
+    const ExtendedVector rise = extended(cone.cap) - extended(cone.base);
+    const Extended height = length_of(rise), widening = Extended(cone.cap_radius) - cone.base_radius;
+    const Extended slant = std::sqrt(height * height + widening * widening);
+    return {to_world.point(cone.base),
+            unit_of(to_world.turn(rise)),
+            to_world.length(cone.base_radius),
+            to_world.length(height),
+            height / slant,
+            widening / slant,
+            to_world.length(std::max(cone.base_radius, cone.cap_radius))};
+}
+DiscKernel<Extended> extended_kernel(const Disc& disc, const ExtendedTransform& to_world) {
+    return {to_world.point(disc.centre), unit_of(to_world.turn(extended(disc.normal))), to_world.length(disc.radius),
+            to_world.length(disc.hole)};
+}
+
+std::array<ExtendedVector, 3> dual_of(const std::array<ExtendedVector, 3>& vectors) {
+    const auto& [u, v, w] = vectors;
+    const Extended scale = 1 / dot_of(u, cross_of(v, w));
+    return {scale * cross_of(v, w), scale * cross_of(w, u), scale * cross_of(u, v)};
+}
+BoxKernel<Extended> extended_kernel(const Cuboid& box, const ExtendedTransform& to_world) {
+    const ExtendedVector corner = extended(box.corner), opposite = extended(box.opposite), ways = opposite - corner;
+    const auto half_edge = [&](int i) {
+        ExtendedVector own{0};
+        own[i] = std::abs(ways[i]) / 2;
+        return to_world.way(own);
+    };
+    const std::array edges{half_edge(0), half_edge(1), half_edge(2)};
+    const auto [x, y, z] = dual_of(edges);
+    BoxKernel<Extended> kernel{to_world.point(Extended(.5) * (corner + opposite)), x, y, z, {}};
+    kernel.box.middle = kernel.centre;
+    for (int c = 0; c < 3; ++c) {
+        const Extended half = std::abs(edges[0][c]) + std::abs(edges[1][c]) + std::abs(edges[2][c]);
+        kernel.box.half[c] = half + 16 * ExtendedTransform::unit * (std::abs(kernel.centre[c]) + half);
+    }
+    return kernel;
+}
+
+TriangleKernel<Extended> extended_kernel(const Triangle& triangle, const ExtendedTransform& to_world) {
+    return {to_world.point(triangle.a), to_world.point(triangle.b), to_world.point(triangle.c)};
+}
+TriangleKernel<Extended> extended_kernel(const Mesh& mesh, const ExtendedTransform& to_world, std::size_t i) {
+    const auto [a, b, c] = mesh.data->triangles[i];
+    const auto& points = mesh.data->points;
+    return extended_kernel(Triangle{points[a], points[b], points[c]}, to_world);
 }
 
 Eye<Extended> extended_eye(const View& view, const Placement& placement) {

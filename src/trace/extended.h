@@ -1,6 +1,8 @@
 // The numbers of bodies and of a camera in long double: what extended precision traces, and what slack.cpp takes for
-// exact. Spheres, planes and cylinders under transformations that keep angles, which are all bodies that proofs know.
+// exact. Of bodies that proofs know, under transformations that keep angles or, where their kernels take any, under
+// all.
 #pragma once
+#include <array>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -36,20 +38,24 @@ class ExtendedTransform {
     ExtendedVector turn(const ExtendedVector& v) const {
         return v.x * columns[0] + v.y * columns[1] + v.z * columns[2];
     }
-    ExtendedVector point(const DVec3& p) const { return scale * (turn(extended(p)) + moved - origin); }
-    Extended length(Extended own) const { return own * similarity * scale; }
+    ExtendedVector way(const ExtendedVector& v) const { return scale * turn(v); }
+    ExtendedVector point(const ExtendedVector& p) const { return scale * (turn(p) + moved - origin); }
+    ExtendedVector point(const DVec3& p) const { return point(extended(p)); }
+    /// Under transformations that do not keep angles, the most that a length can become.
+    Extended length(Extended own) const { return own * stretch * scale; }
     bool mirrors() const { return dot_of(columns[0], cross_of(columns[1], columns[2])) < 0; }
 
     /// Are all steps known? Motions are not.
     bool known() const { return size < std::numeric_limits<Extended>::infinity(); }
     /// How far lengths and directions may be off by rounding, as a share.
-    Extended rounding() const { return roundings * unit; }
+    Extended rounding() const { return roundings * unit * unevenness; }
     /// And points, as a distance in the world. The numbers of the scene are exact, so that to move by them costs digits
     /// of what comes out alone.
     Extended rounding(const DVec3& p) const {
-        const Extended steps = roundings == few ? 0 : rounding() * (length(sum_of(extended(p))) + scale * size);
+        const Extended steps = roundings == few ? 0 : roundings * unit * (length(sum_of(extended(p))) + scale * size);
         return steps + 4 * unit * sum_of(point(p));
     }
+    static constexpr Extended unit = std::numeric_limits<Extended>::epsilon() / 2;
 
   private:
     template <class Step>
@@ -64,8 +70,8 @@ class ExtendedTransform {
     void add(const Motion& motion);
 
     ExtendedVector columns[3]{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, moved{0}, origin;
-    Extended scale, similarity = 1, size = 0;  // the largest number that was added on the way, beside the columns
-    static constexpr Extended unit = std::numeric_limits<Extended>::epsilon() / 2;
+    Extended scale, size = 0;              // the largest number that was added on the way, beside the columns
+    Extended stretch = 1, unevenness = 1;  // products of the largest factors, and of their ratios to the least
     static constexpr int few = 8;
     int roundings = few;
 };
@@ -73,19 +79,41 @@ class ExtendedTransform {
 SphereKernel<Extended> extended_kernel(const Sphere& sphere, const ExtendedTransform& to_world);
 PlaneKernel<Extended> extended_kernel(const Plane& plane, const ExtendedTransform& to_world);
 CylinderKernel<Extended> extended_kernel(const Cylinder& cylinder, const ExtendedTransform& to_world);
+ConeKernel<Extended> extended_kernel(const Cone& cone, const ExtendedTransform& to_world);
+DiscKernel<Extended> extended_kernel(const Disc& disc, const ExtendedTransform& to_world);
+BoxKernel<Extended> extended_kernel(const Cuboid& box, const ExtendedTransform& to_world);
+TriangleKernel<Extended> extended_kernel(const Triangle& triangle, const ExtendedTransform& to_world);
+/// Triangle number i, of flat ones.
+TriangleKernel<Extended> extended_kernel(const Mesh& mesh, const ExtendedTransform& to_world, std::size_t i);
+/// To vectors u, v, w those whose products with them are 1 and with the others 0.
+std::array<ExtendedVector, 3> dual_of(const std::array<ExtendedVector, 3>& vectors);
 
+/// Emits the numbers from above, if there are any for this shape under these transformations.
+template <class Shape, class Emit>
+bool emit_extended(const Shape& shape, const WorldTransform& to_world, std::span<const Transformation> steps,
+                   const Emit& emit) {
+    constexpr bool is_mesh = std::is_same_v<Shape, Mesh>;
+    constexpr bool takes_any = is_mesh || std::tuple_size_v<typename Shape::template Kernels<Extended>> == 1;
+    if (!to_world.similar() && !takes_any) return false;
+    const ExtendedTransform own(steps, to_world.origin, to_world.scale);
+    if (!own.known()) return false;
+    if constexpr (is_mesh) {
+        if (!shape.data->corner_normals.empty()) return false;
+        for (std::size_t i = 0; i < shape.data->triangles.size(); ++i) emit(extended_kernel(shape, own, i));
+        return true;
+    } else if constexpr (requires { extended_kernel(shape, own); }) {
+        emit(extended_kernel(shape, own));
+        return true;
+    }
+    return false;
+}
 /// Emits what a shape does. For proofs long double gets numbers from above where there are any, and not such that were
 /// rounded to double before. In pictures these would differ from patterns and composites, which are made in double.
 template <class T, class Shape, class Emit>
 void emit_in(const Shape& shape, const WorldTransform& to_world, std::span<const Transformation> steps,
              const Emit& emit, bool proves = true) {
-    if constexpr (std::is_same_v<T, Extended> &&
-                  requires(const ExtendedTransform& own) { extended_kernel(shape, own); }) {
-        if (proves && (to_world.similar() || std::is_same_v<Shape, Plane>)) {
-            const ExtendedTransform own(steps, to_world.origin, to_world.scale);
-            if (own.known()) return emit(extended_kernel(shape, own));
-        }
-    }
+    if constexpr (std::is_same_v<T, Extended>)
+        if (proves && emit_extended(shape, to_world, steps, emit)) return;
     shape.template emit<T>(to_world, emit);
 }
 

@@ -132,9 +132,13 @@ STRAHL_INLINE Vec3<S> illumination(const Shading<S>& shading, const Hit<S>& hit,
             if (any(glossy)) highlight = highlight_of(hit, reflected, l, glossy);
         }
         if (light.spot) [[unlikely]] {
-            if constexpr (proves) add_unknown_light(shading, hit, light, rare.bounds);
             faces = faces & (spot_share(light, Vec3<S>(l)) > zero);
-            if (none(faces)) continue;
+            if constexpr (proves) {
+                add_spot_error(shading, hit, light, lit, Vec3<S>(l), cosine, highlight, rare.bounds);
+                if (none(faces | (hit.active & lit.doubt))) continue;
+            } else if (none(faces)) {
+                continue;
+            }
         }
         shading.counts.shadow += count(faces);
         const auto arriving = [&]() __attribute__((always_inline)) {

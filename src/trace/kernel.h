@@ -98,8 +98,8 @@ inline constexpr int most_lit = 31;
 /// of the ray. Infinite: nothing is known.
 template <class T>
 struct Slack {
-    T share = 0;                   // places and lengths of balls and cylinders, in their size and their distance from 0
-    T turn = 0;                    // directions: normals of planes and axes of cylinders
+    T share = 0;                   // places and lengths of bodies, in their sizes and their distances from 0
+    T turn = 0;                    // directions: normals, axes, angles and rows of boxes
     T plane = 0;                   // distances of planes from 0
     T eye_away = 0, eye_turn = 0;  // of camera rays: where they start, and their directions
     T gain = 1;                    // most by which bodies on its way multiply a light

@@ -75,7 +75,7 @@ STRAHL_INLINE HitBounds<S> bound_hits(const Shading<S>& shading, const Hit<S>& h
         for (int k = 0; k < width<S>; ++k) items[k] = world.references[static_cast<int>(surfaces[k])].item;
     }
     PointBounds<S> found{S(0), S(0), first_lanes<S>(0)};
-    if_hot(world, bin.form, [&](const auto& group) {
+    if_known(world, bin.form, [&](const auto& group) {
         using Item = typename std::remove_cvref_t<decltype(group)>::template ItemOf<S>;
         const Item own =
             world.bin_per_item ? splat_item<Item, S>(group.items[bin.item]) : gather_items<Item, S>(group.items, items);
@@ -182,6 +182,44 @@ STRAHL_INLINE void add_unknown_light(const Shading<S>& shading, const Hit<S>& hi
     const Vec3<S> most = splat<S>(light.color);
     known.off = fma(S(shading.limits.slack.gain) * largest(most), largest(hit.material.diffuse) + hit.material.specular,
                     known.off);
+}
+
+/// By how much the share of its light that a spot sends along -l may be off, between 0 and 1.
+///
+/// x = |l + a|^2 / 2, if l and the axis are off by q, is by q |l + a| + q^2 / 2. The axis has 7/2 u; the cosines of the
+/// cone's angles, less 1, 4 u; what x has of them, and its own, counts 8 u. Between the angles the share grows with
+/// their way to x, so it is between what it is at the ends of that. The exponent counts as a highlight's does.
+template <class S>
+[[gnu::noinline]] S spot_error(const LightKernel<Element<S>>& light, const Vec3<S>& l, const S& turn) {
+    using T = Element<S>;
+    constexpr auto u = unit_error<S>;
+    const Vec3<S> off = l + splat<S>(light.axis);
+    const S from_axis = dot(off, off) * S(T(.5)), q = turn + S(4 * u), way = S(light.falloff) - from_axis;
+    const T most = light.radius + light.falloff;
+    const S wrong = fma(S(1.01) * q, sqrt(from_axis + from_axis) + q, S(8 * u) * (from_axis + S(most))) +
+                    abs(way) * S(light.radius < light.falloff ? 8 * u * most * light.per : T(0));
+    const auto share = [&](const S& at) {
+        const S part = min(max(at * S(light.per), S(0)), S(1));
+        return part * part * fma(S(-2), part, S(3));
+    };
+    S error = share(way + wrong) - share(way - wrong) + S(8 * u);
+    if (light.tightness != 0) {
+        const S base = S(1) - from_axis, p(max(light.tightness, T(1))), x = p * wrong / base;
+        const Mask<S> mild = (base > S(1e-3f)) & (x < S(.5));
+        error = error + select(mild, fma(x, x, x) + S(.51 * u) * (p + S(8)), S(1));
+    }
+    return select(error < S(1), error, S(1));
+}
+/// Adds it to the errors of hits, as far as they may be lit.
+template <class S>
+STRAHL_INLINE void add_spot_error(const Shading<S>& shading, const Hit<S>& hit, const LightKernel<Element<S>>& light,
+                                  const LitBounds<S>& lit, const Vec3<S>& l, const S& cosine, const S& highlight,
+                                  HitBounds<S>& known) {
+    const S diffuse = largest(hit.material.diffuse), error = fma(diffuse, lit.cosine, lit.highlight);
+    const S most = fma(diffuse, max(cosine, S(0)), highlight) + error, color = largest(splat<S>(light.color));
+    const Mask<S> told = lit.ray.turn >= S(0);
+    known.off = fma(S(shading.limits.slack.gain) * color * most,
+                    select(told, spot_error(light, l, lit.ray.turn), S(1)), known.off);
 }
 
 /// The share of a light that reaches hits, in the lanes of `faces`. Adds the light's error to that of the hits.

@@ -1,7 +1,7 @@
 // The two questions asked of geometry, as exact arithmetic would answer them: certainly so, or it can't be told.
 #pragma once
+#include "trace/known_forms.h"
 #include "trace/query.h"
-#include "trace/span_bounds.h"
 
 namespace strahl::inline STRAHL_LEVEL {
 
@@ -69,7 +69,7 @@ template <class S>
     using T = Element<S>;
     const auto line = traversal_ray(own, slack);
     const auto look = [&](const Leaf& leaf, Mask<S> mask) {
-        const bool known = if_hot(world, leaf.form(), [&](const auto& group) {
+        const bool known = if_known(world, leaf.form(), [&](const auto& group) {
             for (int i = leaf.first; i < leaf.first + leaf.count(); ++i)
                 add_item(group.items[i], own, mask, slack, T(-1), found);
         });
@@ -81,7 +81,7 @@ template <class S>
         T limit = lane(found.high, k);
         Candidates<S> all;  // of this ray alone: one in each lane
         const auto look_single = [&](const Leaf& leaf) {
-            const bool known = if_hot(world, leaf.form(), [&](const auto& group) {
+            const bool known = if_known(world, leaf.form(), [&](const auto& group) {
                 for (int i = leaf.first; i < leaf.first + leaf.count(); i += width<S>)
                     add_item(load_of_leaf<S>(group, leaf.first, leaf.count(), i), single,
                              first_lanes<S>(leaf.first + leaf.count() - i), slack, T(-1), all);
@@ -118,7 +118,13 @@ template <class S>
             add_item(group.items[i], own, active, slack, static_cast<T>(bin), found);
             return false;
         });
-    each_cold_range(world, set, [&](const ItemRange&, int bin) {
+    each_cold_range(world, set, [&](const ItemRange& items, int bin) {
+        const bool known = if_known(world, items.form, [&](const auto& group) {
+            for (int i = items.first; i < items.first + items.count; ++i)
+                add_item(group.items[i], own, active, slack, static_cast<T>(world.bin_per_item ? bin : group.first_bin),
+                         found);
+        });
+        if (known) return false;
         if (!world.bin_per_item) return found.add_unknown(active, S(0)), false;
         const SphereKernel<T> ball{{world.centres.x[bin], world.centres.y[bin], world.centres.z[bin]},
                                    world.radii[bin]};
@@ -185,7 +191,7 @@ template <class S>
     S limit = select(active & !light.dark, distance + off, S(-1));
     const auto line = traversal_ray(own, slack);
     const auto look = [&](const Leaf& leaf, Mask<S> mask) {
-        const bool known = if_hot(world, leaf.form(), [&](const auto& group) {
+        const bool known = if_known(world, leaf.form(), [&](const auto& group) {
             for (int i = leaf.first; i < leaf.first + leaf.count(); ++i)
                 pass_item(world, group.items[i], own, mask, distance, off, slack, light);
         });
@@ -231,8 +237,13 @@ template <class S>
             return none(active & !light.dark);
         });
     if (none(active & !light.dark)) return light;
-    each_cold_range(world, set, [&](const ItemRange&, int bin) {
-        light.doubt = light.doubt | reached_by(bin);
+    each_cold_range(world, set, [&](const ItemRange& items, int bin) {
+        const Mask<S> mask = reached_by(bin) & !light.dark;
+        const bool known = if_known(world, items.form, [&](const auto& group) {
+            for (int i = items.first; any(mask) && i < items.first + items.count; ++i)
+                pass_item(world, group.items[i], own, mask, distance, off, slack, light);
+        });
+        if (!known) light.doubt = light.doubt | mask;
         return false;
     });
     if (world.nodes) light_bounds_in_hierarchy(world, own, distance, off, active, slack, light);

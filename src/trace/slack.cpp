@@ -14,6 +14,7 @@ template <class T>
 struct Comparison {
     const ExtendedTransform& to_world;
     Slack<T>& slack;
+    std::size_t& triangles;  // of a mesh, that were compared
 
     static void raise(T& most, Extended value) {
         most = std::max(most, value < 1e300L ? static_cast<T>(value) * (1 + 1e-15) : HUGE_VAL);
@@ -43,6 +44,55 @@ struct Comparison {
         raise(slack.share, off / (sum_of(extended(kernel.base)) + kernel.radius + kernel.height));
         raise(slack.turn, length_of(extended(kernel.axis) - own.axis) + to_world.rounding());
     }
+    void operator()(const Cone& cone, const ConeKernel<T>& kernel) const {
+        const ConeKernel<Extended> own = extended_kernel(cone, to_world);
+        const Extended size = kernel.widest + Extended(kernel.height);
+        const Extended off = apart(kernel.base, own.base) + to_world.rounding(cone.base) +
+                             std::abs(kernel.radius - own.radius) + std::abs(kernel.height - own.height) +
+                             2 * to_world.rounding() * size;
+        const ExtendedVector angle{kernel.cosine - own.cosine, kernel.sine - own.sine, 0};
+        raise(slack.share, off / (sum_of(extended(kernel.base)) + size));
+        raise(slack.turn,
+              std::max(length_of(extended(kernel.axis) - own.axis), length_of(angle)) + to_world.rounding());
+    }
+    void operator()(const Disc& disc, const DiscKernel<T>& kernel) const {
+        const DiscKernel<Extended> own = extended_kernel(disc, to_world);
+        const Extended off = apart(kernel.centre, own.centre) + to_world.rounding(disc.centre) +
+                             std::abs(kernel.radius - own.radius) + std::abs(kernel.hole - own.hole) +
+                             to_world.rounding() * (kernel.radius + kernel.hole);
+        raise(slack.share, off / (sum_of(extended(kernel.centre)) + kernel.radius));
+        raise(slack.turn, length_of(extended(kernel.normal) - own.normal) + to_world.rounding());
+    }
+    /// Places are those of the corners, directions the rows as shares of their lengths.
+    void operator()(const Cuboid& box, const BoxKernel<T>& kernel) const {
+        const BoxKernel<Extended> own = extended_kernel(box, to_world);
+        const std::array rows{own.row_x, own.row_y, own.row_z};
+        const std::array made{extended(kernel.row_x), extended(kernel.row_y), extended(kernel.row_z)};
+        const auto edges = dual_of(rows), made_edges = dual_of(made);
+        Extended condition = 0;  // the most by which rows are further off than edges
+        for (int i = 0; i < 3; ++i) condition += length_of(edges[i]) * length_of(rows[i]);
+        const Extended rounding = 2 * condition * to_world.rounding();
+        const ExtendedVector centre = extended(box.corner) + extended(box.opposite);
+        Extended off = apart(kernel.centre, own.centre) + to_world.rounding(box.corner) +
+                       to_world.rounding(box.opposite) + ExtendedTransform::unit * to_world.length(sum_of(centre));
+        for (int i = 0; i < 3; ++i) {
+            off += sum_of(made_edges[i] - edges[i]) + rounding * sum_of(edges[i]);
+            raise(slack.turn, length_of(made[i] - rows[i]) / length_of(made[i]) + rounding);
+        }
+        raise(slack.share, off / (sum_of(extended(kernel.centre)) + sum_of(extended(kernel.box.half))));
+    }
+    void operator()(const Triangle& triangle, const TriangleKernel<T>& kernel) const {
+        const TriangleKernel<Extended> own = extended_kernel(triangle, to_world);
+        const Extended off = std::max({apart(kernel.a, own.a) + to_world.rounding(triangle.a),
+                                       apart(kernel.b, own.b) + to_world.rounding(triangle.b),
+                                       apart(kernel.c, own.c) + to_world.rounding(triangle.c)});
+        raise(slack.share,
+              off / (sum_of(extended(kernel.a)) + sum_of(extended(kernel.b)) + sum_of(extended(kernel.c))));
+    }
+    void operator()(const Mesh& mesh, const TriangleKernel<T>& kernel) const {
+        const auto [a, b, c] = mesh.data->triangles[triangles++];
+        (*this)(Triangle{mesh.data->points[a], mesh.data->points[b], mesh.data->points[c]}, kernel);
+    }
     /// Kernels that proofs do not know.
     template <class Kind, class Kernel>
     void operator()(const Kind&, const Kernel&) const {}
@@ -57,7 +107,8 @@ Slack<T> slack_of(const Scene& scene, const Placement& placement) {
         const ExtendedTransform own(primitive.transformations, placement.origin, placement.scale);
         const WorldTransform to_world{matrix(primitive.transformations), similarity(primitive.transformations),
                                       placement.origin, placement.scale};
-        const Comparison<T> compare{own, slack};
+        std::size_t triangles = 0;
+        const Comparison<T> compare{own, slack, triangles};
         std::visit(
             [&](const auto& shape) {
                 emit_in<T>(shape, to_world, primitive.transformations,

@@ -6,8 +6,8 @@
 
 namespace strahl {
 
-/// Of spheres, planes and cylinders under transformations that keep angles, which are all bodies that proofs know.
-/// Found by making their numbers once more in long double. Infinite where a body has motions.
+/// Of the bodies that proofs know: those for whose kernels there is a span_bounds(). Found by making their numbers once
+/// more in long double. Infinite where a body has motions.
 template <class T>
 Slack<T> slack_of(const Scene& scene, const Placement& placement);
 

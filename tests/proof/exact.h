@@ -1,12 +1,16 @@
-// Exact arithmetic, as nearly as numbers of 113 bits have it: a recursive tracer of spheres, planes and cylinders that
-// takes the doubles of a Scene and rounds nothing to double, the camera's axes and all matrices included. The same in
-// long double, 100 times as fast, sees nearly all of what need not be judged by more.
+// Exact arithmetic, as nearly as numbers of 113 bits have it: a recursive tracer that takes the doubles of a Scene and
+// rounds nothing to double, the camera's axes and all matrices included. Bodies are the referee's. The same in long
+// double, 100 times as fast, sees nearly all of what need not be judged by more.
 #pragma once
 #include <array>
 #include <vector>
 
 #include "scene/scene.h"
 #include "tests/referee/basic.h"
+#include "tests/referee/box.h"
+#include "tests/referee/cone.h"
+#include "tests/referee/disc.h"
+#include "tests/referee/triangle.h"
 #include "trace/tracer.h"
 
 namespace strahl::exact {
@@ -77,17 +81,22 @@ struct Body {
         const Line<R> local{space.turn(line.origin - space.moved), space.turn(line.direction)};
         const int source = line.body == self ? line.face : -1;
         std::vector<Crossing<R>> found;
-        if (const auto* sphere = std::get_if<Sphere>(&shape)) found = crossings(*sphere, local, source).list;
-        if (const auto* plane = std::get_if<Plane>(&shape)) found = crossings(*plane, local, source).list;
-        if (const auto* cylinder = std::get_if<Cylinder>(&shape)) found = crossings(*cylinder, local, source).list;
+        std::visit(
+            [&](const auto& own) {
+                if constexpr (requires { crossings(own, local, source); }) found = crossings(own, local, source).list;
+            },
+            shape);
         for (auto& [t, face, n] : found) n = n.x * space.rows[0] + n.y * space.rows[1] + n.z * space.rows[2];
         return found;
     }
     bool surrounds(const Vector<R>& world) const {
         const Vector<R> p = space.turn(world - space.moved);
-        if (const auto* sphere = std::get_if<Sphere>(&shape)) return contains<R>(*sphere, p);
-        if (const auto* plane = std::get_if<Plane>(&shape)) return contains<R>(*plane, p);
-        return contains<R>(std::get<Cylinder>(shape), p);
+        return std::visit(
+            [&](const auto& own) {
+                if constexpr (requires { contains<R>(own, p); }) return contains<R>(own, p);
+                return false;
+            },
+            shape);
     }
 };
 
@@ -126,6 +135,22 @@ class Tracer {
         for (int i = 0; i < std::ssize(bodies); ++i)
             if (bodies[i].material.refraction > 0 && bodies[i].surrounds(eye.position)) inside.push_back(i);
         return see(eye.ray(x, y), 1, inside);
+    }
+
+    /// What a spot sends along -l.
+    static R share_of_spot(const Light& light, const Vector& l) {
+        if (!light.spot) return 1;
+        const auto less_cosine = [](double degrees) {
+            const R sine = sine_of(radians<R>(degrees) / 2);
+            return 2 * sine * sine;
+        };
+        const Vector off = l + unit(Vector(light.spot->look_at) - Vector(light.position));
+        const R from_axis = dot(off, off) / 2, radius = less_cosine(light.spot->radius);
+        const R falloff = less_cosine(light.spot->falloff);
+        if (!(from_axis < falloff) || !(from_axis < 1)) return 0;
+        const R part = from_axis > radius ? (falloff - from_axis) / (falloff - radius) : R(1);
+        const R share = part * part * (3 - 2 * part);
+        return light.spot->tightness == 0 ? share : share * power(1 - from_axis, R(light.spot->tightness));
     }
 
   private:
@@ -169,6 +194,7 @@ class Tracer {
         const R highlight = glance > 0 ? R(material.specular) * power(glance, R(material.pow)) : R(0);
         Vector share = light.color * (R(material.diffuse) * facing * Vector(material.rgb.color) +
                                       Vector{highlight, highlight, highlight});
+        share = share_of_spot(light, l) * share;
         const R distance = root(dot(way, way));
         for (int i = 0; i < std::ssize(bodies); ++i)
             for (const auto& crossing : bodies[i].meet({p, l, body, face}, i)) {

@@ -2,18 +2,13 @@
 // of any size, or by rounding alone, in the directions that hurt most.
 //
 //     PROOF_TRIALS=1000000 test_proof -tc='formulas*' -s     more of them
-#include "tests/proof/trial.h"
+#include "tests/proof/spans.h"
 
 using namespace strahl;
 using namespace strahl::trial;
 
-namespace {
-
-/// A body, and as the kernel has it, whose numbers are off by some share.
-template <class Shape>
-struct Case;
 template <>
-struct Case<Sphere> {
+struct trial::Case<Sphere> {
     Sphere shape;
     SphereKernel<double> kernel;
     Slack<double> slack;
@@ -33,7 +28,7 @@ struct Case<Sphere> {
     }
 };
 template <>
-struct Case<Plane> {
+struct trial::Case<Plane> {
     Plane shape;
     PlaneKernel<double> kernel;
     Slack<double> slack;
@@ -54,7 +49,7 @@ struct Case<Plane> {
     }
 };
 template <>
-struct Case<Cylinder> {
+struct trial::Case<Cylinder> {
     Cylinder shape;
     CylinderKernel<double> kernel;
     Slack<double> slack;
@@ -90,78 +85,55 @@ struct Case<Cylinder> {
         return {base + (cap ? height : R(0)) * axis + R(shape.radius) * (1 - near) * out, R(cap ? 1 : -1) * axis};
     }
 };
-
-/// Of bodies that a ray crosses.
-template <class Shape>
-struct Spans {
-    Closest near{"crossing"}, far{"last crossing", !std::is_same_v<Shape, Plane>}, other{"from its own surface"},
-        away{"point"}, surface{"point off its surface"}, normal{"normal"}, told{"certain, or not"};
-
-    void try_span(const Case<Shape>& body, const OffRay& off) {
-        const SpanBounds<double> span = span_bounds(body.kernel, off.ray, off.doubt, -1., body.slack);
-        auto list = crossings(body.shape, off.line, -1).list;
-        std::ranges::sort(list, {}, &referee::Crossing<R>::t);
-        told.demand(list.empty() ? !span.sure || std::is_same_v<Shape, Plane> : span.maybe);
-        if (list.empty()) return;
-        take(near, list.front().t, span.near_low, span.near_high);
-        if (list.size() > 1) take(far, list.back().t, span.far_low, span.far_high);
+template <>
+struct trial::Case<Cone> {
+    Cone shape;
+    ConeKernel<double> kernel;
+    Slack<double> slack;
+    referee::ConeShape<R> exact{Cone{}};
+    R cosine, sine;
+    /// Half of them have an apex.
+    explicit Case(Dice& dice) {
+        shape.base = dice.vector(-3, 3), shape.cap = shape.base + dice.arrow(.1, 3);
+        shape.base_radius = std::pow(10, dice.in(-1.5, .3));
+        shape.cap_radius = dice.chance(.5) ? 0 : std::pow(10, dice.in(-1.5, .3));
+        if (dice.chance(.5)) std::swap(shape.base_radius, shape.cap_radius);
+        exact = referee::ConeShape<R>(shape);
+        cosine = 1 / root(1 + exact.slope * exact.slope), sine = exact.slope * cosine;
+        const double off = any_size(dice, -7), widest = std::max(shape.base_radius, shape.cap_radius);
+        kernel.axis = rounded(unit(exact.axis + R(off) * perpendicular(dice, exact.axis)));
+        kernel.base = rounded(Vector(shape.base) + R(off) * Vector(dice.direction()));
+        kernel.radius = shape.base_radius * (1 + off), kernel.height = static_cast<double>(exact.height) * (1 - off);
+        const R angle = (dice.chance(.5) ? 1 : -1) * off;
+        kernel.cosine = static_cast<double>(cosine - angle * sine), kernel.widest = widest;
+        kernel.sine = static_cast<double>(sine + angle * cosine);
+        const Vector wrong_angle{R(kernel.cosine) - cosine, R(kernel.sine) - sine, 0};
+        slack.turn = std::max(above(length(vector(kernel.axis) - exact.axis)), above(length(wrong_angle)));
+        const R wrong = length(vector(kernel.base) - Vector(shape.base)) +
+                        size(R(kernel.radius) - R(shape.base_radius)) + size(R(kernel.height) - exact.height);
+        slack.share = 1.0000001 * above(wrong / (R(norm1(kernel.base)) + R(widest) + R(kernel.height)));
     }
-    static void take(Closest& kind, R t, double low, double high) {
-        if (!(low > -inf && high < inf)) return kind.demand(t <= 0 || (t >= low && t <= high));
-        kind.take(size(t - (R(low) + R(high)) / 2), above((R(high) - R(low)) / 2));
+    double scale() const { return kernel.widest; }
+    R radius(R along) const { return exact.radius + exact.slope * along; }
+    R off(const Vector& p, int face) const {
+        const Vector f = p - exact.base;
+        const R along = dot(f, exact.axis);
+        if (face == 0) return size(cosine * (length(f - along * exact.axis) - radius(along)));
+        return size(face == 1 ? along : along - exact.height);
     }
-    void try_point(Dice& dice, const Case<Shape>& body, const OffRay& off) {
-        const Span<double> span = body.kernel.span(off.ray, -1.);
-        const double t = first_crossing(span), face = first_face(span);
-        if (!span.hit || !(t > 0)) return;
-        const SurfacePoint<double> point = body.kernel.at(off.ray, t, face);
-        const PointBounds<double> known = point_bounds(body.kernel, off.ray, off.doubt, t, point, face, body.slack);
-        if (!known.sure) return;
-        surface.take(body.off(vector(point.position), static_cast<int>(face)),
-                     off_surface(body.kernel, point.position, body.slack));
-        const referee::Crossing<R>* met = nullptr;
-        const auto list = crossings(body.shape, off.line, -1).list;
-        for (const auto& crossing : list)
-            if (crossing.face == static_cast<int>(face) && (!met || size(crossing.t - t) < size(met->t - t)))
-                met = &crossing;
-        told.demand(met && met->t > 0);
-        if (!met) return;
-        const Vector exact = off.line.origin + met->t * off.line.direction;
-        away.take(length(exact - vector(point.position)), known.away);
-        normal.take(length(unit(met->normal) - vector(point.normal)), known.normal);
-        OffRay on = off_ray(dice, point.position, any_of(dice, vector(point.normal)) + R(.9) * Vector(dice.direction()),
-                            Vector(), any_of(dice, vector(point.normal)));
-        on.line.origin = exact, on.doubt.away = above(length(exact - vector(point.position)));
-        on.ray.source = face;
-        const SpanBounds<double> from = span_bounds(body.kernel, on.ray, on.doubt, face, body.slack);
-        auto ahead = crossings(body.shape, on.line, static_cast<int>(face)).list;
-        std::ranges::sort(ahead, {}, &referee::Crossing<R>::t);
-        const bool leaves = !ahead.empty() && ahead.back().t > 0;
-        if constexpr (std::is_same_v<Shape, Plane>) return other.demand(!from.maybe);
-        told.demand(leaves ? from.maybe : !(from.sure && from.far_low > 0));
-        if (leaves) take(other, ahead.back().t, from.far_low, from.far_high);
+    /// Half of them near a rim or an apex, on either side of it.
+    std::pair<Vector, Vector> point(Dice& dice) const {
+        const Vector out = perpendicular(dice, exact.axis);
+        const bool cap = dice.chance(.5);
+        R near = dice.in(0, 1);
+        if (dice.chance(.5)) near = std::pow(10, dice.in(-14, -1)) * (dice.chance(.7) ? 1 : -1);
+        const R along = (cap ? 1 - near : near) * exact.height, end = cap ? exact.height : R(0);
+        // 113 bits do not tell how an apex is passed that is met but for rounding.
+        if (dice.chance(.6) || (cap ? shape.cap_radius : shape.base_radius) == 0)
+            return {exact.base + along * exact.axis + radius(along) * out, cosine * out - sine * exact.axis};
+        return {exact.base + end * exact.axis + (1 - near) * radius(end) * out, R(cap ? 1 : -1) * exact.axis};
     }
 };
-
-template <class Shape>
-void try_body(std::uint64_t seed) {
-    Dice dice(seed);
-    Spans<Shape> spans;
-    for (int i = 0; i < trials(); ++i) {
-        const Case<Shape> body(dice);
-        const auto [point, normal] = body.point(dice);
-        const R c = std::pow(10, dice.chance(.3) ? dice.in(-9, 0) : dice.in(-.7, 0));
-        const Vector along = R(dice.chance(.8) ? -1 : 1) * c * normal + root(1 - c * c) * perpendicular(dice, normal);
-        const double way = std::pow(10, dice.in(-1, 1)), beside = dice.chance(.7) ? 0 : any_size(dice, -1);
-        const Vector aim = point + R((dice.chance(.5) ? 1 : -1) * beside * body.scale()) * normal;
-        const OffRay off =
-            off_ray(dice, rounded(aim - R(way) * along), along, any_of(dice, normal), any_of(dice, normal));
-        spans.try_span(body, off);
-        spans.try_point(dice, body, off);
-    }
-}
-
-}  // namespace
 
 /// Rays that hardly lean, and lines that are off by as much as they are slanted.
 TEST_CASE("formulas of cylinders' ends") {
@@ -195,3 +167,4 @@ TEST_CASE("formulas of cylinders' ends") {
 TEST_CASE("formulas of balls") { try_body<Sphere>(1); }
 TEST_CASE("formulas of planes") { try_body<Plane>(2); }
 TEST_CASE("formulas of cylinders") { try_body<Cylinder>(3); }
+TEST_CASE("formulas of cones") { try_body<Cone>(14); }

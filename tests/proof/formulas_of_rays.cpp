@@ -1,6 +1,8 @@
 // Each formula of mirrors, glass, light, boxes and candidates on its own, as formulas_of_bodies.cpp has those of
 // bodies.
 #include "tests/proof/trial.h"
+#include "trace/build.h"
+#include "trace/thread_pool.h"
 
 using namespace strahl;
 using namespace strahl::trial;
@@ -112,6 +114,35 @@ TEST_CASE("formulas of light") {
         way.take(length(exact_l - unit(vector(l))), lit.ray.turn);
         cosine.take(size(exact_c - c), lit.cosine);
         if (!lit.doubt) facing.demand((exact_c > 0) == (c > 0));
+    }
+}
+
+/// At the borders of their cones, wide and narrow ones.
+TEST_CASE("formulas of spots") {
+    Closest share{"what a spot sends"}, border{"at its border"};
+    Dice dice(15);
+    for (int i = 0; i < trials(); ++i) {
+        const double place_size = std::pow(10, dice.in(-1, 4));
+        Light light{.position = dice.vector(-1, 1) * place_size};
+        Spot spot{light.position + dice.arrow(.1, 10)};
+        spot.radius = dice.chance(.1) ? 90 : 90 * std::pow(10, dice.in(-6, 0));
+        spot.falloff = std::min(90., dice.chance(.3) ? spot.radius : spot.radius * (1 + std::pow(10, dice.in(-8, 0))));
+        if (dice.chance(.4)) spot.tightness = dice.chance(.5) ? dice.upto(100) : dice.in(0, 3);
+        light.spot = spot;
+        Scene scene;
+        scene.lights = {light};
+        ThreadPool pool(1);
+        const BuiltWorld<double> built(scene, Placement{}, pool, nullptr);
+        const LightKernel<double>& kernel = built.world().lights[0];
+        const Vector axis = unit(Vector(spot.look_at) - Vector(light.position));
+        const double degrees = dice.chance(.3) ? dice.in(0, 100) : dice.chance(.5) ? spot.falloff : spot.radius;
+        const R angle = exact::radians<R>(degrees * (1 + any_size(dice) * dice.in(-1, 1)));
+        const Vector across = perpendicular(dice, axis);
+        const Vector way = R(-1) * (exact::cosine_of(angle) * axis + sine_of(angle) * across);
+        const DVec3 l = nearly_unit(dice, way);
+        const Vector exact_l = unit(vector(l) + R(any_size(dice)) * (dice.chance(.5) ? across : R(-1) * across));
+        const double error = spot_error(kernel, l, turn_from(exact_l, l));
+        (error < .01 ? share : border).take(size(exact::Tracer<R>::share_of_spot(light, exact_l) - spot_share(kernel, l)), error);
     }
 }
 

@@ -19,6 +19,20 @@ std::vector<Transformation> similar(Dice& dice) {
     return steps;
 }
 
+/// The way into the world, exactly.
+struct ExactWay {
+    exact::Space<R> space;
+    R scale;
+    Vector origin;
+    ExactWay(const std::vector<Transformation>& steps, const Placement& placement)
+        : space(steps), scale(placement.scale), origin(placement.origin) {}
+    Vector turned(const Vector& v) const {
+        return v.x * space.columns[0] + v.y * space.columns[1] + v.z * space.columns[2];
+    }
+    Vector place(const Vector& p) const { return scale * (turned(p) + space.moved - origin); }
+    R length(R own) const { return scale * trial::length(space.columns[0]) * own; }
+};
+
 /// Of worlds in T.
 template <class T>
 struct Differences {
@@ -26,40 +40,81 @@ struct Differences {
 
     static R off(const Vec3<T>& computed, const Vector& exact) { return length(vector(computed) - exact); }
 
-    /// Of a shape under these transformations.
+    void compare(const Sphere& shape, const SphereKernel<T>& kernel, const ExactWay& way, const Slack<T>& slack) {
+        share.take((off(kernel.centre, way.place(shape.centre)) + size(kernel.radius - way.length(shape.radius))) /
+                       (norm1(kernel.centre) + kernel.radius),
+                   slack.share);
+    }
+    void compare(const Plane& shape, const PlaneKernel<T>& kernel, const ExactWay& way, const Slack<T>& slack) {
+        const Vector a = shape.a, u = Vector(shape.b) - a, v = Vector(shape.c) - a;
+        const Vector n = unit(cross(way.turned(u), way.turned(v)));
+        turn.take(off(kernel.normal, n), slack.turn);
+        plane.take(size(kernel.distance - dot(n, way.place(a))), slack.plane);
+    }
+    void compare(const Cylinder& shape, const CylinderKernel<T>& kernel, const ExactWay& way, const Slack<T>& slack) {
+        const Vector rise = Vector(shape.cap) - Vector(shape.base);
+        share.take((off(kernel.base, way.place(shape.base)) + size(kernel.radius - way.length(shape.radius)) +
+                    size(kernel.height - way.length(length(rise)))) /
+                       (norm1(kernel.base) + kernel.radius + kernel.height),
+                   slack.share);
+        turn.take(off(kernel.axis, unit(way.turned(rise))), slack.turn);
+    }
+    void compare(const Cone& shape, const ConeKernel<T>& kernel, const ExactWay& way, const Slack<T>& slack) {
+        const referee::ConeShape<R> exact(shape);
+        const R cosine = 1 / root(1 + exact.slope * exact.slope), sine = exact.slope * cosine;
+        share.take((off(kernel.base, way.place(shape.base)) + size(kernel.radius - way.length(exact.radius)) +
+                    size(kernel.height - way.length(exact.height))) /
+                       (norm1(kernel.base) + kernel.widest + kernel.height),
+                   slack.share);
+        turn.take(off(kernel.axis, unit(way.turned(exact.axis))), slack.turn);
+        turn.take(length(Vector{kernel.cosine - cosine, kernel.sine - sine, 0}), slack.turn);
+    }
+    void compare(const Disc& shape, const DiscKernel<T>& kernel, const ExactWay& way, const Slack<T>& slack) {
+        share.take((off(kernel.centre, way.place(shape.centre)) + size(kernel.radius - way.length(shape.radius)) +
+                    size(kernel.hole - way.length(shape.hole))) /
+                       (norm1(kernel.centre) + kernel.radius),
+                   slack.share);
+        turn.take(off(kernel.normal, unit(way.turned(shape.normal))), slack.turn);
+    }
+    void compare(const Triangle& shape, const TriangleKernel<T>& kernel, const ExactWay& way, const Slack<T>& slack) {
+        const R whole = norm1(kernel.a) + norm1(kernel.b) + norm1(kernel.c);
+        share.take(off(kernel.a, way.place(shape.a)) / whole, slack.share);
+        share.take(off(kernel.b, way.place(shape.b)) / whole, slack.share);
+        share.take(off(kernel.c, way.place(shape.c)) / whole, slack.share);
+    }
+    void compare(const Cuboid& shape, const BoxKernel<T>& kernel, const ExactWay& way, const Slack<T>& slack) {
+        const Vector low = shape.corner, high = shape.opposite, edges = high - low;
+        const auto row = [&](R edge, const Vector& own) { return R(2) / size(edge) / way.scale * own; };
+        const Vector rows[] = {row(edges.x, way.space.rows[0]), row(edges.y, way.space.rows[1]),
+                               row(edges.z, way.space.rows[2])};
+        const Vector made[] = {vector(kernel.row_x), vector(kernel.row_y), vector(kernel.row_z)};
+        // The products of corners, seen from the centre, with rows are 1 or -1.
+        const auto corner = [](const Vector* own, const Vector& middle, const Vector& products) {
+            const Vector u = cross(own[1], own[2]), v = cross(own[2], own[0]), w = cross(own[0], own[1]);
+            return middle + R(1) / dot(own[0], u) * (products.x * u + products.y * v + products.z * w);
+        };
+        const Vector centre = way.place(R(.5) * (low + high));
+        for (int i = 0; i < 8; ++i) {
+            const Vector products{i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1};
+            const R wrong = length(corner(made, vector(kernel.centre), products) - corner(rows, centre, products));
+            share.take(wrong / (norm1(kernel.centre) + norm1(kernel.box.half)), slack.share);
+        }
+        for (int i : {0, 1, 2}) turn.take(length(made[i] - rows[i]) / length(made[i]), slack.turn);
+    }
+
+    /// Of a shape under these transformations; the uneven ones only if it takes any.
     template <class Shape>
-    void take(const Shape& shape, const std::vector<Transformation>& steps, const Placement& placement) {
-        const exact::Space space(steps);
-        const auto turned = [&](const Vector& v) {
-            return v.x * space.columns[0] + v.y * space.columns[1] + v.z * space.columns[2];
-        };
-        const R scale = placement.scale;
-        const auto place = [&](const DVec3& p) {
-            return scale * (turned(Vector(p)) + space.moved - Vector(placement.origin));
-        };
-        const R stretch = scale * length(space.columns[0]);
+    void take(const Shape& shape, std::vector<Transformation> steps, const std::vector<Transformation>& uneven,
+              const Placement& placement) {
+        if (std::tuple_size_v<typename Shape::template Kernels<T>> == 1)
+            steps.insert(steps.end(), uneven.begin(), uneven.end());
         Scene scene;
         scene.primitives.push_back({shape, 0, steps});
         const Slack<T> slack = slack_of<T>(scene, placement);
         const WorldTransform to_world{matrix(steps), similarity(steps), placement.origin, placement.scale};
-        emit_in<T>(shape, to_world, steps, [&]<class Kernel>(const Kernel& kernel) {
-            if constexpr (std::is_same_v<Kernel, SphereKernel<T>>)
-                share.take((off(kernel.centre, place(shape.centre)) + size(kernel.radius - stretch * R(shape.radius))) /
-                               (norm1(kernel.centre) + kernel.radius),
-                           slack.share);
-            if constexpr (std::is_same_v<Kernel, PlaneKernel<T>>) {
-                const Vector n = unit(turned(referee::normal<R>(shape)));
-                turn.take(off(kernel.normal, n), slack.turn);
-                plane.take(size(kernel.distance - dot(n, place(shape.a))), slack.plane);
-            }
-            if constexpr (std::is_same_v<Kernel, CylinderKernel<T>>) {
-                const Vector rise = Vector(shape.cap) - Vector(shape.base);
-                share.take((off(kernel.base, place(shape.base)) + size(kernel.radius - stretch * R(shape.radius)) +
-                            size(kernel.height - stretch * length(rise))) /
-                               (norm1(kernel.base) + kernel.radius + kernel.height),
-                           slack.share);
-                turn.take(off(kernel.axis, unit(turned(rise))), slack.turn);
-            }
+        emit_in<T>(shape, to_world, steps, [&](const auto& kernel) {
+            if constexpr (requires { compare(shape, kernel, ExactWay(steps, placement), slack); })
+                compare(shape, kernel, ExactWay(steps, placement), slack);
         });
     }
 };
@@ -96,13 +151,19 @@ TEST_CASE("formulas of worlds") {
                                   std::ldexp(1, dice.upto(20) - 10)};
         const DVec3 at = dice.vector(-far, far);
         const std::vector<Transformation> steps = similar(dice);
+        const std::vector<Transformation> uneven{Scale{dice.vector(.1, 3)}, Rotate{dice.vector(-200, 200)}};
+        const std::vector<Transformation> more = dice.chance(.5) ? uneven : std::vector<Transformation>{};
         const auto take = [&](const auto& shape) {
-            differences.take(shape, steps, placement), in_extended.take(shape, steps, placement);
+            differences.take(shape, steps, more, placement), in_extended.take(shape, steps, more, placement);
         };
-        const int which = dice.upto(2);
+        const int which = dice.upto(6);
         if (which == 0) take(Sphere{at, dice.in(.1, 3)});
         if (which == 1) take(Plane{at, at + dice.direction(), at + dice.direction()});
         if (which == 2) take(Cylinder{at, at + dice.arrow(.1, 3), dice.in(.1, 3)});
+        if (which == 5) take(Triangle{at, at + dice.arrow(.1, 3), at + dice.arrow(.1, 3)});
+        if (which == 6) take(Cone{at, dice.in(.1, 3), at + dice.arrow(.1, 3), dice.chance(.5) ? 0 : dice.in(0, 3)});
+        if (which == 4) take(Cuboid{at, at + dice.arrow(.1, 3)});
+        if (which == 3) take(Disc{at, dice.arrow(.1, 3), dice.in(.2, 3), dice.chance(.5) ? 0 : dice.in(.01, .19)});
     }
 }
 

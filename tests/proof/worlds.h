@@ -1,8 +1,11 @@
 // Random worlds of what proofs know: glass, mirrors and dull bodies that touch and overlap, of all sizes and anywhere.
+// Two thirds of them have other bodies besides balls and rods.
 #pragma once
 #include <cmath>
+#include <numbers>
 
 #include "scene/scene.h"
+#include "tests/proof/bodies.h"
 #include "tests/referee/dice.h"
 
 namespace strahl::proof {
@@ -18,6 +21,9 @@ inline Material random_material(Dice& dice, bool glass) {
     if (dice.chance(.05)) m.ior = 1;
     return m;
 }
+
+/// Decides what takes the place of balls and rods: these are the same in all worlds whose others are added to.
+inline Dice dice_of_others(std::uint64_t seed) { return Dice(seed ^ 0x5deece66dull); }
 
 /// The same world of scale 1 around 0, scaled and moved. `hard` ones have glass, contacts and transformations.
 inline Scene random_world(std::uint64_t seed) {
@@ -46,13 +52,29 @@ inline Scene random_world(std::uint64_t seed) {
         scene.primitives.push_back(primitive);
         scene.materials.push_back(random_material(dice, glass));
     };
+    Dice others = dice_of_others(seed);
+    const bool has_others = others.chance(.67);
+    for (Light& light : scene.lights) {
+        if (!has_others || light.direction || !others.chance(.3)) continue;
+        const double radius = others.in(0, 40), soft = others.chance(.3) ? 0 : others.in(0, 40);
+        light.spot = Spot{place(others.vector(-1, 1)), radius, radius + soft};
+        if (others.chance(.4)) light.spot->tightness = others.chance(.7) ? others.upto(30) : others.in(0, 3);
+    }
     DVec3 last(0);
     double last_radius = 1;
     for (int i = 0; i < count; ++i) {
         const double radius = count > 20 ? dice.in(.05, .3) : dice.in(.2, 1.2);
         const bool touches = contacts && i > 0 && dice.chance(.3);
         const DVec3 centre = touches ? last + (last_radius + radius) * dice.direction() : dice.vector(-2.5, 2.5);
-        if (dice.chance(.7)) {
+        if (has_others && others.chance(.6)) {
+            const DVec3 out = unit(centre - last), at = touches ? last + last_radius * out : centre;
+            for (const Shape& shape : random_bodies(others, place(at), size * radius, touches, out)) {
+                put(shape);
+                std::vector<Transformation>& steps = scene.primitives.back().transformations;
+                if (!steps.empty() && takes_any_transformation(shape) && others.chance(.5))
+                    steps.insert(steps.begin(), Scale{others.vector(.5, 2)});
+            }
+        } else if (dice.chance(.7)) {
             put(Sphere{place(centre), size * radius});
             last = centre, last_radius = radius;
         } else {
@@ -78,8 +100,9 @@ inline constexpr int edge_columns = 6, edge_rows = 4;
 
 /// A world of edges: through the middle of each pixel of a small picture goes a ray that touches a ball or a rod or
 /// meets a rim or an end whose plane holds the lamp, but for rounding, or whose mirrored or shadow ray from the floor
-/// does.
+/// does, or meets an edge of some other body.
 inline Scene world_of_edges(std::uint64_t seed) {
+    constexpr double degree = std::numbers::pi / 180;
     Dice dice(seed);
     Scene scene;
     scene.background.color = dice.vector(.1, .9);
@@ -101,10 +124,18 @@ inline Scene world_of_edges(std::uint64_t seed) {
     scene.primitives.push_back(
         {Plane{on_floor, on_floor + size * DVec3(1, 0, 0), on_floor + size * DVec3(0, 1, 0)}, dull(.5), {}});
     const CameraFrame frame = frame_of(scene.camera, double(edge_columns) / edge_rows);
-    const auto unit = [](const DVec3& v) { return v / std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); };
-    const auto cross = [](const DVec3& a, const DVec3& b) {
-        return DVec3(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
-    };
+    Dice others = dice_of_others(seed);
+    const bool has_others = others.chance(.67);
+    if (has_others && others.chance(.3)) {  // a spot whose border passes through a point of the floor, but for rounding
+        const double u = (2. * others.upto(edge_columns - 1) + 1) / edge_columns - 1;
+        const double v = (2. * (edge_rows - 1) + 1) / edge_rows - 1;
+        const DVec3 way = unit(frame.forward + u * frame.tan_x * frame.right + v * frame.tan_y * frame.down);
+        const DVec3 to_point = unit(eye + (level - eye.z) / way.z * way - lamp), axis = unit(shift - lamp);
+        const DVec3 off = to_point - axis;
+        const double angle = 2 * std::asin(std::sqrt(off.x * off.x + off.y * off.y + off.z * off.z) / 2) / degree;
+        const bool hard = others.chance(.5);
+        scene.lights[0].spot = Spot{shift, hard ? angle : angle * others.in(.5, 1), angle};
+    }
     for (int y = 0; y < edge_rows; ++y)
         for (int x = 0; x < edge_columns; ++x) {
             const double u = (2. * x + 1) / edge_columns - 1, v = (2. * y + 1) / edge_rows - 1;
@@ -121,7 +152,10 @@ inline Scene world_of_edges(std::uint64_t seed) {
             const double radius = size * dice.in(.02, .08);
             const DVec3 centre = from + t * way + radius * across;
             const double kind = dice.in(0, 1);
-            if (kind < .2) {  // where an end and the side meet, both of which face the ray
+            if (has_others && others.chance(.6)) {
+                for (const Shape& shape : edge_bodies(others, from + t * way, way, radius))
+                    scene.primitives.push_back({shape, dull(0), {}});
+            } else if (kind < .2) {  // where an end and the side meet, both of which face the ray
                 const DVec3 out = unit(across - way), axis = unit(cross(cross(out, across - 2. * way), out));
                 const DVec3 cap = from + t * way - radius * out;
                 scene.primitives.push_back({Cylinder{cap - 6 * radius * axis, cap, radius}, dull(0), {}});

@@ -1,0 +1,103 @@
+// What random worlds for proofs have besides balls and rods.
+#pragma once
+#include <cmath>
+#include <memory>
+#include <variant>
+#include <vector>
+
+#include "scene/scene.h"
+#include "tests/referee/dice.h"
+
+namespace strahl::proof {
+
+inline DVec3 unit(const DVec3& v) { return v / std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
+inline DVec3 cross(const DVec3& a, const DVec3& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+/// Triangles that share a corner and sides, by themselves or as a mesh.
+inline std::vector<Shape> fan(Dice& dice, const DVec3& centre, double radius) {
+    const int count = 1 + dice.upto(4);
+    const bool flat = dice.chance(.2), closes = count > 2 && dice.chance(.5);
+    const DVec3 x = dice.direction(), y = dice.direction();
+    MeshData data{.points = {centre}};
+    for (int i = 0; i <= count; ++i) {
+        const double angle = 1.2 * i;
+        const DVec3 out = std::cos(angle) * x + std::sin(angle) * y;
+        data.points.push_back(centre + dice.in(.5, 1.5) * radius * (flat ? out : unit(out + .5 * dice.direction())));
+    }
+    for (int i = 1; i <= count; ++i) data.triangles.push_back({0, i, i == count && closes ? 1 : i + 1});
+    if (dice.chance(.5)) return {Mesh{std::make_shared<const MeshData>(data)}};
+    std::vector<Shape> triangles;
+    for (const auto& [a, b, c] : data.triangles)
+        triangles.push_back(Triangle{data.points[a], data.points[b], data.points[c]});
+    return triangles;
+}
+/// May it be scaled unevenly?
+inline bool takes_any_transformation(const Shape& shape) {
+    return std::holds_alternative<Cuboid>(shape) || std::holds_alternative<Triangle>(shape) ||
+           std::holds_alternative<Mesh>(shape);
+}
+
+/// One or several bodies around a centre. What touches something does so there, towards `out`.
+inline std::vector<Shape> random_bodies(Dice& dice, const DVec3& centre, double radius, bool touches,
+                                        const DVec3& out) {
+    const int kind = dice.upto(3);
+    if (kind == 0) return fan(dice, centre, radius);
+    if (kind == 2) {
+        const DVec3 cap = centre + radius * (touches ? dice.in(.3, 3) * out : dice.arrow(.3, 3));
+        const double other = dice.chance(.5) ? 0 : dice.in(.1, 1) * radius;
+        return {dice.chance(.5) ? Cone{centre, other, cap, radius} : Cone{centre, radius, cap, other}};
+    }
+    if (kind == 1) {
+        const DVec3 size = radius * dice.vector(.1, 1);
+        const Cuboid box{centre - size, centre + size};
+        if (!touches) return {box};
+        DVec3 beside = centre;  // another, with a face in the plane of one of its faces
+        beside.x = box.opposite.x;
+        return {box, Cuboid{beside, beside + radius * dice.vector(.1, 1)}};
+    }
+    const DVec3 normal = touches ? out : dice.direction();
+    return {Disc{centre, normal, radius, dice.chance(.5) ? 0 : radius * dice.in(.1, .9)}};
+}
+
+/// Bodies of about this size that a ray from afar along `way` meets at `target` on an edge, but for rounding.
+inline std::vector<Shape> edge_bodies(Dice& dice, const DVec3& target, const DVec3& way, double size) {
+    const int kind = dice.upto(3);
+    if (kind == 2) {  // an apex, a rim, or a line of the side that the ray goes along
+        const DVec3 axis = dice.direction(), rise = dice.in(.5, 3) * size * axis;
+        const DVec3 out = size * unit(cross(axis, dice.direction()));
+        if (dice.chance(.3)) return {Cone{target + rise, size, target, 0}};
+        if (dice.chance(.5)) return {Cone{target - out, size, target - out + rise, dice.in(0, 2) * size}};
+        const DVec3 along = dice.in(1, 3) * size * way, apex = target + along;
+        const DVec3 aside = size * unit(cross(way, dice.direction()));
+        const DVec3 tilted = unit(target - along + aside - apex);  // from the apex, half the angle away from the ray
+        const double slant = dice.in(1, 4) * size, cosine = -(tilted.x * way.x + tilted.y * way.y + tilted.z * way.z);
+        return {Cone{apex, 0, apex + slant * cosine * tilted, slant * std::sqrt(1 - cosine * cosine)}};
+    }
+    if (kind == 0) {  // a side of a triangle or of two, or a corner
+        const DVec3 along = dice.chance(.2) ? way : dice.direction();
+        const DVec3 a = target + dice.in(.2, 2) * size * along;
+        const DVec3 b = dice.chance(.3) ? target : target - dice.in(.2, 2) * size * along;
+        const Triangle one{a, b, target + dice.in(.2, 2) * size * dice.direction()};
+        if (dice.chance(.5)) return {one};
+        return {one, Triangle{b, a, target + dice.in(.2, 2) * size * dice.direction()}};
+    }
+    if (kind == 1) {  // a corner or an edge of a box, or its middle
+        DVec3 from = target, to = target;
+        for (int i = 0; i < 3; ++i) {
+            const double way_to = dice.in(.2, 2) * size;
+            const int where = dice.upto(3);
+            if (where != 0) to[i] += way_to;
+            if (where == 0 || where == 3) from[i] -= way_to;
+        }
+        return {Cuboid{from, to}};
+    }
+    const bool edge_on = dice.chance(.2);  // the ray is in its plane
+    const DVec3 normal = edge_on ? unit(cross(way, dice.direction())) : dice.direction();
+    const DVec3 out = edge_on ? way : unit(cross(normal, dice.direction()));
+    const double hole = dice.chance(.5) ? 0 : dice.in(.1, .9) * size;
+    return {Disc{target - (hole > 0 && dice.chance(.5) ? hole : size) * out, normal, size, hole}};
+}
+
+}  // namespace strahl::proof
