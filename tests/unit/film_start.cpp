@@ -18,7 +18,8 @@ namespace strahl {
 TEST_CASE("ffmpeg does not start where its input takes more memory than there is") {
     const Scratch folder;
     const std::string ffmpeg = folder / "ffmpeg";
-    std::ofstream(ffmpeg) << "#!/bin/sh\ntouch '" << folder / "ran" << "'\n";
+    std::ofstream(ffmpeg) << "#!/bin/sh\ntouch '" << folder / "ran"
+                          << "'\n";
     std::filesystem::permissions(ffmpeg, std::filesystem::perms::owner_all);
     const auto start = [&] { Film(ffmpeg, folder / "film.mp4", {}).append("frames"); };
     CHECK_THROWS_WITH_AS(start(), doctest::Contains("Cannot allocate memory"), OutputError);
