@@ -64,8 +64,7 @@ int run(std::vector<std::string> words, const std::string& folder, const std::st
         posix_spawn_file_actions_addopen(&files, 1, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600) == 0 &&
         posix_spawn_file_actions_adddup2(&files, 1, 2) == 0;
     pid_t child = 0;
-    const int failed =
-        ready ? posix_spawnp(&child, arguments[0], &files, nullptr, arguments.data(), environ) : ENOMEM;
+    const int failed = ready ? posix_spawnp(&child, arguments[0], &files, nullptr, arguments.data(), environ) : ENOMEM;
     posix_spawn_file_actions_destroy(&files);
     if (failed == ENOENT) return -1;
     if (failed == ENOMEM) throw std::bad_alloc();

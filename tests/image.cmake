@@ -1,7 +1,10 @@
 # Files, pictures and their comparison, and the parts of the commands that need nothing else.
-# These two replace functions of the C library and the sanitizers' options, each for itself.
+# The next two replace functions of the C library and the sanitizers' options, each for itself.
 strahl_tests(test_file unit strahl_text file)
 strahl_tests(test_picture unit strahl_image picture)
 strahl_tests(test_image unit "strahl_image;strahl_text" bands hostile_pictures compare progress)
 target_sources(test_image PRIVATE ${CMAKE_SOURCE_DIR}/src/main/command_compare.cpp
                                   ${CMAKE_SOURCE_DIR}/src/main/progress.cpp)
+# So does this.
+strahl_tests(test_film unit strahl_image film_start)
+target_sources(test_film PRIVATE ${CMAKE_SOURCE_DIR}/src/main/film.cpp ${CMAKE_SOURCE_DIR}/src/main/values.cpp)

@@ -262,8 +262,8 @@ int bundle_command(const BundleOptions& options) try {
     fs::permissions(folder.path() / "play", fs::perms(0111), fs::perm_options::add);
     bundle.write("README.txt", read_me(options, own_libraries));
     folder.finish();
-    std::cout << printable(target.string()) << ": " << bytes_in_words(bundle.size()) << "; " << printable(target.string())
-              << "/play plays it\n";
+    std::cout << printable(target.string()) << ": " << bytes_in_words(bundle.size()) << "; "
+              << printable(target.string()) << "/play plays it\n";
     if (!for_other_processors())
         std::cerr << "strahl: this strahl was built for processors like this one; on others it plays slowly. "
                      "cmake --preset release builds one for all\n";

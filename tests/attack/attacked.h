@@ -20,7 +20,8 @@ struct Case {
     std::string name;
     std::vector<std::string> words;
     Files before;
-    std::vector<std::vector<std::string>> first = {};  // commands that make more of these files
+    /// Commands that make more of these files.
+    std::vector<std::vector<std::string>> first = {};
     bool times = false;      // it prints times, so that no two runs print the same
     bool hard_link = false;  // picture.bmp has a second name, other.bmp
 };

@@ -72,7 +72,8 @@ void find_path(Watched kind, long number) {
         if (std::find(functions + 1, functions + i, functions[i]) != functions + i) continue;
         for (; *name; ++name) hash = (hash ^ static_cast<unsigned char>(*name)) * factor;
         hash = (hash ^ static_cast<std::uint64_t>(static_cast<char*>(frames[i]) -
-                                                  static_cast<char*>(library.dlfo_map_start))) * factor;
+                                                  static_cast<char*>(library.dlfo_map_start))) *
+               factor;
     }
     for (int tried = 0; tried < Control::most_paths; ++tried) {
         Path& path = control->paths[(hash + static_cast<unsigned>(tried)) % Control::most_paths];

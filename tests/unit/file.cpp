@@ -264,6 +264,18 @@ TEST_CASE("impossible paths are reported with advice") {
     CHECK(folder.files() == 1);
 }
 
+TEST_CASE("a folder is removed with all that is in it, and links are not followed") {
+    const Scratch folder;
+    for (const char* const inner : {"a", "a/b"}) ::mkdir((folder / inner).c_str(), 0700);
+    write_file(folder / "a/b/file", "bytes");
+    write_file(folder / "kept", "bytes");
+    CHECK(::symlink("../kept", (folder / "a/link").c_str()) == 0);
+    CHECK(remove_folder(folder / "a"));
+    CHECK(folder.files() == 1);
+    CHECK_FALSE(remove_folder(folder / "a"));
+    CHECK(errno == ENOENT);
+}
+
 TEST_CASE("- is standard output") {
     const Scratch folder;
     std::fflush(stdout);

@@ -43,7 +43,8 @@ struct StandIn {
     StandIn() {
         const std::string tool = tools / "povray", picture = tools / "picture.png";
         write_picture({4, 3, 3, std::vector<double>(36, .5), 16}, picture, {.bits = 16});
-        std::ofstream(tool) << "#!/bin/sh\ntouch '" << tools / "ran" << "'\nexec cp '" << picture << "' scene.png\n";
+        std::ofstream(tool) << "#!/bin/sh\ntouch '" << tools / "ran"
+                            << "'\nexec cp '" << picture << "' scene.png\n";
         std::filesystem::permissions(tool, std::filesystem::perms::owner_all);
         ::setenv("PATH", ((tools / "") + ":" + path).c_str(), 1);
         ::setenv("TMPDIR", (temporary / "").c_str(), 1);
