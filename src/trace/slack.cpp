@@ -98,11 +98,9 @@ struct Comparison {
     void operator()(const Kind&, const Kernel&) const {}
 };
 
-}  // namespace
-
+/// Here, because g++ warns of lambdas of other functions that hold what this namespace hides.
 template <class T>
-Slack<T> slack_of(const Scene& scene, const Placement& placement) {
-    Slack<T> slack;
+void compare_all(const Scene& scene, const Placement& placement, Slack<T>& slack) {
     for (const Primitive& primitive : scene.primitives) {
         const ExtendedTransform own(primitive.transformations, placement.origin, placement.scale);
         const WorldTransform to_world{matrix(primitive.transformations), similarity(primitive.transformations),
@@ -116,6 +114,14 @@ Slack<T> slack_of(const Scene& scene, const Placement& placement) {
             },
             primitive.shape);
     }
+}
+
+}  // namespace
+
+template <class T>
+Slack<T> slack_of(const Scene& scene, const Placement& placement) {
+    Slack<T> slack;
+    compare_all(scene, placement, slack);
     if constexpr (std::is_same_v<T, double>)
         slack.culled = slack.share;
     else

@@ -54,8 +54,8 @@ STRAHL_INLINE TraversalRay<S> traversal_ray(const Ray<S>& ray) {
     const auto reciprocal = [](S d) { return S(1) / select(abs(d) < S(tiny), select(d < S(0), S(-tiny), S(tiny)), d); };
     return {ray.origin, {reciprocal(ray.direction.x), reciprocal(ray.direction.y), reciprocal(ray.direction.z)}};
 }
-/// Coordinates from here on are not rounded but taken to be anywhere: no float may overflow.
-inline constexpr double farthest = 1e18;
+/// Coordinates from here on are not rounded but taken to be anywhere within `anywhere`: no float may overflow.
+inline constexpr double farthest = 1e18, anywhere = 1e19;
 
 /// One ray in all lanes, rounded outwards where boxes have fewer bits.
 template <class S>
@@ -66,9 +66,9 @@ STRAHL_INLINE RoundedTraversalRay<ForBoxes<S>> lane_of(const RoundedTraversalRay
     for (int i = 0; i < 3; ++i) {
         const Element<S> low = lane(ray.origin_low[i], k), high = lane(ray.origin_high[i], k);
         const bool near = low > -farthest && high < farthest;
-        result.origin_low[i] = F(near ? rounded<E>(low, low < 0) : E(0));
-        result.origin_high[i] = F(near ? rounded<E>(high, high > 0) : E(0));
-        result.inverse[i] = F(near ? static_cast<E>(lane(ray.inverse[i], k)) : E(0));
+        result.origin_low[i] = F(near ? rounded<E>(low, low < 0) : E(-anywhere));
+        result.origin_high[i] = F(near ? rounded<E>(high, high > 0) : E(anywhere));
+        result.inverse[i] = F(near ? static_cast<E>(lane(ray.inverse[i], k)) : E(1));
     }
     return result;
 }
@@ -122,15 +122,16 @@ STRAHL_INLINE auto traversal_ray(const Ray<S> (&rays)[together<S>]) {
         for (int h = 0; h < together<S>; ++h) lines[h] = traversal_ray(rays[h]);
         for (int i = 0; i < 3; ++i) {
             S origins[together<S>], inverses[together<S>];
+            Mask<S> nears[together<S>];
             for (int h = 0; h < together<S>; ++h) {
-                const Mask<S> near = abs(lines[h].origin[i]) < S(farthest);
-                origins[h] = select(near, lines[h].origin[i], S(0));
-                inverses[h] = select(near, lines[h].inverse[i], S(0));
+                nears[h] = abs(lines[h].origin[i]) < S(farthest);
+                origins[h] = select(nears[h], lines[h].origin[i], S(0));
+                inverses[h] = select(nears[h], lines[h].inverse[i], S(1));
             }
             const F origin = join(origins);
-            const Mask<F> negative = origin < F(0);
-            result.origin_low[i] = origin * select(negative, up, down);
-            result.origin_high[i] = origin * select(negative, down, up);
+            const Mask<F> negative = origin < F(0), near = join_masks<S>(nears);
+            result.origin_low[i] = select(near, origin * select(negative, up, down), F(-anywhere));
+            result.origin_high[i] = select(near, origin * select(negative, down, up), F(anywhere));
             result.inverse[i] = join(inverses);
         }
         return result;

@@ -20,14 +20,15 @@ inline std::vector<Shape> fan(Dice& dice, const DVec3& centre, double radius) {
     const int count = 1 + dice.upto(4);
     const bool flat = dice.chance(.2), closes = count > 2 && dice.chance(.5);
     const DVec3 x = dice.direction(), y = dice.direction();
-    MeshData data{.points = {centre}};
+    MeshData data;
+    data.points.push_back(centre);
     for (int i = 0; i <= count; ++i) {
         const double angle = 1.2 * i;
         const DVec3 out = std::cos(angle) * x + std::sin(angle) * y;
         data.points.push_back(centre + dice.in(.5, 1.5) * radius * (flat ? out : unit(out + .5 * dice.direction())));
     }
     for (int i = 1; i <= count; ++i) data.triangles.push_back({0, i, i == count && closes ? 1 : i + 1});
-    if (dice.chance(.5)) return {Mesh{std::make_shared<const MeshData>(data)}};
+    if (dice.chance(.5)) return {Mesh{std::make_shared<const MeshData>(data), ""}};
     std::vector<Shape> triangles;
     for (const auto& [a, b, c] : data.triangles)
         triangles.push_back(Triangle{data.points[a], data.points[b], data.points[c]});

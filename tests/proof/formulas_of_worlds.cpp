@@ -95,7 +95,8 @@ struct Differences {
         };
         const Vector centre = way.place(R(.5) * (low + high));
         for (int i = 0; i < 8; ++i) {
-            const Vector products{i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1};
+            const auto sign = [&](int bit) { return R(i & bit ? 1 : -1); };
+            const Vector products{sign(1), sign(2), sign(4)};
             const R wrong = length(corner(made, vector(kernel.centre), products) - corner(rows, centre, products));
             share.take(wrong / (norm1(kernel.centre) + norm1(kernel.box.half)), slack.share);
         }
