@@ -4,14 +4,13 @@
 
 #include <cstdio>
 #include <functional>
-#include <iterator>
 #include <set>
 #include <span>
 #include <utility>
 
 #include "scene/error.h"
 #include "scene/leaves.h"
-#include "text/streams.h"
+#include "text/parse.h"
 
 namespace strahl {
 namespace {
@@ -34,9 +33,7 @@ std::size_t hash_of(const std::vector<T>& values) {
 }  // namespace
 
 std::string hash_of_program() {
-    FileStream in("/proc/self/exe");
-    const std::string bytes((std::istreambuf_iterator<char>(in)), {});
-    return in_hexadecimal(std::hash<std::string_view>()(bytes));
+    return in_hexadecimal(std::hash<std::string_view>()(read_text("/proc/self/exe")));
 }
 
 std::string hash_of_meshes(const Scene& scene) {
