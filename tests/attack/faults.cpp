@@ -116,10 +116,10 @@ void mix(std::vector<Trial>& trials) {
 }  // namespace
 
 int faults(Attacker& attacker, const Plan& plan) {
-    const double start = now();
     std::vector<Case> all = cases();
     std::ranges::move(cases_with_others(), std::back_inserter(all));
     all = attacker.completed(all);
+    const double start = now();
     std::vector<Ran> good(all.size());
     std::vector<Trial> trials;
     std::set<std::uint64_t> known;
