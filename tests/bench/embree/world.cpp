@@ -26,7 +26,7 @@ Ray<S> packet_of(RTCRayN* rays) {
 }
 
 struct Crossings {
-    float near[16], far[16];
+    float near[16], far[16], near_face[16], far_face[16];
     bool hit[16];
 };
 Crossings cross(const CylinderKernel<float>& cylinder, RTCRayN* rays, unsigned n, const int* valid) {
@@ -34,6 +34,7 @@ Crossings cross(const CylinderKernel<float>& cylinder, RTCRayN* rays, unsigned n
     if (n == lanes) {
         const Span<S> span = cylinder.span(packet_of(rays), S(-1));
         store_lanes(c.near, span.near), store_lanes(c.far, span.far);
+        store_lanes(c.near_face, span.near_face), store_lanes(c.far_face, span.far_face);
         float hit[lanes];
         store_lanes(hit, select(span.hit, S(1), S(0)));
         for (int i = 0; i < lanes; ++i) c.hit[i] = valid[i] && hit[i] != 0;
@@ -42,6 +43,7 @@ Crossings cross(const CylinderKernel<float>& cylinder, RTCRayN* rays, unsigned n
     for (unsigned i = 0; i < n; ++i) {
         const Span<float> span = cylinder.span(ray_of(rays, n, i), -1.f);
         c.near[i] = span.near, c.far[i] = span.far, c.hit[i] = valid[i] && span.hit;
+        c.near_face[i] = span.near_face, c.far_face[i] = span.far_face;
     }
     return c;
 }
@@ -64,9 +66,10 @@ void intersect_cylinder(const RTCIntersectFunctionNArguments* a) {
     const Crossings c = cross(cylinder, rays, a->N, a->valid);
     for (unsigned i = 0; i < a->N; ++i) {
         if (!c.hit[i]) continue;
-        const float t = c.near[i] > 0 ? c.near[i] : c.far[i];
+        const bool enters = c.near[i] > 0;
+        const float t = enters ? c.near[i] : c.far[i], face = enters ? c.near_face[i] : c.far_face[i];
         if (!(t > 0 && t < RTCRayN_tfar(rays, a->N, i))) continue;
-        const Vec3<float> normal = cylinder.at(ray_of(rays, a->N, i), t, -1.f).normal;
+        const Vec3<float> normal = cylinder.at(ray_of(rays, a->N, i), t, face).normal;
         RTCRayN_tfar(rays, a->N, i) = t;
         RTCHitN_Ng_x(hits, a->N, i) = normal.x;
         RTCHitN_Ng_y(hits, a->N, i) = normal.y;
