@@ -53,16 +53,17 @@ void Proof::keep(const Tile& tile, PictureWriter& writer) {
 
 std::vector<Pixel> Proof::open() const {
     std::vector<Pixel> pixels;
-    for (const Open& own : undecided) pixels.push_back(own.pixel);
+    for (const auto& [pixel, rgb] : undecided)
+        if (proved[place_of(pixel.x, pixel.y)] == By::nothing) pixels.push_back(pixel);
     return pixels;
 }
 
-bool Proof::settle(const Tile& pixel, PictureWriter& writer) {
+bool Proof::settle(const Tile& pixel, By by, PictureWriter& writer) {
     if (!decided(pixel, 0)) return false;
     const Lattice& own = pixel.lattice;
     const std::size_t at = place_of(own.x, own.y);
     bounds[at] = pixel.bounds[0];
-    proved[at] = By::in_extended;
+    proved[at] = by;
     put({own.x, own.y}, values_of(pixel), writer);
     return true;
 }

@@ -17,11 +17,13 @@ class Proof {
     /// Of this part of a picture, as files of this format hold it.
     Proof(const Lattice& part, const FileFormat& format);
 
+    enum class By : unsigned char { nothing, in_double, in_extended };
+
     /// Puts a tile of double but for what is undecided, which stays open. From any thread.
     void keep(const Tile& tile, PictureWriter& writer);
     std::vector<Pixel> open() const;
-    /// Puts a pixel of extended precision, if that decides it, which is the answer. From any thread.
-    bool settle(const Tile& pixel, PictureWriter& writer);
+    /// Puts a pixel that was traced again, if that decides it, which is the answer. From any thread.
+    bool settle(const Tile& pixel, By by, PictureWriter& writer);
     /// Puts all that is still open, as it is in double.
     void close(PictureWriter& writer);
 
@@ -31,7 +33,6 @@ class Proof {
     void write(const std::string& path) const;
 
   private:
-    enum class By : unsigned char { nothing, in_double, in_extended };
     struct Open {
         Pixel pixel;
         std::array<double, 3> rgb;

@@ -161,7 +161,7 @@ Accuracy Renderer::choose(const Scene& scene, const Shot& shot) {
     // The curve that encodes linear light enlarges errors where it is steep.
     const double steepest = format.linear && format.bits != 32 ? steepest_srgb : 1;
     if (!options.prove.empty()) {  // what is left out is in the bounds
-        constexpr double share = 1e-5;
+        constexpr double share = 1e-2;
         stats.error = options.error.value_or(share * unseen * steepest);
         return {.precision = Precision::float64,
                 .depth = options.depth.value_or(scene.settings.max_trace_level),
@@ -217,19 +217,24 @@ std::uint64_t Renderer::trace(const Shot& shot, const std::vector<Lattice>& regi
     return done;
 }
 
-/// What double leaves undecided, in extended precision.
+/// What is undecided: with a thousandth of the light left out in double, then in extended precision.
 void Renderer::prove_again(const Shot& shot, PictureWriter& writer, const std::string& label) {
-    const std::vector<Pixel> open = proof->open();
-    if (!open.empty() && !interrupted()) {
-        Progress progress(options.quiet, label + "in extended precision ");
+    const View closer = view(shot, accuracy.depth, accuracy.dropped / 1000);
+    const auto again = [&](Tracer& own, Proof::By by, const std::string& how) {
+        const std::vector<Pixel> open = proof->open();
+        if (open.empty() || interrupted()) return;
+        Progress progress(options.quiet, label + how);
         std::atomic<std::uint64_t> done = 0;
         const auto decides = [&](const Tile& tile) {
             progress.advance(++done, open.size());
-            return proof->settle(tile, writer);
+            return proof->settle(tile, by, writer);
         };
+        stats.rays += strahl::prove_again(own, closer, open, pool, decides, interrupt.flag());
+    };
+    if (accuracy.dropped > 0) again(tracer, Proof::By::in_double, "once more ");
+    if (!proof->open().empty()) {
         Tracer extended(tracer.scene(), Precision::extended);
-        stats.rays += strahl::prove_again(extended, view(shot, accuracy.depth, accuracy.dropped), open, pool, decides,
-                                          interrupt.flag());
+        again(extended, Proof::By::in_extended, "in extended precision ");
         if (interrupted())
             std::cerr << "strahl: interrupted; what was not traced in extended precision yet stays undecided\n";
     }

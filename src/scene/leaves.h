@@ -29,6 +29,37 @@ void for_each_leaf_placed(const Primitive& primitive, const Visit& visit, const 
     std::visit(look, primitive.shape);
 }
 
+/// The way of a composite's leaf into the composite's own space, and its transformations all the way into the world.
+struct LeafWay {
+    glm::dmat4 inner{1};
+    double similarity = 0;  // of the way into the world
+    std::vector<Transformation> steps;
+};
+/// Calls visit(leaf, way) for the leaves of a composite in the order declared, and combine(operation) where the last two
+/// results become one.
+template <class Visit, class Combine>
+void for_each_leaf_within(const Primitive& composite, const Visit& visit, const Combine& combine) {
+    const auto look = [&](const auto& self, const Primitive& part, const LeafWay& way) -> void {
+        std::visit(
+            [&]<class Kind>(const Kind& kind) {
+                if constexpr (is_composite<Kind>) {
+                    for (std::size_t i = 0; i < kind.parts->size(); ++i) {
+                        const Primitive& next = (*kind.parts)[i];
+                        LeafWay own{way.inner * matrix(next.transformations),
+                                    way.similarity * similarity(next.transformations), next.transformations};
+                        own.steps.insert(own.steps.end(), way.steps.begin(), way.steps.end());
+                        self(self, next, own);
+                        if (i > 0) combine(Kind::operation);
+                    }
+                } else {
+                    visit(part, way);
+                }
+            },
+            part.shape);
+    };
+    look(look, composite, {glm::dmat4(1), similarity(composite.transformations), composite.transformations});
+}
+
 /// The sum of count(kind) for each of them.
 template <class Count>
 int sum_of_leaves(const Shape& shape, const Count& count) {

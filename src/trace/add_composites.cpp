@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "scene/leaves.h"
+#include "trace/extended.h"
 #include "trace/plane_numbers.h"
 #include "trace/world_arrays.h"
 
@@ -24,11 +25,12 @@ class CompositeBuilder {
   public:
     CompositeBuilder(WorldArrays<T>& arrays, std::array<std::vector<T>, Forms::size>& leaf_numbers,
                      const Primitive& whole, int surface, std::int32_t first_leaf, const Placement& placement,
-                     ThreadPool& pool)
+                     ThreadPool& pool, bool proves)
         : arrays(arrays),
           leaf_numbers(leaf_numbers),
           placement(placement),
           pool(pool),
+          proves(proves),
           outer(matrix(whole.transformations)),
           next_leaf(first_leaf) {
         info.first_leaf = static_cast<std::int32_t>(arrays.leaves.size());
@@ -36,7 +38,16 @@ class CompositeBuilder {
         info.first_plane = static_cast<std::int32_t>(arrays.planes.size());
         info.first_key = static_cast<std::int32_t>(arrays.face_keys.size());
         info.surface = next_surface = surface;
-        add(whole, glm::dmat4(1), similarity(whole.transformations), true);
+        for_each_leaf_within(
+            whole,
+            [&](const Primitive& leaf, const LeafWay& way) {
+                std::visit(
+                    [&]<class Kind>(const Kind& shape) {
+                        if constexpr (!is_composite<Kind>) add_leaf(shape, leaf, way);
+                    },
+                    leaf.shape);
+            },
+            [&](Operation operation) { arrays.steps.push_back(step(operation)); });
         share_planes();
         info.leaves = static_cast<std::int32_t>(arrays.leaves.size()) - info.first_leaf;
         info.steps = static_cast<std::int32_t>(arrays.steps.size()) - info.first_step;
@@ -46,35 +57,19 @@ class CompositeBuilder {
     }
 
   private:
-    /// `inner` is the matrix from the part's surroundings into the composite's own space.
-    void add(const Primitive& part, const glm::dmat4& inner, double similar, bool whole) {
-        const glm::dmat4 m = whole ? inner : inner * matrix(part.transformations);
-        const double factor = whole ? similar : similar * similarity(part.transformations);
-        std::visit(
-            [&]<class Kind>(const Kind& shape) {
-                if constexpr (is_composite<Kind>) {
-                    for (std::size_t i = 0; i < shape.parts->size(); ++i) {
-                        add((*shape.parts)[i], m, factor, false);
-                        if (i > 0) arrays.steps.push_back(step(Kind::operation));
-                    }
-                } else {
-                    add_leaf(shape, part, m, factor);
-                }
-            },
-            part.shape);
-    }
     static CompositeStep step(Operation operation) {
         return operation == Operation::unite       ? CompositeStep::unite
                : operation == Operation::intersect ? CompositeStep::intersect
                                                    : CompositeStep::subtract;
     }
     template <class Kind>
-    void add_leaf(const Kind& shape, const Primitive& part, const glm::dmat4& m, double factor) {
-        const WorldTransform to_world{outer * m, factor, placement.origin, placement.scale};
+    void add_leaf(const Kind& shape, const Primitive& part, const LeafWay& way) {
+        const glm::dmat4& m = way.inner;
+        const WorldTransform to_world{outer * m, way.similarity, placement.origin, placement.scale};
         const std::int32_t material = arrays.material_of(part, next_leaf);
         CompositeLeaf leaf{-1, 0, material, next_surface, faces_of_leaf(shape), 0};
         std::vector<ItemBox> boxes;
-        shape.template emit<T>(to_world, [&]<class K>(const K& kernel) {
+        const auto put = [&]<class K>(const K& kernel) {
             constexpr int form = form_number<K, T>(Forms{});
             using Own = Item<FormAt<form, Forms>, T>;
             constexpr std::size_t fields = sizeof(Own) / sizeof(T);
@@ -86,7 +81,8 @@ class CompositeBuilder {
             const T* const first = reinterpret_cast<const T*>(&item);
             numbers.insert(numbers.end(), first, first + fields);
             if constexpr (std::is_same_v<Kind, Mesh>) boxes.push_back(item_box(kernel.bounds(), form));
-        });
+        };
+        emit_in<T>(shape, to_world, way.steps, put, proves);
         if constexpr (std::is_same_v<Kind, Mesh>) {
             meshes.push_back({shape.data.get(), m, arrays.leaves.size()});
             return add_mesh(leaf, boxes);
@@ -198,6 +194,7 @@ class CompositeBuilder {
     std::array<std::vector<T>, Forms::size>& leaf_numbers;
     const Placement& placement;
     ThreadPool& pool;
+    const bool proves;
     const glm::dmat4 outer;
     std::int32_t next_leaf;  // of the scene
     CompositeInfo info{};
@@ -220,7 +217,7 @@ int faces_of(const Shape& shape) {
 
 /// The leaves follow the items of their forms.
 template <class T>
-void WorldArrays<T>::add_composites(const Scene& scene, const Placement& placement, ThreadPool& pool) {
+void WorldArrays<T>::add_composites(const Scene& scene, const Placement& placement, ThreadPool& pool, bool proves) {
     if (forms[place_of<CompositeForm>(Forms{})].count == 0) return;
     std::array<std::vector<T>, Forms::size> leaf_numbers;
     ItemCounts before;
@@ -228,7 +225,7 @@ void WorldArrays<T>::add_composites(const Scene& scene, const Placement& placeme
         const Primitive& primitive = scene.primitives[i];
         if (std::visit([]<class Kind>(const Kind&) { return is_composite<Kind>; }, primitive.shape))
             CompositeBuilder<T>(*this, leaf_numbers, primitive, static_cast<int>(before.surfaces),
-                                leaf_of(static_cast<std::int32_t>(i)), placement, pool);
+                                leaf_of(static_cast<std::int32_t>(i)), placement, pool, proves);
         count_items<T>(primitive, before);
     }
     for (int form = 0; form < Forms::size; ++form) {
@@ -262,8 +259,8 @@ void WorldArrays<T>::add_composites(const Scene& scene, const Placement& placeme
     world.leaf_faces = leaf_faces.data();
 }
 
-template void WorldArrays<float>::add_composites(const Scene&, const Placement&, ThreadPool&);
-template void WorldArrays<double>::add_composites(const Scene&, const Placement&, ThreadPool&);
-template void WorldArrays<long double>::add_composites(const Scene&, const Placement&, ThreadPool&);
+template void WorldArrays<float>::add_composites(const Scene&, const Placement&, ThreadPool&, bool);
+template void WorldArrays<double>::add_composites(const Scene&, const Placement&, ThreadPool&, bool);
+template void WorldArrays<long double>::add_composites(const Scene&, const Placement&, ThreadPool&, bool);
 
 }  // namespace strahl

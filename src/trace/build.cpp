@@ -205,7 +205,7 @@ WorldArrays<T>::WorldArrays(const Scene& scene, const Placement& placement, Thre
     add_items(scene, placement, pool, proves);
     world.rounding = static_cast<T>(rounding(reach));
     arrange_items(pool);
-    add_composites(scene, placement, pool);
+    add_composites(scene, placement, pool, proves);
     fill_groups();
     if (world.bin_per_item) {
         bound_bodies();

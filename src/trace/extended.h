@@ -108,7 +108,7 @@ bool emit_extended(const Shape& shape, const WorldTransform& to_world, std::span
     return false;
 }
 /// Emits what a shape does. For proofs long double gets numbers from above where there are any, and not such that were
-/// rounded to double before. In pictures these would differ from patterns and composites, which are made in double.
+/// rounded to double before. In pictures these would differ from patterns, which are made in double.
 template <class T, class Shape, class Emit>
 void emit_in(const Shape& shape, const WorldTransform& to_world, std::span<const Transformation> steps,
              const Emit& emit, bool proves = true) {

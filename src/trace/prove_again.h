@@ -11,7 +11,7 @@ namespace strahl {
 /// Traces pixels again with bounds. `decides`, called from any thread, gets them one by one and tells whether that
 /// decides it. Where it hardly ever does, which pixels from all over tell, the others are left: what proofs do not know
 /// is unknown in every precision.
-Counts prove_again(Tracer& extended, const View& view, std::span<const Pixel> pixels, ThreadPool& pool,
+Counts prove_again(Tracer& tracer, const View& view, std::span<const Pixel> pixels, ThreadPool& pool,
                    const std::function<bool(const Tile&)>& decides, const std::atomic<bool>* stop = nullptr);
 
 }  // namespace strahl

@@ -1,41 +1,8 @@
 // The two questions asked of geometry, as exact arithmetic would answer them: certainly so, or it can't be told.
 #pragma once
-#include "trace/known_forms.h"
-#include "trace/query.h"
+#include "trace/composite_bounds.h"
 
 namespace strahl::inline STRAHL_LEVEL {
-
-/// What a ray may meet first. No crossing is before `low`, none but one before `second`, and some is certain to be
-/// before `high`.
-template <class S>
-struct Candidates {
-    static constexpr Element<S> inf = std::numeric_limits<Element<S>>::infinity();
-    S t{inf}, surface{-1}, bin, low{inf}, second{inf}, high{inf};
-
-    STRAHL_INLINE void add(Mask<S> lanes, const S& from, const S& to, const S& own_t, const S& own_surface,
-                           const S& own_bin) {
-        const S least = select(lanes, max(S(0), from), S(inf));
-        const Mask<S> first = least < low;
-        second = min(second, max(low, least));
-        low = min(low, least), high = select(lanes, min(high, to), high);
-        t = select(first, own_t, t), surface = select(first, own_surface, surface), bin = select(first, own_bin, bin);
-    }
-    /// A body of which nothing is known but that it may be in the way, from `from` on.
-    STRAHL_INLINE void add_unknown(Mask<S> lanes, const S& from) { add(lanes, from, S(inf), S(inf), S(-1), S(-1)); }
-    STRAHL_INLINE Mask<S> hits() const { return second > high; }
-    STRAHL_INLINE Mask<S> misses() const { return low == S(inf); }
-};
-
-/// A ray as the proving queries see it.
-template <class S>
-struct DoubtfulRay {
-    Ray<S> ray;
-    Doubt<S> doubt;
-};
-template <class S>
-STRAHL_INLINE DoubtfulRay<S> lane_of(const DoubtfulRay<S>& own, int k) {
-    return {lane_of(own.ray, k), {S(lane(own.doubt.away, k)), S(lane(own.doubt.turn, k))}};
-}
 
 /// Boxes are as far off as bodies, and as the exact ray is from the computed one anywhere in the hierarchy.
 template <class S>
@@ -44,22 +11,6 @@ STRAHL_INLINE RoundedTraversalRay<S> traversal_ray(const DoubtfulRay<S>& own, co
     const S off = own.doubt.away + (own.doubt.turn + S(8 * unit_error<S>)) * way + S(4 * slack.culled * slack.reach);
     const Vec3<S> offs(off, off, off);
     return {own.ray.origin - offs, own.ray.origin + offs, traversal_ray(own.ray).inverse};
-}
-
-template <class S, class Item, class Bin>
-[[gnu::noinline]] void add_item(const Item& item, const DoubtfulRay<S>& own, Mask<S> mask,
-                                const Slack<Element<S>>& slack, const Bin& bin, Candidates<S>& found) {
-    const S surface(item.surface);
-    const SpanBounds<S> span = span_bounds(item.shape, own.ray, own.doubt, S(own.ray.source - surface), slack);
-    mask = mask & span.maybe;
-    if (none(mask)) return;
-    constexpr auto inf = Candidates<S>::inf;
-    const auto crossed = crossings_of(item, own.ray);
-    const Mask<S> enters = span.sure & (span.near_low > S(0)), leaves = span.sure & (span.far_low > S(0));
-    found.add(mask & !(span.near_high <= S(0)), span.near_low, select(enters, span.near_high, S(inf)), crossed.near,
-              surface, S(bin));
-    found.add(mask & !(span.far_high <= S(0)) & !enters, span.far_low, select(leaves, span.far_high, S(inf)),
-              crossed.far, surface, S(bin));
 }
 
 /// What may be met in the hierarchy. Not inline: of small worlds its stack would be a burden.
@@ -73,7 +24,8 @@ template <class S>
             for (int i = leaf.first; i < leaf.first + leaf.count(); ++i)
                 add_item(group.items[i], own, mask, slack, T(-1), found);
         });
-        if (!known) found.add_unknown(mask, S(0));
+        if (!known && !add_composites(world, leaf.form(), leaf.first, leaf.count(), own, mask, slack, found))
+            found.add_unknown(mask, S(0));
         return false;
     };
     traverse<true>(world.nodes, line, active, found.high, look, [&](int k, const Leaf& from) {
@@ -86,7 +38,9 @@ template <class S>
                     add_item(load_of_leaf<S>(group, leaf.first, leaf.count(), i), single,
                              first_lanes<S>(leaf.first + leaf.count() - i), slack, T(-1), all);
             });
-            if (!known) all.add_unknown(first_lanes<S>(1), S(0));
+            const Mask<S> one = first_lanes<S>(1);
+            if (!known && !add_composites(world, leaf.form(), leaf.first, leaf.count(), single, one, slack, all))
+                all.add_unknown(one, S(0));
             limit = min(limit, least(all.high));
             return false;
         };
@@ -124,7 +78,8 @@ template <class S>
                 add_item(group.items[i], own, active, slack, static_cast<T>(world.bin_per_item ? bin : group.first_bin),
                          found);
         });
-        if (known) return false;
+        if (known || add_composites(world, items.form, items.first, items.count, own, active, slack, found))
+            return false;
         if (!world.bin_per_item) return found.add_unknown(active, S(0)), false;
         const SphereKernel<T> ball{{world.centres.x[bin], world.centres.y[bin], world.centres.z[bin]},
                                    world.radii[bin]};
@@ -132,55 +87,12 @@ template <class S>
         found.add_unknown(active & span.maybe & !(span.far_high <= S(0)), span.near_low);
         return false;
     });
-    if (world.nodes) {
-        candidates_in_hierarchy(world, own, active, slack, found);
+    if (world.nodes) candidates_in_hierarchy(world, own, active, slack, found);
+    if (world.nodes || world.composites) {
         const Mask<S> beyond = (found.bin < S(0)) & (found.surface >= S(0));
         if (any(beyond)) found.bin = select(beyond, bins_of(world, select(beyond, found.surface, S(-1))), found.bin);
     }
     return found;
-}
-
-/// What certainly becomes of light: `dark` where none comes through; else what is left of it, if that is not in doubt.
-template <class S>
-struct LightBounds {
-    Vec3<S> share{S(1), S(1), S(1)};
-    S crossings{0};
-    Mask<S> dark, doubt;
-};
-/// The lanes in which a crossing certainly is between the start and a distance that is off by at most `off`, and those
-/// in which it may be.
-template <class S>
-STRAHL_INLINE void pass_crossing(const S& low, const S& high, const SpanBounds<S>& span, Mask<S> mask,
-                                 const S& distance, const S& off, Mask<S>& certain, Mask<S>& possible) {
-    const Mask<S> maybe = mask & span.maybe & !(high <= S(0)) & !(low >= distance + off);
-    certain = maybe & span.sure & (low > S(0)) & (high < distance - off);
-    possible = maybe & !certain;
-}
-template <class S, class Item>
-[[gnu::noinline]] void pass_item(const World<Element<S>>& world, const Item& item, const DoubtfulRay<S>& own,
-                                 Mask<S> mask, const S& distance, const S& off, const Slack<Element<S>>& slack,
-                                 LightBounds<S>& light) {
-    const SpanBounds<S> span = span_bounds(item.shape, own.ray, own.doubt, S(own.ray.source - S(item.surface)), slack);
-    mask = mask & span.maybe & !light.dark;
-    if (none(mask)) return;
-    Mask<S> certain[2], possible[2];
-    pass_crossing(span.near_low, span.near_high, span, mask, distance, off, certain[0], possible[0]);
-    pass_crossing(span.far_low, span.far_high, span, mask, distance, off, certain[1], possible[1]);
-    if (!transparent(world, item)) {
-        light.dark = light.dark | certain[0] | certain[1];
-        light.doubt = light.doubt | possible[0] | possible[1];
-        return;
-    }
-    light.doubt = light.doubt | possible[0] | possible[1];
-    if (patterned(world, static_cast<int>(item.material))) {
-        light.doubt = light.doubt | certain[0] | certain[1];
-        return;
-    }
-    const Vec3<S> f = splat<S>(filter(world, item));
-    for (const Mask<S>& crossed : certain) {
-        light.crossings = light.crossings + select(crossed, S(1), S(0));
-        for (int c = 0; c < 3; ++c) light.share[c] = min(light.share[c] * select(crossed, f[c], S(1)), S(largest_gain));
-    }
 }
 
 /// What the hierarchy takes from the light. Not inline: of small worlds its stack would be a burden.
@@ -195,7 +107,9 @@ template <class S>
             for (int i = leaf.first; i < leaf.first + leaf.count(); ++i)
                 pass_item(world, group.items[i], own, mask, distance, off, slack, light);
         });
-        if (!known) light.doubt = light.doubt | mask;
+        if (!known && !pass_composites(world, leaf.form(), leaf.first, leaf.count(), own, mask, distance, off, slack,
+                                       light))
+            light.doubt = light.doubt | mask;
         limit = select(light.dark, S(-1), limit);
         return all(limit < S(0));
     };
@@ -243,7 +157,9 @@ template <class S>
             for (int i = items.first; any(mask) && i < items.first + items.count; ++i)
                 pass_item(world, group.items[i], own, mask, distance, off, slack, light);
         });
-        if (!known) light.doubt = light.doubt | mask;
+        if (!known && !pass_composites(world, items.form, items.first, items.count, own, mask, distance, off, slack,
+                                       light))
+            light.doubt = light.doubt | mask;
         return false;
     });
     if (world.nodes) light_bounds_in_hierarchy(world, own, distance, off, active, slack, light);

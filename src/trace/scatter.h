@@ -160,14 +160,16 @@ STRAHL_INLINE Doubt<S> bound_reflection(const HitBounds<S>& known) {
 }
 
 /// What is known of refracted rays; c is the cosine before the surface, k its square beyond it and b the
-/// ratio of indices. Where it can't be told whether the reflection is total, and in worlds where rays keep medium
-/// stacks, the pixel's bound grows by all that the refracted light may be.
+/// ratio of indices. Where it can't be told whether the reflection is total, the pixel's bound grows by all that the
+/// refracted light may be. Medium stacks are those of exact arithmetic if the camera's rays begin with its own: each
+/// hit that is certain is one on the same body.
 template <class S>
 STRAHL_INLINE void bound_refraction(const Shading<S>& shading, const Hit<S>& hit, const HitBounds<S>& known,
                                     Mask<S> glass, Mask<S> far, const S& b, const S& c, const S& k,
                                     Branch<S>& refracted) {
     const S k_error = error_beyond(known, b, c);
-    const Mask<S> told = abs(k) > k_error, all_told = first_lanes<S>(shading.world.nested ? 0 : width<S>);
+    const bool medium_known = !shading.world.nested || shading.limits.slack.eye_outside;
+    const Mask<S> told = abs(k) > k_error, all_told = first_lanes<S>(medium_known ? width<S> : 0);
     const Mask<S> doubt = glass & known.followed & !(told & all_told & !far);
     refracted.doubt.away = select(known.followed & !doubt, known.away, S(-1));
     refracted.doubt.turn = select(known.followed & !doubt, turn_refracted(known, b, c, k, k_error), S(0));

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/leaves.h"
+#include "scene/overlap.h"
 #include "trace/extended.h"
 #include "trace/eye.h"
 
@@ -101,18 +103,25 @@ struct Comparison {
 /// Here, because g++ warns of lambdas of other functions that hold what this namespace hides.
 template <class T>
 void compare_all(const Scene& scene, const Placement& placement, Slack<T>& slack) {
-    for (const Primitive& primitive : scene.primitives) {
-        const ExtendedTransform own(primitive.transformations, placement.origin, placement.scale);
-        const WorldTransform to_world{matrix(primitive.transformations), similarity(primitive.transformations),
-                                      placement.origin, placement.scale};
+    const auto compare_shape = [&](const Primitive& part, const WorldTransform& to_world,
+                                   std::span<const Transformation> steps) {
+        const ExtendedTransform own(steps, placement.origin, placement.scale);
         std::size_t triangles = 0;
         const Comparison<T> compare{own, slack, triangles};
         std::visit(
             [&](const auto& shape) {
-                emit_in<T>(shape, to_world, primitive.transformations,
-                           [&](const auto& kernel) { compare(shape, kernel); });
+                emit_in<T>(shape, to_world, steps, [&](const auto& kernel) { compare(shape, kernel); });
             },
-            primitive.shape);
+            part.shape);
+    };
+    for (const Primitive& primitive : scene.primitives) {
+        const glm::dmat4 outer = matrix(primitive.transformations);
+        for_each_leaf_within(
+            primitive,
+            [&](const Primitive& leaf, const LeafWay& way) {
+                compare_shape(leaf, {outer * way.inner, way.similarity, placement.origin, placement.scale}, way.steps);
+            },
+            [](Operation) {});
     }
 }
 
@@ -147,6 +156,36 @@ void add_eye(Slack<T>& slack, const View& view, const Placement& placement) {
     const Extended shifted = 2 * (std::abs(Extended(view.shift_x)) * tan_x / view.width +
                                   std::abs(Extended(view.shift_y)) * tan_y / view.height);
     slack.eye_turn = static_cast<T>(wrong + shifted) * T(1 + 1e-9) + u * (T(1.6) + 4 * static_cast<T>(tan_x + tan_y));
+}
+
+bool outside_of_glass(const Scene& scene, const DVec3& eye) {
+    const auto outside = [&](const Primitive& body) {
+        const Box box = world_bounds(body);
+        double margin = 1e-9 * (sum_of(extended(eye)) + 1e-300);
+        const auto add = [&](const DVec3& p) { margin += 1e-9 * static_cast<double>(sum_of(extended(p))); };
+        for_each_leaf_within(
+            body,
+            [&](const Primitive& leaf, const LeafWay& way) {
+                const ExtendedTransform own(way.steps, DVec3(0), 1);
+                const Box inner = std::visit([](const auto& shape) { return shape.bounds(); }, leaf.shape);
+                margin += own.known() ? static_cast<double>(own.rounding(inner.finite() ? inner.high : DVec3(1)))
+                                      : HUGE_VAL;
+            },
+            [](Operation) {});
+        if (const std::optional<HalfSpace> space = half_space(body)) {
+            add(space->point);
+            return dot_product(space->normal, eye - space->point) > margin;
+        }
+        bool far = false;
+        for (int c = 0; c < 3; ++c) {
+            if (std::isfinite(box.low[c])) margin += 1e-9 * std::abs(box.low[c]);
+            if (std::isfinite(box.high[c])) margin += 1e-9 * std::abs(box.high[c]);
+        }
+        for (int c = 0; c < 3; ++c) far |= eye[c] < box.low[c] - margin || eye[c] > box.high[c] + margin;
+        return far;
+    };
+    return std::ranges::all_of(scene.primitives,
+                               [&](const Primitive& body) { return !transparent(scene, body) || outside(body); });
 }
 
 template Slack<double> slack_of(const Scene&, const Placement&);

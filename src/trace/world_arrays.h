@@ -147,7 +147,7 @@ struct WorldArrays {
     void make_hierarchy(ThreadPool& pool);
     void number_bins(ThreadPool& pool);
     // add_composites.cpp
-    void add_composites(const Scene& scene, const Placement& placement, ThreadPool& pool);
+    void add_composites(const Scene& scene, const Placement& placement, ThreadPool& pool, bool proves);
     // add_patterns.cpp
     void add_patterns(const Scene& scene, const Placement& placement);
     void add_colors(const Pigment& pigment, PatternKernel<T>& kernel, bool linear);

@@ -40,6 +40,43 @@ inline bool takes_any_transformation(const Shape& shape) {
            std::holds_alternative<Mesh>(shape);
 }
 
+/// A part of a composite: near its middle, through it, or half of space.
+inline Shape random_part(Dice& dice, const DVec3& centre, double radius, bool may_be_half) {
+    const DVec3 beside = centre + dice.in(0, .8) * radius * dice.direction();
+    const double size = dice.in(.4, 1) * radius;
+    const int kind = dice.upto(may_be_half ? 4 : 3);
+    if (kind == 0) return Sphere{beside, size};
+    if (kind == 1) {
+        Cuboid box{centre - size * dice.vector(.2, 1), centre + size * dice.vector(.2, 1)};
+        if (dice.chance(.3)) box.corner.x = centre.x;  // a plane that others of these have, too
+        return box;
+    }
+    const DVec3 along = dice.arrow(.3, 2) * radius;
+    if (kind == 2) return Cylinder{beside - along, beside + along, .5 * size};
+    if (kind == 3) return Cone{beside - along, size, beside + along, dice.chance(.5) ? 0 : .3 * size};
+    return Plane{beside, beside + dice.direction() * radius, beside + dice.direction() * radius};
+}
+/// Parts have this material, or the next one.
+inline Shape random_composite(Dice& dice, const DVec3& centre, double radius, int material, bool transformed,
+                              bool inner = false) {
+    const int operation = dice.upto(2);
+    auto parts = std::make_shared<std::vector<Primitive>>();
+    for (int i = 0; i <= 1 + dice.upto(inner ? 0 : 2); ++i) {
+        const bool composite = !inner && dice.chance(.15);
+        Primitive part{composite ? random_composite(dice, centre, radius, material, transformed, true)
+                                 : random_part(dice, centre, radius, i > 0 && operation > 0),
+                       material + dice.chance(.3), {}};
+        if (transformed && dice.chance(.3)) {
+            part.transformations = {Translate{-centre}, Rotate{dice.vector(-200, 200)}, Scale{DVec3(dice.in(.7, 1.4))},
+                                    Translate{centre}};
+        }
+        parts->push_back(part);
+    }
+    if (operation == 0) return Union{parts};
+    if (operation == 1) return Intersection{parts};
+    return Difference{parts};
+}
+
 /// One or several bodies around a centre. What touches something does so there, towards `out`.
 inline std::vector<Shape> random_bodies(Dice& dice, const DVec3& centre, double radius, bool touches,
                                         const DVec3& out) {

@@ -2,103 +2,13 @@
 // rounds nothing to double, the camera's axes and all matrices included. Bodies are the referee's. The same in long
 // double, 100 times as fast, sees nearly all of what need not be judged by more.
 #pragma once
-#include <array>
 #include <vector>
 
-#include "scene/scene.h"
-#include "tests/referee/basic.h"
-#include "tests/referee/box.h"
-#include "tests/referee/cone.h"
-#include "tests/referee/disc.h"
-#include "tests/referee/triangle.h"
+#include "scene/split_unions.h"
+#include "tests/proof/exact_bodies.h"
 #include "trace/tracer.h"
 
 namespace strahl::exact {
-
-using referee::Crossing;
-using referee::Line;
-using referee::Vector;
-
-template <class R>
-R radians(double degrees) {
-    const R pi = R(0x1.921fb54442d18p+1) + R(0x1.1a62633145c07p-53) + R(-0x1.f1976b7ed8fbcp-109);
-    return R(degrees) * pi / 180;
-}
-template <class R>
-R cosine_of(R x) {
-    const R half = sine_of(x / 2);
-    return 1 - 2 * half * half;
-}
-
-/// local = rows * (world - moved)
-template <class R = Quadruple>
-struct Space {
-    using Vector = referee::Vector<R>;
-    std::array<Vector, 3> columns{Vector{1, 0, 0}, Vector{0, 1, 0}, Vector{0, 0, 1}}, rows;
-    Vector moved;
-
-    explicit Space(const std::vector<Transformation>& steps) {
-        for (const Transformation& step : steps) std::visit([&](const auto& own) { add(own); }, step);
-        const auto& [a, b, c] = columns;
-        const R scale = R(1) / dot(a, cross(b, c));
-        rows = {scale * cross(b, c), scale * cross(c, a), scale * cross(a, b)};
-    }
-    Vector turn(const Vector& v) const { return {dot(rows[0], v), dot(rows[1], v), dot(rows[2], v)}; }
-
-  private:
-    template <class Step>
-    void then(const Step& step) {
-        for (Vector& column : columns) column = step(column);
-        moved = step(moved);
-    }
-    void add(const Rotate& r) {
-        const auto sine = [](double degrees) { return sine_of(radians<R>(degrees)); };
-        const auto cosine = [](double degrees) { return cosine_of(radians<R>(degrees)); };
-        then([&, s = sine(r.degrees.x), c = cosine(r.degrees.x)](const Vector& v) {
-            return Vector{v.x, c * v.y - s * v.z, s * v.y + c * v.z};
-        });
-        then([&, s = sine(r.degrees.y), c = cosine(r.degrees.y)](const Vector& v) {
-            return Vector{c * v.x + s * v.z, v.y, c * v.z - s * v.x};
-        });
-        then([&, s = sine(r.degrees.z), c = cosine(r.degrees.z)](const Vector& v) {
-            return Vector{c * v.x - s * v.y, s * v.x + c * v.y, v.z};
-        });
-    }
-    void add(const Translate& t) { moved = moved + Vector(t.by); }
-    void add(const Scale& s) {
-        then([&](const Vector& v) { return v * Vector(s.by); });
-    }
-    void add(const Motion&) {}
-};
-
-template <class R>
-struct Body {
-    Shape shape;
-    Material material;
-    Space<R> space;
-
-    std::vector<Crossing<R>> meet(const Line<R>& line, int self) const {
-        const Line<R> local{space.turn(line.origin - space.moved), space.turn(line.direction)};
-        const int source = line.body == self ? line.face : -1;
-        std::vector<Crossing<R>> found;
-        std::visit(
-            [&](const auto& own) {
-                if constexpr (requires { crossings(own, local, source); }) found = crossings(own, local, source).list;
-            },
-            shape);
-        for (auto& [t, face, n] : found) n = n.x * space.rows[0] + n.y * space.rows[1] + n.z * space.rows[2];
-        return found;
-    }
-    bool surrounds(const Vector<R>& world) const {
-        const Vector<R> p = space.turn(world - space.moved);
-        return std::visit(
-            [&](const auto& own) {
-                if constexpr (requires { contains<R>(own, p); }) return contains<R>(own, p);
-                return false;
-            },
-            shape);
-    }
-};
 
 /// Looks through the middles of pixels.
 template <class R = Quadruple>
@@ -126,14 +36,13 @@ class Tracer {
     using Vector = referee::Vector<R>;
 
   public:
-    Tracer(const Scene& own, const View& own_view) : scene(own), view(own_view), eye(view) {
-        for (const Primitive& p : scene.primitives)
-            bodies.push_back({p.shape, scene.materials[p.material], Space<R>(p.transformations)});
+    Tracer(const Scene& own, const View& own_view) : scene(with_split_unions(own)), view(own_view), eye(view) {
+        for (const Primitive& primitive : scene.primitives) bodies.emplace_back(scene, primitive);
     }
     Vector at(int x, int y) const {
         std::vector<int> inside;
         for (int i = 0; i < std::ssize(bodies); ++i)
-            if (bodies[i].material.refraction > 0 && bodies[i].surrounds(eye.position)) inside.push_back(i);
+            if (bodies[i].medium->refraction > 0 && bodies[i].surrounds(eye.position)) inside.push_back(i);
         return see(eye.ray(x, y), 1, inside);
     }
 
@@ -161,7 +70,7 @@ class Tracer {
             for (const auto& crossing : bodies[i].meet(line, i))
                 if (crossing.t > 0 && (body < 0 || crossing.t < hit.t)) body = i, hit = crossing;
         if (body < 0) return scene.background.color;
-        const Material& material = bodies[body].material;
+        const Material& material = bodies[body].material_of(hit.face);
         const Vector e = line.direction, p = line.origin + hit.t * e, color = material.rgb.color;
         Vector n = unit(hit.normal);
         if (dot(e, n) > 0) n = R(-1) * n;
@@ -190,7 +99,7 @@ class Tracer {
                      l = unit(way);
         const R facing = dot(n, l), glance = dot(mirrored, l);
         if (!(facing > 0)) return {};
-        const Material& material = bodies[body].material;
+        const Material& material = bodies[body].material_of(face);
         const R highlight = glance > 0 ? R(material.specular) * power(glance, R(material.pow)) : R(0);
         Vector share = light.color * (R(material.diffuse) * facing * Vector(material.rgb.color) +
                                       Vector{highlight, highlight, highlight});
@@ -199,7 +108,7 @@ class Tracer {
         for (int i = 0; i < std::ssize(bodies); ++i)
             for (const auto& crossing : bodies[i].meet({p, l, body, face}, i)) {
                 if (!(crossing.t > 0 && (light.direction || crossing.t < distance))) continue;
-                const Material& other = bodies[i].material;
+                const Material& other = bodies[i].material_of(crossing.face);
                 if (!(other.refraction > 0)) return {};
                 share = R(other.refraction) * share * Vector(other.rgb.color);
             }
@@ -208,7 +117,7 @@ class Tracer {
 
     /// The ratio of indices at a surface of `body`, and the medium stack behind it, by POV-Ray's rule.
     std::pair<R, std::vector<int>> pass(int body, std::vector<int> inside) const {
-        const auto ior = [&](int i) { return i < 0 ? R(1) : R(bodies[i].material.ior); };
+        const auto ior = [&](int i) { return i < 0 ? R(1) : R(bodies[i].medium->ior); };
         const auto inner = [&] { return inside.empty() ? -1 : inside.back(); };
         const int before = inner();
         for (std::size_t i = 0; i < inside.size(); ++i) {

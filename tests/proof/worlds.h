@@ -66,7 +66,12 @@ inline Scene random_world(std::uint64_t seed) {
         const double radius = count > 20 ? dice.in(.05, .3) : dice.in(.2, 1.2);
         const bool touches = contacts && i > 0 && dice.chance(.3);
         const DVec3 centre = touches ? last + (last_radius + radius) * dice.direction() : dice.vector(-2.5, 2.5);
-        if (has_others && others.chance(.6)) {
+        if (has_others && others.chance(.1)) {
+            const int material = static_cast<int>(scene.materials.size());
+            put(random_composite(others, place(centre), size * radius, material, transformed));
+            const Material own = scene.materials.back();
+            scene.materials.push_back(own.refraction > 0 ? own : random_material(others, false));
+        } else if (has_others && others.chance(.6)) {
             const DVec3 out = unit(centre - last), at = touches ? last + last_radius * out : centre;
             for (const Shape& shape : random_bodies(others, place(at), size * radius, touches, out)) {
                 put(shape);

@@ -1,0 +1,103 @@
+// What a ray may meet, and what becomes of light, as exact arithmetic would have it, of items that proofs know.
+#pragma once
+#include "trace/known_forms.h"
+#include "trace/query.h"
+
+namespace strahl::inline STRAHL_LEVEL {
+
+/// What a ray may meet first. No crossing is before `low`, none but one before `second`, and some is certain to be
+/// before `high`.
+template <class S>
+struct Candidates {
+    static constexpr Element<S> inf = std::numeric_limits<Element<S>>::infinity();
+    S t{inf}, surface{-1}, bin, low{inf}, second{inf}, high{inf};
+
+    STRAHL_INLINE void add(Mask<S> lanes, const S& from, const S& to, const S& own_t, const S& own_surface,
+                           const S& own_bin) {
+        const S least = select(lanes, max(S(0), from), S(inf));
+        const Mask<S> first = least < low;
+        second = min(second, max(low, least));
+        low = min(low, least), high = select(lanes, min(high, to), high);
+        t = select(first, own_t, t), surface = select(first, own_surface, surface), bin = select(first, own_bin, bin);
+    }
+    /// A body of which nothing is known but that it may be in the way, from `from` on.
+    STRAHL_INLINE void add_unknown(Mask<S> lanes, const S& from) { add(lanes, from, S(inf), S(inf), S(-1), S(-1)); }
+    STRAHL_INLINE Mask<S> hits() const { return second > high; }
+    STRAHL_INLINE Mask<S> misses() const { return low == S(inf); }
+};
+
+/// A ray as the proving queries see it.
+template <class S>
+struct DoubtfulRay {
+    Ray<S> ray;
+    Doubt<S> doubt;
+};
+template <class S>
+STRAHL_INLINE DoubtfulRay<S> lane_of(const DoubtfulRay<S>& own, int k) {
+    return {lane_of(own.ray, k), {S(lane(own.doubt.away, k)), S(lane(own.doubt.turn, k))}};
+}
+
+template <class S, class Item, class Bin>
+[[gnu::noinline]] void add_item(const Item& item, const DoubtfulRay<S>& own, Mask<S> mask,
+                                const Slack<Element<S>>& slack, const Bin& bin, Candidates<S>& found) {
+    const S surface(item.surface);
+    const SpanBounds<S> span = span_bounds(item.shape, own.ray, own.doubt, S(own.ray.source - surface), slack);
+    mask = mask & span.maybe;
+    if (none(mask)) return;
+    constexpr auto inf = Candidates<S>::inf;
+    const auto crossed = crossings_of(item, own.ray);
+    const Mask<S> enters = span.sure & (span.near_low > S(0)), leaves = span.sure & (span.far_low > S(0));
+    found.add(mask & !(span.near_high <= S(0)), span.near_low, select(enters, span.near_high, S(inf)), crossed.near,
+              surface, S(bin));
+    found.add(mask & !(span.far_high <= S(0)) & !enters, span.far_low, select(leaves, span.far_high, S(inf)),
+              crossed.far, surface, S(bin));
+}
+
+/// What certainly becomes of light: `dark` where none comes through; else what is left of it, if that is not in doubt.
+template <class S>
+struct LightBounds {
+    Vec3<S> share{S(1), S(1), S(1)};
+    S crossings{0};
+    Mask<S> dark, doubt;
+};
+/// The lanes in which a crossing certainly is between the start and a distance that is off by at most `off`, and those
+/// in which it may be.
+template <class S>
+STRAHL_INLINE void pass_crossing(const S& low, const S& high, const SpanBounds<S>& span, Mask<S> mask,
+                                 const S& distance, const S& off, Mask<S>& certain, Mask<S>& possible) {
+    const Mask<S> maybe = mask & span.maybe & !(high <= S(0)) & !(low >= distance + off);
+    certain = maybe & span.sure & (low > S(0)) & (high < distance - off);
+    possible = maybe & !certain;
+}
+/// What a surface takes from the light that certainly crosses it, and from what may.
+template <class S>
+STRAHL_INLINE void lose_light(const World<Element<S>>& world, int material, Mask<S> certain, Mask<S> possible,
+                              LightBounds<S>& light) {
+    light.doubt = light.doubt | possible;
+    const MaterialKernel<Element<S>>& own = world.materials[material];
+    if (!(world.transparent && own.refraction > 0)) {
+        light.dark = light.dark | certain;
+        return;
+    }
+    if (patterned(world, material)) {
+        light.doubt = light.doubt | certain;
+        return;
+    }
+    light.crossings = light.crossings + select(certain, S(1), S(0));
+    for (int c = 0; c < 3; ++c)
+        light.share[c] = min(light.share[c] * select(certain, S(own.filter[c]), S(1)), S(largest_gain));
+}
+template <class S, class Item>
+[[gnu::noinline]] void pass_item(const World<Element<S>>& world, const Item& item, const DoubtfulRay<S>& own,
+                                 Mask<S> mask, const S& distance, const S& off, const Slack<Element<S>>& slack,
+                                 LightBounds<S>& light) {
+    const SpanBounds<S> span = span_bounds(item.shape, own.ray, own.doubt, S(own.ray.source - S(item.surface)), slack);
+    mask = mask & span.maybe & !light.dark;
+    if (none(mask)) return;
+    Mask<S> certain[2], possible[2];
+    pass_crossing(span.near_low, span.near_high, span, mask, distance, off, certain[0], possible[0]);
+    pass_crossing(span.far_low, span.far_high, span, mask, distance, off, certain[1], possible[1]);
+    for (int k = 0; k < 2; ++k) lose_light(world, static_cast<int>(item.material), certain[k], possible[k], light);
+}
+
+}  // namespace strahl::inline STRAHL_LEVEL
