@@ -276,7 +276,22 @@ TEST_CASE("what proofs know is decided") {
     put(Cone{beside, .2, {.3, -1.2, -.3}, .05});
     put(Cuboid{{.5, .2, -.8}, {.9, .5, .3}});
     scene.primitives.back().transformations.push_back(Scale{{1, 1.5, .7}});
+    put(Difference{});
+    scene.primitives.back().transformations = {Scale{DVec3(.3)}, Translate{{.2, -1.3, -.2}}};
     CHECK(share_bounded(scene) > .97);
+}
+
+TEST_CASE("glass that overlaps is decided if the eye is outside") {
+    Scene scene = ball_on_floor();
+    scene.materials.push_back(scene.materials[0]);
+    scene.materials[1].refraction = .8, scene.materials[1].ior = 1.3;
+    const DVec3 left{-.3, -2, .2}, right{.3, -2, .2};
+    scene.primitives.push_back({Sphere{left, .5}, 1, {}});
+    scene.primitives.push_back({Sphere{right, .5}, 1, {}});
+    scene.primitives.push_back({Disc{{0, -3, .4}, {0, 1, .1}, .6}, 1, {}});
+    CHECK(share_bounded(scene) > .97);
+    scene.primitives.push_back({Sphere{scene.camera.position, .5}, 1, {}});
+    CHECK(share_bounded(scene) < .5);
 }
 
 TEST_CASE("a picture with bounds is that of double") {
