@@ -68,7 +68,7 @@ inline void add_render(CLI::App& app, Action& action) {
         ->type_name("S");
     add_file(command, "--prove", o->prove,
              "Bound the rounding of every pixel, and write to this picture which ones are proved to be those of exact "
-             "arithmetic; traces one ray in each pixel, in double, and prunes a hundred-thousandth of what it would without");
+             "arithmetic; traces one ray in each pixel, in double, and prunes a hundredth of what it would without");
     add_file(command, "--stats", o->stats, "Write times, rays and errors to this JSON file");
     command->add_flag("--quiet", o->quiet, "Show no progress");
     command->footer(

@@ -23,10 +23,14 @@ struct TorusProfile {
         S gap, slope, curvature, side;  // F - minor^2; F' / 2; F'' / 2; x + k t
     };
     STRAHL_INLINE static Value select(Mask<S> mask, const Value& yes, const Value& no) {
-        return {strahl::select(mask, yes.gap, no.gap), strahl::select(mask, yes.slope, no.slope),
-                strahl::select(mask, yes.curvature, no.curvature), strahl::select(mask, yes.side, no.side)};
+        using strahl::select;
+        return {select(mask, yes.gap, no.gap), select(mask, yes.slope, no.slope),
+                select(mask, yes.curvature, no.curvature), select(mask, yes.side, no.side)};
     }
-    STRAHL_INLINE static S select(Mask<S> mask, S yes, S no) { return strahl::select(mask, yes, no); }
+    STRAHL_INLINE static S select(Mask<S> mask, S yes, S no) {
+        using strahl::select;
+        return select(mask, yes, no);
+    }
     STRAHL_INLINE Value operator()(S t) const {
         const S side = fma(k, t, x), square = fma(side, side, y2), rho = sqrt(square), inverse = S(1) / rho;
         const S pull = major * k * inverse, z = fma(t, along_d, along), q = rho - major, since = t - middle;
@@ -92,8 +96,9 @@ struct TorusProfile {
         Mask<S> hump;
     };
     STRAHL_INLINE static Extremes select(Mask<S> mask, const Extremes& yes, const Extremes& no) {
-        return {strahl::select(mask, yes.deepest, no.deepest), strahl::select(mask, yes.other, no.other),
-                strahl::select(mask, yes.top, no.top), Mask<S>((yes.hump & mask) | (no.hump & !mask))};
+        using strahl::select;
+        return {select(mask, yes.deepest, no.deepest), select(mask, yes.other, no.other), select(mask, yes.top, no.top),
+                Mask<S>((yes.hump & mask) | (no.hump & !mask))};
     }
     /// Of a torus that is no spindle, those of the quartic (F - minor^2) (F - minor^2 + 4 R rho), which has F's signs.
     /// They are found more quickly: its derivative is a cubic without a square term, s^3 + p s + q for

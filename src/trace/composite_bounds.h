@@ -26,9 +26,10 @@ STRAHL_INLINE void cross_leaf(const PlaneKernel<K>& plane, const Ray<S>& ray, co
     const Vec3<S> n = splat<S>(plane.normal);
     const S towards = dot(n, ray.direction), over = S(plane.distance) - dot(n, ray.origin);
     const Mask<S> slanted = met.sure, here = start == S(0), enters = towards < S(0), known = slanted | !here;
-    const Mask<S> apart = !(slanted | here) & (met.near_low > S(0)), inside = apart & (over > S(0)), outside = apart & !inside;
+    const Mask<S> apart = (met.near_low > S(0)) & !(slanted | here), inside = apart & (over > S(0));
+    const Mask<S> outside = apart & !inside;
     SpanBounds<S>& span = leaf.span;
-    const Mask<S> in = (slanted & enters) | outside, out = (slanted & !enters) | inside;
+    const Mask<S> in = (slanted & enters) | outside, out = inside | (slanted & !enters);
     const S low = select(here, S(-inf), met.near_low), high = select(here, S(-inf), met.near_high);
     span.near_low = select(in & known, low, S(-inf));
     span.near_high = select(in & known, high, select(out & known, S(-inf), S(inf)));
@@ -46,6 +47,20 @@ STRAHL_INLINE void cross_leaf(const K& kernel, const Ray<S>& ray, const Doubt<S>
     const Span<S> crossed = kernel.span(ray, start);
     leaf.t[0] = crossed.near, leaf.t[1] = crossed.far;
     leaf.surface[0] = leaf.surface[0] + crossed.near_face, leaf.surface[1] = leaf.surface[1] + crossed.far_face;
+}
+/// Of rays that start in a torus nothing is known, since they may come back.
+template <class S, class K>
+STRAHL_INLINE void cross_leaf(const TorusKernel<K>& torus, const Ray<S>& ray, const Doubt<S>& doubt, const S& start,
+                              const Slack<Element<S>>& slack, KnownLeaf<S>& leaf) {
+    constexpr auto inf = SpanBounds<S>::inf;
+    leaf.span = span_bounds(torus, ray, doubt, start, slack);
+    if (none(leaf.span.maybe)) return;
+    const Mask<S> starts_outside = leaf.span.near_low >= S(0);
+    leaf.span.near_high = select(starts_outside, leaf.span.near_high, S(inf));
+    leaf.span.far_low = select(starts_outside, leaf.span.far_low, S(-inf));
+    leaf.span.far_high = S(inf);
+    leaf.span.sure = leaf.span.sure & starts_outside;
+    leaf.t[0] = leaf.t[1] = first_crossing(torus.crossings(ray, start));
 }
 template <class S, class Item>
 [[gnu::noinline]] void cross_leaf_item(const Item& item, const DoubtfulRay<S>& own, const Slack<Element<S>>& slack,

@@ -80,6 +80,10 @@ ConeKernel<Extended> extended_kernel(const Cone& cone, const ExtendedTransform& 
             widening / slant,
             to_world.length(std::max(cone.base_radius, cone.cap_radius))};
 }
+TorusKernel<Extended> extended_kernel(const Torus& torus, const ExtendedTransform& to_world) {
+    return {to_world.point(torus.centre), unit_of(to_world.turn(extended(torus.axis))), to_world.length(torus.major),
+            to_world.length(torus.minor)};
+}
 DiscKernel<Extended> extended_kernel(const Disc& disc, const ExtendedTransform& to_world) {
     return {to_world.point(disc.centre), unit_of(to_world.turn(extended(disc.normal))), to_world.length(disc.radius),
             to_world.length(disc.hole)};

@@ -80,6 +80,7 @@ SphereKernel<Extended> extended_kernel(const Sphere& sphere, const ExtendedTrans
 PlaneKernel<Extended> extended_kernel(const Plane& plane, const ExtendedTransform& to_world);
 CylinderKernel<Extended> extended_kernel(const Cylinder& cylinder, const ExtendedTransform& to_world);
 ConeKernel<Extended> extended_kernel(const Cone& cone, const ExtendedTransform& to_world);
+TorusKernel<Extended> extended_kernel(const Torus& torus, const ExtendedTransform& to_world);
 DiscKernel<Extended> extended_kernel(const Disc& disc, const ExtendedTransform& to_world);
 BoxKernel<Extended> extended_kernel(const Cuboid& box, const ExtendedTransform& to_world);
 TriangleKernel<Extended> extended_kernel(const Triangle& triangle, const ExtendedTransform& to_world);

@@ -3,6 +3,7 @@
 #include "trace/cone_bounds.h"
 #include "trace/flat_bounds.h"
 #include "trace/span_bounds.h"
+#include "trace/torus_bounds.h"
 #include "trace/triangle_bounds.h"
 
 namespace strahl::inline STRAHL_LEVEL {

@@ -1,4 +1,4 @@
-// Proofs in extended precision of what double leaves undecided.
+// Proofs of what is undecided, more closely.
 #pragma once
 #include <atomic>
 #include <functional>

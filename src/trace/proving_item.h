@@ -37,6 +37,17 @@ STRAHL_INLINE DoubtfulRay<S> lane_of(const DoubtfulRay<S>& own, int k) {
     return {lane_of(own.ray, k), {S(lane(own.doubt.away, k)), S(lane(own.doubt.turn, k))}};
 }
 
+/// The computed crossings that the bounds are of.
+template <class S>
+STRAHL_INLINE std::array<S, 2> ends_of(const Span<S>& span) {
+    return {span.near, span.far};
+}
+template <class S>
+STRAHL_INLINE std::array<S, 2> ends_of(const Crossings<S, 4>& crossings) {
+    const S first = first_crossing(crossings);
+    return {first, first};
+}
+
 template <class S, class Item, class Bin>
 [[gnu::noinline]] void add_item(const Item& item, const DoubtfulRay<S>& own, Mask<S> mask,
                                 const Slack<Element<S>>& slack, const Bin& bin, Candidates<S>& found) {
@@ -45,12 +56,12 @@ template <class S, class Item, class Bin>
     mask = mask & span.maybe;
     if (none(mask)) return;
     constexpr auto inf = Candidates<S>::inf;
-    const auto crossed = crossings_of(item, own.ray);
+    const auto [near, far] = ends_of<S>(crossings_of(item, own.ray));
     const Mask<S> enters = span.sure & (span.near_low > S(0)), leaves = span.sure & (span.far_low > S(0));
-    found.add(mask & !(span.near_high <= S(0)), span.near_low, select(enters, span.near_high, S(inf)), crossed.near,
+    found.add(mask & !(span.near_high <= S(0)), span.near_low, select(enters, span.near_high, S(inf)), near,
               surface, S(bin));
     found.add(mask & !(span.far_high <= S(0)) & !enters, span.far_low, select(leaves, span.far_high, S(inf)),
-              crossed.far, surface, S(bin));
+              far, surface, S(bin));
 }
 
 /// What certainly becomes of light: `dark` where none comes through; else what is left of it, if that is not in doubt.
@@ -91,12 +102,14 @@ template <class S, class Item>
 [[gnu::noinline]] void pass_item(const World<Element<S>>& world, const Item& item, const DoubtfulRay<S>& own,
                                  Mask<S> mask, const S& distance, const S& off, const Slack<Element<S>>& slack,
                                  LightBounds<S>& light) {
-    const SpanBounds<S> span = span_bounds(item.shape, own.ray, own.doubt, S(own.ray.source - S(item.surface)), slack);
+    const auto span = span_bounds(item.shape, own.ray, own.doubt, S(own.ray.source - S(item.surface)), slack);
     mask = mask & span.maybe & !light.dark;
     if (none(mask)) return;
     Mask<S> certain[2], possible[2];
     pass_crossing(span.near_low, span.near_high, span, mask, distance, off, certain[0], possible[0]);
     pass_crossing(span.far_low, span.far_high, span, mask, distance, off, certain[1], possible[1]);
+    if constexpr (requires { span.later; })
+        if (transparent(world, item)) light.doubt = light.doubt | (mask & (span.later < distance + off));
     for (int k = 0; k < 2; ++k) lose_light(world, static_cast<int>(item.material), certain[k], possible[k], light);
 }
 

@@ -57,6 +57,15 @@ struct Comparison {
         raise(slack.turn,
               std::max(length_of(extended(kernel.axis) - own.axis), length_of(angle)) + to_world.rounding());
     }
+    void operator()(const Torus& torus, const TorusKernel<T>& kernel) const {
+        const TorusKernel<Extended> own = extended_kernel(torus, to_world);
+        const Extended size = kernel.major + Extended(kernel.minor);
+        const Extended off = apart(kernel.centre, own.centre) + to_world.rounding(torus.centre) +
+                             std::abs(kernel.major - own.major) + std::abs(kernel.minor - own.minor) +
+                             to_world.rounding() * size;
+        raise(slack.share, off / (sum_of(extended(kernel.centre)) + size));
+        raise(slack.turn, length_of(extended(kernel.axis) - own.axis) + to_world.rounding());
+    }
     void operator()(const Disc& disc, const DiscKernel<T>& kernel) const {
         const DiscKernel<Extended> own = extended_kernel(disc, to_world);
         const Extended off = apart(kernel.centre, own.centre) + to_world.rounding(disc.centre) +

@@ -44,7 +44,8 @@ inline bool takes_any_transformation(const Shape& shape) {
 inline Shape random_part(Dice& dice, const DVec3& centre, double radius, bool may_be_half) {
     const DVec3 beside = centre + dice.in(0, .8) * radius * dice.direction();
     const double size = dice.in(.4, 1) * radius;
-    const int kind = dice.upto(may_be_half ? 4 : 3);
+    const int kind = dice.upto(may_be_half ? 5 : 4);
+    if (kind == 4) return Torus{beside, dice.direction(), .7 * size, .25 * size};
     if (kind == 0) return Sphere{beside, size};
     if (kind == 1) {
         Cuboid box{centre - size * dice.vector(.2, 1), centre + size * dice.vector(.2, 1)};
@@ -80,8 +81,13 @@ inline Shape random_composite(Dice& dice, const DVec3& centre, double radius, in
 /// One or several bodies around a centre. What touches something does so there, towards `out`.
 inline std::vector<Shape> random_bodies(Dice& dice, const DVec3& centre, double radius, bool touches,
                                         const DVec3& out) {
-    const int kind = dice.upto(3);
+    const int kind = dice.upto(4);
     if (kind == 0) return fan(dice, centre, radius);
+    if (kind == 4) {
+        const double minor = radius * (dice.chance(.2) ? dice.in(.5, .9) : dice.in(.1, .4)), major = radius - minor;
+        return {Torus{centre + (touches ? radius : 0) * out, touches ? cross(out, dice.direction()) : dice.direction(),
+                      major, minor}};
+    }
     if (kind == 2) {
         const DVec3 cap = centre + radius * (touches ? dice.in(.3, 3) * out : dice.arrow(.3, 3));
         const double other = dice.chance(.5) ? 0 : dice.in(.1, 1) * radius;
@@ -101,7 +107,14 @@ inline std::vector<Shape> random_bodies(Dice& dice, const DVec3& centre, double 
 
 /// Bodies of about this size that a ray from afar along `way` meets at `target` on an edge, but for rounding.
 inline std::vector<Shape> edge_bodies(Dice& dice, const DVec3& target, const DVec3& way, double size) {
-    const int kind = dice.upto(3);
+    const int kind = dice.upto(4);
+    if (kind == 4) {  // its outermost circle, or where a plane touches it
+        const DVec3 out = unit(cross(way, dice.direction())), beside = unit(cross(out, dice.direction()));
+        const double minor = size * dice.in(.2, .8);
+        if (dice.chance(.5)) return {Torus{target - size * out, beside, size - minor, minor}};
+        const double far = size - minor;
+        return {Torus{target - minor * out - far * beside, out, far, minor}};
+    }
     if (kind == 2) {  // an apex, a rim, or a line of the side that the ray goes along
         const DVec3 axis = dice.direction(), rise = dice.in(.5, 3) * size * axis;
         const DVec3 out = size * unit(cross(axis, dice.direction()));

@@ -11,6 +11,7 @@
 #include "tests/referee/box.h"
 #include "tests/referee/cone.h"
 #include "tests/referee/disc.h"
+#include "tests/referee/torus.h"
 #include "tests/referee/triangle.h"
 
 namespace strahl::exact {

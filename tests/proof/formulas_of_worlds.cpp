@@ -76,6 +76,13 @@ struct Differences {
                    slack.share);
         turn.take(off(kernel.normal, unit(way.turned(shape.normal))), slack.turn);
     }
+    void compare(const Torus& shape, const TorusKernel<T>& kernel, const ExactWay& way, const Slack<T>& slack) {
+        share.take((off(kernel.centre, way.place(shape.centre)) + size(kernel.major - way.length(shape.major)) +
+                    size(kernel.minor - way.length(shape.minor))) /
+                       (norm1(kernel.centre) + kernel.major + kernel.minor),
+                   slack.share);
+        turn.take(off(kernel.axis, unit(way.turned(shape.axis))), slack.turn);
+    }
     void compare(const Triangle& shape, const TriangleKernel<T>& kernel, const ExactWay& way, const Slack<T>& slack) {
         const R whole = norm1(kernel.a) + norm1(kernel.b) + norm1(kernel.c);
         share.take(off(kernel.a, way.place(shape.a)) / whole, slack.share);
@@ -157,7 +164,8 @@ TEST_CASE("formulas of worlds") {
         const auto take = [&](const auto& shape) {
             differences.take(shape, steps, more, placement), in_extended.take(shape, steps, more, placement);
         };
-        const int which = dice.upto(6);
+        const int which = dice.upto(7);
+        if (which == 7) take(Torus{at, dice.arrow(.1, 3), dice.in(.5, 3), dice.in(.1, 3)});
         if (which == 0) take(Sphere{at, dice.in(.1, 3)});
         if (which == 1) take(Plane{at, at + dice.direction(), at + dice.direction()});
         if (which == 2) take(Cylinder{at, at + dice.arrow(.1, 3), dice.in(.1, 3)});

@@ -243,7 +243,7 @@ TEST_CASE("what proofs do not know is undecided") {
     const Scene plain = ball_on_floor();
     CHECK(share_bounded(plain) > .97);
     Scene scene = plain;
-    scene.primitives.push_back({Torus{}, 0, {}});
+    scene.primitives.push_back({Torus{}, 0, {Scale{{1, 1.1, 1}}}});
     CHECK(share_bounded(scene) < .9);  // the torus and its shadow
     CHECK(share_bounded(scene) > .3);
     scene = plain;
@@ -276,6 +276,7 @@ TEST_CASE("what proofs know is decided") {
     put(Cone{beside, .2, {.3, -1.2, -.3}, .05});
     put(Cuboid{{.5, .2, -.8}, {.9, .5, .3}});
     scene.primitives.back().transformations.push_back(Scale{{1, 1.5, .7}});
+    put(Torus{{-.2, -1.4, .5}, {1, 1, 1}, .3, .1});
     put(Difference{});
     scene.primitives.back().transformations = {Scale{DVec3(.3)}, Translate{{.2, -1.3, -.2}}};
     CHECK(share_bounded(scene) > .97);
