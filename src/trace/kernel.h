@@ -105,7 +105,7 @@ struct Slack {
     T gain = 1;                    // most by which bodies on its way multiply a light
     T reach = 0;                   // the largest coordinate of a bounded body
     T culled = 0;                  // share of a world in double: culling takes bodies to be where that has them
-    bool eye_outside = false;      // the eye is certainly in no transparent body
+    bool medium = false;           // it is certain in what the eye is
     bool fits() const { return culled <= 8 * std::numeric_limits<double>::epsilon(); }  // into the margins of culling
 };
 

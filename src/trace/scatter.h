@@ -168,8 +168,7 @@ STRAHL_INLINE void bound_refraction(const Shading<S>& shading, const Hit<S>& hit
                                     Mask<S> glass, Mask<S> far, const S& b, const S& c, const S& k,
                                     Branch<S>& refracted) {
     const S k_error = error_beyond(known, b, c);
-    const bool medium_known = !shading.world.nested || shading.limits.slack.eye_outside;
-    const Mask<S> told = abs(k) > k_error, all_told = first_lanes<S>(medium_known ? width<S> : 0);
+    const Mask<S> told = abs(k) > k_error, all_told = first_lanes<S>(shading.limits.slack.medium ? width<S> : 0);
     const Mask<S> doubt = glass & known.followed & !(told & all_told & !far);
     refracted.doubt.away = select(known.followed & !doubt, known.away, S(-1));
     refracted.doubt.turn = select(known.followed & !doubt, turn_refracted(known, b, c, k, k_error), S(0));

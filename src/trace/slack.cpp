@@ -167,34 +167,51 @@ void add_eye(Slack<T>& slack, const View& view, const Placement& placement) {
     slack.eye_turn = static_cast<T>(wrong + shifted) * T(1 + 1e-9) + u * (T(1.6) + 4 * static_cast<T>(tan_x + tan_y));
 }
 
-bool outside_of_glass(const Scene& scene, const DVec3& eye) {
-    const auto outside = [&](const Primitive& body) {
-        const Box box = world_bounds(body);
-        double margin = 1e-9 * (sum_of(extended(eye)) + 1e-300);
-        const auto add = [&](const DVec3& p) { margin += 1e-9 * static_cast<double>(sum_of(extended(p))); };
-        for_each_leaf_within(
-            body,
-            [&](const Primitive& leaf, const LeafWay& way) {
-                const ExtendedTransform own(way.steps, DVec3(0), 1);
-                const Box inner = std::visit([](const auto& shape) { return shape.bounds(); }, leaf.shape);
-                margin += own.known() ? static_cast<double>(own.rounding(inner.finite() ? inner.high : DVec3(1)))
-                                      : HUGE_VAL;
-            },
-            [](Operation) {});
-        if (const std::optional<HalfSpace> space = half_space(body)) {
-            add(space->point);
-            return dot_product(space->normal, eye - space->point) > margin;
-        }
-        bool far = false;
-        for (int c = 0; c < 3; ++c) {
-            if (std::isfinite(box.low[c])) margin += 1e-9 * std::abs(box.low[c]);
-            if (std::isfinite(box.high[c])) margin += 1e-9 * std::abs(box.high[c]);
-        }
-        for (int c = 0; c < 3; ++c) far |= eye[c] < box.low[c] - margin || eye[c] > box.high[c] + margin;
-        return far;
+namespace {
+
+/// How far a body's box, its plane and what is inside may be off, generously.
+double margin_of(const Primitive& body, const Box& box, const DVec3& eye) {
+    double margin = 1e-9 * static_cast<double>(sum_of(extended(eye)));
+    for (int c = 0; c < 3; ++c)
+        for (const double own : {box.low[c], box.high[c]})
+            if (std::isfinite(own)) margin += 1e-9 * std::abs(own);
+    const auto add = [&](const Primitive& leaf, const LeafWay& way) {
+        constexpr double of_double = 4096;  // 11 bits less
+        const ExtendedTransform own(way.steps, DVec3(0), 1);
+        const Box inner = std::visit([](const auto& shape) { return shape.bounds(); }, leaf.shape);
+        margin += own.known() ? of_double * static_cast<double>(own.rounding(inner.finite() ? inner.high : DVec3(1)))
+                              : HUGE_VAL;
     };
-    return std::ranges::all_of(scene.primitives,
-                               [&](const Primitive& body) { return !transparent(scene, body) || outside(body); });
+    for_each_leaf_within(body, add, [](Operation) {});
+    return margin;
+}
+
+/// Is an eye certainly outside of a body, or inside a convex one? Of that an octahedron around the eye tells.
+bool certain_side(const Primitive& body, const DVec3& eye) {
+    const Box box = world_bounds(body);
+    const double margin = margin_of(body, box, eye);
+    if (const std::optional<HalfSpace> space = half_space(body)) {
+        const double wrong = margin + 1e-9 * static_cast<double>(sum_of(extended(space->point)));
+        return std::abs(dot_product(space->normal, eye - space->point)) > wrong;
+    }
+    bool outside = false, inside = true;
+    for (int c = 0; c < 3; ++c) {
+        outside |= eye[c] < box.low[c] - margin || eye[c] > box.high[c] + margin;
+        for (const double way : {-2 * margin, 2 * margin}) {
+            DVec3 beside = eye;
+            beside[c] += way;
+            inside &= contains(body, beside);
+        }
+    }
+    const bool convex = std::visit([]<class Kind>(const Kind&) { return Kind::convex && Kind::closed; }, body.shape);
+    return outside || (convex && inside);
+}
+
+}  // namespace
+
+bool knows_medium(const Scene& scene, const DVec3& eye) {
+    return std::ranges::all_of(
+        scene.primitives, [&](const Primitive& body) { return !transparent(scene, body) || certain_side(body, eye); });
 }
 
 template Slack<double> slack_of(const Scene&, const Placement&);

@@ -15,7 +15,8 @@ Slack<T> slack_of(const Scene& scene, const Placement& placement);
 template <class T>
 void add_eye(Slack<T>& slack, const View& view, const Placement& placement);
 
-/// Is a camera there certainly in no transparent body? False near their boxes, too.
-bool outside_of_glass(const Scene& scene, const DVec3& eye);
+/// Is it certain which transparent bodies a camera is in? Not near their surfaces, nor, of those that are not convex,
+/// in their boxes.
+bool knows_medium(const Scene& scene, const DVec3& eye);
 
 }  // namespace strahl

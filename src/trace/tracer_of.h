@@ -213,7 +213,7 @@ class TracerOf : public AnyTracer {
             all = *slack;
             add_eye(all, view, placed);
         }
-        all.eye_outside = !world.nested || outside_of_glass(scene(), view.camera.position);
+        all.medium = !world.nested || knows_medium(scene(), view.camera.position);
         all.gain = static_cast<T>(gain);
         all.reach = world.rounding / static_cast<T>(WorldArrays<T>::rounding(1));
         return all;
