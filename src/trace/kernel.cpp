@@ -156,7 +156,7 @@ void append(RayQueue<T>& to, const RayQueue<T>& from) {
     for (int c = 0; c < 3; ++c) copy(to.origin[c], from.origin[c]), copy(to.direction[c], from.direction[c]);
     copy(to.source, from.source), copy(to.pixel, from.pixel), copy(to.weight, from.weight);
     copy(to.medium, from.medium);
-    if constexpr (proves) copy(to.away, from.away), copy(to.turn, from.turn);
+    if constexpr (proves) copy(to.away, from.away), copy(to.turn, from.turn), copy(to.side, from.side);
     if (to.width) [[unlikely]]
         copy(to.width, from.width), copy(to.spread, from.spread);
     to.count += from.count;
@@ -198,7 +198,7 @@ RayQueue<T> part_of(RayQueue<T> rays, int begin, int count) {
     const auto skip = [begin](T*& values) { values += begin; };
     for (int c = 0; c < 3; ++c) skip(rays.origin[c]), skip(rays.direction[c]);
     skip(rays.source), skip(rays.pixel), skip(rays.weight), skip(rays.medium), skip(rays.t);
-    if constexpr (proves) skip(rays.away), skip(rays.turn);
+    if constexpr (proves) skip(rays.away), skip(rays.turn), skip(rays.side);
     if (rays.width) skip(rays.width), skip(rays.spread);
     rays.count = count;
     return rays;
@@ -238,6 +238,7 @@ bool trace(const World<T>& world, const Eye<T>& eye, const Limits<T>& limits, co
         generate_camera_rays<S>(eye, batch, first.open);
         if constexpr (proves) {
             std::fill_n(first.open.away, batch.count, limits.slack.eye_away);
+            std::fill_n(first.open.side, batch.count, limits.slack.eye_away);
             std::fill_n(first.open.turn, batch.count, limits.slack.eye_turn);
         }
         first.inside.count = 0;

@@ -74,7 +74,7 @@ STRAHL_INLINE HitBounds<S> bound_hits(const Shading<S>& shading, const Hit<S>& h
         store_lanes(surfaces, hit.surface);
         for (int k = 0; k < width<S>; ++k) items[k] = world.references[static_cast<int>(surfaces[k])].item;
     }
-    PointBounds<S> found{S(0), S(0), first_lanes<S>(0)};
+    PointBounds<S> found{S(0), S(0), S(0), S(0), first_lanes<S>(0)};
     if_known(world, bin.form, [&](const auto& group) {
         using Item = typename std::remove_cvref_t<decltype(group)>::template ItemOf<S>;
         const Item own =
@@ -86,6 +86,7 @@ STRAHL_INLINE HitBounds<S> bound_hits(const Shading<S>& shading, const Hit<S>& h
     bounds.followed = followed & known & found.sure & (doubt.turn < S(most_turn));
     const auto keep = [&](const S& value) { return select(bounds.followed, value, S(0)); };
     bounds.away = keep(found.away), bounds.normal = keep(found.normal), bounds.turn = keep(doubt.turn);
+    bounds.side = keep(found.side), bounds.height = keep(found.height);
     const Mask<S> lost = followed & !bounds.followed;
     if (any(lost)) {
         const S most = weight * S(brightest_of(shading.limits, shading.depth));
@@ -119,6 +120,22 @@ STRAHL_INLINE S turn_refracted(const HitBounds<S>& known, const S& b, const S& c
     const S by_normal = max(max(abs(S(1) - low), abs(S(1) - high)), max(abs(high_c - least), abs(low_c - most)));
     return S(1.01) * fma(max(b, high), known.turn, by_normal * known.normal) +
            S(8 * unit_error<S>) * (S(1) + b + fma(b, b, S(1)) / least);
+}
+
+/// How far the exact ray's line passes the computed one's origin p, from where x is the exact one. Mirrored by the plane
+/// that touches the surface at x the way from x to p changes by twice its height, and so does its part across the ray.
+template <class S>
+STRAHL_INLINE S side_reflected(const HitBounds<S>& known) {
+    return min(S(1.001) * fma(S(2), known.height, known.side), known.away);
+}
+/// In the plane of incidence the way along the surface is the way across the ray divided by its cosine c before it, and
+/// this multiplied by that of the cosine beyond is the way across the refracted ray; k is the square of the latter.
+template <class S>
+STRAHL_INLINE S side_refracted(const HitBounds<S>& known, const S& c, const S& k, const S& k_error) {
+    const S least = max(abs(c) - known.turn - known.normal - S(8 * unit_error<S>), S(0));
+    const S most = sqrt(max(k, S(0)) + k_error), ratio = max(S(1), most / least);
+    const S side = min(S(1.001) * fma(ratio, known.side + known.height, known.height), known.away);
+    return select(least > S(0), side, known.away);
 }
 
 /// How far the cosine of an angle is off that is off by a: cos(x + a) - cos x is at most a sin x + a^2 / 2. The cosine

@@ -46,7 +46,7 @@ STRAHL_INLINE void push(const Shading<S>& shading, RayQueue<Element<S>>& to, con
         for (int c = 0; c < 3; ++c) put(to.origin[c] + n, hit.position[c]), put(to.direction[c] + n, ray.direction[c]);
         put(to.source + n, hit.surface), put(to.pixel + n, hit.pixel), put(to.weight + n, ray.weight);
         if (shading.world.nested) put(to.medium + n, ray.medium);
-        if constexpr (proves) put(to.away + n, ray.doubt.away), put(to.turn + n, ray.doubt.turn);
+        if constexpr (proves) put(to.away + n, ray.doubt.away), put(to.turn + n, ray.doubt.turn), put(to.side + n, ray.doubt.side);
     };
     if (all(ray.mask))
         put_with([](T* place, const S& value) { store_lanes(place, value); });
@@ -132,6 +132,7 @@ STRAHL_INLINE void keep_inside(const Shading<S>& shading, const Hit<S>& hit, Bra
     if constexpr (proves) {
         within.doubt.away = select(in, refracted.doubt.away, reflected.doubt.away);
         within.doubt.turn = select(in, refracted.doubt.turn, reflected.doubt.turn);
+        within.doubt.side = select(in, refracted.doubt.side, reflected.doubt.side);
     }
     const Span<S> span = span_of_item(shading.world, shading.world.sort_bins[hit.bin],
                                       Ray<S>{hit.position, within.direction, hit.surface});
@@ -156,7 +157,8 @@ template <class S>
 /// What is known of mirrored rays.
 template <class S>
 STRAHL_INLINE Doubt<S> bound_reflection(const HitBounds<S>& known) {
-    return {select(known.followed, known.away, S(-1)), select(known.followed, turn_reflected(known), S(0))};
+    return {select(known.followed, known.away, S(-1)), select(known.followed, turn_reflected(known), S(0)),
+            side_reflected(known)};
 }
 
 /// What is known of refracted rays; c is the cosine before the surface, k its square beyond it and b the
@@ -172,6 +174,7 @@ STRAHL_INLINE void bound_refraction(const Shading<S>& shading, const Hit<S>& hit
     const Mask<S> doubt = glass & known.followed & !(told & all_told & !far);
     refracted.doubt.away = select(known.followed & !doubt, known.away, S(-1));
     refracted.doubt.turn = select(known.followed & !doubt, turn_refracted(known, b, c, k, k_error), S(0));
+    refracted.doubt.side = side_refracted(known, c, k, k_error);
     if (none(doubt)) return;
     const S most(shading.limits.brightest[shading.limits.depth - shading.depth]);
     add_bounds(shading.batch, hit.pixel, count(hit.active),

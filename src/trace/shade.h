@@ -164,7 +164,7 @@ STRAHL_INLINE HitBounds<S> bounds_of(const Shading<S>& shading, const Hit<S>& hi
         for (int k = 0; k < width<S>; ++k) plain[k] = !patterned(world, material.numbers[k]);
         known = known & (load_lanes<S>(plain) > S(0));
     }
-    return bound_hits(shading, hit, ray, {pick(from.away), pick(from.turn)}, pick(t), pick(from.weight), pick.lanes,
+    return bound_hits(shading, hit, ray, {pick(from.away), pick(from.turn), pick(from.side)}, pick(t), pick(from.weight), pick.lanes,
                       known);
 }
 

@@ -6,12 +6,13 @@
 namespace strahl::inline STRAHL_LEVEL {
 
 /// Of a ray: the exact one starts no further than `away` from the computed origin, and its direction, of length 1, is
-/// no further than `turn` from the computed one brought to length 1; that of the latter is off by at most 3 units. Rays
+/// no further than `turn` from the computed one brought to length 1; that of the latter is off by at most 3 units. Its
+/// line passes the computed origin no further than `side`, which is less where rays leave surfaces at an angle. Rays
 /// that are not followed have nothing of the kind, `away` is below 0: all light that they may bring is in the bound of
 /// their pixel already.
 template <class S>
 struct Doubt {
-    S away, turn;
+    S away, turn, side = away;
 };
 
 /// A unit: twice the rounding of an operation, as a share of its result. Formulas count roundings, without fma, and so
@@ -140,19 +141,20 @@ STRAHL_INLINE SpanBounds<S> span_bounds(const CylinderKernel<K>& cylinder, const
 }
 
 /// What is known of a point where a ray meets a surface: how far the exact point may be and by how much its normal may
-/// be turned; `sure` if the exact ray meets the same face there.
+/// be turned; how far the exact ray's line passes the point, and how high the point is above the plane that touches the
+/// exact surface at the exact point. `sure` if the exact ray meets the same face there.
 template <class S>
 struct PointBounds {
-    S away, normal;
+    S away, normal, side, height;
     Mask<S> sure;
 };
 
 /// Of a point p whose distance from its own exact surface is at most `off`, on a surface of curvature k, by how far the
 /// ray misses it: whatever found it. `turned`: by how much the normal there differs from that of the exact surface.
 ///
-/// The exact ray passes p at a distance of at most g; what this misses is rounded by (t + |p|) u / 2. It meets the
-/// plane that touches the surface no further than g / c from p, c being the cosine, and there the surface is within off
-/// + k X^2 / 2 of that plane, where X is how far the exact point is: c X <= g + off + k X^2 / 2, of which the smaller
+/// The exact ray's line passes p at a distance of at most g; what this misses is rounded by (t + |p|) u / 2. It meets
+/// the plane that touches the surface no further than g / c from p, c being the cosine, and there the surface is within
+/// off + k X^2 / 2 of that plane, where X is how far the exact point is: c X <= g + off + k X^2 / 2, of which the smaller
 /// root is 2 d / (c + sqrt(c^2 - 2 k d)) with d = g + off. Factors of 1.1 in k and 1.001 are for k d < .001 and for
 /// rounding.
 template <class S>
@@ -161,13 +163,14 @@ STRAHL_INLINE PointBounds<S> point_bounds(const Ray<S>& ray, const Doubt<S>& dou
     constexpr auto u = unit_error<S>;
     const Vec3<S> missed = point.position - fma(t, ray.direction, ray.origin);
     const S rounding = S(.51 * u) * (norm1(point.position) + t);
-    const S d = doubt.away + t * doubt.turn + off + norm1(missed) + rounding;
+    const S side = doubt.side + t * doubt.turn + norm1(missed) + rounding, d = side + off;
     const S cosine = abs(dot(ray.direction, point.normal)) - doubt.turn - turned - S(8 * u);
     const S square = fma(cosine, cosine, S(-2.2) * k * d);
     const S away = S(2.002) * d / (cosine + sqrt(max(square, S(0))));
     const S normal = fma(S(1.002) * k, away, turned);
-    const Mask<S> sure = (cosine > S(0)) & (square > S(0)) & (k * d < S(.001)) & (away + d + S(4 * u) * t < t);
-    return {away, normal, sure};
+    const Mask<S> sure = (cosine > S(0)) & (square > S(0)) & (k * d < S(.001)) &
+                         (away + doubt.away + d + S(4 * u) * t < t);
+    return {away, normal, side, fma(S(.55) * k * away, away, off), sure};
 }
 
 /// How far a point p that was found on a body may be off the exact one's surface. p = c + r n: by the rounding of this,

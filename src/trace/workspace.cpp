@@ -72,10 +72,16 @@ void Workspace<T>::hold_pair(T*& first, T*& second) {
     pairs.push_back(zeros<T>(2 * queue_capacity));
     first = pairs.back().get(), second = first + queue_capacity;
 }
+template <class T>
+void Workspace<T>::hold_one(T*& values) {
+    if (values) return;
+    pairs.push_back(zeros<T>(queue_capacity));
+    values = pairs.back().get();
+}
 
 template <class T>
 void Workspace<T>::hold_pairs(RayQueue<T>& queue) {
-    if (!bounds.empty()) hold_pair(queue.away, queue.turn);
+    if (!bounds.empty()) hold_pair(queue.away, queue.turn), hold_one(queue.side);
     if (with_cones) hold_pair(queue.width, queue.spread);
 }
 

@@ -44,9 +44,10 @@ class Workspace {
 
   private:
     Buffer<T> values, order_by_bin;
-    std::vector<Buffer<T>> pairs;  // of arrays that queues have besides `values`
+    std::vector<Buffer<T>> pairs;  // arrays that queues have besides `values`
     bool with_cones = false;
     void hold_pair(T*& first, T*& second);
+    void hold_one(T*& values);
     void hold_pairs(RayQueue<T>& queue);
     std::vector<std::int32_t> counts;
     struct Held {

@@ -30,8 +30,10 @@ struct OffHit {
         known.away = above(length(position - vector(hit.position)));
         known.normal = above(length(normal - vector(hit.normal)));
         known.turn = turn_from(direction, hit.direction);
+        known.side = above(length(cross(apart(), direction))), known.height = above(size(dot(apart(), normal)));
         known.followed = true;
     }
+    Vector apart() const { return position - vector(hit.position); }
     bool ahead() const { return dot(direction, normal) < 0; }
     Vector mirrored() const { return direction - 2 * dot(direction, normal) * normal; }
 };
@@ -53,13 +55,15 @@ Vector direction_of(const OffHit& off, const Vec3<double>& direction) {
 }  // namespace
 
 TEST_CASE("formulas of mirrors and glass") {
-    Closest mirror{"mirrored direction"}, glass{"refracted direction"}, square{"squared cosine beyond"},
+    Closest mirror{"mirrored direction"}, mirrored_line{"mirrored line"}, glass{"refracted direction"},
+        refracted_line{"refracted line"}, square{"squared cosine beyond"},
         total{"total, or not"};
     Dice dice(4);
     for (int i = 0; i < trials(); ++i) {
         const OffHit off(dice, material_of(dice));
         if (!off.ahead()) continue;
         mirror.take(length(off.mirrored() - direction_of(off, reflect(off.hit))), turn_reflected(off.known));
+        mirrored_line.take(length(cross(off.apart(), off.mirrored())), side_reflected(off.known));
         // As scatter() has it.
         const bool in = dice.chance(.5);
         const double b = in ? 1 / off.material.ior : off.material.ior, s = -dot(off.hit.direction, off.hit.normal);
@@ -75,6 +79,7 @@ TEST_CASE("formulas of mirrors and glass") {
         if (!(k > 0) || !(exact_k > 0)) continue;
         const Vector exact = ratio * off.direction + (ratio * c - root(exact_k)) * off.normal;
         glass.take(length(exact - direction_of(off, beyond)), turn_refracted(off.known, b, s, k, k_error));
+        refracted_line.take(length(cross(off.apart(), exact)), side_refracted(off.known, s, k, k_error));
     }
 }
 

@@ -47,7 +47,8 @@ struct OffTorus {
 };
 
 struct TorusTrials {
-    Closest first{"first crossing"}, away{"point"}, surface{"point off its surface"}, normal{"normal"},
+    Closest first{"first crossing"}, away{"point"}, side{"line beside the point"}, height{"point off the exact one's plane"},
+        surface{"point off its surface"}, normal{"normal"},
         told{"certain, or not"};
     int known = 0, all = 0;
 
@@ -86,6 +87,9 @@ struct TorusTrials {
         const Vector exact = off.line.origin + met->t * off.line.direction, n = vector(point.normal);
         away.take(length(exact - vector(point.position)), bounds.away);
         normal.take(length(unit(met->normal) - n), bounds.normal);
+        const Vector apart = exact - vector(point.position);
+        side.take(length(cross(apart, off.line.direction)), bounds.side);
+        height.take(size(dot(apart, unit(met->normal))), bounds.height);
         OffRay on = off_ray(dice, point.position, any_of(dice, n) + R(.9) * Vector(dice.direction()), Vector(),
                             any_of(dice, n));
         on.line.origin = exact, on.doubt.away = above(length(exact - vector(point.position))), on.ray.source = 0;

@@ -12,7 +12,7 @@ template <class Shape>
 struct Spans {
     // A ray enters planes and leaves open bodies, no more.
     Closest near{"crossing", Shape::closed}, far{"last crossing", Shape::bounded}, other{"from its own surface"},
-        away{"point"}, surface{"point off its surface"}, normal{"normal"}, told{"certain, or not"};
+        away{"point"}, side{"line beside the point"}, height{"point off the exact one's plane"}, surface{"point off its surface"}, normal{"normal"}, told{"certain, or not"};
 
     void try_span(const Case<Shape>& body, const OffRay& off) {
         const SpanBounds<double> span = span_bounds(body.kernel, off.ray, off.doubt, -1., body.slack);
@@ -46,6 +46,9 @@ struct Spans {
         const Vector exact = off.line.origin + met->t * off.line.direction;
         away.take(length(exact - vector(point.position)), known.away);
         normal.take(length(unit(met->normal) - vector(point.normal)), known.normal);
+        const Vector apart = exact - vector(point.position);
+        side.take(length(cross(apart, off.line.direction)), known.side);
+        height.take(size(dot(apart, unit(met->normal))), known.height);
         Vector towards = any_of(dice, vector(point.normal)) + R(.9) * Vector(dice.direction());
         if (std::is_same_v<Shape, Cone> && dice.chance(.3))  // of rays along its side a formula of its own knows
             towards = perpendicular(dice, vector(point.normal)) + R(any_size(dice)) * vector(point.normal);

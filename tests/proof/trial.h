@@ -90,7 +90,9 @@ inline OffRay off_ray(Dice& dice, const DVec3& origin, const Vector& towards, co
     off.ray = {origin, nearly_unit(dice, towards), -1};
     off.line = {Vector(origin) + R(any_size(dice)) * moved,
                 unit(vector(off.ray.direction) + R(any_size(dice)) * turned)};
-    off.doubt = {above(length(off.line.origin - Vector(origin))), turn_from(off.line.direction, off.ray.direction)};
+    const Vector away = off.line.origin - Vector(origin);
+    off.doubt = {above(length(away)), turn_from(off.line.direction, off.ray.direction),
+                 above(length(cross(away, off.line.direction)))};
     return off;
 }
 inline Vector any_of(Dice& dice, const Vector& normal) {
