@@ -1,6 +1,5 @@
 // The numbers of bodies and of a camera in long double: what extended precision traces, and what slack.cpp takes for
-// exact. Of bodies that proofs know, under transformations that keep angles or, where their kernels take any, under
-// all.
+// exact. Of bodies that proofs know.
 #pragma once
 #include <array>
 #include <cmath>
@@ -85,8 +84,27 @@ BoxKernel<Extended> extended_kernel(const Cuboid& box, const ExtendedTransform& 
 TriangleKernel<Extended> extended_kernel(const Triangle& triangle, const ExtendedTransform& to_world);
 /// Triangle number i, of flat ones.
 TriangleKernel<Extended> extended_kernel(const Mesh& mesh, const ExtendedTransform& to_world, std::size_t i);
+/// What a shape is in the space of its own that affine() gives it, whose unit and centre are these in the primitive's.
+template <class K>
+struct InOwnSpace {
+    DVec3 centre;
+    double unit;
+    K kernel;
+};
+InOwnSpace<SphereKernel<Extended>> in_own_space(const Sphere& sphere);
+InOwnSpace<CylinderKernel<Extended>> in_own_space(const Cylinder& cylinder);
+InOwnSpace<ConeKernel<Extended>> in_own_space(const Cone& cone);
+InOwnSpace<DiscKernel<Extended>> in_own_space(const Disc& disc);
 /// To vectors u, v, w those whose products with them are 1 and with the others 0.
 std::array<ExtendedVector, 3> dual_of(const std::array<ExtendedVector, 3>& vectors);
+/// Of a shape under any transformation; the box is the one that double has.
+template <class Shape>
+auto extended_affine(const Shape& shape, const ExtendedTransform& to_world, const HitBox<Extended>& box) {
+    const auto [centre, unit, kernel] = in_own_space(shape);
+    const Extended u = unit;
+    const auto [x, y, z] = dual_of({to_world.way({u, 0, 0}), to_world.way({0, u, 0}), to_world.way({0, 0, u})});
+    return AffineKernel<std::remove_const_t<decltype(kernel)>, Extended>{to_world.point(centre), x, y, z, box, kernel};
+}
 
 /// Emits the numbers from above, if there are any for this shape under these transformations.
 template <class Shape, class Emit>
@@ -94,9 +112,16 @@ bool emit_extended(const Shape& shape, const WorldTransform& to_world, std::span
                    const Emit& emit) {
     constexpr bool is_mesh = std::is_same_v<Shape, Mesh>;
     constexpr bool takes_any = is_mesh || std::tuple_size_v<typename Shape::template Kernels<Extended>> == 1;
-    if (!to_world.similar() && !takes_any) return false;
     const ExtendedTransform own(steps, to_world.origin, to_world.scale);
     if (!own.known()) return false;
+    if constexpr (requires { in_own_space(shape); })
+        if (!to_world.similar()) {
+            shape.template emit<Extended>(to_world, [&](const auto& kernel) {
+                if constexpr (requires { kernel.shape; }) emit(extended_affine(shape, own, kernel.box));
+            });
+            return true;
+        }
+    if (!to_world.similar() && !takes_any) return false;
     if constexpr (is_mesh) {
         if (!shape.data->corner_normals.empty()) return false;
         for (std::size_t i = 0; i < shape.data->triangles.size(); ++i) emit(extended_kernel(shape, own, i));

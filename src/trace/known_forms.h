@@ -1,5 +1,6 @@
 // The forms whose errors proofs can bound.
 #pragma once
+#include "trace/affine_bounds.h"
 #include "trace/cone_bounds.h"
 #include "trace/flat_bounds.h"
 #include "trace/span_bounds.h"

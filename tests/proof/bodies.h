@@ -2,7 +2,7 @@
 #pragma once
 #include <cmath>
 #include <memory>
-#include <variant>
+#include <numbers>
 #include <vector>
 
 #include "scene/scene.h"
@@ -34,10 +34,16 @@ inline std::vector<Shape> fan(Dice& dice, const DVec3& centre, double radius) {
         triangles.push_back(Triangle{data.points[a], data.points[b], data.points[c]});
     return triangles;
 }
-/// May it be scaled unevenly?
-inline bool takes_any_transformation(const Shape& shape) {
-    return std::holds_alternative<Cuboid>(shape) || std::holds_alternative<Triangle>(shape) ||
-           std::holds_alternative<Mesh>(shape);
+/// Scales what is around a place, or around 0, each axis by another factor.
+inline std::vector<Transformation> uneven_steps(Dice& dice, const DVec3& around) {
+    const Scale scale{dice.vector(.5, 2)};
+    if (dice.chance(.3)) return {scale};
+    std::vector<Transformation> steps{Translate{DVec3(0) - around}};
+    if (dice.chance(.5)) steps.push_back(Rotate{dice.vector(-200, 200)});
+    steps.push_back(scale);
+    if (dice.chance(.5)) steps.push_back(Rotate{dice.vector(-200, 200)});
+    steps.push_back(Translate{around});
+    return steps;
 }
 
 /// One or several bodies around a centre. What touches something does so there, towards `out`.
@@ -99,6 +105,37 @@ inline std::vector<Shape> edge_bodies(Dice& dice, const DVec3& target, const DVe
     const DVec3 out = edge_on ? way : unit(cross(normal, dice.direction()));
     const double hole = dice.chance(.5) ? 0 : dice.in(.1, .9) * size;
     return {Disc{target - (hole > 0 && dice.chance(.5) ? hole : size) * out, normal, size, hole}};
+}
+
+/// A body and the transformations that it is under.
+struct Transformed {
+    Shape shape;
+    std::vector<Transformation> steps;
+};
+/// The same, scaled unevenly and turned, balls and rods as well: what meets an edge does so however space is stretched.
+inline std::vector<Transformed> uneven_edge_bodies(Dice& dice, const DVec3& target, const DVec3& way, double size) {
+    const Scale scale{dice.vector(.4, 2.5)};
+    const Rotate rotate{{0, 0, dice.chance(.5) ? 0 : dice.in(-180, 180)}};
+    const double angle = rotate.degrees.z * (std::numbers::pi / 180), c = std::cos(angle), s = std::sin(angle);
+    const auto back = [&](const DVec3& v) { return DVec3{c * v.x + s * v.y, c * v.y - s * v.x, v.z} / scale.by; };
+    const DVec3 own_target = back(target), own_way = unit(back(way));
+    const DVec3 across = unit(cross(own_way, dice.direction())), along = unit(cross(across, dice.direction()));
+    const double kind = dice.in(0, 1);
+    std::vector<Shape> shapes;
+    if (kind < .25) {
+        shapes = {Sphere{own_target + size * across, size}};
+    } else if (kind < .4) {
+        const DVec3 centre = own_target + size * across;
+        shapes = {Cylinder{centre - 3 * size * along, centre + 3 * size * along, size}};
+    } else if (kind < .5) {  // its rim
+        const DVec3 cap = own_target - size * across;
+        shapes = {Cylinder{cap - 3 * size * along, cap, size}};
+    } else {
+        shapes = edge_bodies(dice, own_target, own_way, size);
+    }
+    std::vector<Transformed> bodies;
+    for (const Shape& shape : shapes) bodies.push_back({shape, {scale, rotate}});
+    return bodies;
 }
 
 }  // namespace strahl::proof

@@ -246,8 +246,7 @@ TEST_CASE("what proofs do not know is undecided") {
     scene.primitives.push_back({Torus{}, 0, {}});
     CHECK(share_bounded(scene) < .9);  // the torus and its shadow
     CHECK(share_bounded(scene) > .3);
-    scene = plain;
-    scene.primitives[0].transformations.push_back(Scale{{1, 2, 1}});
+    scene.primitives.back().transformations.push_back(Scale{{1, 2, 1}});
     CHECK(share_bounded(scene) < .9);
     scene = plain;
     scene.materials[0].rgb.pattern =
@@ -275,8 +274,11 @@ TEST_CASE("what proofs know is decided") {
     scene.primitives.back().transformations = {Scale{{.2, .3, .4}}, Translate{{-1, -1, -.9}}};
     put(Cone{beside, .2, {.3, -1.2, -.3}, .05});
     put(Cuboid{{.5, .2, -.8}, {.9, .5, .3}});
-    scene.primitives.back().transformations.push_back(Scale{{1, 1.5, .7}});
-    CHECK(share_bounded(scene) > .97);
+    for (Primitive& primitive : scene.primitives) {
+        if (std::holds_alternative<Plane>(primitive.shape)) continue;
+        primitive.transformations.push_back(Scale{{1, 1.5, .7}});
+        CHECK(share_bounded(scene) > .97);
+    }
 }
 
 TEST_CASE("a picture with bounds is that of double") {
