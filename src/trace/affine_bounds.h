@@ -1,6 +1,7 @@
 // Between which numbers exact arithmetic has the crossings of a ray with a body that is scaled unevenly, and where: by
 // what is known of the body in a space of its own, in which it is round.
 #pragma once
+#include "num/memory.h"
 #include "trace/cone_bounds.h"
 #include "trace/flat_bounds.h"
 #include "trace/span_bounds.h"
@@ -16,23 +17,23 @@ concept KnownInOwnSpace = requires(const K& shape, const Vec3<S>& p, const S& s,
 };
 
 /// The most that a length grows on the way into the body's own space: the largest singular value of the rows' matrix R.
-/// The sums of the sizes in each row of R R^T bound its square, and so do those of R^T R. The first are exact where rows
-/// are at right angles, as of what was scaled first, the others where columns are, as of what was turned first.
-template <class K, class T>
-STRAHL_INLINE T most_stretch(const AffineKernel<K, T>& body) {
-    const auto bound = [](const Vec3<T>& x, const Vec3<T>& y, const Vec3<T>& z) {
-        const T xy = abs(dot(x, y)), yz = abs(dot(y, z)), zx = abs(dot(z, x));
+/// The sums of the sizes in each row of R R^T bound its square, and so do those of R^T R. The first are exact where
+/// rows are at right angles, as of what was scaled first, the others where columns are, as of what was turned first.
+template <class K, class S>
+STRAHL_INLINE S most_stretch(const AffineKernel<K, S>& body) {
+    const auto bound = [](const Vec3<S>& x, const Vec3<S>& y, const Vec3<S>& z) {
+        const S xy = abs(dot(x, y)), yz = abs(dot(y, z)), zx = abs(dot(z, x));
         return max(dot(x, x) + xy + zx, max(dot(y, y) + xy + yz, dot(z, z) + yz + zx));
     };
-    const Vec3<T>&x = body.row_x, &y = body.row_y, &z = body.row_z;
-    return T(1.001) * sqrt(min(bound(x, y, z), bound({x.x, y.x, z.x}, {x.y, y.y, z.y}, {x.z, y.z, z.z})));
+    const Vec3<S>&x = body.row_x, &y = body.row_y, &z = body.row_z;
+    return S(1.001) * sqrt(min(bound(x, y, z), bound({x.x, y.x, z.x}, {x.y, y.y, z.y}, {x.z, y.z, z.z})));
 }
 
-/// Exact rows are R (1 + E) with E no larger than slack.turn: an exact point is where these rows have a point that is as
-/// much further from the exact centre, as a share. So it counts as off in the world by that and by what the centre is.
-template <class S, class K, class T>
-STRAHL_INLINE S own_error(const AffineKernel<K, T>& body, const Vec3<S>& from_centre, const Slack<Element<S>>& slack) {
-    return S(slack.share) * (norm1(splat<S>(body.centre)) + norm1(splat<S>(body.box.half))) +
+/// Exact rows are R (1 + E) with E no larger than slack.turn: they have a point where R has one that is moved by E of
+/// its distance from the centre. So points count as off in the world by that and by what the centre is.
+template <class S, class K>
+STRAHL_INLINE S own_error(const AffineKernel<K, S>& body, const Vec3<S>& from_centre, const Slack<Element<S>>& slack) {
+    return S(slack.share) * (norm1(body.centre) + norm1(body.box.half)) +
            S(slack.turn) * sqrt(dot(from_centre, from_centre));
 }
 
@@ -40,15 +41,15 @@ STRAHL_INLINE S own_error(const AffineKernel<K, T>& body, const Vec3<S>& from_ce
 /// of the direction, as a share of its length s there. Roundings: of R f, f has 1/2 unit and each row's product 3/2, in
 /// all 3.1 of the largest stretch; the direction 2.6, 3 by its length and 1/2 where it is divided by s. Distances there
 /// are s times those in the world; s is off by the same share as the direction and by 5/4 units.
-template <class S, class K, class T>
-    requires KnownInOwnSpace<K, T>
-[[gnu::noinline]] SpanBounds<S> span_bounds(const AffineKernel<K, T>& body, const Ray<S>& ray, const Doubt<S>& doubt,
+template <class S, class K>
+    requires KnownInOwnSpace<K, S>
+[[gnu::noinline]] SpanBounds<S> span_bounds(const AffineKernel<K, S>& body, const Ray<S>& ray, const Doubt<S>& doubt,
                                             const S& start, const Slack<Element<S>>& slack) {
     constexpr auto u = unit_error<S>;
     constexpr auto inf = SpanBounds<S>::inf;
     const auto local = body.to_local(ray);
-    const Vec3<S> f = ray.origin - splat<S>(body.centre);
-    const S most(most_stretch(body)), rounding = S(3.5 * u) * sqrt(dot(f, f));
+    const Vec3<S> f = ray.origin - body.centre;
+    const S most = most_stretch(body), rounding = S(3.5 * u) * sqrt(dot(f, f));
     const S away = S(1.02) * most * (doubt.away + own_error<S>(body, f, slack) + rounding);
     const S turn = S(1.02) * most / local.stretch * (doubt.turn + S(slack.turn + 6.5 * u));
     SpanBounds<S> span = span_bounds(body.shape, local.ray, Doubt<S>{away, turn}, start, slack);
@@ -59,6 +60,14 @@ template <class S, class K, class T>
     const auto high = [&](const S& t) { return select(told, t * select(t > S(0), more, less), S(inf)); };
     return {low(span.near_low), high(span.near_high),       low(span.far_low),
             high(span.far_high), Mask<S>(span.maybe | !told), Mask<S>(span.sure & told)};
+}
+
+/// Of one body: by the code above, which is long.
+template <class S, template <class> class K>
+    requires(!std::is_same_v<S, Element<S>>)
+STRAHL_INLINE SpanBounds<S> span_bounds(const AffineKernel<K<Element<S>>, Element<S>>& body, const Ray<S>& ray,
+                                        const Doubt<S>& doubt, const S& start, const Slack<Element<S>>& slack) {
+    return span_bounds(splat_item<AffineKernel<K<S>, S>, S>(body), ray, doubt, start, slack);
 }
 
 /// A point p as the body's own space has it, put onto the surface there.
@@ -85,8 +94,8 @@ struct OwnPoint {
         residual = sqrt(dot(way, way)) + S(3.5 * unit_error<S>) * most * sqrt(dot(f, f));
         off = moved + S(1.02) * (residual + off_found) / steep;
     }
-    /// The square of the most that a length along the surface grows, of the two singular values of R there: T is the sum
-    /// of their squares, and their product |det R| / |R^T n|. Of narrow spaces det R is hardly known.
+    /// The square of the most that a length along the surface grows, the larger singular value of R there: the sum of
+    /// the two's squares is known, and their product is |det R| / |R^T n|. Of narrow spaces det R is hardly known.
     STRAHL_INLINE S most_along(const AffineKernel<K, S>& body) const {
         const Vec3<S>&x = body.row_x, &y = body.row_y, &z = body.row_z;
         const S xx = dot(x, x), yy = dot(y, y), zz = dot(z, z), all = xx + yy + zz;

@@ -18,8 +18,8 @@ ExtendedTransform::ExtendedTransform(std::span<const Transformation> steps, cons
 }
 
 /// By less than an eighth of a turn and by quarters, which are exact. Else an angle, its sine and cosine have two
-/// roundings each and the sum three more, of two of a vector's components. Roundings of the matrix count once more where
-/// a point goes through it.
+/// roundings each and the sum three more, of two of a vector's components. Roundings of the matrix count once more
+/// where a point goes through it.
 void ExtendedTransform::turn_by(int from, int to, double degrees) {
     int quarters = 0;
     const Extended rest = std::remquo(Extended(degrees), Extended(90), &quarters) * degree;

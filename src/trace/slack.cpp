@@ -66,7 +66,8 @@ struct Comparison {
                  Extended rounding) const {
         const Extended off = apart(kernel.centre, own.centre) + place + std::abs(kernel.radius - own.radius) +
                              std::abs(kernel.hole - own.hole) + rounding * (kernel.radius + kernel.hole);
-        raise(slack.share, off / (sum_of(extended(kernel.centre)) + kernel.radius));
+        const Extended whole = sum_of(extended(kernel.centre)) + kernel.radius;
+        raise(slack.share, off / whole);
         raise(slack.turn, length_of(extended(kernel.normal) - own.normal) + rounding);
     }
     /// In its own space a ball is exact.

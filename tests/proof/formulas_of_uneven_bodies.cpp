@@ -29,7 +29,7 @@ referee::LineCrossings<R> crossings(const Uneven<Shape>& shape, const Line<R>& l
     return found;
 }
 
-/// Rows of a space that is stretched along its own axes, along the world's, or along neither, by up to 10, some by 1000.
+/// Rows of a space that is stretched along its own axes, along the world's, or along neither, by up to 10 or to 1000.
 void stretch(Dice& dice, Vector (&rows)[3]) {
     const Vector x = unit(Vector(dice.direction())), y = perpendicular(dice, x), z = cross(x, y), axes[] = {x, y, z};
     const int along = dice.upto(2);
@@ -86,7 +86,8 @@ struct trial::Case<Uneven<Shape>> {
     R off(const Vector& p, int face) const {
         const Vector own = shape.turned(p - shape.centre);
         const Ray<double> from{rounded(own), DVec3(1, 0, 0), -1};
-        return inner.off(own, face) / length(shape.normal(unit(vector(inner.kernel.at(from, 0., double(face)).normal))));
+        const Vector normal = unit(vector(inner.kernel.at(from, 0., double(face)).normal));
+        return inner.off(own, face) / length(shape.normal(normal));
     }
     std::pair<Vector, Vector> point(Dice& dice) const {
         const auto [own, normal] = inner.point(dice);

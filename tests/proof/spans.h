@@ -54,7 +54,8 @@ struct Spans {
         away.take(length(exact - vector(point.position)), known.away);
         normal.take(length(unit(met->normal) - vector(point.normal)), known.normal);
         Vector towards = any_of(dice, vector(point.normal)) + R(.9) * Vector(dice.direction());
-        if (std::string_view(Shape::name) == Cone::name && dice.chance(.3))  // of rays along its side a formula of its own knows
+        // Of rays along a cone's side a formula of its own knows.
+        if (std::string_view(Shape::name) == Cone::name && dice.chance(.3))
             towards = perpendicular(dice, vector(point.normal)) + R(any_size(dice)) * vector(point.normal);
         OffRay on = off_ray(dice, point.position, towards, Vector(), any_of(dice, vector(point.normal)));
         on.line.origin = exact, on.doubt.away = above(length(exact - vector(point.position)));
