@@ -129,10 +129,24 @@ BoxKernel<Extended> extended_kernel(const Cuboid& box, const ExtendedTransform& 
 TriangleKernel<Extended> extended_kernel(const Triangle& triangle, const ExtendedTransform& to_world) {
     return {to_world.point(triangle.a), to_world.point(triangle.b), to_world.point(triangle.c)};
 }
-TriangleKernel<Extended> extended_kernel(const Mesh& mesh, const ExtendedTransform& to_world, std::size_t i) {
+SmoothTriangleKernel<Extended> extended_kernel(const SmoothTriangle& triangle, const ExtendedTransform& to_world) {
+    std::array normals{extended(triangle.normal_a), extended(triangle.normal_b), extended(triangle.normal_c)};
+    Extended longest = 0;
+    for (ExtendedVector& n : normals) n = to_world.normal(unit_of(n)), longest = std::max(longest, length_of(n));
+    for (ExtendedVector& n : normals) n = 1 / longest * n;
+    return {extended_kernel(Triangle{triangle.a, triangle.b, triangle.c}, to_world), normals[0], normals[1],
+            normals[2]};
+}
+Triangle triangle_of(const Mesh& mesh, std::size_t i) {
     const auto [a, b, c] = mesh.data->triangles[i];
     const auto& points = mesh.data->points;
-    return extended_kernel(Triangle{points[a], points[b], points[c]}, to_world);
+    return {points[a], points[b], points[c]};
+}
+SmoothTriangle smooth_triangle_of(const Mesh& mesh, std::size_t i) {
+    const auto [a, b, c] = triangle_of(mesh, i);
+    const auto [k, l, m] = mesh.data->corner_normals[i];
+    const auto& normals = mesh.data->normals;
+    return {a, b, c, normals[k], normals[l], normals[m]};
 }
 
 Eye<Extended> extended_eye(const View& view, const Placement& placement) {

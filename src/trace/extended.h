@@ -42,6 +42,16 @@ class ExtendedTransform {
     ExtendedVector point(const DVec3& p) const { return point(extended(p)); }
     /// Under transformations that do not keep angles, the most that a length can become.
     Extended length(Extended own) const { return own * stretch * scale; }
+    /// Normals go by the inverse's transpose, but for its length and sign.
+    ExtendedVector normal(const ExtendedVector& n) const {
+        const auto& [x, y, z] = columns;
+        return n.x * cross_of(y, z) + n.y * cross_of(z, x) + n.z * cross_of(x, y);
+    }
+    /// By how much the rounding of one of length 1 is more than that of a direction.
+    Extended normal_size() const {
+        const Extended x = length_of(columns[0]), y = length_of(columns[1]), z = length_of(columns[2]);
+        return x * y + y * z + z * x;
+    }
     bool mirrors() const { return dot_of(columns[0], cross_of(columns[1], columns[2])) < 0; }
 
     /// Are all steps known? Motions are not.
@@ -82,8 +92,10 @@ ConeKernel<Extended> extended_kernel(const Cone& cone, const ExtendedTransform& 
 DiscKernel<Extended> extended_kernel(const Disc& disc, const ExtendedTransform& to_world);
 BoxKernel<Extended> extended_kernel(const Cuboid& box, const ExtendedTransform& to_world);
 TriangleKernel<Extended> extended_kernel(const Triangle& triangle, const ExtendedTransform& to_world);
-/// Triangle number i, of flat ones.
-TriangleKernel<Extended> extended_kernel(const Mesh& mesh, const ExtendedTransform& to_world, std::size_t i);
+SmoothTriangleKernel<Extended> extended_kernel(const SmoothTriangle& triangle, const ExtendedTransform& to_world);
+/// Triangle number i of a mesh.
+Triangle triangle_of(const Mesh& mesh, std::size_t i);
+SmoothTriangle smooth_triangle_of(const Mesh& mesh, std::size_t i);
 /// What a shape is in the space of its own that affine() gives it, whose unit and centre are these in the primitive's.
 template <class K>
 struct InOwnSpace {
@@ -123,8 +135,10 @@ bool emit_extended(const Shape& shape, const WorldTransform& to_world, std::span
         }
     if (!to_world.similar() && !takes_any) return false;
     if constexpr (is_mesh) {
-        if (!shape.data->corner_normals.empty()) return false;
-        for (std::size_t i = 0; i < shape.data->triangles.size(); ++i) emit(extended_kernel(shape, own, i));
+        const bool smooth = !shape.data->corner_normals.empty();
+        for (std::size_t i = 0; i < shape.data->triangles.size(); ++i)
+            smooth ? emit(extended_kernel(smooth_triangle_of(shape, i), own))
+                   : emit(extended_kernel(triangle_of(shape, i), own));
         return true;
     } else if constexpr (requires { extended_kernel(shape, own); }) {
         emit(extended_kernel(shape, own));

@@ -3,6 +3,7 @@
 #include "trace/affine_bounds.h"
 #include "trace/cone_bounds.h"
 #include "trace/flat_bounds.h"
+#include "trace/smooth_bounds.h"
 #include "trace/span_bounds.h"
 #include "trace/triangle_bounds.h"
 

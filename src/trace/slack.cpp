@@ -121,9 +121,23 @@ struct Comparison {
         raise(slack.share,
               off / (sum_of(extended(kernel.a)) + sum_of(extended(kernel.b)) + sum_of(extended(kernel.c))));
     }
+    /// Normals are compared as vectors of which the longest is 1.
+    void operator()(const SmoothTriangle& triangle, const SmoothTriangleKernel<T>& kernel) const {
+        const SmoothTriangleKernel<Extended> own = extended_kernel(triangle, to_world);
+        (*this)(Triangle{triangle.a, triangle.b, triangle.c}, kernel.flat);
+        Extended longest = 0;
+        for (const DVec3& n : {triangle.normal_a, triangle.normal_b, triangle.normal_c})
+            longest = std::max(longest, length_of(to_world.normal(unit_of(extended(n)))));
+        const Extended rounding = 6 * to_world.rounding() * to_world.normal_size() / longest;
+        const auto off = [](const Vec3<T>& a, const ExtendedVector& b) { return length_of(extended(a) - b); };
+        raise(slack.turn, rounding + std::max({off(kernel.normal_a, own.normal_a), off(kernel.normal_b, own.normal_b),
+                                               off(kernel.normal_c, own.normal_c)}));
+    }
     void operator()(const Mesh& mesh, const TriangleKernel<T>& kernel) const {
-        const auto [a, b, c] = mesh.data->triangles[triangles++];
-        (*this)(Triangle{mesh.data->points[a], mesh.data->points[b], mesh.data->points[c]}, kernel);
+        (*this)(triangle_of(mesh, triangles++), kernel);
+    }
+    void operator()(const Mesh& mesh, const SmoothTriangleKernel<T>& kernel) const {
+        (*this)(smooth_triangle_of(mesh, triangles++), kernel);
     }
     /// Kernels that proofs do not know.
     template <class Kind, class Kernel>

@@ -15,11 +15,13 @@ inline DVec3 cross(const DVec3& a, const DVec3& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// Triangles that share a corner and sides, by themselves or as a mesh.
+/// Triangles that share a corner and sides, by themselves or as a mesh, flat ones or smooth.
 inline std::vector<Shape> fan(Dice& dice, const DVec3& centre, double radius) {
     const int count = 1 + dice.upto(4);
     const bool flat = dice.chance(.2), closes = count > 2 && dice.chance(.5);
     const DVec3 x = dice.direction(), y = dice.direction();
+    const double bent = dice.chance(.4) ? dice.in(.1, 1) : 0;
+    const auto normal = [&] { return dice.in(.5, 2) * (unit(cross(x, y)) + bent * dice.direction()); };
     MeshData data;
     data.points.push_back(centre);
     for (int i = 0; i <= count; ++i) {
@@ -28,10 +30,19 @@ inline std::vector<Shape> fan(Dice& dice, const DVec3& centre, double radius) {
         data.points.push_back(centre + dice.in(.5, 1.5) * radius * (flat ? out : unit(out + .5 * dice.direction())));
     }
     for (int i = 1; i <= count; ++i) data.triangles.push_back({0, i, i == count && closes ? 1 : i + 1});
+    if (bent > 0) {
+        data.corner_normals = data.triangles;
+        for (std::size_t i = 0; i < data.points.size(); ++i) data.normals.push_back(normal());
+    }
     if (dice.chance(.5)) return {Mesh{std::make_shared<const MeshData>(data), ""}};
     std::vector<Shape> triangles;
-    for (const auto& [a, b, c] : data.triangles)
-        triangles.push_back(Triangle{data.points[a], data.points[b], data.points[c]});
+    const auto &p = data.points, &n = data.normals;
+    for (const auto& [a, b, c] : data.triangles) {
+        if (bent > 0)
+            triangles.push_back(SmoothTriangle{p[a], p[b], p[c], n[a], n[b], n[c]});
+        else
+            triangles.push_back(Triangle{p[a], p[b], p[c]});
+    }
     return triangles;
 }
 /// Scales what is around a place, or around 0, each axis by another factor.
@@ -87,6 +98,8 @@ inline std::vector<Shape> edge_bodies(Dice& dice, const DVec3& target, const DVe
         const DVec3 a = target + dice.in(.2, 2) * size * along;
         const DVec3 b = dice.chance(.3) ? target : target - dice.in(.2, 2) * size * along;
         const Triangle one{a, b, target + dice.in(.2, 2) * size * dice.direction()};
+        if (dice.chance(.2))
+            return {SmoothTriangle{one.a, one.b, one.c, dice.direction(), dice.direction(), dice.direction()}};
         if (dice.chance(.5)) return {one};
         return {one, Triangle{b, a, target + dice.in(.2, 2) * size * dice.direction()}};
     }

@@ -88,6 +88,30 @@ struct trial::Case<Triangle> {
     }
 };
 
+template <>
+struct trial::Case<SmoothTriangle> {
+    Case<Triangle> flat;
+    SmoothTriangle shape;
+    SmoothTriangleKernel<double> kernel;
+    Slack<double> slack;
+    /// Some have normals that all but cancel.
+    explicit Case(Dice& dice) : flat(dice), slack(flat.slack) {
+        const double bent = dice.chance(.1) ? 3 : dice.in(0, 1), off = any_size(dice, -7);
+        const auto make = [&](DVec3& exact, Vec3<double>& made) {
+            exact = rounded(flat.normal + R(bent) * Vector(dice.direction()));
+            made = rounded(unit(Vector(exact)) + R(off) * Vector(dice.direction()));
+            slack.turn = std::max(slack.turn, above(length(vector(made) - unit(Vector(exact)))));
+        };
+        shape.a = flat.shape.a, shape.b = flat.shape.b, shape.c = flat.shape.c, kernel.flat = flat.kernel;
+        make(shape.normal_a, kernel.normal_a), make(shape.normal_b, kernel.normal_b);
+        make(shape.normal_c, kernel.normal_c);
+    }
+    double scale() const { return flat.scale(); }
+    R off(const Vector& p, int face) const { return flat.off(p, face); }
+    std::pair<Vector, Vector> point(Dice& dice) const { return flat.point(dice); }
+};
+
 TEST_CASE("formulas of discs") { try_body<Disc>(11); }
 TEST_CASE("formulas of cuboids") { try_body<Cuboid>(12); }
 TEST_CASE("formulas of triangles") { try_body<Triangle>(13); }
+TEST_CASE("formulas of smooth triangles") { try_body<SmoothTriangle>(20); }

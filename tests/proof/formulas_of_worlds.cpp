@@ -82,6 +82,20 @@ struct Differences {
         share.take(off(kernel.b, way.place(shape.b)) / whole, slack.share);
         share.take(off(kernel.c, way.place(shape.c)) / whole, slack.share);
     }
+    /// Normals as vectors of which the longest is 1, on either side.
+    void compare(const SmoothTriangle& shape, const SmoothTriangleKernel<T>& kernel, const ExactWay& way,
+                 const Slack<T>& slack) {
+        compare(Triangle{shape.a, shape.b, shape.c}, kernel.flat, way, slack);
+        const Vec3<T>* const made[] = {&kernel.normal_a, &kernel.normal_b, &kernel.normal_c};
+        Vector exact[] = {shape.normal_a, shape.normal_b, shape.normal_c};
+        R longest = 0;
+        for (Vector& n : exact) {
+            n = unit(n), n = n.x * way.space.rows[0] + n.y * way.space.rows[1] + n.z * way.space.rows[2];
+            if (length(n) > longest) longest = length(n);
+        }
+        const R side = dot(exact[0], vector(*made[0])) < 0 ? -1 : 1;
+        for (int i : {0, 1, 2}) turn.take(off(*made[i], side / longest * exact[i]), slack.turn);
+    }
     void compare(const Cuboid& shape, const BoxKernel<T>& kernel, const ExactWay& way, const Slack<T>& slack) {
         const Vector low = shape.corner, high = shape.opposite, edges = high - low;
         const auto row = [&](R edge, const Vector& own) { return R(2) / size(edge) / way.scale * own; };
@@ -212,12 +226,15 @@ TEST_CASE("formulas of worlds") {
         const auto take = [&](const auto& shape) {
             differences.take(shape, steps, more, placement), in_extended.take(shape, steps, more, placement);
         };
-        const int which = dice.upto(6);
+        const int which = dice.upto(7);
         if (which == 0) take(Sphere{at, dice.in(.1, 3)});
         if (which == 1) take(Plane{at, at + dice.direction(), at + dice.direction()});
         if (which == 2) take(Cylinder{at, at + dice.arrow(.1, 3), dice.in(.1, 3)});
         if (which == 5) take(Triangle{at, at + dice.arrow(.1, 3), at + dice.arrow(.1, 3)});
         if (which == 6) take(Cone{at, dice.in(.1, 3), at + dice.arrow(.1, 3), dice.chance(.5) ? 0 : dice.in(0, 3)});
+        if (which == 7)
+            take(SmoothTriangle{at, at + dice.arrow(.1, 3), at + dice.arrow(.1, 3), dice.arrow(.1, 3),
+                                dice.arrow(.1, 3), dice.arrow(.1, 3)});
         if (which == 4) take(Cuboid{at, at + dice.arrow(.1, 3)});
         if (which == 3) take(Disc{at, dice.arrow(.1, 3), dice.in(.2, 3), dice.chance(.5) ? 0 : dice.in(.01, .19)});
     }
