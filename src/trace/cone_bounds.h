@@ -135,24 +135,27 @@ STRAHL_INLINE S off_surface(const ConeKernel<S>& cone, const Vec3<S>& p, const S
     const S size = cone.widest + cone.height;
     return own_error<S>(cone, slack) + fma(S(Element<S>(2.5f) * slack.turn + 7 * u), size, S(.51 * u) * norm1(p));
 }
+/// How far a point is from the axis.
+template <class S>
+STRAHL_INLINE S distance_from_axis(const ConeKernel<S>& cone, const Vec3<S>& p) {
+    const Vec3<S> f = p - cone.base, across = fma(-dot(f, cone.axis), cone.axis, f);
+    return sqrt(dot(across, across));
+}
 /// The side's curvature across its lines is that of a circle of radius |u| / c, which counts a twentieth more nearby.
 template <class S>
-STRAHL_INLINE PointBounds<S> point_bounds(const ConeKernel<S>& cone, const Ray<S>& ray, const Doubt<S>& doubt,
-                                          const S& t, const SurfacePoint<S>& point, const S& face,
-                                          const Slack<Element<S>>& slack) {
+STRAHL_INLINE Bend<S> bend_of(const ConeKernel<S>& cone, const Vec3<S>& p, const S& face, const S& off,
+                              const Slack<Element<S>>& slack) {
     constexpr auto u = unit_error<S>;
-    const Vec3<S> f = point.position - cone.base;
-    const S along = dot(f, cone.axis), off = off_surface(cone, point.position, slack);
-    const Vec3<S> across = fma(-along, cone.axis, f);
-    const S distance = sqrt(dot(across, across));
+    const S k = select(face == S(0), S(1.05) * cone.cosine / distance_from_axis(cone, p), S(0));
+    return {k, fma(S(2) * k, off, S(2 * slack.turn + 4 * u))};
+}
+template <class S>
+STRAHL_INLINE Mask<S> on_face(const ConeKernel<S>& cone, const Vec3<S>& p, const S& face, const S& edge) {
+    const S along = dot(p - cone.base, cone.axis), distance = distance_from_axis(cone, p);
+    const S beyond = cone.cosine * (distance - cone.radius) - cone.sine * along;
     const Mask<S> side = face == S(0);
-    const S k = select(side, S(1.05) * cone.cosine / distance, S(0));
-    PointBounds<S> known =
-        point_bounds(ray, doubt, t, point, off, k, fma(S(2) * k, off, S(2 * slack.turn + 4 * u)));
-    const S edge = known.away + off, beyond = cone.cosine * (distance - cone.radius) - cone.sine * along;
     const Mask<S> between = (along > edge) & (along + edge < cone.height) & (edge < S(.04) * distance);
-    known.sure = known.sure & ((side & between) | ((!side) & (beyond + edge < S(0))));
-    return known;
+    return (side & between) | ((!side) & (beyond + edge < S(0)));
 }
 
 }  // namespace strahl::inline STRAHL_LEVEL

@@ -17,10 +17,13 @@ ExtendedTransform::ExtendedTransform(std::span<const Transformation> steps, cons
     for (const Transformation& step : steps) std::visit([&](const auto& own) { add(own); }, step);
 }
 
-/// By less than an eighth of a turn and by quarters, which are exact.
+/// By less than an eighth of a turn and by quarters, which are exact. Else an angle, its sine and cosine have two
+/// roundings each and the sum three more, of two of a vector's components. Roundings of the matrix count once more
+/// where a point goes through it.
 void ExtendedTransform::turn_by(int from, int to, double degrees) {
     int quarters = 0;
     const Extended rest = std::remquo(Extended(degrees), Extended(90), &quarters) * degree;
+    if (rest != 0) roundings += 16;
     Extended sine = std::sin(rest), cosine = std::cos(rest);
     if (quarters & 1) std::swap(sine, cosine), cosine = -cosine;
     if (quarters & 2) sine = -sine, cosine = -cosine;
@@ -32,13 +35,10 @@ void ExtendedTransform::turn_by(int from, int to, double degrees) {
     });
 }
 
-// An angle, its sine and cosine have two roundings each and the sum three more; of a vector's components two take part,
-// three times. Roundings of the matrix count once more where a point goes through it.
 void ExtendedTransform::add(const Rotate& rotate) {
     turn_by(1, 2, rotate.degrees.x);
     turn_by(2, 0, rotate.degrees.y);
     turn_by(0, 1, rotate.degrees.z);
-    roundings += 48;
 }
 void ExtendedTransform::add(const Translate& translate) {
     moved = moved + extended(translate.by);
@@ -89,6 +89,24 @@ DiscKernel<Extended> extended_kernel(const Disc& disc, const ExtendedTransform& 
             to_world.length(disc.hole)};
 }
 
+InOwnSpace<SphereKernel<Extended>> in_own_space(const Sphere& sphere) {
+    return {sphere.centre, sphere.radius, {ExtendedVector(0), 1}};
+}
+InOwnSpace<CylinderKernel<Extended>> in_own_space(const Cylinder& cylinder) {
+    const ExtendedVector rise = extended(cylinder.cap) - extended(cylinder.base);
+    return {cylinder.base, cylinder.radius, {ExtendedVector(0), unit_of(rise), 1, length_of(rise) / cylinder.radius}};
+}
+InOwnSpace<ConeKernel<Extended>> in_own_space(const Cone& cone) {
+    const double unit = std::max(cone.base_radius, cone.cap_radius);
+    ConeKernel<Extended> kernel = extended_kernel(cone, ExtendedTransform({}, cone.base, 1));
+    kernel.radius /= unit, kernel.height /= unit, kernel.widest = 1;
+    return {cone.base, unit, kernel};
+}
+InOwnSpace<DiscKernel<Extended>> in_own_space(const Disc& disc) {
+    return {disc.centre, disc.radius,
+            {ExtendedVector(0), unit_of(extended(disc.normal)), 1, Extended(disc.hole) / disc.radius}};
+}
+
 std::array<ExtendedVector, 3> dual_of(const std::array<ExtendedVector, 3>& vectors) {
     const auto& [u, v, w] = vectors;
     const Extended scale = 1 / dot_of(u, cross_of(v, w));
@@ -115,10 +133,24 @@ BoxKernel<Extended> extended_kernel(const Cuboid& box, const ExtendedTransform& 
 TriangleKernel<Extended> extended_kernel(const Triangle& triangle, const ExtendedTransform& to_world) {
     return {to_world.point(triangle.a), to_world.point(triangle.b), to_world.point(triangle.c)};
 }
-TriangleKernel<Extended> extended_kernel(const Mesh& mesh, const ExtendedTransform& to_world, std::size_t i) {
+SmoothTriangleKernel<Extended> extended_kernel(const SmoothTriangle& triangle, const ExtendedTransform& to_world) {
+    std::array normals{extended(triangle.normal_a), extended(triangle.normal_b), extended(triangle.normal_c)};
+    Extended longest = 0;
+    for (ExtendedVector& n : normals) n = to_world.normal(unit_of(n)), longest = std::max(longest, length_of(n));
+    for (ExtendedVector& n : normals) n = 1 / longest * n;
+    return {extended_kernel(Triangle{triangle.a, triangle.b, triangle.c}, to_world), normals[0], normals[1],
+            normals[2]};
+}
+Triangle triangle_of(const Mesh& mesh, std::size_t i) {
     const auto [a, b, c] = mesh.data->triangles[i];
     const auto& points = mesh.data->points;
-    return extended_kernel(Triangle{points[a], points[b], points[c]}, to_world);
+    return {points[a], points[b], points[c]};
+}
+SmoothTriangle smooth_triangle_of(const Mesh& mesh, std::size_t i) {
+    const auto [a, b, c] = triangle_of(mesh, i);
+    const auto [k, l, m] = mesh.data->corner_normals[i];
+    const auto& normals = mesh.data->normals;
+    return {a, b, c, normals[k], normals[l], normals[m]};
 }
 
 Eye<Extended> extended_eye(const View& view, const Placement& placement) {

@@ -1,6 +1,5 @@
 // The numbers of bodies and of a camera in long double: what extended precision traces, and what slack.cpp takes for
-// exact. Of bodies that proofs know, under transformations that keep angles or, where their kernels take any, under
-// all.
+// exact. Of bodies that proofs know.
 #pragma once
 #include <array>
 #include <cmath>
@@ -43,6 +42,16 @@ class ExtendedTransform {
     ExtendedVector point(const DVec3& p) const { return point(extended(p)); }
     /// Under transformations that do not keep angles, the most that a length can become.
     Extended length(Extended own) const { return own * stretch * scale; }
+    /// Normals go by the inverse's transpose, but for its length and sign.
+    ExtendedVector normal(const ExtendedVector& n) const {
+        const auto& [x, y, z] = columns;
+        return n.x * cross_of(y, z) + n.y * cross_of(z, x) + n.z * cross_of(x, y);
+    }
+    /// By how much the rounding of one of length 1 is more than that of a direction.
+    Extended normal_size() const {
+        const Extended x = length_of(columns[0]), y = length_of(columns[1]), z = length_of(columns[2]);
+        return x * y + y * z + z * x;
+    }
     bool mirrors() const { return dot_of(columns[0], cross_of(columns[1], columns[2])) < 0; }
 
     /// Are all steps known? Motions are not.
@@ -84,10 +93,31 @@ TorusKernel<Extended> extended_kernel(const Torus& torus, const ExtendedTransfor
 DiscKernel<Extended> extended_kernel(const Disc& disc, const ExtendedTransform& to_world);
 BoxKernel<Extended> extended_kernel(const Cuboid& box, const ExtendedTransform& to_world);
 TriangleKernel<Extended> extended_kernel(const Triangle& triangle, const ExtendedTransform& to_world);
-/// Triangle number i, of flat ones.
-TriangleKernel<Extended> extended_kernel(const Mesh& mesh, const ExtendedTransform& to_world, std::size_t i);
+SmoothTriangleKernel<Extended> extended_kernel(const SmoothTriangle& triangle, const ExtendedTransform& to_world);
+/// Triangle number i of a mesh.
+Triangle triangle_of(const Mesh& mesh, std::size_t i);
+SmoothTriangle smooth_triangle_of(const Mesh& mesh, std::size_t i);
+/// What a shape is in the space of its own that affine() gives it, whose unit and centre are these in the primitive's.
+template <class K>
+struct InOwnSpace {
+    DVec3 centre;
+    double unit;
+    K kernel;
+};
+InOwnSpace<SphereKernel<Extended>> in_own_space(const Sphere& sphere);
+InOwnSpace<CylinderKernel<Extended>> in_own_space(const Cylinder& cylinder);
+InOwnSpace<ConeKernel<Extended>> in_own_space(const Cone& cone);
+InOwnSpace<DiscKernel<Extended>> in_own_space(const Disc& disc);
 /// To vectors u, v, w those whose products with them are 1 and with the others 0.
 std::array<ExtendedVector, 3> dual_of(const std::array<ExtendedVector, 3>& vectors);
+/// Of a shape under any transformation; the box is the one that double has.
+template <class Shape>
+auto extended_affine(const Shape& shape, const ExtendedTransform& to_world, const HitBox<Extended>& box) {
+    const auto [centre, unit, kernel] = in_own_space(shape);
+    const Extended u = unit;
+    const auto [x, y, z] = dual_of({to_world.way({u, 0, 0}), to_world.way({0, u, 0}), to_world.way({0, 0, u})});
+    return AffineKernel<std::remove_const_t<decltype(kernel)>, Extended>{to_world.point(centre), x, y, z, box, kernel};
+}
 
 /// Emits the numbers from above, if there are any for this shape under these transformations.
 template <class Shape, class Emit>
@@ -95,12 +125,21 @@ bool emit_extended(const Shape& shape, const WorldTransform& to_world, std::span
                    const Emit& emit) {
     constexpr bool is_mesh = std::is_same_v<Shape, Mesh>;
     constexpr bool takes_any = is_mesh || std::tuple_size_v<typename Shape::template Kernels<Extended>> == 1;
-    if (!to_world.similar() && !takes_any) return false;
     const ExtendedTransform own(steps, to_world.origin, to_world.scale);
     if (!own.known()) return false;
+    if constexpr (requires { in_own_space(shape); })
+        if (!to_world.similar()) {
+            shape.template emit<Extended>(to_world, [&](const auto& kernel) {
+                if constexpr (requires { kernel.shape; }) emit(extended_affine(shape, own, kernel.box));
+            });
+            return true;
+        }
+    if (!to_world.similar() && !takes_any) return false;
     if constexpr (is_mesh) {
-        if (!shape.data->corner_normals.empty()) return false;
-        for (std::size_t i = 0; i < shape.data->triangles.size(); ++i) emit(extended_kernel(shape, own, i));
+        const bool smooth = !shape.data->corner_normals.empty();
+        for (std::size_t i = 0; i < shape.data->triangles.size(); ++i)
+            smooth ? emit(extended_kernel(smooth_triangle_of(shape, i), own))
+                   : emit(extended_kernel(triangle_of(shape, i), own));
         return true;
     } else if constexpr (requires { extended_kernel(shape, own); }) {
         emit(extended_kernel(shape, own));

@@ -38,15 +38,15 @@ STRAHL_INLINE S off_surface(const DiscKernel<S>& disc, const Vec3<S>& p, const S
            fma(S(slack.turn + Element<S>(2.5) * u), disc.radius, S(.51 * u) * norm1(p));
 }
 template <class S>
-STRAHL_INLINE PointBounds<S> point_bounds(const DiscKernel<S>& disc, const Ray<S>& ray, const Doubt<S>& doubt,
-                                          const S& t, const SurfacePoint<S>& point, const S&,
-                                          const Slack<Element<S>>& slack) {
-    const S off = off_surface(disc, point.position, slack);
-    PointBounds<S> known = point_bounds(ray, doubt, t, point, off, S(0), S(slack.turn));
-    const Vec3<S> f = point.position - disc.centre;
-    const S out = sqrt(dot(f, f)), edge = known.away + off;
-    known.sure = known.sure & (out + edge < disc.radius) & ((disc.hole == S(0)) | (out - edge > disc.hole));
-    return known;
+STRAHL_INLINE Bend<S> bend_of(const DiscKernel<S>&, const Vec3<S>&, const S&, const S&,
+                              const Slack<Element<S>>& slack) {
+    return {S(0), S(slack.turn)};
+}
+template <class S>
+STRAHL_INLINE Mask<S> on_face(const DiscKernel<S>& disc, const Vec3<S>& p, const S&, const S& edge) {
+    const Vec3<S> f = p - disc.centre;
+    const S out = sqrt(dot(f, f));
+    return (out + edge < disc.radius) & ((disc.hole == S(0)) | (out - edge > disc.hole));
 }
 
 /// By how much a box's centre and its corners are off.

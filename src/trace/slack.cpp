@@ -39,23 +39,10 @@ struct Comparison {
                                to_world.rounding() * condition * (sum_of(p) + std::abs(Extended(kernel.distance))));
     }
     void operator()(const Cylinder& cylinder, const CylinderKernel<T>& kernel) const {
-        const CylinderKernel<Extended> own = extended_kernel(cylinder, to_world);
-        const Extended off = apart(kernel.base, own.base) + to_world.rounding(cylinder.base) +
-                             std::abs(kernel.radius - own.radius) + std::abs(kernel.height - own.height) +
-                             to_world.rounding() * (kernel.radius + kernel.height);
-        raise(slack.share, off / (sum_of(extended(kernel.base)) + kernel.radius + kernel.height));
-        raise(slack.turn, length_of(extended(kernel.axis) - own.axis) + to_world.rounding());
+        compare(kernel, extended_kernel(cylinder, to_world), to_world.rounding(cylinder.base), to_world.rounding());
     }
     void operator()(const Cone& cone, const ConeKernel<T>& kernel) const {
-        const ConeKernel<Extended> own = extended_kernel(cone, to_world);
-        const Extended size = kernel.widest + Extended(kernel.height);
-        const Extended off = apart(kernel.base, own.base) + to_world.rounding(cone.base) +
-                             std::abs(kernel.radius - own.radius) + std::abs(kernel.height - own.height) +
-                             2 * to_world.rounding() * size;
-        const ExtendedVector angle{kernel.cosine - own.cosine, kernel.sine - own.sine, 0};
-        raise(slack.share, off / (sum_of(extended(kernel.base)) + size));
-        raise(slack.turn,
-              std::max(length_of(extended(kernel.axis) - own.axis), length_of(angle)) + to_world.rounding());
+        compare(kernel, extended_kernel(cone, to_world), to_world.rounding(cone.base), to_world.rounding());
     }
     void operator()(const Torus& torus, const TorusKernel<T>& kernel) const {
         const TorusKernel<Extended> own = extended_kernel(torus, to_world);
@@ -67,12 +54,57 @@ struct Comparison {
         raise(slack.turn, length_of(extended(kernel.axis) - own.axis) + to_world.rounding());
     }
     void operator()(const Disc& disc, const DiscKernel<T>& kernel) const {
-        const DiscKernel<Extended> own = extended_kernel(disc, to_world);
-        const Extended off = apart(kernel.centre, own.centre) + to_world.rounding(disc.centre) +
-                             std::abs(kernel.radius - own.radius) + std::abs(kernel.hole - own.hole) +
-                             to_world.rounding() * (kernel.radius + kernel.hole);
-        raise(slack.share, off / (sum_of(extended(kernel.centre)) + kernel.radius));
-        raise(slack.turn, length_of(extended(kernel.normal) - own.normal) + to_world.rounding());
+        compare(kernel, extended_kernel(disc, to_world), to_world.rounding(disc.centre), to_world.rounding());
+    }
+    /// What long double rounds itself is `place` for places and, as a share, `rounding` for lengths and directions.
+    void compare(const CylinderKernel<T>& kernel, const CylinderKernel<Extended>& own, Extended place,
+                 Extended rounding) const {
+        const Extended off = apart(kernel.base, own.base) + place + std::abs(kernel.radius - own.radius) +
+                             std::abs(kernel.height - own.height) + rounding * (kernel.radius + kernel.height);
+        raise(slack.share, off / (sum_of(extended(kernel.base)) + kernel.radius + kernel.height));
+        raise(slack.turn, length_of(extended(kernel.axis) - own.axis) + rounding);
+    }
+    void compare(const ConeKernel<T>& kernel, const ConeKernel<Extended>& own, Extended place,
+                 Extended rounding) const {
+        const Extended size = kernel.widest + Extended(kernel.height);
+        const Extended off = apart(kernel.base, own.base) + place + std::abs(kernel.radius - own.radius) +
+                             std::abs(kernel.height - own.height) + 2 * rounding * size;
+        const ExtendedVector angle{kernel.cosine - own.cosine, kernel.sine - own.sine, 0};
+        raise(slack.share, off / (sum_of(extended(kernel.base)) + size));
+        raise(slack.turn, std::max(length_of(extended(kernel.axis) - own.axis), length_of(angle)) + rounding);
+    }
+    void compare(const DiscKernel<T>& kernel, const DiscKernel<Extended>& own, Extended place,
+                 Extended rounding) const {
+        const Extended off = apart(kernel.centre, own.centre) + place + std::abs(kernel.radius - own.radius) +
+                             std::abs(kernel.hole - own.hole) + rounding * (kernel.radius + kernel.hole);
+        const Extended whole = sum_of(extended(kernel.centre)) + kernel.radius;
+        raise(slack.share, off / whole);
+        raise(slack.turn, length_of(extended(kernel.normal) - own.normal) + rounding);
+    }
+    /// In its own space a ball is exact.
+    void compare(const SphereKernel<T>&, const SphereKernel<Extended>&, Extended, Extended) const {}
+    /// Of exact rows R (1 + E) the size of E; columns are those of the inverse of R. Long double's own columns are off
+    /// by `rounding` as a share of each, its rows by a few units of the products of three of their lengths as well.
+    template <class Shape, class K>
+        requires requires(const Shape& shape) { in_own_space(shape); }
+    void operator()(const Shape& shape, const AffineKernel<K, T>& kernel) const {
+        constexpr Extended few = 16 * ExtendedTransform::unit;
+        const auto own = extended_affine(shape, to_world, {});
+        const Extended off = apart(kernel.centre, own.centre) + to_world.rounding(in_own_space(shape).centre);
+        raise(slack.share, off / (sum_of(extended(kernel.centre)) + sum_of(extended(kernel.box.half))));
+        const std::array made{extended(kernel.row_x), extended(kernel.row_y), extended(kernel.row_z)};
+        const std::array rows{own.row_x, own.row_y, own.row_z}, columns = dual_of(made);
+        Extended condition = 0, narrow = std::abs(dot_of(made[0], cross_of(made[1], made[2])));
+        ExtendedVector wrong[3]{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};  // rows of E
+        for (int i = 0; i < 3; ++i) {
+            condition += length_of(columns[i]) * length_of(made[i]);
+            narrow *= length_of(columns[i]);
+            for (int j = 0; j < 3; ++j) wrong[j] = wrong[j] + columns[i][j] * (rows[i] - made[i]);
+        }
+        const Extended size =
+            std::sqrt(dot_of(wrong[0], wrong[0]) + dot_of(wrong[1], wrong[1]) + dot_of(wrong[2], wrong[2]));
+        raise(slack.turn, size + to_world.rounding() * condition + few * narrow);
+        compare(kernel.shape, own.shape, 0, few);
     }
     /// Places are those of the corners, directions the rows as shares of their lengths.
     void operator()(const Cuboid& box, const BoxKernel<T>& kernel) const {
@@ -100,9 +132,23 @@ struct Comparison {
         raise(slack.share,
               off / (sum_of(extended(kernel.a)) + sum_of(extended(kernel.b)) + sum_of(extended(kernel.c))));
     }
+    /// Normals are compared as vectors of which the longest is 1.
+    void operator()(const SmoothTriangle& triangle, const SmoothTriangleKernel<T>& kernel) const {
+        const SmoothTriangleKernel<Extended> own = extended_kernel(triangle, to_world);
+        (*this)(Triangle{triangle.a, triangle.b, triangle.c}, kernel.flat);
+        Extended longest = 0;
+        for (const DVec3& n : {triangle.normal_a, triangle.normal_b, triangle.normal_c})
+            longest = std::max(longest, length_of(to_world.normal(unit_of(extended(n)))));
+        const Extended rounding = 6 * to_world.rounding() * to_world.normal_size() / longest;
+        const auto off = [](const Vec3<T>& a, const ExtendedVector& b) { return length_of(extended(a) - b); };
+        raise(slack.turn, rounding + std::max({off(kernel.normal_a, own.normal_a), off(kernel.normal_b, own.normal_b),
+                                               off(kernel.normal_c, own.normal_c)}));
+    }
     void operator()(const Mesh& mesh, const TriangleKernel<T>& kernel) const {
-        const auto [a, b, c] = mesh.data->triangles[triangles++];
-        (*this)(Triangle{mesh.data->points[a], mesh.data->points[b], mesh.data->points[c]}, kernel);
+        (*this)(triangle_of(mesh, triangles++), kernel);
+    }
+    void operator()(const Mesh& mesh, const SmoothTriangleKernel<T>& kernel) const {
+        (*this)(smooth_triangle_of(mesh, triangles++), kernel);
     }
     /// Kernels that proofs do not know.
     template <class Kind, class Kernel>

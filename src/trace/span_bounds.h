@@ -194,35 +194,61 @@ STRAHL_INLINE S off_surface(const CylinderKernel<S>& cylinder, const Vec3<S>& p,
     return own + fma(S(slack.turn), cylinder.height, S(unit_error<S>) * rounding);
 }
 
+/// Of a face near a point that was found on it: its curvature, and by how much the normal there differs from that of
+/// the exact surface.
+template <class S>
+struct Bend {
+    S curvature, turned;
+};
 /// The exact normal at x is (x - c) / r, that is n, (x - p) / r and by what n is too long. Slack counts in both.
 template <class S>
-STRAHL_INLINE PointBounds<S> point_bounds(const SphereKernel<S>& ball, const Ray<S>& ray, const Doubt<S>& doubt,
-                                          const S& t, const SurfacePoint<S>& point, const S&,
-                                          const Slack<Element<S>>& slack) {
-    const S k = S(1) / ball.radius, off = off_surface(ball, point.position, slack);
-    return point_bounds(ray, doubt, t, point, off, k, k * off);
+STRAHL_INLINE Bend<S> bend_of(const SphereKernel<S>& ball, const Vec3<S>&, const S&, const S& off,
+                              const Slack<Element<S>>&) {
+    const S k = S(1) / ball.radius;
+    return {k, k * off};
 }
 template <class S>
-STRAHL_INLINE PointBounds<S> point_bounds(const PlaneKernel<S>& plane, const Ray<S>& ray, const Doubt<S>& doubt,
-                                          const S& t, const SurfacePoint<S>& point, const S&,
-                                          const Slack<Element<S>>& slack) {
-    const S off = off_surface(plane, point.position, slack);
-    return point_bounds(ray, doubt, t, point, off, S(0), S(slack.turn));
+STRAHL_INLINE Bend<S> bend_of(const PlaneKernel<S>&, const Vec3<S>&, const S&, const S&,
+                              const Slack<Element<S>>& slack) {
+    return {S(0), S(slack.turn)};
 }
 template <class S>
-STRAHL_INLINE PointBounds<S> point_bounds(const CylinderKernel<S>& cylinder, const Ray<S>& ray, const Doubt<S>& doubt,
-                                          const S& t, const SurfacePoint<S>& point, const S& face,
-                                          const Slack<Element<S>>& slack) {
-    const S off = off_surface(cylinder, point.position, slack);
-    const Mask<S> side = face == S(0);
-    const S k = select(side, S(1) / cylinder.radius, S(0));
-    PointBounds<S> known = point_bounds(ray, doubt, t, point, off, k, fma(S(2) * k, off, S(slack.turn)));
-    const Vec3<S> f = point.position - cylinder.base;
-    const S along = dot(f, cylinder.axis), edge = known.away + off;
+STRAHL_INLINE Bend<S> bend_of(const CylinderKernel<S>& cylinder, const Vec3<S>&, const S& face, const S& off,
+                              const Slack<Element<S>>& slack) {
+    const S k = select(face == S(0), S(1) / cylinder.radius, S(0));
+    return {k, fma(S(2) * k, off, S(slack.turn))};
+}
+
+/// Is the face certainly all there is of the surface within `edge` of a point of it?
+template <class S>
+STRAHL_INLINE Mask<S> on_face(const SphereKernel<S>&, const Vec3<S>&, const S&, const S&) {
+    return first_lanes<S>(width<S>);
+}
+template <class S>
+STRAHL_INLINE Mask<S> on_face(const PlaneKernel<S>&, const Vec3<S>&, const S&, const S&) {
+    return first_lanes<S>(width<S>);
+}
+template <class S>
+STRAHL_INLINE Mask<S> on_face(const CylinderKernel<S>& cylinder, const Vec3<S>& p, const S& face, const S& edge) {
+    const Vec3<S> f = p - cylinder.base;
+    const S along = dot(f, cylinder.axis);
     const Vec3<S> across = fma(-along, cylinder.axis, f);
-    const Mask<S> inside = sqrt(dot(across, across)) + edge < cylinder.radius;
+    const Mask<S> side = face == S(0), inside = sqrt(dot(across, across)) + edge < cylinder.radius;
     const Mask<S> between = (along > edge) & (along + edge < cylinder.height);
-    known.sure = known.sure & ((side & between) | ((!side) & inside));
+    return (side & between) | ((!side) & inside);
+}
+
+/// Of a point that was put onto a body's surface.
+template <class S, class K>
+STRAHL_INLINE PointBounds<S> point_bounds(const K& body, const Ray<S>& ray, const Doubt<S>& doubt, const S& t,
+                                          const SurfacePoint<S>& point, const S& face, const Slack<Element<S>>& slack)
+    requires requires { bend_of(body, point.position, face, face, slack); }
+{
+    const S off = off_surface(body, point.position, slack);
+    const Bend<S> bend = bend_of(body, point.position, face, off, slack);
+    PointBounds<S> known = point_bounds(ray, doubt, t, point, off, bend.curvature, bend.turned);
+    const S edge = known.away + off;
+    known.sure = known.sure & on_face(body, point.position, face, edge);
     return known;
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 #include <cmath>
 #include <memory>
-#include <variant>
+#include <numbers>
 #include <vector>
 
 #include "scene/scene.h"
@@ -15,11 +15,13 @@ inline DVec3 cross(const DVec3& a, const DVec3& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// Triangles that share a corner and sides, by themselves or as a mesh.
+/// Triangles that share a corner and sides, by themselves or as a mesh, flat ones or smooth.
 inline std::vector<Shape> fan(Dice& dice, const DVec3& centre, double radius) {
     const int count = 1 + dice.upto(4);
     const bool flat = dice.chance(.2), closes = count > 2 && dice.chance(.5);
     const DVec3 x = dice.direction(), y = dice.direction();
+    const double bent = dice.chance(.4) ? dice.in(.1, 1) : 0;
+    const auto normal = [&] { return dice.in(.5, 2) * (unit(cross(x, y)) + bent * dice.direction()); };
     MeshData data;
     data.points.push_back(centre);
     for (int i = 0; i <= count; ++i) {
@@ -28,16 +30,31 @@ inline std::vector<Shape> fan(Dice& dice, const DVec3& centre, double radius) {
         data.points.push_back(centre + dice.in(.5, 1.5) * radius * (flat ? out : unit(out + .5 * dice.direction())));
     }
     for (int i = 1; i <= count; ++i) data.triangles.push_back({0, i, i == count && closes ? 1 : i + 1});
+    if (bent > 0) {
+        data.corner_normals = data.triangles;
+        for (std::size_t i = 0; i < data.points.size(); ++i) data.normals.push_back(normal());
+    }
     if (dice.chance(.5)) return {Mesh{std::make_shared<const MeshData>(data), ""}};
     std::vector<Shape> triangles;
-    for (const auto& [a, b, c] : data.triangles)
-        triangles.push_back(Triangle{data.points[a], data.points[b], data.points[c]});
+    const auto &p = data.points, &n = data.normals;
+    for (const auto& [a, b, c] : data.triangles) {
+        if (bent > 0)
+            triangles.push_back(SmoothTriangle{p[a], p[b], p[c], n[a], n[b], n[c]});
+        else
+            triangles.push_back(Triangle{p[a], p[b], p[c]});
+    }
     return triangles;
 }
-/// May it be scaled unevenly?
-inline bool takes_any_transformation(const Shape& shape) {
-    return std::holds_alternative<Cuboid>(shape) || std::holds_alternative<Triangle>(shape) ||
-           std::holds_alternative<Mesh>(shape);
+/// Scales what is around a place, or around 0, each axis by another factor.
+inline std::vector<Transformation> uneven_steps(Dice& dice, const DVec3& around) {
+    const Scale scale{dice.vector(.5, 2)};
+    if (dice.chance(.3)) return {scale};
+    std::vector<Transformation> steps{Translate{DVec3(0) - around}};
+    if (dice.chance(.5)) steps.push_back(Rotate{dice.vector(-200, 200)});
+    steps.push_back(scale);
+    if (dice.chance(.5)) steps.push_back(Rotate{dice.vector(-200, 200)});
+    steps.push_back(Translate{around});
+    return steps;
 }
 
 /// A part of a composite: near its middle, through it, or half of space.
@@ -131,6 +148,8 @@ inline std::vector<Shape> edge_bodies(Dice& dice, const DVec3& target, const DVe
         const DVec3 a = target + dice.in(.2, 2) * size * along;
         const DVec3 b = dice.chance(.3) ? target : target - dice.in(.2, 2) * size * along;
         const Triangle one{a, b, target + dice.in(.2, 2) * size * dice.direction()};
+        if (dice.chance(.2))
+            return {SmoothTriangle{one.a, one.b, one.c, dice.direction(), dice.direction(), dice.direction()}};
         if (dice.chance(.5)) return {one};
         return {one, Triangle{b, a, target + dice.in(.2, 2) * size * dice.direction()}};
     }
@@ -149,6 +168,37 @@ inline std::vector<Shape> edge_bodies(Dice& dice, const DVec3& target, const DVe
     const DVec3 out = edge_on ? way : unit(cross(normal, dice.direction()));
     const double hole = dice.chance(.5) ? 0 : dice.in(.1, .9) * size;
     return {Disc{target - (hole > 0 && dice.chance(.5) ? hole : size) * out, normal, size, hole}};
+}
+
+/// A body and the transformations that it is under.
+struct Transformed {
+    Shape shape;
+    std::vector<Transformation> steps;
+};
+/// The same, scaled unevenly and turned, balls and rods as well: what meets an edge does so however space is stretched.
+inline std::vector<Transformed> uneven_edge_bodies(Dice& dice, const DVec3& target, const DVec3& way, double size) {
+    const Scale scale{dice.vector(.4, 2.5)};
+    const Rotate rotate{{0, 0, dice.chance(.5) ? 0 : dice.in(-180, 180)}};
+    const double angle = rotate.degrees.z * (std::numbers::pi / 180), c = std::cos(angle), s = std::sin(angle);
+    const auto back = [&](const DVec3& v) { return DVec3{c * v.x + s * v.y, c * v.y - s * v.x, v.z} / scale.by; };
+    const DVec3 own_target = back(target), own_way = unit(back(way));
+    const DVec3 across = unit(cross(own_way, dice.direction())), along = unit(cross(across, dice.direction()));
+    const double kind = dice.in(0, 1);
+    std::vector<Shape> shapes;
+    if (kind < .25) {
+        shapes = {Sphere{own_target + size * across, size}};
+    } else if (kind < .4) {
+        const DVec3 centre = own_target + size * across;
+        shapes = {Cylinder{centre - 3 * size * along, centre + 3 * size * along, size}};
+    } else if (kind < .5) {  // its rim
+        const DVec3 cap = own_target - size * across;
+        shapes = {Cylinder{cap - 3 * size * along, cap, size}};
+    } else {
+        shapes = edge_bodies(dice, own_target, own_way, size);
+    }
+    std::vector<Transformed> bodies;
+    for (const Shape& shape : shapes) bodies.push_back({shape, {scale, rotate}});
+    return bodies;
 }
 
 }  // namespace strahl::proof

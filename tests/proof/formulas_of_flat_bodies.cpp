@@ -1,41 +1,9 @@
 // Each formula of flat bodies on its own, as formulas_of_bodies.cpp has those of round ones.
-#include "tests/proof/spans.h"
+#include "tests/proof/cases.h"
 
 using namespace strahl;
 using namespace strahl::trial;
 
-template <>
-struct trial::Case<Disc> {
-    Disc shape;
-    DiscKernel<double> kernel;
-    Slack<double> slack;
-    Vector normal;
-    explicit Case(Dice& dice) {
-        shape.centre = dice.vector(-3, 3), shape.normal = dice.arrow(.1, 3);
-        shape.radius = std::pow(10, dice.in(-1.5, .5));
-        shape.hole = dice.chance(.5) ? 0 : shape.radius * dice.in(.01, .99);
-        normal = unit(Vector(shape.normal));
-        const double off = any_size(dice, -7);
-        kernel.normal = rounded(unit(normal + R(off) * perpendicular(dice, normal)));
-        kernel.centre = rounded(Vector(shape.centre) + R(off) * Vector(dice.direction()));
-        kernel.radius = shape.radius * (1 + off), kernel.hole = shape.hole * (1 - off);
-        slack.turn = above(length(vector(kernel.normal) - normal));
-        const R wrong = length(vector(kernel.centre) - Vector(shape.centre)) +
-                        size(R(kernel.radius) - R(shape.radius)) + size(R(kernel.hole) - R(shape.hole));
-        slack.share = 1.0000001 * above(wrong / (R(norm1(kernel.centre)) + R(kernel.radius)));
-    }
-    double scale() const { return shape.radius; }
-    R off(const Vector& p, int) const { return size(dot(normal, p - Vector(shape.centre))); }
-    /// Two thirds of them near a rim, on either side of it.
-    std::pair<Vector, Vector> point(Dice& dice) const {
-        const int which = dice.upto(2);
-        const R near = std::pow(10, dice.in(-15, -1)) * (dice.chance(.7) ? 1 : -1);
-        const R out = which == 0   ? R(shape.radius) * (1 - near)
-                      : which == 1 ? R(shape.hole) * (1 + near)
-                                   : R(dice.in(shape.hole, shape.radius));
-        return {Vector(shape.centre) + out * perpendicular(dice, normal), normal};
-    }
-};
 template <>
 struct trial::Case<Cuboid> {
     Cuboid shape;
@@ -120,6 +88,30 @@ struct trial::Case<Triangle> {
     }
 };
 
+template <>
+struct trial::Case<SmoothTriangle> {
+    Case<Triangle> flat;
+    SmoothTriangle shape;
+    SmoothTriangleKernel<double> kernel;
+    Slack<double> slack;
+    /// Some have normals that all but cancel.
+    explicit Case(Dice& dice) : flat(dice), slack(flat.slack) {
+        const double bent = dice.chance(.1) ? 3 : dice.in(0, 1), off = any_size(dice, -7);
+        const auto make = [&](DVec3& exact, Vec3<double>& made) {
+            exact = rounded(flat.normal + R(bent) * Vector(dice.direction()));
+            made = rounded(unit(Vector(exact)) + R(off) * Vector(dice.direction()));
+            slack.turn = std::max(slack.turn, above(length(vector(made) - unit(Vector(exact)))));
+        };
+        shape.a = flat.shape.a, shape.b = flat.shape.b, shape.c = flat.shape.c, kernel.flat = flat.kernel;
+        make(shape.normal_a, kernel.normal_a), make(shape.normal_b, kernel.normal_b);
+        make(shape.normal_c, kernel.normal_c);
+    }
+    double scale() const { return flat.scale(); }
+    R off(const Vector& p, int face) const { return flat.off(p, face); }
+    std::pair<Vector, Vector> point(Dice& dice) const { return flat.point(dice); }
+};
+
 TEST_CASE("formulas of discs") { try_body<Disc>(11); }
 TEST_CASE("formulas of cuboids") { try_body<Cuboid>(12); }
 TEST_CASE("formulas of triangles") { try_body<Triangle>(13); }
+TEST_CASE("formulas of smooth triangles") { try_body<SmoothTriangle>(20); }

@@ -89,6 +89,20 @@ struct Differences {
         share.take(off(kernel.b, way.place(shape.b)) / whole, slack.share);
         share.take(off(kernel.c, way.place(shape.c)) / whole, slack.share);
     }
+    /// Normals as vectors of which the longest is 1, on either side.
+    void compare(const SmoothTriangle& shape, const SmoothTriangleKernel<T>& kernel, const ExactWay& way,
+                 const Slack<T>& slack) {
+        compare(Triangle{shape.a, shape.b, shape.c}, kernel.flat, way, slack);
+        const Vec3<T>* const made[] = {&kernel.normal_a, &kernel.normal_b, &kernel.normal_c};
+        Vector exact[] = {shape.normal_a, shape.normal_b, shape.normal_c};
+        R longest = 0;
+        for (Vector& n : exact) {
+            n = unit(n), n = n.x * way.space.rows[0] + n.y * way.space.rows[1] + n.z * way.space.rows[2];
+            if (length(n) > longest) longest = length(n);
+        }
+        const R side = dot(exact[0], vector(*made[0])) < 0 ? -1 : 1;
+        for (int i : {0, 1, 2}) turn.take(off(*made[i], side / longest * exact[i]), slack.turn);
+    }
     void compare(const Cuboid& shape, const BoxKernel<T>& kernel, const ExactWay& way, const Slack<T>& slack) {
         const Vector low = shape.corner, high = shape.opposite, edges = high - low;
         const auto row = [&](R edge, const Vector& own) { return R(2) / size(edge) / way.scale * own; };
@@ -109,13 +123,68 @@ struct Differences {
         }
         for (int i : {0, 1, 2}) turn.take(length(made[i] - rows[i]) / length(made[i]), slack.turn);
     }
+    /// Where the space of its own stands in which a body is round, its rows, and the body there.
+    template <class Shape, class K>
+    void compare(const Shape& shape, const AffineKernel<K, T>& kernel, const ExactWay& way, const Slack<T>& slack) {
+        const auto centre = [&] {
+            if constexpr (requires { shape.centre; })
+                return Vector(shape.centre);
+            else
+                return Vector(shape.base);
+        };
+        const auto radius = [&]() -> R {
+            if constexpr (requires { shape.radius; })
+                return shape.radius;
+            else
+                return std::max(shape.base_radius, shape.cap_radius);
+        };
+        share.take(off(kernel.centre, way.place(centre())) / (norm1(kernel.centre) + norm1(kernel.box.half)),
+                   slack.share);
+        const Vector made[] = {vector(kernel.row_x), vector(kernel.row_y), vector(kernel.row_z)};
+        const R volume = dot(made[0], cross(made[1], made[2]));
+        R square = 0;  // of what exact rows are these times, less 1
+        for (int k : {0, 1, 2}) {
+            Vector wrong;
+            for (int i : {0, 1, 2}) {
+                const Vector column = 1 / volume * cross(made[(i + 1) % 3], made[(i + 2) % 3]);
+                const Vector row = 1 / (radius() * way.scale) * way.space.rows[i];
+                wrong = wrong + (k == 0 ? column.x : k == 1 ? column.y : column.z) * (row - made[i]);
+            }
+            square = square + dot(wrong, wrong);
+        }
+        turn.take(root(square), slack.turn);
+        compare_own(shape, kernel.shape, slack);
+    }
+    void compare_own(const Sphere&, const SphereKernel<T>& own, const Slack<T>&) {
+        share.demand(norm1(own.centre) == 0 && own.radius == 1);
+    }
+    void compare_own(const Cylinder& shape, const CylinderKernel<T>& own, const Slack<T>& slack) {
+        const Vector rise = Vector(shape.cap) - Vector(shape.base);
+        const R wrong = norm1(own.base) + size(own.radius - R(1)) + size(own.height - length(rise) / shape.radius);
+        share.take(wrong / (own.radius + own.height), slack.share);
+        turn.take(off(own.axis, unit(rise)), slack.turn);
+    }
+    void compare_own(const Cone& shape, const ConeKernel<T>& own, const Slack<T>& slack) {
+        const referee::ConeShape<R> exact(shape);
+        const R cosine = 1 / root(1 + exact.slope * exact.slope), sine = exact.slope * cosine;
+        const R radius = std::max(shape.base_radius, shape.cap_radius);
+        const R wrong = norm1(own.base) + size(own.radius - exact.radius / radius) +
+                        size(own.height - exact.height / radius) + size(own.widest - R(1));
+        share.take(wrong / (own.widest + own.height), slack.share);
+        turn.take(off(own.axis, exact.axis), slack.turn);
+        turn.take(length(Vector{own.cosine - cosine, own.sine - sine, 0}), slack.turn);
+    }
+    void compare_own(const Disc& shape, const DiscKernel<T>& own, const Slack<T>& slack) {
+        const R wrong = norm1(own.centre) + size(own.radius - R(1)) + size(own.hole - R(shape.hole) / shape.radius);
+        share.take(wrong / own.radius, slack.share);
+        turn.take(off(own.normal, unit(Vector(shape.normal))), slack.turn);
+    }
 
-    /// Of a shape under these transformations; the uneven ones only if it takes any.
+    /// Of a shape under these transformations, some of them uneven.
     template <class Shape>
     void take(const Shape& shape, std::vector<Transformation> steps, const std::vector<Transformation>& uneven,
               const Placement& placement) {
-        if (std::tuple_size_v<typename Shape::template Kernels<T>> == 1)
-            steps.insert(steps.end(), uneven.begin(), uneven.end());
+        steps.insert(steps.end(), uneven.begin(), uneven.end());
         Scene scene;
         scene.primitives.push_back({shape, 0, steps});
         const Slack<T> slack = slack_of<T>(scene, placement);
@@ -164,13 +233,16 @@ TEST_CASE("formulas of worlds") {
         const auto take = [&](const auto& shape) {
             differences.take(shape, steps, more, placement), in_extended.take(shape, steps, more, placement);
         };
-        const int which = dice.upto(7);
-        if (which == 7) take(Torus{at, dice.arrow(.1, 3), dice.in(.5, 3), dice.in(.1, 3)});
+        const int which = dice.upto(8);
+        if (which == 8) take(Torus{at, dice.arrow(.1, 3), dice.in(.5, 3), dice.in(.1, 3)});
         if (which == 0) take(Sphere{at, dice.in(.1, 3)});
         if (which == 1) take(Plane{at, at + dice.direction(), at + dice.direction()});
         if (which == 2) take(Cylinder{at, at + dice.arrow(.1, 3), dice.in(.1, 3)});
         if (which == 5) take(Triangle{at, at + dice.arrow(.1, 3), at + dice.arrow(.1, 3)});
         if (which == 6) take(Cone{at, dice.in(.1, 3), at + dice.arrow(.1, 3), dice.chance(.5) ? 0 : dice.in(0, 3)});
+        if (which == 7)
+            take(SmoothTriangle{at, at + dice.arrow(.1, 3), at + dice.arrow(.1, 3), dice.arrow(.1, 3),
+                                dice.arrow(.1, 3), dice.arrow(.1, 3)});
         if (which == 4) take(Cuboid{at, at + dice.arrow(.1, 3)});
         if (which == 3) take(Disc{at, dice.arrow(.1, 3), dice.in(.2, 3), dice.chance(.5) ? 0 : dice.in(.01, .19)});
     }

@@ -1,5 +1,7 @@
 // Trials of what span_bounds() and point_bounds() say of a kind of body: rays near its edges and along its surface.
 #pragma once
+#include <string_view>
+
 #include "tests/proof/trial.h"
 
 namespace strahl::trial {
@@ -34,8 +36,13 @@ struct Spans {
         const SurfacePoint<double> point = body.kernel.at(off.ray, t, face);
         const PointBounds<double> known = point_bounds(body.kernel, off.ray, off.doubt, t, point, face, body.slack);
         if (!known.sure) return;
-        surface.take(body.off(vector(point.position), static_cast<int>(face)),
-                     off_surface(body.kernel, point.position, body.slack));
+        const auto off_its_surface = [&] {
+            if constexpr (requires { off_surface(body.kernel, point.position, body.slack); })
+                return off_surface(body.kernel, point.position, body.slack);
+            else
+                return off_surface(body.kernel, point.position, face, body.slack);
+        };
+        surface.take(body.off(vector(point.position), static_cast<int>(face)), off_its_surface());
         const referee::Crossing<R>* met = nullptr;
         const auto list = crossings(body.shape, off.line, -1).list;
         for (const auto& crossing : list)
@@ -50,7 +57,8 @@ struct Spans {
         side.take(length(cross(apart, off.line.direction)), known.side);
         height.take(size(dot(apart, unit(met->normal))), known.height);
         Vector towards = any_of(dice, vector(point.normal)) + R(.9) * Vector(dice.direction());
-        if (std::is_same_v<Shape, Cone> && dice.chance(.3))  // of rays along its side a formula of its own knows
+        // Of rays along a cone's side a formula of its own knows.
+        if (std::string_view(Shape::name) == Cone::name && dice.chance(.3))
             towards = perpendicular(dice, vector(point.normal)) + R(any_size(dice)) * vector(point.normal);
         OffRay on = off_ray(dice, point.position, towards, Vector(), any_of(dice, vector(point.normal)));
         on.line.origin = exact, on.doubt.away = above(length(exact - vector(point.position)));

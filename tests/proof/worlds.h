@@ -60,6 +60,12 @@ inline Scene random_world(std::uint64_t seed) {
         light.spot = Spot{place(others.vector(-1, 1)), radius, radius + soft};
         if (others.chance(.4)) light.spot->tightness = others.chance(.7) ? others.upto(30) : others.in(0, 3);
     }
+    const auto stretch = [&](const DVec3& around) {
+        if (!has_others || !others.chance(.25)) return;
+        std::vector<Transformation>& steps = scene.primitives.back().transformations;
+        const std::vector<Transformation> uneven = uneven_steps(others, place(around));
+        steps.insert(steps.begin(), uneven.begin(), uneven.end());
+    };
     DVec3 last(0);
     double last_radius = 1;
     for (int i = 0; i < count; ++i) {
@@ -75,15 +81,15 @@ inline Scene random_world(std::uint64_t seed) {
             const DVec3 out = unit(centre - last), at = touches ? last + last_radius * out : centre;
             for (const Shape& shape : random_bodies(others, place(at), size * radius, touches, out)) {
                 put(shape);
-                std::vector<Transformation>& steps = scene.primitives.back().transformations;
-                if (!steps.empty() && takes_any_transformation(shape) && others.chance(.5))
-                    steps.insert(steps.begin(), Scale{others.vector(.5, 2)});
+                stretch(at);
             }
         } else if (dice.chance(.7)) {
             put(Sphere{place(centre), size * radius});
+            stretch(centre);
             last = centre, last_radius = radius;
         } else {
             put(Cylinder{place(centre), place(centre + dice.arrow(.3, 3)), size * radius * .6});
+            stretch(centre);
         }
     }
     if (dice.chance(.6)) {
@@ -158,8 +164,12 @@ inline Scene world_of_edges(std::uint64_t seed) {
             const DVec3 centre = from + t * way + radius * across;
             const double kind = dice.in(0, 1);
             if (has_others && others.chance(.6)) {
-                for (const Shape& shape : edge_bodies(others, from + t * way, way, radius))
-                    scene.primitives.push_back({shape, dull(0), {}});
+                if (others.chance(.4))
+                    for (const auto& [shape, steps] : uneven_edge_bodies(others, from + t * way, way, radius))
+                        scene.primitives.push_back({shape, dull(0), steps});
+                else
+                    for (const Shape& shape : edge_bodies(others, from + t * way, way, radius))
+                        scene.primitives.push_back({shape, dull(0), {}});
             } else if (kind < .2) {  // where an end and the side meet, both of which face the ray
                 const DVec3 out = unit(across - way), axis = unit(cross(cross(out, across - 2. * way), out));
                 const DVec3 cap = from + t * way - radius * out;
