@@ -3,7 +3,7 @@
 //     test_proof                                       a few worlds
 //     PROOF_FIRST=1000 PROOF_WORLDS=2000 test_proof    the table of tests/proof/README.md
 //     PROOF_EXTENDED=16 test_proof                     one world of 16 in extended precision as well (else one of two)
-//     PROOF_SIZE=4 test_proof                          pictures four times as wide and as high
+//     PROOF_SIZE=4 test_proof                          pictures four times as large each way
 //     PROOF_SCALAR=1 test_proof                        by the scalar kernel
 #include <doctest/doctest.h>
 
@@ -250,11 +250,11 @@ TEST_CASE("what proofs do not know is undecided") {
     scene.primitives[0].transformations.push_back(Scale{{1, 2, 1}});
     CHECK(share_bounded(scene) < .9);
     scene = plain;
-    scene.materials[0].rgb.pattern =
-        std::make_shared<const Pattern>(Pattern{Checker{}, {{0, Color(.2)}, {1, Color(.8)}}, {}});
+    Dice dice(1);
+    scene.materials[0].rgb = Pigment(Pattern{random_image(dice), {}, {}});
     CHECK(share_bounded(scene) < .3);  // the background
-    scene = plain;
-    scene.fog = Fog{10, Color(.5)};
+    scene = plain, scene.fog = Fog{10, Color(.5)};
+    scene.materials[0].refraction = .5;
     CHECK(share_bounded(scene) == 0);
     scene = plain;
     scene.lights[0].area = Area{{1, 0, 0}, {0, 1, 0}};
@@ -276,6 +276,14 @@ TEST_CASE("what proofs know is decided") {
     put(Cone{beside, .2, {.3, -1.2, -.3}, .05});
     put(Cuboid{{.5, .2, -.8}, {.9, .5, .3}});
     scene.primitives.back().transformations.push_back(Scale{{1, 1.5, .7}});
+    CHECK(share_bounded(scene) > .97);
+    const std::vector<ColorStop> colors{{0, Color(.2)}, {1, Color(.8)}};
+    scene.background = Pigment(Pattern{Checker{}, colors, {Scale{DVec3(.3)}}});
+    for (const PatternKind& kind : {PatternKind(Checker{}), {Gradient{}}, {Brick{}}, {Noise{}}, {Marble{}}, {Wood{}}}) {
+        scene.materials[0].rgb = Pigment(Pattern{kind, colors, {Rotate{{5, 6, 7}}}});
+        CHECK(share_bounded(scene) > .97);
+    }
+    scene.fog = Fog{10, Color(.5)};
     CHECK(share_bounded(scene) > .97);
 }
 
