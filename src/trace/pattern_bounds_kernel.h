@@ -112,6 +112,37 @@ template <class S>
     return any;
 }
 
+/// By how much the colour of an image may be off: its pixels next to each other differ by no more than any two colours.
+/// Across a radius, less than a quarter of it, an angle is off by no more than 1.02 times what its place is, over the
+/// radius. Roundings: angles have 8 u, places in pixels 2 u of the image's size, and means of colours 6. An image that
+/// is there once may begin or end where its place is within twice its border.
+template <class S>
+[[gnu::noinline]] S image_error(const PatternKernel<Element<S>>& pattern, const OffPlace<S>& place) {
+    using T = Element<S>;
+    constexpr T u = unit_error<S>;
+    const ImageKernel<T>& image = pattern.image;
+    const auto& [p, off] = place;
+    const auto turns_error = [&](const S& radius, const S& wrong) {
+        return select(radius > S(4) * wrong, S(T(.163)) * wrong / radius, S(1)) + S(8 * u);
+    };
+    S off_u = off.x, off_v = off.y;
+    if (image.map == ImageMap::spherical || image.map == ImageMap::cylindrical) {
+        const S squared = fma(p.x, p.x, p.y * p.y), across = off.x + off.y;
+        off_u = turns_error(sqrt(squared), across), off_v = off.z;
+        if (image.map == ImageMap::spherical)
+            off_v = S(2) * turns_error(sqrt(fma(p.z, p.z, squared)), across + off.z) + S(4 * u);
+    }
+    const S in_pixels = fma(S(T(image.width)), off_u + S(2 * u), S(T(image.height)) * (off_v + S(2 * u)));
+    const S error = fma(S(pattern.slack.apart), in_pixels, S(6 * u * pattern.slack.largest));
+    if (!image.once) return error;
+    const auto [x, y] = place_in_image(image, p);
+    const auto ends = [&](const S& at, const S& wrong) {
+        const S near = wrong + S(2 * image.border);
+        return !((abs(at) > near) & (abs(at - S(1)) > near));
+    };
+    return select(ends(x, off_u) | ends(y, off_v), S(std::numeric_limits<T>::infinity()), error);
+}
+
 /// By how much the colour of a pattern may be off at positions that are off by `away`. A value that is off by e makes
 /// colours that are off by e times the steepest way between stops that it may be on. Roundings: the share of a stop has
 /// 2 u, what it takes and leaves 3/2.
@@ -120,10 +151,14 @@ template <class S>
                                 const Vec3<S>& position, const S& away) {
     using T = Element<S>;
     const OffPlace<S> place = off_place(pattern, position, away);
-    const S off = value_error(pattern, place), apart(pattern.slack.apart);
+    const S apart(pattern.slack.apart);
+    if (pattern.form == PatternForm::image) {
+        const S error = image_error(pattern, place);
+        return select(error < apart, error, apart);
+    }
+    const S off = value_error(pattern, place);
     if (all(off == S(0))) return S(0);
-    if (pattern.form == PatternForm::checker || pattern.form == PatternForm::brick ||
-        pattern.form == PatternForm::image)
+    if (pattern.form == PatternForm::checker || pattern.form == PatternForm::brick)
         return select(off == S(0), S(0), apart);
     const S value = value_at(pattern, place.p);
     S steepest(0);

@@ -1,25 +1,36 @@
 #include "trace/pattern_slack.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace strahl {
+namespace {
 
-ExtendedPatternSpace::ExtendedPatternSpace(const PatternKind& kind, Extended border) {
-    if (const Brick* const brick = std::get_if<Brick>(&kind)) {
-        for (int c = 0; c < 3; ++c) {
-            const Extended size = brick->size[c];
-            rows[c][c] = 1 / size;
-            offset[c] = (border + brick->mortar) / size;
-            mortar[c] = brick->mortar / size;
+/// How a pattern's own space becomes the kernel's, exactly but for rounding to long double.
+struct ExtendedPatternSpace {
+    std::array<ExtendedVector, 3> rows{ExtendedVector{1, 0, 0}, ExtendedVector{0, 1, 0}, ExtendedVector{0, 0, 1}};
+    ExtendedVector offset{0}, mortar{0};
+
+    /// Of a kind whose borders are this much before whole coordinates.
+    ExtendedPatternSpace(const PatternKind& kind, Extended border) {
+        if (const Brick* const brick = std::get_if<Brick>(&kind)) {
+            for (int c = 0; c < 3; ++c) {
+                const Extended size = brick->size[c];
+                rows[c][c] = 1 / size;
+                offset[c] = (border + brick->mortar) / size;
+                mortar[c] = brick->mortar / size;
+            }
+        } else if (const Gradient* const gradient = std::get_if<Gradient>(&kind)) {
+            rows = {unit_of(extended(gradient->axis)), ExtendedVector(0), ExtendedVector(0)};
+            offset = {border, 0, 0};
+        } else if (std::holds_alternative<Checker>(kind)) {
+            offset = ExtendedVector(border);
         }
-    } else if (const Gradient* const gradient = std::get_if<Gradient>(&kind)) {
-        rows = {unit_of(extended(gradient->axis)), ExtendedVector(0), ExtendedVector(0)};
-        offset = {border, 0, 0};
-    } else if (std::holds_alternative<Checker>(kind)) {
-        offset = ExtendedVector(border);
     }
-}
+};
+
+}  // namespace
 
 /// With the columns of the way out into the world, rows are the dual ones, and the offset is what takes the place of
 /// the space's origin back to 0. Lengths of rows are off by the share that columns are off, times twice how oblique

@@ -262,8 +262,9 @@ STRAHL_INLINE Vec3<S> share_proved(const Shading<S>& shading, const Hit<S>& hit,
     const S diffuse = largest(hit.material.diffuse), error = light_error(hit, lit, cosine, known);
     const S light = fma(diffuse, abs(cosine), highlight);
     const S rounding = S(unit_error<S>) * found.crossings * light;
+    const S certain = select(found.dark, S(0), fma(found.off, light + error, largest(share) * (error + rounding)));
     known.off = known.off + select(doubt, S(slack.gain) * largest(color) * (light + error),
-                                   select(faces, largest(color) * largest(share) * (error + rounding), S(0)));
+                                   select(faces, largest(color) * certain, S(0)));
     return share;
 }
 

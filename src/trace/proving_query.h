@@ -1,6 +1,7 @@
 // The two questions asked of geometry, as exact arithmetic would answer them: certainly so, or it can't be told.
 #pragma once
 #include "trace/known_forms.h"
+#include "trace/pattern_bounds.h"
 #include "trace/query.h"
 
 namespace strahl::inline STRAHL_LEVEL {
@@ -105,6 +106,15 @@ template <class S>
     });
 }
 
+/// Where rays are in the ball around a body of which nothing else is known, of those that have a bin each.
+template <class S>
+[[gnu::noinline]] SpanBounds<S> span_around(const World<Element<S>>& world, int bin, const DoubtfulRay<S>& own,
+                                            const Slack<Element<S>>& slack) {
+    using T = Element<S>;
+    const SphereKernel<T> ball{{world.centres.x[bin], world.centres.y[bin], world.centres.z[bin]}, world.radii[bin]};
+    return span_bounds(ball, own.ray, own.doubt, S(-1), slack);
+}
+
 /// What rays may meet first, of the bodies of the set if there is a bin for each.
 template <class S>
 [[gnu::noinline]] Candidates<S> candidates(const World<Element<S>>& world, const DoubtfulRay<S>& own, Mask<S> active,
@@ -126,9 +136,7 @@ template <class S>
         });
         if (known) return false;
         if (!world.bin_per_item) return found.add_unknown(active, S(0)), false;
-        const SphereKernel<T> ball{{world.centres.x[bin], world.centres.y[bin], world.centres.z[bin]},
-                                   world.radii[bin]};
-        const SpanBounds<S> span = span_bounds(ball, own.ray, own.doubt, S(-1), slack);
+        const SpanBounds<S> span = span_around(world, bin, own, slack);
         found.add_unknown(active & span.maybe & !(span.far_high <= S(0)), span.near_low);
         return false;
     });
@@ -144,7 +152,7 @@ template <class S>
 template <class S>
 struct LightBounds {
     Vec3<S> share{S(1), S(1), S(1)};
-    S crossings{0};
+    S crossings{0}, off{0};  // how often it was rounded, and what colours of patterns may be off beside that
     Mask<S> dark, doubt;
 };
 /// The lanes in which a crossing certainly is between the start and a distance that is off by at most `off`, and those
@@ -156,6 +164,27 @@ STRAHL_INLINE void pass_crossing(const S& low, const S& high, const SpanBounds<S
     certain = maybe & span.sure & (low > S(0)) & (high < distance - off);
     possible = maybe & !certain;
 }
+/// What is left of light by patterned glass, at the middle of where it may be crossed. Products of two factors are off
+/// by the error of each times the most that the other may be.
+template <class S>
+[[gnu::noinline]] void pass_pattern(const World<Element<S>>& world, int material, const S& surface,
+                                    const DoubtfulRay<S>& own, const S& low, const S& high, Mask<S> crossed,
+                                    LightBounds<S>& light) {
+    using T = Element<S>;
+    if (none(crossed)) return;
+    const PatternKernel<T>& pattern = world.patterns[material - world.first_pattern];
+    const S t = S(T(.5)) * (low + high), most(pattern.refraction * pattern.slack.largest);
+    const Vec3<S> place = fma(t, own.ray.direction, own.ray.origin);
+    const S away = S(T(1.01)) * (own.doubt.away + (high - low) + t * (own.doubt.turn + S(4 * unit_error<S>))) +
+                   S(unit_error<S>) * norm1(place);
+    const S error = PatternBounds<S>::of_filter(world, material, place, surface, away);
+    const S before = max(light.share.x, max(light.share.y, light.share.z));
+    light.off = select(crossed, fma(light.off, most, before * error), light.off);
+    light.doubt = light.doubt | (crossed & !(error < S(T(1e-5))));  // in these the plain kernel decides
+    light.crossings = light.crossings + select(crossed, S(2), S(0));
+    PatternCalls<S>::filter(world, material, surface, own.ray, t, crossed, light.share);
+}
+
 template <class S, class Item>
 [[gnu::noinline]] void pass_item(const World<Element<S>>& world, const Item& item, const DoubtfulRay<S>& own,
                                  Mask<S> mask, const S& distance, const S& off, const Slack<Element<S>>& slack,
@@ -172,13 +201,16 @@ template <class S, class Item>
         return;
     }
     light.doubt = light.doubt | possible[0] | possible[1];
-    if (patterned(world, static_cast<int>(item.material))) {
-        light.doubt = light.doubt | certain[0] | certain[1];
+    if (const int material = static_cast<int>(item.material); patterned(world, material)) [[unlikely]] {
+        pass_pattern(world, material, S(item.surface), own, span.near_low, span.near_high, certain[0], light);
+        pass_pattern(world, material, S(item.surface), own, span.far_low, span.far_high, certain[1], light);
         return;
     }
     const Vec3<S> f = splat<S>(filter(world, item));
+    const S most = max(f.x, max(f.y, f.z));
     for (const Mask<S>& crossed : certain) {
         light.crossings = light.crossings + select(crossed, S(1), S(0));
+        light.off = select(crossed, light.off * most, light.off);
         for (int c = 0; c < 3; ++c) light.share[c] = min(light.share[c] * select(crossed, f[c], S(1)), S(largest_gain));
     }
 }
@@ -243,7 +275,10 @@ template <class S>
             for (int i = items.first; any(mask) && i < items.first + items.count; ++i)
                 pass_item(world, group.items[i], own, mask, distance, off, slack, light);
         });
-        if (!known) light.doubt = light.doubt | mask;
+        if (known) return false;
+        if (!world.bin_per_item) return light.doubt = light.doubt | mask, false;
+        const SpanBounds<S> span = span_around(world, bin, own, slack);
+        light.doubt = light.doubt | (mask & span.maybe & !(span.far_high <= S(0)) & !(span.near_low >= distance + off));
         return false;
     });
     if (world.nodes) light_bounds_in_hierarchy(world, own, distance, off, active, slack, light);

@@ -39,7 +39,7 @@ Vector any_place(Dice& dice, const Pattern& pattern) {
 /// Of worlds in T.
 template <class T>
 struct ColorDifferences {
-    Closest kinds[6] = {{"checker"}, {"gradient"}, {"brick"}, {"noise"}, {"marble"}, {"wood"}};
+    Closest kinds[7] = {{"checker"}, {"gradient"}, {"brick"}, {"noise"}, {"marble"}, {"wood"}, {"image"}};
     Closest sky{"sky"}, untold{"any colour"};
     ThreadPool pool{1};
 

@@ -14,10 +14,9 @@ namespace strahl::proof {
 /// Decides about colours: bodies stay what they are without.
 inline Dice dice_of_paint(std::uint64_t seed) { return Dice(seed ^ 0x2545f4914f6cdd1dull); }
 
-/// Any pattern that proofs know, in a space of this size around a place.
+/// Any pattern, in a space of this size around a place.
 inline Pigment random_paint(Dice& dice, double size, const DVec3& at) {
     Pattern pattern = random_pattern(dice);
-    while (std::holds_alternative<ImagePattern>(pattern.kind)) pattern = random_pattern(dice);
     pattern.transformations.push_back(Scale{DVec3(size)});
     if (dice.chance(.8)) pattern.transformations.push_back(Translate{at});
     return Pigment(std::move(pattern));

@@ -251,7 +251,7 @@ TEST_CASE("what proofs do not know is undecided") {
     CHECK(share_bounded(scene) < .9);
     scene = plain;
     Dice dice(1);
-    scene.materials[0].rgb = Pigment(Pattern{random_image(dice), {}, {}});
+    scene.materials[0].bump = random_bump(dice);
     CHECK(share_bounded(scene) < .3);  // the background
     scene = plain, scene.fog = Fog{10, Color(.5)};
     scene.materials[0].refraction = .5;
