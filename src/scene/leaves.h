@@ -33,7 +33,7 @@ void for_each_leaf_placed(const Primitive& primitive, const Visit& visit, const 
 struct LeafWay {
     glm::dmat4 inner{1};
     double similarity = 0;  // of the way into the world
-    std::vector<Transformation> steps;
+    std::vector<Transformation> steps, material;  // the latter of its material's patterns
 };
 /// Calls visit(leaf, way) for the leaves of a composite in the order declared, and combine(operation) where the last two
 /// results become one.
@@ -46,8 +46,9 @@ void for_each_leaf_within(const Primitive& composite, const Visit& visit, const 
                     for (std::size_t i = 0; i < kind.parts->size(); ++i) {
                         const Primitive& next = (*kind.parts)[i];
                         LeafWay own{way.inner * matrix(next.transformations),
-                                    way.similarity * similarity(next.transformations), next.transformations};
+                                    way.similarity * similarity(next.transformations), next.transformations, {}};
                         own.steps.insert(own.steps.end(), way.steps.begin(), way.steps.end());
+                        own.material = next.material == part.material ? way.material : own.steps;
                         self(self, next, own);
                         if (i > 0) combine(Kind::operation);
                     }
@@ -57,7 +58,8 @@ void for_each_leaf_within(const Primitive& composite, const Visit& visit, const 
             },
             part.shape);
     };
-    look(look, composite, {glm::dmat4(1), similarity(composite.transformations), composite.transformations});
+    look(look, composite, {glm::dmat4(1), similarity(composite.transformations), composite.transformations,
+                           composite.transformations});
 }
 
 /// The sum of count(kind) for each of them.

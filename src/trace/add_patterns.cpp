@@ -7,6 +7,7 @@
 
 #include "scene/error.h"
 #include "scene/leaves.h"
+#include "trace/pattern_slack.h"
 #include "trace/world_arrays.h"
 
 namespace strahl {
@@ -108,6 +109,22 @@ PatternKernel<T> kernel_of(const Pattern& pattern, const glm::dmat4& to_world, c
     return kernel;
 }
 
+/// Tells proofs how far a kernel is off. `body` is a primitive by itself that has the pattern, or null of a sky. The
+/// first one decides about the numbers of kernels in long double.
+template <class T>
+void compare(const Pattern& pattern, const Primitive* body, const Placement& world, bool first,
+             PatternKernel<T>& kernel) {
+    if constexpr (!std::is_same_v<T, float>) {
+        if (pattern.by_uv) return;
+        std::vector<Transformation> steps = pattern.transformations;
+        if (body) steps.insert(steps.end(), body->transformations.begin(), body->transformations.end());
+        PatternKernel<T> own{};
+        KernelSpace<T> space{own};
+        std::visit(space, pattern.kind);
+        compare_pattern(pattern, steps, body ? world : Placement{}, space.period, border<T>, first, kernel);
+    }
+}
+
 /// That of a material, but for its stops, its pixels and its ambient light.
 template <class T>
 PatternKernel<T> kernel_of(const Material& material, const glm::dmat4& to_world, const Placement& placement) {
@@ -170,15 +187,18 @@ void WorldArrays<T>::add_image(const std::shared_ptr<const Pixels>& from, bool l
 
 template <class T>
 void WorldArrays<T>::add_colors(const Pigment& pigment, PatternKernel<T>& kernel, bool linear) {
+    using M = Made<T>;
     const Pattern* const pattern = pigment.pattern.get();
     if (const auto* const image = image_of(pigment.pattern)) add_image(image->pixels, linear, true, kernel.image);
     kernel.first_stop = static_cast<std::int32_t>(stops.size());
     const std::vector<ColorStop> colors = pattern ? pattern->colors : std::vector{ColorStop{0, pigment.color}};
     for (double before = 0; const ColorStop& stop : colors) {
-        stops.push_back({static_cast<T>(stop.at), static_cast<T>(1 / (stop.at - before)), cast<T>(stop.color)});
+        stops.push_back({static_cast<T>(stop.at), static_cast<T>(1 / (M(stop.at) - before)), cast<T>(stop.color)});
         before = stop.at;
     }
     kernel.stops = static_cast<std::int32_t>(colors.size());
+    if constexpr (!std::is_same_v<T, float>)
+        if (pattern) measure_colors(*pattern, kernel.slack);
 }
 
 template <class T>
@@ -205,10 +225,12 @@ BendKernel<T> WorldArrays<T>::bend_of(const Material& material, const glm::dmat4
 }
 
 template <class T>
-void WorldArrays<T>::add_patterns(const Scene& scene, const Placement& placement) {
+void WorldArrays<T>::add_patterns(const Scene& scene, const Placement& placement, bool proves) {
+    using M = Made<T>;
     if (const Pattern* const pattern = scene.background.pattern.get()) {
         sky = kernel_of<T>(*pattern, glm::dmat4(1), {});
         add_colors(scene.background, sky, scene.settings.linear);
+        if (proves) compare(*pattern, nullptr, {}, true, sky);
         world.sky = &sky;
         world.stops = stops.data();
     }
@@ -230,19 +252,31 @@ void WorldArrays<T>::add_patterns(const Scene& scene, const Placement& placement
             if (any_uv) count_items<T>(leaf, before);
             if (!varies(material)) return leaf_materials.push_back(leaf.material);
             const bool by_uv = material.by_uv();
+            // Proofs do not know composites.
+            const bool compared = proves && &leaf == &primitive && material.rgb.pattern;
             std::array<double, 16> values{};  // those of the matrix, if they matter
             for (int i = 0; i < 16 && material.patterned(); ++i) values[i] = matrices.material[i / 4][i % 4];
             const auto [entry, is_new] = numbers.try_emplace({leaf.material, by_uv ? surface : -1, values},
                                                              static_cast<std::int32_t>(materials.size()));
             leaf_materials.push_back(entry->second);
-            if (!is_new) return;
+            if (!is_new) {
+                // The same matrix by other steps may be another one in exact arithmetic.
+                PatternKernel<T>& known = patterns[entry->second - world.first_pattern];
+                const T turned = known.slack.turned, moved = known.slack.moved;
+                if (compared) compare(*material.rgb.pattern, &primitive, placement, false, known);
+                known.slack.turned = std::max(turned, known.slack.turned);
+                known.slack.moved = std::max(moved, known.slack.moved);
+                return;
+            }
             materials.push_back(MaterialKernel<T>(materials[leaf.material]));
             PatternKernel<T> kernel = kernel_of<T>(material, matrices.material, placement);
             if (by_uv) kernel.places = add_places(leaf.shape, surface);
             kernel.first_stop = ranges[leaf.material].first_stop, kernel.stops = ranges[leaf.material].stops;
             kernel.image.pixels = ranges[leaf.material].image.pixels;
             kernel.image.number = ranges[leaf.material].image.number;
-            kernel.ambient = cast<T>(scene.settings.ambient_light * material.ambient);
+            kernel.slack = ranges[leaf.material].slack;
+            if (compared) compare(*material.rgb.pattern, &primitive, placement, true, kernel);
+            kernel.ambient = Vec3<T>(cast<M>(scene.settings.ambient_light) * M(material.ambient));
             patterns.push_back(kernel);
             if (any_bent) bends.push_back(bend_of(material, matrices.material, placement, kernel.places));
         });
@@ -256,8 +290,8 @@ void WorldArrays<T>::add_patterns(const Scene& scene, const Placement& placement
     world.stops = stops.data();
 }
 
-template void WorldArrays<float>::add_patterns(const Scene&, const Placement&);
-template void WorldArrays<double>::add_patterns(const Scene&, const Placement&);
-template void WorldArrays<long double>::add_patterns(const Scene&, const Placement&);
+template void WorldArrays<float>::add_patterns(const Scene&, const Placement&, bool);
+template void WorldArrays<double>::add_patterns(const Scene&, const Placement&, bool);
+template void WorldArrays<long double>::add_patterns(const Scene&, const Placement&, bool);
 
 }  // namespace strahl

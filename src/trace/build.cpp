@@ -40,10 +40,6 @@ BoundingVolume bounding_volume_of(const K& kernel, const ItemBox& rounded, doubl
     }
 }
 
-/// In which the numbers of a world are reckoned.
-template <class T>
-using Made = std::conditional_t<std::is_same_v<T, Extended>, Extended, double>;
-
 template <class T>
 LightKernel<T> light_kernel(const Light& light, const Placement& placement) {
     using M = Made<T>;
@@ -182,7 +178,7 @@ WorldArrays<T>::WorldArrays(const Scene& scene, const Placement& placement, Thre
                             std::shared_ptr<Images> kept, bool proves)
     : moving(moving), images(std::move(kept)) {
     add_materials(scene);
-    add_patterns(scene, placement);
+    add_patterns(scene, placement, proves);
     for (const Light& light : points_of(scene.lights)) lights.push_back(light_kernel<T>(light, placement));
     if (scene.fog) {
         world.fog = true;

@@ -87,8 +87,10 @@ STRAHL_INLINE Vec3<S> illumination(const Shading<S>& shading, const Hit<S>& hit,
     Vec3<S> sum = material.ambient;
     const Vec3<S> reflected = reflect(hit);
     const S strongest = largest(material.diffuse);
+    S possible = strongest;  // in exact arithmetic
+    if constexpr (proves) possible = possible + rare.bounds.diffuse;
     const Mask<S> glossy = hit.active & (material.specular > zero);
-    if (none(glossy | (hit.active & (strongest > zero)))) return sum;
+    if (none(glossy | (hit.active & (possible > zero)))) return sum;
     const S faint = select(dim, S(faint_share) * strongest, zero);
     for (int i = 0; i < world.light_count; ++i) {
         const LightKernel<Element<S>>& light = world.lights[i];
@@ -115,7 +117,7 @@ STRAHL_INLINE Vec3<S> illumination(const Shading<S>& shading, const Hit<S>& hit,
         S highlight = zero;
         if (any(glossy)) highlight = highlight_of(hit, reflected, l, glossy);
         // Whether anything is between only matters where there is light to lose.
-        Mask<S> faces = hit.active & (cosine > zero) & (fma(strongest, cosine, highlight) > faint);
+        Mask<S> faces = hit.active & (cosine > zero) & (fma(possible, cosine, highlight) > faint);
         [[maybe_unused]] IfProving<LitBounds<S>> lit;
         if constexpr (proves) {
             lit = bound_lit(rare.bounds, hit, light, length, cosine, S(dot(reflected, l)), highlight);

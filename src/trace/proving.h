@@ -95,6 +95,22 @@ STRAHL_INLINE HitBounds<S> bound_hits(const Shading<S>& shading, const Hit<S>& h
     return bounds;
 }
 
+/// By how much fog makes the light off that comes by way of hits at `t`: `left` of the rays' weight is left there. All
+/// of that light is as far off as the weight, by what the way is off, which is what its ends are and `t` misses between
+/// them. Roundings: the distance has 3 u, 1 over the fog's distance 1, the product with the way 1/2, the exponential 2,
+/// the weight 1/2.
+template <class S>
+[[gnu::noinline]] S fog_error(const Shading<S>& shading, const Vec3<S>& way, const S& away, const S& t, const S& weight,
+                              const S& left) {
+    constexpr auto u = unit_error<S>;
+    const auto& world = shading.world;
+    const S distance = sqrt(dot(way, way)), off = away + abs(t - distance) + S(4 * u) * (t + distance);
+    const S share = fma(S(Element<S>(1.01) * world.fog_per), off, S(2 * u * world.fog_per) * t + S(4 * u));
+    const S least(std::numeric_limits<Element<S>>::min());  // of what underflows
+    const S lost = select(share < S(.01f), fma(left, share, least), weight);
+    return lost * (S(brightest_of(shading.limits, shading.depth)) + largest(splat<S>(world.fog_color)));
+}
+
 /// By how much a mirrored or a refracted direction may be turned; b is the ratio of indices, c and k the cosine before
 /// and the squared cosine beyond the surface, which is off by no more than `k_error`.
 ///
@@ -197,8 +213,15 @@ template <class S>
 STRAHL_INLINE void add_unknown_light(const Shading<S>& shading, const Hit<S>& hit, const LightKernel<Element<S>>& light,
                                      HitBounds<S>& known) {
     const Vec3<S> most = splat<S>(light.color);
-    known.off = fma(S(shading.limits.slack.gain) * largest(most), largest(hit.material.diffuse) + hit.material.specular,
-                    known.off);
+    known.off = fma(S(shading.limits.slack.gain) * largest(most),
+                    largest(hit.material.diffuse) + known.diffuse + hit.material.specular, known.off);
+}
+
+/// How far what a hit sends back of a light is off by its angles and its colours, as a share of the light.
+template <class S>
+STRAHL_INLINE S light_error(const Hit<S>& hit, const LitBounds<S>& lit, const S& cosine, const HitBounds<S>& known) {
+    const S most = largest(hit.material.diffuse) + known.diffuse;
+    return fma(most, lit.cosine, fma(known.diffuse, abs(cosine), lit.highlight));
 }
 
 /// By how much the share of its light that a spot sends along -l may be off, between 0 and 1.
@@ -232,7 +255,7 @@ template <class S>
 STRAHL_INLINE void add_spot_error(const Shading<S>& shading, const Hit<S>& hit, const LightKernel<Element<S>>& light,
                                   const LitBounds<S>& lit, const Vec3<S>& l, const S& cosine, const S& highlight,
                                   HitBounds<S>& known) {
-    const S diffuse = largest(hit.material.diffuse), error = fma(diffuse, lit.cosine, lit.highlight);
+    const S diffuse = largest(hit.material.diffuse), error = light_error(hit, lit, cosine, known);
     const S most = fma(diffuse, max(cosine, S(0)), highlight) + error, color = largest(splat<S>(light.color));
     const Mask<S> told = lit.ray.turn >= S(0);
     known.off = fma(S(shading.limits.slack.gain) * color * most,
@@ -253,11 +276,12 @@ STRAHL_INLINE Vec3<S> share_proved(const Shading<S>& shading, const Hit<S>& hit,
     if (any(doubt)) share = select(doubt, visibility(shading.world, ray, distance, doubt, start), share);
     doubt = doubt | (hit.active & lit.doubt);
     const Vec3<S> color = splat<S>(shading.world.lights[start.light].color);
-    const S diffuse = largest(hit.material.diffuse), error = fma(diffuse, lit.cosine, lit.highlight);
+    const S diffuse = largest(hit.material.diffuse), error = light_error(hit, lit, cosine, known);
     const S light = fma(diffuse, abs(cosine), highlight);
     const S rounding = S(unit_error<S>) * found.crossings * light;
+    const S certain = select(found.dark, S(0), fma(found.off, light + error, largest(share) * (error + rounding)));
     known.off = known.off + select(doubt, S(slack.gain) * largest(color) * (light + error),
-                                   select(faces, largest(color) * largest(share) * (error + rounding), S(0)));
+                                   select(faces, largest(color) * certain, S(0)));
     return share;
 }
 

@@ -59,6 +59,15 @@ template <class S>
     });
 }
 
+/// Where rays are in the ball around a body of which nothing else is known, of those that have a bin each.
+template <class S>
+[[gnu::noinline]] SpanBounds<S> span_around(const World<Element<S>>& world, int bin, const DoubtfulRay<S>& own,
+                                            const Slack<Element<S>>& slack) {
+    using T = Element<S>;
+    const SphereKernel<T> ball{{world.centres.x[bin], world.centres.y[bin], world.centres.z[bin]}, world.radii[bin]};
+    return span_bounds(ball, own.ray, own.doubt, S(-1), slack);
+}
+
 /// What rays may meet first, of the bodies of the set if there is a bin for each.
 template <class S>
 [[gnu::noinline]] Candidates<S> candidates(const World<Element<S>>& world, const DoubtfulRay<S>& own, Mask<S> active,
@@ -81,9 +90,7 @@ template <class S>
         if (known || add_composites(world, items.form, items.first, items.count, own, active, slack, found))
             return false;
         if (!world.bin_per_item) return found.add_unknown(active, S(0)), false;
-        const SphereKernel<T> ball{{world.centres.x[bin], world.centres.y[bin], world.centres.z[bin]},
-                                   world.radii[bin]};
-        const SpanBounds<S> span = span_bounds(ball, own.ray, own.doubt, S(-1), slack);
+        const SpanBounds<S> span = span_around(world, bin, own, slack);
         found.add_unknown(active & span.maybe & !(span.far_high <= S(0)), span.near_low);
         return false;
     });
@@ -157,9 +164,11 @@ template <class S>
             for (int i = items.first; any(mask) && i < items.first + items.count; ++i)
                 pass_item(world, group.items[i], own, mask, distance, off, slack, light);
         });
-        if (!known && !pass_composites(world, items.form, items.first, items.count, own, mask, distance, off, slack,
-                                       light))
-            light.doubt = light.doubt | mask;
+        if (known || pass_composites(world, items.form, items.first, items.count, own, mask, distance, off, slack, light))
+            return false;
+        if (!world.bin_per_item) return light.doubt = light.doubt | mask, false;
+        const SpanBounds<S> span = span_around(world, bin, own, slack);
+        light.doubt = light.doubt | (mask & span.maybe & !(span.far_high <= S(0)) & !(span.near_low >= distance + off));
         return false;
     });
     if (world.nodes) light_bounds_in_hierarchy(world, own, distance, off, active, slack, light);

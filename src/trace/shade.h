@@ -5,6 +5,7 @@
 #include "trace/fog.h"
 #include "trace/footprint.h"
 #include "trace/illuminate.h"
+#include "trace/pattern_bounds.h"
 #include "trace/scatter.h"
 #ifdef STRAHL_PROVES
 #include "trace/proving.h"
@@ -33,10 +34,16 @@ void shade_misses(const Shading<S>& shading) {
             color = splat<S>(world.fog_color);
         add_light(shading.batch, pixel, pick.lanes, scale(weight, color));
         if constexpr (proves) {
-            const S most = world.sky || world.fog ? weight * S(brightest_of(shading.limits, shading.depth))
-                                                  : rounding_of(scale(weight, color), shading.depth, 0);
-            const Mask<S> followed = first_lanes<S>(pick.lanes) & (pick(shading.rays.open.away) >= S(0));
-            add_bounds(shading.batch, pixel, pick.lanes, select(followed, most, S(0)));
+            const RayQueue<Element<S>>& rays = shading.rays.open;
+            const auto& d = rays.direction;
+            const Mask<S> followed = first_lanes<S>(pick.lanes) & (pick(rays.away) >= S(0));
+            S off = rounding_of(scale(weight, color), shading.depth, 0);
+            if (world.fog && world.nested) [[unlikely]]
+                off = weight * S(brightest_of(shading.limits, shading.depth));
+            else if (world.sky && !world.fog) [[unlikely]]
+                off = fma(weight, PatternBounds<S>::of_sky(world, {pick(d.x), pick(d.y), pick(d.z)}, pick(rays.turn)),
+                          off);
+            add_bounds(shading.batch, pixel, pick.lanes, select(followed, off, S(0)));
         }
     }
 }
@@ -149,7 +156,7 @@ STRAHL_INLINE Hit<S> make_hit(const Shading<S>& shading, int bin, const RayQueue
             bin};
 }
 
-/// What is known of hits, but for colours and normals by patterns, fog, and insides that are only nearly known.
+/// What is known of hits, but for bent normals, fog around glass, and insides that are only nearly known.
 template <class S>
 STRAHL_INLINE HitBounds<S> bounds_of(const Shading<S>& shading, const Hit<S>& hit, const RayQueue<Element<S>>& from,
                                      const LaneIndices<S>& pick, const Element<S>* t, bool within,
@@ -158,14 +165,16 @@ STRAHL_INLINE HitBounds<S> bounds_of(const Shading<S>& shading, const Hit<S>& hi
     const Ray<S> ray{{pick(from.origin.x), pick(from.origin.y), pick(from.origin.z)},
                      {pick(from.direction.x), pick(from.direction.y), pick(from.direction.z)},
                      pick(from.source)};
-    Mask<S> known = first_lanes<S>(world.fog || world.bends || (within && !shading.limits.slack.fits()) ? 0 : width<S>);
-    if (world.patterns) {
-        alignas(64) Element<S> plain[width<S>];
-        for (int k = 0; k < width<S>; ++k) plain[k] = !patterned(world, material.numbers[k]);
-        known = known & (load_lanes<S>(plain) > S(0));
+    const bool unknown = (world.fog && world.nested) || world.bends || (within && !shading.limits.slack.fits());
+    const Doubt<S> doubt{pick(from.away), pick(from.turn), pick(from.side)};
+    HitBounds<S> bounds = bound_hits(shading, hit, ray, doubt, pick(t), pick(from.weight), pick.lanes,
+                                     first_lanes<S>(unknown ? 0 : width<S>));
+    if (world.patterns) [[unlikely]] {
+        const ColorErrors<S> errors = PatternBounds<S>::of_hits(world, material.numbers, Vec3<S>(hit.position),
+                                                                S(hit.surface), S(bounds.away));
+        bounds.off = errors.ambient, bounds.diffuse = errors.diffuse;
     }
-    return bound_hits(shading, hit, ray, {pick(from.away), pick(from.turn), pick(from.side)}, pick(t), pick(from.weight), pick.lanes,
-                      known);
+    return bounds;
 }
 
 /// Shades the hits of a bin. False if the queues are full.
@@ -218,7 +227,12 @@ bool shade_bin(const Shading<S>& shading, int bin) {
             light = fma(pick(from.weight) - hit.weight, splat<S>(world.fog_color), light);
         add_light(shading.batch, hit.pixel, pick.lanes, light);
         if constexpr (proves) {
-            const S off = fma(hit.weight, rare.bounds.off, rounding_of(light, shading.depth, world.light_count));
+            S off = fma(hit.weight, rare.bounds.off, rounding_of(light, shading.depth, world.light_count));
+            if (world.fog) [[unlikely]] {
+                const Vec3<S> origin(pick(from.origin.x), pick(from.origin.y), pick(from.origin.z));
+                off = off + fog_error(shading, Vec3<S>(hit.position - origin), S(rare.bounds.away + pick(from.away)),
+                                      pick(t), pick(from.weight), S(hit.weight));
+            }
             add_bounds(shading.batch, hit.pixel, pick.lanes, select(rare.bounds.followed, off, S(0)));
         }
     }

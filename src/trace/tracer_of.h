@@ -75,7 +75,7 @@ class TracerOf : public AnyTracer {
         const bool moved = stage.set(view.time, view.tracks, pool);
         if (moved) extent = extent_of(scene());
         const Placement wanted = placement(extent, view.camera.position);
-        if (built && wanted == placed && !moved && (proves == view.prove || !std::is_same_v<T, Extended>)) return;
+        if (built && wanted == placed && !moved && (proves == view.prove || std::is_same_v<T, float>)) return;
         light_buffers.reset(), pixels = 0;
         if (moved) thin_bodies.reset();
         built.reset(), slack.reset();

@@ -75,6 +75,14 @@ struct PlacesKernel {
     const MeshData::Corners* corners;
     const MeshData::Place* places;
 };
+/// What proofs know of a pattern: how far its numbers may be off those of exact arithmetic, and what its colours are.
+template <class T>
+struct PatternSlack {
+    T turned = std::numeric_limits<T>::infinity();  // each row, as the sum of its numbers' errors
+    T moved = 0;                                    // each number of the offset, but for whole periods
+    T apart = 0;                                    // the most by which two of its colours differ in a channel
+    T largest = 0;                                  // the largest channel of a colour
+};
 /// The pattern of a material in the space of one body, whose point p = rows * world + offset.
 template <class T>
 struct PatternKernel {
@@ -88,6 +96,7 @@ struct PatternKernel {
     PlacesKernel places;
     Vec3<T> ambient;        // Ia Ka
     T diffuse, refraction;  // Kd, Kt
+    PatternSlack<T> slack;  // only in worlds for proofs
 };
 /// What bends the normals of a material in the space of one body.
 template <class T>

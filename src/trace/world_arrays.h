@@ -66,6 +66,10 @@ void count_items(const Primitive& primitive, ItemCounts& counts) {
         primitive.shape);
 }
 
+/// In which the numbers of a world are reckoned.
+template <class T>
+using Made = std::conditional_t<std::is_same_v<T, long double>, long double, double>;
+
 template <class T>
 DVec3 to_double(const Vec3<T>& v) {
     return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
@@ -149,7 +153,7 @@ struct WorldArrays {
     // add_composites.cpp
     void add_composites(const Scene& scene, const Placement& placement, ThreadPool& pool, bool proves);
     // add_patterns.cpp
-    void add_patterns(const Scene& scene, const Placement& placement);
+    void add_patterns(const Scene& scene, const Placement& placement, bool proves);
     void add_colors(const Pigment& pigment, PatternKernel<T>& kernel, bool linear);
     /// What patterns by uv know of a body, whose first surface is given.
     PlacesKernel add_places(const Shape& shape, int first_surface);

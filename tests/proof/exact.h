@@ -36,7 +36,8 @@ class Tracer {
     using Vector = referee::Vector<R>;
 
   public:
-    Tracer(const Scene& own, const View& own_view) : scene(with_split_unions(own)), view(own_view), eye(view) {
+    Tracer(const Scene& own, const View& own_view)
+        : scene(with_split_unions(own)), view(own_view), eye(view), sky(own.background, {}) {
         for (const Primitive& primitive : scene.primitives) bodies.emplace_back(scene, primitive);
     }
     Vector at(int x, int y) const {
@@ -69,14 +70,22 @@ class Tracer {
         for (int i = 0; i < std::ssize(bodies); ++i)
             for (const auto& crossing : bodies[i].meet(line, i))
                 if (crossing.t > 0 && (body < 0 || crossing.t < hit.t)) body = i, hit = crossing;
-        if (body < 0) return scene.background.color;
+        if (body < 0) return scene.fog ? Vector(scene.fog->color) : sky.at(line.direction);
+        const Vector sum = light_of(line, hit, body, generation, inside);
+        if (!scene.fog || !inside.empty()) return sum;
+        const R left = exponential(-hit.t / R(scene.fog->distance));
+        return left * sum + (1 - left) * Vector(scene.fog->color);
+    }
+
+    Vector light_of(const Line<R>& line, const Crossing<R>& hit, int body, int generation,
+                    const std::vector<int>& inside) const {
         const Material& material = bodies[body].material_of(hit.face);
-        const Vector e = line.direction, p = line.origin + hit.t * e, color = material.rgb.color;
+        const Vector e = line.direction, p = line.origin + hit.t * e, color = bodies[body].leaf_of(hit.face).paint.at(p);
         Vector n = unit(hit.normal);
         if (dot(e, n) > 0) n = R(-1) * n;
         const Vector mirrored = e - 2 * dot(e, n) * n;
         Vector sum = R(material.ambient) * color * Vector(scene.settings.ambient_light);
-        for (const Light& light : scene.lights) sum = sum + from(light, p, n, mirrored, body, hit.face);
+        for (const Light& light : scene.lights) sum = sum + from(light, p, n, mirrored, color, body, hit.face);
         if (generation >= view.depth) return sum;
         R share = material.reflection;
         if (material.refraction > 0) {
@@ -93,15 +102,15 @@ class Tracer {
         return sum;
     }
 
-    Vector from(const Light& light, const Vector& p, const Vector& n, const Vector& mirrored, int body,
-                int face) const {
+    Vector from(const Light& light, const Vector& p, const Vector& n, const Vector& mirrored, const Vector& color,
+                int body, int face) const {
         const Vector way = light.direction ? R(-1) * Vector(*light.direction) : Vector(light.position) - p,
                      l = unit(way);
         const R facing = dot(n, l), glance = dot(mirrored, l);
         if (!(facing > 0)) return {};
         const Material& material = bodies[body].material_of(face);
         const R highlight = glance > 0 ? R(material.specular) * power(glance, R(material.pow)) : R(0);
-        Vector share = light.color * (R(material.diffuse) * facing * Vector(material.rgb.color) +
+        Vector share = light.color * (R(material.diffuse) * facing * color +
                                       Vector{highlight, highlight, highlight});
         share = share_of_spot(light, l) * share;
         const R distance = root(dot(way, way));
@@ -110,7 +119,7 @@ class Tracer {
                 if (!(crossing.t > 0 && (light.direction || crossing.t < distance))) continue;
                 const Material& other = bodies[i].material_of(crossing.face);
                 if (!(other.refraction > 0)) return {};
-                share = R(other.refraction) * share * Vector(other.rgb.color);
+                share = R(other.refraction) * share * bodies[i].leaf_of(crossing.face).paint.at(p + crossing.t * l);
             }
         return share;
     }
@@ -132,6 +141,7 @@ class Tracer {
     Scene scene;
     View view;
     Eye<R> eye;
+    Paint<R> sky;
     std::vector<Body<R>> bodies;
 };
 

@@ -11,6 +11,7 @@
 #include "tests/referee/box.h"
 #include "tests/referee/cone.h"
 #include "tests/referee/disc.h"
+#include "tests/referee/pattern.h"
 #include "tests/referee/torus.h"
 #include "tests/referee/triangle.h"
 
@@ -72,12 +73,30 @@ struct Space {
     void add(const Motion&) {}
 };
 
+/// A colour, the same everywhere or by a pattern in a space of its own within a body's.
+template <class R>
+struct Paint {
+    Pigment pigment;
+    Space<R> space;
+    Paint(const Pigment& own, const std::vector<Transformation>& body) : pigment(own), space(steps_of(own, body)) {}
+    Vector<R> at(const Vector<R>& p) const {
+        return pigment.pattern ? referee::color_of(pigment, space.turn(p - space.moved)) : Vector<R>(pigment.color);
+    }
+    static std::vector<Transformation> steps_of(const Pigment& own, const std::vector<Transformation>& body) {
+        std::vector<Transformation> steps;
+        if (own.pattern) steps = own.pattern->transformations;
+        steps.insert(steps.end(), body.begin(), body.end());
+        return steps;
+    }
+};
+
 /// A simple body, by itself or as a part of another.
 template <class R>
 struct Leaf {
     Shape shape;
     Material material;
     Space<R> space;
+    Paint<R> paint;
     int first_face, faces;
 
     std::vector<Crossing<R>> meet(const Line<R>& line, int source) const {
@@ -137,7 +156,7 @@ struct Body {
                 const auto* const mesh = std::get_if<Mesh>(&part.shape);
                 const int count = mesh ? static_cast<int>(mesh->data->triangles.size()) : own;
                 const Material& material = scene.materials[part.material];
-                leaves.push_back({part.shape, material, Space<R>(way.steps), faces, count});
+                leaves.push_back({part.shape, material, Space<R>(way.steps), {material.rgb, way.material}, faces, count});
                 steps.push_back(leaf), faces += count;
                 if (!(medium->refraction > 0) && material.refraction > 0) medium = &material;
             },

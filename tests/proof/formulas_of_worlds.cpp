@@ -125,6 +125,7 @@ struct Differences {
     }
     /// Where the space of its own stands in which a body is round, its rows, and the body there.
     template <class Shape, class K>
+        requires(!std::is_same_v<Shape, Torus>)
     void compare(const Shape& shape, const AffineKernel<K, T>& kernel, const ExactWay& way, const Slack<T>& slack) {
         const auto centre = [&] {
             if constexpr (requires { shape.centre; })

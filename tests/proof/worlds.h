@@ -1,11 +1,12 @@
 // Random worlds of what proofs know: glass, mirrors and dull bodies that touch and overlap, of all sizes and anywhere.
-// Two thirds of them have other bodies besides balls and rods.
+// Two thirds of them have other bodies besides balls and rods, and patterns.
 #pragma once
 #include <cmath>
 #include <numbers>
 
 #include "scene/scene.h"
 #include "tests/proof/bodies.h"
+#include "tests/proof/painted.h"
 #include "tests/referee/dice.h"
 
 namespace strahl::proof {
@@ -103,6 +104,8 @@ inline Scene random_world(std::uint64_t seed) {
     scene.camera.look_at = place(dice.vector(-1, 1));
     scene.camera.up = {dice.in(-.2, .2), 0, -1};
     scene.camera.fov = dice.in(10, 40);
+    Dice paint = dice_of_paint(seed);
+    if (has_others && paint.chance(.6)) paint_world(paint, size, shift, scene);
     return scene;
 }
 
@@ -111,7 +114,7 @@ inline constexpr int edge_columns = 6, edge_rows = 4;
 
 /// A world of edges: through the middle of each pixel of a small picture goes a ray that touches a ball or a rod or
 /// meets a rim or an end whose plane holds the lamp, but for rounding, or whose mirrored or shadow ray from the floor
-/// does, or meets an edge of some other body.
+/// does, or meets an edge of some other body or of a pattern's pieces.
 inline Scene world_of_edges(std::uint64_t seed) {
     constexpr double degree = std::numbers::pi / 180;
     Dice dice(seed);
@@ -147,6 +150,9 @@ inline Scene world_of_edges(std::uint64_t seed) {
         const bool hard = others.chance(.5);
         scene.lights[0].spot = Spot{shift, hard ? angle : angle * others.in(.5, 1), angle};
     }
+    Dice paint = dice_of_paint(seed);
+    const bool painted = has_others && paint.chance(.5);
+    if (painted && paint.chance(.5)) scene.materials[0].rgb = random_paint(paint, size, shift);
     for (int y = 0; y < edge_rows; ++y)
         for (int x = 0; x < edge_columns; ++x) {
             const double u = (2. * x + 1) / edge_columns - 1, v = (2. * y + 1) / edge_rows - 1;
@@ -163,7 +169,10 @@ inline Scene world_of_edges(std::uint64_t seed) {
             const double radius = size * dice.in(.02, .08);
             const DVec3 centre = from + t * way + radius * across;
             const double kind = dice.in(0, 1);
-            if (has_others && others.chance(.6)) {
+            if (painted && paint.chance(.4)) {
+                scene.primitives.push_back({body_through(paint, from + t * way, way, radius), dull(0), {}});
+                scene.materials.back().rgb = edge_paint(paint, radius, from + t * way);
+            } else if (has_others && others.chance(.6)) {
                 if (others.chance(.4))
                     for (const auto& [shape, steps] : uneven_edge_bodies(others, from + t * way, way, radius))
                         scene.primitives.push_back({shape, dull(0), steps});

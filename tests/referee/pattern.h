@@ -140,6 +140,20 @@ inline void decode(Pigment& pigment) {
     pigment = Pigment(std::move(pattern));
 }
 
+/// The colour of a pigment at a point of its pattern's space.
+template <class R>
+Vector<R> color_of(const Pigment& pigment, const Vector<R>& p) {
+    if (const auto* const image = std::get_if<ImagePattern>(&pigment.pattern->kind)) return color_in(*image, p);
+    const R value = std::visit(ValueAt<R>{p}, pigment.pattern->kind);
+    const std::vector<ColorStop>& stops = pigment.pattern->colors;
+    std::size_t next = 0;
+    while (next < stops.size() && value > R(stops[next].at)) ++next;
+    if (next == 0) return stops.front().color;
+    if (next == stops.size()) return stops.back().color;
+    const ColorStop &from = stops[next - 1], &to = stops[next];
+    const R share = (value - R(from.at)) / (R(to.at) - R(from.at));
+    return (1 - share) * Vector<R>(from.color) + share * Vector<R>(to.color);
+}
 /// The colour of a pigment at a point of its own space, before the pattern's transformations are undone.
 template <class R>
 struct Paint {
@@ -159,17 +173,8 @@ struct Paint {
     }
     Vector<R> at(const Vector<R>& point) const {
         if (!pigment.pattern) return pigment.color;
-        const Vector<R> moved = point - offset, p{dot(rows[0], moved), dot(rows[1], moved), dot(rows[2], moved)};
-        if (const auto* const image = std::get_if<ImagePattern>(&pigment.pattern->kind)) return color_in(*image, p);
-        const R value = std::visit(ValueAt<R>{p}, pigment.pattern->kind);
-        const std::vector<ColorStop>& stops = pigment.pattern->colors;
-        std::size_t next = 0;
-        while (next < stops.size() && value > R(stops[next].at)) ++next;
-        if (next == 0) return stops.front().color;
-        if (next == stops.size()) return stops.back().color;
-        const ColorStop &from = stops[next - 1], &to = stops[next];
-        const R share = (value - R(from.at)) / (R(to.at) - R(from.at));
-        return (1 - share) * Vector<R>(from.color) + share * Vector<R>(to.color);
+        const Vector<R> moved = point - offset;
+        return color_of(pigment, Vector<R>{dot(rows[0], moved), dot(rows[1], moved), dot(rows[2], moved)});
     }
 };
 

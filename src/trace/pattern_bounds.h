@@ -1,0 +1,29 @@
+// By how much colours of patterns may be off where places are: for proofs, compiled once per precision and instruction
+// set, in a file of its own.
+#pragma once
+#include "num/memory.h"
+#include "num/ray.h"
+#include "trace/world.h"
+
+namespace strahl::inline STRAHL_LEVEL {
+
+/// By how much the coefficients of hits may be off, in their largest channel.
+template <class S>
+struct ColorErrors {
+    S ambient{0}, diffuse{0};
+};
+
+template <class S>
+struct PatternBounds {
+    using T = Element<S>;
+    /// Of materials, known by their numbers, that have the colours of their patterns at these positions, which may be
+    /// off by `away`.
+    static ColorErrors<S> of_hits(const World<T>& world, const int* materials, const Vec3<S>& position,
+                                  const S& surface, const S& away);
+    /// Of the background in directions that are off by `turn`.
+    static S of_sky(const World<T>& world, const Vec3<S>& direction, const S& turn);
+    /// Of what a transparent material leaves of light at these positions.
+    static S of_filter(const World<T>& world, int material, const Vec3<S>& position, const S& surface, const S& away);
+};
+
+}  // namespace strahl::inline STRAHL_LEVEL

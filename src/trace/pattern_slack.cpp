@@ -1,0 +1,102 @@
+#include "trace/pattern_slack.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace strahl {
+namespace {
+
+/// How a pattern's own space becomes the kernel's, exactly but for rounding to long double.
+struct ExtendedPatternSpace {
+    std::array<ExtendedVector, 3> rows{ExtendedVector{1, 0, 0}, ExtendedVector{0, 1, 0}, ExtendedVector{0, 0, 1}};
+    ExtendedVector offset{0}, mortar{0};
+
+    /// Of a kind whose borders are this much before whole coordinates.
+    ExtendedPatternSpace(const PatternKind& kind, Extended border) {
+        if (const Brick* const brick = std::get_if<Brick>(&kind)) {
+            for (int c = 0; c < 3; ++c) {
+                const Extended size = brick->size[c];
+                rows[c][c] = 1 / size;
+                offset[c] = (border + brick->mortar) / size;
+                mortar[c] = brick->mortar / size;
+            }
+        } else if (const Gradient* const gradient = std::get_if<Gradient>(&kind)) {
+            rows = {unit_of(extended(gradient->axis)), ExtendedVector(0), ExtendedVector(0)};
+            offset = {border, 0, 0};
+        } else if (std::holds_alternative<Checker>(kind)) {
+            offset = ExtendedVector(border);
+        }
+    }
+};
+
+}  // namespace
+
+/// With the columns of the way out into the world, rows are the dual ones, and the offset is what takes the place of
+/// the space's origin back to 0. Lengths of rows are off by the share that columns are off, times twice how oblique
+/// these are; four more roundings are those of products with the kind's own rows.
+template <class T>
+void compare_pattern(const Pattern& pattern, std::span<const Transformation> steps, const Placement& placement,
+                     const DVec3& period, double border, bool replace, PatternKernel<T>& kernel) {
+    PatternSlack<T>& slack = kernel.slack;
+    const ExtendedTransform to_world(steps, placement.origin, placement.scale);
+    if (!to_world.known()) return void(slack.turned = HUGE_VAL);
+    const std::array columns{to_world.way(ExtendedVector{1, 0, 0}), to_world.way(ExtendedVector{0, 1, 0}),
+                             to_world.way(ExtendedVector{0, 0, 1})};
+    const std::array back = dual_of(columns);
+    Extended condition = 0;
+    for (int i = 0; i < 3; ++i) condition += length_of(columns[i]) * length_of(back[i]);
+    constexpr Extended unit = ExtendedTransform::unit;
+    const Extended share = condition * (2 * to_world.rounding() + 8 * unit);
+    const ExtendedVector origin = to_world.point(ExtendedVector(0));
+    const Extended origin_off = to_world.rounding(DVec3(0)), far = length_of(origin);
+    const ExtendedPatternSpace own(pattern.kind, border);
+    Extended turned = 0, moved = 0;
+    for (int c = 0; c < 3; ++c) {
+        const ExtendedVector& within = own.rows[c];
+        const ExtendedVector row = within.x * back[0] + within.y * back[1] + within.z * back[2];
+        const Extended length = std::abs(within.x) * length_of(back[0]) + std::abs(within.y) * length_of(back[1]) +
+                                std::abs(within.z) * length_of(back[2]);
+        const auto modulo = [&](Extended x) {
+            return period[c] > 0 ? x - period[c] * std::round(x / period[c]) : x;
+        };
+        const Extended exact = own.offset[c] - dot_of(row, origin), offset = modulo(exact);
+        if (replace && std::is_same_v<T, Extended>) {
+            for (int k = 0; k < 3; ++k) kernel.rows[c][k] = static_cast<T>(row[k]);
+            kernel.offset[c] = static_cast<T>(offset), kernel.mortar[c] = static_cast<T>(own.mortar[c]);
+        }
+        turned = std::max(turned, sum_of(extended(kernel.rows[c]) - row) + 2 * share * length);
+        moved = std::max(moved, std::abs(modulo(kernel.offset[c] - exact)) + length * (share * far + origin_off) +
+                                    8 * unit * (length * far + std::abs(own.offset[c]) + std::abs(exact)));
+    }
+    const auto upper = [](Extended x) { return x < 1e300L ? static_cast<T>(x) * T(1 + 1e-15) : T(HUGE_VAL); };
+    slack.turned = upper(turned), slack.moved = upper(moved);
+}
+
+template <class T>
+void measure_colors(const Pattern& pattern, PatternSlack<T>& slack) {
+    Color least(HUGE_VAL), most(-HUGE_VAL);
+    const auto include = [&](const Color& low, const Color& high) {
+        for (int c = 0; c < 3; ++c) least[c] = std::min(least[c], low[c]), most[c] = std::max(most[c], high[c]);
+    };
+    for (const ColorStop& stop : pattern.colors) include(stop.color, stop.color);
+    if (const ImagePattern* const image = std::get_if<ImagePattern>(&pattern.kind)) {
+        include(Color(0), image->pixels->largest);
+        if (image->once) include(*image->once, *image->once);
+    }
+    double apart = 0, largest = 0;
+    for (int c = 0; c < 3; ++c) {
+        apart = std::max(apart, (most[c] - least[c]) * (1 + 1e-15));
+        largest = std::max({largest, std::abs(most[c]), std::abs(least[c])});
+    }
+    slack.apart = static_cast<T>(apart), slack.largest = static_cast<T>(largest);
+}
+
+template void compare_pattern(const Pattern&, std::span<const Transformation>, const Placement&, const DVec3&, double,
+                              bool, PatternKernel<double>&);
+template void compare_pattern(const Pattern&, std::span<const Transformation>, const Placement&, const DVec3&, double,
+                              bool, PatternKernel<Extended>&);
+template void measure_colors(const Pattern&, PatternSlack<double>&);
+template void measure_colors(const Pattern&, PatternSlack<Extended>&);
+
+}  // namespace strahl
