@@ -13,6 +13,7 @@
 #include "main/checkpoint.h"
 #include "main/exit_status.h"
 #include "main/renderer.h"
+#include "scene/motion.h"
 #include "text/file.h"
 #include "text/parse.h"
 #include "text/tracks_file.h"
@@ -143,6 +144,7 @@ int render_command(const RenderOptions& asked) {
     const FileFormat format{bits_of(ending_of(ending), options.bits), scene.settings.linear, options.compression};
     const Shot first =
         shot_of(scene, options.frames ? std::optional(options.frames->first() / options.fps) : options.time);
+    if (!options.prove.empty() && !options.time) scene = at(scene, 0);  // proofs want all numbers as they are then
     Renderer renderer(options, std::move(scene), std::move(hash), first, part, format, stats);
     stats.finished = options.numbered() ? render_frames(options, part, renderer, ending)
                      : options.frames   ? render_stream(options, part, renderer, ending, ffmpeg, stats)
