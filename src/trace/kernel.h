@@ -99,7 +99,7 @@ inline constexpr int most_lit = 31;
 template <class T>
 struct Slack {
     T share = 0;                   // places and lengths of bodies, in their sizes and their distances from 0
-    T turn = 0;                    // directions: normals, axes, angles and rows of boxes
+    T turn = 0;                    // directions: normals, axes, angles, rows of boxes and of spaces of their own
     T plane = 0;                   // distances of planes from 0
     T eye_away = 0, eye_turn = 0;  // of camera rays: where they start, and their directions
     T gain = 1;                    // most by which bodies on its way multiply a light
