@@ -109,19 +109,19 @@ PatternKernel<T> kernel_of(const Pattern& pattern, const glm::dmat4& to_world, c
     return kernel;
 }
 
-/// Tells proofs how far a kernel is off. `body` is a primitive by itself that has the pattern, or null of a sky. The
-/// first one decides about the numbers of kernels in long double.
+/// Tells proofs how far a kernel is off. `body` takes the body that has the pattern into the world. The first one
+/// decides about the numbers of kernels in long double.
 template <class T>
-void compare(const Pattern& pattern, const Primitive* body, const Placement& world, bool first,
+void compare(const Pattern& pattern, const std::vector<Transformation>& body, const Placement& placement, bool first,
              PatternKernel<T>& kernel) {
     if constexpr (!std::is_same_v<T, float>) {
         if (pattern.by_uv) return;
         std::vector<Transformation> steps = pattern.transformations;
-        if (body) steps.insert(steps.end(), body->transformations.begin(), body->transformations.end());
+        steps.insert(steps.end(), body.begin(), body.end());
         PatternKernel<T> own{};
         KernelSpace<T> space{own};
         std::visit(space, pattern.kind);
-        compare_pattern(pattern, steps, body ? world : Placement{}, space.period, border<T>, first, kernel);
+        compare_pattern(pattern, steps, placement, space.period, border<T>, first, kernel);
     }
 }
 
@@ -230,7 +230,7 @@ void WorldArrays<T>::add_patterns(const Scene& scene, const Placement& placement
     if (const Pattern* const pattern = scene.background.pattern.get()) {
         sky = kernel_of<T>(*pattern, glm::dmat4(1), {});
         add_colors(scene.background, sky, scene.settings.linear);
-        if (proves) compare(*pattern, nullptr, {}, true, sky);
+        if (proves) compare(*pattern, {}, {}, true, sky);
         world.sky = &sky;
         world.stops = stops.data();
     }
@@ -246,14 +246,18 @@ void WorldArrays<T>::add_patterns(const Scene& scene, const Placement& placement
     ItemCounts before;  // only by uv
     for (const Primitive& primitive : scene.primitives) {
         first_leaf.push_back(static_cast<std::int32_t>(leaf_materials.size()));
+        std::vector<LeafWay> ways;  // of its leaves, as proofs want them
+        const auto add_way = [&](const Primitive&, const LeafWay& way) { ways.push_back(way); };
+        if (proves) for_each_leaf_within(primitive, add_way, [](Operation) {});
+        std::size_t next_way = 0;
         for_each_leaf_placed(primitive, [&](const Primitive& leaf, const LeafMatrices& matrices) {
             const Material& material = scene.materials[leaf.material];
             const int surface = static_cast<int>(before.surfaces);
             if (any_uv) count_items<T>(leaf, before);
+            const std::size_t own_way = next_way++;
             if (!varies(material)) return leaf_materials.push_back(leaf.material);
             const bool by_uv = material.by_uv();
-            // Proofs do not know composites.
-            const bool compared = proves && &leaf == &primitive && material.rgb.pattern;
+            const bool compared = proves && material.rgb.pattern;
             std::array<double, 16> values{};  // those of the matrix, if they matter
             for (int i = 0; i < 16 && material.patterned(); ++i) values[i] = matrices.material[i / 4][i % 4];
             const auto [entry, is_new] = numbers.try_emplace({leaf.material, by_uv ? surface : -1, values},
@@ -263,7 +267,7 @@ void WorldArrays<T>::add_patterns(const Scene& scene, const Placement& placement
                 // The same matrix by other steps may be another one in exact arithmetic.
                 PatternKernel<T>& known = patterns[entry->second - world.first_pattern];
                 const T turned = known.slack.turned, moved = known.slack.moved;
-                if (compared) compare(*material.rgb.pattern, &primitive, placement, false, known);
+                if (compared) compare(*material.rgb.pattern, ways[own_way].material, placement, false, known);
                 known.slack.turned = std::max(turned, known.slack.turned);
                 known.slack.moved = std::max(moved, known.slack.moved);
                 return;
@@ -275,7 +279,7 @@ void WorldArrays<T>::add_patterns(const Scene& scene, const Placement& placement
             kernel.image.pixels = ranges[leaf.material].image.pixels;
             kernel.image.number = ranges[leaf.material].image.number;
             kernel.slack = ranges[leaf.material].slack;
-            if (compared) compare(*material.rgb.pattern, &primitive, placement, true, kernel);
+            if (compared) compare(*material.rgb.pattern, ways[own_way].material, placement, true, kernel);
             kernel.ambient = Vec3<T>(cast<M>(scene.settings.ambient_light) * M(material.ambient));
             patterns.push_back(kernel);
             if (any_bent) bends.push_back(bend_of(material, matrices.material, placement, kernel.places));

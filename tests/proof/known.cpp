@@ -112,9 +112,12 @@ TEST_CASE("a picture with bounds is that of double") {
         const Scene scene = proof::random_world(seed);
         const View view = view_of(scene, 48, 36);
         CAPTURE(seed);
-        const std::vector<double> proved = prove(scene, view).rgb, plain = render(scene, view).rgb;
+        const Proved proved = prove(scene, view);
+        const std::vector<double> plain = render(scene, view).rgb;
+        // Glass is multiplied in another order, and flat faces of composites are met by their own formulas.
         double most = 0;
-        for (std::size_t i = 0; i < plain.size(); ++i) most = std::max(most, std::abs(proved[i] - plain[i]));
-        CHECK(most < 1e-15);  // glass is multiplied in another order
+        for (std::size_t i = 0; i < plain.size(); ++i)
+            most = std::max(most, std::abs(proved.rgb[i] - plain[i]) - proved.bounds[i / 3]);
+        CHECK(most < 1e-15);
     }
 }
