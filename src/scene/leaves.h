@@ -32,11 +32,11 @@ void for_each_leaf_placed(const Primitive& primitive, const Visit& visit, const 
 /// The way of a composite's leaf into the composite's own space, and its transformations all the way into the world.
 struct LeafWay {
     glm::dmat4 inner{1};
-    double similarity = 0;  // of the way into the world
+    double similarity = 0;                        // of the way into the world
     std::vector<Transformation> steps, material;  // the latter of its material's patterns
 };
-/// Calls visit(leaf, way) for the leaves of a composite in the order declared, and combine(operation) where the last two
-/// results become one.
+/// Calls visit(leaf, way) for the leaves of a composite in the order declared, and combine(operation) where the last
+/// two results become one.
 template <class Visit, class Combine>
 void for_each_leaf_within(const Primitive& composite, const Visit& visit, const Combine& combine) {
     const auto look = [&](const auto& self, const Primitive& part, const LeafWay& way) -> void {
@@ -46,7 +46,9 @@ void for_each_leaf_within(const Primitive& composite, const Visit& visit, const 
                     for (std::size_t i = 0; i < kind.parts->size(); ++i) {
                         const Primitive& next = (*kind.parts)[i];
                         LeafWay own{way.inner * matrix(next.transformations),
-                                    way.similarity * similarity(next.transformations), next.transformations, {}};
+                                    way.similarity * similarity(next.transformations),
+                                    next.transformations,
+                                    {}};
                         own.steps.insert(own.steps.end(), way.steps.begin(), way.steps.end());
                         own.material = next.material == part.material ? way.material : own.steps;
                         self(self, next, own);
@@ -58,8 +60,16 @@ void for_each_leaf_within(const Primitive& composite, const Visit& visit, const 
             },
             part.shape);
     };
-    look(look, composite, {glm::dmat4(1), similarity(composite.transformations), composite.transformations,
-                           composite.transformations});
+    look(look, composite,
+         {glm::dmat4(1), similarity(composite.transformations), composite.transformations, composite.transformations});
+}
+
+/// Those of all leaves.
+inline std::vector<LeafWay> ways_of(const Primitive& composite) {
+    std::vector<LeafWay> ways;
+    for_each_leaf_within(
+        composite, [&](const Primitive&, const LeafWay& way) { ways.push_back(way); }, [](Operation) {});
+    return ways;
 }
 
 /// The sum of count(kind) for each of them.

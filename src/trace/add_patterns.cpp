@@ -246,9 +246,7 @@ void WorldArrays<T>::add_patterns(const Scene& scene, const Placement& placement
     ItemCounts before;  // only by uv
     for (const Primitive& primitive : scene.primitives) {
         first_leaf.push_back(static_cast<std::int32_t>(leaf_materials.size()));
-        std::vector<LeafWay> ways;  // of its leaves, as proofs want them
-        const auto add_way = [&](const Primitive&, const LeafWay& way) { ways.push_back(way); };
-        if (proves) for_each_leaf_within(primitive, add_way, [](Operation) {});
+        const std::vector<LeafWay> ways = proves ? ways_of(primitive) : std::vector<LeafWay>();
         std::size_t next_way = 0;
         for_each_leaf_placed(primitive, [&](const Primitive& leaf, const LeafMatrices& matrices) {
             const Material& material = scene.materials[leaf.material];

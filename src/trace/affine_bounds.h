@@ -58,7 +58,7 @@ template <class S, class K>
     const Mask<S> told = turn < S(.01);
     const auto low = [&](const S& t) { return select(told, t * select(t > S(0), less, more), S(-inf)); };
     const auto high = [&](const S& t) { return select(told, t * select(t > S(0), more, less), S(inf)); };
-    return {low(span.near_low), high(span.near_high),       low(span.far_low),
+    return {low(span.near_low),  high(span.near_high),        low(span.far_low),
             high(span.far_high), Mask<S>(span.maybe | !told), Mask<S>(span.sure & told)};
 }
 

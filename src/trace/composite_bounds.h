@@ -8,8 +8,8 @@ namespace strahl::inline STRAHL_LEVEL {
 
 inline constexpr int composite_form = place_of<CompositeForm>(Forms{});
 
-/// A part of a composite along a pack of rays: between which numbers they enter and leave it, where they do as computed,
-/// and on which surfaces.
+/// A part of a composite along a pack of rays: between which numbers they enter and leave it, where they do as
+/// computed, and on which surfaces.
 template <class S>
 struct KnownLeaf {
     SpanBounds<S> span;
@@ -77,8 +77,8 @@ class KnownComposite {
     using T = Element<S>;
 
   public:
-    [[gnu::noinline]] KnownComposite(const World<T>& world, const CompositeInfo& composite,
-                                     const DoubtfulRay<S>& own, const Slack<T>& slack)
+    [[gnu::noinline]] KnownComposite(const World<T>& world, const CompositeInfo& composite, const DoubtfulRay<S>& own,
+                                     const Slack<T>& slack)
         : world(world), composite(composite) {
         for (int i = 0; known && i < composite.leaves; ++i) {
             const CompositeLeaf& leaf = this->leaf(i);
@@ -96,7 +96,7 @@ class KnownComposite {
         for (int i = 0; i < composite.leaves; ++i) {
             const SpanBounds<S>& span = leaves[i].span;
             for (int k = 0; k < 2; ++k) {
-                const S& low = k == 0 ? span.near_low : span.far_low, &high = k == 0 ? span.near_high : span.far_high;
+                const S &low = k == 0 ? span.near_low : span.far_low, &high = k == 0 ? span.near_high : span.far_high;
                 const Mask<S> ahead = active & span.maybe & !(high <= S(0)) & !(low == S(SpanBounds<S>::inf));
                 if (none(ahead)) continue;
                 Mask<S> certain, lanes = ahead;

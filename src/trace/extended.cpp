@@ -103,7 +103,8 @@ InOwnSpace<ConeKernel<Extended>> in_own_space(const Cone& cone) {
     return {cone.base, unit, kernel};
 }
 InOwnSpace<DiscKernel<Extended>> in_own_space(const Disc& disc) {
-    return {disc.centre, disc.radius,
+    return {disc.centre,
+            disc.radius,
             {ExtendedVector(0), unit_of(extended(disc.normal)), 1, Extended(disc.hole) / disc.radius}};
 }
 

@@ -179,14 +179,14 @@ template <class S>
 }
 
 template <class S>
-ColorErrors<S> PatternBounds<S>::of_hits(const World<T>& world, const int* materials, const Vec3<S>& position,
-                                         const S&, const S& away) {
+ColorErrors<S> PatternBounds<S>::of_hits(const World<T>& world, const int* materials, const Vec3<S>& position, const S&,
+                                         const S& away) {
     ColorErrors<S> errors;
     each_pattern<S>(world, materials, [&](int which, Mask<S> lanes) {
         const PatternKernel<T>& pattern = world.patterns[which];
         const S error = color_error(world, pattern, position, away);
-        const T ambient = std::max({std::abs(pattern.ambient.x), std::abs(pattern.ambient.y),
-                                    std::abs(pattern.ambient.z)});
+        const T ambient =
+            std::max({std::abs(pattern.ambient.x), std::abs(pattern.ambient.y), std::abs(pattern.ambient.z)});
         errors.ambient = select(lanes, S(ambient) * error, errors.ambient);
         errors.diffuse = select(lanes, S(pattern.diffuse) * error, errors.diffuse);
     });

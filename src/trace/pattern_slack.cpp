@@ -57,9 +57,7 @@ void compare_pattern(const Pattern& pattern, std::span<const Transformation> ste
         const ExtendedVector row = within.x * back[0] + within.y * back[1] + within.z * back[2];
         const Extended length = std::abs(within.x) * length_of(back[0]) + std::abs(within.y) * length_of(back[1]) +
                                 std::abs(within.z) * length_of(back[2]);
-        const auto modulo = [&](Extended x) {
-            return period[c] > 0 ? x - period[c] * std::round(x / period[c]) : x;
-        };
+        const auto modulo = [&](Extended x) { return period[c] > 0 ? x - period[c] * std::round(x / period[c]) : x; };
         const Extended exact = own.offset[c] - dot_of(row, origin), offset = modulo(exact);
         if (replace && std::is_same_v<T, Extended>) {
             for (int k = 0; k < 3; ++k) kernel.rows[c][k] = static_cast<T>(row[k]);

@@ -138,8 +138,9 @@ STRAHL_INLINE S turn_refracted(const HitBounds<S>& known, const S& b, const S& c
            S(8 * unit_error<S>) * (S(1) + b + fma(b, b, S(1)) / least);
 }
 
-/// How far the exact ray's line passes the computed one's origin p, from where x is the exact one. Mirrored by the plane
-/// that touches the surface at x the way from x to p changes by twice its height, and so does its part across the ray.
+/// How far the exact ray's line passes the computed one's origin p, from where x is the exact one. Mirrored by the
+/// plane that touches the surface at x the way from x to p changes by twice its height, and so does its part across the
+/// ray.
 template <class S>
 STRAHL_INLINE S side_reflected(const HitBounds<S>& known) {
     return min(S(1.001) * fma(S(2), known.height, known.side), known.away);

@@ -59,10 +59,10 @@ template <class S, class Item, class Bin>
     constexpr auto inf = Candidates<S>::inf;
     const auto [near, far] = ends_of<S>(crossings_of(item, own.ray));
     const Mask<S> enters = span.sure & (span.near_low > S(0)), leaves = span.sure & (span.far_low > S(0));
-    found.add(mask & !(span.near_high <= S(0)), span.near_low, select(enters, span.near_high, S(inf)), near,
+    found.add(mask & !(span.near_high <= S(0)), span.near_low, select(enters, span.near_high, S(inf)), near, surface,
+              S(bin));
+    found.add(mask & !(span.far_high <= S(0)) & !enters, span.far_low, select(leaves, span.far_high, S(inf)), far,
               surface, S(bin));
-    found.add(mask & !(span.far_high <= S(0)) & !enters, span.far_low, select(leaves, span.far_high, S(inf)),
-              far, surface, S(bin));
 }
 
 /// What certainly becomes of light: `dark` where none comes through; else what is left of it, if that is not in doubt.
@@ -133,8 +133,8 @@ template <class S, class Item>
     pass_crossing(span.far_low, span.far_high, span, mask, distance, off, certain[1], possible[1]);
     if constexpr (requires { span.later; })
         if (transparent(world, item)) light.doubt = light.doubt | (mask & (span.later < distance + off));
-    if (const int material = static_cast<int>(item.material);
-        transparent(world, item) && patterned(world, material)) [[unlikely]] {
+    if (const int material = static_cast<int>(item.material); transparent(world, item) && patterned(world, material))
+        [[unlikely]] {
         light.doubt = light.doubt | possible[0] | possible[1];
         pass_pattern(world, material, S(item.surface), own, span.near_low, span.near_high, certain[0], light);
         pass_pattern(world, material, S(item.surface), own, span.far_low, span.far_high, certain[1], light);

@@ -15,7 +15,8 @@ STRAHL_INLINE RoundedTraversalRay<S> traversal_ray(const DoubtfulRay<S>& own, co
 
 /// What may be met in the hierarchy. Not inline: of small worlds its stack would be a burden.
 template <class S>
-[[gnu::noinline]] void candidates_in_hierarchy(const World<Element<S>>& world, const DoubtfulRay<S>& own, Mask<S> active,
+[[gnu::noinline]] void candidates_in_hierarchy(const World<Element<S>>& world, const DoubtfulRay<S>& own,
+                                           Mask<S> active,
                                            const Slack<Element<S>>& slack, Candidates<S>& found) {
     using T = Element<S>;
     const auto line = traversal_ray(own, slack);
@@ -114,8 +115,8 @@ template <class S>
             for (int i = leaf.first; i < leaf.first + leaf.count(); ++i)
                 pass_item(world, group.items[i], own, mask, distance, off, slack, light);
         });
-        if (!known && !pass_composites(world, leaf.form(), leaf.first, leaf.count(), own, mask, distance, off, slack,
-                                       light))
+        if (!known &&
+            !pass_composites(world, leaf.form(), leaf.first, leaf.count(), own, mask, distance, off, slack, light))
             light.doubt = light.doubt | mask;
         limit = select(light.dark, S(-1), limit);
         return all(limit < S(0));
@@ -164,7 +165,8 @@ template <class S>
             for (int i = items.first; any(mask) && i < items.first + items.count; ++i)
                 pass_item(world, group.items[i], own, mask, distance, off, slack, light);
         });
-        if (known || pass_composites(world, items.form, items.first, items.count, own, mask, distance, off, slack, light))
+        if (known ||
+            pass_composites(world, items.form, items.first, items.count, own, mask, distance, off, slack, light))
             return false;
         if (!world.bin_per_item) return light.doubt = light.doubt | mask, false;
         const SpanBounds<S> span = span_around(world, bin, own, slack);

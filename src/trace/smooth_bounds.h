@@ -11,8 +11,7 @@ STRAHL_INLINE SpanBounds<S> span_bounds(const SmoothTriangleKernel<K>& triangle,
     return span_bounds(triangle.flat, ray, doubt, start, slack);
 }
 template <class S>
-STRAHL_INLINE S off_surface(const SmoothTriangleKernel<S>& triangle, const Vec3<S>& p,
-                            const Slack<Element<S>>& slack) {
+STRAHL_INLINE S off_surface(const SmoothTriangleKernel<S>& triangle, const Vec3<S>& p, const Slack<Element<S>>& slack) {
     return off_surface(triangle.flat, p, slack);
 }
 
@@ -35,9 +34,9 @@ template <class S>
     const S v = dot(triangle.n, cross(q, triangle.f)) / whole, w = dot(triangle.n, cross(triangle.e, q)) / whole;
     const Vec3<S> bent = fma(v, to_b, fma(w, to_c, kernel.normal_a));
     const S length = sqrt(dot(bent, bent));
-    const S slope = (sqrt(dot(to_b, to_b) * dot(triangle.f, triangle.f)) +
-                     sqrt(dot(to_c, to_c) * dot(triangle.e, triangle.e))) /
-                    triangle.tall;
+    const S slope =
+        (sqrt(dot(to_b, to_b) * dot(triangle.f, triangle.f)) + sqrt(dot(to_c, to_c) * dot(triangle.e, triangle.e))) /
+        triangle.tall;
     const S off = slope * (known.away + triangle.edge(q)) + S(slack.turn + 16 * u);
     const S side = select(dot(bent, point.normal) < S(0), S(-1), S(1));
     const S wrong = norm1(fma(side, point.normal, scale(S(-1) / length, bent)));

@@ -154,9 +154,9 @@ struct PointBounds {
 ///
 /// The exact ray's line passes p at a distance of at most g; what this misses is rounded by (t + |p|) u / 2. It meets
 /// the plane that touches the surface no further than g / c from p, c being the cosine, and there the surface is within
-/// off + k X^2 / 2 of that plane, where X is how far the exact point is: c X <= g + off + k X^2 / 2, of which the smaller
-/// root is 2 d / (c + sqrt(c^2 - 2 k d)) with d = g + off. Factors of 1.1 in k and 1.001 are for k d < .001 and for
-/// rounding.
+/// off + k X^2 / 2 of that plane, where X is how far the exact point is: c X <= g + off + k X^2 / 2, of which the
+/// smaller root is 2 d / (c + sqrt(c^2 - 2 k d)) with d = g + off. Factors of 1.1 in k and 1.001 are for k d < .001 and
+/// for rounding.
 template <class S>
 STRAHL_INLINE PointBounds<S> point_bounds(const Ray<S>& ray, const Doubt<S>& doubt, const S& t,
                                           const SurfacePoint<S>& point, const S& off, const S& k, const S& turned) {
@@ -168,8 +168,8 @@ STRAHL_INLINE PointBounds<S> point_bounds(const Ray<S>& ray, const Doubt<S>& dou
     const S square = fma(cosine, cosine, S(-2.2) * k * d);
     const S away = S(2.002) * d / (cosine + sqrt(max(square, S(0))));
     const S normal = fma(S(1.002) * k, away, turned);
-    const Mask<S> sure = (cosine > S(0)) & (square > S(0)) & (k * d < S(.001)) &
-                         (away + doubt.away + d + S(4 * u) * t < t);
+    const Mask<S> sure =
+        (cosine > S(0)) & (square > S(0)) & (k * d < S(.001)) & (away + doubt.away + d + S(4 * u) * t < t);
     return {away, normal, side, fma(S(.55) * k * away, away, off), sure};
 }
 

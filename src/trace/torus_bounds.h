@@ -30,7 +30,10 @@ struct TorusDistance {
     template <class K>
     STRAHL_INLINE TorusDistance(const TorusKernel<K>& torus, const Ray<S>& ray, const Doubt<S>& doubt,
                                 const Slack<Element<S>>& slack)
-        : f(ray.origin - splat<S>(torus.centre)), d(ray.direction), axis(splat<S>(torus.axis)), major(torus.major),
+        : f(ray.origin - splat<S>(torus.centre)),
+          d(ray.direction),
+          axis(splat<S>(torus.axis)),
+          major(torus.major),
           minor(torus.minor) {
         constexpr auto u = unit_error<S>;
         off_here = doubt.away + own_error<S>(torus, slack) + S(10 * u) * norm1(f) + S(8 * u) * (major + minor);
@@ -116,8 +119,7 @@ template <class S, class K>
     span.maybe = maybe & !missed, span.sure = told & changes;
     span.near_low = select(inside, S(-inf), select(span.sure, low, select(outside, clear, S(-inf))));
     span.near_high = select(inside, S(-inf), select(span.sure, high, S(inf)));
-    span.far_low = select(span.sure, select(inside, low, crossing + steady),
-                          select(outside | inside, clear, S(-inf)));
+    span.far_low = select(span.sure, select(inside, low, crossing + steady), select(outside | inside, clear, S(-inf)));
     span.far_high = select(span.sure & inside, high, S(inf));
     span.later = select(span.sure, crossing + steady, zero);
     return span;
@@ -126,8 +128,7 @@ template <class S, class K>
 /// Of sums and products of lengths in the torus 10 units, and of two sums.
 template <class S>
 STRAHL_INLINE S off_surface(const TorusKernel<S>& torus, const Vec3<S>& p, const Slack<Element<S>>& slack) {
-    return own_error<S>(torus, slack) +
-           S(unit_error<S>) * fma(S(10), torus.major + torus.minor, S(.51) * norm1(p));
+    return own_error<S>(torus, slack) + S(unit_error<S>) * fma(S(10), torus.major + torus.minor, S(.51) * norm1(p));
 }
 /// Lines on the surface are bent no more than the tube and than circles around the axis are, which counts a twentieth
 /// more nearby. The way out from the axis is turned by what rounds its part across the axis.
@@ -140,8 +141,7 @@ STRAHL_INLINE PointBounds<S> point_bounds(const TorusKernel<S>& torus, const Ray
     const S out = sqrt(dot(across, across)), narrow = min(torus.minor, out), k = S(1.05) / narrow;
     const S off = off_surface(torus, point.position, slack);
     const S rounding = S(4 * u) * (S(1) + norm1(f) * (S(1) + torus.major / out) / torus.minor);
-    PointBounds<S> known =
-        point_bounds(ray, doubt, t, point, off, k, fma(S(2) * k, off, S(2 * slack.turn) + rounding));
+    PointBounds<S> known = point_bounds(ray, doubt, t, point, off, k, fma(S(2) * k, off, S(2 * slack.turn) + rounding));
     known.sure = known.sure & (known.away + off < S(.04) * narrow);
     return known;
 }

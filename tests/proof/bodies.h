@@ -83,7 +83,8 @@ inline Shape random_composite(Dice& dice, const DVec3& centre, double radius, in
         const bool composite = !inner && dice.chance(.15);
         Primitive part{composite ? random_composite(dice, centre, radius, material, transformed, true)
                                  : random_part(dice, centre, radius, i > 0 && operation > 0),
-                       material + dice.chance(.3), {}};
+                       material + dice.chance(.3),
+                       {}};
         if (transformed && dice.chance(.3)) {
             part.transformations = {Translate{-centre}, Rotate{dice.vector(-200, 200)}, Scale{DVec3(dice.in(.7, 1.4))},
                                     Translate{centre}};

@@ -80,7 +80,8 @@ class Tracer {
     Vector light_of(const Line<R>& line, const Crossing<R>& hit, int body, int generation,
                     const std::vector<int>& inside) const {
         const Material& material = bodies[body].material_of(hit.face);
-        const Vector e = line.direction, p = line.origin + hit.t * e, color = bodies[body].leaf_of(hit.face).paint.at(p);
+        const Vector e = line.direction, p = line.origin + hit.t * e,
+                     color = bodies[body].leaf_of(hit.face).paint.at(p);
         Vector n = unit(hit.normal);
         if (dot(e, n) > 0) n = R(-1) * n;
         const Vector mirrored = e - 2 * dot(e, n) * n;
@@ -110,8 +111,7 @@ class Tracer {
         if (!(facing > 0)) return {};
         const Material& material = bodies[body].material_of(face);
         const R highlight = glance > 0 ? R(material.specular) * power(glance, R(material.pow)) : R(0);
-        Vector share = light.color * (R(material.diffuse) * facing * color +
-                                      Vector{highlight, highlight, highlight});
+        Vector share = light.color * (R(material.diffuse) * facing * color + Vector{highlight, highlight, highlight});
         share = share_of_spot(light, l) * share;
         const R distance = root(dot(way, way));
         for (int i = 0; i < std::ssize(bodies); ++i)

@@ -156,7 +156,8 @@ struct Body {
                 const auto* const mesh = std::get_if<Mesh>(&part.shape);
                 const int count = mesh ? static_cast<int>(mesh->data->triangles.size()) : own;
                 const Material& material = scene.materials[part.material];
-                leaves.push_back({part.shape, material, Space<R>(way.steps), {material.rgb, way.material}, faces, count});
+                leaves.push_back(
+                    {part.shape, material, Space<R>(way.steps), {material.rgb, way.material}, faces, count});
                 steps.push_back(leaf), faces += count;
                 if (!(medium->refraction > 0) && material.refraction > 0) medium = &material;
             },

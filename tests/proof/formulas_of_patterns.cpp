@@ -47,9 +47,7 @@ struct ColorDifferences {
         const Vector wrong = Vector{computed.x, computed.y, computed.z} - exact;
         return std::max({size(wrong.x), size(wrong.y), size(wrong.z)});
     }
-    static Vec3<T> nearest(const Vector& v) {
-        return {static_cast<T>(v.x), static_cast<T>(v.y), static_cast<T>(v.z)};
-    }
+    static Vec3<T> nearest(const Vector& v) { return {static_cast<T>(v.x), static_cast<T>(v.y), static_cast<T>(v.z)}; }
     static double rounded_up(T bound) { return std::nextafter(static_cast<double>(bound), inf); }
 
     /// `own` is in the pattern's space; the place that is known is `away` along a direction from it.
@@ -60,12 +58,12 @@ struct ColorDifferences {
         const Pigment& pigment = scene.materials[0].rgb;
         const exact::Paint<R> paint(pigment, scene.primitives[0].transformations);
         const auto& [a, b, c] = paint.space.columns;
-        const Vector in_world = R(placement.scale) * (own.x * a + own.y * b + own.z * c + paint.space.moved -
-                                                      Vector(placement.origin));
+        const Vector in_world =
+            R(placement.scale) * (own.x * a + own.y * b + own.z * c + paint.space.moved - Vector(placement.origin));
         const Vec3<T> known = nearest(in_world + away * length(in_world) * along);
         const Vector known_exactly{known.x, known.y, known.z};
-        const T bound_of_place = static_cast<T>(length(known_exactly - in_world)) *
-                                 (1 + 2 * std::numeric_limits<T>::epsilon());
+        const T bound_of_place =
+            static_cast<T>(length(known_exactly - in_world)) * (1 + 2 * std::numeric_limits<T>::epsilon());
         const Vector exact = paint.at(R(1) / R(placement.scale) * in_world + Vector(placement.origin));
         const PatternKernel<T>& kernel = world.patterns[0];
         const Vec3<T> color = color_at(world, kernel, known, T(-1));

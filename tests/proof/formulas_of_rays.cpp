@@ -56,8 +56,7 @@ Vector direction_of(const OffHit& off, const Vec3<double>& direction) {
 
 TEST_CASE("formulas of mirrors and glass") {
     Closest mirror{"mirrored direction"}, mirrored_line{"mirrored line"}, glass{"refracted direction"},
-        refracted_line{"refracted line"}, square{"squared cosine beyond"},
-        total{"total, or not"};
+        refracted_line{"refracted line"}, square{"squared cosine beyond"}, total{"total, or not"};
     Dice dice(4);
     for (int i = 0; i < trials(); ++i) {
         const OffHit off(dice, material_of(dice));
@@ -147,7 +146,8 @@ TEST_CASE("formulas of spots") {
         const DVec3 l = nearly_unit(dice, way);
         const Vector exact_l = unit(vector(l) + R(any_size(dice)) * (dice.chance(.5) ? across : R(-1) * across));
         const double error = spot_error(kernel, l, turn_from(exact_l, l));
-        (error < .01 ? share : border).take(size(exact::Tracer<R>::share_of_spot(light, exact_l) - spot_share(kernel, l)), error);
+        const R wrong = size(exact::Tracer<R>::share_of_spot(light, exact_l) - spot_share(kernel, l));
+        (error < .01 ? share : border).take(wrong, error);
     }
 }
 

@@ -25,8 +25,8 @@ struct OffTorus {
         kernel.centre = rounded(Vector(shape.centre) + R(off) * Vector(dice.direction()));
         kernel.major = shape.major * (1 + off), kernel.minor = shape.minor * (1 - off);
         slack.turn = above(length(vector(kernel.axis) - axis));
-        const R wrong = length(vector(kernel.centre) - Vector(shape.centre)) +
-                        size(R(kernel.major) - R(shape.major)) + size(R(kernel.minor) - R(shape.minor));
+        const R wrong = length(vector(kernel.centre) - Vector(shape.centre)) + size(R(kernel.major) - R(shape.major)) +
+                        size(R(kernel.minor) - R(shape.minor));
         slack.share = 1.0000001 * above(wrong / (R(norm1(kernel.centre)) + R(kernel.major) + R(kernel.minor)));
     }
     R off(const Vector& p) const {
@@ -47,8 +47,8 @@ struct OffTorus {
 };
 
 struct TorusTrials {
-    Closest first{"first crossing"}, away{"point"}, side{"line beside the point"}, height{"point off the exact one's plane"},
-        surface{"point off its surface"}, normal{"normal"},
+    Closest first{"first crossing"}, away{"point"}, side{"line beside the point"},
+        height{"point off the exact one's plane"}, surface{"point off its surface"}, normal{"normal"},
         told{"certain, or not"};
     int known = 0, all = 0;
 

@@ -78,8 +78,8 @@ struct trial::Case<Uneven<Shape>> {
         slack.turn = std::max(inner.slack.turn,
                               above(root(dot(error[0], error[0]) + dot(error[1], error[1]) + dot(error[2], error[2]))));
         const R sizes = R(norm1(kernel.centre)) + R(norm1(kernel.box.half));
-        slack.share = std::max(inner.slack.share,
-                               1.0000001 * above(length(vector(kernel.centre) - shape.centre) / sizes));
+        slack.share =
+            std::max(inner.slack.share, 1.0000001 * above(length(vector(kernel.centre) - shape.centre) / sizes));
     }
     double scale() const { return size * inner.scale(); }
     /// How far a point is from a face: how far it is in the body's own space over how fast that grows.
@@ -122,9 +122,7 @@ TEST_CASE("formulas of uneven spaces") {
         AffineKernel<SphereKernel<double>, double> kernel;
         kernel.centre = DVec3(0), kernel.shape = {DVec3(0), 1};
         kernel.row_x = rounded(rows[0]), kernel.row_y = rounded(rows[1]), kernel.row_z = rounded(rows[2]);
-        const auto grown = [&](const Vector& v) {
-            return Vector{dot(rows[0], v), dot(rows[1], v), dot(rows[2], v)};
-        };
+        const auto grown = [&](const Vector& v) { return Vector{dot(rows[0], v), dot(rows[1], v), dot(rows[2], v)}; };
         const auto back = [&](const Vector& v) { return v.x * rows[0] + v.y * rows[1] + v.z * rows[2]; };
         const OwnPoint<SphereKernel<double>, double> point(kernel, dice.direction(), 0., Slack<double>{});
         const Vector n = unit(vector(point.normal));
