@@ -225,15 +225,18 @@ BendKernel<T> WorldArrays<T>::bend_of(const Material& material, const glm::dmat4
 }
 
 template <class T>
+void WorldArrays<T>::add_sky(const Scene& scene, bool proves) {
+    const Pattern* const pattern = scene.background.pattern.get();
+    if (!pattern) return;
+    sky = kernel_of<T>(*pattern, glm::dmat4(1), {});
+    add_colors(scene.background, sky, scene.settings.linear);
+    if (proves) compare(*pattern, {}, {}, true, sky);
+    world.sky = &sky, world.stops = stops.data();
+}
+template <class T>
 void WorldArrays<T>::add_patterns(const Scene& scene, const Placement& placement, bool proves) {
     using M = Made<T>;
-    if (const Pattern* const pattern = scene.background.pattern.get()) {
-        sky = kernel_of<T>(*pattern, glm::dmat4(1), {});
-        add_colors(scene.background, sky, scene.settings.linear);
-        if (proves) compare(*pattern, {}, {}, true, sky);
-        world.sky = &sky;
-        world.stops = stops.data();
-    }
+    add_sky(scene, proves);
     const bool any_bent = std::ranges::any_of(scene.materials, &Material::bends);
     const auto varies = [&](const Material& m) { return any_bent || m.patterned(); };
     if (std::ranges::none_of(scene.materials, varies)) return;
@@ -247,15 +250,13 @@ void WorldArrays<T>::add_patterns(const Scene& scene, const Placement& placement
     for (const Primitive& primitive : scene.primitives) {
         first_leaf.push_back(static_cast<std::int32_t>(leaf_materials.size()));
         const std::vector<LeafWay> ways = proves ? ways_of(primitive) : std::vector<LeafWay>();
-        std::size_t next_way = 0;
         for_each_leaf_placed(primitive, [&](const Primitive& leaf, const LeafMatrices& matrices) {
             const Material& material = scene.materials[leaf.material];
             const int surface = static_cast<int>(before.surfaces);
             if (any_uv) count_items<T>(leaf, before);
-            const std::size_t own_way = next_way++;
+            const std::size_t own_way = leaf_materials.size() - first_leaf.back();
             if (!varies(material)) return leaf_materials.push_back(leaf.material);
-            const bool by_uv = material.by_uv();
-            const bool compared = proves && material.rgb.pattern;
+            const bool by_uv = material.by_uv(), compared = proves && material.rgb.pattern;
             std::array<double, 16> values{};  // those of the matrix, if they matter
             for (int i = 0; i < 16 && material.patterned(); ++i) values[i] = matrices.material[i / 4][i % 4];
             const auto [entry, is_new] = numbers.try_emplace({leaf.material, by_uv ? surface : -1, values},

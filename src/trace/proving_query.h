@@ -16,8 +16,7 @@ STRAHL_INLINE RoundedTraversalRay<S> traversal_ray(const DoubtfulRay<S>& own, co
 /// What may be met in the hierarchy. Not inline: of small worlds its stack would be a burden.
 template <class S>
 [[gnu::noinline]] void candidates_in_hierarchy(const World<Element<S>>& world, const DoubtfulRay<S>& own,
-                                           Mask<S> active,
-                                           const Slack<Element<S>>& slack, Candidates<S>& found) {
+                                              Mask<S> active, const Slack<Element<S>>& slack, Candidates<S>& found) {
     using T = Element<S>;
     const auto line = traversal_ray(own, slack);
     const auto look = [&](const Leaf& leaf, Mask<S> mask) {

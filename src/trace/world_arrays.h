@@ -153,6 +153,7 @@ struct WorldArrays {
     // add_composites.cpp
     void add_composites(const Scene& scene, const Placement& placement, ThreadPool& pool, bool proves);
     // add_patterns.cpp
+    void add_sky(const Scene& scene, bool proves);
     void add_patterns(const Scene& scene, const Placement& placement, bool proves);
     void add_colors(const Pigment& pigment, PatternKernel<T>& kernel, bool linear);
     /// What patterns by uv know of a body, whose first surface is given.
