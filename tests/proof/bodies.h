@@ -125,7 +125,13 @@ inline std::vector<Shape> random_bodies(Dice& dice, const DVec3& centre, double 
 
 /// Bodies of about this size that a ray from afar along `way` meets at `target` on an edge, but for rounding.
 inline std::vector<Shape> edge_bodies(Dice& dice, const DVec3& target, const DVec3& way, double size) {
-    const int kind = dice.upto(4);
+    const int kind = dice.upto(5);
+    if (kind == 5) {  // where the surfaces of two parts cross
+        const auto part = [&] { return Primitive{Sphere{target + size * dice.direction(), size}, 0, {}}; };
+        const auto parts = std::make_shared<const std::vector<Primitive>>(std::vector<Primitive>{part(), part()});
+        if (dice.chance(.5)) return {Difference{parts}};
+        return {Intersection{parts}};
+    }
     if (kind == 4) {  // its outermost circle, or where a plane touches it
         const DVec3 out = unit(cross(way, dice.direction())), beside = unit(cross(out, dice.direction()));
         const double minor = size * dice.in(.2, .8);
