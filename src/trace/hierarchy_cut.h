@@ -44,6 +44,7 @@ inline constexpr float item_cost = .25f;  // of that of a binary node
 struct Extents {
     Bounds all = nothing, middles = nothing;
     void add(const Extents& e) { all.add(e.all), middles.add(e.middles); }
+    void add(const Bounds& box) { all.add(box), middles.add(box.middle()); }
 };
 
 /// Bins for so many items: an empty one costs as much as a full one.
@@ -51,31 +52,28 @@ inline int bins_for(std::int32_t count) { return count <= 16 ? 4 : count <= 64 ?
 
 /// How far along the bins of each axis a box's centre is.
 struct BinScale {
-    int bins;
     Quad from, per_bin, last;
-    BinScale(const Bounds& middles, int own)
-        : bins(own), from(middles.low), per_bin(Quad{} + static_cast<float>(bins)), last(per_bin - 1) {
+    BinScale(const Bounds& middles, Quad bins) : from(middles.low), per_bin(bins), last(bins - 1) {
         per_bin /= middles.high - middles.low;
         for (int i = 0; i < 3; ++i)
             if (!std::isfinite(per_bin[i])) per_bin[i] = 0;
     }
     Quad operator()(const Bounds& box) const { return minimum((box.middle() - from) * per_bin, last); }
+    WholeQuad bins(const Bounds& box) const { return __builtin_convertvector((*this)(box), WholeQuad); }
 };
 
-/// What is in each bin: count boxes, and one around them.
+/// What is in each bin of an axis: count boxes, and one around them.
 struct Bins {
-    int bins;
+    int bins[3];
     Bounds box[3][most_bins];
     std::int32_t count[3][most_bins];
 
-    Bins() = default;
-    explicit Bins(int own) : bins(own) {
+    Bins(int x, int y, int z) : bins{x, y, z} {
         for (int axis = 0; axis < 3; ++axis)
-            for (int b = 0; b < bins; ++b) box[axis][b] = nothing, count[axis][b] = 0;
+            for (int b = 0; b < bins[axis]; ++b) box[axis][b] = nothing, count[axis][b] = 0;
     }
-    void add(const Bins& more) {
-        for (int axis = 0; axis < 3; ++axis)
-            for (int b = 0; b < bins; ++b) box[axis][b].add(more.box[axis][b]), count[axis][b] += more.count[axis][b];
+    void add(int axis, int bin, const Bounds& more, std::int32_t items) {
+        box[axis][bin].add(more), count[axis][bin] += items;
     }
 };
 
@@ -93,12 +91,12 @@ inline Cut best_cut(const Bins& in, std::int32_t count) {
         float cost_left[most_bins];
         Bounds sum = nothing;
         std::int32_t n = 0;
-        for (int b = 0; b + 1 < in.bins; ++b) {
+        for (int b = 0; b + 1 < in.bins[axis]; ++b) {
             sum.add(in.box[axis][b]), n += in.count[axis][b];
             cost_left[b] = static_cast<float>(n) * sum.half_area();
         }
         sum = nothing, n = 0;
-        for (int b = in.bins - 1; b > 0; --b) {
+        for (int b = in.bins[axis] - 1; b > 0; --b) {
             sum.add(in.box[axis][b]), n += in.count[axis][b];
             const float cost = cost_left[b - 1] + static_cast<float>(n) * sum.half_area();
             if (n > 0 && n < count && cost < best.cost) best = {cost, axis, b};

@@ -95,6 +95,17 @@ TEST_CASE("every item is in one leaf of items of its form, and all boxes around 
     }
 }
 
+TEST_CASE("many boxes with centres in a plane, on a line, in one place and in two are in a hierarchy") {
+    for (const int different : {2, 1, 0}) {
+        std::vector<ItemBox> boxes = clustered_boxes(40000);
+        for (ItemBox& box : boxes)
+            for (int c = different; c < 3; ++c) box.low[c] = -1, box.high[c] = 1;
+        check_hierarchy(built(boxes, 0, 2), boxes, 0);
+        for (std::size_t i = 0; i < boxes.size(); i += 2) boxes[i].low[2] += 10, boxes[i].high[2] += 10;
+        check_hierarchy(built(boxes, 0, 2), boxes, 0);
+    }
+}
+
 TEST_CASE("a hierarchy is fitted to items that move, and built anew where they have changed places") {
     ThreadPool pool(2);
     std::vector<ItemBox> boxes = clustered_boxes(60000);
