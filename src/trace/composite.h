@@ -226,13 +226,10 @@ class CompositeWalk {
 template <class S>
 struct FormFunctions<CompositeForm, S> {
     using T = Element<S>;
-    static const CompositeInfo& info(const World<T>& world, int item) {
-        return world.composites[static_cast<int>(world.groups.template get<CompositeForm>().items[item].shape.number)];
-    }
     static void intersect(const World<T>& world, int first, int count, const Ray<S>& ray, Mask<S> mask,
                           Nearest<S>& best) {
         for (int i = first; i < first + count; ++i) {
-            CompositeWalk<S> walk(world, info(world, i), ray, mask);
+            CompositeWalk<S> walk(world, composite_of(world, i), ray, mask);
             walk.go(
                 mask,
                 [&](const S& t, Mask<S> lanes) {
@@ -256,7 +253,7 @@ struct FormFunctions<CompositeForm, S> {
     static bool occlude(const World<T>& world, int first, int count, const Ray<S>& ray, const S& distance, Mask<S> mask,
                         Transmission<S>& light) {
         for (int i = first; i < first + count; ++i) {
-            CompositeWalk<S> walk(world, info(world, i), ray, mask);
+            CompositeWalk<S> walk(world, composite_of(world, i), ray, mask);
             walk.go(
                 mask,
                 [&](const S& t, Mask<S> lanes) {

@@ -154,11 +154,6 @@ class KnownComposite {
     Room<KnownLeaf<S>, most_leaves> leaves;
 };
 
-template <class T>
-STRAHL_INLINE const CompositeInfo& composite_of(const World<T>& world, int item) {
-    return world.composites[static_cast<int>(world.groups.template get<CompositeForm>().items[item].shape.number)];
-}
-
 /// What may be met of items, if they are composites of which all is known; else false.
 template <class S>
 [[gnu::noinline]] bool add_composites(const World<Element<S>>& world, int form, int first, int count,

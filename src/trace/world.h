@@ -287,4 +287,10 @@ struct World {
     bool nested = false;       // such bodies overlap, or bumps bend rays back: rays carry the list of those entered
 };
 
+/// A composite by its item.
+template <class T>
+STRAHL_INLINE const CompositeInfo& composite_of(const World<T>& world, int item) {
+    return world.composites[static_cast<int>(world.groups.template get<CompositeForm>().items[item].shape.number)];
+}
+
 }  // namespace strahl
