@@ -22,7 +22,7 @@ void shade_misses(const Shading<S>& shading) {
         const LaneIndices<S> pick(hits.of(world.bins) + i, left);
         const S weight = pick(shading.rays.open.weight);
         const S pixel = pick(shading.rays.open.pixel);
-        if (shading.batch.sights) [[unlikely]]
+        if (!proves && shading.batch.sights) [[unlikely]]
             note_misses(shading, pick(shading.rays.open.source), S(weight), S(pixel), pick.lanes);
         Vec3<S> color = splat<S>(world.background);
         if (world.sky) [[unlikely]] {
@@ -204,7 +204,7 @@ bool shade_bin(const Shading<S>& shading, int bin) {
             rare.flat = hit.normal;
             if (world.bends)
                 hit.normal = PatternCalls<S>::bent(world, material.numbers, hit.position, hit.surface, rare.flat);
-            if (shading.batch.sights) {
+            if (!proves && shading.batch.sights) {
                 Mask<S> filtered = first_lanes<S>(0);
                 if (filters(shading)) {
                     rare.cone = cone_at(shading, from, pick, hit.direction, pick(t));
