@@ -132,6 +132,27 @@ template <class S>
     });
 }
 
+/// The bodies, by their bins, that can be in the way of some rays, and of which ones. Only for worlds with a bin for
+/// each, and where slack fits into the margins of cones.
+template <class S>
+STRAHL_INLINE BodySet reached_bodies(const World<Element<S>>& world, const DoubtfulRay<S>& own, const S& furthest,
+                                     Mask<S> active, const Start<S>& start, Mask<S>* reached) {
+    const Vec3<S> direction = own.ray.direction;
+    const S turn = own.doubt.turn;
+    const LightCone<Element<S>>* const cones = world.cones + start.light * world.bins;
+    BodySet set = 0;
+    for (BodySet left = world.occluders[start.light * world.bins + start.bin]; left; left &= left - 1) {
+        const int bin = std::countr_zero(left);
+        const LightCone<Element<S>>& cone = cones[bin];
+        Mask<S> mask =
+            active & !(dot(splat<S>(cone.axis), direction) > S(-cone.cosine) + turn) & (furthest > S(cone.distance));
+        if (bin == start.bin && (world.convex >> bin & 1)) mask = mask & !start.outside;
+        reached[bin] = mask;
+        set |= BodySet(any(mask)) << bin;
+    }
+    return set;
+}
+
 /// What light of a light certainly reaches hits.
 template <class S>
 [[gnu::noinline]] LightBounds<S> light_bounds(const World<Element<S>>& world, const DoubtfulRay<S>& own,
@@ -139,17 +160,12 @@ template <class S>
                                               const Slack<Element<S>>& slack) {
     LightBounds<S> light;
     light.dark = light.doubt = first_lanes<S>(0);
-    const BodySet set = !world.bin_per_item ? 0
-                        : slack.fits()      ? world.occluders[start.light * world.bins + start.bin]
-                                            : ~BodySet(0);
-    const auto reached_by = [&](int bin) __attribute__((always_inline)) {
-        if (!world.bin_per_item || !slack.fits()) return active;
-        const LightCone<Element<S>>& cone = world.cones[start.light * world.bins + bin];
-        Mask<S> mask = active & !(dot(splat<S>(cone.axis), own.ray.direction) > S(-cone.cosine) + own.doubt.turn) &
-                       (distance + off > S(cone.distance));
-        if (bin == start.bin && (world.convex >> bin & 1)) mask = mask & !start.outside;
-        return mask;
-    };
+    const bool culls = world.bin_per_item && slack.fits();
+    Mask<S> reached[most_item_bins];
+    const BodySet set = culls                ? reached_bodies(world, own, distance + off, active, start, reached)
+                        : world.bin_per_item ? ~BodySet(0)
+                                             : 0;
+    const auto reached_by = [&](int bin) { return culls ? reached[bin] : active; };
     each_hot_item(
         world, set, [&](const auto& group, int i) __attribute__((always_inline)) {
             const Mask<S> mask = reached_by(group.first_bin + i) & !light.dark;
