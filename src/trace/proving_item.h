@@ -143,4 +143,17 @@ template <class S, class Item>
     for (int k = 0; k < 2; ++k) lose_light(world, static_cast<int>(item.material), certain[k], possible[k], light);
 }
 
+/// What items that let no light through take from it, in each lane one of its own.
+template <class S, class Item>
+STRAHL_INLINE void pass_opaque_items(const Item& items, const DoubtfulRay<S>& own, Mask<S> mask, const S& distance,
+                                     const S& off, const Slack<Element<S>>& slack, LightBounds<S>& light) {
+    const auto span = span_bounds(items.shape, own.ray, own.doubt, S(own.ray.source - items.surface), slack);
+    mask = mask & span.maybe;
+    if (none(mask)) return;
+    Mask<S> certain[2], possible[2];
+    pass_crossing(span.near_low, span.near_high, span, mask, distance, off, certain[0], possible[0]);
+    pass_crossing(span.far_low, span.far_high, span, mask, distance, off, certain[1], possible[1]);
+    light.dark = light.dark | certain[0] | certain[1], light.doubt = light.doubt | possible[0] | possible[1];
+}
+
 }  // namespace strahl::inline STRAHL_LEVEL

@@ -1,6 +1,7 @@
 // The two questions asked of geometry, as exact arithmetic would answer them: certainly so, or it can't be told.
 #pragma once
 #include "trace/composite_bounds.h"
+#include "trace/light_buffer_bounds.h"
 
 namespace strahl::inline STRAHL_LEVEL {
 
@@ -188,7 +189,11 @@ template <class S>
         light.doubt = light.doubt | (mask & span.maybe & !(span.far_high <= S(0)) & !(span.near_low >= distance + off));
         return false;
     });
-    if (world.nodes) light_bounds_in_hierarchy(world, own, distance, off, active, slack, light);
+    if (!world.nodes) return light;
+    Mask<S> left = active & !light.dark;
+    if (world.light_buffers && world.light_buffers[start.light].faces)
+        left = light_bounds_in_buffer(world, start.light, own, distance, off, left, slack, light);
+    if (any(left)) light_bounds_in_hierarchy(world, own, distance, off, left, slack, light);
     return light;
 }
 
