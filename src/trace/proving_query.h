@@ -69,6 +69,32 @@ template <class S>
     return span_bounds(ball, own.ray, own.doubt, S(-1), slack);
 }
 
+/// More than what rays, and bodies that they pass within the world, may be off where they come near to each other. The
+/// balls around bodies with a bin each are no further off.
+template <class S>
+STRAHL_INLINE S off_nearby(const DoubtfulRay<S>& own, const Slack<Element<S>>& slack) {
+    const S way = norm1(own.ray.origin) + S(8 * slack.reach);
+    const Element<S> bodies = (16 * (slack.share + slack.turn) + 4 * slack.culled) * slack.reach;
+    return S(4) * (own.doubt.away + S(bodies) + way * (own.doubt.turn + S(16 * unit_error<S>)));
+}
+
+/// Those bodies of a set that rays may meet, by the balls around them.
+template <class S>
+STRAHL_INLINE BodySet met_bodies(const World<Element<S>>& world, const DoubtfulRay<S>& own, Mask<S> active, BodySet set,
+                                 const Slack<Element<S>>& slack) {
+    const Vec3<S> origin = own.ray.origin, direction = own.ray.direction;
+    const S off = off_nearby(own, slack);
+    BodySet met = 0;
+    for (BodySet left = set; left; left &= left - 1) {
+        const int bin = std::countr_zero(left);
+        const Vec3<S> way = Vec3<S>(S(world.centres.x[bin]), S(world.centres.y[bin]), S(world.centres.z[bin])) - origin;
+        const S reach = S(world.radii[bin]) + off, along = dot(way, direction);
+        const Vec3<S> across = fma(-along, direction, way);
+        met |= BodySet(any(active & !((dot(across, across) > reach * reach) | (along < -reach)))) << bin;
+    }
+    return met;
+}
+
 /// What rays may meet first, of the bodies of the set if there is a bin for each.
 template <class S>
 [[gnu::noinline]] Candidates<S> candidates(const World<Element<S>>& world, const DoubtfulRay<S>& own, Mask<S> active,
@@ -76,6 +102,7 @@ template <class S>
     using T = Element<S>;
     Candidates<S> found;
     found.bin = S(static_cast<T>(world.bins));
+    if (world.bin_per_item && slack.fits()) set = met_bodies(world, own, active, set, slack);
     each_hot_item(
         world, set, [&](const auto& group, int i) __attribute__((always_inline)) {
             const int bin = world.bin_per_item ? group.first_bin + i : group.first_bin;
