@@ -61,8 +61,9 @@ template <class S, class Item, class Bin>
     const Mask<S> enters = span.sure & (span.near_low > S(0)), leaves = span.sure & (span.far_low > S(0));
     found.add(mask & !(span.near_high <= S(0)), span.near_low, select(enters, span.near_high, S(inf)), near, surface,
               S(bin));
-    found.add(mask & !(span.far_high <= S(0)) & !enters, span.far_low, select(leaves, span.far_high, S(inf)), far,
-              surface, S(bin));
+    mask = mask & !(span.far_high <= S(0)) & !enters;
+    if (none(mask)) return;
+    found.add(mask, span.far_low, select(leaves, span.far_high, S(inf)), far, surface, S(bin));
 }
 
 /// What certainly becomes of light: `dark` where none comes through; else what is left of it, if that is not in doubt.

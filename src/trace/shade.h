@@ -162,9 +162,7 @@ STRAHL_INLINE HitBounds<S> bounds_of(const Shading<S>& shading, const Hit<S>& hi
                                      const LaneIndices<S>& pick, const Element<S>* t, bool within,
                                      const HitMaterial<S>& material) {
     const auto& world = shading.world;
-    const Ray<S> ray{{pick(from.origin.x), pick(from.origin.y), pick(from.origin.z)},
-                     {pick(from.direction.x), pick(from.direction.y), pick(from.direction.z)},
-                     pick(from.source)};
+    const Ray<S> ray{{pick(from.origin.x), pick(from.origin.y), pick(from.origin.z)}, hit.direction, pick(from.source)};
     const bool unknown = (world.fog && world.nested) || world.bends || (within && !shading.limits.slack.fits());
     const Doubt<S> doubt{pick(from.away), pick(from.turn), pick(from.side)};
     HitBounds<S> bounds = bound_hits(shading, hit, ray, doubt, pick(t), pick(from.weight), pick.lanes,
