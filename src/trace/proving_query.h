@@ -160,6 +160,32 @@ template <class S>
     });
 }
 
+/// Those bodies of a set whose cones some rays to a light can be in, width<S> of the bodies side by side.
+template <class S>
+STRAHL_INLINE BodySet bodies_in_cones(const World<Element<S>>& world, int light, const DoubtfulRay<S>& own,
+                                      const S& furthest, Mask<S> active, BodySet set) {
+    using T = Element<S>;
+    constexpr int stride = World<T>::cone_stride;
+    const T* const columns = world.cone_columns + light * (5 * stride);
+    const auto most = [&](const S& value) { return S(-least(select(active, -value, S(0)))); };
+    const S turn = most(own.doubt.turn), end = most(furthest);
+    Vec3<S> directions[width<S>];  // lanes that are not active have that of one that is
+    for (int k = 0; k < width<S>; ++k) {
+        const int from = bits(active) >> k & 1 ? k : first(active);
+        for (int c = 0; c < 3; ++c) directions[k][c] = S(lane(own.ray.direction[c], from));
+    }
+    BodySet met = 0;
+    for (int i = 0; i < world.bins; i += width<S>) {
+        const auto at = [&](int column) { return load_lanes<S>(columns + column * stride + i); };
+        const Vec3<S> axis(at(0), at(1), at(2));
+        const S limit = turn - at(3);
+        Mask<S> near = first_lanes<S>(0);
+        for (int k = 0; k < width<S>; ++k) near = near | !(dot(axis, directions[k]) > limit);
+        met |= BodySet(bits(near & (end > at(4)))) << i;
+    }
+    return set & met;
+}
+
 /// The bodies, by their bins, that can be in the way of some rays, and of which ones. Only for worlds with a bin for
 /// each, and where slack fits into the margins of cones.
 template <class S>
@@ -168,8 +194,11 @@ STRAHL_INLINE BodySet reached_bodies(const World<Element<S>>& world, const Doubt
     const Vec3<S> direction = own.ray.direction;
     const S turn = own.doubt.turn;
     const LightCone<Element<S>>* const cones = world.cones + start.light * world.bins;
-    BodySet set = 0;
-    for (BodySet left = world.occluders[start.light * world.bins + start.bin]; left; left &= left - 1) {
+    constexpr int many = 8;
+    BodySet left = world.occluders[start.light * world.bins + start.bin], set = 0;
+    if (std::popcount(left) > many && any(active))
+        left = bodies_in_cones(world, start.light, own, furthest, active, left);
+    for (; left; left &= left - 1) {
         const int bin = std::countr_zero(left);
         const LightCone<Element<S>>& cone = cones[bin];
         Mask<S> mask =
