@@ -20,9 +20,10 @@ Proof::Proof(const Lattice& own_part, const FileFormat& own_format)
 /// Would the file hold the same for all values that are no further than the bound from those of pixel i?
 bool Proof::decided(const Tile& tile, int i) const {
     const double* const rgb = values_of(tile) + 3 * i;
+    const int steps = (1 << format.bits) - 1;
     if (format.bits == 32) return same_codes(rgb, tile.bounds[i], [](double v) { return static_cast<float>(v); });
-    return same_codes(rgb, tile.bounds[i],
-                      [&](double v) { return quantise(v, format.linear, (1 << format.bits) - 1); });
+    if (format.linear) return same_codes(rgb, tile.bounds[i], [&](double v) { return quantise(v, true, steps); });
+    return same_codes(rgb, tile.bounds[i], [&](double v) { return quantise(v, false, steps); });
 }
 
 void Proof::put(const Pixel& pixel, const double* rgb, PictureWriter& writer) const {
@@ -33,12 +34,14 @@ void Proof::keep(const Tile& tile, PictureWriter& writer) {
     const double* const rgb = values_of(tile);
     const Lattice& own = tile.lattice;
     bool all = true;
-    for (int i = 0; i < own.columns * own.rows; ++i) {
-        const std::size_t at = place_of(own.x + i % own.columns, own.y + i / own.columns);
-        const bool known = decided(tile, i);
-        bounds[at] = tile.bounds[i];
-        proved[at] = known ? By::in_double : By::nothing;
-        all &= known;
+    for (int y = 0, i = 0; y < own.rows; ++y) {
+        std::size_t at = place_of(own.x, own.y + y);
+        for (int x = 0; x < own.columns; ++x, ++i, ++at) {
+            const bool known = decided(tile, i);
+            bounds[at] = tile.bounds[i];
+            proved[at] = known ? By::in_double : By::nothing;
+            all &= known;
+        }
     }
     if (all) return writer.put(own.x - part.x, own.y - part.y, own.columns, own.rows, rgb);
     const std::lock_guard lock(mutex);
@@ -82,15 +85,20 @@ ProofCounts Proof::counts() const {
 }
 
 void Proof::write(const std::string& path) const {
-    Picture picture{part.columns, part.rows, 3, std::vector<double>(3 * proved.size())};
-    for (std::size_t i = 0; i < proved.size(); ++i) {
-        // From 1 at a bound of 1e-16 to .25 at 1.
-        const double bright = std::clamp(.25 - std::log10(bounds[i] + 1e-16) * (.75 / 16), .25, 1.);
-        constexpr double colors[3][3]{{1, 0, 0}, {.2, .8, .4}, {.2, .4, 1}};
-        for (int c = 0; c < 3; ++c)
-            picture.values[3 * i + c] = colors[int(proved[i])][c] * (proved[i] == By::nothing ? 1 : bright);
+    PictureWriter writer(part.columns, part.rows, 3, path, {.bits = 8});
+    std::vector<double> row(3 * std::size_t(part.columns));  // no more of the picture at once: memory is slow at first
+    for (int y = 0; y < part.rows; ++y) {
+        for (int x = 0; x < part.columns; ++x) {
+            const std::size_t i = std::size_t(y) * part.columns + x;
+            // From 1 at a bound of 1e-16 to .25 at 1.
+            const double bright = std::clamp(.25 - std::log10(bounds[i] + 1e-16) * (.75 / 16), .25, 1.);
+            constexpr double colors[3][3]{{1, 0, 0}, {.2, .8, .4}, {.2, .4, 1}};
+            for (int c = 0; c < 3; ++c)
+                row[3 * x + c] = colors[int(proved[i])][c] * (proved[i] == By::nothing ? 1 : bright);
+        }
+        writer.put(0, y, part.columns, 1, row.data());
     }
-    write_picture(picture, path, {.bits = 8});
+    writer.write(path);
 }
 
 }  // namespace strahl

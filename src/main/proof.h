@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "image/picture.h"
 #include "image/picture_writer.h"
 #include "main/proof_counts.h"
 #include "trace/tracer.h"

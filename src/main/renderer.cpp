@@ -86,7 +86,7 @@ bool Renderer::render(const Shot& shot, const Target& target, const std::string&
         if (proof) proof->write(options.prove);
         if (is_file(path)) remove_checkpoint(file);
     }
-    if (proof) stats.proved = proof->counts();
+    if (proof && !options.stats.empty()) stats.proved = proof->counts();
     stats.write_seconds += watch.lap();
     stats.frames += whole;
     return whole;

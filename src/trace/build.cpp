@@ -171,6 +171,15 @@ void WorldArrays<T>::cull_for_lights() {
     }
     world.cones = cones.data();
     world.occluders = occluders.data();
+    constexpr std::size_t stride = World<T>::cone_stride;
+    cone_columns.resize(5 * stride * lights.size());
+    for (std::size_t n = 0; n < cones.size(); ++n) {
+        T* const to = cone_columns.data() + n / volumes.size() * 5 * stride + n % volumes.size();
+        const auto& [axis, cosine, distance] = cones[n];
+        to[0] = axis.x, to[stride] = axis.y, to[2 * stride] = axis.z, to[3 * stride] = cosine,
+        to[4 * stride] = distance;
+    }
+    world.cone_columns = cone_columns.data();
 }
 
 template <class T>

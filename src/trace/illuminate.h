@@ -64,7 +64,7 @@ template <class S>
     const T error = shading.limits.error > T(0) ? shading.limits.error : usual;
     const AreaMeans<S> means = AreaLightCalls<S>::means(shading.world, number, hits, error, visibility<S>);
     shading.counts.shadow += means.rays;
-    if (shading.batch.sights) {
+    if (!proves && shading.batch.sights) {
         // Half shadows are told from light and from shadow, not from each other: their colours tell that.
         Vec3<S> share;
         for (int c = 0; c < 3; ++c)
@@ -155,7 +155,8 @@ STRAHL_INLINE Vec3<S> illumination(const Shading<S>& shading, const Hit<S>& hit,
         if (shading.rare) [[unlikely]] {
             // A light that only the bent normal faces is behind the surface.
             if (world.bends) share = select(dot(rare.flat, l) > S(0), share, splat<S>(Vec3<Element<S>>(0)));
-            if (shading.batch.sights) note_light(shading, hit, rare, i, Vec3<S>(share), S(dot(reflected, l)), faces);
+            if (!proves && shading.batch.sights)
+                note_light(shading, hit, rare, i, Vec3<S>(share), S(dot(reflected, l)), faces);
         }
         if (light.spot) [[unlikely]]
             share = scale(spot_share(light, Vec3<S>(l)), share);

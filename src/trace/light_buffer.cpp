@@ -57,7 +57,7 @@ struct LightBuffers<T>::Arrays {
     std::int64_t cells = 1, size = 0;
     double reach = 0;
 
-    void see(const World<T>& world, const LightKernel<T>& light);
+    void see(const World<T>& world, const LightKernel<T>& light, bool proves);
     void look(const LightKernel<T>& light);
     void add_face(const Basis& basis, double limit, double slack, bool parallel);
     void divide(double area);
@@ -69,11 +69,11 @@ struct LightBuffers<T>::Arrays {
 
 /// The items, furthest from the light first. What coordinates and rays may be off is added to their balls.
 template <class T>
-void LightBuffers<T>::Arrays::see(const World<T>& world, const LightKernel<T>& light) {
+void LightBuffers<T>::Arrays::see(const World<T>& world, const LightKernel<T>& light, bool proves) {
     reach = static_cast<double>(world.rounding) / (32 * epsilon);  // see WorldArrays::rounding
     const bool parallel = light.finite == 0;
     const DVec3 place(light.position);
-    const double margin = 256 * epsilon * reach;
+    const double margin = (256 * epsilon + (proves ? proving_margin : 0)) * reach;
     seen.reserve(items_in_hierarchy(world));
     std::int32_t form = 0;
     world.groups.each([&](const auto& group) {
@@ -235,7 +235,7 @@ bool LightBuffers<T>::Arrays::slow() const {
 }
 
 template <class T>
-bool LightBuffers<T>::pay(const World<T>& world, std::int64_t pixels) {
+bool LightBuffers<T>::pay(const World<T>& world, std::int64_t pixels, bool proves) {
     if (!world.nodes || world.transparent) return false;
     const std::int64_t items = items_in_hierarchy(world);
     std::int64_t slow = 0;
@@ -246,17 +246,17 @@ bool LightBuffers<T>::pay(const World<T>& world, std::int64_t pixels) {
         if (!std::remove_cvref_t<decltype(group)>::Form::hot) slow += group.in_hierarchy;
     });
     constexpr std::int64_t one_slow_of = 8;
-    return known && one_slow_of * slow <= items && pixels >= pixels_per_item * items;
+    return known && (proves ? slow == 0 : one_slow_of * slow <= items) && pixels >= pixels_per_item * items;
 }
 
 template <class T>
-LightBuffers<T>::LightBuffers(const World<T>& world, ThreadPool& pool)
+LightBuffers<T>::LightBuffers(const World<T>& world, ThreadPool& pool, bool proves)
     : list(world.light_count), arrays(world.light_count) {
     const std::int64_t items = items_in_hierarchy(world);
     share_out(pool, world.light_count, 1, [&](std::int32_t i, std::int32_t) {
         if (world.lights[i].area || (i + 1) * items > most_items) return;
         arrays[i] = std::make_unique<Arrays>();
-        arrays[i]->see(world, world.lights[i]);
+        arrays[i]->see(world, world.lights[i], proves);
         arrays[i]->look(world.lights[i]);
     });
     std::vector<std::pair<Arrays*, typename Arrays::Band*>> bands;

@@ -51,11 +51,15 @@ class LightBuffers {
     /// for each item and light.
     static constexpr std::int64_t most_per_item = 32, most_per_cell = 12, most_items = 1 << 20;
 
+    /// In buffers for proofs cells have the bodies that come so near to them, as a share of the world: half of it for
+    /// what bodies and rays may be off, the rest for their own margin.
+    static constexpr double proving_margin = 1e-7;
+
     /// Do they pay where so many pixels are traced? Not for forms that are slow to test one item at a time, nor where
-    /// bodies let light through: these are met in an order of their own.
-    static bool pay(const World<T>& world, std::int64_t pixels);
+    /// bodies let light through: these are met in an order of their own. For proofs all forms have to be fast.
+    static bool pay(const World<T>& world, std::int64_t pixels, bool proves);
     /// By all threads; the same for any number of them.
-    LightBuffers(const World<T>& world, ThreadPool& pool);
+    LightBuffers(const World<T>& world, ThreadPool& pool, bool proves = false);
     ~LightBuffers();
 
     const LightBuffer<T>* buffers() const { return list.data(); }

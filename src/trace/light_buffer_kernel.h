@@ -6,6 +6,7 @@
 #include "trace/form_functions.h"
 #include "trace/light_buffer.h"
 #include "trace/light_buffer_calls.h"
+#include "trace/light_buffer_cells.h"
 
 namespace strahl::inline STRAHL_LEVEL {
 
@@ -15,27 +16,6 @@ struct BufferWalk {
     const World<T>& world;
     const Ray<S>& ray;
     const S& distance;
-
-    /// The cells of points relative to a light; 0 where no body is in the way.
-    STRAHL_INLINE static S cells_of(const LightBuffer<T>& buffer, bool parallel, const Vec3<S>& points, Mask<S> left) {
-        S cells(0);
-        for (int i = 0; i < buffer.face_count && any(left); ++i) {
-            const BufferFace<T>& face = buffer.faces[i];
-            S u = dot(splat<S>(face.right), points), v = dot(splat<S>(face.up), points);
-            Mask<S> own = left;
-            if (!parallel) {
-                const S z = dot(splat<S>(face.axis), points), inverse = S(1) / z;
-                u = u * inverse, v = v * inverse;
-                own = own & (z > S(0)) & (abs(u) <= S(face.limit)) & (abs(v) <= S(face.limit));
-            }
-            left = left & !own;
-            const S column = floor((u - S(face.low_u)) * S(face.per_u));
-            const S row = floor((v - S(face.low_v)) * S(face.per_v));
-            own = own & (column >= S(0)) & (column < S(face.columns)) & (row >= S(0)) & (row < S(face.rows));
-            cells = select(own, fma(row, S(face.columns), column) + S(face.first), cells);
-        }
-        return cells;
-    }
 
     /// Of these lanes those whose items, all opaque, are in the way; tested one after the other.
     [[gnu::noinline]] Mask<S> darkened_one_by_one(Mask<S> lanes, int form, const int* items) const {
@@ -80,7 +60,7 @@ Mask<S> LightBufferCalls<S>::occlude(const World<T>& world, int number, const Ra
     const Vec3<S> position = splat<S>(from.position);
     const S depth = parallel ? -dot(position, ray.origin) : distance;
     const BufferWalk<S> walk{world, ray, distance};
-    S at = walk.cells_of(buffer, parallel, parallel ? ray.origin : ray.origin - position, near);
+    S at = cells_of(buffer, parallel, parallel ? ray.origin : ray.origin - position, near);
     Mask<S> left = near & (at > S(0)), dark = first_lanes<S>(0);
     while (any(left)) {
         int places[width<S>], items[width<S>];

@@ -131,7 +131,7 @@ STRAHL_INLINE S error_beyond(const HitBounds<S>& known, const S& b, const S& c) 
 /// lengths of directions, c and k itself count b^2 / sqrt(k) times.
 template <class S>
 STRAHL_INLINE S turn_refracted(const HitBounds<S>& known, const S& b, const S& c, const S& k, const S& k_error) {
-    const S off = known.turn + known.normal, least = sqrt(max(k - k_error, S(0))), most = sqrt(k + k_error);
+    const S off = known.turn + known.normal, least = sqrt(max(k - k_error, S(0))), most = sqrt(max(k, S(0)) + k_error);
     const S low_c = b * (c - off), high_c = b * (c + off), low = low_c / most, high = high_c / least;
     const S by_normal = max(max(abs(S(1) - low), abs(S(1) - high)), max(abs(high_c - least), abs(low_c - most)));
     return S(1.01) * fma(max(b, high), known.turn, by_normal * known.normal) +
@@ -202,7 +202,16 @@ STRAHL_INLINE LitBounds<S> bound_lit(const HitBounds<S>& known, const Hit<S>& hi
     lit.doubt = near | !(abs(cosine) > lit.cosine);
     lit.highlight = S(0);
     if (none(hit.active & (material.specular > S(0)))) return lit;
-    const S error = cosine_error(turn_reflected(known) + turn, shine) + S(16 * u);
+    // Nowhere near a highlight x is below .5, for an angle's cosine is off by less than the angle.
+    const S angle = turn_reflected(known) + turn;
+    const Mask<S> off_it =
+        (highlight == S(0)) &
+        (max(material.pow, S(1)) * fma(S(1.01), angle + angle * angle, S(17 * u)) < S(.49) * material.shines_from);
+    if (none(hit.active & !off_it)) {
+        lit.highlight = u * material.specular;
+        return lit;
+    }
+    const S error = cosine_error(angle, shine) + S(16 * u);
     const S base = max(shine, material.shines_from), x = max(material.pow, S(1)) * error / base,
             mild_error = fma(x, x, x) + S(.51 * u) * (material.pow + S(4));
     lit.highlight = select(x < S(.5), fma(mild_error, highlight, u * material.specular), material.specular);

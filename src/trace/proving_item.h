@@ -61,8 +61,9 @@ template <class S, class Item, class Bin>
     const Mask<S> enters = span.sure & (span.near_low > S(0)), leaves = span.sure & (span.far_low > S(0));
     found.add(mask & !(span.near_high <= S(0)), span.near_low, select(enters, span.near_high, S(inf)), near, surface,
               S(bin));
-    found.add(mask & !(span.far_high <= S(0)) & !enters, span.far_low, select(leaves, span.far_high, S(inf)), far,
-              surface, S(bin));
+    mask = mask & !(span.far_high <= S(0)) & !enters;
+    if (none(mask)) return;
+    found.add(mask, span.far_low, select(leaves, span.far_high, S(inf)), far, surface, S(bin));
 }
 
 /// What certainly becomes of light: `dark` where none comes through; else what is left of it, if that is not in doubt.
@@ -141,6 +142,19 @@ template <class S, class Item>
         return;
     }
     for (int k = 0; k < 2; ++k) lose_light(world, static_cast<int>(item.material), certain[k], possible[k], light);
+}
+
+/// What items that let no light through take from it, in each lane one of its own.
+template <class S, class Item>
+STRAHL_INLINE void pass_opaque_items(const Item& items, const DoubtfulRay<S>& own, Mask<S> mask, const S& distance,
+                                     const S& off, const Slack<Element<S>>& slack, LightBounds<S>& light) {
+    const auto span = span_bounds(items.shape, own.ray, own.doubt, S(own.ray.source - items.surface), slack);
+    mask = mask & span.maybe;
+    if (none(mask)) return;
+    Mask<S> certain[2], possible[2];
+    pass_crossing(span.near_low, span.near_high, span, mask, distance, off, certain[0], possible[0]);
+    pass_crossing(span.far_low, span.far_high, span, mask, distance, off, certain[1], possible[1]);
+    light.dark = light.dark | certain[0] | certain[1], light.doubt = light.doubt | possible[0] | possible[1];
 }
 
 }  // namespace strahl::inline STRAHL_LEVEL

@@ -1,6 +1,7 @@
 // The two questions asked of geometry, as exact arithmetic would answer them: certainly so, or it can't be told.
 #pragma once
 #include "trace/composite_bounds.h"
+#include "trace/light_buffer_bounds.h"
 
 namespace strahl::inline STRAHL_LEVEL {
 
@@ -68,6 +69,32 @@ template <class S>
     return span_bounds(ball, own.ray, own.doubt, S(-1), slack);
 }
 
+/// More than what rays, and bodies that they pass within the world, may be off where they come near to each other. The
+/// balls around bodies with a bin each are no further off.
+template <class S>
+STRAHL_INLINE S off_nearby(const DoubtfulRay<S>& own, const Slack<Element<S>>& slack) {
+    const S way = norm1(own.ray.origin) + S(8 * slack.reach);
+    const Element<S> bodies = (16 * (slack.share + slack.turn) + 4 * slack.culled) * slack.reach;
+    return S(4) * (own.doubt.away + S(bodies) + way * (own.doubt.turn + S(16 * unit_error<S>)));
+}
+
+/// Those bodies of a set that rays may meet, by the balls around them.
+template <class S>
+STRAHL_INLINE BodySet met_bodies(const World<Element<S>>& world, const DoubtfulRay<S>& own, Mask<S> active, BodySet set,
+                                 const Slack<Element<S>>& slack) {
+    const Vec3<S> origin = own.ray.origin, direction = own.ray.direction;
+    const S off = off_nearby(own, slack);
+    BodySet met = 0;
+    for (BodySet left = set; left; left &= left - 1) {
+        const int bin = std::countr_zero(left);
+        const Vec3<S> way = Vec3<S>(S(world.centres.x[bin]), S(world.centres.y[bin]), S(world.centres.z[bin])) - origin;
+        const S reach = S(world.radii[bin]) + off, along = dot(way, direction);
+        const Vec3<S> across = fma(-along, direction, way);
+        met |= BodySet(any(active & !((dot(across, across) > reach * reach) | (along < -reach)))) << bin;
+    }
+    return met;
+}
+
 /// What rays may meet first, of the bodies of the set if there is a bin for each.
 template <class S>
 [[gnu::noinline]] Candidates<S> candidates(const World<Element<S>>& world, const DoubtfulRay<S>& own, Mask<S> active,
@@ -75,6 +102,7 @@ template <class S>
     using T = Element<S>;
     Candidates<S> found;
     found.bin = S(static_cast<T>(world.bins));
+    if (world.bin_per_item && slack.fits()) set = met_bodies(world, own, active, set, slack);
     each_hot_item(
         world, set, [&](const auto& group, int i) __attribute__((always_inline)) {
             const int bin = world.bin_per_item ? group.first_bin + i : group.first_bin;
@@ -132,6 +160,56 @@ template <class S>
     });
 }
 
+/// Those bodies of a set whose cones some rays to a light can be in, width<S> of the bodies side by side.
+template <class S>
+STRAHL_INLINE BodySet bodies_in_cones(const World<Element<S>>& world, int light, const DoubtfulRay<S>& own,
+                                      const S& furthest, Mask<S> active, BodySet set) {
+    using T = Element<S>;
+    constexpr int stride = World<T>::cone_stride;
+    const T* const columns = world.cone_columns + light * (5 * stride);
+    const auto most = [&](const S& value) { return S(-least(select(active, -value, S(0)))); };
+    const S turn = most(own.doubt.turn), end = most(furthest);
+    Vec3<S> directions[width<S>];  // lanes that are not active have that of one that is
+    for (int k = 0; k < width<S>; ++k) {
+        const int from = bits(active) >> k & 1 ? k : first(active);
+        for (int c = 0; c < 3; ++c) directions[k][c] = S(lane(own.ray.direction[c], from));
+    }
+    BodySet met = 0;
+    for (int i = 0; i < world.bins; i += width<S>) {
+        const auto at = [&](int column) { return load_lanes<S>(columns + column * stride + i); };
+        const Vec3<S> axis(at(0), at(1), at(2));
+        const S limit = turn - at(3);
+        Mask<S> near = first_lanes<S>(0);
+        for (int k = 0; k < width<S>; ++k) near = near | !(dot(axis, directions[k]) > limit);
+        met |= BodySet(bits(near & (end > at(4)))) << i;
+    }
+    return set & met;
+}
+
+/// The bodies, by their bins, that can be in the way of some rays, and of which ones. Only for worlds with a bin for
+/// each, and where slack fits into the margins of cones.
+template <class S>
+STRAHL_INLINE BodySet reached_bodies(const World<Element<S>>& world, const DoubtfulRay<S>& own, const S& furthest,
+                                     Mask<S> active, const Start<S>& start, Mask<S>* reached) {
+    const Vec3<S> direction = own.ray.direction;
+    const S turn = own.doubt.turn;
+    const LightCone<Element<S>>* const cones = world.cones + start.light * world.bins;
+    constexpr int many = 8;
+    BodySet left = world.occluders[start.light * world.bins + start.bin], set = 0;
+    if (std::popcount(left) > many && any(active))
+        left = bodies_in_cones(world, start.light, own, furthest, active, left);
+    for (; left; left &= left - 1) {
+        const int bin = std::countr_zero(left);
+        const LightCone<Element<S>>& cone = cones[bin];
+        Mask<S> mask =
+            active & !(dot(splat<S>(cone.axis), direction) > S(-cone.cosine) + turn) & (furthest > S(cone.distance));
+        if (bin == start.bin && (world.convex >> bin & 1)) mask = mask & !start.outside;
+        reached[bin] = mask;
+        set |= BodySet(any(mask)) << bin;
+    }
+    return set;
+}
+
 /// What light of a light certainly reaches hits.
 template <class S>
 [[gnu::noinline]] LightBounds<S> light_bounds(const World<Element<S>>& world, const DoubtfulRay<S>& own,
@@ -139,17 +217,12 @@ template <class S>
                                               const Slack<Element<S>>& slack) {
     LightBounds<S> light;
     light.dark = light.doubt = first_lanes<S>(0);
-    const BodySet set = !world.bin_per_item ? 0
-                        : slack.fits()      ? world.occluders[start.light * world.bins + start.bin]
-                                            : ~BodySet(0);
-    const auto reached_by = [&](int bin) __attribute__((always_inline)) {
-        if (!world.bin_per_item || !slack.fits()) return active;
-        const LightCone<Element<S>>& cone = world.cones[start.light * world.bins + bin];
-        Mask<S> mask = active & !(dot(splat<S>(cone.axis), own.ray.direction) > S(-cone.cosine) + own.doubt.turn) &
-                       (distance + off > S(cone.distance));
-        if (bin == start.bin && (world.convex >> bin & 1)) mask = mask & !start.outside;
-        return mask;
-    };
+    const bool culls = world.bin_per_item && slack.fits();
+    Mask<S> reached[most_item_bins];
+    const BodySet set = culls                ? reached_bodies(world, own, distance + off, active, start, reached)
+                        : world.bin_per_item ? ~BodySet(0)
+                                             : 0;
+    const auto reached_by = [&](int bin) { return culls ? reached[bin] : active; };
     each_hot_item(
         world, set, [&](const auto& group, int i) __attribute__((always_inline)) {
             const Mask<S> mask = reached_by(group.first_bin + i) & !light.dark;
@@ -172,7 +245,11 @@ template <class S>
         light.doubt = light.doubt | (mask & span.maybe & !(span.far_high <= S(0)) & !(span.near_low >= distance + off));
         return false;
     });
-    if (world.nodes) light_bounds_in_hierarchy(world, own, distance, off, active, slack, light);
+    if (!world.nodes) return light;
+    Mask<S> left = active & !light.dark;
+    if (world.light_buffers && world.light_buffers[start.light].faces)
+        left = light_bounds_in_buffer(world, start.light, own, distance, off, left, slack, light);
+    if (any(left)) light_bounds_in_hierarchy(world, own, distance, off, left, slack, light);
     return light;
 }
 

@@ -8,10 +8,10 @@
 
 namespace strahl::inline STRAHL_LEVEL::inline STRAHL_INSTANCE {
 
-/// Are images filtered? Where a batch wants it.
+/// Are images filtered? Where a batch wants it, which proofs never do.
 template <class S>
 STRAHL_INLINE bool filters(const Shading<S>& shading) {
-    return shading.batch.footprints != nullptr;
+    return !proves && shading.batch.footprints != nullptr;
 }
 
 /// The sides of samples' squares, in pixels.

@@ -22,7 +22,7 @@ void shade_misses(const Shading<S>& shading) {
         const LaneIndices<S> pick(hits.of(world.bins) + i, left);
         const S weight = pick(shading.rays.open.weight);
         const S pixel = pick(shading.rays.open.pixel);
-        if (shading.batch.sights) [[unlikely]]
+        if (!proves && shading.batch.sights) [[unlikely]]
             note_misses(shading, pick(shading.rays.open.source), S(weight), S(pixel), pick.lanes);
         Vec3<S> color = splat<S>(world.background);
         if (world.sky) [[unlikely]] {
@@ -162,9 +162,7 @@ STRAHL_INLINE HitBounds<S> bounds_of(const Shading<S>& shading, const Hit<S>& hi
                                      const LaneIndices<S>& pick, const Element<S>* t, bool within,
                                      const HitMaterial<S>& material) {
     const auto& world = shading.world;
-    const Ray<S> ray{{pick(from.origin.x), pick(from.origin.y), pick(from.origin.z)},
-                     {pick(from.direction.x), pick(from.direction.y), pick(from.direction.z)},
-                     pick(from.source)};
+    const Ray<S> ray{{pick(from.origin.x), pick(from.origin.y), pick(from.origin.z)}, hit.direction, pick(from.source)};
     const bool unknown = (world.fog && world.nested) || world.bends || (within && !shading.limits.slack.fits());
     const Doubt<S> doubt{pick(from.away), pick(from.turn), pick(from.side)};
     HitBounds<S> bounds = bound_hits(shading, hit, ray, doubt, pick(t), pick(from.weight), pick.lanes,
@@ -204,7 +202,7 @@ bool shade_bin(const Shading<S>& shading, int bin) {
             rare.flat = hit.normal;
             if (world.bends)
                 hit.normal = PatternCalls<S>::bent(world, material.numbers, hit.position, hit.surface, rare.flat);
-            if (shading.batch.sights) {
+            if (!proves && shading.batch.sights) {
                 Mask<S> filtered = first_lanes<S>(0);
                 if (filters(shading)) {
                     rare.cone = cone_at(shading, from, pick, hit.direction, pick(t));

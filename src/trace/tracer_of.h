@@ -166,8 +166,8 @@ class TracerOf : public AnyTracer {
         World<T> world = built->world();
         world.eye = eye.position;
         pixels += std::int64_t(tiles) * lattice_tile * lattice_tile;
-        if (!view.prove && !light_buffers && LightBuffers<T>::pay(world, pixels))
-            light_buffers = std::make_unique<LightBuffers<T>>(world, pool);
+        if (!light_buffers && LightBuffers<T>::pay(world, pixels, view.prove))
+            light_buffers = std::make_unique<LightBuffers<T>>(world, pool, view.prove);
         if (light_buffers) world.light_buffers = light_buffers->buffers();
         if (filters_images) world.mip_maps = images->mip_maps();
         const Limits<T> limits{.depth = view.depth,

@@ -66,37 +66,33 @@ Workspace<T>::Workspace() {
     sides.resize(scattered_pixels), colors.resize(3 * scattered_pixels);
 }
 
+/// Arrays share large pages: to clear one takes longer than a batch.
 template <class T>
-void Workspace<T>::hold_pair(T*& first, T*& second) {
-    if (first) return;
-    pairs.push_back(zeros<T>(2 * queue_capacity));
-    first = pairs.back().get(), second = first + queue_capacity;
-}
-template <class T>
-void Workspace<T>::hold_one(T*& values) {
-    if (values) return;
-    pairs.push_back(zeros<T>(queue_capacity));
-    values = pairs.back().get();
+void Workspace<T>::hold(T*& array) {
+    if (array) return;
+    constexpr std::size_t together = (std::size_t(1) << 21) / sizeof(T) / queue_capacity;
+    if (more.empty() || used == together) more.push_back(zeros<T>(together * queue_capacity)), used = 0;
+    array = more.back().get() + used++ * queue_capacity;
 }
 
 template <class T>
-void Workspace<T>::hold_pairs(RayQueue<T>& queue) {
-    if (!bounds.empty()) hold_pair(queue.away, queue.turn), hold_one(queue.side);
-    if (with_cones) hold_pair(queue.width, queue.spread);
+void Workspace<T>::hold_more(RayQueue<T>& queue) {
+    if (!bounds.empty()) hold(queue.away), hold(queue.turn), hold(queue.side);
+    if (with_cones) hold(queue.width), hold(queue.spread);
 }
 
 template <class T>
 void Workspace<T>::hold_bounds() {
     bounds.resize(scattered_pixels);
-    hold_pairs(refracted_queue);
-    for (const auto& made : held) hold_pairs(made->generation.open), hold_pairs(made->generation.inside);
+    hold_more(refracted_queue);
+    for (const auto& made : held) hold_more(made->generation.open), hold_more(made->generation.inside);
 }
 
 template <class T>
 void Workspace<T>::hold_cones() {
     with_cones = true;
-    hold_pairs(refracted_queue);
-    for (const auto& made : held) hold_pairs(made->generation.open), hold_pairs(made->generation.inside);
+    hold_more(refracted_queue);
+    for (const auto& made : held) hold_more(made->generation.open), hold_more(made->generation.inside);
 }
 
 template <class T>
@@ -108,7 +104,7 @@ Generation<T>& Workspace<T>::generation(int slot) {
         made.stretches.resize(2 * most_hit_bins);
         made.generation = {queue_in(made.values.get()), queue_in(made.values.get() + ray_arrays * queue_capacity),
                            made.stretches.data(), made.stretches.data() + most_hit_bins};
-        hold_pairs(made.generation.open), hold_pairs(made.generation.inside);
+        hold_more(made.generation.open), hold_more(made.generation.inside);
     }
     return held[slot]->generation;
 }

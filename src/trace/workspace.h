@@ -44,11 +44,11 @@ class Workspace {
 
   private:
     Buffer<T> values, order_by_bin;
-    std::vector<Buffer<T>> pairs;  // arrays that queues have besides `values`
+    std::vector<Buffer<T>> more;  // arrays that queues have besides `values`
+    std::size_t used = 0;         // of these in the last buffer
     bool with_cones = false;
-    void hold_pair(T*& first, T*& second);
-    void hold_one(T*& values);
-    void hold_pairs(RayQueue<T>& queue);
+    void hold(T*& array);
+    void hold_more(RayQueue<T>& queue);
     std::vector<std::int32_t> counts;
     struct Held {
         Buffer<T> values;

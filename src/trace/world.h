@@ -285,6 +285,10 @@ struct World {
     Vec3<T> fog_color{0};
     bool transparent = false;  // some body lets light through
     bool nested = false;       // such bodies overlap, or bumps bend rays back: rays carry the list of those entered
+
+    // For proofs, the cones by columns: by light the axes' x, y and z, the cosines and the distances of all bins.
+    const T* cone_columns = nullptr;
+    static constexpr int cone_stride = most_item_bins + 16;  // a pack may be read past the end
 };
 
 /// A composite by its item.

@@ -125,6 +125,7 @@ struct WorldArrays {
     BodySet glass = 0;                    // of these the transparent ones
     std::vector<T> balls;
     std::vector<LightCone<T>> cones;
+    std::vector<T> cone_columns;
     std::vector<BodySet> occluders;
     double reach = 0;  // the largest coordinate of a bounded body
     int surfaces = 0;

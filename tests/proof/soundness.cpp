@@ -174,6 +174,24 @@ TEST_CASE("proofs do not lie") {
     CHECK(edges.plain.certain[1] < .5 * edges.plain.values);
 }
 
+TEST_CASE("proofs by light buffers do not lie") {
+    const int worlds = number("PROOF_CROWDS", sanitized() ? 2 : 8), first = number("PROOF_FIRST", 0);
+    Judged all;
+    std::mutex mutex;
+    ThreadPool pool;
+    share_out(pool, worlds, 1, [&](int i, int) {
+        const Scene scene = proof::random_crowd(first + i);
+        Judged own;
+        judge(scene, view_of(scene, 48, 32), false, own);  // less, and they would not pay
+        const std::lock_guard lock(mutex);
+        CAPTURE(first + i);
+        check_honest(own);
+        all += own;
+    });
+    all.print("crowds");
+    CHECK(all.plain.certain[1] > .85 * all.plain.values);
+}
+
 TEST_CASE("worlds to look at are proved") {
     for (const char* const name : {"article", "flythrough"})
         for (const double error : {0., 1e-9}) {

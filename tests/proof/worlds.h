@@ -109,6 +109,48 @@ inline Scene random_world(std::uint64_t seed) {
     return scene;
 }
 
+/// A world of so many dull and mirroring balls and rods, some of which touch, that light buffers pay.
+inline Scene random_crowd(std::uint64_t seed) {
+    Dice dice(seed ^ 0xc0ffee);
+    const double size = dice.chance(.5) ? 1 : std::pow(10, dice.in(-3, 4));
+    const double far = dice.chance(.5) ? 0 : size * std::pow(10, dice.in(0, 3));
+    const DVec3 shift = dice.vector(-far, far);
+    const auto place = [&](const DVec3& p) { return size * p + shift; };
+    Scene scene;
+    scene.background.color = dice.vector(.1, .9);
+    scene.settings.max_trace_level = 2 + dice.upto(6);
+    for (int i = 0; i <= dice.upto(3); ++i) {
+        Light light{.position = place(dice.chance(.2) ? dice.vector(-2, 2) : dice.arrow(4, 12)),
+                    .color = dice.vector(.2, .9)};
+        if (dice.chance(.25)) light.direction = dice.direction();
+        scene.lights.push_back(light);
+    }
+    const auto put = [&](const Shape& shape) {
+        scene.primitives.push_back({shape, static_cast<int>(scene.materials.size()), {}});
+        scene.materials.push_back(random_material(dice, false));
+    };
+    DVec3 last(0);
+    double last_radius = 1;
+    for (int i = 66 + dice.upto(50); i > 0; --i) {
+        const double radius = dice.in(.03, .3);
+        const bool touches = dice.chance(.4);
+        const DVec3 centre = touches ? last + (last_radius + radius) * dice.direction() : dice.vector(-2.5, 2.5);
+        if (dice.chance(.7)) {
+            put(Sphere{place(centre), size * radius});
+            last = centre, last_radius = radius;
+        } else {
+            put(Cylinder{place(centre), place(centre + dice.arrow(.1, 2)), size * radius * .5});
+        }
+    }
+    const DVec3 a{0, 0, -2.5};
+    if (dice.chance(.7)) put(Plane{place(a), place(a + DVec3(1, 0, 0)), place(a + dice.vector(-1, 1))});
+    scene.camera.position = place(dice.arrow(5, 9));
+    scene.camera.look_at = place(dice.vector(-1, 1));
+    scene.camera.up = {dice.in(-.2, .2), 0, -1};
+    scene.camera.fov = dice.in(10, 40);
+    return scene;
+}
+
 /// The size of pictures of the following worlds.
 inline constexpr int edge_columns = 6, edge_rows = 4;
 
