@@ -22,15 +22,12 @@ inline Pigment random_paint(Dice& dice, double size, const DVec3& at) {
     return Pigment(std::move(pattern));
 }
 
-/// Gives a world of this size around a place patterns, and where there is no glass fog.
+/// Gives a world of this size around a place patterns and fog.
 inline void paint_world(Dice& dice, double size, const DVec3& at, Scene& scene) {
-    bool glass = false;
-    for (Material& material : scene.materials) {
+    for (Material& material : scene.materials)
         if (dice.chance(.4)) material.rgb = random_paint(dice, size, at);
-        glass |= material.refraction > 0;
-    }
     if (dice.chance(.3)) scene.background = random_paint(dice, .3, DVec3(0));
-    if (!glass && dice.chance(.4)) scene.fog = Fog{size * std::pow(10, dice.in(0, 3)), dice.vector(0, 1)};
+    if (dice.chance(.4)) scene.fog = Fog{size * std::pow(10, dice.in(0, 3)), dice.vector(0, 1)};
 }
 
 /// Colours of which the border between two passes through a place, but for rounding.
