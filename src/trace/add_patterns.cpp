@@ -109,19 +109,19 @@ PatternKernel<T> kernel_of(const Pattern& pattern, const glm::dmat4& to_world, c
     return kernel;
 }
 
-/// Tells proofs how far a kernel is off. `body` takes the body that has the pattern into the world. The first one
-/// decides about the numbers of kernels in long double.
+/// Tells proofs how far a kernel is off. `body` takes the body that has the pattern into the world, if it matters. The
+/// first one decides about the numbers of kernels in long double.
 template <class T>
 void compare(const Pattern& pattern, const std::vector<Transformation>& body, const Placement& placement, bool first,
              PatternKernel<T>& kernel) {
     if constexpr (!std::is_same_v<T, float>) {
-        if (pattern.by_uv) return;
         std::vector<Transformation> steps = pattern.transformations;
-        steps.insert(steps.end(), body.begin(), body.end());
+        if (!pattern.by_uv) steps.insert(steps.end(), body.begin(), body.end());
         PatternKernel<T> own{};
         KernelSpace<T> space{own};
         std::visit(space, pattern.kind);
-        compare_pattern(pattern, steps, placement, space.period, border<T>, first, kernel);
+        const Placement& world = pattern.by_uv ? Placement{} : placement;
+        compare_pattern(pattern, steps, world, space.period, border<T>, first, kernel);
     }
 }
 

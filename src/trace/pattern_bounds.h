@@ -3,6 +3,7 @@
 #pragma once
 #include "num/memory.h"
 #include "num/ray.h"
+#include "trace/kernel.h"
 #include "trace/world.h"
 
 namespace strahl::inline STRAHL_LEVEL {
@@ -19,11 +20,12 @@ struct PatternBounds {
     /// Of materials, known by their numbers, that have the colours of their patterns at these positions, which may be
     /// off by `away`.
     static ColorErrors<S> of_hits(const World<T>& world, const int* materials, const Vec3<S>& position,
-                                  const S& surface, const S& away);
+                                  const S& surface, const S& away, const Slack<T>& slack);
     /// Of the background in directions that are off by `turn`.
     static S of_sky(const World<T>& world, const Vec3<S>& direction, const S& turn);
     /// Of what a transparent material leaves of light at these positions.
-    static S of_filter(const World<T>& world, int material, const Vec3<S>& position, const S& surface, const S& away);
+    static S of_filter(const World<T>& world, int material, const Vec3<S>& position, const S& surface, const S& away,
+                       const Slack<T>& slack);
 };
 
 }  // namespace strahl::inline STRAHL_LEVEL

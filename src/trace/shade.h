@@ -170,8 +170,8 @@ STRAHL_INLINE HitBounds<S> bounds_of(const Shading<S>& shading, const Hit<S>& hi
     HitBounds<S> bounds = bound_hits(shading, hit, ray, doubt, pick(t), pick(from.weight), pick.lanes,
                                      first_lanes<S>(unknown ? 0 : width<S>));
     if (world.patterns) [[unlikely]] {
-        const ColorErrors<S> errors =
-            PatternBounds<S>::of_hits(world, material.numbers, Vec3<S>(hit.position), S(hit.surface), S(bounds.away));
+        const ColorErrors<S> errors = PatternBounds<S>::of_hits(world, material.numbers, Vec3<S>(hit.position),
+                                                                S(hit.surface), S(bounds.away), slack);
         bounds.off = errors.ambient, bounds.diffuse = errors.diffuse;
     }
     return bounds;

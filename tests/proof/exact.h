@@ -81,7 +81,7 @@ class Tracer {
                     const std::vector<int>& inside) const {
         const Material& material = bodies[body].material_of(hit.face);
         const Vector e = line.direction, p = line.origin + hit.t * e,
-                     color = bodies[body].leaf_of(hit.face).paint.at(p);
+                     color = bodies[body].leaf_of(hit.face).color_at(p, hit.face);
         Vector n = unit(hit.normal);
         if (dot(e, n) > 0) n = R(-1) * n;
         const Vector mirrored = e - 2 * dot(e, n) * n;
@@ -119,7 +119,8 @@ class Tracer {
                 if (!(crossing.t > 0 && (light.direction || crossing.t < distance))) continue;
                 const Material& other = bodies[i].material_of(crossing.face);
                 if (!(other.refraction > 0)) return {};
-                share = R(other.refraction) * share * bodies[i].leaf_of(crossing.face).paint.at(p + crossing.t * l);
+                share = R(other.refraction) * share *
+                        bodies[i].leaf_of(crossing.face).color_at(p + crossing.t * l, crossing.face);
             }
         return share;
     }

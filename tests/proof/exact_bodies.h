@@ -85,7 +85,7 @@ struct Paint {
     static std::vector<Transformation> steps_of(const Pigment& own, const std::vector<Transformation>& body) {
         std::vector<Transformation> steps;
         if (own.pattern) steps = own.pattern->transformations;
-        steps.insert(steps.end(), body.begin(), body.end());
+        if (!own.pattern || !own.pattern->by_uv) steps.insert(steps.end(), body.begin(), body.end());
         return steps;
     }
 };
@@ -120,6 +120,12 @@ struct Leaf {
                 return false;
             },
             shape);
+    }
+    Vector<R> color_at(const Vector<R>& world, int face) const {
+        if (!paint.pigment.pattern || !paint.pigment.pattern->by_uv) return paint.at(world);
+        const auto* const mesh = std::get_if<Mesh>(&shape);
+        return paint.at(mesh ? referee::place_in(*mesh->data, face - first_face, space.turn(world - space.moved))
+                             : Vector<R>{0, 0, 0});
     }
     bool owns(int face) const { return face >= first_face && face < first_face + faces; }
     /// Is the line inside at t, all of whose crossings but the one it starts with are given? Bodies are convex.

@@ -87,6 +87,16 @@ TEST_CASE("what proofs know is decided") {
     }
     scene.fog = Fog{10, Color(.5)};
     CHECK(share_bounded(scene) > .97);
+    for (Primitive& primitive : scene.primitives)
+        if (Mesh* const mesh = std::get_if<Mesh>(&primitive.shape)) {
+            MeshData data = *mesh->data;
+            for (const DVec3& point : data.points) data.places.push_back({point.x, point.z});
+            mesh->data = std::make_shared<const MeshData>(data);
+            primitive.material = 1;
+        }
+    scene.materials.push_back(scene.materials[0]);
+    scene.materials[1].rgb = Pigment(Pattern{Checker{}, colors, {Scale{DVec3(.1)}}, true});
+    CHECK(share_bounded(scene) > .97);
 }
 
 TEST_CASE("glass that overlaps or is in fog is decided if it is certain where the eye is") {
