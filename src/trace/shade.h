@@ -8,7 +8,7 @@
 #include "trace/pattern_bounds.h"
 #include "trace/scatter.h"
 #ifdef STRAHL_PROVES
-#include "trace/proving.h"
+#include "trace/proving_reliefs.h"
 #endif
 
 namespace strahl::inline STRAHL_LEVEL::inline STRAHL_INSTANCE {
@@ -154,8 +154,8 @@ STRAHL_INLINE Hit<S> make_hit(const Shading<S>& shading, int bin, const RayQueue
             bin};
 }
 
-/// What is known of hits, but for bent normals, fog where it is not certain whether the eye is in glass, and insides
-/// that are only nearly known.
+/// What is known of hits, but for fog where it is not certain whether the eye is in glass, and insides that are only
+/// nearly known.
 template <class S>
 STRAHL_INLINE HitBounds<S> bounds_of(const Shading<S>& shading, const Hit<S>& hit, const RayQueue<Element<S>>& from,
                                      const LaneIndices<S>& pick, const Element<S>* t, bool within,
@@ -165,7 +165,7 @@ STRAHL_INLINE HitBounds<S> bounds_of(const Shading<S>& shading, const Hit<S>& hi
                      {pick(from.direction.x), pick(from.direction.y), pick(from.direction.z)},
                      pick(from.source)};
     const Slack<Element<S>>& slack = shading.limits.slack;
-    const bool unknown = (world.fog && !slack.medium) || world.bends || (within && !slack.fits());
+    const bool unknown = (world.fog && !slack.medium) || (within && !slack.fits());
     const Doubt<S> doubt{pick(from.away), pick(from.turn), pick(from.side)};
     HitBounds<S> bounds = bound_hits(shading, hit, ray, doubt, pick(t), pick(from.weight), pick.lanes,
                                      first_lanes<S>(unknown ? 0 : width<S>));
@@ -202,8 +202,11 @@ bool shade_bin(const Shading<S>& shading, int bin) {
         if constexpr (proves) rare.bounds = bounds_of(shading, hit, from, pick, t, within, material);
         if (shading.rare) [[unlikely]] {
             rare.flat = hit.normal;
-            if (world.bends)
+            if (world.bends) {
                 hit.normal = PatternCalls<S>::bent(world, material.numbers, hit.position, hit.surface, rare.flat);
+                if constexpr (proves)
+                    bound_bent(shading, material.numbers, hit, rare.flat, pick(from.weight), pick.lanes, rare.bounds);
+            }
             if (shading.batch.sights) {
                 Mask<S> filtered = first_lanes<S>(0);
                 if (filters(shading)) {

@@ -38,6 +38,20 @@ inline void paint_by_uv(Dice& dice, Mesh& mesh, Material& material) {
     material.rgb = Pigment(std::move(pattern));
 }
 
+/// Bends the normals of a material, in a space of this size around a place.
+inline void bend(Dice& dice, double size, const DVec3& at, Material& material) {
+    const auto in_space = [&](auto relief) {
+        Pattern pattern = *relief.pattern;
+        pattern.transformations.push_back(Scale{DVec3(size)});
+        if (dice.chance(.8)) pattern.transformations.push_back(Translate{at});
+        relief.pattern = std::make_shared<const Pattern>(std::move(pattern));
+        return relief;
+    };
+    const int which = dice.upto(4);
+    if (which < 2) material.normal = in_space(random_normal_map(dice));
+    if (which > 0) material.bump = in_space(random_bump(dice));
+}
+
 /// Gives a world of this size around a place patterns and fog.
 inline void paint_world(Dice& dice, double size, const DVec3& at, Scene& scene) {
     for (Material& material : scene.materials)
@@ -47,6 +61,9 @@ inline void paint_world(Dice& dice, double size, const DVec3& at, Scene& scene) 
     for (Primitive& primitive : scene.primitives)
         if (Mesh* const mesh = std::get_if<Mesh>(&primitive.shape); mesh && dice.chance(.6))
             paint_by_uv(dice, *mesh, scene.materials[primitive.material]);
+    if (dice.chance(.3))
+        for (Material& material : scene.materials)
+            if (dice.chance(.5)) bend(dice, size, at, material);
 }
 
 /// Colours of which the border between two passes through a place, but for rounding.
