@@ -65,9 +65,9 @@ void compare(const Material& material, const std::vector<Transformation>& body, 
              BendKernel<T>& kernel) {
     const auto each = [&](const auto& relief, auto& own) {
         if constexpr (!std::is_same_v<T, float>) {
-            if (!relief.pattern || relief.pattern->by_uv) return;
+            if (!relief.pattern) return;
             std::vector<Transformation> steps = relief.pattern->transformations;
-            steps.insert(steps.end(), body.begin(), body.end());
+            if (!relief.pattern->by_uv) steps.insert(steps.end(), body.begin(), body.end());
             compare(*relief.pattern, body, placement, first, own.pattern);
             measure_colors(*relief.pattern, own.pattern.slack);
             const ReliefSlack<T> before = own.slack;

@@ -32,7 +32,8 @@ struct PatternBounds {
     static S of_sky(const World<T>& world, const Vec3<S>& direction, const S& turn);
     /// Of normals as materials bend these, which are off by `normal_off`.
     static BentBounds<S> of_normals(const World<T>& world, const int* materials, const Vec3<S>& position,
-                                    const S& surface, const Vec3<S>& normal, const S& normal_off, const S& away);
+                                    const S& surface, const Vec3<S>& normal, const S& normal_off, const S& away,
+                                    const Slack<T>& slack);
     /// Of what a transparent material leaves of light at these positions.
     static S of_filter(const World<T>& world, int material, const Vec3<S>& position, const S& surface, const S& away,
                        const Slack<T>& slack);

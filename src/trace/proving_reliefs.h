@@ -10,7 +10,7 @@ template <class S>
 [[gnu::noinline]] void bound_bent(const Shading<S>& shading, const int* materials, const Hit<S>& hit,
                                   const Vec3<S>& flat, const S& weight, int lanes, HitBounds<S>& known) {
     const BentBounds<S> found = PatternBounds<S>::of_normals(shading.world, materials, hit.position, hit.surface, flat,
-                                                             known.normal, known.away);
+                                                             known.normal, known.away, shading.limits.slack);
     const Mask<S> bent = known.followed & found.bent, lost = bent & !found.told, told = bent & found.told;
     known.flat = select(told, known.normal, S(-1));
     known.normal = select(told, found.off, known.normal), known.height = select(told, known.away, known.height);

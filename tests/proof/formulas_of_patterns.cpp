@@ -169,7 +169,7 @@ TEST_CASE("formulas of patterns by uv") {
         const double narrow = dice.chance(.3) ? std::pow(10, dice.in(-5, 0)) : 1;
         const DVec3 c = a + dice.in(.2, 2) * along + narrow * dice.direction();
         Mesh mesh{std::make_shared<const MeshData>(MeshData{{a, a + along, c}, {}, {{0, 1, 2}}, {}}), ""};
-        proof::paint_by_uv(dice, mesh, scene.materials[0]);
+        proof::paint_by_uv(dice, mesh, scene.materials[0], 0);
         scene.primitives.push_back({mesh, 0, any_steps(dice)});
         const R first = dice.in(0, 1), second = dice.chance(.2) ? R(0) : (1 - first) * R(dice.in(0, 1));
         const R away = any_size(dice, -1);

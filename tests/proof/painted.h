@@ -22,8 +22,8 @@ inline Pigment random_paint(Dice& dice, double size, const DVec3& at) {
     return Pigment(std::move(pattern));
 }
 
-/// Gives a mesh places and a material a pattern by uv.
-inline void paint_by_uv(Dice& dice, Mesh& mesh, Material& material) {
+/// Gives a mesh places and a material a pattern by uv, and as often as `bent` says a normal map and a bump.
+inline void paint_by_uv(Dice& dice, Mesh& mesh, Material& material, double bent) {
     MeshData data = *mesh.data;
     const bool apart = dice.chance(.4);
     const double far = dice.chance(.7) ? 2 : std::pow(10, dice.in(0, 4));
@@ -36,6 +36,16 @@ inline void paint_by_uv(Dice& dice, Mesh& mesh, Material& material) {
     pattern.by_uv = true;
     if (ImagePattern* const image = std::get_if<ImagePattern>(&pattern.kind)) image->map = ImageMap::planar;
     material.rgb = Pigment(std::move(pattern));
+    const auto by_uv = [&](auto relief) {
+        Pattern own = *relief.pattern;
+        own.by_uv = true;
+        if (ImagePattern* const image = std::get_if<ImagePattern>(&own.kind)) image->map = ImageMap::planar;
+        if (dice.chance(.7)) own.transformations = {Scale{dice.vector(.3, 2)}, Rotate{{0, 0, dice.in(-180, 180)}}};
+        relief.pattern = std::make_shared<const Pattern>(std::move(own));
+        return relief;
+    };
+    if (dice.chance(bent)) material.normal = by_uv(random_normal_map(dice));
+    if (dice.chance(bent)) material.bump = by_uv(random_bump(dice));
 }
 
 /// Bends the normals of a material, in a space of this size around a place.
@@ -60,7 +70,7 @@ inline void paint_world(Dice& dice, double size, const DVec3& at, Scene& scene) 
     if (dice.chance(.4)) scene.fog = Fog{size * std::pow(10, dice.in(0, 3)), dice.vector(0, 1)};
     for (Primitive& primitive : scene.primitives)
         if (Mesh* const mesh = std::get_if<Mesh>(&primitive.shape); mesh && dice.chance(.6))
-            paint_by_uv(dice, *mesh, scene.materials[primitive.material]);
+            paint_by_uv(dice, *mesh, scene.materials[primitive.material], .2);
     if (dice.chance(.3))
         for (Material& material : scene.materials)
             if (dice.chance(.5)) bend(dice, size, at, material);
