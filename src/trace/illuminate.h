@@ -133,6 +133,12 @@ STRAHL_INLINE Vec3<S> illumination(const Shading<S>& shading, const Hit<S>& hit,
             faces = faces & (cosine > zero);
             if (any(glossy)) highlight = highlight_of(hit, reflected, l, glossy);
         }
+        if constexpr (proves) {
+            if (world.bends) [[unlikely]] {
+                bound_side_of_light(rare.bounds, rare.flat, Vec3<S>(l), lit, faces);
+                if (none(faces | (hit.active & lit.doubt))) continue;
+            }
+        }
         if (light.spot) [[unlikely]] {
             faces = faces & (spot_share(light, Vec3<S>(l)) > zero);
             if constexpr (proves) {

@@ -28,6 +28,51 @@ STRAHL_INLINE OffPlace<S> off_place(const PatternKernel<Element<S>>& pattern, co
     return own;
 }
 
+/// The same by uv. Weights carry a point of the exact triangle to one of the computed triangle no further off than its
+/// corners are, so the place is off by what the weights are. A corner's weight grows by the length of the side across
+/// it over twice the area. Roundings: as shares of the way q from a corner the vector across a side has 9/2 u and 2 u
+/// times how narrow the triangle is, the division 3 u and 4 times that; the mean 3/2 u of what is summed.
+template <class S>
+[[gnu::noinline]] OffPlace<S> off_place_by_uv(const World<Element<S>>& world, const PatternKernel<Element<S>>& pattern,
+                                              const Vec3<S>& position, const S& surface, const S& away,
+                                              const Slack<Element<S>>& slack) {
+    using T = Element<S>;
+    constexpr T u = unit_error<S>;
+    const PlacedTriangles<S> t = placed_triangles(world, pattern.places, surface);
+    const Vec3<S> q = position - t.corner, n = cross(t.e, t.f), place = place_in(t, position);
+    const S e_long = sqrt(dot(t.e, t.e)), f_long = sqrt(dot(t.f, t.f)), width = e_long + f_long;
+    const S tall = sqrt(dot(n, n)), narrow = e_long * f_long / tall;
+    const S own = S(T(1.01) * slack.share) * (S(3) * norm1(t.corner) + norm1(t.e) + norm1(t.f));
+    const S off = (away + own + S(u) * (S(5) + S(4) * narrow) * (norm1(q) + width)) / tall;
+    const Mask<S> known = (tall * tall > S(std::numeric_limits<T>::min() / u)) & (narrow < S(T(1e-4) / u));
+    const S of_e = off * f_long, of_f = off * e_long;
+    S place_off[2];
+    for (int j = 0; j < 2; ++j) {
+        const S e = abs(t.on_e[j]), f = abs(t.on_f[j]);
+        const S sum = fma(of_e, e, fma(of_f, f, S(2 * u) * (e + f + abs(t.place[j]))));
+        place_off[j] = select(known, sum, S(std::numeric_limits<T>::infinity()));
+    }
+    OffPlace<S> own_place{in_space_of(pattern, place), {}};
+    const S size = abs(place.x) + abs(place.y);
+    for (int c = 0; c < 3; ++c) {
+        const Vec3<T>& row = pattern.rows[c];
+        const T x = std::abs(row.x), y = std::abs(row.y);
+        const S moved = fma(S(T(1.001) * x), place_off[0], S(T(1.001) * y) * place_off[1]);
+        own_place.off[c] = fma(S(pattern.slack.turned + T(2.1) * u * (x + y)), size,
+                               moved + S(pattern.slack.moved + u * std::abs(pattern.offset[c])));
+    }
+    return own_place;
+}
+/// The place of a surface's position that is off by `away`.
+template <class S>
+STRAHL_INLINE OffPlace<S> off_place(const World<Element<S>>& world, const PatternKernel<Element<S>>& pattern,
+                                    const Vec3<S>& position, const S& surface, const S& away,
+                                    const Slack<Element<S>>& slack) {
+    if (pattern.by_uv) [[unlikely]]
+        return off_place_by_uv(world, pattern, position, surface, away, slack);
+    return off_place(pattern, position, away);
+}
+
 /// May a coordinate be on the other side of a whole number?
 template <class S>
 STRAHL_INLINE Mask<S> near_whole(const S& x, const S& off) {
@@ -143,14 +188,13 @@ template <class S>
     return select(ends(x, off_u) | ends(y, off_v), S(std::numeric_limits<T>::infinity()), error);
 }
 
-/// By how much the colour of a pattern may be off at positions that are off by `away`. A value that is off by e makes
-/// colours that are off by e times the steepest way between stops that it may be on. Roundings: the share of a stop has
-/// 2 u, what it takes and leaves 3/2.
+/// By how much the colour of a pattern may be off at places. A value that is off by e makes colours that are off by e
+/// times the steepest way between stops that it may be on. Roundings: the share of a stop has 2 u, what it takes and
+/// leaves 3/2.
 template <class S>
 [[gnu::noinline]] S color_error(const World<Element<S>>& world, const PatternKernel<Element<S>>& pattern,
-                                const Vec3<S>& position, const S& away) {
+                                const OffPlace<S>& place) {
     using T = Element<S>;
-    const OffPlace<S> place = off_place(pattern, position, away);
     const S apart(pattern.slack.apart);
     if (pattern.form == PatternForm::image) {
         const S error = image_error(pattern, place);
@@ -179,12 +223,12 @@ template <class S>
 }
 
 template <class S>
-ColorErrors<S> PatternBounds<S>::of_hits(const World<T>& world, const int* materials, const Vec3<S>& position, const S&,
-                                         const S& away) {
+ColorErrors<S> PatternBounds<S>::of_hits(const World<T>& world, const int* materials, const Vec3<S>& position,
+                                         const S& surface, const S& away, const Slack<T>& slack) {
     ColorErrors<S> errors;
     each_pattern<S>(world, materials, [&](int which, Mask<S> lanes) {
         const PatternKernel<T>& pattern = world.patterns[which];
-        const S error = color_error(world, pattern, position, away);
+        const S error = color_error(world, pattern, off_place(world, pattern, position, surface, away, slack));
         const T ambient =
             std::max({std::abs(pattern.ambient.x), std::abs(pattern.ambient.y), std::abs(pattern.ambient.z)});
         errors.ambient = select(lanes, S(ambient) * error, errors.ambient);
@@ -196,13 +240,15 @@ ColorErrors<S> PatternBounds<S>::of_hits(const World<T>& world, const int* mater
 /// Directions may be 3 u longer or shorter than 1.
 template <class S>
 S PatternBounds<S>::of_sky(const World<T>& world, const Vec3<S>& direction, const S& turn) {
-    return color_error(world, *world.sky, direction, turn + S(3 * unit_error<S>));
+    return color_error(world, *world.sky, off_place(*world.sky, direction, turn + S(3 * unit_error<S>)));
 }
 
 template <class S>
-S PatternBounds<S>::of_filter(const World<T>& world, int material, const Vec3<S>& position, const S&, const S& away) {
+S PatternBounds<S>::of_filter(const World<T>& world, int material, const Vec3<S>& position, const S& surface,
+                              const S& away, const Slack<T>& slack) {
     const PatternKernel<T>& pattern = world.patterns[material - world.first_pattern];
-    return S(pattern.refraction) * color_error(world, pattern, position, away);
+    const OffPlace<S> place = off_place(world, pattern, position, surface, away, slack);
+    return S(pattern.refraction) * color_error(world, pattern, place);
 }
 
 }  // namespace strahl::inline STRAHL_LEVEL

@@ -30,6 +30,34 @@ struct ExtendedPatternSpace {
     }
 };
 
+template <class T>
+T upper(Extended x) {
+    return x < 1e300L ? static_cast<T>(x) * T(1 + 1e-15) : T(HUGE_VAL);
+}
+
+/// The way out of a relief's space, and how long its longest column is.
+struct ReliefColumns {
+    ExtendedTransform to_world;
+    std::array<ExtendedVector, 3> columns;
+    Extended longest = 0;
+    explicit ReliefColumns(std::span<const Transformation> steps) : to_world(steps, DVec3(0), 1) {
+        columns = {to_world.turn({1, 0, 0}), to_world.turn({0, 1, 0}), to_world.turn({0, 0, 1})};
+        for (const ExtendedVector& column : columns) longest = std::max(longest, length_of(column));
+    }
+};
+template <class T>
+void compare_columns(const ReliefColumns& own, bool replace, ReliefKernel<T>& kernel) {
+    Extended off = 0;
+    for (int c = 0; c < 3; ++c) {
+        const ExtendedVector exact = Extended(1) / own.longest * own.columns[c];
+        if (replace && std::is_same_v<T, Extended>)
+            for (int k = 0; k < 3; ++k) kernel.columns[c][k] = static_cast<T>(exact[k]);
+        off +=
+            sum_of(extended(kernel.columns[c]) - exact) + 2 * (own.to_world.rounding() + 4 * ExtendedTransform::unit);
+    }
+    kernel.slack.columns = own.to_world.known() ? upper<T>(off) : T(HUGE_VAL);
+}
+
 }  // namespace
 
 /// With the columns of the way out into the world, rows are the dual ones, and the offset is what takes the place of
@@ -67,8 +95,41 @@ void compare_pattern(const Pattern& pattern, std::span<const Transformation> ste
         moved = std::max(moved, std::abs(modulo(kernel.offset[c] - exact)) + length * (share * far + origin_off) +
                                     8 * unit * (length * far + std::abs(own.offset[c]) + std::abs(exact)));
     }
-    const auto upper = [](Extended x) { return x < 1e300L ? static_cast<T>(x) * T(1 + 1e-15) : T(HUGE_VAL); };
-    slack.turned = upper(turned), slack.moved = upper(moved);
+    slack.turned = upper<T>(turned), slack.moved = upper<T>(moved);
+}
+
+/// A bend is a sum of rows, the dual vectors of the columns, which are as far off as those of patterns.
+template <class T>
+void compare_relief(const Bump& bump, std::span<const Transformation> steps, bool replace, BumpKernel<T>& kernel) {
+    const ReliefColumns own(steps);
+    compare_columns<T>(own, replace, kernel);
+    const std::array back = dual_of(own.columns);
+    Extended condition = 0, whole = 0;
+    for (int c = 0; c < 3; ++c) {
+        condition += length_of(own.columns[c]) * length_of(back[c]);
+        whole += length_of(back[c]);
+    }
+    constexpr Extended unit = ExtendedTransform::unit;
+    const Extended share = condition * (2 * own.to_world.rounding() + 8 * unit), step = bump.step();
+    const Extended strength = -bump.height * 3 / (4 * step) * own.longest;
+    const ExtendedPatternSpace space(bump.pattern->kind, 0);
+    Extended bends = 0, moved = 0;
+    for (std::size_t i = 0; i < Bump::corners.size(); ++i) {
+        const ExtendedVector v = extended(Bump::corners[i]);
+        const ExtendedVector bend = strength * (v.x * back[0] + v.y * back[1] + v.z * back[2]);
+        ExtendedVector by{0};
+        for (int c = 0; c < 3; ++c) by[c] = step * dot_of(space.rows[c], v);
+        for (int k = 0; replace && std::is_same_v<T, Extended> && k < 3; ++k)
+            kernel.bends[i][k] = static_cast<T>(bend[k]), kernel.steps[i][k] = static_cast<T>(by[k]);
+        bends =
+            std::max(bends, sum_of(extended(kernel.bends[i]) - bend) + (share + 8 * unit) * std::abs(strength) * whole);
+        moved = std::max(moved, sum_of(extended(kernel.steps[i]) - by) + 8 * unit * step);
+    }
+    kernel.slack.bends = upper<T>(bends), kernel.slack.steps = upper<T>(moved);
+}
+template <class T>
+void compare_relief(const NormalMap&, std::span<const Transformation> steps, bool replace, NormalMapKernel<T>& kernel) {
+    compare_columns<T>(ReliefColumns(steps), replace, kernel);
 }
 
 template <class T>
@@ -94,6 +155,10 @@ template void compare_pattern(const Pattern&, std::span<const Transformation>, c
                               bool, PatternKernel<double>&);
 template void compare_pattern(const Pattern&, std::span<const Transformation>, const Placement&, const DVec3&, double,
                               bool, PatternKernel<Extended>&);
+template void compare_relief(const Bump&, std::span<const Transformation>, bool, BumpKernel<double>&);
+template void compare_relief(const Bump&, std::span<const Transformation>, bool, BumpKernel<Extended>&);
+template void compare_relief(const NormalMap&, std::span<const Transformation>, bool, NormalMapKernel<double>&);
+template void compare_relief(const NormalMap&, std::span<const Transformation>, bool, NormalMapKernel<Extended>&);
 template void measure_colors(const Pattern&, PatternSlack<double>&);
 template void measure_colors(const Pattern&, PatternSlack<Extended>&);
 

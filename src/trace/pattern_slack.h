@@ -14,6 +14,13 @@ template <class T>
 void compare_pattern(const Pattern& pattern, std::span<const Transformation> steps, const Placement& placement,
                      const DVec3& period, double border, bool replace, PatternKernel<T>& kernel);
 
+/// Compares what else a relief's kernel has, likewise.
+template <class T>
+void compare_relief(const Bump& bump, std::span<const Transformation> steps, bool replace, BumpKernel<T>& kernel);
+template <class T>
+void compare_relief(const NormalMap& map, std::span<const Transformation> steps, bool replace,
+                    NormalMapKernel<T>& kernel);
+
 /// What the colours of a pattern are.
 template <class T>
 void measure_colors(const Pattern& pattern, PatternSlack<T>& slack);

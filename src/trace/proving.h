@@ -98,7 +98,8 @@ STRAHL_INLINE HitBounds<S> bound_hits(const Shading<S>& shading, const Hit<S>& h
 /// By how much fog makes the light off that comes by way of hits at `t`: `left` of the rays' weight is left there. All
 /// of that light is as far off as the weight, by what the way is off, which is what its ends are and `t` misses between
 /// them. Roundings: the distance has 3 u, 1 over the fog's distance 1, the product with the way 1/2, the exponential 2,
-/// the weight 1/2.
+/// the weight 1/2. Rays in glass lose nothing. Which those are is certain as long as hits are, see bound_refraction, if
+/// it is for the eye.
 template <class S>
 [[gnu::noinline]] S fog_error(const Shading<S>& shading, const Vec3<S>& way, const S& away, const S& t, const S& weight,
                               const S& left) {

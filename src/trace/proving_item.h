@@ -106,7 +106,7 @@ STRAHL_INLINE void lose_light(const World<Element<S>>& world, int material, Mask
 template <class S>
 [[gnu::noinline]] void pass_pattern(const World<Element<S>>& world, int material, const S& surface,
                                     const DoubtfulRay<S>& own, const S& low, const S& high, Mask<S> crossed,
-                                    LightBounds<S>& light) {
+                                    const Slack<Element<S>>& slack, LightBounds<S>& light) {
     using T = Element<S>;
     if (none(crossed)) return;
     const PatternKernel<T>& pattern = world.patterns[material - world.first_pattern];
@@ -114,7 +114,7 @@ template <class S>
     const Vec3<S> place = fma(t, own.ray.direction, own.ray.origin);
     const S away = S(T(1.01)) * (own.doubt.away + (high - low) + t * (own.doubt.turn + S(4 * unit_error<S>))) +
                    S(unit_error<S>) * norm1(place);
-    const S error = PatternBounds<S>::of_filter(world, material, place, surface, away);
+    const S error = PatternBounds<S>::of_filter(world, material, place, surface, away, slack);
     const S before = max(light.share.x, max(light.share.y, light.share.z));
     light.off = select(crossed, fma(light.off, most, before * error), light.off);
     light.doubt = light.doubt | (crossed & !(error < S(T(1e-5))));  // in these the plain kernel decides
@@ -137,8 +137,8 @@ template <class S, class Item>
     if (const int material = static_cast<int>(item.material); transparent(world, item) && patterned(world, material))
         [[unlikely]] {
         light.doubt = light.doubt | possible[0] | possible[1];
-        pass_pattern(world, material, S(item.surface), own, span.near_low, span.near_high, certain[0], light);
-        pass_pattern(world, material, S(item.surface), own, span.far_low, span.far_high, certain[1], light);
+        pass_pattern(world, material, S(item.surface), own, span.near_low, span.near_high, certain[0], slack, light);
+        pass_pattern(world, material, S(item.surface), own, span.far_low, span.far_high, certain[1], slack, light);
         return;
     }
     for (int k = 0; k < 2; ++k) lose_light(world, static_cast<int>(item.material), certain[k], possible[k], light);

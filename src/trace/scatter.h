@@ -164,7 +164,8 @@ STRAHL_INLINE Doubt<S> bound_reflection(const HitBounds<S>& known) {
 
 /// What is known of refracted rays; c is the cosine before the surface, k its square beyond it and b the
 /// ratio of indices. Where it can't be told whether the reflection is total, the pixel's bound grows by all that the
-/// refracted light may be. Medium stacks are those of exact arithmetic if the camera's rays begin with its own: each
+/// refracted light may be. Bent normals are turned to the side that the ray comes from, which must be certain. Medium
+/// stacks are those of exact arithmetic if the camera's rays begin with its own: each
 /// hit that is certain is one on the same body.
 template <class S>
 STRAHL_INLINE void bound_refraction(const Shading<S>& shading, const Hit<S>& hit, const HitBounds<S>& known,
@@ -172,7 +173,9 @@ STRAHL_INLINE void bound_refraction(const Shading<S>& shading, const Hit<S>& hit
                                     Branch<S>& refracted) {
     const S k_error = error_beyond(known, b, c);
     const Mask<S> told = abs(k) > k_error, all_told = first_lanes<S>(shading.limits.slack.medium ? width<S> : 0);
-    const Mask<S> doubt = glass & known.followed & !(told & all_told & !far);
+    Mask<S> doubt = glass & known.followed & !(told & all_told & !far);
+    if (shading.world.bends) [[unlikely]]
+        doubt = doubt | (glass & known.followed & bent_side_in_doubt(known, c));
     refracted.doubt.away = select(known.followed & !doubt, known.away, S(-1));
     refracted.doubt.turn = select(known.followed & !doubt, turn_refracted(known, b, c, k, k_error), S(0));
     refracted.doubt.side = side_refracted(known, c, k, k_error);
@@ -201,7 +204,11 @@ STRAHL_INLINE Mask<S> scatter(const Shading<S>& shading, const Hit<S>& hit, cons
     };
     if (!world.transparent || none(glass)) {
         Branch<S> reflected = branch(hit, hit.active, mirrored(), material.reflection, hit.medium);
-        if constexpr (proves) reflected.doubt = bound_reflection(known.bounds);
+        if constexpr (proves) {
+            reflected.doubt = bound_reflection(known.bounds);
+            if (world.bends) [[unlikely]]
+                bound_bent_reflection(shading, hit, known, S(material.reflection), reflected);
+        }
         Contribution<S> part(reflected.weight * brightest, reflected.mask);
         prune(shading, hit.pixel, part, light);
         reflected.mask = reflected.mask & !part.pruned;
@@ -229,6 +236,8 @@ STRAHL_INLINE Mask<S> scatter(const Shading<S>& shading, const Hit<S>& hit, cons
     Branch<S> refracted = branch(hit, glass & !total, beyond, material.refraction, medium);
     if constexpr (proves) {
         reflected.doubt = bound_reflection(known.bounds);
+        if (world.bends) [[unlikely]]
+            bound_bent_reflection(shading, hit, known, select(total, all, material.reflection), reflected);
         bound_refraction(shading, hit, known.bounds, glass, far, b, s, k, refracted);
     }
     Contribution<S> reflected_part(reflected.weight * brightest, reflected.mask);

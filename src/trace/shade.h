@@ -8,7 +8,7 @@
 #include "trace/pattern_bounds.h"
 #include "trace/scatter.h"
 #ifdef STRAHL_PROVES
-#include "trace/proving.h"
+#include "trace/proving_reliefs.h"
 #endif
 
 namespace strahl::inline STRAHL_LEVEL::inline STRAHL_INSTANCE {
@@ -38,9 +38,7 @@ void shade_misses(const Shading<S>& shading) {
             const auto& d = rays.direction;
             const Mask<S> followed = first_lanes<S>(pick.lanes) & (pick(rays.away) >= S(0));
             S off = rounding_of(scale(weight, color), shading.depth, 0);
-            if (world.fog && world.nested) [[unlikely]]
-                off = weight * S(brightest_of(shading.limits, shading.depth));
-            else if (world.sky && !world.fog) [[unlikely]]
+            if (world.sky && !world.fog) [[unlikely]]
                 off = fma(weight, PatternBounds<S>::of_sky(world, {pick(d.x), pick(d.y), pick(d.z)}, pick(rays.turn)),
                           off);
             add_bounds(shading.batch, pixel, pick.lanes, select(followed, off, S(0)));
@@ -156,20 +154,22 @@ STRAHL_INLINE Hit<S> make_hit(const Shading<S>& shading, int bin, const RayQueue
             bin};
 }
 
-/// What is known of hits, but for bent normals, fog around glass, and insides that are only nearly known.
+/// What is known of hits, but for fog where it is not certain whether the eye is in glass, and insides that are only
+/// nearly known.
 template <class S>
 STRAHL_INLINE HitBounds<S> bounds_of(const Shading<S>& shading, const Hit<S>& hit, const RayQueue<Element<S>>& from,
                                      const LaneIndices<S>& pick, const Element<S>* t, bool within,
                                      const HitMaterial<S>& material) {
     const auto& world = shading.world;
     const Ray<S> ray{{pick(from.origin.x), pick(from.origin.y), pick(from.origin.z)}, hit.direction, pick(from.source)};
-    const bool unknown = (world.fog && world.nested) || world.bends || (within && !shading.limits.slack.fits());
+    const Slack<Element<S>>& slack = shading.limits.slack;
+    const bool unknown = (world.fog && !slack.medium) || (within && !slack.fits());
     const Doubt<S> doubt{pick(from.away), pick(from.turn), pick(from.side)};
     HitBounds<S> bounds = bound_hits(shading, hit, ray, doubt, pick(t), pick(from.weight), pick.lanes,
                                      first_lanes<S>(unknown ? 0 : width<S>));
     if (world.patterns) [[unlikely]] {
-        const ColorErrors<S> errors =
-            PatternBounds<S>::of_hits(world, material.numbers, Vec3<S>(hit.position), S(hit.surface), S(bounds.away));
+        const ColorErrors<S> errors = PatternBounds<S>::of_hits(world, material.numbers, Vec3<S>(hit.position),
+                                                                S(hit.surface), S(bounds.away), slack);
         bounds.off = errors.ambient, bounds.diffuse = errors.diffuse;
     }
     return bounds;
@@ -200,8 +200,11 @@ bool shade_bin(const Shading<S>& shading, int bin) {
         if constexpr (proves) rare.bounds = bounds_of(shading, hit, from, pick, t, within, material);
         if (shading.rare) [[unlikely]] {
             rare.flat = hit.normal;
-            if (world.bends)
+            if (world.bends) {
                 hit.normal = PatternCalls<S>::bent(world, material.numbers, hit.position, hit.surface, rare.flat);
+                if constexpr (proves)
+                    bound_bent(shading, material.numbers, hit, rare.flat, pick(from.weight), pick.lanes, rare.bounds);
+            }
             if (!proves && shading.batch.sights) {
                 Mask<S> filtered = first_lanes<S>(0);
                 if (filters(shading)) {
@@ -228,8 +231,9 @@ bool shade_bin(const Shading<S>& shading, int bin) {
             S off = fma(hit.weight, rare.bounds.off, rounding_of(light, shading.depth, world.light_count));
             if (world.fog) [[unlikely]] {
                 const Vec3<S> origin(pick(from.origin.x), pick(from.origin.y), pick(from.origin.z));
-                off = off + fog_error(shading, Vec3<S>(hit.position - origin), S(rare.bounds.away + pick(from.away)),
-                                      pick(t), pick(from.weight), S(hit.weight));
+                const S lost = fog_error(shading, Vec3<S>(hit.position - origin), S(rare.bounds.away + pick(from.away)),
+                                         pick(t), pick(from.weight), S(hit.weight));
+                off = off + select(hit.medium == S(0), lost, S(0));
             }
             add_bounds(shading.batch, hit.pixel, pick.lanes, select(rare.bounds.followed, off, S(0)));
         }

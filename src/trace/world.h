@@ -98,12 +98,18 @@ struct PatternKernel {
     T diffuse, refraction;  // Kd, Kt
     PatternSlack<T> slack;  // only in worlds for proofs
 };
+/// What proofs know of a relief besides: how far its columns, each of its bends and each number of its steps are off.
+template <class T>
+struct ReliefSlack {
+    T columns = std::numeric_limits<T>::infinity(), bends = 0, steps = 0;
+};
 /// What bends the normals of a material in the space of one body.
 template <class T>
 struct ReliefKernel {
     PatternKernel<T> pattern;
-    bool flat;           // nothing does
-    Vec3<T> columns[3];  // what the axes of the pattern's space are in the world, the longest of length 1
+    bool flat;             // nothing does
+    Vec3<T> columns[3];    // what the axes of the pattern's space are in the world, the longest of length 1
+    ReliefSlack<T> slack;  // only in worlds for proofs
 };
 /// n is bent to n + |columns^T n| times the sum of value(p + step) bend. The steps are in the kernel's space of the
 /// pattern.

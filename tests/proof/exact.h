@@ -81,34 +81,42 @@ class Tracer {
                     const std::vector<int>& inside) const {
         const Material& material = bodies[body].material_of(hit.face);
         const Vector e = line.direction, p = line.origin + hit.t * e,
-                     color = bodies[body].leaf_of(hit.face).paint.at(p);
+                     color = bodies[body].leaf_of(hit.face).color_at(p, hit.face);
         Vector n = unit(hit.normal);
         if (dot(e, n) > 0) n = R(-1) * n;
+        const Vector flat = n;
+        n = bodies[body].leaf_of(hit.face).bent(p, hit.face, flat);
         const Vector mirrored = e - 2 * dot(e, n) * n;
         Vector sum = R(material.ambient) * color * Vector(scene.settings.ambient_light);
-        for (const Light& light : scene.lights) sum = sum + from(light, p, n, mirrored, color, body, hit.face);
+        for (const Light& light : scene.lights) sum = sum + from(light, p, flat, n, mirrored, color, body, hit.face);
         if (generation >= view.depth) return sum;
         R share = material.reflection;
         if (material.refraction > 0) {
             auto [ratio, after] = pass(body, inside);
-            const R s = -dot(e, n), k = 1 - ratio * ratio * (1 - s * s);
+            const Vector before = dot(e, n) > 0 ? R(-1) * n : n;  // on the ray's side
+            const R s = -dot(e, before), k = 1 - ratio * ratio * (1 - s * s);
             if (k < 0)
                 share += R(material.refraction);
             else
-                sum =
-                    sum + R(material.refraction) * see({p, unit(ratio * e + (ratio * s - root(k)) * n), body, hit.face},
-                                                       generation + 1, after);
+                sum = sum + R(material.refraction) *
+                                see({p, unit(ratio * e + (ratio * s - root(k)) * before), body, hit.face},
+                                    generation + 1, after);
         }
-        if (share > 0) sum = sum + share * see({p, mirrored, body, hit.face}, generation + 1, inside);
+        Vector away = mirrored;
+        if (dot(away, flat) < 0) {
+            if (dot(away, n) < 0) away = e;
+            away = away - 2 * dot(away, flat) * flat;
+        }
+        if (share > 0) sum = sum + share * see({p, away, body, hit.face}, generation + 1, inside);
         return sum;
     }
 
-    Vector from(const Light& light, const Vector& p, const Vector& n, const Vector& mirrored, const Vector& color,
-                int body, int face) const {
+    Vector from(const Light& light, const Vector& p, const Vector& flat, const Vector& n, const Vector& mirrored,
+                const Vector& color, int body, int face) const {
         const Vector way = light.direction ? R(-1) * Vector(*light.direction) : Vector(light.position) - p,
                      l = unit(way);
         const R facing = dot(n, l), glance = dot(mirrored, l);
-        if (!(facing > 0)) return {};
+        if (!(facing > 0) || !(dot(flat, l) > 0)) return {};
         const Material& material = bodies[body].material_of(face);
         const R highlight = glance > 0 ? R(material.specular) * power(glance, R(material.pow)) : R(0);
         Vector share = light.color * (R(material.diffuse) * facing * color + Vector{highlight, highlight, highlight});
@@ -119,7 +127,8 @@ class Tracer {
                 if (!(crossing.t > 0 && (light.direction || crossing.t < distance))) continue;
                 const Material& other = bodies[i].material_of(crossing.face);
                 if (!(other.refraction > 0)) return {};
-                share = R(other.refraction) * share * bodies[i].leaf_of(crossing.face).paint.at(p + crossing.t * l);
+                share = R(other.refraction) * share *
+                        bodies[i].leaf_of(crossing.face).color_at(p + crossing.t * l, crossing.face);
             }
         return share;
     }

@@ -78,16 +78,27 @@ template <class R>
 struct Paint {
     Pigment pigment;
     Space<R> space;
-    Paint(const Pigment& own, const std::vector<Transformation>& body) : pigment(own), space(steps_of(own, body)) {}
+    Paint(const Pigment& own, const std::vector<Transformation>& body)
+        : pigment(own), space(steps_of(own.pattern, body)) {}
     Vector<R> at(const Vector<R>& p) const {
         return pigment.pattern ? referee::color_of(pigment, space.turn(p - space.moved)) : Vector<R>(pigment.color);
     }
-    static std::vector<Transformation> steps_of(const Pigment& own, const std::vector<Transformation>& body) {
+    static std::vector<Transformation> steps_of(const std::shared_ptr<const Pattern>& own,
+                                                const std::vector<Transformation>& body) {
         std::vector<Transformation> steps;
-        if (own.pattern) steps = own.pattern->transformations;
-        steps.insert(steps.end(), body.begin(), body.end());
+        if (own) steps = own->transformations;
+        if (!own || !own->by_uv) steps.insert(steps.end(), body.begin(), body.end());
         return steps;
     }
+};
+/// What bends normals, in a space of its own.
+template <class R, class Relief>
+struct Bender {
+    Relief relief;
+    Space<R> space;
+    Bender(const Relief& own, const std::vector<Transformation>& body)
+        : relief(own), space(Paint<R>::steps_of(own.pattern, body)) {}
+    referee::Space<R> whole() const { return {space.columns[0], space.columns[1], space.columns[2], space.moved}; }
 };
 
 /// A simple body, by itself or as a part of another.
@@ -97,6 +108,8 @@ struct Leaf {
     Material material;
     Space<R> space;
     Paint<R> paint;
+    Bender<R, NormalMap> map;
+    Bender<R, Bump> bump;
     int first_face, faces;
 
     std::vector<Crossing<R>> meet(const Line<R>& line, int source) const {
@@ -120,6 +133,28 @@ struct Leaf {
                 return false;
             },
             shape);
+    }
+    Vector<R> color_at(const Vector<R>& world, int face) const {
+        if (!paint.pigment.pattern || !paint.pigment.pattern->by_uv) return paint.at(world);
+        const auto* const mesh = std::get_if<Mesh>(&shape);
+        return paint.at(mesh ? referee::place_in(*mesh->data, face - first_face, space.turn(world - space.moved))
+                             : Vector<R>{0, 0, 0});
+    }
+    /// A normal of length 1, which `flat` is.
+    Vector<R> bent(const Vector<R>& point, int face, const Vector<R>& flat) const {
+        Vector<R> normal = flat;
+        const auto bend = [&](const auto& own) {
+            if (!own.relief.pattern) return;
+            if (!own.relief.pattern->by_uv) return void(normal = referee::bent(own.relief, own.whole(), point, normal));
+            const MeshData& mesh = *std::get<Mesh>(shape).data;
+            const referee::Space<R> body{space.columns[0], space.columns[1], space.columns[2], space.moved};
+            const Vector<R> place = referee::place_in(mesh, face - first_face, space.turn(point - space.moved));
+            const auto by_uv = referee::space_by_uv(mesh, face - first_face, body, point, place, flat);
+            const Vector<R> once = referee::bent(own.relief, by_uv.around(own.whole()), point, flat);
+            normal = unit(once + dot(once, flat) * (normal - flat));
+        };
+        bend(map), bend(bump);
+        return normal;
     }
     bool owns(int face) const { return face >= first_face && face < first_face + faces; }
     /// Is the line inside at t, all of whose crossings but the one it starts with are given? Bodies are convex.
@@ -156,8 +191,14 @@ struct Body {
                 const auto* const mesh = std::get_if<Mesh>(&part.shape);
                 const int count = mesh ? static_cast<int>(mesh->data->triangles.size()) : own;
                 const Material& material = scene.materials[part.material];
-                leaves.push_back(
-                    {part.shape, material, Space<R>(way.steps), {material.rgb, way.material}, faces, count});
+                leaves.push_back({part.shape,
+                                  material,
+                                  Space<R>(way.steps),
+                                  {material.rgb, way.material},
+                                  {material.normal, way.material},
+                                  {material.bump, way.material},
+                                  faces,
+                                  count});
                 steps.push_back(leaf), faces += count;
                 if (!(medium->refraction > 0) && material.refraction > 0) medium = &material;
             },

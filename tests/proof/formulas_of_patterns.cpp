@@ -4,6 +4,7 @@
 #include "tests/proof/trial.h"
 #include "trace/build.h"
 #include "trace/pattern_bounds_kernel.h"
+#include "trace/slack.h"
 #include "trace/thread_pool.h"
 
 using namespace strahl;
@@ -67,7 +68,7 @@ struct ColorDifferences {
         const Vector exact = paint.at(R(1) / R(placement.scale) * in_world + Vector(placement.origin));
         const PatternKernel<T>& kernel = world.patterns[0];
         const Vec3<T> color = color_at(world, kernel, known, T(-1));
-        const T bound = color_error(world, kernel, known, bound_of_place);
+        const T bound = color_error(world, kernel, off_place(kernel, known, bound_of_place));
         Closest& kind = bound < kernel.slack.apart ? kinds[pigment.pattern->kind.index()] : untold;
         kind.take(off(color, exact), rounded_up(bound));
 
@@ -77,6 +78,51 @@ struct ColorDifferences {
                        (1 + 2 * std::numeric_limits<T>::epsilon());
         sky.take(off(PatternCalls<T>::sky(world, ray), exact::Paint<R>(scene.background, {}).at(direction)),
                  rounded_up(PatternBounds<T>::of_sky(world, ray, turn)));
+    }
+};
+
+/// By uv, at a point of a triangle with these weights of its first two corners.
+template <class T>
+struct DifferencesByUv {
+    Closest place{"places by uv"}, colors{"colours by uv"}, untold{"any colour by uv"};
+    ThreadPool pool{1};
+
+    void take(const Scene& scene, R first, R second, R away, const Vector& along) {
+        const Placement placement = strahl::placement(extent_of(scene), scene.camera.position);
+        const BuiltWorld<T> built(scene, placement, pool, nullptr, nullptr, true);
+        const World<T>& world = built.world();
+        const Slack<T> slack = slack_of<T>(scene, placement);
+        const exact::Body<R> body(scene, scene.primitives[0]);
+        const exact::Leaf<R>& leaf = body.leaves[0];
+        const MeshData& mesh = *std::get<Mesh>(scene.primitives[0].shape).data;
+        const auto corner = [&](int k) { return Vector(mesh.points[k]); };
+        const auto& [a, b, c] = leaf.space.columns;
+        const Vector own = first * corner(0) + second * corner(1) + (1 - first - second) * corner(2);
+        const Vector point = own.x * a + own.y * b + own.z * c + leaf.space.moved;
+        const Vector in_world = R(placement.scale) * (point - Vector(placement.origin));
+        const Vec3<T> known = ColorDifferences<T>::nearest(in_world + away * R(placement.scale) * along);
+        const Vector known_exactly{known.x, known.y, known.z};
+        const T bound_of_point =
+            static_cast<T>(length(known_exactly - in_world)) * (1 + 2 * std::numeric_limits<T>::epsilon());
+        const PatternKernel<T>& kernel = world.patterns[0];
+        const OffPlace<T> computed = off_place(world, kernel, known, T(0), bound_of_point, slack);
+        const T bound = color_error(world, kernel, computed),
+                color_off = static_cast<T>(
+                    ColorDifferences<T>::off(color_at(world, kernel, known, T(0)), leaf.color_at(point, 0)));
+        Closest& kind = bound < kernel.slack.apart ? colors : untold;
+        kind.take(color_off, ColorDifferences<T>::rounded_up(bound));
+        const Pattern& pattern = *scene.materials[0].rgb.pattern;
+        if (!std::holds_alternative<ImagePattern>(pattern.kind) && !std::holds_alternative<Noise>(pattern.kind)) return;
+        const auto& space = leaf.paint.space;  // that of the kernel, but for whole periods
+        const Vector exact = space.turn(referee::place_in(mesh, 0, own) - space.moved);
+        const R exactly[3]{exact.x, exact.y, exact.z};
+        for (int i = 0; i < 3; ++i) {
+            if (!(computed.off[i] < T(1e30))) continue;
+            R wrong = R(computed.p[i]) - exactly[i];
+            const R period = std::holds_alternative<Noise>(pattern.kind) ? 289 : 1;
+            wrong = wrong - period * R(std::round(static_cast<double>(wrong / period)));
+            place.take(size(wrong), ColorDifferences<T>::rounded_up(computed.off[i]));
+        }
     }
 };
 
@@ -108,5 +154,26 @@ TEST_CASE("formulas of patterns") {
         const R away = any_size(dice, -1);
         const Vector along = dice.direction();
         differences.take(scene, own, away, along), in_extended.take(scene, own, away, along);
+    }
+}
+
+TEST_CASE("formulas of patterns by uv") {
+    DifferencesByUv<double> differences;
+    DifferencesByUv<long double> in_extended;
+    Dice dice(12);
+    for (int i = 0; i < trials(); ++i) {
+        Scene scene;
+        scene.camera.position = std::pow(10, dice.in(-1, 4)) * dice.direction();
+        scene.materials.emplace_back();
+        const DVec3 a = std::pow(10, dice.in(-1, 3)) * dice.direction(), along = dice.direction();
+        const double narrow = dice.chance(.3) ? std::pow(10, dice.in(-5, 0)) : 1;
+        const DVec3 c = a + dice.in(.2, 2) * along + narrow * dice.direction();
+        Mesh mesh{std::make_shared<const MeshData>(MeshData{{a, a + along, c}, {}, {{0, 1, 2}}, {}}), ""};
+        proof::paint_by_uv(dice, mesh, scene.materials[0], 0);
+        scene.primitives.push_back({mesh, 0, any_steps(dice)});
+        const R first = dice.in(0, 1), second = dice.chance(.2) ? R(0) : (1 - first) * R(dice.in(0, 1));
+        const R away = any_size(dice, -1);
+        const Vector moved = dice.direction();
+        differences.take(scene, first, second, away, moved), in_extended.take(scene, first, second, away, moved);
     }
 }

@@ -48,13 +48,6 @@ TEST_CASE("what proofs do not know is undecided") {
     scene.primitives.back().transformations.push_back(Scale{{1, 2, 1}});
     CHECK(share_bounded(scene) < .9);
     scene = plain;
-    Dice dice(1);
-    scene.materials[0].bump = random_bump(dice);
-    CHECK(share_bounded(scene) < .3);  // the background
-    scene = plain, scene.fog = Fog{10, Color(.5)};
-    scene.materials[0].refraction = .5;
-    CHECK(share_bounded(scene) == 0);
-    scene = plain;
     scene.lights[0].area = Area{{1, 0, 0}, {0, 1, 0}};
     CHECK(share_bounded(scene) < .3);
     scene = plain;  // twice in the same place, by its numbers in double
@@ -90,9 +83,33 @@ TEST_CASE("what proofs know is decided") {
     }
     scene.fog = Fog{10, Color(.5)};
     CHECK(share_bounded(scene) > .97);
+    for (Primitive& primitive : scene.primitives)
+        if (Mesh* const mesh = std::get_if<Mesh>(&primitive.shape)) {
+            MeshData data = *mesh->data;
+            for (const DVec3& point : data.points) data.places.push_back({point.x, point.z});
+            mesh->data = std::make_shared<const MeshData>(data);
+            primitive.material = 1;
+        }
+    scene.materials.push_back(scene.materials[0]);
+    scene.materials[1].rgb = Pigment(Pattern{Checker{}, colors, {Scale{DVec3(.1)}}, true});
+    CHECK(share_bounded(scene) > .97);
 }
 
-TEST_CASE("glass that overlaps is decided if it is certain where the eye is") {
+TEST_CASE("bumps and normal maps are decided") {
+    const Scene plain = ball_on_floor();
+    Dice dice(1);
+    for (int i = 0; i < 6; ++i) {
+        Scene scene = plain;
+        scene.materials[0].bump = random_bump(dice);
+        CHECK(share_bounded(scene) > .8);
+        scene.materials[0].normal = random_normal_map(dice);
+        CHECK(share_bounded(scene) > .8);
+        scene.materials[0].reflection = .2;
+        CHECK(share_bounded(scene) > .7);
+    }
+}
+
+TEST_CASE("glass that overlaps or is in fog is decided if it is certain where the eye is") {
     Scene scene = ball_on_floor();
     scene.materials.push_back(scene.materials[0]);
     scene.materials[1].refraction = .8, scene.materials[1].ior = 1.3;
@@ -103,8 +120,15 @@ TEST_CASE("glass that overlaps is decided if it is certain where the eye is") {
     CHECK(share_bounded(scene) > .97);
     scene.primitives.push_back({Sphere{scene.camera.position, .5}, 1, {}});
     CHECK(share_bounded(scene) > .97);
+    const auto in_fog = [&] {
+        Scene foggy = scene;
+        foggy.fog = Fog{10, Color(.5)};
+        return share_bounded(foggy);
+    };
+    CHECK(in_fog() > .97);
     scene.primitives.back().shape = Torus{scene.camera.position, {0, 1, 0}, .5, .1};
     CHECK(share_bounded(scene) < .95);
+    CHECK(in_fog() < .3);  // the background
 }
 
 TEST_CASE("a picture with bounds is that of double") {

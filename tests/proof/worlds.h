@@ -214,6 +214,9 @@ inline Scene world_of_edges(std::uint64_t seed) {
             if (painted && paint.chance(.4)) {
                 scene.primitives.push_back({body_through(paint, from + t * way, way, radius), dull(0), {}});
                 scene.materials.back().rgb = edge_paint(paint, radius, from + t * way);
+                if (!paint.chance(.2)) continue;
+                auto [mesh, pigment] = edge_paint_by_uv(paint, radius, from + t * way);
+                scene.primitives.back().shape = mesh, scene.materials.back().rgb = pigment;
             } else if (has_others && others.chance(.6)) {
                 if (others.chance(.4))
                     for (const auto& [shape, steps] : uneven_edge_bodies(others, from + t * way, way, radius))
