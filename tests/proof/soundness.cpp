@@ -188,7 +188,7 @@ TEST_CASE("proofs by light buffers do not lie") {
         check_honest(own);
         all += own;
     });
-    all.print("crowds");
+    all.plain.print("crowds"), all.shifted.print("crowds, shifted");
     CHECK(all.plain.certain[1] > .85 * all.plain.values);
 }
 
