@@ -5,6 +5,7 @@
 #include "trace/cone_bounds.h"
 #include "trace/flat_bounds.h"
 #include "trace/span_bounds.h"
+#include "trace/torus_bounds.h"
 
 namespace strahl::inline STRAHL_LEVEL {
 
@@ -43,8 +44,8 @@ STRAHL_INLINE S own_error(const AffineKernel<K, S>& body, const Vec3<S>& from_ce
 /// are s times those in the world; s is off by the same share as the direction and by 5/4 units.
 template <class S, class K>
     requires KnownInOwnSpace<K, S>
-[[gnu::noinline]] SpanBounds<S> span_bounds(const AffineKernel<K, S>& body, const Ray<S>& ray, const Doubt<S>& doubt,
-                                            const S& start, const Slack<Element<S>>& slack) {
+[[gnu::noinline]] auto span_bounds(const AffineKernel<K, S>& body, const Ray<S>& ray, const Doubt<S>& doubt,
+                                   const S& start, const Slack<Element<S>>& slack) {
     constexpr auto u = unit_error<S>;
     constexpr auto inf = SpanBounds<S>::inf;
     const auto local = body.to_local(ray);
@@ -52,21 +53,25 @@ template <class S, class K>
     const S most = most_stretch(body), rounding = S(3.5 * u) * sqrt(dot(f, f));
     const S away = S(1.02) * most * (doubt.away + own_error<S>(body, f, slack) + rounding);
     const S turn = S(1.02) * most / local.stretch * (doubt.turn + S(slack.turn + 6.5 * u));
-    SpanBounds<S> span = span_bounds(body.shape, local.ray, Doubt<S>{away, turn}, start, slack);
+    const auto span = span_bounds(body.shape, local.ray, Doubt<S>{away, turn}, start, slack);
     const S inverse = S(1) / local.stretch, error = turn + S(4 * u);
     const S less = inverse * (S(1) - error), more = inverse * (S(1) + error);
     const Mask<S> told = turn < S(.01);
     const auto low = [&](const S& t) { return select(told, t * select(t > S(0), less, more), S(-inf)); };
     const auto high = [&](const S& t) { return select(told, t * select(t > S(0), more, less), S(inf)); };
-    return {low(span.near_low),  high(span.near_high),        low(span.far_low),
-            high(span.far_high), Mask<S>(span.maybe | !told), Mask<S>(span.sure & told)};
+    const SpanBounds<S> own{low(span.near_low),  high(span.near_high),        low(span.far_low),
+                            high(span.far_high), Mask<S>(span.maybe | !told), Mask<S>(span.sure & told)};
+    if constexpr (requires { span.later; })
+        return FirstBounds<S>{own, low(span.later)};
+    else
+        return own;
 }
 
 /// Of one body: by the code above, which is long.
 template <class S, template <class> class K>
     requires(!std::is_same_v<S, Element<S>>)
-STRAHL_INLINE SpanBounds<S> span_bounds(const AffineKernel<K<Element<S>>, Element<S>>& body, const Ray<S>& ray,
-                                        const Doubt<S>& doubt, const S& start, const Slack<Element<S>>& slack) {
+STRAHL_INLINE auto span_bounds(const AffineKernel<K<Element<S>>, Element<S>>& body, const Ray<S>& ray,
+                               const Doubt<S>& doubt, const S& start, const Slack<Element<S>>& slack) {
     return span_bounds(splat_item<AffineKernel<K<S>, S>, S>(body), ray, doubt, start, slack);
 }
 

@@ -50,7 +50,8 @@ STRAHL_INLINE void cross_leaf(const K& kernel, const Ray<S>& ray, const Doubt<S>
 }
 /// Of rays that start in a torus nothing is known, since they may come back.
 template <class S, class K>
-STRAHL_INLINE void cross_leaf(const TorusKernel<K>& torus, const Ray<S>& ray, const Doubt<S>& doubt, const S& start,
+    requires requires(const K& torus, const Ray<S>& ray) { torus.crossings(ray, S(0)); }
+STRAHL_INLINE void cross_leaf(const K& torus, const Ray<S>& ray, const Doubt<S>& doubt, const S& start,
                               const Slack<Element<S>>& slack, KnownLeaf<S>& leaf) {
     constexpr auto inf = SpanBounds<S>::inf;
     leaf.span = span_bounds(torus, ray, doubt, start, slack);

@@ -107,6 +107,13 @@ InOwnSpace<DiscKernel<Extended>> in_own_space(const Disc& disc) {
             disc.radius,
             {ExtendedVector(0), unit_of(extended(disc.normal)), 1, Extended(disc.hole) / disc.radius}};
 }
+InOwnSpace<TorusKernel<Extended>> in_own_space(const Torus& torus) {
+    const double unit = torus.major + torus.minor;
+    return {
+        torus.centre,
+        unit,
+        {ExtendedVector(0), unit_of(extended(torus.axis)), Extended(torus.major) / unit, Extended(torus.minor) / unit}};
+}
 
 std::array<ExtendedVector, 3> dual_of(const std::array<ExtendedVector, 3>& vectors) {
     const auto& [u, v, w] = vectors;

@@ -108,6 +108,7 @@ InOwnSpace<SphereKernel<Extended>> in_own_space(const Sphere& sphere);
 InOwnSpace<CylinderKernel<Extended>> in_own_space(const Cylinder& cylinder);
 InOwnSpace<ConeKernel<Extended>> in_own_space(const Cone& cone);
 InOwnSpace<DiscKernel<Extended>> in_own_space(const Disc& disc);
+InOwnSpace<TorusKernel<Extended>> in_own_space(const Torus& torus);
 /// To vectors u, v, w those whose products with them are 1 and with the others 0.
 std::array<ExtendedVector, 3> dual_of(const std::array<ExtendedVector, 3>& vectors);
 /// Of a shape under any transformation; the box is the one that double has.

@@ -45,13 +45,7 @@ struct Comparison {
         compare(kernel, extended_kernel(cone, to_world), to_world.rounding(cone.base), to_world.rounding());
     }
     void operator()(const Torus& torus, const TorusKernel<T>& kernel) const {
-        const TorusKernel<Extended> own = extended_kernel(torus, to_world);
-        const Extended size = kernel.major + Extended(kernel.minor);
-        const Extended off = apart(kernel.centre, own.centre) + to_world.rounding(torus.centre) +
-                             std::abs(kernel.major - own.major) + std::abs(kernel.minor - own.minor) +
-                             to_world.rounding() * size;
-        raise(slack.share, off / (sum_of(extended(kernel.centre)) + size));
-        raise(slack.turn, length_of(extended(kernel.axis) - own.axis) + to_world.rounding());
+        compare(kernel, extended_kernel(torus, to_world), to_world.rounding(torus.centre), to_world.rounding());
     }
     void operator()(const Disc& disc, const DiscKernel<T>& kernel) const {
         compare(kernel, extended_kernel(disc, to_world), to_world.rounding(disc.centre), to_world.rounding());
@@ -72,6 +66,14 @@ struct Comparison {
         const ExtendedVector angle{kernel.cosine - own.cosine, kernel.sine - own.sine, 0};
         raise(slack.share, off / (sum_of(extended(kernel.base)) + size));
         raise(slack.turn, std::max(length_of(extended(kernel.axis) - own.axis), length_of(angle)) + rounding);
+    }
+    void compare(const TorusKernel<T>& kernel, const TorusKernel<Extended>& own, Extended place,
+                 Extended rounding) const {
+        const Extended size = kernel.major + Extended(kernel.minor);
+        const Extended off = apart(kernel.centre, own.centre) + place + std::abs(kernel.major - own.major) +
+                             std::abs(kernel.minor - own.minor) + rounding * size;
+        raise(slack.share, off / (sum_of(extended(kernel.centre)) + size));
+        raise(slack.turn, length_of(extended(kernel.axis) - own.axis) + rounding);
     }
     void compare(const DiscKernel<T>& kernel, const DiscKernel<Extended>& own, Extended place,
                  Extended rounding) const {

@@ -130,20 +130,20 @@ template <class S>
 STRAHL_INLINE S off_surface(const TorusKernel<S>& torus, const Vec3<S>& p, const Slack<Element<S>>& slack) {
     return own_error<S>(torus, slack) + S(unit_error<S>) * fma(S(10), torus.major + torus.minor, S(.51) * norm1(p));
 }
-/// Lines on the surface are bent no more than the tube and than circles around the axis are, which counts a twentieth
-/// more nearby. The way out from the axis is turned by what rounds its part across the axis.
+/// The tube and the circles around the axis bend lines on the surface most, which counts a twentieth more nearby. The
+/// way out from the axis is turned by what rounds its part across the axis.
 template <class S>
-STRAHL_INLINE PointBounds<S> point_bounds(const TorusKernel<S>& torus, const Ray<S>& ray, const Doubt<S>& doubt,
-                                          const S& t, const SurfacePoint<S>& point, const S&,
-                                          const Slack<Element<S>>& slack) {
-    constexpr auto u = unit_error<S>;
-    const Vec3<S> f = point.position - torus.centre, across = fma(-dot(f, torus.axis), torus.axis, f);
-    const S out = sqrt(dot(across, across)), narrow = min(torus.minor, out), k = S(1.05) / narrow;
-    const S off = off_surface(torus, point.position, slack);
-    const S rounding = S(4 * u) * (S(1) + norm1(f) * (S(1) + torus.major / out) / torus.minor);
-    PointBounds<S> known = point_bounds(ray, doubt, t, point, off, k, fma(S(2) * k, off, S(2 * slack.turn) + rounding));
-    known.sure = known.sure & (known.away + off < S(.04) * narrow);
-    return known;
+STRAHL_INLINE Bend<S> bend_of(const TorusKernel<S>& torus, const Vec3<S>& p, const S&, const S& off,
+                              const Slack<Element<S>>& slack) {
+    const Vec3<S> f = p - torus.centre, across = fma(-dot(f, torus.axis), torus.axis, f);
+    const S out = sqrt(dot(across, across)), k = S(1.05) / min(torus.minor, out);
+    const S rounding = S(4 * unit_error<S>) * (S(1) + norm1(f) * (S(1) + torus.major / out) / torus.minor);
+    return {k, fma(S(2) * k, off, S(2 * slack.turn) + rounding)};
+}
+template <class S>
+STRAHL_INLINE Mask<S> on_face(const TorusKernel<S>& torus, const Vec3<S>& p, const S&, const S& edge) {
+    const Vec3<S> f = p - torus.centre, across = fma(-dot(f, torus.axis), torus.axis, f);
+    return edge < S(.04) * min(torus.minor, sqrt(dot(across, across)));
 }
 
 }  // namespace strahl::inline STRAHL_LEVEL

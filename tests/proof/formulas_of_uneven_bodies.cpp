@@ -1,5 +1,6 @@
 // Each formula of bodies that are scaled unevenly on its own, as formulas_of_bodies.cpp has those of others.
 #include "tests/proof/cases.h"
+#include "tests/proof/tori.h"
 #include "trace/affine_bounds.h"
 
 using namespace strahl;
@@ -111,6 +112,7 @@ TEST_CASE("formulas of uneven balls") { try_body<Uneven<Sphere>>(15); }
 TEST_CASE("formulas of uneven cylinders") { try_body<Uneven<Cylinder>>(16); }
 TEST_CASE("formulas of uneven cones") { try_body<Uneven<Cone>>(17); }
 TEST_CASE("formulas of uneven discs") { try_body<Uneven<Disc>>(18); }
+TEST_CASE("formulas of uneven tori") { try_tori<Uneven<Torus>>(22); }
 
 /// What is known of a space: the most that lengths grow there, and along a surface.
 TEST_CASE("formulas of uneven spaces") {
