@@ -140,12 +140,13 @@ STRAHL_INLINE SpanBounds<S> span_bounds(const CylinderKernel<K>& cylinder, const
     return span;
 }
 
-/// What is known of a point where a ray meets a surface: how far the exact point may be and by how much its normal may
-/// be turned; how far the exact ray's line passes the point, and how high the point is above the plane that touches the
-/// exact surface at the exact point. `sure` if the exact ray meets the same face there.
+/// What is known of a point where a ray meets a surface: how far the exact point may be, by how much its normal may be
+/// turned, and half of what a mirrored ray is turned by that; how far the exact ray's line passes the point, and how
+/// high the point is above the plane that touches the exact surface at the exact point. `sure` if the exact ray meets
+/// the same face there.
 template <class S>
 struct PointBounds {
-    S away, normal, side, height;
+    S away, normal, mirrored, side, height;
     Mask<S> sure;
 };
 
@@ -157,9 +158,15 @@ struct PointBounds {
 /// off + k X^2 / 2 of that plane, where X is how far the exact point is: c X <= g + off + k X^2 / 2, of which the
 /// smaller root is 2 d / (c + sqrt(c^2 - 2 k d)) with d = g + off. Factors of 1.1 in k and 1.001 are for k d < .001 and
 /// for rounding.
+///
+/// Of a surface that is bent across an axis only, m is the length of the ray's part across that axis. Along s, at right
+/// angles to the axis and the normal n, the exact point is no further than m X: of g the vector s - n (d s) / (d n)
+/// counts, which is m / c long, of the height (d s) / (d n). So the normal is turned by k m X, across the axis, and of
+/// the ray only what is across it is mirrored elsewhere, by twice that.
 template <class S>
 STRAHL_INLINE PointBounds<S> point_bounds(const Ray<S>& ray, const Doubt<S>& doubt, const S& t,
-                                          const SurfacePoint<S>& point, const S& off, const S& k, const S& turned) {
+                                          const SurfacePoint<S>& point, const S& off, const S& k, const S& turned,
+                                          const S& m = S(1)) {
     constexpr auto u = unit_error<S>;
     const Vec3<S> missed = point.position - fma(t, ray.direction, ray.origin);
     const S rounding = S(.51 * u) * (norm1(point.position) + t);
@@ -167,10 +174,10 @@ STRAHL_INLINE PointBounds<S> point_bounds(const Ray<S>& ray, const Doubt<S>& dou
     const S cosine = abs(dot(ray.direction, point.normal)) - doubt.turn - turned - S(8 * u);
     const S square = fma(cosine, cosine, S(-2.2) * k * d);
     const S away = S(2.002) * d / (cosine + sqrt(max(square, S(0))));
-    const S normal = fma(S(1.002) * k, away, turned);
+    const S across = min(m + doubt.turn + turned + S(8 * u), S(1)), bent = S(1.002) * k * away * across;
     const Mask<S> sure =
         (cosine > S(0)) & (square > S(0)) & (k * d < S(.001)) & (away + doubt.away + d + S(4 * u) * t < t);
-    return {away, normal, side, fma(S(.55) * k * away, away, off), sure};
+    return {away, bent + turned, fma(across, bent, turned), side, fma(S(.55) * k * away, away, off), sure};
 }
 
 /// How far a point p that was found on a body may be off the exact one's surface. p = c + r n: by the rounding of this,
@@ -219,6 +226,17 @@ STRAHL_INLINE Bend<S> bend_of(const CylinderKernel<S>& cylinder, const Vec3<S>&,
     return {k, fma(S(2) * k, off, S(slack.turn))};
 }
 
+/// How long the part of a ray of length 1 is that is across the axis, of surfaces that are bent across an axis only.
+template <class S, class K>
+STRAHL_INLINE S across_axis(const K&, const Vec3<S>&) {
+    return S(1);
+}
+template <class S>
+STRAHL_INLINE S across_axis(const CylinderKernel<S>& cylinder, const Vec3<S>& direction) {
+    const Vec3<S> across = cross(cylinder.axis, direction);
+    return sqrt(dot(across, across));
+}
+
 /// Is the face certainly all there is of the surface within `edge` of a point of it?
 template <class S>
 STRAHL_INLINE Mask<S> on_face(const SphereKernel<S>&, const Vec3<S>&, const S&, const S&) {
@@ -246,7 +264,8 @@ STRAHL_INLINE PointBounds<S> point_bounds(const K& body, const Ray<S>& ray, cons
 {
     const S off = off_surface(body, point.position, slack);
     const Bend<S> bend = bend_of(body, point.position, face, off, slack);
-    PointBounds<S> known = point_bounds(ray, doubt, t, point, off, bend.curvature, bend.turned);
+    PointBounds<S> known = point_bounds(ray, doubt, t, point, off, bend.curvature, bend.turned,
+                                        across_axis(body, ray.direction));
     const S edge = known.away + off;
     known.sure = known.sure & on_face(body, point.position, face, edge);
     return known;
