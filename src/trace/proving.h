@@ -79,14 +79,15 @@ STRAHL_INLINE HitBounds<S> bound_hits(const Shading<S>& shading, const Hit<S>& h
         using Item = typename std::remove_cvref_t<decltype(group)>::template ItemOf<S>;
         const Item own =
             world.bin_per_item ? splat_item<Item, S>(group.items[bin.item]) : gather_items<Item, S>(group.items, items);
-        found = point_bounds(own.shape, ray, doubt, t, SurfacePoint<S>{hit.position, hit.normal},
-                             S(hit.surface - own.surface), shading.limits.slack);
+        found = point_bounds(own.shape, Ray<S>{ray.origin, ray.direction, ray.source - own.surface}, doubt, t,
+                             SurfacePoint<S>{hit.position, hit.normal}, S(hit.surface - own.surface),
+                             shading.limits.slack);
     });
     HitBounds<S> bounds;
     bounds.followed = followed & known & found.sure & (doubt.turn < S(most_turn));
     const auto keep = [&](const S& value) { return select(bounds.followed, value, S(0)); };
     bounds.away = keep(found.away), bounds.normal = keep(found.normal), bounds.turn = keep(doubt.turn);
-    bounds.mirrored = keep(found.mirrored);
+    bounds.mirrored = keep(found.mirrored), bounds.spin = found.spin;
     bounds.side = keep(found.side), bounds.height = keep(found.height);
     const Mask<S> lost = followed & !bounds.followed;
     if (any(lost)) {

@@ -14,7 +14,7 @@ template <class S>
     const Mask<S> bent = known.followed & found.bent, lost = bent & !found.told, told = bent & found.told;
     known.flat = select(told, known.normal, S(-1));
     known.normal = select(told, found.off, known.normal), known.mirrored = select(told, found.off, known.mirrored);
-    known.height = select(told, known.away, known.height);
+    known.height = select(told, known.away, known.height), known.spin = select(bent, HitBounds<S>{}.spin, known.spin);
     if (none(lost)) return;
     const auto leave = [&](S& value) { value = select(lost, S(0), value); };
     leave(known.away), leave(known.normal), leave(known.mirrored), leave(known.turn), leave(known.side);

@@ -7,12 +7,12 @@ namespace strahl::inline STRAHL_LEVEL {
 
 /// Of a ray: the exact one starts no further than `away` from the computed origin, and its direction, of length 1, is
 /// no further than `turn` from the computed one brought to length 1; that of the latter is off by at most 3 units. Its
-/// line passes the computed origin no further than `side`, which is less where rays leave surfaces at an angle. Rays
-/// that are not followed have nothing of the kind, `away` is below 0: all light that they may bring is in the bound of
-/// their pixel already.
+/// line passes the computed origin no further than `side`, which is less where rays leave surfaces at an angle. `spin`
+/// is for rays that stay in the body on which they start, see bound_inside. Rays that are not followed have nothing of
+/// the kind, `away` is below 0: all light that they may bring is in the bound of their pixel already.
 template <class S>
 struct Doubt {
-    S away, turn, side = away;
+    S away, turn, side = away, spin{std::numeric_limits<Element<S>>::infinity()};
 };
 
 /// A unit: twice the rounding of an operation, as a share of its result. Formulas count roundings, without fma, and so
@@ -143,11 +143,12 @@ STRAHL_INLINE SpanBounds<S> span_bounds(const CylinderKernel<K>& cylinder, const
 /// What is known of a point where a ray meets a surface: how far the exact point may be, by how much its normal may be
 /// turned, and half of what a mirrored ray is turned by that; how far the exact ray's line passes the point, and how
 /// high the point is above the plane that touches the exact surface at the exact point. `sure` if the exact ray meets
-/// the same face there.
+/// the same face there. `spin` is that of the mirrored ray.
 template <class S>
 struct PointBounds {
     S away, normal, mirrored, side, height;
     Mask<S> sure;
+    S spin{std::numeric_limits<Element<S>>::infinity()};
 };
 
 /// Of a point p whose distance from its own exact surface is at most `off`, on a surface of curvature k, by how far the
@@ -256,7 +257,44 @@ STRAHL_INLINE Mask<S> on_face(const CylinderKernel<S>& cylinder, const Vec3<S>& 
     return (side & between) | ((!side) & inside);
 }
 
-/// Of a point that was put onto a body's surface.
+/// Bodies in which rays that are mirrored by their side go round without their bounds growing, see bound_inside.
+template <class K>
+inline constexpr bool RoundInside = false;
+template <class S>
+inline constexpr bool RoundInside<SphereKernel<S>> = true;
+template <class S>
+inline constexpr bool RoundInside<CylinderKernel<S>> = true;
+
+/// Of rays that meet from inside the round side, of radius r, on which they start.
+///
+/// With f from the centre to any point of a ray, mirrors there keep h = f x d, and of a cylinder its part along the
+/// axis and that of d: by no more than `spin` are these off, h as a share of r. Seen along the axis, in which d is m
+/// long, the side is met at an angle whose sine is s = |h| / (r m) and whose cosine C is c / m. There d is turned by
+/// twice the angle whose sine is C; what s is off by e, turns it by 2 e / C more, while what d was off stays as it is. h
+/// is off by the spin, m by that times a / m, a being d's part along the axis: e = spin (1 + s a / m) / m. So half of
+/// what a mirrored ray is turned is m e / C = spin (m + s a) / c. A factor of 1.01 is for what the squares of e and of
+/// the spin do where they are below a thousandth of those of C and of m.
+///
+/// The computed ray misses the point by `missed`, and that is up to `off` beside the surface; the normal is `turned`.
+/// This moves what is mirrored, and changes the spin as often as that happens. Roundings: 10 units of the direction.
+template <class S>
+[[gnu::noinline]] void bound_inside(const S& r, const Ray<S>& ray, const Doubt<S>& doubt, const S& t,
+                                    const SurfacePoint<S>& point, const S& face, const S& off, const S& turned,
+                                    const S& m, PointBounds<S>& known) {
+    constexpr auto u = unit_error<S>;
+    const Mask<S> inside = (ray.source == S(0)) & (face == S(0));
+    if (none(inside)) return;
+    const S missed = norm1(point.position - fma(t, ray.direction, ray.origin)) + S(u) * (norm1(point.position) + t);
+    const S moved = S(2) * ((missed + off) / r + turned) + S(10 * u);
+    const S spin = min(doubt.spin, known.side / r + doubt.turn) + moved;
+    const S c = abs(dot(ray.direction, point.normal)), along = sqrt(max(fma(-m, m, S(1)), S(0)) + S(16 * u)) + spin;
+    const S sine = sqrt(max(fma(m, m, -(c * c)), S(0)) + S(16 * u)) / m, error = spin * fma(sine, along, m);
+    const Mask<S> mild = inside & (error < S(.001f) * c * c) & (spin < S(.001f) * m * m);
+    known.mirrored = select(mild, min(known.mirrored, S(1.01) * error / c + moved), known.mirrored);
+    known.spin = select(inside, spin, known.spin);
+}
+
+/// Of a point that was put onto a body's surface. The ray's source is the face of the body on which it starts.
 template <class S, class K>
 STRAHL_INLINE PointBounds<S> point_bounds(const K& body, const Ray<S>& ray, const Doubt<S>& doubt, const S& t,
                                           const SurfacePoint<S>& point, const S& face, const Slack<Element<S>>& slack)
@@ -264,10 +302,11 @@ STRAHL_INLINE PointBounds<S> point_bounds(const K& body, const Ray<S>& ray, cons
 {
     const S off = off_surface(body, point.position, slack);
     const Bend<S> bend = bend_of(body, point.position, face, off, slack);
-    PointBounds<S> known = point_bounds(ray, doubt, t, point, off, bend.curvature, bend.turned,
-                                        across_axis(body, ray.direction));
+    const S m = across_axis(body, ray.direction);
+    PointBounds<S> known = point_bounds(ray, doubt, t, point, off, bend.curvature, bend.turned, m);
     const S edge = known.away + off;
     known.sure = known.sure & on_face(body, point.position, face, edge);
+    if constexpr (RoundInside<K>) bound_inside(body.radius, ray, doubt, t, point, face, off, bend.turned, m, known);
     return known;
 }
 
