@@ -46,9 +46,10 @@ STRAHL_INLINE void push(const Shading<S>& shading, RayQueue<Element<S>>& to, con
         for (int c = 0; c < 3; ++c) put(to.origin[c] + n, hit.position[c]), put(to.direction[c] + n, ray.direction[c]);
         put(to.source + n, hit.surface), put(to.pixel + n, hit.pixel), put(to.weight + n, ray.weight);
         if (shading.world.nested) put(to.medium + n, ray.medium);
-        if constexpr (proves)
-            put(to.away + n, ray.doubt.away), put(to.turn + n, ray.doubt.turn), put(to.side + n, ray.doubt.side),
-                put(to.spin + n, ray.doubt.spin);
+        if constexpr (proves) {
+            put(to.away + n, ray.doubt.away), put(to.turn + n, ray.doubt.turn), put(to.side + n, ray.doubt.side);
+            if (shading.world.transparent) put(to.spin + n, ray.doubt.spin);
+        }
     };
     if (all(ray.mask))
         put_with([](T* place, const S& value) { store_lanes(place, value); });
