@@ -91,7 +91,8 @@ STRAHL_INLINE Bend<S> bend_of(const CylinderKernel<S>& cylinder, const Vec3<S>&,
     return {k, fma(S(2) * k, off, S(slack.turn))};
 }
 
-/// The lengths of the parts across and along its axis of a ray of length 1, of surfaces that are bent across an axis only.
+/// The lengths of the parts across and along its axis of a ray of length 1, of surfaces that are bent across an axis
+/// only.
 template <class S>
 struct Parts {
     S across, along;
@@ -138,8 +139,8 @@ inline constexpr bool RoundInside<CylinderKernel<S>> = true;
 /// With f from the centre to any point of a ray, mirrors there keep h = f x d, and of a cylinder its part along the
 /// axis and that of d: by no more than `spin` are these off, h as a share of r. Seen along the axis, in which d is m
 /// long, the side is met at an angle whose sine is s = |h| / (r m) and whose cosine C is c / m. There d is turned by
-/// twice the angle whose sine is C; what s is off by e, turns it by 2 e / C more, while what d was off stays as it is. h
-/// is off by the spin, m by that times a / m, a being d's part along the axis: e = spin (1 + s a / m) / m. So half of
+/// twice the angle whose sine is C; what s is off by e, turns it by 2 e / C more, while what d was off stays as it is.
+/// h is off by the spin, m by that times a / m, a being d's part along the axis: e = spin (1 + s a / m) / m. So half of
 /// what a mirrored ray is turned is m e / C = spin (m + s a) / c. A factor of 1.01 is for what the squares of e and of
 /// the spin do where they are below a thousandth of those of C and of m.
 ///

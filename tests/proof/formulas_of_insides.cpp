@@ -7,8 +7,8 @@ using namespace strahl::trial;
 
 namespace {
 
-/// What mirrors keep of a line about a body, as bound_inside has it: the way between them grows with how far the two are
-/// apart.
+/// What mirrors keep of a line about a body, as bound_inside has it: the way between them grows with how far the two
+/// are apart.
 Vector spin_of(const Line<R>& line, const Vector& centre) { return cross(line.origin - centre, line.direction); }
 R spin_error(const Case<Sphere>& ball, const Line<R>& exact, const Line<R>& computed) {
     return length(spin_of(exact, Vector(ball.shape.centre)) - spin_of(computed, vector(ball.kernel.centre))) /
@@ -42,8 +42,8 @@ struct Insides {
             const Vector exact = off.line.origin + list.back().t * off.line.direction, n = unit(list.back().normal);
             away.take(length(exact - vector(point.position)), known.away);
             const MaterialKernel<double> material{};
-            const Hit<double> hit{true,     off.ray.direction, point.position, point.normal, false, 0, 0, 0, 1, 0,
-                                  material, true,              0};
+            const Hit<double> hit{
+                true, off.ray.direction, point.position, point.normal, false, 0, 0, 0, 1, 0, material, true, 0};
             HitBounds<double> bounds;
             bounds.away = known.away, bounds.normal = known.normal, bounds.turn = off.doubt.turn;
             bounds.mirrored = known.mirrored, bounds.side = known.side, bounds.height = known.height;

@@ -15,8 +15,7 @@ struct Spans {
     // A ray enters planes and leaves open bodies, no more.
     Closest near{"crossing", Shape::closed}, far{"last crossing", Shape::bounded}, other{"from its own surface"},
         away{"point"}, side{"line beside the point"}, height{"point off the exact one's plane"},
-        surface{"point off its surface"}, normal{"normal"}, mirrored{"mirrored by the normal"},
-        told{"certain, or not"};
+        surface{"point off its surface"}, normal{"normal"}, mirrored{"mirrored by the normal"}, told{"certain, or not"};
 
     void try_span(const Case<Shape>& body, const OffRay& off) {
         const SpanBounds<double> span = span_bounds(body.kernel, off.ray, off.doubt, -1., body.slack);
