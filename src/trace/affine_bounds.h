@@ -4,7 +4,7 @@
 #include "num/memory.h"
 #include "trace/cone_bounds.h"
 #include "trace/flat_bounds.h"
-#include "trace/span_bounds.h"
+#include "trace/point_bounds.h"
 #include "trace/torus_bounds.h"
 
 namespace strahl::inline STRAHL_LEVEL {

@@ -1,6 +1,6 @@
 // Between which numbers exact arithmetic has the crossings of a ray with a cone.
 #pragma once
-#include "trace/span_bounds.h"
+#include "trace/point_bounds.h"
 
 namespace strahl::inline STRAHL_LEVEL {
 

@@ -1,7 +1,7 @@
 // Between which numbers exact arithmetic has the crossings of a ray with a disc or a box, as span_bounds.h has it of
 // round bodies.
 #pragma once
-#include "trace/span_bounds.h"
+#include "trace/point_bounds.h"
 
 namespace strahl::inline STRAHL_LEVEL {
 

@@ -156,7 +156,8 @@ void append(RayQueue<T>& to, const RayQueue<T>& from) {
     for (int c = 0; c < 3; ++c) copy(to.origin[c], from.origin[c]), copy(to.direction[c], from.direction[c]);
     copy(to.source, from.source), copy(to.pixel, from.pixel), copy(to.weight, from.weight);
     copy(to.medium, from.medium);
-    if constexpr (proves) copy(to.away, from.away), copy(to.turn, from.turn), copy(to.side, from.side);
+    if constexpr (proves)
+        copy(to.away, from.away), copy(to.turn, from.turn), copy(to.side, from.side), copy(to.spin, from.spin);
     if (to.width) [[unlikely]]
         copy(to.width, from.width), copy(to.spread, from.spread);
     to.count += from.count;
@@ -198,7 +199,7 @@ RayQueue<T> part_of(RayQueue<T> rays, int begin, int count) {
     const auto skip = [begin](T*& values) { values += begin; };
     for (int c = 0; c < 3; ++c) skip(rays.origin[c]), skip(rays.direction[c]);
     skip(rays.source), skip(rays.pixel), skip(rays.weight), skip(rays.medium), skip(rays.t);
-    if constexpr (proves) skip(rays.away), skip(rays.turn), skip(rays.side);
+    if constexpr (proves) skip(rays.away), skip(rays.turn), skip(rays.side), skip(rays.spin);
     if (rays.width) skip(rays.width), skip(rays.spread);
     rays.count = count;
     return rays;

@@ -22,7 +22,7 @@ struct RayQueue {
     T* medium;  // list of bodies entered; only in nested worlds
     T* t;       // where the ray meets its body again; only of rays inside
     int count = 0;
-    T *away = nullptr, *turn = nullptr, *side = nullptr;  // see Doubt; only of proving kernels
+    T *away = nullptr, *turn = nullptr, *side = nullptr, *spin = nullptr;  // see Doubt; only of proving kernels
     T *width = nullptr, *spread = nullptr;  // see RayCone; only where images are filtered
 };
 inline constexpr int ray_arrays = 11;

@@ -74,18 +74,20 @@ STRAHL_INLINE HitBounds<S> bound_hits(const Shading<S>& shading, const Hit<S>& h
         store_lanes(surfaces, hit.surface);
         for (int k = 0; k < width<S>; ++k) items[k] = world.references[static_cast<int>(surfaces[k])].item;
     }
-    PointBounds<S> found{S(0), S(0), S(0), S(0), first_lanes<S>(0)};
+    PointBounds<S> found{S(0), S(0), S(0), S(0), S(0), first_lanes<S>(0)};
     if_known(world, bin.form, [&](const auto& group) {
         using Item = typename std::remove_cvref_t<decltype(group)>::template ItemOf<S>;
         const Item own =
             world.bin_per_item ? splat_item<Item, S>(group.items[bin.item]) : gather_items<Item, S>(group.items, items);
-        found = point_bounds(own.shape, ray, doubt, t, SurfacePoint<S>{hit.position, hit.normal},
-                             S(hit.surface - own.surface), shading.limits.slack);
+        found =
+            point_bounds(own.shape, Ray<S>{ray.origin, ray.direction, ray.source - own.surface}, doubt, t,
+                         SurfacePoint<S>{hit.position, hit.normal}, S(hit.surface - own.surface), shading.limits.slack);
     });
     HitBounds<S> bounds;
     bounds.followed = followed & known & found.sure & (doubt.turn < S(most_turn));
     const auto keep = [&](const S& value) { return select(bounds.followed, value, S(0)); };
     bounds.away = keep(found.away), bounds.normal = keep(found.normal), bounds.turn = keep(doubt.turn);
+    bounds.mirrored = keep(found.mirrored), bounds.spin = found.spin;
     bounds.side = keep(found.side), bounds.height = keep(found.height);
     const Mask<S> lost = followed & !bounds.followed;
     if (any(lost)) {
@@ -115,11 +117,11 @@ template <class S>
 /// By how much a mirrored or a refracted direction may be turned; b is the ratio of indices, c and k the cosine before
 /// and the squared cosine beyond the surface, which is off by no more than `k_error`.
 ///
-/// Mirrors turn by twice what the normal is turned. Roundings: e n is off by 3/2 u, which counts twice, the normal's
-/// length by 9/4 u, also twice; two products and sums.
+/// Mirrors turn by twice what the normal is turned, or less, see point_bounds. Roundings: e n is off by 3/2 u, which
+/// counts twice, the normal's length by 9/4 u, also twice; two products and sums.
 template <class S>
 STRAHL_INLINE S turn_reflected(const HitBounds<S>& known) {
-    return fma(S(2.002), known.normal, known.turn) + S(10 * unit_error<S>);
+    return fma(S(2.002), known.mirrored, known.turn) + S(10 * unit_error<S>);
 }
 /// k = 1 - b^2 (1 - c^2). Roundings: c is off by 3/2 u, so c^2 by 3; b twice by 1/2, sums and products by 2.
 template <class S>
@@ -239,7 +241,8 @@ STRAHL_INLINE S light_error(const Hit<S>& hit, const LitBounds<S>& lit, const S&
 ///
 /// x = |l + a|^2 / 2, if l and the axis are off by q, is by q |l + a| + q^2 / 2. The axis has 7/2 u; the cosines of the
 /// cone's angles, less 1, 4 u; what x has of them, and its own, counts 8 u. Between the angles the share grows with
-/// their way to x, so it is between what it is at the ends of that. The exponent counts as a highlight's does.
+/// their way to x, so it is between what it is at the ends of that, and exactly 0 beyond the larger. The exponent
+/// counts as a highlight's does.
 template <class S>
 [[gnu::noinline]] S spot_error(const LightKernel<Element<S>>& light, const Vec3<S>& l, const S& turn) {
     using T = Element<S>;
@@ -259,7 +262,7 @@ template <class S>
         const Mask<S> mild = (base > S(1e-3f)) & (x < S(.5));
         error = error + select(mild, fma(x, x, x) + S(.51 * u) * (p + S(8)), S(1));
     }
-    return select(error < S(1), error, S(1));
+    return select(way + wrong < S(0), S(0), select(error < S(1), error, S(1)));
 }
 /// Adds it to the errors of hits, as far as they may be lit.
 template <class S>

@@ -13,10 +13,12 @@ template <class S>
                                                              known.normal, known.away, shading.limits.slack);
     const Mask<S> bent = known.followed & found.bent, lost = bent & !found.told, told = bent & found.told;
     known.flat = select(told, known.normal, S(-1));
-    known.normal = select(told, found.off, known.normal), known.height = select(told, known.away, known.height);
+    known.normal = select(told, found.off, known.normal), known.mirrored = select(told, found.off, known.mirrored);
+    known.height = select(told, known.away, known.height), known.spin = select(bent, HitBounds<S>{}.spin, known.spin);
     if (none(lost)) return;
     const auto leave = [&](S& value) { value = select(lost, S(0), value); };
-    leave(known.away), leave(known.normal), leave(known.turn), leave(known.side), leave(known.height);
+    leave(known.away), leave(known.normal), leave(known.mirrored), leave(known.turn), leave(known.side);
+    leave(known.height);
     known.followed = known.followed & !lost;
     const S most = weight * S(brightest_of(shading.limits, shading.depth));
     add_bounds(shading.batch, hit.pixel, lanes, select(lost, most, S(0)));

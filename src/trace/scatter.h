@@ -46,8 +46,10 @@ STRAHL_INLINE void push(const Shading<S>& shading, RayQueue<Element<S>>& to, con
         for (int c = 0; c < 3; ++c) put(to.origin[c] + n, hit.position[c]), put(to.direction[c] + n, ray.direction[c]);
         put(to.source + n, hit.surface), put(to.pixel + n, hit.pixel), put(to.weight + n, ray.weight);
         if (shading.world.nested) put(to.medium + n, ray.medium);
-        if constexpr (proves)
+        if constexpr (proves) {
             put(to.away + n, ray.doubt.away), put(to.turn + n, ray.doubt.turn), put(to.side + n, ray.doubt.side);
+            if (shading.world.transparent) put(to.spin + n, ray.doubt.spin);
+        }
     };
     if (all(ray.mask))
         put_with([](T* place, const S& value) { store_lanes(place, value); });
@@ -134,6 +136,7 @@ STRAHL_INLINE void keep_inside(const Shading<S>& shading, const Hit<S>& hit, Bra
         within.doubt.away = select(in, refracted.doubt.away, reflected.doubt.away);
         within.doubt.turn = select(in, refracted.doubt.turn, reflected.doubt.turn);
         within.doubt.side = select(in, refracted.doubt.side, reflected.doubt.side);
+        within.doubt.spin = select(in, refracted.doubt.spin, reflected.doubt.spin);
     }
     const Span<S> span = span_of_item(shading.world, shading.world.sort_bins[hit.bin],
                                       Ray<S>{hit.position, within.direction, hit.surface});
@@ -159,7 +162,7 @@ template <class S>
 template <class S>
 STRAHL_INLINE Doubt<S> bound_reflection(const HitBounds<S>& known) {
     return {select(known.followed, known.away, S(-1)), select(known.followed, turn_reflected(known), S(0)),
-            side_reflected(known)};
+            side_reflected(known), known.spin};
 }
 
 /// What is known of refracted rays; c is the cosine before the surface, k its square beyond it and b the

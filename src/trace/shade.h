@@ -164,7 +164,8 @@ STRAHL_INLINE HitBounds<S> bounds_of(const Shading<S>& shading, const Hit<S>& hi
     const Ray<S> ray{{pick(from.origin.x), pick(from.origin.y), pick(from.origin.z)}, hit.direction, pick(from.source)};
     const Slack<Element<S>>& slack = shading.limits.slack;
     const bool unknown = (world.fog && !slack.medium) || (within && !slack.fits());
-    const Doubt<S> doubt{pick(from.away), pick(from.turn), pick(from.side)};
+    const Doubt<S> doubt{pick(from.away), pick(from.turn), pick(from.side),
+                         world.transparent ? pick(from.spin) : Doubt<S>{}.spin};
     HitBounds<S> bounds = bound_hits(shading, hit, ray, doubt, pick(t), pick(from.weight), pick.lanes,
                                      first_lanes<S>(unknown ? 0 : width<S>));
     if (world.patterns) [[unlikely]] {

@@ -31,7 +31,8 @@ using IfProving = std::conditional_t<proves, Value, Nothing>;
 /// What is known of a pack of hits besides what the plain kernel knows.
 template <class S>
 struct HitBounds {
-    S away{0}, normal{0}, side{0}, height{0};  // see PointBounds
+    S away{0}, normal{0}, mirrored{0}, side{0}, height{0};  // see PointBounds
+    S spin{std::numeric_limits<Element<S>>::infinity()};
     S flat{-1};                                // of bent normals: by how much these were off before. Of others -1
     S turn{0};             // of the rays that came
     S off{0};              // bound of the error of the light that the hit sends back, before its weight

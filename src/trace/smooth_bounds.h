@@ -40,7 +40,7 @@ template <class S>
     const S off = slope * (known.away + triangle.edge(q)) + S(slack.turn + 16 * u);
     const S side = select(dot(bent, point.normal) < S(0), S(-1), S(1));
     const S wrong = norm1(fma(side, point.normal, scale(S(-1) / length, bent)));
-    known.normal = S(1.02) * off / length + wrong + S(4 * u);
+    known.normal = known.mirrored = S(1.02) * off / length + wrong + S(4 * u);
     known.height = known.away;  // along a normal that is not the plane's
     known.sure = known.sure & (off < S(.01f) * length) &
                  (abs(dot(ray.direction, point.normal)) > known.normal + doubt.turn + S(8 * u));

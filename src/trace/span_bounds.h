@@ -7,12 +7,12 @@ namespace strahl::inline STRAHL_LEVEL {
 
 /// Of a ray: the exact one starts no further than `away` from the computed origin, and its direction, of length 1, is
 /// no further than `turn` from the computed one brought to length 1; that of the latter is off by at most 3 units. Its
-/// line passes the computed origin no further than `side`, which is less where rays leave surfaces at an angle. Rays
-/// that are not followed have nothing of the kind, `away` is below 0: all light that they may bring is in the bound of
-/// their pixel already.
+/// line passes the computed origin no further than `side`, which is less where rays leave surfaces at an angle. `spin`
+/// is for rays that stay in the body on which they start, see bound_inside. Rays that are not followed have nothing of
+/// the kind, `away` is below 0: all light that they may bring is in the bound of their pixel already.
 template <class S>
 struct Doubt {
-    S away, turn, side = away;
+    S away, turn, side = away, spin{std::numeric_limits<Element<S>>::infinity()};
 };
 
 /// A unit: twice the rounding of an operation, as a share of its result. Formulas count roundings, without fma, and so
@@ -138,118 +138,6 @@ STRAHL_INLINE SpanBounds<S> span_bounds(const CylinderKernel<K>& cylinder, const
     span.maybe = here | (maybe & !(span.near_low > span.far_high));
     span.sure = here | (steep & (square - e > S(0)) & (span.near_high < span.far_low));
     return span;
-}
-
-/// What is known of a point where a ray meets a surface: how far the exact point may be and by how much its normal may
-/// be turned; how far the exact ray's line passes the point, and how high the point is above the plane that touches the
-/// exact surface at the exact point. `sure` if the exact ray meets the same face there.
-template <class S>
-struct PointBounds {
-    S away, normal, side, height;
-    Mask<S> sure;
-};
-
-/// Of a point p whose distance from its own exact surface is at most `off`, on a surface of curvature k, by how far the
-/// ray misses it: whatever found it. `turned`: by how much the normal there differs from that of the exact surface.
-///
-/// The exact ray's line passes p at a distance of at most g; what this misses is rounded by (t + |p|) u / 2. It meets
-/// the plane that touches the surface no further than g / c from p, c being the cosine, and there the surface is within
-/// off + k X^2 / 2 of that plane, where X is how far the exact point is: c X <= g + off + k X^2 / 2, of which the
-/// smaller root is 2 d / (c + sqrt(c^2 - 2 k d)) with d = g + off. Factors of 1.1 in k and 1.001 are for k d < .001 and
-/// for rounding.
-template <class S>
-STRAHL_INLINE PointBounds<S> point_bounds(const Ray<S>& ray, const Doubt<S>& doubt, const S& t,
-                                          const SurfacePoint<S>& point, const S& off, const S& k, const S& turned) {
-    constexpr auto u = unit_error<S>;
-    const Vec3<S> missed = point.position - fma(t, ray.direction, ray.origin);
-    const S rounding = S(.51 * u) * (norm1(point.position) + t);
-    const S side = doubt.side + t * doubt.turn + norm1(missed) + rounding, d = side + off;
-    const S cosine = abs(dot(ray.direction, point.normal)) - doubt.turn - turned - S(8 * u);
-    const S square = fma(cosine, cosine, S(-2.2) * k * d);
-    const S away = S(2.002) * d / (cosine + sqrt(max(square, S(0))));
-    const S normal = fma(S(1.002) * k, away, turned);
-    const Mask<S> sure =
-        (cosine > S(0)) & (square > S(0)) & (k * d < S(.001)) & (away + doubt.away + d + S(4 * u) * t < t);
-    return {away, normal, side, fma(S(.55) * k * away, away, off), sure};
-}
-
-/// How far a point p that was found on a body may be off the exact one's surface. p = c + r n: by the rounding of this,
-/// (r + |p|) u / 2, and by r times what n is too long, 9/4 u.
-template <class S>
-STRAHL_INLINE S off_surface(const SphereKernel<S>& ball, const Vec3<S>& p, const Slack<Element<S>>& slack) {
-    return S(slack.share) * (norm1(ball.centre) + ball.radius) +
-           S(unit_error<S>) * fma(S(2.8), ball.radius, S(.51) * norm1(p));
-}
-/// p is put onto the plane: off by the rounding of n p, 3/2 |p| u, and of this.
-template <class S>
-STRAHL_INLINE S off_surface(const PlaneKernel<S>&, const Vec3<S>& p, const Slack<Element<S>>& slack) {
-    return fma(S(slack.turn + Element<S>(2.1) * unit_error<S>), norm1(p), S(slack.plane));
-}
-/// With f, no longer than r + height, from the base to p: what is across the axis is off by at most 4 |f| u along it,
-/// the end's height by 5/4 u, the radius by 11/4 u, and all of it by the rounding of two sums.
-template <class S>
-STRAHL_INLINE S off_surface(const CylinderKernel<S>& cylinder, const Vec3<S>& p, const Slack<Element<S>>& slack) {
-    const S own = S(slack.share) * (norm1(cylinder.base) + cylinder.radius + cylinder.height);
-    const S rounding = fma(S(7), cylinder.radius + cylinder.height, S(.51) * norm1(p));
-    return own + fma(S(slack.turn), cylinder.height, S(unit_error<S>) * rounding);
-}
-
-/// Of a face near a point that was found on it: its curvature, and by how much the normal there differs from that of
-/// the exact surface.
-template <class S>
-struct Bend {
-    S curvature, turned;
-};
-/// The exact normal at x is (x - c) / r, that is n, (x - p) / r and by what n is too long. Slack counts in both.
-template <class S>
-STRAHL_INLINE Bend<S> bend_of(const SphereKernel<S>& ball, const Vec3<S>&, const S&, const S& off,
-                              const Slack<Element<S>>&) {
-    const S k = S(1) / ball.radius;
-    return {k, k * off};
-}
-template <class S>
-STRAHL_INLINE Bend<S> bend_of(const PlaneKernel<S>&, const Vec3<S>&, const S&, const S&,
-                              const Slack<Element<S>>& slack) {
-    return {S(0), S(slack.turn)};
-}
-template <class S>
-STRAHL_INLINE Bend<S> bend_of(const CylinderKernel<S>& cylinder, const Vec3<S>&, const S& face, const S& off,
-                              const Slack<Element<S>>& slack) {
-    const S k = select(face == S(0), S(1) / cylinder.radius, S(0));
-    return {k, fma(S(2) * k, off, S(slack.turn))};
-}
-
-/// Is the face certainly all there is of the surface within `edge` of a point of it?
-template <class S>
-STRAHL_INLINE Mask<S> on_face(const SphereKernel<S>&, const Vec3<S>&, const S&, const S&) {
-    return first_lanes<S>(width<S>);
-}
-template <class S>
-STRAHL_INLINE Mask<S> on_face(const PlaneKernel<S>&, const Vec3<S>&, const S&, const S&) {
-    return first_lanes<S>(width<S>);
-}
-template <class S>
-STRAHL_INLINE Mask<S> on_face(const CylinderKernel<S>& cylinder, const Vec3<S>& p, const S& face, const S& edge) {
-    const Vec3<S> f = p - cylinder.base;
-    const S along = dot(f, cylinder.axis);
-    const Vec3<S> across = fma(-along, cylinder.axis, f);
-    const Mask<S> side = face == S(0), inside = sqrt(dot(across, across)) + edge < cylinder.radius;
-    const Mask<S> between = (along > edge) & (along + edge < cylinder.height);
-    return (side & between) | ((!side) & inside);
-}
-
-/// Of a point that was put onto a body's surface.
-template <class S, class K>
-STRAHL_INLINE PointBounds<S> point_bounds(const K& body, const Ray<S>& ray, const Doubt<S>& doubt, const S& t,
-                                          const SurfacePoint<S>& point, const S& face, const Slack<Element<S>>& slack)
-    requires requires { bend_of(body, point.position, face, face, slack); }
-{
-    const S off = off_surface(body, point.position, slack);
-    const Bend<S> bend = bend_of(body, point.position, face, off, slack);
-    PointBounds<S> known = point_bounds(ray, doubt, t, point, off, bend.curvature, bend.turned);
-    const S edge = known.away + off;
-    known.sure = known.sure & on_face(body, point.position, face, edge);
-    return known;
 }
 
 }  // namespace strahl::inline STRAHL_LEVEL

@@ -1,6 +1,6 @@
 // Between which numbers exact arithmetic has the first crossing of a ray with a torus.
 #pragma once
-#include "trace/span_bounds.h"
+#include "trace/point_bounds.h"
 
 namespace strahl::inline STRAHL_LEVEL {
 

@@ -1,6 +1,6 @@
 // Between which numbers exact arithmetic has the crossing of a ray with a triangle, and where.
 #pragma once
-#include "trace/span_bounds.h"
+#include "trace/point_bounds.h"
 
 namespace strahl::inline STRAHL_LEVEL {
 

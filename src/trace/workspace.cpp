@@ -77,7 +77,7 @@ void Workspace<T>::hold(T*& array) {
 
 template <class T>
 void Workspace<T>::hold_more(RayQueue<T>& queue) {
-    if (!bounds.empty()) hold(queue.away), hold(queue.turn), hold(queue.side);
+    if (!bounds.empty()) hold(queue.away), hold(queue.turn), hold(queue.side), hold(queue.spin);
     if (with_cones) hold(queue.width), hold(queue.spread);
 }
 

@@ -33,7 +33,8 @@ for stage in parse build trace write; do
 done
 for type in reflected refracted shadow; do (($(value rays $type) > 0)) || fault "no $type rays in $(<stats.json)"; done
 
-expect 0 "" render scene.rt -o x.bmp --size 64x48 --crop 20,14,30,20 --prove map.png --stats stats.json
+# One pixel is a tie, which nothing decides.
+expect 0 "" render scene.rt -o x.bmp --size 64x48 --crop 2,14,30,20 --prove map.png --stats stats.json
 is 8 proof bits
 is double precision
 is 1 samples in_each_pixel

@@ -28,7 +28,7 @@ struct OffHit {
         normal = unit(vector(hit.normal) + R(any_size(dice)) * tilted);
         direction = unit(vector(hit.direction) + R(any_size(dice)) * turned);
         known.away = above(length(position - vector(hit.position)));
-        known.normal = above(length(normal - vector(hit.normal)));
+        known.normal = known.mirrored = above(length(normal - vector(hit.normal)));
         known.turn = turn_from(direction, hit.direction);
         known.side = above(length(cross(apart(), direction))), known.height = above(size(dot(apart(), normal)));
         known.followed = true;

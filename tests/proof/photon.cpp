@@ -85,7 +85,7 @@ struct Photon {
         const Hit<T> hit{true, ray.direction, point.position, point.normal, true, 0, 0, 0, 1, 0, material, true, 0};
         HitBounds<T> bounds;
         bounds.away = known.away, bounds.normal = known.normal, bounds.turn = doubt.turn, bounds.followed = true;
-        bounds.side = known.side, bounds.height = known.height;
+        bounds.mirrored = known.mirrored, bounds.side = known.side, bounds.height = known.height;
         ray = {point.position, branch(hit, true, reflect(hit), T(1), T(0)).direction, best.surface};
         doubt = {known.away, turn_reflected(bounds), side_reflected(bounds)};
         return true;

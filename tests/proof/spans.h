@@ -15,7 +15,7 @@ struct Spans {
     // A ray enters planes and leaves open bodies, no more.
     Closest near{"crossing", Shape::closed}, far{"last crossing", Shape::bounded}, other{"from its own surface"},
         away{"point"}, side{"line beside the point"}, height{"point off the exact one's plane"},
-        surface{"point off its surface"}, normal{"normal"}, told{"certain, or not"};
+        surface{"point off its surface"}, normal{"normal"}, mirrored{"mirrored by the normal"}, told{"certain, or not"};
 
     void try_span(const Case<Shape>& body, const OffRay& off) {
         const SpanBounds<double> span = span_bounds(body.kernel, off.ray, off.doubt, -1., body.slack);
@@ -54,6 +54,8 @@ struct Spans {
         const Vector exact = off.line.origin + met->t * off.line.direction;
         away.take(length(exact - vector(point.position)), known.away);
         normal.take(length(unit(met->normal) - vector(point.normal)), known.normal);
+        const auto mirror = [&](const Vector& n) { return R(2) * dot(off.line.direction, n) * n; };
+        mirrored.take(length(mirror(unit(met->normal)) - mirror(unit(vector(point.normal)))), 2 * known.mirrored);
         const Vector apart = exact - vector(point.position);
         side.take(length(cross(apart, off.line.direction)), known.side);
         height.take(size(dot(apart, unit(met->normal))), known.height);
