@@ -41,16 +41,8 @@ struct Insides {
             if (list.empty()) return;
             const Vector exact = off.line.origin + list.back().t * off.line.direction, n = unit(list.back().normal);
             away.take(length(exact - vector(point.position)), known.away);
-            const MaterialKernel<double> material{};
-            const Hit<double> hit{
-                true, off.ray.direction, point.position, point.normal, false, 0, 0, 0, 1, 0, material, true, 0};
-            HitBounds<double> bounds;
-            bounds.away = known.away, bounds.normal = known.normal, bounds.turn = off.doubt.turn;
-            bounds.mirrored = known.mirrored, bounds.side = known.side, bounds.height = known.height;
-            bounds.spin = known.spin, bounds.followed = true;
             off.line = {exact, off.line.direction - R(2) * dot(off.line.direction, n) * n};
-            off.ray = {point.position, branch(hit, true, reflect(hit), 1., 0.).direction, 0};
-            off.doubt = bound_reflection(bounds);
+            std::tie(off.ray, off.doubt) = mirrored(off.ray, off.doubt, point, known, 0.);
             turn.take(length(off.line.direction - unit(vector(off.ray.direction))), off.doubt.turn);
             spin.take(spin_error(body, off.line, {vector(off.ray.origin), unit(vector(off.ray.direction))}),
                       off.doubt.spin);

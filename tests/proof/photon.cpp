@@ -81,13 +81,7 @@ struct Photon {
         const PointBounds<T> known = point_bounds(mirror, ray, doubt, best.t, point, T(0), slack);
         certain = certain && found.hits() && found.surface == best.surface && known.sure;
         left -= best.t;
-        const MaterialKernel<T> material{};
-        const Hit<T> hit{true, ray.direction, point.position, point.normal, true, 0, 0, 0, 1, 0, material, true, 0};
-        HitBounds<T> bounds;
-        bounds.away = known.away, bounds.normal = known.normal, bounds.turn = doubt.turn, bounds.followed = true;
-        bounds.mirrored = known.mirrored, bounds.side = known.side, bounds.height = known.height;
-        ray = {point.position, branch(hit, true, reflect(hit), T(1), T(0)).direction, best.surface};
-        doubt = {known.away, turn_reflected(bounds), side_reflected(bounds)};
+        std::tie(ray, doubt) = mirrored(ray, doubt, point, known, best.surface);
         return true;
     }
 };

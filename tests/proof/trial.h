@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <tuple>
 
 #include "tests/proof/exact.h"
 #include "tests/referee/dice.h"
@@ -94,6 +95,17 @@ inline OffRay off_ray(Dice& dice, const DVec3& origin, const Vector& towards, co
     off.doubt = {above(length(away)), turn_from(off.line.direction, off.ray.direction),
                  above(length(cross(away, off.line.direction)))};
     return off;
+}
+/// The ray that is mirrored at a point of a surface, and what is known of it.
+template <class T>
+std::pair<Ray<T>, Doubt<T>> mirrored(const Ray<T>& ray, const Doubt<T>& doubt, const SurfacePoint<T>& point,
+                                     const PointBounds<T>& known, T surface) {
+    const MaterialKernel<T> material{};
+    const Hit<T> hit{true, ray.direction, point.position, point.normal, true, surface, 0, 0, 1, 0, material, true, 0};
+    HitBounds<T> bounds;
+    bounds.away = known.away, bounds.normal = known.normal, bounds.turn = doubt.turn, bounds.followed = true;
+    bounds.mirrored = known.mirrored, bounds.side = known.side, bounds.height = known.height, bounds.spin = known.spin;
+    return {{point.position, branch(hit, true, reflect(hit), T(1), T(0)).direction, surface}, bound_reflection(bounds)};
 }
 inline Vector any_of(Dice& dice, const Vector& normal) {
     const int which = dice.upto(3);
