@@ -128,11 +128,11 @@ STRAHL_INLINE Mask<S> on_face(const CylinderKernel<S>& cylinder, const Vec3<S>& 
 
 /// Bodies in which rays that are mirrored by their side go round without their bounds growing, see bound_inside.
 template <class K>
-inline constexpr bool RoundInside = false;
+inline constexpr bool round_inside = false;
 template <class S>
-inline constexpr bool RoundInside<SphereKernel<S>> = true;
+inline constexpr bool round_inside<SphereKernel<S>> = true;
 template <class S>
-inline constexpr bool RoundInside<CylinderKernel<S>> = true;
+inline constexpr bool round_inside<CylinderKernel<S>> = true;
 
 /// Of rays that meet from inside the round side, of curvature k = 1 / r, on which they start.
 ///
@@ -172,7 +172,7 @@ STRAHL_INLINE PointBounds<S> point_bounds(const K& body, const Ray<S>& ray, cons
     PointBounds<S> known = point_bounds(ray, doubt, t, point, off, bend.curvature, bend.turned, parts.across);
     const S edge = known.away + off;
     known.sure = known.sure & on_face(body, point.position, face, edge);
-    if constexpr (RoundInside<K>) {
+    if constexpr (round_inside<K>) {
         const Mask<S> inside = (ray.source == S(0)) & (face == S(0));
         if (any(inside)) bound_inside(bend.curvature, ray, doubt, t, point, off, bend.turned, parts, inside, known);
     }

@@ -33,11 +33,11 @@ template <class S>
 struct HitBounds {
     S away{0}, normal{0}, mirrored{0}, side{0}, height{0};  // see PointBounds
     S spin{std::numeric_limits<Element<S>>::infinity()};
-    S flat{-1};                                // of bent normals: by how much these were off before. Of others -1
-    S turn{0};             // of the rays that came
-    S off{0};              // bound of the error of the light that the hit sends back, before its weight
-    S diffuse{0};          // by how much the largest channel of the diffuse colour may be off
-    Mask<S> followed;      // lanes whose errors are bounded; those of all others are in their pixels' bounds
+    S flat{-1};        // of bent normals: by how much these were off before. Of others -1
+    S turn{0};         // of the rays that came
+    S off{0};          // bound of the error of the light that the hit sends back, before its weight
+    S diffuse{0};      // by how much the largest channel of the diffuse colour may be off
+    Mask<S> followed;  // lanes whose errors are bounded; those of all others are in their pixels' bounds
 };
 
 /// The shading of one generation.
