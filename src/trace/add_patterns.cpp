@@ -35,7 +35,8 @@ template <class T>
 void WorldArrays<T>::add_colors(const Pigment& pigment, PatternKernel<T>& kernel, bool linear) {
     using M = Made<T>;
     const Pattern* const pattern = pigment.pattern.get();
-    if (const auto* const image = image_of(pigment.pattern)) add_image(image->pixels, linear, true, kernel.image);
+    const ImagePattern* const image = image_of(pigment.pattern);
+    if (image) add_image(image->pixels, linear, true, kernel.image);
     kernel.first_stop = static_cast<std::int32_t>(stops.size());
     const std::vector<ColorStop> colors = pattern ? pattern->colors : std::vector{ColorStop{0, pigment.color}};
     for (double before = 0; const ColorStop& stop : colors) {
@@ -43,8 +44,7 @@ void WorldArrays<T>::add_colors(const Pigment& pigment, PatternKernel<T>& kernel
         before = stop.at;
     }
     kernel.stops = static_cast<std::int32_t>(colors.size());
-    if constexpr (!std::is_same_v<T, float>)
-        if (pattern) measure_colors(*pattern, kernel.slack);
+    if constexpr (!std::is_same_v<T, float>) measure_colors(colors, image, kernel.slack);
 }
 
 template <class T>

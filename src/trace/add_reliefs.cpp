@@ -69,7 +69,7 @@ void compare(const Material& material, const std::vector<Transformation>& body, 
             std::vector<Transformation> steps = relief.pattern->transformations;
             if (!relief.pattern->by_uv) steps.insert(steps.end(), body.begin(), body.end());
             compare(*relief.pattern, body, placement, first, own.pattern);
-            measure_colors(*relief.pattern, own.pattern.slack);
+            measure_colors(relief.pattern->colors, image_of(relief.pattern), own.pattern.slack);
             const ReliefSlack<T> before = own.slack;
             compare_relief(relief, steps, first, own);
             if (first) return;

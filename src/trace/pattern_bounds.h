@@ -34,6 +34,9 @@ struct PatternBounds {
     static BentBounds<S> of_normals(const World<T>& world, const int* materials, const Vec3<S>& position,
                                     const S& surface, const Vec3<S>& normal, const S& normal_off, const S& away,
                                     const Slack<T>& slack);
+    /// Of what a transparent material leaves of light at these positions.
+    static S of_filter(const World<T>& world, int material, const Vec3<S>& position, const S& surface, const S& away,
+                       const Slack<T>& slack);
 };
 
 }  // namespace strahl::inline STRAHL_LEVEL

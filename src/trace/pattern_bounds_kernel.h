@@ -243,4 +243,12 @@ S PatternBounds<S>::of_sky(const World<T>& world, const Vec3<S>& direction, cons
     return color_error(world, *world.sky, off_place(*world.sky, direction, turn + S(3 * unit_error<S>)));
 }
 
+template <class S>
+S PatternBounds<S>::of_filter(const World<T>& world, int material, const Vec3<S>& position, const S& surface,
+                              const S& away, const Slack<T>& slack) {
+    const PatternKernel<T>& pattern = world.patterns[material - world.first_pattern];
+    const OffPlace<S> place = off_place(world, pattern, position, surface, away, slack);
+    return S(pattern.refraction) * color_error(world, pattern, place);
+}
+
 }  // namespace strahl::inline STRAHL_LEVEL

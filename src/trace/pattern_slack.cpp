@@ -133,13 +133,13 @@ void compare_relief(const NormalMap&, std::span<const Transformation> steps, boo
 }
 
 template <class T>
-void measure_colors(const Pattern& pattern, PatternSlack<T>& slack) {
+void measure_colors(std::span<const ColorStop> stops, const ImagePattern* image, PatternSlack<T>& slack) {
     Color least(HUGE_VAL), most(-HUGE_VAL);
     const auto include = [&](const Color& low, const Color& high) {
         for (int c = 0; c < 3; ++c) least[c] = std::min(least[c], low[c]), most[c] = std::max(most[c], high[c]);
     };
-    for (const ColorStop& stop : pattern.colors) include(stop.color, stop.color);
-    if (const ImagePattern* const image = std::get_if<ImagePattern>(&pattern.kind)) {
+    for (const ColorStop& stop : stops) include(stop.color, stop.color);
+    if (image) {
         include(Color(0), image->pixels->largest);
         if (image->once) include(*image->once, *image->once);
     }
@@ -159,7 +159,7 @@ template void compare_relief(const Bump&, std::span<const Transformation>, bool,
 template void compare_relief(const Bump&, std::span<const Transformation>, bool, BumpKernel<Extended>&);
 template void compare_relief(const NormalMap&, std::span<const Transformation>, bool, NormalMapKernel<double>&);
 template void compare_relief(const NormalMap&, std::span<const Transformation>, bool, NormalMapKernel<Extended>&);
-template void measure_colors(const Pattern&, PatternSlack<double>&);
-template void measure_colors(const Pattern&, PatternSlack<Extended>&);
+template void measure_colors(std::span<const ColorStop>, const ImagePattern*, PatternSlack<double>&);
+template void measure_colors(std::span<const ColorStop>, const ImagePattern*, PatternSlack<Extended>&);
 
 }  // namespace strahl

@@ -21,8 +21,8 @@ template <class T>
 void compare_relief(const NormalMap& map, std::span<const Transformation> steps, bool replace,
                     NormalMapKernel<T>& kernel);
 
-/// What the colours of a pattern are.
+/// How far apart the colours of a pigment are, and how large: those of its stops, one if it is plain, and of its image.
 template <class T>
-void measure_colors(const Pattern& pattern, PatternSlack<T>& slack);
+void measure_colors(std::span<const ColorStop> stops, const ImagePattern* image, PatternSlack<T>& slack);
 
 }  // namespace strahl

@@ -82,8 +82,7 @@ STRAHL_INLINE void pass_crossing(const S& low, const S& high, const SpanBounds<S
     certain = maybe & span.sure & (low > S(0)) & (high < distance - off);
     possible = maybe & !certain;
 }
-/// What a surface takes from the light that certainly crosses it, and from what may. Of patterned glass that is not
-/// known.
+/// What a surface takes from the light that certainly crosses it, and from what may.
 template <class S>
 STRAHL_INLINE void lose_light(const World<Element<S>>& world, int material, Mask<S> certain, Mask<S> possible,
                               LightBounds<S>& light) {
@@ -102,6 +101,27 @@ STRAHL_INLINE void lose_light(const World<Element<S>>& world, int material, Mask
     for (int c = 0; c < 3; ++c)
         light.share[c] = min(light.share[c] * select(certain, S(own.filter[c]), S(1)), S(largest_gain));
 }
+/// What is left of light by patterned glass, at the middle of where it may be crossed. Products of two factors are off
+/// by the error of each times the most that the other may be.
+template <class S>
+[[gnu::noinline]] void pass_pattern(const World<Element<S>>& world, int material, const S& surface,
+                                    const DoubtfulRay<S>& own, const S& low, const S& high, Mask<S> crossed,
+                                    const Slack<Element<S>>& slack, LightBounds<S>& light) {
+    using T = Element<S>;
+    if (none(crossed)) return;
+    const PatternKernel<T>& pattern = world.patterns[material - world.first_pattern];
+    const S t = S(T(.5)) * (low + high), most(pattern.refraction * pattern.slack.largest);
+    const Vec3<S> place = fma(t, own.ray.direction, own.ray.origin);
+    const S away = S(T(1.01)) * (own.doubt.away + (high - low) + t * (own.doubt.turn + S(4 * unit_error<S>))) +
+                   S(unit_error<S>) * norm1(place);
+    const S error = PatternBounds<S>::of_filter(world, material, place, surface, away, slack);
+    const S before = max(light.share.x, max(light.share.y, light.share.z));
+    light.off = select(crossed, fma(light.off, most, before * error), light.off);
+    light.doubt = light.doubt | (crossed & !(error < S(T(1e-5))));  // in these the plain kernel decides
+    light.crossings = light.crossings + select(crossed, S(2), S(0));
+    PatternCalls<S>::filter(world, material, surface, own.ray, t, crossed, light.share);
+}
+
 template <class S, class Item>
 [[gnu::noinline]] void pass_item(const World<Element<S>>& world, const Item& item, const DoubtfulRay<S>& own,
                                  Mask<S> mask, const S& distance, const S& off, const Slack<Element<S>>& slack,
@@ -114,6 +134,13 @@ template <class S, class Item>
     pass_crossing(span.far_low, span.far_high, span, mask, distance, off, certain[1], possible[1]);
     if constexpr (requires { span.later; })
         if (transparent(world, item)) light.doubt = light.doubt | (mask & (span.later < distance + off));
+    if (const int material = static_cast<int>(item.material); transparent(world, item) && patterned(world, material))
+        [[unlikely]] {
+        light.doubt = light.doubt | possible[0] | possible[1];
+        pass_pattern(world, material, S(item.surface), own, span.near_low, span.near_high, certain[0], slack, light);
+        pass_pattern(world, material, S(item.surface), own, span.far_low, span.far_high, certain[1], slack, light);
+        return;
+    }
     for (int k = 0; k < 2; ++k) lose_light(world, static_cast<int>(item.material), certain[k], possible[k], light);
 }
 

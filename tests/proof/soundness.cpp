@@ -192,6 +192,29 @@ TEST_CASE("proofs by light buffers do not lie") {
     CHECK(all.plain.certain[1] > .85 * all.plain.values);
 }
 
+TEST_CASE("light through panes, one of them patterned, in a world with bumps") {
+    Scene scene;
+    scene.camera.position = {0, -6, 4}, scene.camera.look_at = {0, 0, 0}, scene.camera.up = {0, 0, -1};
+    scene.camera.fov = 20;
+    scene.lights.push_back({.position = {.3, .2, 9}, .color = Color(.7)});
+    Material dull;
+    dull.ior = 1, dull.reflection = 0;
+    Material pane = dull, stained = dull, bumpy = dull;
+    pane.refraction = stained.refraction = .9, pane.rgb = Color(.5, .6, .8);
+    stained.rgb = Pigment(Pattern{Gradient{{1, .4, .2}}, {{0, Color(.2, .5, .9)}, {1, Color(.9, .3, .1)}}, {}});
+    bumpy.bump.height = .1, bumpy.bump.pattern = std::make_shared<const Pattern>(Pattern{Noise{}, {}, {}});
+    scene.materials = {dull, stained, pane, bumpy};
+    scene.primitives.push_back({Plane{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, 0, {}});
+    scene.primitives.push_back({Disc{{0, 0, 6}, {.1, .2, 1}, 5, 0}, 1, {}});
+    scene.primitives.push_back({Disc{{0, 0, 7}, {.2, .1, 1}, 5, 0}, 2, {}});
+    scene.primitives.push_back({Sphere{{1, 1, .5}, .5}, 3, {}});
+    Judged judged;
+    judge(scene, view_of(scene, 40, 30), false, judged);
+    judged.plain.print("panes"), judged.shifted.print("panes, shifted");
+    check_honest(judged);
+    CHECK(judged.shifted.certain[1] > .95 * judged.shifted.values);
+}
+
 TEST_CASE("worlds to look at are proved") {
     for (const char* const name : {"article", "flythrough"})
         for (const double error : {0., 1e-9}) {
