@@ -119,12 +119,13 @@ class Batches {
     }
 
   private:
-    /// Of pixel i of the batch: what its rays may be off, and those not traced; and what rounding adds.
+    /// Of pixel i of the batch: what its rays may be off, and those not traced; and the rounding of fog's sums, which is
+    /// not in the bounds of hits.
     double bound_of(int i) const {
         const PixelSum<T>& sum = workspace.sums[i];
         const T most = std::max({sum.rgb[0], sum.rgb[1], sum.rgb[2]});
         // A pixel of long double becomes one of double, as this bound does.
-        constexpr T rounding = 16 * std::numeric_limits<T>::epsilon() +
+        constexpr T rounding = std::numeric_limits<T>::epsilon() +
                                (std::is_same_v<T, long double> ? std::numeric_limits<double>::epsilon() : 0);
         const T bound = T(1.001) * (workspace.bounds[i] + sum.pruned) + rounding * most;
         return bound >= 0 ? static_cast<double>(bound) : std::numeric_limits<double>::infinity();

@@ -169,10 +169,10 @@ STRAHL_INLINE S cosine_error(const S& a, const S& cosine) {
 /// its highlight, and by whether it comes at all.
 ///
 /// The light's place was rounded once. The way to it has 2 roundings in direction and, in length, of its square's sum
-/// and root 7/4 u; so the cosine has 4 u, with the product's, and 9/4 by the normal's length. A mirrored direction is
-/// not brought to length 1 here: 16 u. Of (s + d)^p - s^p with x = p d / s no more than s^p (e^x - 1) is left, e^x - 1
-/// <= x + x^2 up to x = 1.79 (a p below 1 counts as 1); powers have p roundings. Below `shines_from` all is less than u
-/// / 64.
+/// and root 7/4 u, its inverse and the product with it 1 u; with 9/4 by the normal's length the cosine has 5 u as a
+/// share, and 3/2 u by the scalar product. A mirrored direction is not brought to length 1 here: 16 u. Of (s + d)^p -
+/// s^p with x = p d / s no more than s^p (e^x - 1) is left, e^x - 1 <= x + x^2 up to x = 1.79 (a p below 1 counts as
+/// 1); powers have p roundings. Below `shines_from` all is less than u / 64.
 template <class S>
 struct LitBounds {
     S cosine, highlight;  // how far these are off
@@ -201,7 +201,7 @@ STRAHL_INLINE LitBounds<S> bound_lit(const HitBounds<S>& known, const Hit<S>& hi
     const S turn = off / (length - off) + S(1.5 * u);
     lit.ray = {known.away, turn};
     lit.distance = select(near, length, off + S(8 * u) * length);
-    lit.cosine = cosine_error(known.normal + turn, cosine) + S(6.5 * u);
+    lit.cosine = cosine_error(known.normal + turn, cosine) + fma(S(5 * u), abs(cosine), S(1.5 * u));
     lit.doubt = near | !(abs(cosine) > lit.cosine);
     lit.highlight = S(0);
     if (none(hit.active & (material.specular > S(0)))) return lit;
