@@ -119,8 +119,8 @@ class Batches {
     }
 
   private:
-    /// Of pixel i of the batch: what its rays may be off, and those not traced; and the rounding of fog's sums, which is
-    /// not in the bounds of hits.
+    /// Of pixel i of the batch: what its rays may be off, and those not traced; and the rounding of fog's sums, which
+    /// is not in the bounds of hits.
     double bound_of(int i) const {
         const PixelSum<T>& sum = workspace.sums[i];
         const T most = std::max({sum.rgb[0], sum.rgb[1], sum.rgb[2]});

@@ -1,6 +1,6 @@
 // What bent normals do to bounds.
 #pragma once
-#include "trace/proving.h"
+#include "trace/proving_lights.h"
 
 namespace strahl::inline STRAHL_LEVEL::inline STRAHL_INSTANCE {
 

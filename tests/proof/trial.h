@@ -14,7 +14,7 @@
 #include "tests/proof/exact.h"
 #include "tests/referee/dice.h"
 #include "trace/illuminate.h"
-#include "trace/proving.h"
+#include "trace/proving_lights.h"
 #include "trace/scatter.h"
 
 namespace strahl::trial {
