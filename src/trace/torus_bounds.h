@@ -92,8 +92,9 @@ template <class S, class K>
     const Mask<S> inside = (leaves & (rises < zero)) | ((first.distance < -torus_at.off_here) & !here);
     const S sign = select(inside, S(-1), S(1));
 
-    const S found = first_crossing(torus.crossings(ray, start));
-    const Mask<S> crossed = maybe & (found > zero) & (found < S(inf));
+    const Crossings<S, 4> crossings = torus.crossings(ray, start);
+    const S found = first_crossing(crossings);
+    const Mask<S> crossed = maybe & crossings.hit & (found > zero) & (found < S(inf));
     const Place near = torus_at.at(found);
     const S slope = torus_at.growth(near), off = torus_at.off(found), crossing = found - near.distance / slope;
     const S doubtful = S(1.1) * off / abs(slope), low = crossing - doubtful, high = crossing + doubtful;
