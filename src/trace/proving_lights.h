@@ -118,8 +118,8 @@ STRAHL_INLINE void add_spot_error(const Shading<S>& shading, const Hit<S>& hit, 
     const S diffuse = largest(hit.material.diffuse), error = light_error(hit, lit, cosine, known);
     const S most = fma(diffuse, max(cosine, S(0)), highlight) + error, color = largest(splat<S>(light.color));
     const Mask<S> told = lit.ray.turn >= S(0);
-    known.off = fma(S(shading.limits.slack.gain) * color * most,
-                    select(told, spot_error(light, l, lit.ray.turn), S(1)), known.off);
+    known.off = fma(S(shading.limits.slack.gain) * color * most, select(told, spot_error(light, l, lit.ray.turn), S(1)),
+                    known.off);
 }
 
 /// The share of a light that reaches hits, in the lanes of `faces`. Adds the light's error to that of the hits.
