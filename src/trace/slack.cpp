@@ -203,16 +203,19 @@ void add_eye(Slack<T>& slack, const View& view, const Placement& placement) {
     const auto off = [](const Vec3<T>& computed, const ExtendedVector& v) { return length_of(extended(computed) - v); };
     const Extended tan_x = length_of(own.right), tan_y = length_of(own.down);
     const Extended sine = length_of(cross_of(unit_of(extended(view.camera.up)), own.forward));
+    const auto beside = [](T scale, T bias, int pixels) {  // of a pixel's place, in a tangent
+        return std::abs(scale - Extended(2) / pixels) * (pixels - 1) + std::abs(bias - (Extended(1) / pixels - 1));
+    };
     const Extended wrong = off(eye.forward, own.forward) + off(eye.right, own.right) + off(eye.down, own.down) +
+                           tan_x * beside(eye.scale_x, eye.bias_x, view.width) +
+                           tan_y * beside(eye.scale_y, eye.bias_y, view.height) +
                            rounding / sine * (1 + tan_x + tan_y);
-    // Roundings in units of 2 each: where a pixel is has 7 at most, as a share of a tangent, and counts no more than
-    // that against the direction, whose length is at least the forward axis's; 2 sums, 2 products of a tangent, the
-    // division.
+    // Roundings, which count no more than this against the direction, whose length is at least the forward axis's: of a
+    // tangent, without fma, 1/2 u by the product and 1/4 by the sum that is a pixel's place, and 1/2 by what is made of
+    // it; 1/2 u each by 2 sums and by the division.
     constexpr T u = std::numeric_limits<T>::epsilon();
     slack.eye_away = static_cast<T>(off(eye.position, own.position) + rounding * sum_of(own.position));
-    const Extended shifted = 2 * (std::abs(Extended(view.shift_x)) * tan_x / view.width +
-                                  std::abs(Extended(view.shift_y)) * tan_y / view.height);
-    slack.eye_turn = static_cast<T>(wrong + shifted) * T(1 + 1e-9) + u * (T(1.6) + 4 * static_cast<T>(tan_x + tan_y));
+    slack.eye_turn = static_cast<T>(wrong) * T(1 + 1e-9) + u * (T(1.6) + T(1.3) * static_cast<T>(tan_x + tan_y));
 }
 
 namespace {
