@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "trace/eye_bounds.h"
 #include "trace/shade.h"
 
 namespace strahl::inline STRAHL_LEVEL::inline STRAHL_INSTANCE {
@@ -240,7 +241,9 @@ bool trace(const World<T>& world, const Eye<T>& eye, const Limits<T>& limits, co
         if constexpr (proves) {
             std::fill_n(first.open.away, batch.count, limits.slack.eye_away);
             std::fill_n(first.open.side, batch.count, limits.slack.eye_away);
-            std::fill_n(first.open.turn, batch.count, limits.slack.eye_turn);
+            for (int i = 0; i < batch.count; i += width<S>)
+                store_lanes(first.open.turn + i,
+                            camera_turn(eye, limits.slack, load_lanes<S>(batch.x + i), load_lanes<S>(batch.y + i)));
         }
         first.inside.count = 0;
         std::fill_n(first.inside_begin, world.bins, 0);

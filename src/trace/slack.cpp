@@ -200,22 +200,21 @@ void add_eye(Slack<T>& slack, const View& view, const Placement& placement) {
     constexpr Extended rounding = 32 * std::numeric_limits<Extended>::epsilon();  // of a few dozen operations
     const Eye<T> eye = eye_of<T>(view, placement);
     const Eye<Extended> own = extended_eye(view, placement);
-    const auto off = [](const Vec3<T>& computed, const ExtendedVector& v) { return length_of(extended(computed) - v); };
-    const Extended tan_x = length_of(own.right), tan_y = length_of(own.down);
-    const Extended sine = length_of(cross_of(unit_of(extended(view.camera.up)), own.forward));
-    const auto beside = [](T scale, T bias, int pixels) {  // of a pixel's place, in a tangent
-        return std::abs(scale - Extended(2) / pixels) * (pixels - 1) + std::abs(bias - (Extended(1) / pixels - 1));
+    const auto lacks = [](const ExtendedVector& v, const Vec3<T>& own) {
+        return Vec3<T>(static_cast<T>(v.x - own.x), static_cast<T>(v.y - own.y), static_cast<T>(v.z - own.z));
     };
-    const Extended wrong = off(eye.forward, own.forward) + off(eye.right, own.right) + off(eye.down, own.down) +
-                           tan_x * beside(eye.scale_x, eye.bias_x, view.width) +
-                           tan_y * beside(eye.scale_y, eye.bias_y, view.height) +
-                           rounding / sine * (1 + tan_x + tan_y);
-    // Roundings, which count no more than this against the direction, whose length is at least the forward axis's: of a
-    // tangent, without fma, 1/2 u by the product and 1/4 by the sum that is a pixel's place, and 1/2 by what is made of
-    // it; 1/2 u each by 2 sums and by the division.
-    constexpr T u = std::numeric_limits<T>::epsilon();
-    slack.eye_away = static_cast<T>(off(eye.position, own.position) + rounding * sum_of(own.position));
-    slack.eye_turn = static_cast<T>(wrong) * T(1 + 1e-9) + u * (T(1.6) + T(1.3) * static_cast<T>(tan_x + tan_y));
+    const Extended width = view.width, height = view.height;
+    slack.eye_lacks = {.position = lacks(own.position, eye.position),
+                       .forward = lacks(own.forward, eye.forward),
+                       .right = lacks(own.right, eye.right),
+                       .down = lacks(own.down, eye.down),
+                       .scale_x = static_cast<T>(2 / width - eye.scale_x),
+                       .scale_y = static_cast<T>(2 / height - eye.scale_y),
+                       .bias_x = static_cast<T>(1 / width - 1 - eye.bias_x),
+                       .bias_y = static_cast<T>(1 / height - 1 - eye.bias_y)};
+    const Extended sine = length_of(cross_of(unit_of(extended(view.camera.up)), own.forward));
+    slack.eye_turn = static_cast<T>(rounding / sine * (1 + length_of(own.right) + length_of(own.down)));
+    slack.eye_away = static_cast<T>(length_of(extended(slack.eye_lacks.position)) + rounding * sum_of(own.position));
 }
 
 namespace {

@@ -1,6 +1,7 @@
 // How far worlds and camera rays are off, by the formulas of slack.cpp and against numbers of 113 bits.
 #include "tests/proof/trial.h"
 #include "trace/eye.h"
+#include "trace/eye_bounds.h"
 #include "trace/slack.h"
 
 using namespace strahl;
@@ -211,7 +212,7 @@ struct RayDifferences {
         const T u = fma(T(x), eye.scale_x, eye.bias_x), v = fma(T(y), eye.scale_y, eye.bias_y);
         const Vec3<T> d = fma(u, eye.right, fma(v, eye.down, eye.forward));
         const Vec3<T> direction = scale(1 / std::sqrt(dot(d, d)), d);
-        turn.take(length(exact.ray(x, y).direction - unit(vector(direction))), slack.eye_turn);
+        turn.take(length(exact.ray(x, y).direction - unit(vector(direction))), camera_turn(eye, slack, T(x), T(y)));
         const Vector place = R(placement.scale) * (exact.position - Vector(placement.origin));
         start.take(length(place - vector(eye.position)), slack.eye_away);
     }
