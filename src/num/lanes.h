@@ -35,6 +35,9 @@ STRAHL_INLINE S fma(S a, S b, S c) {
     if constexpr (std::is_same_v<S, long double>) return a * b + c;
     return std::fma(a, b, c);
 }
+/// Is fma(a, b, c) rounded once?
+template <class S>
+inline constexpr bool fuses = !std::is_same_v<S, long double>;
 template <Scalar S>
 STRAHL_INLINE S sqrt(S a) {
     return std::sqrt(a);

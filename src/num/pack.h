@@ -72,6 +72,8 @@ STRAHL_INLINE Pack<T> fma(Pack<T> a, Pack<T> b, Pack<T> c) {
         return a * b + c;
 }
 template <class T>
+inline constexpr bool fuses<Pack<T>> = has_fma;
+template <class T>
 STRAHL_INLINE Pack<T> sqrt(Pack<T> a) {
     return Pack<T>(std::experimental::sqrt(a.v));
 }
