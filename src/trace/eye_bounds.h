@@ -5,8 +5,8 @@
 
 namespace strahl::inline STRAHL_LEVEL {
 
-/// a * b - product, of a product that was rounded: by one instruction, or by halves of a and b, whose products are exact
-/// (T. J. Dekker, A floating-point technique for extending the available precision, 1971).
+/// a * b - product, of a product that was rounded: by one instruction, or by halves of a and b, whose products are
+/// exact (T. J. Dekker, A floating-point technique for extending the available precision, 1971).
 template <class S>
 STRAHL_INLINE S product_lacks(const S& a, const S& b, const S& product) {
     if constexpr (fuses<S>) return fma(a, b, -product);
@@ -46,8 +46,7 @@ STRAHL_INLINE S camera_turn(const Eye<Element<S>>& eye, const Slack<Element<S>>&
     }
     const S inverse = S(1) / sqrt(dot(d, d));
     const Vec3<S> direction = scale(inverse, d);
-    for (int c = 0; c < 3; ++c)
-        lacks[c] = fma(inverse, lacks[c], product_lacks(inverse, S(d[c]), S(direction[c])));
+    for (int c = 0; c < 3; ++c) lacks[c] = fma(inverse, lacks[c], product_lacks(inverse, S(d[c]), S(direction[c])));
     const Vec3<S> across = cross(direction, lacks);
     return fma(S(1.001), sqrt(dot(across, across)), S(slack.eye_turn));
 }
