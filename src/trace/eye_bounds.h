@@ -1,7 +1,9 @@
 // By how much camera rays are turned against those of exact arithmetic: measured where other bounds count roundings.
 #pragma once
+#include <limits>
+
+#include "num/lanes.h"
 #include "trace/kernel.h"
-#include "trace/span_bounds.h"
 
 namespace strahl::inline STRAHL_LEVEL {
 

@@ -101,8 +101,8 @@ struct Slack {
     T share = 0;                   // places and lengths of bodies, in their sizes and their distances from 0
     T turn = 0;                    // directions: normals, axes, angles, rows of boxes and of spaces of their own
     T plane = 0;                   // distances of planes from 0
-    T eye_away = 0, eye_turn = 0;  // of camera rays: where they start; their directions, beside what these lack by
-    Eye<T> eye_lacks{};            // what the eye's numbers lack
+    T eye_away = 0, eye_turn = 0;  // of camera rays: where they start; what is not measured of their directions
+    Eye<T> eye_lacks{};            // what the eye's numbers lack, which is measured: see camera_turn
     T gain = 1;                    // most by which bodies on its way multiply a light
     T reach = 0;                   // the largest coordinate of a bounded body
     T culled = 0;                  // share of a world in double: culling takes bodies to be where that has them

@@ -200,14 +200,11 @@ void add_eye(Slack<T>& slack, const View& view, const Placement& placement) {
     constexpr Extended rounding = 32 * std::numeric_limits<Extended>::epsilon();  // of a few dozen operations
     const Eye<T> eye = eye_of<T>(view, placement);
     const Eye<Extended> own = extended_eye(view, placement);
-    const auto lacks = [](const ExtendedVector& v, const Vec3<T>& own) {
-        return Vec3<T>(static_cast<T>(v.x - own.x), static_cast<T>(v.y - own.y), static_cast<T>(v.z - own.z));
-    };
     const Extended width = view.width, height = view.height;
-    slack.eye_lacks = {.position = lacks(own.position, eye.position),
-                       .forward = lacks(own.forward, eye.forward),
-                       .right = lacks(own.right, eye.right),
-                       .down = lacks(own.down, eye.down),
+    slack.eye_lacks = {.position = Vec3<T>(own.position - extended(eye.position)),
+                       .forward = Vec3<T>(own.forward - extended(eye.forward)),
+                       .right = Vec3<T>(own.right - extended(eye.right)),
+                       .down = Vec3<T>(own.down - extended(eye.down)),
                        .scale_x = static_cast<T>(2 / width - eye.scale_x),
                        .scale_y = static_cast<T>(2 / height - eye.scale_y),
                        .bias_x = static_cast<T>(1 / width - 1 - eye.bias_x),
