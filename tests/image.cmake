@@ -3,8 +3,8 @@
 strahl_tests(test_file unit strahl_text file)
 strahl_tests(test_picture unit strahl_image picture)
 strahl_tests(test_image unit "strahl_image;strahl_text" bands hostile_pictures compare progress)
-target_sources(test_image PRIVATE ${CMAKE_SOURCE_DIR}/src/main/command_compare.cpp
-                                  ${CMAKE_SOURCE_DIR}/src/main/progress.cpp)
+target_sources(test_image PRIVATE ${CMAKE_SOURCE_DIR}/src/main/commands/command_compare.cpp
+                                  ${CMAKE_SOURCE_DIR}/src/main/process/progress.cpp)
 # So does this.
 strahl_tests(test_film unit strahl_image film_start)
-target_sources(test_film PRIVATE ${CMAKE_SOURCE_DIR}/src/main/film.cpp ${CMAKE_SOURCE_DIR}/src/main/values.cpp)
+target_sources(test_film PRIVATE ${CMAKE_SOURCE_DIR}/src/main/render/film.cpp ${CMAKE_SOURCE_DIR}/src/main/render/values.cpp)

@@ -11,10 +11,10 @@
 #include <functional>
 #include <system_error>
 
+#include "files/output_file.h"
+#include "files/streams.h"
+#include "files/temporary_file.h"
 #include "image/bytes.h"
-#include "text/file.h"
-#include "text/streams.h"
-#include "text/temporary.h"
 
 namespace strahl {
 namespace {

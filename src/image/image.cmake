@@ -1,6 +1,9 @@
 # Pictures, written with zlib, and a module with OpenImageIO that is loaded only when a picture file is read.
 pkg_check_modules(ZLIB REQUIRED IMPORTED_TARGET zlib)
 strahl_module(image src/image strahl_text)
+get_target_property(sources strahl_image SOURCES)
+list(FILTER sources EXCLUDE REGEX "/oiio/")
+set_property(TARGET strahl_image PROPERTY SOURCES ${sources})
 target_link_libraries(strahl_image PRIVATE ${CMAKE_DL_LIBS} PkgConfig::ZLIB)
 
 # Not find_package(OpenImageIO): that of Debian 12 is broken (it requires a missing iconvert).

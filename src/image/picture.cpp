@@ -14,7 +14,7 @@
 
 #include "image/memory.h"
 #include "image/netpbm.h"
-#include "image/oiio/module.h"
+#include "image/picture_module.h"
 #include "image/picture_writer.h"
 #include "image/recognise.h"
 #include "image/transfer.h"

@@ -6,8 +6,8 @@
 #include <map>
 #include <type_traits>
 
+#include "files/output_file.h"
 #include "image/transfer.h"
-#include "text/file.h"
 
 namespace strahl {
 namespace {

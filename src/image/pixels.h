@@ -2,8 +2,8 @@
 #pragma once
 #include <string>
 
-#include "scene/image.h"
 #include "scene/error.h"
+#include "scene/image_pattern.h"
 
 namespace strahl {
 

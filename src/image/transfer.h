@@ -1,4 +1,4 @@
-// From computed values to what a screen or an 8- or 16-bit file holds. The window tabulates it (show/image.h).
+// From computed values to what a screen or an 8- or 16-bit file holds. The window tabulates it (show/work/screen_image.h).
 #pragma once
 #include <algorithm>
 #include <cmath>

@@ -10,7 +10,7 @@
 #include "num/decimal.h"
 #include "num/vec_math.h"
 #include "scene/overlap.h"
-#include "text/parameter.h"
+#include "text/reading/parameter.h"
 
 namespace strahl {
 namespace {

@@ -11,8 +11,8 @@
 #include "import/word_reader.h"
 #include "mesh/join.h"
 #include "mesh/split.h"
-#include "scene/mesh_data.h"
-#include "text/materials.h"
+#include "scene/kinds/mesh_data.h"
+#include "text/blocks/materials.h"
 
 namespace strahl {
 

@@ -1,9 +1,9 @@
 #include "import/import.h"
 
+#include "files/utf8.h"
 #include "import/builder.h"
 #include "import/formats.h"
 #include "import/word_reader.h"
-#include "text/utf8.h"
 
 namespace strahl {
 

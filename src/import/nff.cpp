@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "import/formats.h"
-#include "text/messages.h"
-#include "text/parameter.h"
+#include "text/reading/messages.h"
+#include "text/reading/parameter.h"
 
 namespace strahl {
 namespace {

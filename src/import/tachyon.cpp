@@ -7,8 +7,8 @@
 #include "import/formats.h"
 #include "import/tachyon_bodies.h"
 #include "num/vec_math.h"
-#include "text/messages.h"
-#include "text/parameter.h"
+#include "text/reading/messages.h"
+#include "text/reading/parameter.h"
 
 namespace strahl {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "text/messages.h"
+#include "text/reading/messages.h"
 
 namespace strahl {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "text/messages.h"
+#include "text/reading/messages.h"
 
 namespace strahl {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "text/messages.h"
-#include "text/parameter.h"
+#include "text/reading/messages.h"
+#include "text/reading/parameter.h"
 
 namespace strahl {
 namespace {

@@ -1,5 +1,9 @@
 # The program: main.cpp with the options of all commands, and a file for the work of each.
-file(GLOB sources CONFIGURE_DEPENDS src/main/*.cpp)
+file(GLOB sources CONFIGURE_DEPENDS src/main/*.cpp src/main/*/*.cpp)
+if(NOT TARGET strahl_show)
+  list(FILTER sources EXCLUDE REGEX "/command_view\\.cpp$")
+  list(APPEND sources src/main/commands/without_window/command_view.cpp)
+endif()
 add_executable(strahl ${sources})
 file(READ ${CMAKE_SOURCE_DIR}/LICENSE licence)
 file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/generated/main/licence.h @ONLY
@@ -8,8 +12,6 @@ target_include_directories(strahl PRIVATE ${CMAKE_BINARY_DIR}/generated)
 target_link_libraries(strahl PRIVATE strahl_text strahl_import strahl_image strahl_trace strahl_povref)
 if(TARGET strahl_show)
   target_link_libraries(strahl PRIVATE strahl_show)
-else()
-  target_sources(strahl PRIVATE src/show/without/command_view.cpp)
 endif()
 # Reading options takes no time, but CLI11 takes long to compile.
 set_source_files_properties(src/main/main.cpp PROPERTIES COMPILE_DEFINITIONS STRAHL_VERSION="${PROJECT_VERSION}"

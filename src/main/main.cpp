@@ -8,20 +8,20 @@
 #include <filesystem>
 #include <iostream>
 
-#include "main/command_check.h"
-#include "main/command_compare.h"
-#include "main/command_stability.h"
-#include "main/exit_status.h"
-#include "main/interrupt.h"
-#include "main/options.h"
-#include "main/options_convert.h"
-#include "main/options_reference.h"
-#include "main/options_render.h"
-#include "main/options_window.h"
-#include "povref/command_crosscheck.h"
+#include "files/streams.h"
+#include "files/utf8.h"
+#include "main/commands/command_check.h"
+#include "main/commands/command_compare.h"
+#include "main/commands/command_crosscheck.h"
+#include "main/commands/command_stability.h"
+#include "main/options/options.h"
+#include "main/options/options_convert.h"
+#include "main/options/options_reference.h"
+#include "main/options/options_render.h"
+#include "main/options/options_window.h"
+#include "main/process/exit_status.h"
+#include "main/process/interrupt.h"
 #include "scene/error.h"
-#include "text/streams.h"
-#include "text/utf8.h"
 
 namespace strahl {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "scene/error.h"
-#include "scene/mesh_data.h"
+#include "scene/kinds/mesh_data.h"
 
 namespace strahl {
 

@@ -214,6 +214,15 @@ struct LaneTraits<Pack<T>> {
     static constexpr int width = Pack<T>::size;
 };
 
+/// The lanes of this instance.
+template <class T>
+using Widest =
+#ifdef STRAHL_SCALAR
+    T;
+#else
+    Pack<T>;
+#endif
+
 }  // namespace strahl
 
 template <class T>

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "num/vec_math.h"
-#include "scene/curve.h"
+#include "scene/motion/curve.h"
 #include "scene/tangent.h"
 
 namespace strahl {

@@ -1,4 +1,4 @@
-#include "scene/composite.h"
+#include "scene/kinds/composite.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,13 +5,12 @@
 namespace strahl {
 
 /// Each sets the numbers of one struct that follow tracks which have values, and leaves the rest. What would make no
-/// sense is put right: a camera or light that would see or light nothing stays as declared, a spot's falloff is its
-/// radius at least, and the factors of a scale are at least 1e-4 and at most 1e4, or -1e4 to -1e-4.
+/// sense is put right: a camera or light that would see or light nothing stays as declared, and a spot's falloff is its
+/// radius at least.
 void follow(Camera& camera, const std::vector<Follow>& follows, const TrackValues& values);
 void follow(Light& light, const TrackValues& values);
 void follow(Material& material, const TrackValues& values);
 void follow(Fog& fog, const TrackValues& values);
 void follow(Pigment& color, const std::vector<Follow>& follows, const TrackValues& values);
-void follow(MotionKey& key, const TrackValues& values);
 
 }  // namespace strahl

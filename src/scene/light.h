@@ -4,8 +4,8 @@
 #include <tuple>
 #include <vector>
 
-#include "scene/field.h"
-#include "scene/transformation.h"
+#include "scene/kinds/field.h"
+#include "scene/motion/transformation.h"
 
 namespace strahl {
 

@@ -1,4 +1,5 @@
-// The part of motion.h that is about whole scenes.
+#include "scene/moving_scene.h"
+
 #include <algorithm>
 #include <memory>
 #include <utility>
@@ -6,7 +7,6 @@
 #include "num/vec_math.h"
 #include "scene/error.h"
 #include "scene/follow.h"
-#include "scene/motion.h"
 
 namespace strahl {
 namespace {
@@ -60,6 +60,17 @@ void follow_others(Scene& now, const TrackValues& tracks) {
 }
 
 }  // namespace
+
+bool moves(const Primitive& primitive) {
+    const auto moving_part = []<class Kind>(const Kind& kind) {
+        if constexpr (is_composite<Kind>)
+            return std::ranges::any_of(*kind.parts, moves);
+        else
+            return false;
+    };
+    const auto is_motion = [](const Transformation& step) { return std::holds_alternative<Motion>(step); };
+    return std::ranges::any_of(primitive.transformations, is_motion) || std::visit(moving_part, primitive.shape);
+}
 
 Movers::Movers(const Scene& scene)
     : air(!scene.background_follows.empty() || (scene.fog && !scene.fog->follows.empty())) {

@@ -9,9 +9,9 @@
 #include <variant>
 #include <vector>
 
-#include "scene/field.h"
-#include "scene/image.h"
-#include "scene/transformation.h"
+#include "scene/image_pattern.h"
+#include "scene/kinds/field.h"
+#include "scene/motion/transformation.h"
 
 namespace strahl {
 

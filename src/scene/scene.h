@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "scene/camera.h"
-#include "scene/kinds.h"
+#include "scene/kinds/kinds.h"
 #include "scene/light.h"
 #include "scene/material.h"
-#include "scene/transformation.h"
+#include "scene/motion/transformation.h"
 
 namespace strahl {
 

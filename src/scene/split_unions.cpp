@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "scene/leaves.h"
-#include "scene/motion.h"
+#include "scene/moving_scene.h"
 #include "scene/overlap.h"
 
 namespace strahl {

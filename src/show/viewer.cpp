@@ -10,8 +10,8 @@
 #include <filesystem>
 #include <utility>
 
+#include "files/output_file.h"
 #include "image/picture.h"
-#include "text/file.h"
 #include "text/write.h"
 
 namespace strahl {

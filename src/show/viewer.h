@@ -9,19 +9,19 @@
 #include <string>
 #include <vector>
 
-#include "show/command_view.h"
-#include "show/controls.h"
-#include "show/overlay.h"
-#include "show/reload.h"
-#include "show/rocket.h"
-#include "show/screen.h"
-#include "show/session.h"
-#include "show/sound.h"
-#include "show/stability_check.h"
-#include "show/stills.h"
-#include "show/timeline.h"
-#include "show/trace_thread.h"
-#include "show/viewer_log.h"
+#include "show/session/session.h"
+#include "show/session/view_options.h"
+#include "show/window/controls.h"
+#include "show/window/overlay.h"
+#include "show/window/screen.h"
+#include "show/window/sound.h"
+#include "show/window/timeline.h"
+#include "show/work/reload.h"
+#include "show/work/rocket.h"
+#include "show/work/stability_check.h"
+#include "show/work/stills.h"
+#include "show/work/trace_thread.h"
+#include "show/work/viewer_log.h"
 
 namespace strahl {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "scene/motion.h"
+#include "scene/moving_scene.h"
 #include "show/viewer.h"
 
 namespace strahl {

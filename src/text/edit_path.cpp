@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "num/decimal.h"
-#include "text/lexer.h"
 #include "text/parse.h"
+#include "text/reading/lexer.h"
 #include "text/write.h"
 
 namespace strahl {

@@ -3,17 +3,17 @@
 #include <optional>
 #include <utility>
 
-#include "text/blocks.h"
-#include "text/bodies.h"
-#include "text/camera_blocks.h"
-#include "text/definitions.h"
-#include "text/light_block.h"
-#include "text/mesh_block.h"
-#include "text/motion_block.h"
+#include "files/utf8.h"
+#include "text/blocks/blocks.h"
+#include "text/blocks/bodies.h"
+#include "text/blocks/camera_blocks.h"
+#include "text/blocks/definitions.h"
+#include "text/blocks/light_block.h"
+#include "text/blocks/mesh_block.h"
+#include "text/blocks/motion_block.h"
+#include "text/blocks/settings_block.h"
 #include "text/parse.h"
-#include "text/reader.h"
-#include "text/settings_block.h"
-#include "text/utf8.h"
+#include "text/reading/reader.h"
 
 namespace strahl {
 namespace {

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "num/decimal.h"
-#include "text/follow_text.h"
-#include "text/pigment.h"
-#include "text/transformations.h"
+#include "text/blocks/follow_text.h"
+#include "text/blocks/pigment.h"
+#include "text/blocks/transformations.h"
 
 namespace strahl {
 namespace {

@@ -7,14 +7,14 @@
 #include <type_traits>
 #include <vector>
 
-#include "trace/build.h"
-#include "trace/cells.h"
-#include "trace/eye.h"
-#include "trace/kernel.h"
-#include "trace/lattice_cells.h"
+#include "trace/cells/cells.h"
+#include "trace/cells/lattice_cells.h"
+#include "trace/cells/z_curve.h"
+#include "trace/kernel/kernel.h"
+#include "trace/kernel/workspace.h"
 #include "trace/tracer.h"
-#include "trace/workspace.h"
-#include "trace/z_curve.h"
+#include "trace/world/build_world.h"
+#include "trace/world/eye_of_view.h"
 
 namespace strahl {
 

@@ -1,5 +1,5 @@
 // Which instruction sets there are, and their names.
-#include "trace/kernel.h"
+#include "trace/kernel/kernel.h"
 #include "trace/tracer.h"
 
 namespace strahl {

@@ -2,7 +2,7 @@
 
 #include <cassert>
 
-#include "trace/cell_picture.h"
+#include "trace/cells/cell_picture.h"
 #include "trace/tracer_of.h"
 
 namespace strahl {

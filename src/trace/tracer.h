@@ -1,20 +1,14 @@
 // The tracer: a scene made ready for one precision, and pictures of it, traced by all threads.
 #pragma once
-#include <algorithm>
-#include <array>
 #include <atomic>
-#include <cstddef>
-#include <cstdint>
-#include <functional>
 #include <memory>
 #include <span>
-#include <string>
-#include <variant>
 #include <vector>
 
 #include "scene/scene.h"
-#include "trace/counts.h"
-#include "trace/sampling.h"
+#include "trace/cells/pixel_sampling.h"
+#include "trace/kernel/ray_counts.h"
+#include "trace/world/view.h"
 
 namespace strahl {
 
@@ -35,53 +29,6 @@ bool supported(Simd simd);
 bool for_other_processors();
 /// Lanes of a pack (1 for scalar and for extended precision).
 int lanes(Precision precision, Simd simd);
-
-/// Pixels x + i * step_x, y + j * step_y for 0 <= i < columns, 0 <= j < rows of a picture. A crop has steps of 1, the
-/// window's resolution levels have steps of 16 to 1.
-struct Lattice {
-    int x = 0, y = 0, columns = 0, rows = 0, step_x = 1, step_y = 1;
-};
-
-struct Pixel {
-    int x, y;
-};
-
-/// Values of one tile: red, green, blue of each pixel of `lattice`, row by row, linear and unclamped. Float for
-/// float32, double for the two others.
-struct Tile {
-    Lattice lattice;
-    std::variant<std::span<const float>, std::span<const double>> rgb;
-    /// With View::prove, of each pixel: no channel is further than this from what exact arithmetic would give.
-    std::span<const double> bounds{};
-};
-/// Copies a tile to its place among the values of the lattice that is being traced, 3 for each pixel, row by row.
-template <class T>
-void place(const Tile& tile, const Lattice& whole, std::vector<T>& values) {
-    const Lattice& part = tile.lattice;
-    const std::ptrdiff_t column = (part.x - whole.x) / whole.step_x, first_row = (part.y - whole.y) / whole.step_y;
-    const auto copy = [&](const auto& rgb) {
-        for (std::ptrdiff_t row = 0; row < part.rows; ++row)
-            std::copy_n(rgb.begin() + 3 * row * part.columns, 3 * part.columns,
-                        values.begin() + 3 * ((first_row + row) * whole.columns + column));
-    };
-    std::visit(copy, tile.rgb);
-}
-/// Called from any thread, once per tile; tiles do not overlap.
-using Sink = std::function<void(const Tile&)>;
-
-/// What to trace. Everything is in pixels of the whole picture, so that a crop or a pass is the same pixels.
-struct View {
-    Camera camera;
-    int width = 640, height = 480;
-    int depth = 20;                   // generations of rays, the primary ray being the first; 1 to 256
-    double shift_x = 0, shift_y = 0;  // of the sampling point from the pixel's centre, in pixels
-    double error = 0;  // a pixel may lack this much light in a channel: weak rays are left out until they add up to it
-    double time = 0;   // in seconds: where moving bodies and lights are
-    /// Tiles come with bounds of their errors; one ray in each pixel, in float64 or extended. What is exact goes through
-    /// the pixel's middle: by how much a shift changes it is in the bound.
-    bool prove = false;
-    std::shared_ptr<const std::vector<Track>> tracks{};  // if any, in place of the scene's
-};
 
 /// Throws FileError if the scene has more surfaces than numbers of this precision can tell apart: 2^24 in float. So
 /// does a tracer when it prepares such a scene.

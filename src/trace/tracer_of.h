@@ -6,17 +6,17 @@
 #include <utility>
 #include <vector>
 
+#include "num/thread_pool.h"
 #include "scene/split_unions.h"
 #include "trace/batches.h"
-#include "trace/bound.h"
-#include "trace/cell_picture.h"
-#include "trace/images.h"
-#include "trace/light_buffer.h"
-#include "trace/moving_hierarchy.h"
-#include "trace/slack.h"
-#include "trace/stage.h"
-#include "trace/thread_pool.h"
-#include "trace/world_arrays.h"
+#include "trace/cells/cell_picture.h"
+#include "trace/hierarchy/moving_hierarchy.h"
+#include "trace/lights/light_buffer.h"
+#include "trace/proof/slack.h"
+#include "trace/world/light_bound.h"
+#include "trace/world/mip_maps.h"
+#include "trace/world/scene_in_time.h"
+#include "trace/world/world_arrays.h"
 
 namespace strahl {
 

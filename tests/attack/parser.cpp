@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "scene/motion.h"
+#include "scene/moving_scene.h"
 #include "tests/referee/random_pattern.h"
 #include "text/parse.h"
 #include "text/write.h"

@@ -8,7 +8,7 @@
 #include "tests/referee/random_pattern.h"
 #include "text/parse.h"
 #include "text/write.h"
-#include "trace/bound.h"
+#include "trace/world/light_bound.h"
 
 namespace strahl {
 

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "num/thread_pool.h"
 #include "tests/attack/wild_scene.h"
 #include "tests/unit/levels.h"
 #include "tests/unit/sanitized.h"
-#include "trace/thread_pool.h"
 
 namespace strahl {
 

@@ -4,7 +4,7 @@
 #include <type_traits>
 
 #include "tests/referee/random_pattern.h"
-#include "text/bodies.h"
+#include "text/blocks/bodies.h"
 
 namespace strahl {
 

@@ -9,9 +9,9 @@
 #include "scene/overlap.h"
 #include "tests/attack/wild_materials.h"
 #include "tests/referee/random_places.h"
-#include "text/blocks.h"
-#include "text/bodies.h"
-#include "text/materials.h"
+#include "text/blocks/blocks.h"
+#include "text/blocks/bodies.h"
+#include "text/blocks/materials.h"
 
 namespace strahl {
 namespace {

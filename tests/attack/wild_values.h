@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "tests/referee/dice.h"
-#include "text/blocks.h"
+#include "text/blocks/blocks.h"
 
 namespace strahl {
 

@@ -2,8 +2,9 @@
 #include <cstdio>
 #include <exception>
 
-#include "text/file.h"
-#include "text/manual.h"
+#include "files/output_file.h"
+#include "files/read_file.h"
+#include "text/manual/manual.h"
 #include "text/parse.h"
 
 int main(int argc, char** argv) try {

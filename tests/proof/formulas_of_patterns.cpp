@@ -1,11 +1,11 @@
 // How far colours of patterns may be off, by the formulas of pattern_bounds_kernel.h and with the numbers that worlds
 // have: at places that are off, near the borders of pieces and in them, against numbers of 113 bits.
+#include "num/thread_pool.h"
 #include "tests/proof/painted.h"
 #include "tests/proof/trial.h"
-#include "trace/build.h"
-#include "trace/pattern_bounds_kernel.h"
-#include "trace/slack.h"
-#include "trace/thread_pool.h"
+#include "trace/proof/pattern_bounds_kernel.h"
+#include "trace/proof/slack.h"
+#include "trace/world/build_world.h"
 
 using namespace strahl;
 using namespace strahl::trial;

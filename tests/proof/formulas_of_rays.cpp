@@ -1,8 +1,8 @@
 // Each formula of mirrors, glass, light, boxes and candidates on its own, as formulas_of_bodies.cpp has those of
 // bodies.
+#include "num/thread_pool.h"
 #include "tests/proof/trial.h"
-#include "trace/build.h"
-#include "trace/thread_pool.h"
+#include "trace/world/build_world.h"
 
 using namespace strahl;
 using namespace strahl::trial;

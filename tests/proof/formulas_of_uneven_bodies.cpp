@@ -1,7 +1,7 @@
 // Each formula of bodies that are scaled unevenly on its own, as formulas_of_bodies.cpp has those of others.
 #include "tests/proof/cases.h"
 #include "tests/proof/tori.h"
-#include "trace/affine_bounds.h"
+#include "trace/proof/affine_bounds.h"
 
 using namespace strahl;
 using namespace strahl::trial;

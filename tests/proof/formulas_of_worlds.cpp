@@ -1,8 +1,8 @@
 // How far worlds and camera rays are off, by the formulas of slack.cpp and against numbers of 113 bits.
 #include "tests/proof/trial.h"
-#include "trace/eye.h"
-#include "trace/eye_bounds.h"
-#include "trace/slack.h"
+#include "trace/proof/eye_bounds.h"
+#include "trace/proof/slack.h"
+#include "trace/world/eye_of_view.h"
 
 using namespace strahl;
 using namespace strahl::trial;

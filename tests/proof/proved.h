@@ -3,8 +3,8 @@
 #include <cstdlib>
 #include <vector>
 
+#include "num/thread_pool.h"
 #include "scene/scene.h"
-#include "trace/thread_pool.h"
 #include "trace/tracer.h"
 
 namespace strahl::proof {

@@ -19,12 +19,12 @@
 #include <string>
 #include <vector>
 
+#include "num/thread_pool.h"
 #include "tests/proof/exact.h"
 #include "tests/proof/proved.h"
 #include "tests/proof/worlds.h"
 #include "tests/unit/sanitized.h"
 #include "tests/unit/scenes.h"
-#include "trace/thread_pool.h"
 
 using namespace strahl;
 using proof::prove, proof::Proved, proof::view_of;

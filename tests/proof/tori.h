@@ -2,7 +2,7 @@
 #pragma once
 #include "tests/proof/spans.h"
 #include "tests/referee/torus.h"
-#include "trace/torus_bounds.h"
+#include "trace/proof/torus_bounds.h"
 
 namespace strahl::trial {
 

@@ -13,9 +13,9 @@
 
 #include "tests/proof/exact.h"
 #include "tests/referee/dice.h"
-#include "trace/illuminate.h"
-#include "trace/proving_lights.h"
-#include "trace/scatter.h"
+#include "trace/kernel/illuminate.h"
+#include "trace/kernel/scatter.h"
+#include "trace/proof/proving_lights.h"
 
 namespace strahl::trial {
 

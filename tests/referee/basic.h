@@ -1,8 +1,8 @@
 // The referee's formulas for spheres, planes and cylinders.
 #pragma once
-#include "scene/cylinder.h"
-#include "scene/plane.h"
-#include "scene/sphere.h"
+#include "scene/kinds/cylinder.h"
+#include "scene/kinds/plane.h"
+#include "scene/kinds/sphere.h"
 #include "tests/referee/line.h"
 
 namespace strahl::referee {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "scene/box.h"
+#include "scene/kinds/box.h"
 #include "tests/referee/line.h"
 
 namespace strahl::referee {

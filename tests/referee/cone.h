@@ -1,6 +1,6 @@
 // The referee's formulas for cones.
 #pragma once
-#include "scene/cone.h"
+#include "scene/kinds/cone.h"
 #include "tests/referee/line.h"
 
 namespace strahl::referee {

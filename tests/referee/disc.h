@@ -1,6 +1,6 @@
 // The referee's formulas for discs.
 #pragma once
-#include "scene/disc.h"
+#include "scene/kinds/disc.h"
 #include "tests/referee/line.h"
 
 namespace strahl::referee {

@@ -3,8 +3,8 @@
 #include <memory>
 #include <utility>
 
+#include "scene/kinds/mesh.h"
 #include "scene/material.h"
-#include "scene/mesh.h"
 #include "tests/referee/dice.h"
 
 namespace strahl {

@@ -2,7 +2,7 @@
 #pragma once
 #include <glm/mat4x4.hpp>
 
-#include "scene/mesh.h"
+#include "scene/kinds/mesh.h"
 #include "tests/referee/line.h"
 
 namespace strahl::referee {

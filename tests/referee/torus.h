@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-#include "scene/torus.h"
+#include "scene/kinds/torus.h"
 #include "tests/referee/line.h"
 
 namespace strahl::referee {

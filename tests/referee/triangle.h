@@ -1,6 +1,6 @@
 // The referee's formulas for triangles and meshes.
 #pragma once
-#include "scene/mesh.h"
+#include "scene/kinds/mesh.h"
 #include "tests/referee/line.h"
 
 namespace strahl::referee {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/box.h"
+#include "scene/kinds/box.h"
 #include "tests/referee/box.h"
 #include "tests/stability/naive.h"
 #include "tests/stability/stage.h"

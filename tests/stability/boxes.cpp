@@ -7,12 +7,12 @@
 #include <memory>
 #include <vector>
 
+#include "num/thread_pool.h"
 #include "scene/overlap.h"
 #include "tests/stability/naive.h"
 #include "tests/stability/stage.h"
 #include "tests/unit/levels.h"
-#include "trace/build.h"
-#include "trace/thread_pool.h"
+#include "trace/world/build_world.h"
 
 using namespace strahl;
 using namespace strahl::stability;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/kinds.h"
+#include "scene/kinds/kinds.h"
 #include "tests/stability/stage.h"
 
 using namespace strahl;

@@ -4,7 +4,7 @@
 
 #include <doctest/doctest.h>
 
-#include "scene/cylinder.h"
+#include "scene/kinds/cylinder.h"
 
 using namespace strahl;
 using namespace strahl::stability;

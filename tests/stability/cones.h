@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/cone.h"
+#include "scene/kinds/cone.h"
 #include "tests/referee/cone.h"
 #include "tests/stability/naive.h"
 #include "tests/stability/stage.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "scene/cylinder.h"
+#include "scene/kinds/cylinder.h"
 #include "tests/stability/naive.h"
 #include "tests/stability/stage.h"
 

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <vector>
 
+#include "num/thread_pool.h"
 #include "tests/referee/referee.h"
 #include "tests/stability/naive.h"
 #include "tests/stability/stage.h"
 #include "tests/unit/levels.h"
-#include "trace/thread_pool.h"
 
 using namespace strahl;
 using namespace strahl::stability;

@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "scene/mesh.h"
+#include "scene/kinds/mesh.h"
 #include "tests/stability/naive.h"
 #include "tests/stability/stage.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "scene/plane.h"
+#include "scene/kinds/plane.h"
 #include "tests/stability/naive.h"
 #include "tests/stability/stage.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "scene/sphere.h"
+#include "scene/kinds/sphere.h"
 #include "tests/stability/naive.h"
 #include "tests/stability/stage.h"
 

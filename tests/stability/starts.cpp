@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "scene/kinds.h"
+#include "scene/kinds/kinds.h"
 #include "tests/stability/naive.h"
 #include "tests/stability/stage.h"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/torus.h"
+#include "scene/kinds/torus.h"
 #include "tests/referee/line.h"
 #include "tests/referee/quadruple.h"
 #include "tests/stability/naive.h"

@@ -1,6 +1,6 @@
 // --error: off the edges, pictures stay within the error allowed, and larger errors cost less.
 #include "tests/unit/sanitized.h"
-#include "trace/accuracy.h"
+#include "trace/measure/picture_accuracy.h"
 
 #include <doctest/doctest.h>
 
@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
+#include "num/thread_pool.h"
 #include "tests/unit/scenes.h"
-#include "trace/bound.h"
-#include "trace/edge.h"
-#include "trace/thread_pool.h"
+#include "trace/measure/edge_pixels.h"
+#include "trace/world/light_bound.h"
 
 namespace strahl::accuracy {
 
@@ -29,7 +29,7 @@ double apart(const Frame& a, const Frame& b, int pixel) {
 }
 
 // At the scene's depth: there is no exact picture of unlimited depth. Light past the depth limit is tested in
-// bound.cpp.
+// light_bound.cpp.
 TEST_CASE("off the edges no picture exceeds the error allowed") {
     ThreadPool pool(2), alone(1);
     const std::vector<std::string> paths = scene_names();

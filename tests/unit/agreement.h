@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "povref/verdict.h"
+#include "povref/compare/verdict.h"
 #include "tests/unit/scenes.h"
 
 namespace strahl {

@@ -13,7 +13,7 @@
 #include "tests/unit/levels.h"
 #include "tests/unit/scenes.h"
 #include "text/parse.h"
-#include "trace/area_mean.h"
+#include "trace/lights/area_mean_kernel.h"
 
 using namespace strahl;
 

@@ -8,10 +8,10 @@
 #include <random>
 #include <thread>
 
+#include "files/output_file.h"
 #include "image/band_file.h"
 #include "image/picture_writer.h"
 #include "scratch.h"
-#include "text/file.h"
 
 namespace strahl {
 namespace {

@@ -1,5 +1,5 @@
 // The bound on what rays can still contribute, compared with pictures with and without those rays.
-#include "trace/bound.h"
+#include "trace/world/light_bound.h"
 
 #include <doctest/doctest.h>
 
@@ -7,9 +7,9 @@
 #include <cmath>
 #include <sstream>
 
+#include "num/thread_pool.h"
 #include "tests/referee/examples.h"
 #include "tests/referee/random_scene.h"
-#include "trace/thread_pool.h"
 #include "trace/tracer.h"
 
 namespace strahl::bound {

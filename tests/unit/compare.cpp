@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "main/command_compare.h"
+#include "main/commands/command_compare.h"
 #include "scratch.h"
 
 namespace strahl {

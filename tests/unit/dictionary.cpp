@@ -4,7 +4,7 @@
 #include <fstream>
 #include <set>
 
-#include "text/syntax.h"
+#include "text/manual/syntax.h"
 
 using namespace strahl;
 

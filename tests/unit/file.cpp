@@ -1,5 +1,5 @@
 // Files are written whole or not at all.
-#include "text/file.h"
+#include "files/output_file.h"
 
 #include <doctest/doctest.h>
 #include <fcntl.h>

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "main/film.h"
+#include "main/render/film.h"
 #include "scene/error.h"
 #include "scratch.h"
 

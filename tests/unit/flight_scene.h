@@ -4,7 +4,7 @@
 #include <string>
 
 #include "num/vec_math.h"
-#include "show/session.h"
+#include "show/session/session.h"
 #include "text/parse.h"
 
 namespace strahl {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "show/benchmark.h"
+#include "show/work/benchmark.h"
 #include "tests/unit/flight_scene.h"
 
 using namespace strahl;

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "show/controls.h"
-#include "show/framing.h"
+#include "show/session/framing.h"
+#include "show/window/controls.h"
 #include "tests/unit/flight_scene.h"
 #include "text/write.h"
 

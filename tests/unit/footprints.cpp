@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "num/thread_pool.h"
 #include "tests/referee/dice.h"
 #include "tests/unit/sanitized.h"
 #include "text/parse.h"
-#include "trace/cell_picture.h"
-#include "trace/images.h"
-#include "trace/thread_pool.h"
+#include "trace/cells/cell_picture.h"
+#include "trace/world/mip_maps.h"
 
 namespace strahl::footprints {
 

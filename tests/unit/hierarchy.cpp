@@ -1,5 +1,5 @@
 // The hierarchy of many bodies, and duplicates: built by any number of threads, and compared with a plain search.
-#include "trace/hierarchy.h"
+#include "trace/hierarchy/hierarchy.h"
 
 #include <doctest/doctest.h>
 
@@ -10,6 +10,7 @@
 #include <tuple>
 #include <vector>
 
+#include "num/thread_pool.h"
 #include "scene/error.h"
 #include "scene/scene.h"
 #include "tests/referee/random_pattern.h"
@@ -17,11 +18,10 @@
 #include "tests/unit/levels.h"
 #include "tests/unit/sanitized.h"
 #include "text/parse.h"
-#include "trace/duplicates.h"
-#include "trace/moving_hierarchy.h"
-#include "trace/thread_pool.h"
+#include "trace/hierarchy/moving_hierarchy.h"
 #include "trace/tracer.h"
-#include "trace/world.h"
+#include "trace/world/duplicate_bodies.h"
+#include "trace/world/world.h"
 
 using namespace strahl;
 

@@ -8,9 +8,9 @@
 #include <cstring>
 #include <filesystem>
 
+#include "files/output_file.h"
 #include "image/picture.h"
 #include "scratch.h"
-#include "text/file.h"
 
 namespace strahl {
 namespace {

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "files/read_file.h"
 #include "tests/unit/language.h"
 
 using namespace strahl;

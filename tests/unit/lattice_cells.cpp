@@ -1,5 +1,5 @@
 // Lattices of which smooth parts are filled: what the window shows in motion.
-#include "trace/lattice_cells.h"
+#include "trace/cells/lattice_cells.h"
 
 #include <doctest/doctest.h>
 
@@ -8,9 +8,10 @@
 #include <cmath>
 #include <vector>
 
+#include "files/read_file.h"
+#include "num/thread_pool.h"
 #include "tests/referee/random_scene.h"
 #include "tests/unit/scenes.h"
-#include "trace/thread_pool.h"
 
 namespace strahl::lattice_cells {
 

@@ -1,5 +1,5 @@
 // Culling of bodies that can't be hit never changes a picture.
-#include "trace/light_culling.h"
+#include "trace/world/light_culling.h"
 
 #include <doctest/doctest.h>
 
@@ -9,14 +9,14 @@
 #include <string>
 #include <vector>
 
+#include "num/thread_pool.h"
 #include "tests/referee/random_scene.h"
 #include "tests/unit/levels.h"
 #include "tests/unit/sanitized.h"
 #include "tests/unit/scenes.h"
-#include "trace/build.h"
-#include "trace/light_buffer.h"
-#include "trace/thread_pool.h"
+#include "trace/lights/light_buffer.h"
 #include "trace/tracer.h"
+#include "trace/world/build_world.h"
 
 namespace strahl::light_culling {
 

@@ -1,5 +1,5 @@
 // The manual's tables are those of the field tables and parameter lists that the parser reads by.
-#include "text/manual.h"
+#include "text/manual/manual.h"
 
 #include <doctest/doctest.h>
 
@@ -8,6 +8,7 @@
 #include <tuple>
 #include <type_traits>
 
+#include "files/read_file.h"
 #include "scene/scene.h"
 #include "text/parse.h"
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "num/decimal.h"
-#include "scene/mesh_data.h"
+#include "scene/kinds/mesh_data.h"
 #include "scratch.h"
 
 namespace strahl {

@@ -1,14 +1,14 @@
 // Bodies and lights that move: their values, their pictures, and what the language says of them.
-#include "scene/motion.h"
+#include "scene/moving_scene.h"
 
 #include <cmath>
 #include <numbers>
 #include <random>
 
+#include "num/thread_pool.h"
 #include "num/vec_math.h"
 #include "tests/unit/language.h"
 #include "text/write.h"
-#include "trace/thread_pool.h"
 #include "trace/tracer.h"
 
 using namespace strahl;

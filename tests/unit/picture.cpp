@@ -11,11 +11,11 @@
 #include <limits>
 #include <random>
 
+#include "files/output_file.h"
 #include "image/netpbm.h"
 #include "image/pixels.h"
 #include "image/transfer.h"
 #include "scratch.h"
-#include "text/file.h"
 
 // OpenImageIO leaks one string when libpng longjmps at a truncated file; a leak checker can attribute it only with the
 // whole stack.

@@ -12,11 +12,11 @@
 #include "agreement.h"
 #include "image/compare.h"
 #include "image/picture.h"
-#include "povref/command_pov.h"
-#include "povref/run_povray.h"
-#include "scene/motion.h"
+#include "main/commands/command_pov.h"
+#include "num/thread_pool.h"
+#include "povref/compare/run_povray.h"
+#include "scene/moving_scene.h"
 #include "scratch.h"
-#include "trace/thread_pool.h"
 
 using namespace strahl;
 

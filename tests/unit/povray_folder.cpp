@@ -13,7 +13,7 @@
 #include <string_view>
 
 #include "image/picture.h"
-#include "povref/run_povray.h"
+#include "povref/compare/run_povray.h"
 #include "scratch.h"
 
 namespace {

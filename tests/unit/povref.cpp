@@ -4,11 +4,11 @@
 #include <stdexcept>
 
 #include "agreement.h"
-#include "povref/material_names.h"
-#include "povref/pov_scene.h"
-#include "povref/unit.h"
+#include "files/output_file.h"
+#include "povref/convert/material_names.h"
+#include "povref/convert/pov_scene.h"
+#include "povref/convert/unit.h"
 #include "scratch.h"
-#include "text/file.h"
 
 using namespace strahl;
 
@@ -193,7 +193,7 @@ TEST_CASE("small and large scenes are scaled") {
         scene.primitives.push_back({Plane{}, 0, {}});
         return unit_for(scene, {scene.camera});
     };
-    // Farthest point and POV-Ray's tolerances and horizon: see povref/unit.h.
+    // Farthest point and POV-Ray's tolerances and horizon: see povref/convert/unit.h.
     for (const double size : {1e-12, 1e-3, 1., 1e4, 1e9}) {
         CAPTURE(size);
         const Unit u = unit(size);

@@ -6,11 +6,11 @@
 #include <set>
 
 #include "agreement.h"
+#include "files/output_file.h"
 #include "image/picture.h"
-#include "povref/run_povray.h"
-#include "text/file.h"
-#include "trace/edge.h"
-#include "trace/thread_pool.h"
+#include "num/thread_pool.h"
+#include "povref/compare/run_povray.h"
+#include "trace/measure/edge_pixels.h"
 
 using namespace strahl;
 

@@ -1,5 +1,5 @@
 // The progress line.
-#include "main/progress.h"
+#include "main/process/progress.h"
 
 #include <doctest/doctest.h>
 #include <fcntl.h>

@@ -1,5 +1,5 @@
 // Progressive refinement: passes, the resolution in motion, and the pixels of the screen.
-#include "show/progressive.h"
+#include "show/session/progressive.h"
 
 #include <doctest/doctest.h>
 
@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "image/transfer.h"
-#include "show/image.h"
-#include "show/resolution.h"
+#include "show/work/resolution.h"
+#include "show/work/screen_image.h"
 
 using namespace strahl;
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "scene/kinds.h"
+#include "scene/kinds/kinds.h"
 #include "scene/scene.h"
 #include "tests/referee/random_pattern.h"
 

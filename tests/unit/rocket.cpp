@@ -1,5 +1,5 @@
 // A small editor that speaks GNU Rocket's protocol over a loopback socket, and what the window makes of it.
-#include "show/rocket.h"
+#include "show/work/rocket.h"
 
 #include <doctest/doctest.h>
 
@@ -12,12 +12,12 @@
 #include <thread>
 
 #include "scene/error.h"
-#include "show/reload.h"
-#include "show/session.h"
+#include "show/session/session.h"
+#include "show/work/reload.h"
 #include "tests/unit/rocket_editor.h"
 #include "tests/unit/scratch.h"
 #include "tests/unit/show_scene.h"
-#include "text/tracks_file.h"
+#include "text/reading/tracks_file.h"
 
 using namespace strahl;
 

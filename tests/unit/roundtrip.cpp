@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 
+#include "files/read_file.h"
 #include "image/pixels.h"
 #include "tests/unit/random_texts.h"
 #include "text/parse.h"

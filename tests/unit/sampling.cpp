@@ -6,11 +6,11 @@
 #include <numbers>
 #include <vector>
 
+#include "num/thread_pool.h"
 #include "tests/referee/random_scene.h"
 #include "tests/unit/sanitized.h"
 #include "tests/unit/scenes.h"
-#include "trace/cell_picture.h"
-#include "trace/thread_pool.h"
+#include "trace/cells/cell_picture.h"
 
 namespace strahl::sampling {
 

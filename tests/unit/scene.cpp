@@ -9,8 +9,8 @@
 
 #include "num/vec_math.h"
 #include "scene/camera.h"
+#include "scene/motion/transformation.h"
 #include "scene/tangent.h"
-#include "scene/transformation.h"
 
 using namespace strahl;
 

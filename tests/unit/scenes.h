@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "files/read_file.h"
 #include "image/pixels.h"
 #include "scene/scene.h"
 #include "text/parse.h"

@@ -9,13 +9,13 @@
 #include <thread>
 
 #include "image/picture.h"
-#include "show/reload.h"
-#include "show/stills.h"
-#include "show/window_state.h"
+#include "num/thread_pool.h"
+#include "show/window/window_state.h"
+#include "show/work/reload.h"
+#include "show/work/stills.h"
 #include "tests/unit/scratch.h"
 #include "tests/unit/show_scene.h"
 #include "text/write.h"
-#include "trace/thread_pool.h"
 
 using namespace strahl;
 

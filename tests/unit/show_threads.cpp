@@ -6,7 +6,7 @@
 #include <mutex>
 
 #include "image/transfer.h"
-#include "show/trace_thread.h"
+#include "show/work/trace_thread.h"
 #include "tests/unit/show_scene.h"
 
 using namespace strahl;

@@ -1,5 +1,5 @@
 // Sound without a device: OpenAL's null driver, which plays as fast as a device does.
-#include "show/sound.h"
+#include "show/window/sound.h"
 
 #include <doctest/doctest.h>
 

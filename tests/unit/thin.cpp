@@ -7,13 +7,14 @@
 #include <span>
 #include <vector>
 
+#include "files/read_file.h"
+#include "num/thread_pool.h"
 #include "num/vec_math.h"
-#include "scene/capsule.h"
+#include "scene/kinds/capsule.h"
 #include "tests/referee/random_scene.h"
 #include "tests/unit/scenes.h"
-#include "trace/thread_pool.h"
+#include "trace/cells/tube.h"
 #include "trace/tracer.h"
-#include "trace/tube.h"
 
 using namespace strahl;
 

@@ -1,5 +1,5 @@
 // Threads that can't be started, and work that throws on them.
-#include "trace/thread_pool.h"
+#include "num/thread_pool.h"
 
 #include <dlfcn.h>
 #include <doctest/doctest.h>

@@ -6,13 +6,13 @@
 #include <mutex>
 #include <ostream>
 
+#include "num/thread_pool.h"
 #include "tests/referee/examples.h"
 #include "tests/referee/random_scene.h"
 #include "tests/referee/referee.h"
 #include "tests/unit/levels.h"
 #include "tests/unit/sanitized.h"
 #include "tests/unit/scenes.h"
-#include "trace/thread_pool.h"
 #include "trace/tracer.h"
 
 using namespace strahl;

@@ -5,14 +5,14 @@
 #include <cstring>
 #include <fstream>
 
+#include "num/thread_pool.h"
 #include "num/vec_math.h"
-#include "scene/motion.h"
+#include "scene/moving_scene.h"
 #include "tests/unit/language.h"
 #include "tests/unit/scratch.h"
 #include "text/edit_path.h"
-#include "text/tracks_file.h"
+#include "text/reading/tracks_file.h"
 #include "text/write.h"
-#include "trace/thread_pool.h"
 #include "trace/tracer.h"
 
 using namespace strahl;

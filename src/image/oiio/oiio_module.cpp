@@ -1,5 +1,5 @@
 // The only file that includes OpenImageIO: linking it costs 0.2 s at every start, so it is a module loaded when needed.
-#include "image/oiio/module.h"
+#include "image/picture_module.h"
 
 // One such file only: these headers compile the fmt library into whatever includes them.
 #include <OpenImageIO/imageio.h>

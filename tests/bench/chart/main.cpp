@@ -13,12 +13,13 @@
 #include <string>
 #include <vector>
 
+#include "files/read_file.h"
 #include "image/transfer.h"
-#include "scene/sphere.h"
-#include "show/progressive.h"
+#include "num/thread_pool.h"
+#include "scene/kinds/sphere.h"
+#include "show/session/progressive.h"
 #include "text/parse.h"
-#include "trace/cell_picture.h"
-#include "trace/thread_pool.h"
+#include "trace/cells/cell_picture.h"
 #include "trace/tracer.h"
 
 using namespace strahl;

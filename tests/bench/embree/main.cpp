@@ -9,6 +9,7 @@
 #include <iostream>
 #include <thread>
 
+#include "files/read_file.h"
 #include "image/picture.h"
 #include "tests/bench/measure.h"
 #include "text/parse.h"

@@ -8,13 +8,14 @@
 #include <string>
 #include <vector>
 
+#include "files/output_file.h"
+#include "files/read_file.h"
 #include "image/pixels.h"
 #include "image/transfer.h"
-#include "show/flight.h"
-#include "show/progressive.h"
-#include "text/file.h"
+#include "num/thread_pool.h"
+#include "show/session/flight.h"
+#include "show/session/progressive.h"
 #include "text/parse.h"
-#include "trace/thread_pool.h"
 #include "trace/tracer.h"
 
 namespace strahl {

@@ -1,7 +1,7 @@
 // Where a ray meets a plane or a cylinder.
 #pragma once
-#include "scene/cylinder.h"
-#include "scene/plane.h"
+#include "scene/kinds/cylinder.h"
+#include "scene/kinds/plane.h"
 #include "tests/bench/methods/question.h"
 
 namespace strahl::bench::STRAHL_LEVEL {

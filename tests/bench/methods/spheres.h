@@ -1,6 +1,6 @@
 // Where a ray meets a sphere.
 #pragma once
-#include "scene/sphere.h"
+#include "scene/kinds/sphere.h"
 #include "tests/bench/methods/question.h"
 
 namespace strahl::bench::STRAHL_LEVEL {

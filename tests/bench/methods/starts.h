@@ -2,7 +2,7 @@
 #pragma once
 #include <limits>
 
-#include "scene/sphere.h"
+#include "scene/kinds/sphere.h"
 #include "tests/bench/methods/question.h"
 
 namespace strahl::bench::STRAHL_LEVEL {

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "tests/bench/measure.h"
-#include "trace/build.h"
-#include "trace/moving_hierarchy.h"
-#include "trace/stage.h"
+#include "trace/hierarchy/moving_hierarchy.h"
+#include "trace/world/build_world.h"
+#include "trace/world/scene_in_time.h"
 
 namespace {
 

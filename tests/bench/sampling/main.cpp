@@ -10,12 +10,13 @@
 #include <string>
 #include <vector>
 
+#include "files/output_file.h"
+#include "files/read_file.h"
 #include "image/picture.h"
 #include "image/pixels.h"
-#include "text/file.h"
+#include "num/thread_pool.h"
 #include "text/parse.h"
-#include "trace/cell_picture.h"
-#include "trace/thread_pool.h"
+#include "trace/cells/cell_picture.h"
 #include "trace/tracer.h"
 
 namespace strahl {

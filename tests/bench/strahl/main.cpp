@@ -8,10 +8,11 @@
 #include <cstring>
 #include <iostream>
 
+#include "files/read_file.h"
 #include "image/picture.h"
+#include "num/thread_pool.h"
 #include "tests/bench/measure.h"
 #include "text/parse.h"
-#include "trace/thread_pool.h"
 #include "trace/tracer.h"
 
 namespace {

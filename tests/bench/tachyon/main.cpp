@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <iostream>
 
+#include "files/read_file.h"
 #include "tests/bench/flat.h"
 #include "text/parse.h"
 

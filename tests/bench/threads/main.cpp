@@ -15,9 +15,9 @@
 #include <string>
 #include <vector>
 
+#include "num/thread_pool.h"
 #include "tests/bench/measure.h"
 #include "text/parse.h"
-#include "trace/thread_pool.h"
 #include "trace/tracer.h"
 
 namespace {

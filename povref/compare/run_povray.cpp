@@ -1,0 +1,162 @@
+#include "povref/compare/run_povray.h"
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <charconv>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <new>
+#include <regex>
+#include <stdexcept>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+#include "files/output_file.h"
+#include "files/streams.h"
+
+extern char** environ;
+
+namespace strahl {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A temporary folder, removed with its content.
+class Scratch {
+  public:
+    Scratch() : folder((fs::temp_directory_path() / "strahl-povray-XXXXXX").string()) {
+        if (!::mkdtemp(folder.data())) throw std::runtime_error("cannot make a folder in " + folder);
+    }
+    /// The files that are always there go without any memory, and from a folder that can't be listed. Others take some.
+    ~Scratch() {
+        const int opened = ::open(folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC);
+        for (const char* const file : {"scene.pov", "scene.ini", "scene.png", "log"}) ::unlinkat(opened, file, 0);
+        ::close(opened);
+        if (::rmdir(folder.c_str()) != 0) remove_folder(folder);
+    }
+    Scratch(const Scratch&) = delete;
+    std::string path(const char* name) const { return folder + "/" + name; }
+
+  private:
+    std::string folder;
+};
+
+/// Runs `words` in `folder`, with all output in the file `log`. Returns the exit status, or -1 if there is no such
+/// program.
+int run(std::vector<std::string> words, const std::string& folder, const std::string& log,
+        const std::atomic<bool>* stop) {
+    std::vector<char*> arguments;
+    for (std::string& word : words) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    posix_spawn_file_actions_t files;
+    posix_spawn_file_actions_init(&files);
+    // They take memory, and without the first one POV-Ray would write into the user's folder.
+    const bool ready =
+        posix_spawn_file_actions_addchdir_np(&files, folder.c_str()) == 0 &&
+        posix_spawn_file_actions_addopen(&files, 0, "/dev/null", O_RDONLY, 0) == 0 &&
+        posix_spawn_file_actions_addopen(&files, 1, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600) == 0 &&
+        posix_spawn_file_actions_adddup2(&files, 1, 2) == 0;
+    pid_t child = 0;
+    const int failed = ready ? posix_spawnp(&child, arguments[0], &files, nullptr, arguments.data(), environ) : ENOMEM;
+    posix_spawn_file_actions_destroy(&files);
+    if (failed == ENOENT) return -1;
+    if (failed == ENOMEM) throw std::bad_alloc();
+    if (failed) throw std::runtime_error("cannot start povray: " + std::generic_category().message(failed));
+    int status = 0;
+    // A signal may reach any thread, so that it need not end a wait in this one.
+    while (waitpid(child, &status, WNOHANG) == 0) {
+        if (stop && *stop) {
+            kill(child, SIGKILL);
+            waitpid(child, &status, 0);
+            break;
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    if (stop && *stop) throw Stopped{};
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128;
+}
+
+std::string content(const std::string& path) {
+    TextStream text;
+    text << FileStream(path).rdbuf();
+    return text.str();
+}
+
+/// All warnings of POV-Ray with their continuation lines, except the one about the keyword `refraction`.
+std::string warnings_in(const std::string& log) {
+    std::string found, message;
+    const auto keep = [&] {
+        if (message.find("Refraction value unnecessary") == std::string::npos) found += message;
+        message.clear();
+    };
+    WordStream lines(log);
+    for (std::string line; std::getline(lines, line);) {
+        const bool goes_on = !message.empty() && line.starts_with(' ');
+        if (goes_on)
+            message.back() = line[0], message += line.substr(1) + "\n";
+        else
+            keep();
+        if (line.find("Warning: ") != std::string::npos) message = line + "\n";
+    }
+    keep();
+    return found;
+}
+
+/// What its log calls "Trace Time", or 0.
+double trace_seconds(const std::string& log) {
+    std::smatch match;
+    double seconds = 0;
+    if (std::regex_search(log, match, std::regex(R"(Trace Time:[^\n]*\(([0-9.]+) seconds\))"))) {
+        const std::string digits = match[1];
+        std::from_chars(digits.data(), digits.data() + digits.size(), seconds);
+    }
+    return seconds;
+}
+
+Picture picture_of(const std::string& path, const PovRequest& request) try {
+    Picture picture = read_picture(path);
+    if (picture.width != request.width || picture.height != request.height || picture.channels != 3)
+        throw FileError("it is " + std::to_string(picture.width) + "x" + std::to_string(picture.height) +
+                        " pixels of " + std::to_string(picture.channels) + " channels");
+    return picture;
+} catch (const FileError& error) {
+    throw std::runtime_error(std::string("povray ended well, but not with the picture that was asked for: ") +
+                             error.what());
+}
+
+}  // namespace
+
+PovRun run_povray(const Scene& scene, PovRequest request, int threads, const std::atomic<bool>* stop) {
+    const Scratch scratch;
+    // It runs in that folder: no .ini file need hold the folder's name, whatever characters are in it.
+    request.pov_path = "scene.pov";
+    request.picture_path = "scene.png";
+    request.bits = 16;
+    const PovFiles files = write_pov(scene, request);
+    write(files, scratch.path("scene.pov"));
+    std::vector<std::string> words{"povray", "scene.ini", "Warning_Console=On", "Verbose=Off"};
+    // Linear values are compared without a transfer curve.
+    if (scene.settings.linear) words.push_back("File_Gamma=1.0");
+    if (threads > 0) words.push_back("Work_Threads=" + std::to_string(threads));
+    if (request.grid > 0)
+        for (const char* const word : {"Antialias=On", "Sampling_Method=1", "Antialias_Threshold=0", "Jitter=Off"})
+            words.push_back(word);
+    if (request.grid > 0) words.push_back("Antialias_Depth=" + std::to_string(request.grid));
+    const std::string log_path = scratch.path("log");
+    const int status = run(words, scratch.path("."), log_path, stop);
+    if (status == -1 || status == 127)
+        throw std::runtime_error("povray is not installed; on Debian: apt install povray");
+    const std::string log = content(log_path);
+    if (status != 0)
+        throw std::runtime_error("povray failed:\n" + log.substr(log.size() < 1500 ? 0 : log.size() - 1500));
+    return {picture_of(scratch.path("scene.png"), request), trace_seconds(log), warnings_in(log)};
+}
+
+}  // namespace strahl

@@ -1,0 +1,27 @@
+// The bodies of a scene as POV-Ray objects.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "povref/convert/materials.h"
+#include "povref/convert/motions.h"
+#include "scene/scene.h"
+
+namespace strahl {
+
+struct PovBodies {
+    const std::vector<PovMaterial>& materials;
+    bool shadow_copies;  // some body has a copy that casts its shadow
+    bool scaled;         // Unit is declared
+    bool hollow;         // opaque bodies have fog in them as well
+    PovMotions& motions;
+};
+
+/// Is a composite of several materials, or of one with another ior than its own?
+bool mixed(const Scene& scene, const Primitive& primitive);
+
+/// All bodies. Opaque ones come first: POV-Ray lists the bodies around the camera in this order, and rays start in the
+/// last one listed.
+std::string body_sections(const Scene& scene, const PovBodies& how);
+
+}  // namespace strahl

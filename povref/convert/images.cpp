@@ -1,0 +1,70 @@
+#include "povref/convert/images.h"
+
+#include <bit>
+#include <cstdio>
+#include <map>
+
+#include "num/decimal.h"
+#include "povref/convert/layout.h"
+
+namespace strahl {
+namespace {
+
+/// Told by the content, so that whoever names a picture need not know the others.
+std::string name_of(const Pixels& pixels) {
+    std::uint64_t hash = 0;
+    const auto add = [&](std::uint64_t value) {
+        hash = (hash ^ value) * 0x9E3779B97F4A7C15u;
+        hash ^= hash >> 29;
+    };
+    add(static_cast<unsigned>(pixels.width)), add(static_cast<unsigned>(pixels.height));
+    for (const float value : pixels.values) add(std::bit_cast<std::uint32_t>(value));
+    char name[40];
+    std::snprintf(name, sizeof name, "picture-%016llx", static_cast<unsigned long long>(hash));
+    return name + std::string(pixels.linear ? ".exr" : ".png");
+}
+
+}  // namespace
+
+std::vector<PovPicture> pictures_of(const Scene& scene) {
+    std::map<std::string, const Pixels*> all;
+    const auto add = [&](const std::shared_ptr<const Pattern>& pattern) {
+        const auto* const image = pattern ? std::get_if<ImagePattern>(&pattern->kind) : nullptr;
+        if (image) all[name_of(*image->pixels)] = image->pixels.get();
+    };
+    add(scene.background.pattern);
+    for (const Material& material : scene.materials) add(material.rgb.pattern), add(material.bump.pattern);
+    std::vector<PovPicture> pictures;
+    for (const auto& [name, pixels] : all)
+        pictures.push_back({name,
+                            {pixels->width,
+                             pixels->height,
+                             3,
+                             {pixels->values.begin(), pixels->values.end()},
+                             pixels->linear ? 32 : 16}});
+    return pictures;
+}
+
+std::string image_text(const ImagePattern& image, const std::string& more, bool as_it_is) {
+    const bool linear = image.pixels->linear;
+    const std::string of_all =
+        more.empty() ? "" : more.substr(0, more.find(' ', 1)) + " all" + more.substr(more.find(' ', 1));
+    const std::string map = "image_map { " + std::string(linear ? "exr" : "png") + " \"" + name_of(*image.pixels) +
+                            "\" " + (linear || as_it_is ? "As_It_Is()" : "gamma srgb") + " map_type " +
+                            std::to_string(static_cast<int>(image.map)) + (image.once ? " once" : "") +
+                            " interpolate 2" + of_all + " }";
+    const bool flat = image.map == ImageMap::planar;
+    // POV-Ray's poles are at -y and y, and it turns from x to z.
+    const std::string poles = flat ? "" : " matrix <1,0,0, 0,0,1, 0,1,0, 0,0,0>";
+    if (!image.once || image.map == ImageMap::spherical) return map + poles;
+    const std::string inside = "min(y, 1 - 1e-10 - y" + std::string(flat ? ", x, 1 - 1e-10 - x)" : ")");
+    return "function { select(" + inside + ", 0, 1) } pigment_map { [0.5 rgb " + text_of(*image.once) + more +
+           "] [0.5 " + map + "] }" + poles;
+}
+
+std::string image_macro(bool linear) {
+    return comment("Floats in a picture are taken as they are.") + "#macro As_It_Is() gamma " +
+           (linear ? "1.0" : "srgb") + " #end\n";
+}
+
+}  // namespace strahl

@@ -1,0 +1,118 @@
+#include "povref/convert/materials.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "num/decimal.h"
+#include "povref/convert/layout.h"
+#include "povref/convert/material_names.h"
+#include "povref/convert/pigments.h"
+
+namespace strahl {
+namespace {
+
+/// Properties of the scene that affect how materials are written.
+struct Circumstances {
+    bool bends = false;        // some ior is not 1: there may be total reflection
+    bool lights = false;       // there may be shadows
+    bool depth_shows = false;  // the last generation still carries light that a 16-bit picture shows
+};
+
+Circumstances circumstances_of(const Scene& scene, int depth) {
+    Circumstances all;
+    double most = 0;
+    for (const Material& m : scene.materials) {
+        all.bends |= m.refraction > 0 && m.ior != 1;
+        most = std::max(most, m.reflection + m.refraction);
+    }
+    all.lights = !scene.lights.empty();
+    all.depth_shows = std::pow(most, depth) > 1e-6;
+    return all;
+}
+
+/// The share of light that continues from a transparent body, Kr + Kt. POV-Ray keeps it in single precision.
+std::string weight(const Material& m) {
+    char digits[32];
+    return {digits, std::to_chars(digits, digits + sizeof digits, static_cast<float>(m.reflection + m.refraction)).ptr};
+}
+
+/// The terms of a finish. POV-Ray multiplies ambient and diffuse light by the opacity of the pigment, so they are
+/// divided by it. `opacity` is text, "" for 1.
+std::vector<std::string> finish(const Material& m, const std::string& opacity, bool keyword) {
+    const auto lit = [&](double k) { return text_of(k) + (k == 0 || opacity.empty() ? "" : "/" + opacity); };
+    std::vector<std::string> terms{"ambient " + lit(m.ambient), "diffuse " + lit(m.diffuse)};
+    if (m.specular > 0) terms.push_back("phong " + text_of(m.specular) + " phong_size " + text_of(m.pow));
+    if (m.reflection > 0) terms.push_back("reflection { rgb " + text_of(m.reflection) + " }");
+    if (keyword) terms.push_back("refraction " + weight(m));
+    return terms;
+}
+
+std::string texture(const std::string& pigment, const std::vector<std::string>& finish, const std::string& indent,
+                    const Bump& bump = {}) {
+    const std::string normal = normal_text(bump);
+    return "texture {\n" + indent + "  pigment { " + pigment + " }\n" + indent +
+           (normal.empty() ? "" : "  " + normal + "\n" + indent) + block("  finish {", finish, indent + "  ") + indent +
+           "}";
+}
+
+/// The transmitted share as the pigment has it; with the keyword, which also applies to total reflection, relative to
+/// Kr + Kt.
+double transmitted(const Material& m, bool keyword) {
+    return keyword ? m.refraction / (m.reflection + m.refraction) : m.refraction;
+}
+std::string transmitted_text(const Material& m, bool keyword) {
+    if (!keyword) return text_of(m.refraction);
+    return m.reflection == 0 ? "1" : text_of(m.refraction) + "/" + weight(m);
+}
+
+/// A pigment that is (almost) clear can't be lit.
+bool needs_layers(const Material& m, bool keyword) {
+    return transmitted(m, keyword) > 0.95 && (m.ambient > 0 || m.diffuse > 0);
+}
+
+/// The texture of a transparent body as the eye sees it.
+std::string seen_through(const Material& m, bool keyword) {
+    const std::string share = transmitted_text(m, keyword);
+    if (!needs_layers(m, keyword))
+        return texture(pigment_text(m.rgb, " transmit " + share), finish(m, "(1 - " + share + ")", keyword), "  ",
+                       m.bump);
+    return texture("rgb 0 transmit 2" + (share == "1" ? "" : "*" + share), {"ambient 0", "diffuse 0"}, "  ", m.bump) +
+           "\n  " + texture(pigment_text(m.rgb, " transmit 0.5"), finish(m, "0.5", keyword), "  ", m.bump);
+}
+
+PovMaterial describe(const Material& m, const std::string& name, const Circumstances& scene) {
+    PovMaterial pov{.name = name};
+    pov.patterned = m.patterned();
+    pov.transparent = m.refraction > 0;
+    if (!pov.transparent) {
+        pov.declaration =
+            "#declare " + name + " = " + texture(pigment_text(m.rgb), finish(m, "", false), "", m.bump) + "\n";
+        return pov;
+    }
+    // Total reflection has the share Kr + Kt here, and 1 in POV-Ray unless the old keyword `refraction` changes it.
+    pov.keyword = scene.bends && std::fabs(m.reflection + m.refraction - 1) > 1e-9;
+    pov.layered = needs_layers(m, pov.keyword);
+    pov.own_shadow = scene.lights && (pov.keyword || m.rgb != Pigment(Color(1)));
+    pov.near_one = m.ior == 1 && scene.depth_shows;
+    // POV-Ray keeps the ior in single precision; this is the next number after 1.
+    const std::string ior = pov.near_one ? "1.00000012" : text_of(m.ior);
+    pov.declaration = "#declare " + name + " = material {\n  " + seen_through(m, pov.keyword) + "\n  interior { ior " +
+                      ior + " }\n}\n";
+    if (pov.own_shadow)
+        pov.declaration +=
+            "#declare " + name + "_Shadow = " +
+            texture(pigment_text(m.rgb, " filter " + text_of(m.refraction)), {"ambient 0", "diffuse 0"}, "") + "\n";
+    return pov;
+}
+
+}  // namespace
+
+std::vector<PovMaterial> pov_materials(const Scene& scene, int depth) {
+    const Circumstances all = circumstances_of(scene, depth);
+    const std::vector<std::string> names = material_names(scene.materials);
+    std::vector<PovMaterial> result;
+    for (std::size_t i = 0; i < names.size(); ++i) result.push_back(describe(scene.materials[i], names[i], all));
+    return result;
+}
+
+}  // namespace strahl

@@ -1,0 +1,121 @@
+#include "povref/convert/pigments.h"
+
+#include <algorithm>
+
+#include "num/decimal.h"
+#include "num/vec_math.h"
+#include "povref/convert/images.h"
+#include "povref/convert/layout.h"
+#include "povref/convert/sentences.h"
+
+namespace strahl {
+namespace {
+
+std::string octaves_text(const Octaves& octaves) {
+    std::string sum;
+    double strength = 1, fineness = 1;
+    for (int i = 0; i < octaves.octaves; ++i) {
+        const std::string factor = fineness == 1 ? "" : text_of(fineness) + "*";
+        sum += (sum.empty() ? "" : " + ") + (strength == 1 ? "" : text_of(strength) + "*") + "Noise(" + factor + "x, " +
+               factor + "y, " + factor + "z)";
+        strength *= octaves.omega, fineness *= octaves.lambda;
+    }
+    return sum;
+}
+template <class Kind>
+std::string moved(const std::string& coordinate, const Kind& kind) {
+    if (kind.turbulence == 0) return coordinate;
+    return coordinate + " + " + text_of(kind.turbulence) + "*(" + octaves_text(kind) + ")";
+}
+
+/// The value of a pattern that POV-Ray lacks, or whose own has tolerances that show: its gradient is off by 1e-5 at -1.
+struct ValueText {
+    std::string operator()(const Checker&) const { return ""; }
+    std::string operator()(const Brick&) const { return ""; }
+    std::string operator()(const ImagePattern&) const { return ""; }
+    std::string operator()(const Gradient& gradient) const {
+        const DVec3 axis = normalize(gradient.axis);
+        return "Fraction(" + text_of(axis.x) + "*x + " + text_of(axis.y) + "*y + " + text_of(axis.z) + "*z + 1e-10)";
+    }
+    std::string operator()(const Noise& noise) const { return "min(max(0.5 + " + octaves_text(noise) + ", 0), 1)"; }
+    std::string operator()(const Marble& marble) const { return "Wave(" + moved("x", marble) + ")"; }
+    std::string operator()(const Wood& wood) const { return "Wave(" + moved("sqrt(x*x + y*y)", wood) + ")"; }
+};
+
+}  // namespace
+
+std::string pigment_text(const Pigment& pigment, const std::string& more) {
+    const auto color = [&](const Color& c) { return "rgb " + text_of(c) + more; };
+    if (!pigment.pattern) return color(pigment.color);
+    const auto& [kind, colors, transformations, by_uv] = *pigment.pattern;
+    std::string text;
+    if (const std::string value = std::visit(ValueText{}, kind); !value.empty()) {
+        text = "function { " + value + " } color_map {";
+        for (const ColorStop& stop : colors) text += " [" + text_of(stop.at) + " " + color(stop.color) + "]";
+        text += " }";
+    } else if (const auto* const image = std::get_if<ImagePattern>(&kind)) {
+        text = image_text(*image, more);
+    } else {
+        const Brick* const brick = std::get_if<Brick>(&kind);
+        text = std::string(brick ? "brick " : "checker ") + color(colors[0].color) + ", " + color(colors[1].color);
+        if (brick) text += " brick_size " + text_of(brick->size) + " mortar " + text_of(brick->mortar);
+    }
+    for (const Transformation& step : transformations) text += " " + step_text(step);
+    return (by_uv ? "uv_mapping " : "") + text;
+}
+
+std::string normal_text(const Bump& bump) {
+    if (!bump.pattern) return "";
+    // What it calls a size of 1 is 0.1 / accuracy times the sum over the corners, scene/pattern.h says which.
+    constexpr double size_of_height = 3 / (4 * .1);
+    const ImagePattern* const image = std::get_if<ImagePattern>(&bump.pattern->kind);
+    std::string text = std::string(bump.pattern->by_uv ? "normal { uv_mapping " : "normal { ") +
+                       (image ? "pigment_pattern { " + image_text(*image, "", true) + " } "
+                              : "function { " + std::visit(ValueText{}, bump.pattern->kind) + " } ") +
+                       text_of(size_of_height * bump.height) + " accuracy " + text_of(bump.step());
+    for (const Transformation& step : bump.pattern->transformations) text += " " + step_text(step);
+    return text + " }";
+}
+
+std::string function_section(const Scene& scene) {
+    const auto any = [&](const auto& test) {
+        const auto is = [&](const auto& own) { return own.pattern && std::visit(test, own.pattern->kind); };
+        return is(scene.background) || std::ranges::any_of(scene.materials, is, &Material::rgb) ||
+               std::ranges::any_of(scene.materials, is, &Material::bump);
+    };
+    const bool images = any([]<class Kind>(const Kind&) { return std::is_same_v<Kind, ImagePattern>; });
+    const bool maps = any([]<class Kind>(const Kind&) { return has_map<Kind>; });
+    if (!images && !maps) return "";
+    std::string text = heading("Patterns") + (images ? image_macro(scene.settings.linear) : "");
+    if (!maps) return text;
+    text +=
+        "#declare Fraction = function(a) { a - floor(a) };\n"
+        "#declare Wave = function(a) { 1 - abs(2*Fraction(a) - 1) };\n";
+    if (!any([](const auto& kind) {
+            return requires { kind.octaves; };
+        }))
+        return text;
+    text += comment(
+        "Gradient noise over cells of whole coordinates, their corners hashed by a permutation polynomial. POV-Ray's "
+        "own noise is a table of random numbers.");
+    return text +
+           "#declare Mod289 = function(a) { a - 289*floor((a + 0.5)/289) };\n"
+           "#declare Permuted = function(a) { Mod289((34*a + 1)*a) };\n"
+           "#declare Seventh = function(a) { floor((a + 0.5)/7) };\n"
+           "#declare Slope = function(a, b, c, x, y, z) { ((a - 7*b - 3)*x + (b - 7*c - 3)*y)/3 + (c - 2.5)/2.5*z };\n"
+           "#declare Corner = function(a, x, y, z) { Slope(a, Seventh(a), Seventh(Seventh(a)), x, y, z) };\n"
+           "#declare Fade = function(a) { a*a*a*(a*(a*6 - 15) + 10) };\n"
+           "#declare Mix = function(a, b, s) { a + s*(b - a) };\n"
+           "#declare Along_Z = function(a, x, y, z, k, s) {\n"
+           "  Mix(Corner(Permuted(a + k), x, y, z), Corner(Permuted(a + k + 1), x, y, z - 1), s) };\n"
+           "#declare Along_Y = function(a, x, y, z, j, k, r, s) {\n"
+           "  Mix(Along_Z(Permuted(a + j), x, y, z, k, s), Along_Z(Permuted(a + j + 1), x, y - 1, z, k, s), r) };\n"
+           "#declare In_Cell = function(x, y, z, i, j, k, r, s) {\n"
+           "  Mix(Along_Y(Permuted(i), x, y, z, j, k, r, s), Along_Y(Permuted(i + 1), x - 1, y, z, j, k, r, s),\n"
+           "      Fade(x))/2 };\n"
+           "#declare Noise = function(x, y, z) {\n"
+           "  In_Cell(Fraction(x), Fraction(y), Fraction(z), Mod289(floor(x)), Mod289(floor(y)), Mod289(floor(z)),\n"
+           "          Fade(Fraction(y)), Fade(Fraction(z))) };\n";
+}
+
+}  // namespace strahl

@@ -1,0 +1,261 @@
+#include "povref/convert/pov_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "files/output_file.h"
+#include "num/decimal.h"
+#include "num/vec_math.h"
+#include "povref/convert/bodies.h"
+#include "povref/convert/ini.h"
+#include "povref/convert/layout.h"
+#include "povref/convert/materials.h"
+#include "povref/convert/motions.h"
+#include "povref/convert/pigments.h"
+#include "povref/convert/unit.h"
+#include "scene/error.h"
+#include "scene/leaves.h"
+#include "scene/moving_scene.h"
+#include "scene/overlap.h"
+#include "text/reading/messages.h"
+
+namespace strahl {
+namespace {
+
+/// What decides how the scene is written, and which comments and warnings it gets.
+struct Plan {
+    Unit unit{};
+    std::vector<PovMaterial> materials;
+    bool scaled = false;          // Unit is declared
+    bool inside = false;          // a camera is in a transparent body
+    bool keyword = false;         // some material uses `refraction`
+    bool shadow_copies = false;   // some body has a copy that casts its shadow
+    bool bodies_overlap = false;  // transparent ones share space
+    bool mixed = false;           // some transparent composite is of several materials
+    bool rectangles = false;      // some light is a rectangle without a grid
+    bool near_one = false;        // some ior of 1 is written as a larger number
+    bool normal_maps = false;     // some material has one
+    bool bumps_by_uv = false;     // some material has a bump by uv
+    bool moves = false;           // bodies or lights do, in an animation
+};
+
+Plan plan_for(const Scene& scene, const PovRequest& request) {
+    Plan plan{.materials = pov_materials(scene, request.depth)};
+    Sizes sizes;
+    const auto look = [&](const Scene& moment, const std::vector<Camera>& cameras) {
+        sizes.add(moment, cameras);
+        plan.bodies_overlap |= transparent_bodies_overlap(moment);
+        for (const Primitive& primitive : moment.primitives)
+            if (transparent(moment, primitive)) {
+                for (const Camera& camera : cameras) plan.inside |= contains(primitive, camera.position);
+                plan.mixed |= mixed(moment, primitive);
+            }
+    };
+    plan.moves = Movers(scene).any();
+    for (std::size_t n = 0; plan.moves && n < request.cameras.size(); ++n)
+        look(at(scene, static_cast<double>(n) / request.fps), {request.cameras[n]});
+    if (!plan.moves) look(scene, request.cameras);
+    plan.unit = unit_for(sizes);
+    plan.scaled = plan.unit.unit != 1;
+    for (const PovMaterial& material : plan.materials) {
+        plan.keyword |= material.keyword;
+        plan.shadow_copies |= material.own_shadow;
+        plan.near_one |= material.near_one;
+    }
+    for (const Material& material : scene.materials) {
+        plan.normal_maps |= material.normal.pattern != nullptr;
+        plan.bumps_by_uv |= material.bump.pattern && material.bump.pattern->by_uv;
+    }
+    for (const Light& light : scene.lights) plan.rectangles |= light.area && light.area->columns == 0;
+    return plan;
+}
+
+std::vector<std::string> warnings_of(const Plan& plan) {
+    std::vector<std::string> warnings;
+    if (!plan.unit.fault.empty()) warnings.push_back(plan.unit.fault);
+    if (plan.near_one)
+        warnings.push_back(
+            "POV-Ray does not count a ray that goes on unbent as a generation; transparent bodies of ior 1 have an ior "
+            "of 1.00000012 instead, which bends by less than can be seen");
+    if (plan.mixed)
+        warnings.push_back(
+            "in a transparent body made of bodies, each part has an interior of its own, whose ior bends rays; strahl "
+            "has the one of the whole body");
+    if (plan.rectangles)
+        warnings.push_back(
+            "lights with an area are grids in POV-Ray, here of 16 by 16 points, and the mean of their light is "
+            "multiplied by that of their shadows; with `grid` each point becomes a light of its own, and the pictures "
+            "are equal");
+    if (plan.normal_maps)
+        warnings.push_back("POV-Ray knows no pictures of normals; what has a `normal` is smooth there");
+    if (plan.bumps_by_uv)
+        warnings.push_back(
+            "POV-Ray bends normals by uv as if u and v grew along x and y; that is so only of a mesh that lies like "
+            "that");
+    if (plan.bodies_overlap)
+        warnings.push_back(
+            "transparent bodies may share space; where a ray leaves one that it did not enter last, it goes on unbent, "
+            "which POV-Ray does not count as a generation: only the depth limit can show that");
+    return warnings;
+}
+
+std::string scaled(const std::string& text, const Plan& plan) { return plan.scaled ? text + " * Unit" : text; }
+
+std::string padded(std::string text, std::size_t width) {
+    text.resize(std::max(width, text.size() + 1), ' ');
+    return text;
+}
+
+std::string top(const Scene& scene, const PovRequest& request, const Plan& plan) {
+    std::string text = comment(request.title + " for POV-Ray 3.7, as strahl sees it.");
+    for (const std::string& warning : warnings_of(plan)) text += comment("Not exact: " + warning + ".");
+    text +=
+        std::string("\n#version 3.7;\n\nglobal_settings {\n") +
+        (scene.settings.linear ? "  assumed_gamma 1.0     // the values are linear light\n"
+                               : "  assumed_gamma srgb    // values go straight to the file, which is sRGB as well\n") +
+        "  ambient_light rgb " + text_of(scene.settings.ambient_light) + "\n  max_trace_level " +
+        padded(std::to_string(request.depth), 6) + "// generations of rays, the camera's being the first\n" +
+        "  adc_bailout 0         // follow even the weakest ray\n}\n";
+    if (!scene.background.pattern) text += "\nbackground { " + pigment_text(scene.background) + " }\n";
+    if (plan.scaled)
+        text += "\n" +
+                comment(
+                    "POV-Ray's tolerances are lengths (no shadow over less than 0.001, no hit beyond 10000000), so "
+                    "the scene is built with this many of its units to one of strahl's.") +
+                "#declare Unit = " + text_of(plan.unit.unit) + ";\n";
+    return text;
+}
+
+/// The camera's vectors for POV-Ray: the ray through (x, y) in [-1/2, 1/2]^2, y up, is direction + x right + y up.
+struct PovCamera {
+    DVec3 location, right, up, direction;
+};
+PovCamera pov_camera(const Camera& camera, double aspect) {
+    const CameraFrame frame = frame_of(camera, aspect);
+    return {camera.position, 2 * frame.tan_x * frame.right, -2 * frame.tan_y * frame.down, frame.forward};
+}
+
+std::string array(const std::string& name, const std::vector<PovCamera>& cameras, DVec3 PovCamera::*member) {
+    std::string text = "#declare " + name + " = array[" + std::to_string(cameras.size()) + "] {\n";
+    for (std::size_t i = 0; i < cameras.size(); ++i)
+        text += "  " + text_of(cameras[i].*member) + (i + 1 < cameras.size() ? ",\n" : "\n");
+    return text + "}\n";
+}
+
+std::string camera_section(const PovRequest& request, const Plan& plan) {
+    std::vector<PovCamera> cameras;
+    for (const Camera& camera : request.cameras)
+        cameras.push_back(pov_camera(camera, double(request.width) / request.height));
+    const bool animated = request.fps > 0;
+    std::string text =
+        heading("Camera") + comment(
+                                "The picture's axes in full: `right` and `up` are its width and height at distance 1. "
+                                "Nothing else decides whether the world is right- or left-handed; this one is "
+                                "right-handed.");
+    if (animated)
+        text += comment("One entry per frame, " + text_of(request.fps) + " frames a second; frame_number chooses.") +
+                array("Eye", cameras, &PovCamera::location) + array("Right", cameras, &PovCamera::right) +
+                array("Up", cameras, &PovCamera::up) + array("Direction", cameras, &PovCamera::direction);
+    const auto value = [&](const char* name, DVec3 PovCamera::*member) {
+        return animated ? name + std::string("[frame_number]") : text_of(cameras[0].*member);
+    };
+    return text + "camera {\n  perspective\n  location  " + scaled(value("Eye", &PovCamera::location), plan) +
+           "\n  right     " + value("Right", &PovCamera::right) + "\n  up        " + value("Up", &PovCamera::up) +
+           "\n  direction " + value("Direction", &PovCamera::direction) + "\n}\n";
+}
+
+/// Where POV-Ray, to which all lights have a place, may have one of parallel light: as far away as it looks.
+DVec3 place_of_parallel(const DVec3& direction, const Plan& plan) {
+    constexpr double far = 1e7;
+    return -far / plan.unit.unit * normalize(direction);
+}
+
+/// Grids are written as the points that they are: POV-Ray's own multiply the mean of the points' light by the mean of
+/// their shadows, even with area_illumination.
+std::string light_section(const Scene& scene, const Plan& plan, PovMotions& motions) {
+    if (scene.lights.empty()) return "";
+    std::string text = heading("Lights");
+    for (const Light& light : points_of(scene.lights)) {
+        const DVec3 place = light.direction ? place_of_parallel(*light.direction, plan) : light.position;
+        const auto placed = [&](const DVec3& p) { return light.motion ? text_of(p) : scaled(text_of(p), plan); };
+        std::vector<std::string> items{placed(place) + ", rgb " + text_of(light.color)};
+        if (light.direction) items.insert(items.end(), {"parallel", "point_at 0"});
+        if (light.area) {
+            items.push_back("area_light " + placed(light.area->u) + ", " + placed(light.area->v) + ", 16, 16");
+            items.push_back("area_illumination on");
+        }
+        if (light.spot) {
+            items.insert(items.end(), {"spotlight", "point_at " + placed(light.spot->look_at)});
+            for (const auto& [word, value] :
+                 {std::pair("radius ", light.spot->radius), std::pair("falloff ", light.spot->falloff),
+                  std::pair("tightness ", light.spot->tightness)})
+                items.push_back(word + text_of(value));
+        }
+        if (light.motion) items.push_back(motions.use(*light.motion));
+        if (light.motion && plan.scaled) items.push_back("scale Unit");
+        text += block("light_source {", items);
+    }
+    return text;
+}
+
+std::string material_section(const Plan& plan) {
+    if (plan.materials.empty()) return "";
+    std::string text = heading("Materials");
+    if (std::any_of(plan.materials.begin(), plan.materials.end(), [](const auto& m) { return m.transparent; }))
+        text += comment(
+            "POV-Ray dims ambient and diffuse light by the pigment's opacity, which is divided out where a "
+            "material is transparent.");
+    if (plan.keyword)
+        text += comment(
+            "`refraction` is an old keyword without a successor: the weight of all light that was "
+            "transmitted or totally reflected.");
+    if (std::any_of(plan.materials.begin(), plan.materials.end(), [](const auto& m) { return m.layered; }))
+        text += comment(
+            "A pigment that is wholly clear can't be lit; such a material has a clear layer that lets twice the light "
+            "through, and on it one that is half opaque.");
+    for (const PovMaterial& material : plan.materials) text += "\n" + material.declaration;
+    return text;
+}
+
+/// A background with a pattern.
+std::string sky_section(const Scene& scene) {
+    if (!scene.background.pattern) return "";
+    return heading("Background") + "sky_sphere { pigment { " + pigment_text(scene.background) + " } }\n";
+}
+
+std::string fog_section(const Scene& scene, const Plan& plan) {
+    if (!scene.fog) return "";
+    return heading("Fog") + comment("Opaque bodies are hollow: only transparent ones keep it out.") +
+           "fog { distance " + scaled(text_of(scene.fog->distance), plan) + " color rgb " + text_of(scene.fog->color) +
+           " }\n";
+}
+
+}  // namespace
+
+PovFiles write_pov(const Scene& whole, const PovRequest& request) {
+    const bool animated = request.fps > 0;
+    const Scene still = animated ? Scene{} : at(whole, request.time);
+    const Scene& scene = animated ? whole : still;
+    const Plan plan = plan_for(scene, request);
+    PovMotions motions;
+    const std::string lights = light_section(scene, plan, motions);
+    const std::string bodies =
+        body_sections(scene, {plan.materials, plan.shadow_copies, plan.scaled, scene.fog.has_value(), motions});
+    std::vector<PovPicture> pictures = pictures_of(scene);
+    return {top(scene, request, plan) + camera_section(request, plan) + motions.section() + lights +
+                function_section(scene) + sky_section(scene) + fog_section(scene, plan) + material_section(plan) +
+                bodies,
+            ini_of(scene, request, {plan.inside, plan.keyword, plan.moves, !pictures.empty()}), warnings_of(plan),
+            std::move(pictures)};
+}
+
+void write(const PovFiles& files, const std::string& pov_path) {
+    const std::filesystem::path path(pov_path);
+    write_file(pov_path, files.pov);
+    write_file(ini_beside(pov_path), files.ini);
+    for (const PovPicture& own : files.pictures)
+        write_picture(own.picture, (path.parent_path() / own.name).string(), {own.picture.bits, false});
+}
+
+}  // namespace strahl

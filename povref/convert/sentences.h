@@ -1,0 +1,81 @@
+// What bodies and transformations are called in POV-Ray: their words and arguments.
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "num/decimal.h"
+#include "scene/kinds/kinds.h"
+#include "scene/motion/transformation.h"
+
+namespace strahl {
+
+/// A transformation.
+inline std::string step_text(const Transformation& step) {
+    // POV-Ray treats smaller factors as 0, and 0 as 1.
+    constexpr double least = 1e-9;
+    struct {
+        std::string operator()(const Rotate& r) const { return "rotate " + text_of(r.degrees); }
+        std::string operator()(const Translate& t) const { return "translate " + text_of(t.by); }
+        std::string operator()(const Scale& s) const {
+            const DVec3& f = s.by;
+            if (std::min({std::fabs(f.x), std::fabs(f.y), std::fabs(f.z)}) < least)
+                return "matrix <" + text_of(f.x) + ", 0, 0, 0, " + text_of(f.y) + ", 0, 0, 0, " + text_of(f.z) +
+                       ", 0, 0, 0>";
+            return "scale " + (f.x == f.y && f.y == f.z ? text_of(f.x) : text_of(f));
+        }
+        std::string operator()(const Motion&) const { return ""; }  // patterns have none, for others see motions.h
+    } words;
+    return std::visit(words, step);
+}
+
+/// A mesh without its closing brace. A closed one gets a direction in which POV-Ray counts whether a point is inside.
+inline std::string sentence(const Mesh& mesh) {
+    const auto &points = mesh.data->points, &normals = mesh.data->normals;
+    const auto &triangles = mesh.data->triangles, &corner_normals = mesh.data->corner_normals;
+    const MeshData::Corners* const places = mesh.data->place_numbers();
+    std::string text = "mesh {";
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        text += corner_normals.empty() ? "\n  triangle {" : "\n  smooth_triangle {";
+        for (int k = 0; k < 3; ++k) {
+            text += (k > 0 ? ", " : " ") + text_of(points[triangles[i][k]]);
+            if (!corner_normals.empty()) text += ", " + text_of(normals[corner_normals[i][k]]);
+        }
+        for (int k = 0; places && k < 3; ++k) {
+            const auto& [u, v] = mesh.data->places[places[i][k]];
+            text += (k > 0 ? ", <" : " uv_vectors <") + text_of(u) + ", " + text_of(v) + ">";
+        }
+        text += " }";
+    }
+    return text + (open_side(*mesh.data) ? "\n " : "\n  inside_vector <0, 0, 1>");
+}
+
+/// A simple body without its closing brace, in the shape's own space.
+inline std::string sentence(const Shape& shape) {
+    const auto join = [](const char* keyword, const auto& first, const auto&... more) {
+        return keyword + (" { " + text_of(first)) + (... + (", " + text_of(more)));
+    };
+    const auto words = [&](const auto& kind) {
+        std::string text = std::apply(join, kind.pov());
+        if constexpr (requires { kind.pov_more; }) text += kind.pov_more;
+        if constexpr (requires { kind.pov_axes(); }) {
+            std::string rows;
+            for (const DVec3& row : kind.pov_axes())
+                for (int i = 0; i < 3; ++i) rows += (rows.empty() ? "" : ", ") + text_of(row[i]);
+            text += " matrix <" + rows + ">";
+        }
+        return text;
+    };
+    return std::visit(
+        [&]<class Kind>(const Kind& kind) {
+            if constexpr (std::is_same_v<Kind, Mesh>)
+                return sentence(kind);
+            else if constexpr (is_composite<Kind>)
+                return std::string();
+            else
+                return words(kind);
+        },
+        shape);
+}
+
+}  // namespace strahl

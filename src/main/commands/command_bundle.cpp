@@ -1,0 +1,276 @@
+// strahl bundle: collects a folder under another name, then renames it.
+#include "main/commands/command_bundle.h"
+
+#include <dirent.h>
+#include <fcntl.h>
+#include <link.h>
+#include <sys/stat.h>
+#include <sys/utsname.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+#include <map>
+#include <new>
+#include <set>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+#include "files/output_file.h"
+#include "files/read_file.h"
+#include "files/streams.h"
+#include "files/utf8.h"
+#include "image/netpbm.h"
+#include "image/pixels.h"
+#include "main/licence.h"
+#include "main/process/exit_status.h"
+#include "main/process/interrupt.h"
+#include "main/process/shell.h"
+#include "main/render/values.h"
+#include "text/parse.h"
+#include "text/reading/tracks_file.h"
+#include "trace/tracer.h"
+
+namespace strahl {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view script_head = "#!/bin/sh\n# Made by strahl bundle.\n";
+
+/// Every desktop has these, and its drivers need its own: the C and C++ libraries, zlib, X, OpenGL and Wayland.
+bool of_the_desktop(const std::string& library) {
+    constexpr std::array<std::string_view, 22> names{
+        "linux-vdso.", "ld-linux", "libc.",   "libm.",   "libdl.", "libpthread.", "librt.",     "libstdc++.",
+        "libgcc_s.",   "libz.",    "libX",    "libxcb",  "libxkb", "libGL",       "libEGL.",    "libOpenGL.",
+        "libgbm.",     "libdrm",   "libbsd.", "libmd.",  "libffi.", "libwayland-"};
+    return std::ranges::any_of(names, [&](std::string_view name) { return library.starts_with(name); });
+}
+
+/// The shared libraries of this program that go with it. To be asked for before pictures are read, which loads some
+/// that a bundle does without.
+std::vector<fs::path> libraries() {
+    std::vector<fs::path> all;
+    const auto add = [](dl_phdr_info* info, std::size_t, void* list) {
+        const fs::path path(info->dlpi_name);
+        if (path.has_filename() && !of_the_desktop(path.filename().string()))
+            static_cast<std::vector<fs::path>*>(list)->push_back(path);
+        return 0;
+    };
+    ::dl_iterate_phdr(add, &all);
+    return all;
+}
+
+/// A folder beside another one, whose name it gets when it is whole. Else nothing is left of it.
+class NewFolder {
+  public:
+    explicit NewFolder(const fs::path& own_target) : target(own_target), folder(target.string() + ".tmp-XXXXXX") {
+        if (!::mkdtemp(folder.data())) fail(errno);
+        const mode_t mask = ::umask(0);
+        ::umask(mask);
+        ::chmod(folder.c_str(), 0777 & ~mask);
+    }
+    ~NewFolder() { remove_folder(folder); }
+    NewFolder(const NewFolder&) = delete;
+
+    fs::path path() const { return folder; }
+
+    /// An older one gets the name of this, and is removed.
+    void finish() {
+        const int file = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+        const bool synced = file >= 0 && ::syncfs(file) == 0;
+        const int error = errno;
+        if (file >= 0) ::close(file);
+        if (!synced) fail(error);
+        const unsigned how = fs::exists(target) ? RENAME_EXCHANGE : RENAME_NOREPLACE;
+        if (::renameat2(AT_FDCWD, folder.c_str(), AT_FDCWD, target.c_str(), how) != 0) fail(errno);
+        if (how == RENAME_EXCHANGE && !remove_folder(folder))
+            throw OutputError("'" + target.string() + "' is made, but the older bundle stays in '" + folder +
+                              "': " + std::generic_category().message(errno));
+    }
+
+  private:
+    [[noreturn]] void fail(int error) const {
+        throw OutputError("cannot write '" + target.string() + "': " + std::generic_category().message(error));
+    }
+
+    const fs::path target;
+    std::string folder;
+};
+
+/// Not std::filesystem::is_empty: where memory runs out, that ends the program.
+bool is_empty_folder(const fs::path& path) {
+    DIR* const listed = ::opendir(path.c_str());
+    if (!listed && errno == ENOMEM) throw std::bad_alloc();
+    if (!listed) return false;
+    int entries = 0;
+    while (::readdir(listed)) ++entries;
+    ::closedir(listed);
+    return entries == 2;  // "." and ".."
+}
+
+/// Only what this command made, or nothing, is replaced.
+void require_own(const fs::path& folder) {
+    if (!fs::exists(folder) || is_empty_folder(folder)) return;
+    std::string head(script_head.size(), '\0');
+    if (const fs::path script = folder / "play"; fs::is_regular_file(script))
+        FileStream(script.string()).read(head.data(), static_cast<std::streamsize>(head.size()));
+    if (head != script_head)
+        throw UsageError("'" + folder.string() + "' is there already and was not made by strahl bundle; give -o "
+                         "another name");
+}
+
+/// What is put where in the bundle, and under which names the scene asks for it.
+class Collection {
+  public:
+    Collection(const fs::path& own_folder, const Interrupt& own_interrupt)
+        : folder(own_folder), interrupt(own_interrupt) {}
+
+    void copy(const fs::path& from, const fs::path& to) {
+        check();
+        fs::create_directories((folder / to).parent_path());
+        fs::copy_file(from, folder / to);
+        total += double(fs::file_size(from));
+        fs::permissions(folder / to, fs::perms::owner_read | fs::perms::owner_write, fs::perm_options::add);
+    }
+    void write(const fs::path& to, std::string_view bytes) {
+        check();
+        fs::create_directories((folder / to).parent_path());
+        std::ofstream file(folder / to, std::ios::binary);
+        file.exceptions(std::ios::failbit | std::ios::badbit);
+        file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+        file.close();
+        total += double(bytes.size());
+    }
+    double size() const { return total; }
+    /// A name for a file of the scene, in a folder of their own, where each name is given once.
+    std::string name_for(const std::string& file, const char* ending) {
+        const fs::path own = fs::path(file).filename();
+        std::string name;
+        for (int i = 1; name.empty() || !given.insert(name).second; ++i)
+            name = "files/" + own.stem().string() + (i > 1 ? "-" + std::to_string(i) : "") +
+                   (ending ? ending : own.extension().string());
+        return name;
+    }
+
+  private:
+    void check() const {
+        if (*interrupt.flag()) throw Interrupted("interrupted; no bundle was made");
+    }
+
+    const fs::path folder;
+    double total = 0;  // bytes
+    const Interrupt& interrupt;
+    std::set<std::string> given;
+};
+
+/// Pictures without compression need no library to be read; that which reads others has hundreds behind it.
+std::string plain_picture(const std::string& path, Collection& bundle) {
+    Picture picture = read_picture(path);
+    const int channels = picture.channels < 3 ? 1 : 3;  // without alpha, by which nothing is transparent in a scene
+    std::vector<double> values;
+    for (std::size_t i = 0; i < picture.values.size(); i += unsigned(picture.channels))
+        values.insert(values.end(), &picture.values[i], &picture.values[i] + channels);
+    picture.channels = channels, picture.values = std::move(values);
+    const std::string name = bundle.name_for(path, picture.bits == 32 ? ".pfm" : channels == 1 ? ".pgm" : ".ppm");
+    bundle.write("scene/" + name, netpbm_of(picture));
+    return name;
+}
+
+/// A text with other names in its quotation marks.
+std::string renamed_in(const std::string& text, const std::map<std::string, std::string>& names) {
+    std::string result;
+    std::size_t at = 0;
+    for (std::size_t open; (open = text.find('"', at)) != text.npos;) {
+        const std::size_t close = text.find('"', open + 1);
+        const auto other = close == text.npos ? names.end() : names.find(text.substr(open + 1, close - open - 1));
+        result += text.substr(at, open + 1 - at);
+        at = open + 1;
+        if (other != names.end()) result += other->second, at = close;
+    }
+    return result + text.substr(at);
+}
+
+/// The scene with the files that it names. Returns its path in the bundle.
+std::string collect_scene(const std::string& path, Collection& bundle) {
+    const std::string text = read_text(path);
+    FileNames names;
+    const Scene scene = parse_scene(text, path, {}, read_pixels, &names);
+    std::map<std::string, std::string> renamed;
+    for (const std::string& name : names.pictures) renamed[name] = plain_picture(path_beside(path, name), bundle);
+    names.meshes.merge(names.sounds);
+    for (const std::string& name : names.meshes) {
+        renamed[name] = bundle.name_for(name, nullptr);
+        bundle.copy(path_beside(path, name), "scene/" + renamed[name]);
+    }
+    const std::string name = "scene/" + fs::path(path).filename().string();
+    bundle.write(name, renamed_in(text, renamed));
+    if (!scene.tracks.empty()) bundle.copy(tracks_path(path), tracks_path(name));
+    return name;
+}
+
+void collect_program(const std::vector<fs::path>& libraries, Collection& bundle) {
+    bundle.copy("/proc/self/exe", "bin/strahl");
+    for (const fs::path& library : libraries) bundle.copy(library, "lib" / library.filename());
+}
+
+std::string start_script(const std::string& scene) {
+    return std::string(script_head) + "here=$(dirname -- \"$(readlink -f -- \"$0\")\")\n"
+           "LD_LIBRARY_PATH=\"$here/lib${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}\" \\\n"
+           "    exec \"$here/bin/strahl\" play \"$here\"/" + in_shell_quotes(scene) + " \"$@\"\n";
+}
+
+std::string read_me(const BundleOptions& options, const std::vector<fs::path>& libraries) {
+    utsname system{};
+    ::uname(&system);
+    std::string names;
+    for (const fs::path& library : libraries) names += "\n    " + library.filename().string();
+    return fs::path(options.scene).stem().string() + "\n\n"
+           "    ./play                    in full screen; Esc ends it, Space pauses\n"
+           "    ./play --loop             again and again\n"
+           "    ./play --size 1280x720    in a window\n\n"
+           "It needs Linux on " + system.machine + " with glibc " + std::to_string(__GLIBC__) + "." +
+           std::to_string(__GLIBC_MINOR__) + " or later, and a desktop with OpenGL 3.2.\n\n"
+           "It is played by Strahl " + options.version + ", a ray tracer:\n\n" + licence + "\n"
+           "These libraries are copies of the system's that it was made on, under their own licences:" +
+           names + "\n";
+}
+
+}  // namespace
+
+int bundle_command(const BundleOptions& options) try {
+    if (options.scene == "-") throw UsageError("a bundle is made of a scene file, whose folder other files are beside");
+    fs::path target = fs::path(options.output).lexically_normal();
+    if (!target.has_filename()) target = target.parent_path();
+    if (target.empty()) throw UsageError("no output folder. Add -o FOLDER");
+    require_own(target);
+    const std::vector<fs::path> own_libraries = libraries();
+    const Interrupt interrupt;
+    NewFolder folder(target);
+    Collection bundle(folder.path(), interrupt);
+    const std::string scene = collect_scene(options.scene, bundle);
+    // What cannot be read again would only be noticed elsewhere.
+    const std::string copy = folder.path() / scene;
+    parse_scene(read_text(copy), copy, {}, read_pixels);
+    collect_program(own_libraries, bundle);
+    bundle.write("play", start_script(scene));
+    fs::permissions(folder.path() / "play", fs::perms(0111), fs::perm_options::add);
+    bundle.write("README.txt", read_me(options, own_libraries));
+    folder.finish();
+    std::cout << printable(target.string()) << ": " << bytes_in_words(bundle.size()) << "; "
+              << printable(target.string()) << "/play plays it\n";
+    if (!for_other_processors())
+        std::cerr << "strahl: this strahl was built for processors like this one; on others it plays slowly. "
+                     "cmake --preset release builds one for all\n";
+    return exit_status::done;
+} catch (const fs::filesystem_error& error) {
+    throw OutputError("cannot make the bundle: " + error.path1().string() + ": " + error.code().message());
+}
+
+}  // namespace strahl

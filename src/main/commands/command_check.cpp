@@ -1,0 +1,126 @@
+// strahl check: a summary of a scene in a few lines.
+#include "main/commands/command_check.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <utility>
+
+#include "files/output_file.h"
+#include "files/read_file.h"
+#include "files/streams.h"
+#include "files/utf8.h"
+#include "image/pixels.h"
+#include "main/process/exit_status.h"
+#include "scene/leaves.h"
+#include "scene/moving_scene.h"
+#include "scene/overlap.h"
+#include "text/parse.h"
+#include "text/write.h"
+
+namespace strahl {
+namespace {
+
+std::string counted(std::size_t count, const std::string& noun) {
+    const bool hisses = noun.ends_with('s') || noun.ends_with('x') || noun.ends_with("sh");
+    return std::to_string(count) + " " + noun + (count == 1 ? "" : hisses ? "es" : "s");
+}
+
+std::ostream& operator<<(std::ostream& out, const DVec3& v) {
+    return out << '<' << v.x << ", " << v.y << ", " << v.z << '>';
+}
+
+/// How many there are of each kind.
+using CountOfKinds = std::array<std::size_t, std::variant_size_v<Shape>>;
+
+/// "7: 5 spheres, 1 plane, 1 cylinder"
+template <class... Kinds>
+std::string kinds_in_words(const CountOfKinds& counts, std::variant<Kinds...>*) {
+    constexpr std::array names{Kinds::name...};
+    std::string words = std::to_string(std::accumulate(counts.begin(), counts.end(), std::size_t{0}));
+    const char* separator = ": ";
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (counts[i] > 0) words += std::exchange(separator, ", ") + counted(counts[i], names[i]);
+    return words;
+}
+
+/// The lines for the bodies, and for the simple ones that composites consist of.
+std::string bodies_in_words(const Scene& scene) {
+    CountOfKinds bodies{}, parts{};
+    for (const Primitive& primitive : scene.primitives) {
+        ++bodies[primitive.shape.index()];
+        for_each_leaf(primitive, [&](const Primitive& leaf, const glm::dmat4&) {
+            if (&leaf != &primitive) ++parts[leaf.shape.index()];
+        });
+    }
+    const auto line = [](const char* name, const CountOfKinds& counts) {
+        return name + kinds_in_words(counts, static_cast<Shape*>(nullptr)) + "\n";
+    };
+    return line("  primitives   ", bodies) + (parts == CountOfKinds{} ? "" : line("  made of      ", parts));
+}
+
+/// The box around all bounded bodies.
+std::string bounds_in_words(const Scene& scene) {
+    Box box;
+    bool unbounded = false;
+    for (const Primitive& primitive : scene.primitives) {
+        if (const Box own = world_bounds(primitive); own.finite())
+            box.add(own);
+        else
+            unbounded = true;
+    }
+    TextStream words;
+    if (box.empty())
+        words << (unbounded ? "infinite" : "no bodies");
+    else
+        words << box.low << " to " << box.high << (unbounded ? ", and unbounded bodies" : "");
+    return words.str();
+}
+
+std::string summary(const Scene& scene) {
+    const auto transparent = std::ranges::count_if(
+        scene.primitives, [&](const Primitive& primitive) { return strahl::transparent(scene, primitive); });
+    const Camera& camera = scene.camera;
+    TextStream text;
+    text << bodies_in_words(scene) << "  transparent  " << transparent << (transparent == 1 ? " body" : " bodies")
+         << '\n'
+         << "  materials    " << scene.materials.size() << '\n'
+         << "  lights       " << scene.lights.size() << '\n'
+         << "  bounds       " << bounds_in_words(scene) << '\n'
+         << "  camera       at " << camera.position << ", looking at " << camera.look_at << ", " << 2 * camera.fov
+         << " degrees wide\n"
+         << "  depth        " << scene.settings.max_trace_level << '\n'
+         << "  background   " << scene.background.color << (scene.background.pattern ? " at most, by a pattern" : "")
+         << '\n'
+         << "  values       " << (scene.settings.linear ? "linear light, shown sRGB-encoded" : "shown as they are")
+         << '\n'
+         << "  flythrough   ";
+    if (const auto& path = scene.flythrough)
+        text << path->duration << " s, " << counted(path->keys.size(), "key") << (path->loop ? ", looping" : "")
+             << '\n';
+    else
+        text << "none\n";
+    if (const Movers movers(scene); movers.any())
+        text << "  motion       " << movers.last_key << " s: "
+             << counted(movers.bodies.size(), movers.bodies.size() == 1 ? "body" : "bodie") << ", "
+             << counted(movers.lights.size(), "light") << '\n';
+    if (const std::vector<std::string> names = followed_tracks(scene); !names.empty()) {
+        const auto saved = std::ranges::count_if(scene.tracks, [&](const Track& track) {
+            return !track.keys.empty() && std::ranges::find(names, track.name) != names.end();
+        });
+        text << "  tracks       " << names.size() << ", " << saved << " with keys; " << scene.music.bpm
+             << " beats a minute of " << scene.music.rows << " rows\n";
+    }
+    return text.str();
+}
+
+}  // namespace
+
+int check_command(const CheckOptions& options) {
+    const std::string file = options.scene == "-" ? "standard input" : options.scene;
+    const Scene scene = parse_scene(read_text(options.scene), file, {}, read_pixels);
+    write_file("-", options.print ? write_scene(scene) : show(file).text + ": no errors\n" + summary(scene));
+    return exit_status::done;
+}
+
+}  // namespace strahl

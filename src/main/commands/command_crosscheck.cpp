@@ -1,0 +1,133 @@
+#include "main/commands/command_crosscheck.h"
+
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+
+#include "files/output_file.h"
+#include "files/read_file.h"
+#include "files/utf8.h"
+#include "image/compare.h"
+#include "image/pixels.h"
+#include "image/transfer.h"
+#include "num/thread_pool.h"
+#include "povref/compare/run_povray.h"
+#include "povref/compare/verdict.h"
+#include "scene/moving_scene.h"
+#include "text/parse.h"
+
+namespace strahl {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Strahl's picture, and the time for tracing it.
+struct OurRun {
+    Frame frame;
+    double seconds;
+};
+OurRun trace(Tracer& tracer, const View& view, int threads, const std::atomic<bool>* stop) {
+    ThreadPool pool(threads);
+    OurRun run{{view.width, view.height, std::vector<double>(std::size_t(3) * view.width * view.height)}, 0};
+    const auto start = std::chrono::steady_clock::now();
+    const auto keep = [&](const Tile& tile) {
+        const Lattice& part = tile.lattice;
+        const auto& rgb = std::get<std::span<const double>>(tile.rgb);
+        for (int row = 0; row < part.rows; ++row)
+            std::copy_n(rgb.begin() + std::ptrdiff_t(3) * row * part.columns, 3 * part.columns,
+                        run.frame.rgb.begin() + std::ptrdiff_t(3) * ((part.y + row) * view.width + part.x));
+    };
+    tracer.trace(view, {.columns = view.width, .rows = view.height}, pool, keep, stop);
+    if (stop && *stop) throw Stopped{};
+    run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return run;
+}
+
+/// The values as a screen shows them.
+Picture for_screen(Picture picture, bool linear) {
+    for (double& v : picture.values) v = quantise(v, linear, 65535) / 65535.;
+    return picture;
+}
+
+void write_sheet(const std::string& path, const Frame& ours, const Picture& theirs, bool linear) {
+    const Picture mine{ours.width, ours.height, 3, ours.rgb};
+    const Picture difference = heatmap(for_screen(mine, false), for_screen(theirs, false));
+    write_picture(beside({for_screen(mine, linear), for_screen(theirs, linear), difference}, 4), path, {});
+}
+
+/// "sheet.png" for one scene, "sheet-NAME.png" for one of several.
+std::string sheet_path(const CrosscheckOptions& options, const std::string& scene) {
+    if (options.scenes.size() == 1) return options.sheet;
+    const fs::path path(options.sheet);
+    return (path.parent_path() /
+            (path.stem().string() + "-" + fs::path(scene).stem().string() + path.extension().string()))
+        .string();
+}
+
+void print_row(const std::string& path, const Verdict& verdict, double ours, double theirs) {
+    const std::string scene = show(path.ends_with(".rt") ? path.substr(0, path.size() - 3) : path).text;
+    std::printf("| %-36s | %7zu | %9d | %10zu | %8zu | %8.3f | %9.3f |\n", scene.c_str(), verdict.pixels,
+                verdict.worst_off_edges, verdict.beyond_off_edges, verdict.beyond_on_edges, ours, theirs);
+    std::fflush(stdout);
+}
+
+/// Returns whether the two pictures agree.
+bool check(const CrosscheckOptions& options, const std::string& path, const std::atomic<bool>* stop) {
+    const Scene scene = parse_scene(read_text(path), path, {}, read_pixels);
+    if (options.time) flight_for("--time", scene, path);
+    const View view{.camera = camera_at(scene, options.time),
+                    .width = options.width,
+                    .height = options.height,
+                    .depth = options.depth.value_or(scene.settings.max_trace_level),
+                    .time = options.time.value_or(0)};
+    const PovRun theirs = run_povray(without_tracks(scene, view.time),
+                                     {.title = fs::path(path).filename().string(),
+                                      .cameras = {view.camera},
+                                      .time = view.time,
+                                      .width = view.width,
+                                      .height = view.height,
+                                      .depth = view.depth},
+                                     options.threads, stop);
+    Tracer tracer(scene, Precision::float64);
+    const OurRun ours = trace(tracer, view, options.threads, stop);
+    const Verdict verdict = judge(tracer, view, ours.frame, theirs.picture, stop);
+    print_row(path, verdict, ours.seconds, theirs.seconds);
+    if (!theirs.warnings.empty()) std::cerr << show(path).text << ": povray warns:\n" << printable(theirs.warnings);
+    if (verdict.beyond_off_edges > 0)
+        std::cerr << show(path).text << ": largest difference off the edges at x " << verdict.x << ", y " << verdict.y
+                  << '\n';
+    if (!options.sheet.empty())
+        write_sheet(sheet_path(options, path), ours.frame, theirs.picture, scene.settings.linear);
+    return verdict.beyond_off_edges == 0 && verdict.beyond_on_edges * 1000 <= verdict.pixels;
+}
+
+}  // namespace
+
+int crosscheck_command(const CrosscheckOptions& options, const std::atomic<bool>* stop) try {
+    if (const std::string fault = options.sheet.empty() ? "" : format_fault(options.sheet, 0); !fault.empty())
+        throw UsageError(fault);
+    for (const std::string& scene : options.scenes) {
+        if (options.sheet.empty()) break;
+        const std::string sheet = sheet_path(options, scene);
+        for (const std::string& other : options.scenes) {
+            refuse_overwriting("--sheet", sheet, "a scene", other);
+            if (&other < &scene)
+                refuse_overwriting("--sheet", sheet, "that of another scene", sheet_path(options, other));
+        }
+    }
+    require_picture_library();
+    // Differences are in steps of 1/65535; times are for tracing alone.
+    std::printf(
+        "| %-36s | %7s | %9s | %10s | %8s | %8s | %9s |\n|%s|\n", "scene", "pixels", "worst off", "beyond off",
+        "on edges", "strahl s", "povray s",
+        "--------------------------------------|--------:|----------:|-----------:|---------:|---------:|----------:");
+    bool agree = true;
+    for (const std::string& scene : options.scenes) agree &= check(options, scene, stop);
+    return agree ? 0 : 1;
+} catch (const Stopped&) {
+    std::cerr << "strahl: interrupted\n";
+    return 130;
+}
+
+}  // namespace strahl

@@ -1,0 +1,73 @@
+#include "main/commands/command_pov.h"
+
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+
+#include "files/output_file.h"
+#include "files/read_file.h"
+#include "files/utf8.h"
+#include "image/pixels.h"
+#include "povref/convert/pov_scene.h"
+#include "scene/moving_scene.h"
+#include "text/parse.h"
+
+namespace strahl {
+namespace {
+
+/// Frame n is the view at n / fps seconds; a path that loops ends one frame before it would repeat its first.
+std::vector<Camera> frames(const Scene& scene, const Flythrough& path, double fps) {
+    const double last = path.duration * fps;
+    if (!(last < 1e5)) throw UsageError("these are more than 100000 frames; choose a smaller --fps");
+    std::vector<Camera> cameras;
+    for (int n = 0; path.loop ? n < last - 1e-9 : n <= last + 1e-9; ++n)
+        cameras.push_back(camera_at(scene, n / fps));
+    return cameras;
+}
+
+std::string ini_path(const PovOptions& options) {
+    return std::filesystem::path(options.output).replace_extension(".ini").string();
+}
+
+void check(const PovOptions& options) {
+    if (options.output.empty()) throw UsageError("no output file. Add -o FILE.pov");
+    if (std::filesystem::path(options.output).extension() != ".pov")
+        throw UsageError("'" + options.output + "' should end in .pov; the .ini is written beside it");
+    refuse_overwriting("-o", options.output, "the scene", options.scene);
+    refuse_overwriting("The .ini beside -o", ini_path(options), "the scene", options.scene);
+    if (options.animation && options.time) throw UsageError("--animation and --time exclude each other");
+}
+
+}  // namespace
+
+int pov_command(const PovOptions& options) {
+    namespace fs = std::filesystem;
+    check(options);
+    const bool piped = options.scene == "-";
+    Scene scene = parse_scene(read_text(options.scene), piped ? "standard input" : options.scene, {}, read_pixels);
+    PovRequest request{.title = piped ? "A scene" : fs::path(options.scene).filename().string(),
+                       .pov_path = options.output,
+                       .picture_path = fs::path(options.output).replace_extension(".png").string(),
+                       .width = options.width,
+                       .height = options.height,
+                       .depth = options.depth.value_or(scene.settings.max_trace_level),
+                       .bits = options.bits};
+    if (options.animation) {
+        if (!followed_tracks(scene).empty())
+            throw UsageError("--animation can't follow the tracks of " + options.scene +
+                             "; --time writes what they are at a moment");
+        request.cameras = frames(scene, flight_for("--animation", scene, options.scene), options.fps);
+        request.fps = options.fps;
+    } else {
+        if (options.time) flight_for("--time", scene, options.scene);
+        request.cameras = {camera_at(scene, options.time)};
+        request.time = options.time.value_or(0);
+        scene = without_tracks(scene, request.time);
+    }
+    const PovFiles files = write_pov(scene, request);
+    write(files, options.output);
+    for (const std::string& warning : files.warnings) std::cerr << "strahl: warning: " << printable(warning) << '\n';
+    return 0;
+}
+
+}  // namespace strahl

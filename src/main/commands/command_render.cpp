@@ -1,0 +1,157 @@
+// strahl render: parses, and renders frame by frame.
+#include "main/commands/command_render.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <iostream>
+#include <string_view>
+#include <utility>
+
+#include "files/output_file.h"
+#include "files/read_file.h"
+#include "files/utf8.h"
+#include "image/pixels.h"
+#include "main/process/exit_status.h"
+#include "main/render/checkpoint.h"
+#include "main/render/renderer.h"
+#include "scene/moving_scene.h"
+#include "text/parse.h"
+#include "text/reading/tracks_file.h"
+
+namespace strahl {
+namespace {
+
+/// Is there a file that holds the whole picture? One that was cut off is told and made again; one of another film is
+/// not ours to overwrite. It needs no checkpoint any more, which stays if a run was killed after writing the picture.
+bool is_finished(const std::string& path, const Lattice& part) {
+    if (!std::filesystem::exists(path)) return false;
+    try {
+        const Picture picture = read_picture(path, 3 * std::uint64_t(part.columns) * part.rows);
+        if (picture.width == part.columns && picture.height == part.rows) {
+            remove_checkpoint(path);
+            return true;
+        }
+        const auto size = [](int width, int height) { return std::to_string(width) + "x" + std::to_string(height); };
+        throw UsageError("'" + path + "' is a picture of " + size(picture.width, picture.height) + " pixels and not " +
+                         size(part.columns, part.rows) +
+                         "; give --resume the size that the film was begun with, or another -o");
+    } catch (const FileError& error) {
+        std::cerr << "strahl: " << printable(error.what()) << "; this frame is made again\n";
+        return false;
+    }
+}
+
+/// Those of the share, if there is one. To files of their own, or to a stream.
+bool render_frames(const RenderOptions& options, const Lattice& part, Renderer& renderer, const std::string& ending,
+                   const Encoder::Append& stream = {}) {
+    const Share share = options.share.value_or(Share{});
+    if (stream) stream(stream_head(ending, {part.columns, part.rows}, options.fps));
+    int count = 0;
+    return options.frames->each([&](int frame) {
+        if (count++ % share.parts != share.part - 1) return true;
+        const Target target{stream ? options.output : numbered(options.output, frame), ending, stream};
+        if (options.resume && !renderer.interrupted() && is_finished(target.path, part)) return true;
+        const std::string last = std::to_string(options.frames->last());
+        const std::string label = "frame " + std::to_string(frame) + " of " + last + " ";
+        return renderer.render(shot_of(renderer.scene(), frame / options.fps), target, label);
+    });
+}
+
+/// Of a film whose frames follow each other.
+std::optional<FilmSound> sound_of(const RenderOptions& options, const Scene& scene) {
+    if (scene.music.sound.empty()) return std::nullopt;
+    const FrameList& frames = *options.frames;
+    if (frames.ranges.size() == 1 && (frames.ranges[0].step == 1 || frames.first() == frames.last()))
+        return FilmSound{path_beside(options.scene, scene.music.sound), frames.first() / options.fps};
+    std::cerr << "strahl: frames that do not follow each other make a film without sound\n";
+    return std::nullopt;
+}
+
+/// Frames one after the other, to standard output or a film; of these `stats` counts the finished ones.
+bool render_stream(const RenderOptions& options, const Lattice& part, Renderer& renderer, const std::string& ending,
+                   const std::string& ffmpeg, const Stats& stats) {
+    OutputFile standard_output("-");
+    std::optional<Film> film;
+    if (is_film(options.output)) film.emplace(ffmpeg, options.output, sound_of(options, renderer.scene()));
+    const bool whole = render_frames(options, part, renderer, ending, [&](std::string_view bytes) {
+        film ? film->append(bytes) : standard_output.append(bytes);
+    });
+    if (whole && film) film->finish();
+    if (whole) return true;
+    std::string said = "interrupted before the first frame was finished";
+    if (stats.frames > 0) {
+        int last = 0, count = 0;
+        options.frames->each([&](int frame) { return last = frame, ++count < stats.frames; });
+        said = "interrupted; " + (film ? "'" + printable(film->finish_part()) + "'" : "the stream") +
+               " ends with frame " + std::to_string(last) + " of " + std::to_string(options.frames->last());
+    }
+    std::cerr << "strahl: " << said << '\n';
+    return false;
+}
+
+/// All frames of a flight.
+FrameList frames_of(const Flythrough& flight, double fps) {
+    const double count = std::max(std::ceil(flight.duration * fps - 1e-6), 1.);
+    if (count > 1e9) throw UsageError("the flight has more than a billion frames; choose some with --frames");
+    return {{{0, static_cast<int>(count) - 1, 1}}};
+}
+
+/// A scene, and a hash of its text, its pictures and its tracks.
+std::pair<Scene, std::string> read_scene(const std::string& path) {
+    const std::hash<std::string_view> hash_of;
+    std::size_t hash = 0;
+    const auto read = [&](const std::string& file) {
+        Pixels pixels = read_pixels(file);
+        const std::size_t bytes = pixels.values.size() * sizeof(float);
+        const std::string_view all(reinterpret_cast<const char*>(pixels.values.data()), bytes);
+        hash = 31 * hash + hash_of(all) + unsigned(pixels.width);
+        return pixels;
+    };
+    const std::string text = read_text(path);
+    Scene scene = parse_scene(text, path == "-" ? "standard input" : path, {}, read);
+    if (!scene.tracks.empty()) hash = 31 * hash + hash_of(write_tracks(scene.tracks));
+    return {std::move(scene), std::to_string(31 * hash + hash_of(text))};
+}
+
+}  // namespace
+
+int render_command(const RenderOptions& asked) {
+    RenderOptions options = asked;
+    const std::string ending = check(options);
+    const std::string ffmpeg = is_film(options.output) ? find_ffmpeg(options.output) : "";
+    const Lattice part = options.crop.value_or(Lattice{0, 0, options.size.width, options.size.height});
+    check_size(part, ending, options.output == "-" || !ffmpeg.empty());
+    require_writable(options.numbered() ? numbered(options.output, options.frames->first()) : options.output);
+    if (!options.stats.empty()) require_writable(options.stats);
+    if (!options.prove.empty()) require_writable(options.prove), options.sampling = {.grid = 1};
+    require_different_files(options);
+
+    Stats stats;
+    stats.sampling = options.sampling;
+    if (options.error) stats.sampling.error = *options.error;
+    stats.size = options.size;
+    stats.crop = options.crop;
+    Stopwatch watch;
+    auto [scene, hash] = read_scene(options.scene);
+    stats.parse_seconds = watch.lap();
+    if (options.time || options.frames || !ffmpeg.empty()) {
+        const char* const option = options.time ? "--time" : options.frames ? "--frames" : "a film";
+        const Flythrough flight = flight_for(option, scene, options.scene);
+        if (!options.frames && !options.time) options.frames = frames_of(flight, options.fps);
+    }
+
+    const FileFormat format{bits_of(ending_of(ending), options.bits), scene.settings.linear, options.compression};
+    const Shot first =
+        shot_of(scene, options.frames ? std::optional(options.frames->first() / options.fps) : options.time);
+    if (!options.prove.empty() && !options.time) scene = at(scene, 0);  // proofs want all numbers as they are then
+    Renderer renderer(options, std::move(scene), std::move(hash), first, part, format, stats);
+    stats.finished = options.numbered() ? render_frames(options, part, renderer, ending)
+                     : options.frames   ? render_stream(options, part, renderer, ending, ffmpeg, stats)
+                                        : renderer.render(first, {options.output, ending, {}}, "", options.share);
+    if (!options.stats.empty()) write_file(options.stats, to_json(stats));
+    return stats.finished ? exit_status::done : exit_status::interrupted;
+}
+
+}  // namespace strahl

@@ -1,0 +1,21 @@
+// strahl stability: where a picture depends on the precision it is rendered in.
+#pragma once
+#include <optional>
+#include <string>
+
+#include "main/render/values.h"
+
+namespace strahl {
+
+struct StabilityOptions {
+    std::string scene;   // a file, or "-" for standard input
+    std::string output;  // the map; empty: none
+    Size size;
+    std::optional<int> depth;  // 1 to 256; by default the scene's max_trace_level
+    int threads = 0;           // 0: all processors
+};
+
+/// Prints the table and writes the map. Returns the exit status. Throws FileError, UsageError or OutputError.
+int stability_command(const StabilityOptions& options);
+
+}  // namespace strahl

@@ -1,0 +1,134 @@
+// Helpers that add options, so that main.cpp reads as a list of them. Only main.cpp may include this: CLI11 compiles
+// slowly.
+#pragma once
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "main/render/values.h"
+#include "text/reading/messages.h"
+
+namespace strahl {
+
+/// What the command line asks for; empty until a command has been parsed.
+using Action = std::function<int()>;
+
+/// A command: a struct of options, and the function that does the work.
+template <class Options>
+std::pair<CLI::App*, std::shared_ptr<Options>> add_command(CLI::App& app, Action& action, const char* name,
+                                                           const char* help, int (*work)(const Options&)) {
+    auto options = std::make_shared<Options>();
+    CLI::App* const command = app.add_subcommand(name, help);
+    command->set_help_flag("-h,--help", "Print this help");
+    command->option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+    command->callback([&action, options, work] { action = [options, work] { return work(*options); }; });
+    return {command, options};
+}
+
+/// A required argument.
+template <class Value>
+CLI::Option* add_argument(CLI::App* command, const char* name, Value& value, const char* help) {
+    return command->add_option(name, value, help)->required()->type_name(" ");
+}
+
+/// An option whose value is read by `parse`, which throws UsageError.
+template <class Value, class Parsed>
+CLI::Option* add_parsed(CLI::App* command, const char* name, Value& value, Parsed (*parse)(std::string_view),
+                        const char* help, const char* form) {
+    return command
+        ->add_option_function<std::string>(
+            name, [&value, parse](const std::string& text) { value = parse(text); }, help)
+        ->type_name(form);
+}
+
+/// One of these words; they are its name too, for `words_of`.
+inline CLI::Validator one_of(const std::vector<std::string>& words) {
+    std::string name;
+    for (const std::string& word : words) name += (name.empty() ? "" : "|") + word;
+    return CLI::IsMember(words).description("").name(name);
+}
+/// The words that an option's value is one of, if it is.
+inline std::optional<std::vector<std::string>> words_of(const CLI::Option& option) try {
+    const std::string& name = const_cast<CLI::Option&>(option).get_validator(0)->get_name();
+    if (name.empty()) return std::nullopt;
+    return CLI::detail::split(name, '|');
+} catch (const CLI::OptionNotFound&) {  // it has no validator
+    return std::nullopt;
+}
+
+/// An option whose value is one of some words.
+template <class Value>
+CLI::Option* add_choice(CLI::App* command, const char* name, Value& value,
+                        std::vector<std::pair<std::string, Value>> words, const char* help, const char* form) {
+    std::vector<std::string> known;
+    for (const auto& word : words) known.push_back(word.first);
+    return command
+        ->add_option_function<std::string>(
+            name,
+            [&value, words](const std::string& text) {
+                for (const auto& [word, choice] : words)
+                    if (word == text) value = choice;
+            },
+            help)
+        ->check(one_of(known))
+        ->type_name(form);
+}
+
+/// Real numbers from `low` to `high`; unlike CLI11's Range it also rejects NaN.
+inline CLI::Validator numbers(double low, double high) {
+    return CLI::Validator(
+        [=](std::string& text) {
+            double value = 0;
+            if (CLI::detail::lexical_cast(text, value) && value >= low && value <= high) return std::string();
+            return strahl::quoted(text) + " is not a number from " + CLI::detail::to_string(low) + " to " +
+                   CLI::detail::to_string(high);
+        },
+        "");
+}
+
+inline CLI::Option* add_scene(CLI::App* command, std::string& value) {
+    return add_argument(command, "SCENE", value, "The scene, an .rt file; - is standard input");
+}
+inline CLI::Option* add_file(CLI::App* command, const char* name, std::string& value, const char* help) {
+    return command->add_option(name, value, help)->type_name("FILE");
+}
+inline CLI::Option* add_size(CLI::App* command, int& width, int& height) {
+    return command
+        ->add_option_function<std::string>(
+            "--size",
+            [&](const std::string& text) {
+                const Size size = parse_size(text);
+                width = size.width, height = size.height;
+            },
+            "Size of the picture in pixels, " + std::to_string(width) + "x" + std::to_string(height) + " by default")
+        ->type_name("WxH");
+}
+inline CLI::Option* add_depth(CLI::App* command, std::optional<int>& value) {
+    return command
+        ->add_option("--depth", value, "Generations of rays, 1 to 256; by default the scene's max_trace_level")
+        ->check(CLI::Range(1, 256).description(""))
+        ->type_name("N");
+}
+inline CLI::Option* add_threads(CLI::App* command, int& value) {
+    return command->add_option("--threads", value, "Number of threads; by default one for each processor")
+        ->check(CLI::Range(1, 1024).description(""))
+        ->type_name("N");
+}
+inline CLI::Option* add_bits(CLI::App* command, int& value, const std::vector<int>& choices, const char* help) {
+    return command->add_option("--bits", value, help)->check(CLI::IsMember(choices).description(""))->type_name("N");
+}
+inline CLI::Option* add_time(CLI::App* command, std::optional<double>& value) {
+    return command->add_option("--time", value, "A moment of the scene's flythrough and motions, in seconds")
+        ->check(numbers(0, 1e9))
+        ->type_name("T");
+}
+inline CLI::Option* add_fps(CLI::App* command, double& value, const char* help) {
+    return command->add_option("--fps", value, help)->check(numbers(0.001, 1e6))->type_name("F");
+}
+
+}  // namespace strahl

@@ -1,0 +1,54 @@
+// The options of `render`, and checks of them.
+#pragma once
+#include <optional>
+#include <string>
+
+#include "image/picture.h"
+#include "main/render/film.h"
+#include "main/render/values.h"
+#include "trace/tracer.h"
+
+namespace strahl {
+
+struct RenderOptions {
+    std::string scene;   // a file, or "-" for standard input
+    std::string output;  // a file, "-" for standard output, or a film
+    std::string format;  // "bmp", "png", "exr", "ppm" or "y4m", for standard output only
+    int bits = 0;        // per channel; 0 is the format's default
+    Compression compression = Compression::fast;
+    Size size;           // of the whole picture, even if only a crop of it is rendered
+    std::optional<Lattice> crop;
+    std::optional<int> depth;            // 1 to 256; by default the scene's max_trace_level, or what `error` needs
+    std::optional<Precision> precision;  // by default double, or what `error` needs
+    std::optional<double> error;         // largest error of the file's values; see --error
+    Sampling sampling;                   // its error is `error`, if that is given
+    Simd simd = Simd::automatic;
+    int threads = 0;             // 0: all processors
+    std::optional<double> time;  // seconds into the flythrough
+    std::optional<FrameList> frames;
+    double fps = 25;
+    std::optional<Share> share;  // of the frames, or of the bands of one picture
+    bool resume = false;         // skips frames whose files exist, and whole; goes on with an interrupted picture
+    double checkpoint = 10;      // seconds after which finished bands are kept
+    std::string prove;    // a map of what is proved, .bmp or .png, or empty
+    std::string stats;    // a JSON file, or empty
+    bool quiet = false;
+
+    /// Has each frame a file of its own?
+    bool numbered() const { return frames && output != "-" && !is_film(output); }
+};
+
+/// Checks the options that do not depend on the scene. Returns the ending that chooses the format. This and the
+/// following functions throw UsageError.
+std::string check(const RenderOptions& options);
+
+/// Refuses pictures that the format or the memory of this machine can't hold.
+void check_size(const Lattice& part, const std::string& ending, bool to_pipe);
+
+/// Nothing that was asked for, and not the scene, may be overwritten by something else.
+void require_different_files(const RenderOptions& options);
+
+/// Fails before tracing rather than after hours of it. Throws OutputError.
+void require_writable(const std::string& path);
+
+}  // namespace strahl

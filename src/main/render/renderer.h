@@ -1,0 +1,75 @@
+// Pictures of one scene: traced, encoded meanwhile, and written.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "image/picture.h"
+#include "image/picture_writer.h"
+#include "main/process/interrupt.h"
+#include "main/process/stopwatch.h"
+#include "main/render/checkpoint.h"
+#include "main/render/proof.h"
+#include "main/render/render_options.h"
+#include "main/render/stats.h"
+#include "num/thread_pool.h"
+#include "scene/moving_scene.h"
+#include "trace/measure/picture_accuracy.h"
+
+namespace strahl {
+
+/// A moment of the scene.
+struct Shot {
+    Camera camera;
+    double time;
+};
+inline Shot shot_of(const Scene& scene, std::optional<double> time) {
+    return {camera_at(scene, time), time.value_or(0)};
+}
+
+/// Where a picture goes: to a file, or to a stream of which nothing is kept and that has no names.
+struct Target {
+    std::string path, ending;
+    Encoder::Append stream;
+};
+
+class Renderer {
+  public:
+    /// `scene_hash` is of the text and the pictures. `first` is the moment by which precision and pruning are chosen;
+    /// `part` is the part of the picture that is traced. Times and rays are added to `sums`.
+    Renderer(const RenderOptions& options, Scene scene, std::string scene_hash, const Shot& first, const Lattice& part,
+             FileFormat format, Stats& sums);
+
+    const Scene& scene() const { return tracer.scene(); }
+    bool interrupted() const { return *interrupt.flag(); }
+
+    /// Traces and writes one picture, or the bands of a share. If interrupted, keeps the finished part in files of its
+    /// own, but nothing in a stream, and returns false.
+    bool render(const Shot& shot, const Target& target, const std::string& label, std::optional<Share> share = {});
+
+  private:
+    Accuracy choose(const Scene& scene, const Shot& shot);
+    View view(const Shot& shot, int depth, double dropped) const;
+    BandHeader header(const Shot& shot, const PictureWriter& writer, const std::string& ending, Share share) const;
+    std::vector<Lattice> missing(const PictureWriter& writer, Share share) const;
+    std::uint64_t trace(const Shot& shot, const std::vector<Lattice>& regions, std::uint64_t all, PictureWriter& writer,
+                        Checkpoint& checkpoint, const std::string& label);
+    void prove_again(const Shot& shot, PictureWriter& writer, const std::string& label);
+    void tell_interrupted(const std::string& done, const std::string& path, bool shared, PictureWriter& writer,
+                          Checkpoint& checkpoint);
+
+    const RenderOptions& options;
+    const std::string scene_hash;
+    const FileFormat format;
+    const Lattice part;
+    Stats& stats;
+    Stopwatch watch;
+    ThreadPool pool;
+    const Accuracy accuracy;
+    Tracer tracer;
+    Interrupt interrupt;
+    std::optional<Proof> proof;
+};
+
+}  // namespace strahl

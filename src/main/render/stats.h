@@ -1,0 +1,34 @@
+// Times, rays and errors of a rendering, as a JSON file.
+#pragma once
+#include <optional>
+#include <string>
+
+#include "main/render/proof_counts.h"
+#include "main/render/values.h"
+#include "trace/measure/picture_accuracy.h"
+#include "trace/tracer.h"
+
+namespace strahl {
+
+/// Seconds are wall time. For several frames, times and rays are sums; skipped frames don't count.
+struct Stats {
+    double parse_seconds = 0;  // reading and parsing the scene
+    double build_seconds = 0;  // building worlds
+    double trace_seconds = 0;  // tracing alone
+    double write_seconds = 0;  // encoding and writing, and waiting for the picture library if it was not loaded yet
+    Counts rays;
+    Size size;
+    std::optional<Lattice> crop;
+    int frames = 0, threads = 0, lanes = 0;
+    double error = 0;   // allowed
+    Sampling sampling;
+    Sampled sampled;    // without a grid
+    Accuracy accuracy;  // precision, depth and pruning chosen for it
+    Simd simd = Simd::automatic;
+    std::optional<ProofCounts> proved;
+    bool finished = false;
+};
+
+std::string to_json(const Stats& stats);
+
+}  // namespace strahl

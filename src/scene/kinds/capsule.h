@@ -1,0 +1,16 @@
+// Capsules around bodies, which tell thin bodies from small ones.
+#pragma once
+#include "num/bounding_box.h"
+
+namespace strahl {
+
+/// All points no further than `radius` from the way between two points.
+struct Capsule {
+    DVec3 from, to;
+    double radius;
+};
+
+/// The capsule around a box, along its longest side.
+Capsule capsule_around(const Box& box);
+
+}  // namespace strahl

@@ -1,0 +1,39 @@
+// Where the hits of a body can be.
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "num/ray.h"
+#include "scene/kinds/world_transform.h"
+
+namespace strahl {
+
+/// The box around a body, for kernels whose own space is stretched. If one side of a body shrinks so much more than
+/// another that rounding exceeds it, their formulas are met by rays that pass far away, and bounding volumes do or do
+/// not rule these out: how many rays are side by side would decide what is seen. So a crossing outside this box is
+/// none.
+template <class T>
+struct HitBox {
+    Vec3<T> middle, half;
+
+    /// Of a box that has been through the matrix. It is larger by what rounding of its own numbers, which have been
+    /// double, may cost.
+    static HitBox of(const Box& bounds, const WorldTransform& to_world) {
+        constexpr double rounding = 4 * std::max(static_cast<double>(std::numeric_limits<T>::epsilon()),
+                                                 std::numeric_limits<double>::epsilon());
+        const DVec3 middle = to_world.place(bounds.centre()), size = bounds.size() * to_world.scale;
+        DVec3 half;
+        for (int c = 0; c < 3; ++c) half[c] = size[c] / 2 + rounding * (std::fabs(middle[c]) + size[c]);
+        return {cast<T>(middle), cast<T>(half)};
+    }
+    /// Is the point of the ray at `t` in the box, but for the rounding of t?
+    template <class S>
+    STRAHL_INLINE Mask<S> holds(const Ray<S>& ray, S t) const {
+        const Vec3<S> p = fma(t, ray.direction, ray.origin - splat<S>(middle));
+        const S slack = S(16 * std::numeric_limits<Element<S>>::epsilon()) * abs(t);
+        return (abs(p.x) <= S(half.x) + slack) & (abs(p.y) <= S(half.y) + slack) & (abs(p.z) <= S(half.z) + slack);
+    }
+};
+
+}  // namespace strahl

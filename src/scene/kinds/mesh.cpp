@@ -1,0 +1,77 @@
+#include "scene/kinds/mesh.h"
+
+#include <algorithm>
+#include <array>
+
+namespace strahl {
+
+std::optional<std::pair<DVec3, DVec3>> open_side(const MeshData& mesh) {
+    struct Side {
+        std::int32_t low, high;
+        int direction;
+        bool operator<(const Side& other) const { return std::pair(low, high) < std::pair(other.low, other.high); }
+    };
+    std::vector<Side> sides;
+    sides.reserve(3 * mesh.triangles.size());
+    for (const MeshData::Corners& triangle : mesh.triangles)
+        for (int k = 0; k < 3; ++k) {
+            const std::int32_t from = triangle[k], to = triangle[(k + 1) % 3];
+            sides.push_back(from < to ? Side{from, to, 1} : Side{to, from, -1});
+        }
+    std::sort(sides.begin(), sides.end());
+    for (std::size_t i = 0; i < sides.size();) {
+        std::size_t end = i + 1;
+        int balance = sides[i].direction;
+        while (end < sides.size() && !(sides[i] < sides[end])) balance += sides[end++].direction;
+        if (balance != 0 || end - i != 2) return std::pair(mesh.points[sides[i].low], mesh.points[sides[i].high]);
+        i = end;
+    }
+    return {};
+}
+
+bool same_triangles(const MeshData& a, const MeshData& b) {
+    if (a.triangles.size() != b.triangles.size() || a.corner_normals.size() != b.corner_normals.size()) return false;
+    const MeshData::Corners *const a_places = a.place_numbers(), *const b_places = b.place_numbers();
+    if (!a_places != !b_places) return false;
+    for (std::size_t i = 0; i < a.triangles.size(); ++i)
+        for (int k = 0; k < 3; ++k) {
+            if (a.points[a.triangles[i][k]] != b.points[b.triangles[i][k]]) return false;
+            if (!a.corner_normals.empty() && a.normals[a.corner_normals[i][k]] != b.normals[b.corner_normals[i][k]])
+                return false;
+            if (a_places && a.places[a_places[i][k]] != b.places[b_places[i][k]]) return false;
+        }
+    return true;
+}
+
+std::shared_ptr<const MeshData> Mesh::tetrahedron() {
+    static const auto shared =
+        std::make_shared<const MeshData>(MeshData{.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                                                  .normals = {},
+                                                  .triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}},
+                                                  .corner_normals = {}});
+    return shared;
+}
+
+Box Mesh::bounds(const glm::dmat4& matrix) const {
+    Box box;
+    std::vector<bool> used(data->points.size());
+    for (const MeshData::Corners& triangle : data->triangles)
+        for (const std::int32_t corner : triangle) used[corner] = true;
+    for (std::size_t i = 0; i < used.size(); ++i)
+        if (used[i]) box.add(transform_point(matrix, data->points[i]));
+    return box;
+}
+
+bool Mesh::contains(const DVec3& p) const {
+    if (open_side(*data)) return false;
+    const Ray<double> ray{p, {0, 0, 1}, -1};
+    bool inside = false;
+    for (const auto& [a, b, c] : data->triangles) {
+        const Span<double> span =
+            TriangleKernel<double>{data->points[a], data->points[b], data->points[c]}.span(ray, -1.);
+        inside ^= span.hit && span.far > 0;
+    }
+    return inside;
+}
+
+}  // namespace strahl

@@ -1,0 +1,70 @@
+// The mesh: triangles that share their corners and are one body, inline or from a file.
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "scene/kinds/mesh_data.h"
+#include "scene/kinds/smooth_triangle.h"
+
+namespace strahl {
+
+/// Where a mesh is not closed: the ends of a side that is not shared by two triangles, which pass it in opposite
+/// directions; nothing if all are.
+std::optional<std::pair<DVec3, DVec3>> open_side(const MeshData& mesh);
+
+/// The same corners, normals and places, however they are numbered?
+bool same_triangles(const MeshData& a, const MeshData& b);
+
+/// Its items are those of triangles. What is inside of a closed mesh is decided by how often a line has crossed it.
+struct Mesh {
+    std::shared_ptr<const MeshData> data = tetrahedron();
+    std::string file;  // as the scene names it; empty for a mesh whose triangles stand in the scene
+
+    bool operator==(const Mesh& other) const {
+        return file == other.file && (data == other.data || same_triangles(*data, *other.data));
+    }
+
+    static constexpr const char* name = "mesh";
+    static constexpr int faces = 1, max_crossings = 1;  // of an item, a triangle
+    static constexpr bool bounded = true, convex = true, closed = false, hot = false;
+    static constexpr auto fields = std::make_tuple();
+    static std::shared_ptr<const MeshData> tetrahedron();
+
+    /// Has it sides that are not shared by two triangles?
+    bool open() const { return open_side(*data).has_value(); }
+    const char* fault() const { return data->triangles.empty() ? "it has no triangles" : nullptr; }
+    Box bounds() const { return bounds(glm::dmat4(1)); }
+    Box bounds(const glm::dmat4& matrix) const;
+    bool contains(const DVec3& p) const;
+
+    template <class T>
+    using Kernels = std::tuple<>;
+    template <class T, class Emit>
+    void emit(const WorldTransform& to_world, const Emit& emit) const {
+        const auto &points = data->points, &normals = data->normals;
+        const auto &triangles = data->triangles, &corner_normals = data->corner_normals;
+        if constexpr (requires { emit.template count<TriangleKernel<T>>(triangles.size()); })
+            return corner_normals.empty() ? emit.template count<TriangleKernel<T>>(triangles.size())
+                                          : emit.template count<SmoothTriangleKernel<T>>(triangles.size());
+        std::vector<Vec3<T>> corners;
+        corners.reserve(points.size());
+        for (const DVec3& point : points) corners.push_back(cast<T>(to_world.point(point)));
+        const NormalTransform turn(to_world.matrix);
+        for (std::size_t i = 0; i < triangles.size(); ++i) {
+            const auto [a, b, c] = triangles[i];
+            const TriangleKernel<T> flat{corners[a], corners[b], corners[c]};
+            if (corner_normals.empty()) {
+                emit(flat);
+            } else {
+                const auto normal = [&](int k) { return turn(normalize(normals[corner_normals[i][k]])); };
+                emit(smooth_kernel(flat, normal(0), normal(1), normal(2)));
+            }
+        }
+    }
+};
+
+}  // namespace strahl

@@ -1,0 +1,69 @@
+// Flying and orbiting.
+#include "show/session/camera_control.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "num/vec_math.h"
+#include "text/reading/parameter.h"
+
+namespace strahl {
+namespace {
+
+struct Axes {
+    DVec3 forward, level, right, up;  // `level` is the horizontal part of forward
+    double elevation;                 // radians
+};
+Axes axes_of(const Camera& camera) {
+    const DVec3 up = DVec3(0) - normalize(camera.up);
+    const DVec3 forward = frame_of(camera, 1).forward;
+    const DVec3 right = frame_of(camera, 1).right;
+    return {forward, cross_product(up, right), right, up, std::asin(std::clamp(dot_product(forward, up), -1., 1.))};
+}
+
+/// The viewing direction after a turn.
+DVec3 turned(const Axes& axes, double right, double upwards) {
+    const double steepest = std::max(std::numbers::pi * 89 / 180, std::abs(axes.elevation));
+    const double rise = std::clamp(axes.elevation + upwards, -steepest, steepest);
+    const DVec3 level = axes.level * std::cos(right) + axes.right * std::sin(right);
+    return level * std::cos(rise) + axes.up * std::sin(rise);
+}
+
+/// `moved`, or `camera` if `moved` is degenerate, too far from the origin or too near to look_at.
+Camera checked(const Camera& moved, const Camera& camera) {
+    const double reach = std::max(length(moved.position), length(moved.look_at));
+    const bool sound =
+        reach <= largest_coordinate && length(moved.look_at - moved.position) > 1e-9 * reach && !degenerate(moved);
+    return sound ? moved : camera;
+}
+
+}  // namespace
+
+Camera fly(const Camera& camera, const CameraInput& input) {
+    if (input == CameraInput{}) return camera;
+    const Axes axes = axes_of(camera);
+    const DVec3 step = axes.right * input.push.x + axes.up * input.push.y + axes.forward * input.push.z;
+    Camera moved = camera;
+    moved.position += step;
+    // Without a turn the direction is kept exactly.
+    moved.look_at =
+        input.right == 0 && input.upwards == 0
+            ? camera.look_at + step
+            : moved.position + turned(axes, input.right, input.upwards) * length(camera.look_at - camera.position);
+    return checked(moved, camera);
+}
+
+Camera orbit(const Camera& camera, const CameraInput& input) {
+    if (input == CameraInput{}) return camera;
+    const Axes axes = axes_of(camera);
+    const double distance = length(camera.look_at - camera.position) * std::exp(-input.push.z);
+    Camera moved = camera;
+    // Moving to the right around a point turns the view to the left.
+    moved.position = camera.look_at - turned(axes, input.right - input.push.x, input.upwards - input.push.y) * distance;
+    return checked(moved, camera);
+}
+
+double default_speed(const Camera& camera) { return length(camera.look_at - camera.position) / 3; }
+
+}  // namespace strahl

@@ -1,0 +1,30 @@
+// Proportions of picture and window.
+#include "show/session/framing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace strahl {
+
+ScreenArea fitted(double aspect, int window_width, int window_height) {
+    const double columns = window_width, rows = window_height;
+    const int width = std::clamp(static_cast<int>(std::lround(std::min(columns, rows * aspect))), 1, window_width);
+    const int height = std::clamp(static_cast<int>(std::lround(std::min(rows, columns / aspect))), 1, window_height);
+    return {(window_width - width) / 2, (window_height - height) / 2, width, height};
+}
+
+Framing framing(const Camera& camera, int window_width, int window_height, bool fill) {
+    const ScreenArea whole{0, 0, window_width, window_height};
+    if (!camera.aspectratio) return {whole, camera};
+    if (!fill) return {fitted(*camera.aspectratio, window_width, window_height), camera};
+    Camera wider = camera;
+    wider.aspectratio.reset();
+    constexpr double degree = std::numbers::pi / 180, widest = 89;
+    const double factor = std::max(1., window_width / (window_height * *camera.aspectratio));
+    if (factor > 1)
+        wider.fov = std::max(camera.fov, std::min(widest, std::atan(std::tan(camera.fov * degree) * factor) / degree));
+    return {whole, wider};
+}
+
+}  // namespace strahl

@@ -1,0 +1,123 @@
+// Maps GLFW's keys to commands.
+#include "show/session/keys.h"
+
+#include <GLFW/glfw3.h>
+
+#include <span>
+
+namespace strahl {
+namespace {
+
+/// The letter that is printed on the key, as a capital; if the layout has no Latin letters, the US letter at its place.
+char letter_of(int key, int scancode) {
+    const char* const name = glfwGetKeyName(key, scancode);
+    if (name && name[0] >= 'a' && name[0] <= 'z' && name[1] == 0) return static_cast<char>(name[0] - 'a' + 'A');
+    const bool foreign = !name || static_cast<unsigned char>(name[0]) > 127;
+    return foreign && key >= GLFW_KEY_A && key <= GLFW_KEY_Z ? static_cast<char>(key) : '\0';
+}
+
+struct Meaning {
+    int key;
+    Command command;
+};
+/// Keys by their letters, alone or with Shift, and with Ctrl.
+constexpr Meaning letters[] = {
+    {'F', {Action::play}},        {'P', {Action::add_key}}, {'R', {Action::reset}}, {'V', {Action::fill}},
+    {'C', {Action::copy_camera}}, {'H', {Action::help}},    {'I', {Action::info}},  {'X', {Action::stability}},
+    {'N', {Action::quiet}},       {'T', {Action::timeline}},    {'K', {Action::record}},
+};
+constexpr Meaning control_letters[] = {
+    {'S', {Action::still}}, {'Z', {Action::undo}}, {'Y', {Action::redo}}, {'N', {Action::clear_path}}};
+/// Keys that are the same in all layouts.
+constexpr Meaning other_keys[] = {
+    {GLFW_KEY_ESCAPE, {Action::quit}},       {GLFW_KEY_SPACE, {Action::pause}},
+    {GLFW_KEY_F11, {Action::full_screen}},   {GLFW_KEY_F12, {Action::still}},
+    {GLFW_KEY_F2, {Action::write_path}},
+    {GLFW_KEY_HOME, {Action::rewind}},       {GLFW_KEY_END, {Action::to_end}},
+    {GLFW_KEY_LEFT, {Action::step, -1}},     {GLFW_KEY_RIGHT, {Action::step, 1}},
+    {GLFW_KEY_PAGE_UP, {Action::to_key, -1}}, {GLFW_KEY_PAGE_DOWN, {Action::to_key, 1}},
+    {GLFW_KEY_INSERT, {Action::set_key}},    {GLFW_KEY_DELETE, {Action::delete_key}},
+};
+
+std::optional<Command> find(std::span<const Meaning> meanings, int key) {
+    for (const Meaning& meaning : meanings)
+        if (meaning.key == key) return meaning.command;
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Command> command_of_key(int key, int scancode, int modifiers, bool third_level) {
+    const bool shift = modifiers & GLFW_MOD_SHIFT, alone = !(modifiers & (GLFW_MOD_ALT | GLFW_MOD_SUPER));
+    if (key == GLFW_KEY_TAB) return alone ? std::optional(Command{Action::change_style}) : std::nullopt;
+    if (auto command = find(other_keys, key)) {
+        if (shift && command->action == Action::step) command->number *= 25;
+        return command;
+    }
+    const char letter = letter_of(key, scancode);
+    if (modifiers & GLFW_MOD_CONTROL && alone) {
+        if (letter == 'Z' && shift) return Command{Action::redo};
+        return find(control_letters, letter);
+    }
+    if (third_level || !alone) return std::nullopt;
+    for (const int first : {GLFW_KEY_1, GLFW_KEY_KP_1})
+        if (key >= first && key < first + 9) return Command{shift ? Action::store : Action::recall, key - first + 1};
+    if (letter == 'C' && shift) return Command{Action::copy_path};
+    return find(letters, letter);
+}
+
+std::optional<Command> command_of_character(unsigned character) {
+    switch (character) {
+        case '[':
+            return Command{Action::shallower};
+        case ']':
+            return Command{Action::deeper};
+        case ',':
+            return Command{Action::coarser};
+        case '.':
+            return Command{Action::finer};
+        default:
+            return std::nullopt;
+    }
+}
+
+std::optional<Command> command_of_button(int button) {
+    constexpr Meaning buttons[] = {
+        {GLFW_GAMEPAD_BUTTON_A, {Action::pause}},
+        {GLFW_GAMEPAD_BUTTON_B, {Action::reset}},
+        {GLFW_GAMEPAD_BUTTON_X, {Action::add_key}},
+        {GLFW_GAMEPAD_BUTTON_Y, {Action::still}},
+        {GLFW_GAMEPAD_BUTTON_BACK, {Action::help}},
+        {GLFW_GAMEPAD_BUTTON_START, {Action::play}},
+        {GLFW_GAMEPAD_BUTTON_LEFT_BUMPER, {Action::to_key, -1}},
+        {GLFW_GAMEPAD_BUTTON_RIGHT_BUMPER, {Action::to_key, 1}},
+    };
+    return find(buttons, button);
+}
+
+std::optional<int> gamepad() {
+    for (int id = GLFW_JOYSTICK_1; id <= GLFW_JOYSTICK_LAST; ++id)
+        if (glfwJoystickIsGamepad(id)) return id;
+    return std::nullopt;
+}
+
+std::optional<Push> push_of_key(int key) {
+    switch (key) {
+        case GLFW_KEY_W:
+            return Push::forward;
+        case GLFW_KEY_S:
+            return Push::back;
+        case GLFW_KEY_D:
+            return Push::right;
+        case GLFW_KEY_A:
+            return Push::left;
+        case GLFW_KEY_E:
+            return Push::up;
+        case GLFW_KEY_Q:
+            return Push::down;
+        default:
+            return std::nullopt;
+    }
+}
+
+}  // namespace strahl

@@ -1,0 +1,120 @@
+// Changes of a path.
+#include "show/session/path_editor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "num/vec_math.h"
+
+namespace strahl {
+namespace {
+
+constexpr double least_gap = 0.001;  // seconds between keys
+constexpr std::size_t most_steps = 500;
+
+/// What the scene language demands: the duration reaches to the last key, and where a path that loops has a key at its
+/// end this equals the first.
+Flythrough checked(Flythrough path) {
+    if (path.keys.empty()) return {};
+    path.duration = std::max(path.duration, path.keys.back().time);
+    if (path.loop && path.keys.back().time == path.duration) {
+        path.keys.back() = path.keys.front();
+        path.keys.back().time = path.duration;
+    }
+    return path;
+}
+
+}  // namespace
+
+double rounded_time(double seconds) { return std::round(1000 * seconds) / 1000; }
+
+Keyframe key_of(const Camera& camera, const Camera& scene_camera, double time) {
+    const double distance = length(camera.look_at - camera.position);
+    const double digit = std::pow(10, 5 - std::floor(std::log10(distance)));
+    const auto rounded = [&](const DVec3& v) {
+        return DVec3(std::round(v.x * digit) / digit, std::round(v.y * digit) / digit, std::round(v.z * digit) / digit);
+    };
+    Keyframe key{time, rounded(camera.position), rounded(camera.look_at), {}, {}};
+    if (camera.fov != scene_camera.fov) key.fov = camera.fov;
+    if (camera.up != scene_camera.up) key.up = camera.up;
+    return key;
+}
+
+Flythrough with_key(Flythrough path, const Keyframe& key) {
+    if (const auto there = key_at(path, key.time)) {
+        const double time = path.keys[*there].time;
+        path.keys[*there] = key;
+        path.keys[*there].time = time;
+    } else {
+        path.keys.insert(std::ranges::upper_bound(path.keys, key.time, {}, &Keyframe::time), key);
+    }
+    return checked(std::move(path));
+}
+
+Flythrough continued(Flythrough path, Keyframe key, double seconds) {
+    if (path.keys.empty()) return key.time = 0, checked({.keys = {key}});
+    const Keyframe &first = path.keys.front(), &last = path.keys.back();
+    key.time = last.time + seconds;
+    if (path.loop && last.time < path.duration)  // it returns by itself
+        path.duration = std::max(path.duration, key.time + seconds);
+    else
+        path.loop = path.keys.size() > 1 && key.position == first.position && key.look_at == first.look_at,
+        path.duration = std::max(path.duration, key.time);
+    path.keys.push_back(key);
+    return checked(std::move(path));
+}
+
+Flythrough without_key(Flythrough path, std::size_t number) {
+    const bool at_end = path.keys[number].time == path.duration;
+    path.keys.erase(path.keys.begin() + std::ptrdiff_t(number));
+    if (at_end && !path.keys.empty()) path.duration = path.keys.back().time, path.loop = false;
+    return checked(std::move(path));
+}
+
+Flythrough retimed(Flythrough path, std::size_t number, double time) {
+    std::vector<Keyframe>& keys = path.keys;
+    const bool at_end = keys[number].time == path.duration;
+    const double after = number > 0 ? keys[number - 1].time + least_gap : 0;
+    const bool last = number + 1 == keys.size();
+    const double before = last ? (path.loop && !at_end ? path.duration : 1e9) : keys[number + 1].time;
+    keys[number].time = rounded_time(std::max(std::min(time, before - least_gap), after));
+    if (at_end) path.duration = keys[number].time;
+    return checked(std::move(path));
+}
+
+std::optional<std::size_t> key_at(const Flythrough& path, double time) {
+    for (std::size_t i = 0; i < path.keys.size(); ++i)
+        if (std::abs(path.keys[i].time - time) < least_gap / 2) return i;
+    return std::nullopt;
+}
+
+void PathEditor::reload(const std::optional<Flythrough>& in_file) {
+    Flythrough newer = in_file.value_or(Flythrough{});
+    if (newer != saved && newer != present) change(newer);
+    saved = std::move(newer);
+}
+
+void PathEditor::change(Flythrough newer, bool merged) {
+    if (newer == present) return;
+    if (!merged) past.push_back(present);
+    if (past.size() > most_steps) past.erase(past.begin());
+    future.clear();
+    present = std::move(newer);
+}
+
+bool PathEditor::undo() {
+    if (past.empty()) return false;
+    future.push_back(std::exchange(present, past.back()));
+    past.pop_back();
+    return true;
+}
+
+bool PathEditor::redo() {
+    if (future.empty()) return false;
+    past.push_back(std::exchange(present, future.back()));
+    future.pop_back();
+    return true;
+}
+
+}  // namespace strahl

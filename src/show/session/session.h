@@ -1,0 +1,112 @@
+// The state that the user controls: camera, flight, depth. Independent of windows and threads.
+#pragma once
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scene/scene.h"
+#include "show/session/camera_control.h"
+#include "show/session/flight.h"
+#include "show/session/keys.h"
+#include "show/session/path_editor.h"
+#include "show/session/progressive.h"
+#include "show/session/thinning.h"
+
+namespace strahl {
+
+/// The response to a command: a short note for the window and the log, and scene text for the clipboard and standard
+/// output.
+struct Answer {
+    std::string note, text;
+};
+
+class Session {
+  public:
+    /// `depth` is used instead of the scene's. All times named `now` are seconds of one steady clock.
+    explicit Session(std::shared_ptr<const Scene> scene, std::optional<int> depth = {});
+
+    /// To be called when the file has changed or, if `opened`, is another one. The camera stays unless it changed in
+    /// the file.
+    void replace(std::shared_ptr<const Scene> scene, bool opened);
+
+    /// Commands that concern only the window (quit, still, full screen, help, info) have no effect here.
+    Answer perform(Command command, double now);
+
+    /// Moves to a moment of the flight and pauses there. False if nothing moves; then only the moment is kept, for
+    /// keys.
+    bool go_to(double seconds, double now);
+
+    /// Moves the camera; ends a flight on which it was not free, and says so. `push` is in seconds at the current
+    /// speed.
+    Answer steer(const CameraInput& input, double now);
+    /// Of a flight on which the camera is not free, or else of the camera.
+    Answer change_speed(double factor, double now);
+    /// While a flight by hand is recorded: notes where the camera is. To be called before and after each step of it.
+    /// Returns a response if the recording has become too long, and ends it.
+    std::optional<Answer> observe(double now);
+    bool recording() const { return recorded.has_value(); }
+
+    /// Gives a key of the path other values, if the camera sees something from there. The moment moves with the key.
+    /// `merged`: see PathEditor::change.
+    Answer change_key(std::size_t number, const Keyframe& key, bool merged, double now);
+    /// Makes a change of the path that `editor` holds take effect on the flight.
+    void path_changed(double now);
+    /// Moves the camera along the flight to this moment. Returns a response if the flight has ended.
+    std::optional<Answer> follow(double now);
+
+    bool flying() const { return path.has_value(); }
+    bool paused() const { return flying() && !clock.running(); }
+    bool under_way() const { return flying() && clock.running(); }
+    /// Is it a flight of the scene's, and as fast as that says?
+    bool at_own_speed() const { return path && !around && clock.rate() == 1; }
+    /// Moves the flight on by so many seconds.
+    void shift(double seconds, double now) { clock.set(clock.at(now) + seconds, now); }
+    /// The moment of the flight, or where the last one ended, in seconds.
+    double flight_time(double now) const;
+    const std::optional<Flythrough>& flight_path() const { return path; }
+    /// The path as it is edited, or without keys if there is none, until the last key of the scene's motions if it does
+    /// not loop. Nothing if nothing moves.
+    std::optional<Flythrough> flight() const;
+
+    std::shared_ptr<const Scene> scene;
+    PathEditor editor;
+    Camera camera;
+    double time = 0;  // of moving bodies, in seconds: as `camera` that of the last moment followed
+    bool orbiting = false;
+    bool once = false;          // a path that loops ends after one round, too
+    bool driven = false;        // by an editor of tracks: flights go on after their end
+    std::shared_ptr<const std::vector<Track>> tracks;  // if any, in place of the scene's
+    double speed = 1;           // units of the scene per second
+    int finest = finest_level;  // while moving
+    int depth() const { return own_depth.value_or(scene->settings.max_trace_level); }
+
+  private:
+    /// Is the camera where a flight has it?
+    bool bound() const { return path && (!path->keys.empty() || !scene->camera_follows.empty()); }
+    Answer play(double now);
+    Answer pause(double now);
+    Answer step_to(double seconds, double now);
+    Answer to_key(int step, double now);
+    Answer edit(Action action, double now);
+    Answer add_key(double now);
+    Answer record(double now);
+    Answer recall(int number);
+    void stop(double now);
+
+    std::optional<int> own_depth;
+    std::optional<std::vector<CameraMoment>> recorded;
+    std::optional<double> motion_end;  // the last key of what moves
+    std::optional<Flythrough> path;    // on which the camera flies now; without keys it is free, and only bodies move
+    bool around = false;               // that path is an orbit
+    FlightClock clock;                 // keeps the moment while no flight is under way
+    std::array<std::optional<Camera>, 9> cameras;
+};
+
+/// "1.77 s"
+std::string seconds_text(double seconds);
+/// "1/4 of the pixels", for a level.
+std::string resolution_text(int level);
+
+}  // namespace strahl

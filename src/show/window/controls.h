@@ -1,0 +1,50 @@
+// Collects input from keys and mouse until the camera takes it.
+#pragma once
+#include <array>
+#include <glm/vec2.hpp>
+#include <optional>
+
+#include "show/session/camera_control.h"
+#include "show/session/keys.h"
+
+namespace strahl {
+
+class Controls {
+  public:
+    void press(Push key);
+    void release(Push key);
+    void drag(double right, double upwards, double now);
+    /// The sticks of a gamepad, -1 to 1 in each direction: pushes as keys do, and turns to the right and upwards. Near
+    /// their middle they count as at rest.
+    void tilt(const DVec3& push, double right, double upwards);
+    bool faster = false;
+
+    /// Will there be more input soon?
+    bool active(double now) const;
+    /// The input since the last call, `seconds` ago. Pushes are in seconds.
+    CameraInput take(double seconds);
+
+  private:
+    struct Held {
+        bool down = false, fresh = false;  // fresh: pressed since the last take, even if released by now
+    };
+
+    std::array<Held, 6> held;
+    double right = 0, upwards = 0, dragged = -1;
+    CameraInput tilted;  // per second
+};
+
+/// Tells from clicks how far the pointer is dragged. All in pixels of the window.
+class Pointer {
+  public:
+    void press(double x, double y) { held = true, dragging = false, last = {x, y}; }
+    void release() { held = false; }
+    /// How far it was dragged by moving here. A hand that only clicks moves less than 4 pixels, which is no drag.
+    std::optional<glm::dvec2> move(double x, double y);
+
+  private:
+    bool held = false, dragging = false;
+    glm::dvec2 last{0};
+};
+
+}  // namespace strahl

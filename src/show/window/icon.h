@@ -1,0 +1,10 @@
+// The program's icon: a ball over a horizon.
+#pragma once
+#include "show/work/screen_image.h"
+
+namespace strahl {
+
+/// `size` x `size` pixels, transparent around the ball.
+Image icon(int size);
+
+}  // namespace strahl

@@ -1,0 +1,282 @@
+// GLFW, OpenGL and ImGui.
+#include "show/window/screen.h"
+
+#include <GLFW/glfw3.h>
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_opengl3.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <filesystem>
+
+#include "show/window/icon.h"
+
+namespace strahl {
+namespace {
+
+[[noreturn]] void fail(const std::string& why) {
+    const char* reason = nullptr;
+    glfwGetError(&reason);
+    throw WindowError("cannot open a window: " + why + (reason ? std::string(" (") + reason + ")" : "") +
+                             "\nTo render without a window: strahl render SCENE -o picture.png");
+}
+
+/// DejaVu or Liberation Mono if the system has it, else the font of ImGui.
+void load_font(float scale) {
+    ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
+    fonts.Clear();
+    // Latin, Greek, Cyrillic, punctuation and arrows: what messages quote from scene files.
+    static constexpr ImWchar ranges[] = {0x20, 0x24f, 0x370, 0x3ff, 0x400, 0x52f, 0x2000, 0x22ff, 0};
+    for (const char* path : {"/usr/share/fonts/truetype/dejavu/DejaVuSansMono.ttf",
+                             "/usr/share/fonts/truetype/liberation/LiberationMono-Regular.ttf",
+                             "/usr/share/fonts/TTF/DejaVuSansMono.ttf"}) {
+        std::error_code error;
+        if (std::filesystem::exists(path, error) &&
+            fonts.AddFontFromFileTTF(path, std::max(8.f, 15 * scale), nullptr, ranges))
+            return;
+    }
+    ImFontConfig config;
+    config.SizePixels = std::max(8.f, 13 * scale);
+    fonts.AddFontDefault(&config);
+}
+
+/// The monitor that shows this point, or null.
+GLFWmonitor* monitor_at(int x, int y) {
+    int count = 0;
+    GLFWmonitor* const* const monitors = glfwGetMonitors(&count);
+    for (int i = 0; i < count; ++i) {
+        int left = 0, top = 0;
+        glfwGetMonitorPos(monitors[i], &left, &top);
+        const GLFWvidmode* mode = glfwGetVideoMode(monitors[i]);
+        if (mode && x >= left && x < left + mode->width && y >= top && y < top + mode->height) return monitors[i];
+    }
+    return nullptr;
+}
+
+void set_icon(GLFWwindow* window) {
+    Image images[] = {icon(16), icon(32), icon(48), icon(128)};
+    std::array<GLFWimage, std::size(images)> icons;
+    for (std::size_t i = 0; i < icons.size(); ++i)
+        icons[i] = {images[i].width, images[i].height, reinterpret_cast<unsigned char*>(images[i].rgba.data())};
+    glfwSetWindowIcon(window, static_cast<int>(icons.size()), icons.data());
+}
+
+void set_style(float scale) {
+    ImGuiStyle style;
+    ImGui::StyleColorsDark(&style);
+    style.WindowRounding = 6;
+    style.WindowBorderSize = 0;
+    style.WindowPadding = {12, 10};
+    style.ItemSpacing = {10, 5};
+    style.FrameRounding = 3;
+    style.Colors[ImGuiCol_WindowBg] = {0.05f, 0.06f, 0.08f, 0.80f};
+    style.Colors[ImGuiCol_PlotHistogram] = {0.36f, 0.68f, 0.93f, 1};
+    style.Colors[ImGuiCol_FrameBg] = {1, 1, 1, 0.12f};
+    style.ScaleAllSizes(scale);
+    ImGui::GetStyle() = style;
+}
+
+}  // namespace
+
+/// Loaded through GLFW, so that the program need not be linked with OpenGL.
+struct Screen::Functions {
+    struct Found {
+        const char* name;
+        template <class F>
+        operator F*() const {
+            const auto function = reinterpret_cast<F*>(glfwGetProcAddress(name));
+            if (!function) fail(std::string("its OpenGL lacks ") + name);
+            return function;
+        }
+    };
+    decltype(&::glGetString) GetString = Found{"glGetString"};
+    decltype(&::glGenTextures) GenTextures = Found{"glGenTextures"};
+    decltype(&::glDeleteTextures) DeleteTextures = Found{"glDeleteTextures"};
+    decltype(&::glBindTexture) BindTexture = Found{"glBindTexture"};
+    decltype(&::glTexParameteri) TexParameteri = Found{"glTexParameteri"};
+    decltype(&::glTexImage2D) TexImage2D = Found{"glTexImage2D"};
+    decltype(&::glTexSubImage2D) TexSubImage2D = Found{"glTexSubImage2D"};
+    decltype(&::glViewport) Viewport = Found{"glViewport"};
+    decltype(&::glClearColor) ClearColor = Found{"glClearColor"};
+    decltype(&::glClear) Clear = Found{"glClear"};
+};
+
+Screen::Screen(const std::string& title, int width, int height, bool default_size, bool full) {
+    if (!glfwInit()) fail("no display");
+    try {
+        make_window(title, width, height, default_size, full);
+        start_drawing();
+    } catch (...) {
+        gl.reset();
+        glfwTerminate();
+        throw;
+    }
+}
+
+void Screen::make_window(const std::string& title, int width, int height, bool default_size, bool full) {
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, default_size);
+    glfwWindowHint(GLFW_RED_BITS, 8);
+    glfwWindowHint(GLFW_GREEN_BITS, 8);
+    glfwWindowHint(GLFW_BLUE_BITS, 8);
+    glfwWindowHint(GLFW_DEPTH_BITS, 0);
+    glfwWindowHint(GLFW_STENCIL_BITS, 0);
+    glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE);  // full screen stays when another window gets the focus
+    glfwWindowHintString(GLFW_X11_CLASS_NAME, "Strahl");
+    glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "strahl");
+    glfw = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
+    if (!glfw) fail("no OpenGL");
+    set_icon(glfw);
+    opened = window_state();
+    if (default_size) restore();
+    glfwMakeContextCurrent(glfw);
+    gl = std::make_unique<Functions>();
+    const auto* version = reinterpret_cast<const char*>(gl->GetString(GL_VERSION));
+    int major = 0;
+    if (!version || std::sscanf(version, "%d", &major) != 1 || major < 3)
+        fail("OpenGL 3.0 is required, and this is " + std::string(version ? version : "none"));
+    glfwSwapInterval(1);
+    if (full) toggle_full_screen();
+}
+
+void Screen::start_drawing() {
+    IMGUI_CHECKVERSION();
+    ImGui::CreateContext();
+    ImGui::GetIO().IniFilename = nullptr;
+    ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NoMouseCursorChange;
+    ImGui_ImplGlfw_InitForOpenGL(glfw, false);
+    if (!ImGui_ImplOpenGL3_Init("#version 130")) {
+        ImGui_ImplGlfw_Shutdown();
+        ImGui::DestroyContext();
+        fail("its OpenGL can't be used");
+    }
+    gl->GenTextures(1, &texture);
+}
+
+Screen::~Screen() {
+    gl->DeleteTextures(1, &texture);
+    ImGui_ImplOpenGL3_Shutdown();
+    ImGui_ImplGlfw_Shutdown();
+    ImGui::DestroyContext();
+    glfwTerminate();
+}
+
+int Screen::width() const {
+    int pixels = 0;
+    glfwGetFramebufferSize(glfw, &pixels, nullptr);
+    return glfwGetWindowAttrib(glfw, GLFW_ICONIFIED) ? 0 : pixels;
+}
+
+int Screen::height() const {
+    int pixels = 0;
+    glfwGetFramebufferSize(glfw, nullptr, &pixels);
+    return glfwGetWindowAttrib(glfw, GLFW_ICONIFIED) ? 0 : pixels;
+}
+
+void Screen::upload(const Fresh& fresh) {
+    const Image& image = fresh.image;
+    gl->BindTexture(GL_TEXTURE_2D, texture);
+    const std::uint32_t* data = &image.rgba[std::size_t(fresh.first_row) * image.width];
+    if (image.width != texture_width || image.height != texture_height)
+        gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, image.width, image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                       image.rgba.data());
+    else
+        gl->TexSubImage2D(GL_TEXTURE_2D, 0, 0, fresh.first_row, image.width, fresh.rows, GL_RGBA, GL_UNSIGNED_BYTE,
+                          data);
+    texture_width = image.width, texture_height = image.height;
+    picture_width = fresh.width, picture_height = fresh.height;
+    const int filter = fresh.steps == Steps{} ? GL_NEAREST : GL_LINEAR;
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    // The centre of texel i lies on the centre of pixel i * step: where that pixel was traced.
+    const auto along = [](double at, int step, int texels) {
+        return static_cast<float>(((at - 0.5) / step + 0.5) / texels);
+    };
+    left = along(0, fresh.steps.x, image.width), right = along(fresh.width, fresh.steps.x, image.width);
+    top = along(0, fresh.steps.y, image.height), bottom = along(fresh.height, fresh.steps.y, image.height);
+}
+
+void Screen::draw(const std::function<void()>& overlay) {
+    float wanted = 1;
+    glfwGetWindowContentScale(glfw, &wanted, nullptr);
+    wanted = std::clamp(wanted, 0.5f, 4.f);
+    if (wanted != scale) {
+        scale = wanted;
+        ImGui_ImplOpenGL3_DestroyFontsTexture();
+        load_font(scale);
+        set_style(scale);
+    }
+    const int columns = width(), rows = height();
+    if (columns == 0 || rows == 0) return;
+    ImGui_ImplGlfw_NewFrame();
+    ImGuiIO& io = ImGui::GetIO();
+    // It counts in units of the screen, we in pixels.
+    io.MousePos = {io.MousePos.x * io.DisplayFramebufferScale.x, io.MousePos.y * io.DisplayFramebufferScale.y};
+    io.DisplaySize = {static_cast<float>(columns), static_cast<float>(rows)};
+    io.DisplayFramebufferScale = {1, 1};
+    // In a small window the panels shrink before they overlap.
+    io.FontGlobalScale = std::clamp(std::min(io.DisplaySize.x / 760, io.DisplaySize.y / 570) / scale, 0.5f, 1.f);
+    ImGui_ImplOpenGL3_NewFrame();
+    if (!io.Fonts->TexID) ImGui_ImplOpenGL3_CreateFontsTexture();
+    ImGui::NewFrame();
+    if (texture_width > 0) {
+        const ScreenArea at = area();
+        const ImVec2 corner{static_cast<float>(at.x), static_cast<float>(at.y)};
+        const ImVec2 other{corner.x + static_cast<float>(at.width), corner.y + static_cast<float>(at.height)};
+        ImGui::GetBackgroundDrawList()->AddImage(reinterpret_cast<void*>(static_cast<std::uintptr_t>(texture)), corner,
+                                                 other, {left, top}, {right, bottom});
+    }
+    overlay();
+    ImGui::Render();
+    gl->Viewport(0, 0, columns, rows);
+    gl->ClearColor(0, 0, 0, 1);
+    gl->Clear(GL_COLOR_BUFFER_BIT);
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    glfwSwapBuffers(glfw);
+}
+
+WindowState Screen::window_state() const {
+    WindowState state;
+    glfwGetWindowPos(glfw, &state.x, &state.y);
+    glfwGetWindowSize(glfw, &state.width, &state.height);
+    return state;
+}
+
+/// Where the window was when it was closed, unless that is no longer on a monitor.
+void Screen::restore() {
+    const auto last = read_window_state();
+    if (!last || !monitor_at(last->x + last->width / 2, last->y + 1)) return;
+    if (last->width > 0) glfwSetWindowSize(glfw, last->width, last->height);
+    glfwSetWindowPos(glfw, last->x, last->y);
+}
+
+void Screen::remember() const {
+    WindowState state = full_screen() ? before : window_state();
+    if (state.width == opened.width && state.height == opened.height) state.width = state.height = 0;
+    write_window_state(state);
+}
+
+bool Screen::full_screen() const { return glfwGetWindowMonitor(glfw); }
+
+ScreenArea Screen::area() const {
+    if (picture_width == 0) return {0, 0, width(), height()};
+    return fitted(static_cast<double>(picture_width) / picture_height, width(), height());
+}
+
+void Screen::toggle_full_screen() {
+    if (full_screen()) {
+        glfwSetWindowMonitor(glfw, nullptr, before.x, before.y, before.width, before.height, GLFW_DONT_CARE);
+        return;
+    }
+    before = window_state();
+    GLFWmonitor* chosen = monitor_at(before.x + before.width / 2, before.y + before.height / 2);
+    if (!chosen) chosen = glfwGetPrimaryMonitor();
+    if (!chosen) return;
+    const GLFWvidmode* mode = glfwGetVideoMode(chosen);
+    if (mode) glfwSetWindowMonitor(glfw, chosen, 0, 0, mode->width, mode->height, mode->refreshRate);
+}
+
+}  // namespace strahl

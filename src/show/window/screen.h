@@ -1,0 +1,63 @@
+// The window as a surface for one picture and an overlay. GLFW, OpenGL and ImGui are initialised and ended here.
+#pragma once
+#include <functional>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "show/session/framing.h"
+#include "show/window/window_state.h"
+#include "show/work/trace_thread.h"
+
+struct GLFWwindow;
+
+namespace strahl {
+
+/// There is no display, or no suitable OpenGL; the message says what to do instead.
+struct WindowError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+class Screen {
+  public:
+    /// Size in pixels; a default size grows with the monitor's scale, and gives way to the remembered one. Throws
+    /// WindowError. Only one at a time.
+    Screen(const std::string& title, int width, int height, bool default_size, bool full);
+    ~Screen();
+    Screen(const Screen&) = delete;
+    Screen& operator=(const Screen&) = delete;
+
+    GLFWwindow* window() const { return glfw; }
+    /// In pixels; 0x0 while the window is an icon.
+    int width() const;
+    int height() const;
+
+    void upload(const Fresh& fresh);
+    /// Shows the uploaded picture, and on it what `overlay` draws with ImGui.
+    void draw(const std::function<void()>& overlay);
+    void toggle_full_screen();
+    bool full_screen() const;
+    /// Writes down size and place for the next start; the size only if it is no longer the default one.
+    void remember() const;
+    /// Where the picture is on the screen.
+    ScreenArea area() const;
+
+  private:
+    struct Functions;
+    void make_window(const std::string& title, int width, int height, bool default_size, bool full);
+    void start_drawing();
+    void restore();
+    WindowState window_state() const;
+
+    GLFWwindow* glfw = nullptr;
+    std::unique_ptr<Functions> gl;
+    unsigned texture = 0;
+    int texture_width = 0, texture_height = 0;
+    int picture_width = 0, picture_height = 0;
+    float left = 0, top = 0, right = 1, bottom = 1;           // of the part of the texture that is shown
+    float scale = 0;                                          // of the overlay: 1 at a usual pixel density
+    WindowState before;                                       // full screen
+    WindowState opened;                                       // of the default size
+};
+
+}  // namespace strahl

@@ -1,0 +1,43 @@
+// The file of the window's size and place.
+#include "show/window/window_state.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "files/output_file.h"
+
+namespace strahl {
+
+std::string window_state_file() {
+    const auto absolute = [](const char* name) {
+        const char* const value = std::getenv(name);
+        return std::filesystem::path(value && value[0] == '/' ? value : "");
+    };
+    std::filesystem::path folder = absolute("XDG_STATE_HOME");
+    if (folder.empty() && !absolute("HOME").empty()) folder = absolute("HOME") / ".local/state";
+    return folder.empty() ? "" : folder / "strahl/window";
+}
+
+std::optional<WindowState> read_window_state() {
+    std::ifstream file(window_state_file());
+    WindowState s;
+    file >> s.x >> s.y >> s.width >> s.height;
+    const auto sound = [](int size) { return size >= 64 && size <= 16384; };
+    const bool either = (s.width == 0 && s.height == 0) || (sound(s.width) && sound(s.height));
+    return file && either ? std::optional(s) : std::nullopt;
+}
+
+void write_window_state(const WindowState& s) {
+    const std::filesystem::path file = window_state_file();
+    if (file.empty()) return;
+    std::error_code error;
+    std::filesystem::create_directories(file.parent_path(), error);
+    const auto number = [](int value) { return std::to_string(value) + " "; };
+    try {
+        write_file(file, number(s.x) + number(s.y) + number(s.width) + std::to_string(s.height) + "\n");
+    } catch (const OutputError&) {
+    }
+}
+
+}  // namespace strahl

@@ -1,0 +1,100 @@
+// Figures of a flight, as text and as JSON.
+#include "show/work/benchmark.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdarg>
+#include <cstdio>
+
+#include "files/utf8.h"
+#include "show/session/session.h"
+
+namespace strahl {
+namespace {
+
+/// The least of the sorted values that at least this share of them does not exceed.
+double percentile(const std::vector<double>& sorted, double share) {
+    const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(sorted.size())));
+    return sorted[std::max<std::size_t>(rank, 1) - 1];
+}
+
+[[gnu::format(printf, 1, 2)]] std::string format(const char* form, ...) {
+    char text[400];
+    std::va_list values;
+    va_start(values, form);
+    std::vsnprintf(text, sizeof text, form, values);
+    va_end(values);
+    return text;
+}
+
+double rate(const Benchmark& b) { return b.seconds > 0 ? (b.pictures - 1) / b.seconds : 0; }
+
+/// As JSON has it. Control characters can't be in it: `printable` has replaced them.
+std::string quoted_json(const std::string& text) {
+    std::string json = "\"";
+    for (const char c : printable(text)) {
+        if (c == '"' || c == '\\') json += '\\';
+        json += c;
+    }
+    return json + "\"";
+}
+
+}  // namespace
+
+ShownPicture shown_picture(double time, int level, int width, int height) {
+    level = std::min(level, finest_level);
+    return {time, level, count(pixels_of(level, width, height))};
+}
+
+Benchmark benchmark_of(const std::vector<ShownPicture>& shown) {
+    Benchmark b;
+    b.pictures = static_cast<int>(shown.size());
+    if (shown.size() < 2) return b;
+    b.seconds = shown.back().time - shown.front().time;
+    std::vector<double> intervals;
+    double pixels = 0;
+    for (std::size_t i = 1; i < shown.size(); ++i) {
+        intervals.push_back(shown[i].time - shown[i - 1].time);
+        pixels += shown[i].pixels;
+    }
+    std::ranges::sort(intervals);
+    b.median = percentile(intervals, 0.5), b.p99 = percentile(intervals, 0.99), b.worst = intervals.back();
+    for (const ShownPicture& picture : shown) b.levels[picture.level] += 1. / b.pictures;
+    if (b.seconds > 0) b.pixels_per_second = pixels / b.seconds;
+    return b;
+}
+
+std::string text_of(const Benchmark& b, const BenchmarkSetting& s) {
+    std::string text = printable(s.scene) + format(", %dx%d, depth %d, %d threads, %s (%s), at most %g pictures/s\n",
+                                                   s.width, s.height, s.depth, s.threads, s.precision.c_str(),
+                                                   s.simd.c_str(), s.fps);
+    text += format("%d pictures in %.2f s, %.1f/s\n", b.pictures, b.seconds, rate(b));
+    text += format("from one to the next: median %.2f ms, 99th percentile %.2f ms, worst %.2f ms\n", 1000 * b.median,
+                   1000 * b.p99, 1000 * b.worst);
+    text += "resolution:";
+    for (auto at = b.levels.rbegin(); at != b.levels.rend(); ++at)
+        text += (at == b.levels.rbegin() ? " " : ", ") + resolution_text(at->first) +
+                format(" in %.1f %%", 100 * at->second);
+    return text + format("\n%.2f million pixels/s; %.2f ms to draw a picture\n", b.pixels_per_second / 1e6,
+                         1000 * s.draw_seconds);
+}
+
+std::string json_of(const Benchmark& b, const BenchmarkSetting& s) {
+    std::string json = "{\n  \"scene\": " + quoted_json(s.scene) + ",\n";
+    json += format("  \"width\": %d,\n  \"height\": %d,\n  \"depth\": %d,\n  \"threads\": %d,\n", s.width, s.height,
+                   s.depth, s.threads);
+    json += format("  \"precision\": \"%s\",\n  \"simd\": \"%s\",\n  \"fps\": %.9g,\n", s.precision.c_str(),
+                   s.simd.c_str(), s.fps);
+    json += format("  \"pictures\": %d,\n  \"seconds\": %.9g,\n  \"pictures_per_second\": %.9g,\n", b.pictures,
+                   b.seconds, rate(b));
+    json += format("  \"frame_seconds\": { \"median\": %.9g, \"p99\": %.9g, \"worst\": %.9g },\n", b.median, b.p99,
+                   b.worst);
+    json += "  \"resolutions\": {";
+    for (auto at = b.levels.rbegin(); at != b.levels.rend(); ++at)
+        json += format("%s \"1/%d\": %.9g", at == b.levels.rbegin() ? "" : ",", 1 << (finest_level - at->first),
+                       at->second);
+    return json + format(" },\n  \"pixels_per_second\": %.9g,\n  \"draw_seconds\": %.9g\n}\n", b.pixels_per_second,
+                         s.draw_seconds);
+}
+
+}  // namespace strahl

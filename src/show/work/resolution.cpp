@@ -1,0 +1,44 @@
+// Chooses the resolution by the times of the last pictures.
+#include "show/work/resolution.h"
+
+#include <algorithm>
+
+#include "show/session/progressive.h"
+
+namespace strahl {
+namespace {
+
+constexpr double headroom = 0.85;  // share of the budget that a finer level may need if it takes twice the time: with
+                                   // filled cells (trace/cells/lattice_cells.h) it takes 1.6 to 1.9 times as long
+constexpr int patience = 6;        // observations before it is tried
+constexpr int sixteenth = finest_level - 4;
+
+}  // namespace
+
+double allowed_seconds(int level, double budget) { return level <= sixteenth ? 4 * budget : budget; }
+
+double Resolution::seconds_for(int l) const {
+    std::array<double, 5> sorted = costs;
+    std::ranges::sort(sorted);
+    return sorted[sorted.size() / 2] * count(pixels_of(l, width, height));
+}
+
+void Resolution::observe(double pixels, double seconds) {
+    if (pixels <= 0) return;
+    const double cost = seconds / pixels;
+    if (observed == 0) costs.fill(cost);
+    costs[observed++ % costs.size()] = cost;
+    ++since;
+}
+
+int Resolution::choose(int new_width, int new_height, double budget, int finest) {
+    width = new_width, height = new_height;
+    if (observed == 0) return std::min(level, finest);
+    const auto allowed = [&](int l) { return allowed_seconds(l, budget); };
+    for (; level > 0 && seconds_for(level) > allowed(level); --level) since = 0;
+    if (since >= patience && level < finest_level && seconds_for(level + 1) < headroom * allowed(level + 1))
+        ++level, since = 0;
+    return std::min(level, finest);
+}
+
+}  // namespace strahl

@@ -1,0 +1,88 @@
+// From traced values to pixels of the screen.
+#include "show/work/screen_image.h"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+
+#include "image/transfer.h"
+
+namespace strahl {
+namespace {
+
+/// a + (b - a) * weight / 2^shift in all four bytes at once.
+std::uint32_t blend(std::uint32_t a, std::uint32_t b, std::uint32_t weight, int shift) {
+    constexpr std::uint32_t odd = 0x00ff00ff;
+    const std::uint32_t rest = (1u << shift) - weight;
+    const std::uint32_t low = ((a & odd) * rest + (b & odd) * weight) >> shift & odd;
+    const std::uint32_t high = ((a >> 8 & odd) * rest + (b >> 8 & odd) * weight) >> shift & odd;
+    return low | high << 8;
+}
+
+/// Widens one row of a level to the width of the picture.
+void widen(const std::uint32_t* row, int columns, int step, std::vector<std::uint32_t>& wide) {
+    const int shift = std::countr_zero(static_cast<unsigned>(step));
+    for (int x = 0; x < static_cast<int>(wide.size()); ++x) {
+        const int i = x >> shift;
+        wide[x] = blend(row[i], row[std::min(i + 1, columns - 1)], x & (step - 1), shift);
+    }
+}
+
+}  // namespace
+
+TransferTable::TransferTable(bool is_linear) : linear(is_linear) {
+    least[0] = 0;
+    for (int code = 1; code < 256; ++code) {
+        // Positive floats are ordered as their bits are.
+        std::uint32_t low = 0, high = std::bit_cast<std::uint32_t>(1.f);  // quantised below `code`, and not below
+        while (high - low > 1) {
+            const std::uint32_t middle = low + (high - low) / 2;
+            (quantise(std::bit_cast<float>(middle), linear, 255) < code ? low : high) = middle;
+        }
+        least[code] = std::bit_cast<float>(high);
+    }
+    least[256] = 2;  // never reached
+    for (int i = 0, code = 0; i <= bins; ++i) {
+        while (static_cast<float>(i) / bins >= least[code + 1]) ++code;
+        start[i] = static_cast<std::uint8_t>(code);
+    }
+}
+
+std::uint32_t TransferTable::operator()(double v) const { return quantise(v, linear, 255); }
+
+std::vector<std::uint32_t> encoded(const Tile& tile, const TransferTable& table) {
+    std::vector<std::uint32_t> rgba(std::size_t(tile.lattice.columns) * tile.lattice.rows);
+    const auto encode = [&](const auto& values) {
+        const auto code = [&](std::size_t i) { return table(values[i]); };
+        for (std::size_t i = 0; i < rgba.size(); ++i)
+            rgba[i] = code(3 * i) | code(3 * i + 1) << 8 | code(3 * i + 2) << 16 | 0xff000000u;
+    };
+    std::visit(encode, tile.rgb);
+    return rgba;
+}
+
+void store(const Lattice& pixels, const std::uint32_t* rgba, Steps steps, Image& level) {
+    for (int row = 0; row < pixels.rows; ++row)
+        for (int column = 0; column < pixels.columns; ++column) {
+            const int x = (pixels.x + column * pixels.step_x) / steps.x;
+            const int y = (pixels.y + row * pixels.step_y) / steps.y;
+            level.rgba[std::size_t(y) * level.width + x] = *rgba++;
+        }
+}
+
+void expand(const Image& level, Steps ratio, Image& finer) {
+    assert(level.width == (finer.width + ratio.x - 1) / ratio.x);
+    const int shift = std::countr_zero(static_cast<unsigned>(ratio.y));
+    std::vector<std::uint32_t> above(finer.width), below(finer.width);
+    for (int row = 0; row < level.height; ++row) {
+        const int next = std::min(row + 1, level.height - 1);
+        if (row == 0) widen(level.rgba.data(), level.width, ratio.x, below);
+        above.swap(below);
+        widen(&level.rgba[std::size_t(next) * level.width], level.width, ratio.x, below);
+        for (int y = row * ratio.y; y < std::min((row + 1) * ratio.y, finer.height); ++y)
+            for (int x = 0; x < finer.width; ++x)
+                finer.rgba[std::size_t(y) * finer.width + x] = blend(above[x], below[x], y & (ratio.y - 1), shift);
+    }
+}
+
+}  // namespace strahl

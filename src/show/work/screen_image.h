@@ -1,0 +1,53 @@
+// Pictures for the screen, and storing of traced values in them.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "show/session/progressive.h"
+
+namespace strahl {
+
+/// 8 bits each of red, green, blue and (always full) opacity, from the low bits up; row by row from the top.
+struct Image {
+    int width = 0, height = 0;
+    std::vector<std::uint32_t> rgba;
+    void resize(int new_width, int new_height) {
+        width = new_width, height = new_height;
+        rgba.resize(std::size_t(width) * height);
+    }
+};
+
+/// The transfer curve as a table: gives exactly quantise(v, linear, 255) for every float, without the power function.
+class TransferTable {
+  public:
+    explicit TransferTable(bool linear);
+    std::uint32_t operator()(float v) const {
+        if (!(v > 0)) return 0;
+        if (v >= 1) return 255;
+        std::uint32_t code = start[static_cast<int>(v * bins)];
+        while (v >= least[code + 1]) ++code;
+        return code;
+    }
+
+    /// Of doubles, by the function itself: some lie between a float and the next code's least one.
+    std::uint32_t operator()(double v) const;
+
+  private:
+    bool linear;
+    static constexpr int bins = 4096;
+    std::array<float, 257> least;              // the least value with this code
+    std::array<std::uint8_t, bins + 1> start;  // the code at the lower end of each bin
+};
+
+/// The pixels of a tile as 8-bit colours, row by row.
+std::vector<std::uint32_t> encoded(const Tile& tile, const TransferTable& table);
+
+/// Stores 8-bit pixels, row by row, in the image of a level: pixel (x, y) goes to column x / steps.x, row y / steps.y.
+void store(const Lattice& pixels, const std::uint32_t* rgba, Steps steps, Image& level);
+
+/// Makes of the image of a level that of a finer one, whose steps are smaller by `ratio`: known pixels are exact, those
+/// between are interpolated.
+void expand(const Image& level, Steps ratio, Image& finer);
+
+}  // namespace strahl

@@ -1,0 +1,106 @@
+// Renders in three precisions and once more with bounds, and lists the pixels that differ or are not proved.
+#include "show/work/stability_check.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "image/transfer.h"
+#include "trace/measure/precision_agreement.h"
+#include "trace/measure/prove_again.h"
+
+namespace strahl {
+namespace {
+
+/// Adds the runs of rows whose bounds leave more than one colour open, in extended precision as well.
+class Undecided {
+  public:
+    Undecided(const Scene& scene, int threads)
+        : tracer(scene, Precision::float64),
+          extended(scene, Precision::extended),
+          pool(threads),
+          linear(scene.settings.linear) {}
+
+    void add_rows(View view, const Lattice& rows, Stability& found, const std::atomic<bool>* stop) {
+        view.prove = true;
+        std::vector<char> proved(std::size_t(rows.columns) * rows.rows);
+        const auto keep = [&](const Tile& tile) {
+            const Lattice& part = tile.lattice;
+            bool all = true;
+            for (int i = 0; i < part.columns * part.rows; ++i)
+                all &=
+                    proved[std::size_t(part.y - rows.y + i / part.columns) * rows.columns + part.x + i % part.columns] =
+                        decided(tile, i);
+            return all;
+        };
+        tracer.trace(view, rows, pool, keep, stop);
+        std::vector<Pixel> open;
+        for (int i = 0; i < std::ssize(proved); ++i)
+            if (!proved[i]) open.push_back({i % rows.columns, rows.y + i / rows.columns});
+        if (!open.empty()) prove_again(extended, view, open, pool, keep, stop);
+        for (int i = 0; i < std::ssize(proved);) {
+            const int x = i % rows.columns, y = rows.y + i / rows.columns;
+            const auto first = proved.begin() + i, end = first + (rows.columns - x);
+            const int columns = static_cast<int>(std::find(first, end, !*first) - first);
+            if (!*first) found.undecided.push_back({x, y, columns});
+            i += columns;
+        }
+        found.proved += double(std::count(proved.begin(), proved.end(), 1)) / (double(view.width) * view.height);
+    }
+
+  private:
+    bool decided(const Tile& tile, int i) const {
+        return same_codes(std::get<std::span<const double>>(tile.rgb).data() + 3 * i, tile.bounds[i],
+                          [this](double v) { return quantise(v, linear, 255); });
+    }
+
+    Tracer tracer, extended;
+    ThreadPool pool;
+    const bool linear;
+};
+
+}  // namespace
+
+StabilityCheck::StabilityCheck(int thread_count, std::function<void()> notify_function)
+    : threads(thread_count), notify(std::move(notify_function)) {}
+
+StabilityCheck::~StabilityCheck() { cancel(); }
+
+void StabilityCheck::start(std::shared_ptr<const Scene> scene, const View& view) {
+    cancel();
+    share = 0;
+    thread = std::thread([this, scene = std::move(scene), view] {
+        Agreements agreements(*scene, threads,
+                              [linear = scene->settings.linear](double v) { return quantise(v, linear, 255); });
+        Undecided undecided(*scene, threads);
+        constexpr int band = 64;  // rows at a time
+        for (int y = 0; y < view.height && !stop; y += band) {
+            const Lattice rows{.y = y, .columns = view.width, .rows = std::min(band, view.height - y)};
+            const auto map = agreements.of(view, rows, nullptr, &stop);
+            for (std::size_t i = 0; i < map.size(); ++i)
+                if (map[i] != Agreement::all)
+                    found.marks.push_back(
+                        {int(i) % view.width, y + int(i) / view.width, map[i] == Agreement::not_float64});
+            undecided.add_rows(view, rows, found, &stop);
+            share = double(y + rows.rows) / view.height;
+            notify();
+        }
+        ready = true;
+        notify();
+    });
+}
+
+void StabilityCheck::cancel() {
+    stop = true;
+    if (thread.joinable()) thread.join();
+    stop = ready = false;
+    found = {};
+}
+
+std::optional<Stability> StabilityCheck::take() {
+    if (!ready) return {};
+    thread.join();
+    ready = false;
+    return std::exchange(found, {});
+}
+
+}  // namespace strahl

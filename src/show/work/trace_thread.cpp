@@ -1,0 +1,168 @@
+// Traces for the window.
+#include "show/work/trace_thread.h"
+
+#include <malloc.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "image/transfer.h"
+
+namespace strahl {
+namespace {
+
+/// Pixels that are filled may be off by half of it, as the screen shows them.
+constexpr double most_off = 3. / 255;
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+}  // namespace
+
+TraceThread::TraceThread(int threads, std::function<void()> notify_function)
+    : notify(std::move(notify_function)), pool(threads), thread([this](std::stop_token quit) { loop(quit); }) {}
+
+TraceThread::~TraceThread() {
+    {
+        std::lock_guard lock(mutex);
+        thread.request_stop();
+        stop = true;
+    }
+    thread.join();
+}
+
+/// Should the picture in work be abandoned for `newer`? A coarse picture is finished first, or nothing would be shown
+/// in fast motion; unless it is useless now, or takes far longer than planned and a coarser one would not.
+bool TraceThread::outdated(const Order& newer) const {
+    if (work == Work::none) return false;
+    if (work == Work::refining) return newer.number != state.number;
+    const bool useless = newer.scene != scene_in_work || newer.view.width != view_in_work.width ||
+                         newer.view.height != view_in_work.height || newer.view.depth != view_in_work.depth;
+    const double planned = allowed_seconds(level_in_work, budget_in_work);
+    return useless || (level_in_work > 0 && seconds_since(work_began) > 4 * planned);
+}
+
+void TraceThread::want(Order newer) {
+    {
+        std::lock_guard lock(mutex);
+        if (outdated(newer)) stop = true;
+        if (newer.number != state.number) complete = false;
+        next = std::move(newer);
+    }
+    wake.notify_one();
+}
+
+std::optional<Refinement> TraceThread::take(const Upload& upload) {
+    std::lock_guard lock(mutex);
+    if (!fresh.exchange(false)) return std::nullopt;
+    if (new_from < new_to) upload({shown, shown_steps, state.width, state.height, new_from, new_to - new_from});
+    new_from = shown.height, new_to = 0;
+    return state;
+}
+
+void TraceThread::loop(std::stop_token quit) {
+    while (accept(quit)) done < 0 ? first_picture() : refine();
+}
+
+/// Waits for work. Returns false when the thread should end.
+bool TraceThread::accept(std::stop_token quit) {
+    std::unique_lock lock(mutex);
+    work = Work::none;
+    const auto unfinished = [&] { return done < 0 || (done < averaged_level && !order.moving); };
+    do {
+        wake.wait(lock, quit, [&] { return next || (order.number > 0 && unfinished()); });
+        if (quit.stop_requested()) return false;
+        if (!next) break;
+        if (next->scene != order.scene) tracer.reset(), table.emplace(next->scene->settings.linear);
+        if (next->number != order.number) done = -1, cells.reset();
+        order = *std::exchange(next, std::nullopt);
+    } while (!unfinished());
+    work = done < 0 ? Work::first : Work::refining;
+    scene_in_work = order.scene, view_in_work = order.view, budget_in_work = order.budget;
+    const int finest = order.moving ? order.finest : finest_level;
+    if (done < 0) level_in_work = resolution.choose(order.view.width, order.view.height, order.budget, finest);
+    work_began = Clock::now();
+    stop = quit.stop_requested();
+    return true;
+}
+
+void TraceThread::announce(std::unique_lock<std::mutex>& lock) {
+    const bool told = fresh.exchange(true);
+    lock.unlock();
+    if (!told) notify();
+}
+
+void TraceThread::first_picture() {
+    // Built here and not when the scene arrives, because the window must not wait for it.
+    const bool built = tracer.has_value();
+    if (!built) tracer.emplace(*order.scene, Precision::float32);
+    const View& view = order.view;
+    const int level = level_in_work;
+    const Steps steps = steps_of(level);
+    const Lattice pixels = pixels_of(level, view.width, view.height);
+    spare.resize(pixels.columns, pixels.rows);
+    tracer->prepare(view, pool);  // a coarser picture would not save this time
+    const auto start = Clock::now();
+    const auto keep = [&](const Tile& tile) { store(tile.lattice, encoded(tile, *table).data(), steps, spare); };
+    const double contrast = most_off / (order.scene->settings.linear ? steepest_srgb : 1);
+    const Counts rays = tracer->trace_filled(view, pixels, contrast, pool, keep, &stop);
+    const double seconds = seconds_since(start);
+    if (built) resolution.observe(count(pixels), seconds);  // a stopped one would have taken even longer
+    if (stop) return;
+    done = level;
+    std::unique_lock lock(mutex);
+    std::swap(shown, spare);
+    shown_steps = steps;
+    new_from = 0, new_to = shown.height;
+    state = {order.number, view.width, view.height, level, 0, seconds, rays};
+    complete = state.finished() && !next;
+    announce(lock);
+}
+
+/// Makes the image on the screen one of all pixels.
+void TraceThread::begin_passes() {
+    const View& view = order.view;
+    cells.emplace(tracer->scene(), view, Lattice{.columns = view.width, .rows = view.height}, Sampling{}.error);
+    if (shown_steps == Steps{}) return;
+    spare.resize(view.width, view.height);
+    expand(shown, shown_steps, spare);  // only this thread writes to `shown`
+    std::lock_guard lock(mutex);
+    std::swap(shown, spare);
+    shown_steps = {};
+    new_from = 0, new_to = shown.height;
+}
+
+/// The next pass of the picture's cells.
+void TraceThread::refine() {
+    if (!cells) begin_passes();
+    const std::span<const Pass> left = passes_after(done);
+    const auto [finest, level] = left.front();
+    const double before = state.share, part_of_all = (1 - before) / static_cast<double>(left.size());
+    const auto keep = [&](const Tile& tile) {
+        const std::vector<std::uint32_t> rgba = encoded(tile, *table);
+        std::unique_lock lock(mutex);
+        const Lattice& part = tile.lattice;
+        store(part, rgba.data(), {}, shown);
+        new_from = std::min(new_from, part.y);
+        new_to = std::max(new_to, part.y + part.rows);
+        state.share += part_of_all / cells->tiles();
+        announce(lock);
+    };
+    const auto start = Clock::now();
+    const Counts rays = tracer->trace(order.view, *cells, finest, pool, keep, &stop);
+    if (stop) return;
+    done = level;
+    std::unique_lock lock(mutex);
+    state.level = level;
+    state.share = before + part_of_all;
+    state.rays += rays;
+    state.seconds += seconds_since(start);
+    complete = state.finished() && !next;
+    announce(lock);
+    if (level != averaged_level) return;
+    cells.reset();
+    ::malloc_trim(0);  // at rest the system may have what the passes needed
+}
+
+}  // namespace strahl

@@ -1,0 +1,112 @@
+// The thread that traces for the window: always the newest view, coarse at first, then refined.
+#pragma once
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "num/thread_pool.h"
+#include "show/work/resolution.h"
+#include "show/work/screen_image.h"
+#include "trace/cells/cell_picture.h"
+#include "trace/tracer.h"
+
+namespace strahl {
+
+/// A picture that the window asks for.
+struct Order {
+    std::uint64_t number = 0;  // the same number means the same scene and view
+    std::shared_ptr<const Scene> scene;
+    View view;
+    bool moving = false;        // in motion pictures are not refined, as the next one comes soon
+    double budget = 0.01;       // seconds for the first, coarse picture
+    int finest = finest_level;  // of the first picture, while moving
+};
+
+/// Progress of the picture on the screen.
+struct Refinement {
+    std::uint64_t number = 0;  // of the order; 0 before the first
+    int width = 0, height = 0;
+    int level = 0;       // the finest complete one
+    double share = 0;    // of its passes
+    double seconds = 0;  // spent tracing them
+    Counts rays;
+    bool finished() const { return number > 0 && level == averaged_level; }
+};
+
+/// New rows of the picture on the screen: of the image of a level, which represents `width` x `height` pixels.
+struct Fresh {
+    const Image& image;
+    Steps steps;  // of that level; 1 for the whole picture
+    int width, height;
+    int first_row, rows;
+};
+
+class TraceThread {
+  public:
+    /// `notify` is called from other threads when there is something to take, once until it is taken.
+    TraceThread(int threads, std::function<void()> notify);
+    ~TraceThread();
+
+    /// Replaces the last order. Never waits for tracing.
+    void want(Order order);
+
+    /// Passes what is new since the last call to `upload` and returns the progress; nothing if nothing is new. `upload`
+    /// should be brief, because finished tiles wait for it.
+    using Upload = std::function<void(const Fresh&)>;
+    std::optional<Refinement> take(const Upload& upload);
+
+    /// Is there something to take?
+    bool has_update() const { return fresh; }
+    /// Is the last order finished?
+    bool finished() const { return complete; }
+    int threads() const { return pool.size(); }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    enum class Work { none, first, refining };
+
+    void loop(std::stop_token quit);
+    bool accept(std::stop_token quit);
+    void first_picture();
+    void begin_passes();
+    void refine();
+    void announce(std::unique_lock<std::mutex>& lock);
+    bool outdated(const Order& order) const;
+
+    // Used by the thread alone.
+    Order order;
+    std::optional<Tracer> tracer;
+    std::optional<TransferTable> table;
+    Resolution resolution;
+    Image spare;                       // pictures are made here and then swapped with the one on the screen
+    int done = -1;                     // the finest level of `order` that is complete
+    std::optional<CellPicture> cells;  // of `order`, while it is refined
+
+    // Shared between threads.
+    std::mutex mutex;
+    std::condition_variable_any wake;
+    std::optional<Order> next;
+    std::shared_ptr<const Scene> scene_in_work;
+    View view_in_work;
+    Work work = Work::none;
+    double budget_in_work = 0;
+    int level_in_work = 0;
+    Clock::time_point work_began;
+    std::atomic<bool> stop = false;
+    Image shown;
+    Steps shown_steps;
+    int new_from = 0, new_to = 0;  // rows of `shown` that are new
+    std::atomic<bool> fresh = false, complete = false;
+    Refinement state;
+
+    const std::function<void()> notify;
+    ThreadPool pool;
+    std::jthread thread;
+};
+
+}  // namespace strahl

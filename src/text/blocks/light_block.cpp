@@ -1,0 +1,111 @@
+#include "text/blocks/light_block.h"
+
+#include <cmath>
+#include <string>
+
+#include "num/decimal.h"
+#include "num/vec_math.h"
+#include "scene/moving_scene.h"
+#include "text/blocks/blocks.h"
+#include "text/blocks/motion_block.h"
+
+namespace strahl {
+namespace {
+
+Spot read_spot(Reader& reader, std::string_view word, Block& outer) {
+    Spot spot;
+    Block block{word, false, false, outer.follows};
+    auto parameters = spot_parameters(spot);
+    reader.block(block, parameters);
+    reader.require(block, parameters);
+    if (block.good() && spot.falloff < spot.radius) {
+        reader.diagnostics.add(word, "the falloff of this spot, " + text_of(spot.falloff) + ", is below its radius, " +
+                                         text_of(spot.radius));
+        block.bad = true;
+    }
+    outer.absorb(block);
+    return spot;
+}
+
+/// `edges <u>, <v>` after its first word.
+void read_edges(Reader& reader, Area& area, Block& outer) {
+    Block block{outer.name};
+    reader.read(area.u, coordinates, "edges", block);
+    reader.lexer.accept(',');
+    reader.read(area.v, coordinates, "edges", block);
+    outer.absorb(block);
+}
+/// `grid columns, rows` likewise.
+void read_grid(Reader& reader, Area& area, Block& outer) {
+    Block block{outer.name};
+    double columns = 0, rows = 0;
+    reader.read(columns, grid_sizes, "grid", block);
+    reader.lexer.accept(',');
+    reader.read(rows, grid_sizes, "grid", block);
+    if (block.good()) area.columns = static_cast<int>(columns), area.rows = static_cast<int>(rows);
+    outer.absorb(block);
+}
+
+/// Why these edges span no rectangle, or "".
+std::string edges_fault(const Area& area) {
+    const double u = length(area.u), v = length(area.v);
+    constexpr double square = 1e-6;  // cosine of the angle between edges that people take for perpendicular
+    if (!(u > 0 && v > 0)) return "an edge of this light has no length";
+    if (std::abs(dot_product(1 / u * area.u, 1 / v * area.v)) > square)
+        return "the edges of this light are not perpendicular";
+    return "";
+}
+
+}  // namespace
+
+Light read_light(Reader& reader, const TextLimits& limits, std::string_view word) {
+    Light light;
+    Block block{word, false, false, &light.follows};
+    auto parameters = light_parameters(light);
+    std::string_view spot_at, motion_at, edges_at, grid_at;
+    Area area;
+    reader.block(
+        block, parameters, light_words, [] {},
+        [&](std::string_view inner) {
+            if (inner == "edges") return reader.once(edges_at, inner), read_edges(reader, area, block), true;
+            if (inner == "grid") return reader.once(grid_at, inner), read_grid(reader, area, block), true;
+            if (inner == "motion") {
+                const bool first = reader.once(motion_at, inner);
+                Motion motion = read_motion(reader, limits, inner, block);
+                if (first) light.motion = std::move(motion);
+                return true;
+            }
+            if (inner != "spot") return false;
+            const bool first = reader.once(spot_at, inner);
+            const Spot spot = read_spot(reader, inner, block);
+            if (first) light.spot = spot;
+            return true;
+        });
+    reader.require(block, parameters);
+    sort(light.follows);
+    if (!block.good()) return light;
+    const auto fault = [&](std::string_view at, const std::string& message) { reader.diagnostics.add(at, message); };
+    if (edges_at.data()) {
+        light.area = area;
+        if (const std::string why = edges_fault(area); !why.empty()) fault(edges_at, why);
+        if (light.direction) fault(edges_at, "parallel light has no place for a rectangle; give it a 'position'");
+        if (light.spot) fault(spot_at, "a spot is a point; a light with 'edges' shines in all directions");
+    } else if (grid_at.data()) {
+        fault(grid_at, "a grid of points needs 'edges'");
+    }
+    if (light.direction && *light.direction == DVec3(0))
+        reader.diagnostics.add(parameters[1].at, "this 'direction' of 'light' has no direction");
+    if (light.spot && light.direction)
+        reader.diagnostics.add(spot_at,
+                               "parallel light has no place from which a spot could shine; give it a 'position'");
+    else if (light.spot && light.spot->look_at == light.position)
+        reader.diagnostics.add(spot_at, "this spot shines nowhere: 'look_at' is the light's own position");
+    if (light.motion)
+        for (const MotionKey& key : light.motion->keys)
+            if (const std::string fault = transformations_fault(matrix(at(*light.motion, key.time))); !fault.empty())
+                reader.diagnostics.add(motion_at,
+                                       "at " + text_of(key.time) + " s this motion of a light would " + fault);
+    return light;
+}
+
+}  // namespace strahl

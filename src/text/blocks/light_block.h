@@ -1,0 +1,13 @@
+// The block `light`.
+#pragma once
+#include <string_view>
+
+#include "scene/light.h"
+#include "text/reading/reader.h"
+#include "text/reading/text_limits.h"
+
+namespace strahl {
+
+Light read_light(Reader& reader, const TextLimits& limits, std::string_view word);
+
+}  // namespace strahl

@@ -1,0 +1,296 @@
+// Reads colours, and the patterns that may stand in their place.
+#include "text/blocks/pigment.h"
+
+#include <algorithm>
+
+#include "num/decimal.h"
+#include "scene/error.h"
+#include "text/blocks/blocks.h"
+#include "text/blocks/transformations.h"
+#include "text/reading/reader.h"
+
+namespace strahl {
+namespace {
+
+/// What a pattern is read for.
+enum class Use { color, bump, normal };
+
+class PatternBlock {
+  public:
+    /// `colors` are the bounds of colours, or of the height.
+    PatternBlock(Reader& reader, const Bounds& colors) : reader(reader), colors(colors) {}
+
+    /// Reads the pattern that `word` begins, to which `outer` belongs: one with colours, or one with a height.
+    template <Use use = Use::color>
+    Pattern read(std::string_view word, Block& outer) {
+        const auto read_kinds = [&]<class... Kinds>(std::type_identity<std::variant<Kinds...>>) {
+            ((word == Kinds::name && (kind < Kinds, can_bend<Kinds> ? use : Use::color > (word, outer), true)) || ...);
+        };
+        read_kinds(std::type_identity<PatternKind>{});
+        return std::move(pattern);
+    }
+    std::optional<double> height;
+
+  private:
+    template <class Kind, Use use>
+    void kind(std::string_view word, Block& outer) {
+        Kind kind;
+        Block block{word};
+        auto parameters = pattern_parameters(kind);
+        std::string_view colors_at, last;
+        reader.block(
+            block, parameters, words<Kind, use>(), [&] { arguments(kind, block); },
+            [&](std::string_view inner) {
+                if (use != Use::color && inner == "height") return read_height(inner, block), true;
+                if (use == Use::color && inner == "colors" && has_map<Kind>) return map(inner, colors_at, block), true;
+                if (inner == "map") return read_map(kind, inner, block), true;
+                if (inner == "once" && read_once(kind, inner, block)) return true;
+                if (!contains(transformation_words, inner)) return false;
+                pattern.transformations.push_back(read_transformation(reader, inner, block));
+                last = inner;
+                return true;
+            });
+        if (use == Use::bump)
+            reader.require(block, {}, {{height.has_value(), "'height'"}});
+        else if (use == Use::color)
+            reader.require(block, {}, {{!has_map<Kind> || colors_at.data(), "'colors'"}});
+        check(kind, word, last, block);
+        outer.absorb(block);
+        pattern.kind = kind;
+    }
+    /// What may stand in the block besides its parameters.
+    template <class Kind, Use use>
+    static auto words() {
+        const auto all = [](auto... first) {
+            return joined(std::array<std::string_view, sizeof...(first)>{first...}, transformation_words);
+        };
+        constexpr bool image = std::is_same_v<Kind, ImagePattern>;
+        if constexpr (use != Use::color && image)
+            return all("height", "map", "once");
+        else if constexpr (use != Use::color)
+            return all("height", "map");
+        else if constexpr (has_map<Kind>)
+            return all("colors", "map");
+        else if constexpr (image)
+            return all("map", "once");
+        else
+            return all("map");
+    }
+    template <class Kind>
+    void arguments(Kind& kind, Block& block) {
+        if constexpr (two_colored<Kind>)
+            for (const double at : {0., 1.}) {
+                if (at == 1) reader.lexer.accept(',');
+                Color color{0};
+                reader.read(color, colors, Kind::colors[static_cast<std::size_t>(at)], block);
+                pattern.colors.push_back({at, color});
+            }
+        else if constexpr (!has_map<Kind>)
+            file(kind, block);
+    }
+    void file(ImagePattern& image, Block& block) {
+        const std::string_view given = reader.lexer.quotation("the name of a picture");
+        try {
+            image.pixels = reader.files.pixels(given);
+            image.file = given;
+        } catch (const FileError& error) {
+            reader.diagnostics.add(given, error.what());
+            block.bad = true;
+        }
+    }
+    template <class Kind>
+    void read_map(Kind& kind, std::string_view word, Block& block) {
+        block.bad |= !reader.once(map_at, word);
+        const std::string_view name = reader.lexer.word();
+        if (name.empty()) reader.lexer.fail("a word such as 'uv' expected after 'map'");
+        if (name == uv_map) return void(pattern.by_uv = true);
+        const auto known = maps_of(kind);
+        const auto found = std::ranges::find(known, name);
+        if constexpr (requires { kind.map; })
+            if (found != known.end()) return void(kind.map = static_cast<ImageMap>(found - known.begin()));
+        reader.diagnostics.add(name, unknown_word(name, known, " after 'map'"));
+        block.bad = true;
+    }
+    template <class Kind>
+    bool read_once(Kind& kind, std::string_view word, Block& block) {
+        if constexpr (requires { kind.once; }) {
+            block.bad |= !reader.once(once_at, word);
+            reader.read(kind.once.emplace(), colors, word, block);
+            return true;
+        }
+        return false;
+    }
+    void read_height(std::string_view word, Block& block) {
+        block.bad |= !reader.once(height_at, word);
+        reader.read(height.emplace(), colors, word, block);
+    }
+    void map(std::string_view word, std::string_view& first, Block& outer) {
+        const bool again = !reader.once(first, word);
+        Block block{word};
+        std::vector<ColorStop> stops;
+        reader.block(
+            block, {},
+            [&] {
+                while (reader.lexer.peek() != '}') add_stop(stops, block), reader.lexer.accept(',');
+            },
+            [](std::string_view) { return false; });
+        if (stops.empty() && block.good()) {
+            reader.diagnostics.add(word, "'colors' without a colour; a stop is, for instance, '0 <1, 1, 1>'");
+            block.bad = true;
+        }
+        outer.absorb(block);
+        if (!again) pattern.colors = std::move(stops);
+    }
+    void add_stop(std::vector<ColorStop>& stops, Block& block) {
+        const std::string_view at = reader.lexer.token();
+        reader.lexer.rewind(at);
+        ColorStop stop;
+        reader.read(stop.at, shares, "stop", block);
+        reader.lexer.accept(',');
+        reader.read(stop.color, colors, "colour", block);
+        const auto fault = [&](const std::string& message) {
+            reader.diagnostics.add(at, message);
+            block.bad = true;
+        };
+        if (block.good() && !stops.empty() && stop.at < stops.back().at)
+            fault("stops must rise: the one before is at " + text_of(stops.back().at));
+        if (stops.size() < most_stops)
+            stops.push_back(stop);
+        else if (block.good())
+            fault("more than " + std::to_string(most_stops) + " stops");
+    }
+    template <class Kind>
+    void check(const Kind& kind, std::string_view word, std::string_view last, Block& block) {
+        if (!block.good()) return;
+        const auto fault = [&](std::string_view at, const std::string& message) {
+            reader.diagnostics.add(at, message);
+            block.bad = true;
+        };
+        if constexpr (requires { kind.axis; })
+            if (kind.axis == DVec3(0)) fault(word, "this gradient is none: its axis has no direction");
+        const std::string why = transformations_fault(matrix(pattern.transformations));
+        if (!why.empty()) fault(last, "up to here the transformations of this " + std::string(word) + " " + why);
+    }
+
+    Reader& reader;
+    const Bounds& colors;
+    Pattern pattern;
+    std::string_view map_at, once_at, height_at;
+};
+
+bool whole(const Pattern& pattern) {
+    const ImagePattern* const image = std::get_if<ImagePattern>(&pattern.kind);
+    return image ? image->pixels != nullptr : !pattern.colors.empty();
+}
+/// `map` with its word, if that is not the usual one.
+template <class Kind>
+std::string map_text(const Kind& kind, bool by_uv) {
+    std::string_view word = by_uv ? uv_map : "";
+    if constexpr (requires { kind.map; })
+        if (!by_uv && kind.map != ImageMap::planar) word = image_maps[static_cast<std::size_t>(kind.map)];
+    return word.empty() ? "" : "map " + std::string(word);
+}
+
+}  // namespace
+
+void Reader::read(Pigment& value, const Bounds& bounds, std::string_view name, Block& block) {
+    if (lexer.peek() == '<') {
+        Color color{0};
+        read(color, bounds, name, block);
+        value = color;
+        return;
+    }
+    const std::string_view word = lexer.word();
+    if (word.empty())
+        lexer.fail("a vector <x, y, z> or a pattern expected for " + quoted(name) + " of " + quoted(block.name));
+    if (!contains(pattern_words, word) || lexer.peek() != '{') {
+        if (contains(pattern_words, word)) lexer.fail("'{' expected after " + quoted(word));
+        diagnostics.add(word, unknown_word(word, pattern_words, " for " + quoted(name) + " of " + quoted(block.name)));
+        throw ParseAbort{};
+    }
+    Pattern pattern = PatternBlock(*this, bounds).read(word, block);
+    if (whole(pattern)) value = Pigment(std::move(pattern));
+}
+
+namespace {
+
+/// Reads a relief whose pattern begins with one of these words, or `none`.
+template <Use use, class Own, std::size_t size>
+void read_relief(Reader& reader, Own& value, const std::array<std::string_view, size>& words, const Bounds& bounds,
+                 std::string_view name, Block& block) {
+    const std::string_view word = reader.lexer.word();
+    const auto of = [&] { return quoted(name) + " of " + quoted(block.name); };
+    if (word == "none") return void(value = {});
+    if (word.empty()) reader.lexer.fail("a pattern or 'none' expected for " + of());
+    if (!contains(words, word)) {
+        const auto known = joined(words, std::array<std::string_view, 1>{"none"});
+        reader.diagnostics.add(word, unknown_word(word, known, " for " + of()));
+        throw ParseAbort{};
+    }
+    PatternBlock reading(reader, bounds);
+    Pattern pattern = reading.template read<use>(word, block);
+    const ImagePattern* const image = std::get_if<ImagePattern>(&pattern.kind);
+    if (image && !image->pixels) return;
+    value.pattern = std::make_shared<const Pattern>(std::move(pattern));
+    value.height = reading.height.value_or(Own().height);
+}
+
+}  // namespace
+
+void Reader::read(Bump& value, const Bounds& bounds, std::string_view name, Block& block) {
+    read_relief<Use::bump>(*this, value, bump_words, bounds, name, block);
+}
+void Reader::read(NormalMap& value, const Bounds& bounds, std::string_view name, Block& block) {
+    read_relief<Use::normal>(*this, value, std::array<std::string_view, 1>{ImagePattern::name}, bounds, name, block);
+}
+
+namespace {
+
+/// `first` is what stands before the other parameters.
+std::string block_text(const Pattern& pattern, const std::string& first) {
+    const auto& [kind, colors, transformations, by_uv] = pattern;
+    std::string text = std::visit(
+        [&]<class Kind>(const Kind& own) {
+            std::string words(Kind::name);
+            words += " {";
+            const auto put = [&](const std::string& more) {
+                if (!more.empty()) words += (words.back() == '{' ? " " : "  ") + more;
+            };
+            if constexpr (two_colored<Kind>) put(text_of(colors[0].color) + ", " + text_of(colors[1].color));
+            if constexpr (requires { own.file; }) put("\"" + own.file + "\"");
+            put(map_text(own, by_uv));
+            if constexpr (requires { own.once; })
+                if (own.once) put("once " + text_of(*own.once));
+            put(first);
+            const auto add = [&](const auto& field) {
+                if (own.*field.member != Kind().*field.member)
+                    put(std::string(field.name) + " " + text_of(own.*field.member));
+            };
+            std::apply([&](const auto&... field) { (add(field), ...); }, Kind::fields);
+            return words;
+        },
+        kind);
+    if (!colors.empty() && std::visit([]<class Kind>(const Kind&) { return has_map<Kind>; }, kind)) {
+        text += text.back() == '{' ? " colors {" : "  colors {";
+        for (const ColorStop& stop : colors)
+            text += std::string(&stop == &colors[0] ? " " : "  ") + text_of(stop.at) + " " + text_of(stop.color);
+        text += " }";
+    }
+    for (const Transformation& step : transformations) text += "  " + text_of(step);
+    return text + " }";
+}
+
+}  // namespace
+
+std::string text_of(const Pigment& pigment) {
+    return pigment.pattern ? block_text(*pigment.pattern, "") : text_of(pigment.color);
+}
+std::string text_of(const Bump& bump) {
+    return bump.pattern ? block_text(*bump.pattern, "height " + text_of(bump.height)) : "none";
+}
+std::string text_of(const NormalMap& map) {
+    const std::string height = map.height == NormalMap().height ? "" : "height " + text_of(map.height);
+    return map.pattern ? block_text(*map.pattern, height) : "none";
+}
+
+}  // namespace strahl

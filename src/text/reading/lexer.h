@@ -1,0 +1,87 @@
+// The lexer of scene text: words, numbers, signs, white space and comments.
+#pragma once
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "text/reading/messages.h"
+
+namespace strahl {
+
+/// Thrown after an error at which parsing can't continue; caught where it can.
+struct ParseAbort {};
+
+/// A number and the slice of text that it was read from.
+struct Number {
+    double value;
+    std::string_view at;
+};
+
+/// Reads a text from start to end. Every function first skips white space and comments.
+class Lexer {
+  public:
+    Lexer(std::string_view text, Diagnostics& diagnostics)
+        : next(text.data()), end(text.data() + text.size()), diagnostics(diagnostics) {}
+
+    /// The next character, 0 at the end of the text.
+    char peek() {
+        skip_space();
+        return next < end ? *next : '\0';
+    }
+    bool accept(char c) {
+        if (peek() != c) return false;
+        ++next;
+        return true;
+    }
+    /// Does a number or a vector come, perhaps after a comma?
+    bool at_value() {
+        const char c = peek();
+        return c == ',' || c == '<' || c == '-' || c == '+' || c == '.' || (c >= '0' && c <= '9');
+    }
+    bool at_end() {
+        skip_space();
+        return next == end;
+    }
+    /// The next word, or an empty slice if something else comes.
+    std::string_view word();
+    /// `name` and `block` are for messages.
+    Number number(std::string_view name, std::string_view block) {
+        Number result;
+        if (!read_number(result)) fail("a number expected for " + quoted(name) + " of " + quoted(block));
+        return result;
+    }
+    /// The text between the quotes that come; `what` is for messages.
+    std::string_view quotation(const std::string& what);
+    /// The next token, for messages: a word, a number, or one sign.
+    std::string_view token();
+    /// Goes back to a slice that was read.
+    void rewind(std::string_view to) { next = to.data(); }
+
+    /// Adds the error "`message`, but here comes ..." at the next token and throws ParseAbort.
+    [[noreturn]] void fail(const std::string& message);
+
+    /// Skips to the next of `words` (if there are none: to any word) or to the closing brace of the current block.
+    /// Skips whole blocks on the way, but not the start of a top-level block.
+    void skip_to(std::span<const std::string_view> words, std::span<const std::string_view> blocks);
+
+  private:
+    void skip_space() {
+        while (next < end) {
+            const char c = *next;
+            if (c == ' ' || (c >= '\t' && c <= '\r'))
+                ++next;
+            else if (c != '/' || !skip_comment())
+                return;
+        }
+    }
+    bool skip_comment();
+    bool read_number(Number& number);
+
+    const char* next;
+    const char* end;
+    Diagnostics& diagnostics;
+};
+
+bool contains(std::span<const std::string_view> words, std::string_view word);
+
+}  // namespace strahl

@@ -1,0 +1,120 @@
+// Collects errors and formats their messages.
+#include "text/reading/messages.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "files/utf8.h"
+#include "scene/error.h"
+
+namespace strahl {
+namespace {
+
+constexpr int line_width = 100, before_fault = 60;  // characters of a long line that are shown
+
+/// The number of insertions, deletions, replacements and swaps of neighbours from a to b, regardless of case.
+std::size_t distance(std::string_view a, std::string_view b) {
+    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+    std::vector<std::size_t> before(b.size() + 1), above(b.size() + 1), row(b.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t{0});
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        before = std::exchange(above, row);
+        row[0] = i;
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            const bool same = lower(a[i - 1]) == lower(b[j - 1]);
+            row[j] = std::min({above[j] + 1, row[j - 1] + 1, above[j - 1] + (same ? 0 : 1)});
+            if (i > 1 && j > 1 && lower(a[i - 1]) == lower(b[j - 2]) && lower(a[i - 2]) == lower(b[j - 1]))
+                row[j] = std::min(row[j], before[j - 2] + 1);
+        }
+    }
+    return row[b.size()];
+}
+
+/// Counted from 1. Lines end in a line feed, a carriage return, or both.
+std::size_t line_number(std::string_view text, std::size_t at) {
+    std::size_t line = 1;
+    for (std::size_t i = 0; i < at; ++i)
+        line += text[i] == '\n' || (text[i] == '\r' && (i + 1 == text.size() || text[i + 1] != '\n'));
+    return line;
+}
+
+}  // namespace
+
+void Diagnostics::add(std::string_view at, std::string message) {
+    for (const Fault& fault : faults)
+        if (fault.at.data() == at.data()) return;
+    faults.push_back({at, std::move(message)});
+    if (faults.size() == most) check();
+}
+
+void Diagnostics::check() const {
+    if (faults.empty()) return;
+    std::vector<Fault> sorted = faults;
+    std::stable_sort(sorted.begin(), sorted.end(),
+                     [](const Fault& a, const Fault& b) { return a.at.data() < b.at.data(); });
+    std::string all;
+    for (const Fault& fault : sorted) all.append(all.empty() ? "" : "\n").append(tell(fault));
+    if (sorted.size() == most)
+        all.append("\n")
+            .append(show(file).text)
+            .append(": there may be more; these are the first ")
+            .append(std::to_string(most));
+    throw FileError(all);
+}
+
+std::string Diagnostics::line(std::string_view at) const {
+    return "line " + std::to_string(line_number(text, static_cast<std::size_t>(at.data() - text.data())));
+}
+
+std::string Diagnostics::tell(const Fault& fault) const {
+    std::size_t at = fault.at.data() - text.data();
+    if (at == text.size()) at = text.find_last_not_of(" \t\r\n") + 1;  // where the text visibly ends
+    const std::size_t newline = at == 0 ? text.npos : text.find_last_of("\r\n", at - 1);
+    const std::size_t start = newline == text.npos ? 0 : newline + 1;
+    const std::size_t end = std::min({text.find('\n', at), text.find('\r', at), text.size()});
+
+    const auto column =
+        1 + std::count_if(text.begin() + start, text.begin() + at, [](char c) { return !continues(c); });
+    // Of a long line only the part around the error; where one side is short the other gets its space.
+    const std::size_t reach = forth(text, at, end, line_width - before_fault);
+    const auto right_of_fault = static_cast<int>(reach < end ? line_width - before_fault : reach - at);
+    const std::size_t from = back(text, at, start, line_width - right_of_fault);
+    const std::size_t to = forth(text, from, end, line_width);
+    const std::size_t fault_end = std::clamp(at + fault.at.size(), at, to);
+
+    const Shown before = show(text.substr(from, at - from)), marked = show(text.substr(at, fault_end - at));
+    const Shown after = show(text.substr(fault_end, to - fault_end));
+    const std::string left = from > start ? "..." : "", right = to < end ? "..." : "";
+    return show(file).text + ":" + std::to_string(line_number(text, start)) + ":" + std::to_string(column) + ": " +
+           fault.message + "\n    " + left + before.text + marked.text + after.text + right + "\n    " +
+           std::string(left.size() + before.width, ' ') + "^" + std::string(std::max(0, marked.width - 1), '~');
+}
+
+std::string_view nearest(std::string_view word, std::span<const std::string_view> known) {
+    if (word.size() > 40) return {};
+    std::string_view best;
+    std::size_t best_distance = 1 + std::max<std::size_t>(1, word.size() / 3);
+    for (const std::string_view candidate : known)
+        if (const std::size_t d = distance(word, candidate); d < best_distance) best_distance = d, best = candidate;
+    if (!best.empty() || word.size() < 3) return best;
+    for (const std::string_view candidate : known)  // abbreviated or extended: "trans", "light_source"
+        if (candidate.starts_with(word) || (candidate.size() >= 3 && word.starts_with(candidate))) return candidate;
+    return {};
+}
+
+std::string unknown_word(std::string_view word, std::span<const std::string_view> known, const std::string& where) {
+    const std::string message = "unknown word " + quoted(word) + where;
+    if (const std::string_view near = nearest(word, known); !near.empty())
+        return message + "; did you mean " + quoted(near) + "?";
+    std::string list;
+    for (const std::string_view candidate : known) list += (list.empty() ? "" : ", ") + std::string(candidate);
+    return message + "; known here: " + list;
+}
+
+std::string quoted(std::string_view slice) {
+    const std::size_t end = forth(slice, 0, slice.size(), 40);
+    return std::string("'") + show(slice.substr(0, end)).text + (end < slice.size() ? "..." : "") + "'";
+}
+
+}  // namespace strahl

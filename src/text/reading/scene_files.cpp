@@ -1,0 +1,55 @@
+#include "text/reading/scene_files.h"
+
+#include <filesystem>
+
+#include "files/read_file.h"
+#include "files/streams.h"
+#include "mesh/read_mesh.h"
+#include "text/reading/tracks_file.h"
+
+namespace strahl {
+
+std::string path_beside(const std::string& scene, const std::string& name) {
+    // An absolute one replaces the folder.
+    return (std::filesystem::path(scene).parent_path() / name).string();
+}
+
+SceneFiles::SceneFiles(std::string_view scene, ReadPixels read_pixels)
+    : scene(scene), read_pixels(std::move(read_pixels)) {}
+
+std::shared_ptr<const MeshData> SceneFiles::mesh(std::string_view name) {
+    const std::string path = path_beside(scene, *names.meshes.emplace(name).first);
+    std::shared_ptr<const MeshData>& data = meshes[path];
+    if (!data) data = std::make_shared<const MeshData>(read_mesh(path));
+    return data;
+}
+
+std::shared_ptr<const Pixels> SceneFiles::pixels(std::string_view name) {
+    const std::string path = path_beside(scene, *names.pictures.emplace(name).first);
+    if (!read_pixels) throw FileError("cannot read '" + path + "': no pictures are read here");
+    std::shared_ptr<const Pixels>& data = pictures[path];
+    if (!data) data = std::make_shared<const Pixels>(read_pixels(path));
+    return data;
+}
+
+void SceneFiles::sound(std::string_view name) {
+    const std::string path = path_beside(scene, *names.sounds.emplace(name).first);
+    const auto fail = [&](const char* why) { throw FileError("cannot read '" + path + "': " + why); };
+    std::error_code error;
+    if (!std::filesystem::exists(path, error)) fail("there is no such file");
+    if (!std::filesystem::is_regular_file(path, error)) fail("it is no regular file");
+    // The first page of Ogg, and in it the first header of Vorbis (xiph.org/vorbis/doc/Vorbis_I_spec.html, 4.2.1).
+    std::string head(35, '\0');
+    FileStream(path).read(head.data(), static_cast<std::streamsize>(head.size()));
+    if (!head.starts_with("OggS") || head.substr(28) != "\1vorbis") fail("it is no Ogg Vorbis file");
+}
+
+std::vector<Track> SceneFiles::tracks() const {
+    const std::string path = tracks_path(scene);
+    std::error_code error;
+    if (scene.empty() || !std::filesystem::exists(path, error)) return {};
+    constexpr std::size_t limit = std::size_t(1) << 26;
+    return parse_tracks(read_text(path, limit), path);
+}
+
+}  // namespace strahl

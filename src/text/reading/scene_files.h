@@ -1,0 +1,46 @@
+// The files that a scene names: meshes and pictures, each of which is read once.
+#pragma once
+#include <functional>
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/image_pattern.h"
+#include "scene/kinds/mesh_data.h"
+#include "scene/motion/track.h"
+
+namespace strahl {
+
+/// Reads the picture file at a path, which a scene names. Throws FileError. The program's own is in image/pixels.h.
+using ReadPixels = std::function<Pixels(const std::string& path)>;
+
+/// The files that a text names, as it names them; they are relative to the scene's folder.
+struct FileNames {
+    std::set<std::string> meshes, pictures, sounds;
+};
+std::string path_beside(const std::string& scene, const std::string& name);
+
+/// Names are relative to the folder of the scene. All throw FileError.
+class SceneFiles {
+  public:
+    SceneFiles(std::string_view scene, ReadPixels read_pixels);
+    std::shared_ptr<const MeshData> mesh(std::string_view name);
+    std::shared_ptr<const Pixels> pixels(std::string_view name);
+    /// Only looks whether it is an Ogg Vorbis file.
+    void sound(std::string_view name);
+    /// Those saved beside the scene; none if there is no such file.
+    std::vector<Track> tracks() const;
+
+    FileNames names;  // of all that was read
+
+  private:
+    const std::string scene;
+    const ReadPixels read_pixels;
+    std::map<std::string, std::shared_ptr<const MeshData>> meshes;  // by their paths
+    std::map<std::string, std::shared_ptr<const Pixels>> pictures;
+};
+
+}  // namespace strahl

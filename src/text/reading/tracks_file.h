@@ -1,0 +1,20 @@
+// The file of tracks beside a scene.
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/motion/track.h"
+
+namespace strahl {
+
+/// "demo.tracks" for the scene "demo.rt".
+std::string tracks_path(std::string_view scene);
+
+/// The tracks of a text such as `track "fade" { 0 1 linear  64 0 step }`: row, value, and the way to the next key.
+/// Throws FileError as parse_scene does; `file` is the name in messages.
+std::vector<Track> parse_tracks(std::string_view text, std::string_view file);
+/// Text that parses to the same.
+std::string write_tracks(const std::vector<Track>& tracks);
+
+}  // namespace strahl

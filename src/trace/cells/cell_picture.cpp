@@ -1,0 +1,73 @@
+#include "trace/cells/cell_picture.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace strahl {
+
+void CellPicture::begin(const Scene& scene, const View& view, const Lattice& new_region, double error, int largest) {
+    region = new_region, most_contrast = contrast_for(error), largest_filled = largest;
+    for (auto& cells : made)
+        if (cells) spare.push_back(std::move(cells));
+    places.clear(), made.clear(), begun.clear();
+    thin.emplace(scene, view);
+    sum = {}, done = 0;
+    // Tiles and cells are those of the whole view; of a crop those that it touches.
+    const auto down = [](int x) { return x / coarsest_cell * coarsest_cell; };
+    const int right = region.x + region.columns, bottom = region.y + region.rows;
+    for (int y = region.y / tile_pixels * tile_pixels; y < bottom; y += tile_pixels)
+        for (int x = region.x / tile_pixels * tile_pixels; x < right; x += tile_pixels) {
+            const int left = std::max(x, down(region.x)), top = std::max(y, down(region.y));
+            const int end_x = std::min({x + tile_pixels, down(right + coarsest_cell - 1), view.width});
+            const int end_y = std::min({y + tile_pixels, down(bottom + coarsest_cell - 1), view.height});
+            places.push_back({left, top, end_x - left, end_y - top});
+        }
+    made.resize(places.size());
+    begun.resize(places.size());
+}
+
+std::unique_ptr<Cells> CellPicture::make() {
+    const std::lock_guard lock(mutex);
+    if (spare.empty()) return std::make_unique<Cells>();
+    std::unique_ptr<Cells> cells = std::move(spare.back());
+    spare.pop_back();
+    return cells;
+}
+
+void CellPicture::refine(int i, int finest, const Sink& sink, const std::atomic<bool>* stop, const TraceAt& trace) {
+    const TilePlace& place = places[i];
+    if (std::exchange(begun[i], true) && !made[i]) return;  // finished before
+    if (!made[i]) {
+        made[i] = make();
+        made[i]->begin(place.x, place.y, place.columns, place.rows, most_contrast, largest_filled, *thin);
+    }
+    Cells& cells = *made[i];
+    cells.refine(finest, [&](std::span<const Point> points, CellSample* samples) {
+        trace(place.x, place.y, points, samples);
+    });
+    if (stop && *stop) return;
+    // Of tiles at the border of a crop only what is in it.
+    const int left = std::max(place.x, region.x), right = std::min(place.x + place.columns, region.x + region.columns);
+    const int top = std::max(place.y, region.y), bottom = std::min(place.y + place.rows, region.y + region.rows);
+    const Lattice part{.x = left, .y = top, .columns = right - left, .rows = bottom - top};
+    const std::span<const double> rgb = cells.values();
+    if (part.columns == place.columns) {
+        const std::size_t first = std::size_t(3) * place.columns * (top - place.y);
+        sink({part, rgb.subspan(first, std::size_t(3) * part.columns * part.rows)});
+    } else {
+        std::vector<double> cut;
+        for (int y = top; y < bottom; ++y) {
+            const auto row = rgb.begin() + 3 * (std::ptrdiff_t(y - place.y) * place.columns + left - place.x);
+            cut.insert(cut.end(), row, row + 3 * part.columns);
+        }
+        sink({part, std::span<const double>(cut)});
+    }
+    if (cells.finished()) {
+        const std::lock_guard lock(mutex);
+        cells.add_to(sum);
+        spare.push_back(std::move(made[i]));
+        ++done;
+    }
+}
+
+}  // namespace strahl

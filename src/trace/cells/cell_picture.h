@@ -1,0 +1,58 @@
+// A picture in cells: its tiles, which stay between passes.
+#pragma once
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include "trace/cells/cells.h"
+#include "trace/kernel/ray_counts.h"
+#include "trace/world/view.h"
+
+namespace strahl {
+
+class CellPicture {
+  public:
+    CellPicture() = default;
+    /// A part of the view, with steps of 1; a pixel of it is the same as in the whole view. Cells of more than
+    /// `largest_filled` pixels are always divided: stills want 2 or less, or shadows and reflections of a few pixels
+    /// are lost between the samples.
+    CellPicture(const Scene& scene, const View& view, const Lattice& region, double error, int largest_filled = 2) {
+        begin(scene, view, region, error, largest_filled);
+    }
+    /// Begins anew, in the memory of the picture before.
+    void begin(const Scene& scene, const View& view, const Lattice& region, double error, int largest_filled);
+
+    /// Of the tiles that are finished.
+    const Sampled& sampled() const { return sum; }
+    /// Are all tiles finished?
+    bool finished() const { return done == tiles(); }
+
+    int tiles() const { return static_cast<int>(places.size()); }
+    double contrast() const { return most_contrast; }
+    /// Traces points of the tile whose corner is (x, y).
+    using TraceAt = std::function<void(int x, int y, std::span<const Point>, CellSample*)>;
+    /// Refines tile i, and hands it to the sink unless stopped. A tile that was stopped can't go on.
+    void refine(int i, int finest, const Sink& sink, const std::atomic<bool>* stop, const TraceAt& trace);
+
+  private:
+    struct TilePlace {
+        int x, y, columns, rows;
+    };
+
+    std::unique_ptr<Cells> make();
+
+    Lattice region;
+    double most_contrast = 0;
+    int largest_filled = 0;
+    std::vector<TilePlace> places;
+    std::vector<std::unique_ptr<Cells>> made, spare;  // those in work, by tile; those of finished tiles
+    std::vector<char> begun;
+    std::optional<Thin> thin;
+    std::mutex mutex;  // of spare and sum
+    Sampled sum;
+    std::atomic<int> done = 0;
+};
+
+}  // namespace strahl

@@ -1,0 +1,290 @@
+// Cells of a tile.
+#include "trace/cells/cells.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "trace/cells/z_curve.h"
+
+namespace strahl {
+namespace {
+
+constexpr std::int32_t least_cell = Point::unit / 32;
+constexpr int side = tile_pixels + 1;  // of the lattice
+/// Where the middle of a cell saw what its corners did not, and no thin body is known there, as much is thought to lie
+/// in cells whose middle did not see it: so many times the square of the middle's difference. Found by experiment, as
+/// `estimate` in cell_values.cpp.
+constexpr double unseen = 3.5;
+constexpr double steepest_gradient = .06;  // across a cell of one signature
+
+std::uint64_t key_of(Point p) { return std::uint64_t(std::uint32_t(p.x)) << 32 | std::uint32_t(p.y); }
+
+Point on_side(std::int32_t x, std::int32_t y, std::int32_t size, int number, std::int32_t along) {
+    switch (number) {
+        case 0:
+            return {x + along, y};
+        case 1:
+            return {x + size, y + along};
+        case 2:
+            return {x + size - along, y + size};
+        default:
+            return {x, y + size - along};
+    }
+}
+
+/// The chord between the middles of the stretches where an edge crosses two sides of a cell.
+Parts chord_of(const std::array<Crossing, 2>& crossings, std::int32_t size) {
+    const auto& [first, second] = crossings;
+    const auto position = [&](const Crossing& c) { return (c.low + c.high) / (2. * size); };
+    return parts_of({first.number, second.number}, {position(first), position(second)});
+}
+
+}  // namespace
+
+void Cells::begin(int x, int y, int new_columns, int new_rows, double new_contrast, int largest_filled,
+                  const Thin& bodies) {
+    left = x, top = y, columns = new_columns, rows = new_rows;
+    contrast = new_contrast, largest = largest_filled * unit, thin = &bodies;
+    samples.clear(), points.clear(), between.clear(), active.clear(), waiting.clear(), searches.clear();
+    lattice.assign(side * side, -1);
+    sums.assign(std::size_t(3) * columns * rows, 0);
+    squares = 0;
+    constexpr int in_tile = tile_pixels / coarsest_cell;
+    for (const auto [column, row] : std::span(z_curve).first<in_tile * in_tile>()) {
+        Cell cell{column * coarsest_cell * unit, row * coarsest_cell * unit, coarsest_cell * unit, {}};
+        if (!within(cell.x, cell.y)) continue;
+        for (int k = 0; k < 4; ++k) cell.corners[k] = sample_at(on_side(cell.x, cell.y, cell.size, k, 0));
+        waiting.push_back(cell);
+    }
+}
+
+double side_of(Point point) {
+    const std::int32_t all = point.x | point.y, step = all & -all;  // the last bit set
+    const bool middle = point.x & step && point.y & step;
+    return std::min(double(middle ? 2 * step : step) / Point::unit, 1.);
+}
+
+int Cells::sample_at(Point point) {
+    const auto add = [&] { return points.push_back(point), static_cast<int>(points.size()) - 1; };
+    if ((point.x | point.y) % unit == 0) {
+        int& known = lattice[point.y / unit * side + point.x / unit];
+        return known >= 0 ? known : known = add();
+    }
+    const auto [place, is_new] = between.try_emplace(key_of(point));
+    return is_new ? place->second = add() : place->second;
+}
+
+bool Cells::within(std::int32_t x, std::int32_t y) const { return x < columns * unit && y < rows * unit; }
+
+/// Its quarters share their corners, and some with the cell.
+void Cells::divide(const Cell& cell) {
+    const std::int32_t half = cell.size / 2, x = cell.x + half, y = cell.y + half;
+    const bool right = within(x, cell.y), below = within(cell.x, y);
+    const auto [corner_0, corner_1, corner_2, corner_3] = cell.corners;
+    const int centre = cell.middle >= 0 ? cell.middle : sample_at({x, y});
+    const int on_top = sample_at({x, cell.y}), on_left = sample_at({cell.x, y});
+    const int on_right = right ? sample_at({cell.x + cell.size, y}) : -1;
+    const int on_bottom = below ? sample_at({x, cell.y + cell.size}) : -1;
+    active.push_back({cell.x, cell.y, half, {corner_0, on_top, centre, on_left}});
+    if (right) active.push_back({x, cell.y, half, {on_top, corner_1, on_right, centre}});
+    if (below) active.push_back({cell.x, y, half, {on_left, centre, on_bottom, corner_3}});
+    if (right && below) active.push_back({x, y, half, {centre, on_right, corner_2, on_bottom}});
+}
+
+void Cells::refine(int pixels, const TracePoints& trace) {
+    const int finest = pixels * unit;
+    std::vector<Cell> round = std::exchange(waiting, {});
+    for (const Cell& cell : round)  // what stood for it meanwhile
+        if (cell.size == unit) std::fill_n(&sums[pixel_of(cell)], 3, 0);
+    while (!round.empty()) {
+        for (Cell& cell : round)
+            if (cell.size > std::max(unit, finest) && cell.middle < 0) ask_middle(cell);
+        const std::size_t known = samples.size();
+        samples.resize(points.size());
+        if (known < points.size()) trace(std::span(points).subspan(known), samples.data() + known);
+        for (Cell& cell : round) advance(cell, finest);
+        round.clear();
+        std::swap(round, active);
+    }
+    for (const Cell& cell : waiting) fill(cell);
+}
+
+/// Goes on with a cell whose samples are known: it is filled, divided, held back, or asks for further samples.
+void Cells::advance(Cell& cell, int finest) {
+    switch (cell.stage) {
+        case Stage::corners:
+            if (cell.size <= unit) return look_at_corners(cell, finest);
+            return cell.size > finest ? look_at_large(cell) : waiting.push_back(cell);
+        case Stage::middle:
+            return look_at_middle(cell);
+        case Stage::ends:
+            return search(cell);
+        case Stage::beside:
+            return look_beside(cell);
+    }
+}
+
+bool Cells::hides_something(const Cell& cell) const {
+    const double s = double(cell.size) / unit, least = contrast / 16 / (s * s);
+    std::array<Corner, 4> corners;
+    for (int k = 0; k < 4; ++k) {
+        const Point& p = points[cell.corners[k]];
+        corners[k] = {left + p.x / double(unit), top + p.y / double(unit), &samples[cell.corners[k]]};
+    }
+    return thin->hides_in(corners, least);
+}
+
+std::array<const CellSample*, 4> Cells::corners_of(const Cell& cell) const {
+    const auto of = [&](int k) { return &samples[cell.corners[k]]; };
+    return {of(0), of(1), of(2), of(3)};
+}
+
+void Cells::ask_middle(Cell& cell) { cell.middle = sample_at({cell.x + cell.size / 2, cell.y + cell.size / 2}); }
+
+/// A cell of more than a pixel, with its middle.
+void Cells::look_at_large(const Cell& cell) {
+    const auto corners = corners_of(cell);
+    const CellSample& middle = samples[cell.middle];
+    if (cell.size > largest) return divide(cell);
+    const bool surprising = equal_signatures(cell) && middle.signature != corners[0]->signature;
+    const auto filtered = [](const CellSample* sample) { return sample->filtered; };
+    if (std::ranges::any_of(corners, filtered)) return divide(cell);  // half of the image lies between footprints
+    const bool smooth = looks_smooth(corners, middle, contrast);
+    const bool clear = (smooth || surprising) && !hides_something(cell);
+    const double off = middle_off(corners, middle) * (cell.size / unit);
+    if (clear) squares += off * off * (surprising ? unseen : 1);
+    smooth&& clear ? fill(cell) : divide(cell);
+}
+
+/// A cell of a pixel or less.
+void Cells::look_at_corners(Cell& cell, int finest) {
+    const bool equal = equal_signatures(cell);
+    const double s = double(cell.size) / unit, share = s * s;
+    const bool glints = !(glint_range(corners_of(cell)) * share <= most_glint), hidden = hides_something(cell);
+    const double difference = spread(cell) * share;
+    const bool rough = glints || hidden ||
+                       !(equal ? difference <= std::min(16 * contrast, steepest_gradient) : difference <= contrast);
+    const bool small = equal ? cell.size <= unit / 4 && !shows_image(cell) : cell.size < unit / 2;
+    if (!rough && small) return finish(cell, mean(cell), spread(cell));
+    if (cell.size <= finest) return waiting.push_back(cell);
+    if (rough) return !hidden && begin_search(cell) ? active.push_back(cell) : go_on(cell);
+    ask_middle(cell);
+    cell.stage = Stage::middle;
+    active.push_back(cell);
+}
+
+/// What is neither smooth nor crossed by one edge.
+void Cells::go_on(Cell& cell) {
+    if (cell.size > least_cell) return divide(cell);
+    finish(cell, mean(cell), spread(cell));
+}
+
+void Cells::look_at_middle(Cell& cell) {
+    const double s = double(cell.size) / unit, off = off_corners(cell);
+    const bool equal = equal_signatures(cell) && samples[cell.middle].signature == samples[cell.corners[0]].signature;
+    if (off * s * s <= contrast) return finish(cell, mean(cell), equal ? off : spread(cell));  // slopes are no errors
+    cell.middle = -1;
+    if (begin_search(cell)) return active.push_back(cell);
+    go_on(cell);
+}
+
+/// Sets out to find where an edge crosses the cell's sides, if there seems to be just one.
+bool Cells::begin_search(Cell& cell) {
+    std::array<std::uint32_t, 4> signatures;
+    for (int k = 0; k < 4; ++k) signatures[k] = samples[cell.corners[k]].signature;
+    const auto sides = changing_sides(signatures);
+    if (!sides) return false;
+    Search search;
+    for (int i = 0; i < 2; ++i) {
+        const int number = (*sides)[i];
+        search.crossings[i] = {number, 0, cell.size, cell.corners[number], cell.corners[(number + 1) % 4]};
+        search.probes[i] = sample_at(on_side(cell.x, cell.y, cell.size, number, cell.size / 2));
+    }
+    cell.search = static_cast<int>(searches.size());
+    searches.push_back(search);
+    cell.stage = Stage::ends;
+    return true;
+}
+
+/// Halves the stretches in which the signature changes.
+void Cells::search(Cell& cell) {
+    const double s = double(cell.size) / unit;
+    const auto fine = static_cast<std::int32_t>(std::max(2., std::min(.25 * s, contrast / (spread(cell) * s)) * unit));
+    auto& [crossings, probes] = searches[cell.search];
+    bool found = true;
+    for (int i = 0; i < 2; ++i) {
+        Crossing& crossing = crossings[i];
+        if (probes[i] < 0) continue;
+        const std::int32_t half = (crossing.low + crossing.high) / 2;
+        const std::uint32_t signature = samples[probes[i]].signature;
+        if (signature == samples[crossing.low_sample].signature)
+            crossing.low = half, crossing.low_sample = probes[i];
+        else if (signature == samples[crossing.high_sample].signature)
+            crossing.high = half, crossing.high_sample = probes[i];
+        else
+            return go_on(cell);
+        probes[i] = -1;
+        if (crossing.high - crossing.low <= fine) continue;
+        probes[i] = sample_at(on_side(cell.x, cell.y, cell.size, crossing.number, (crossing.low + crossing.high) / 2));
+        found = false;
+    }
+    if (found) {
+        const Parts parts = chord_of(crossings, cell.size);
+        const double aside = std::min(fine / double(cell.size), parts.length / 4);
+        for (int i = 0; i < 2; ++i) {
+            const double away = i == 0 ? -aside : aside;
+            const auto place = [&](double at) {
+                return std::clamp(static_cast<std::int32_t>(std::lround(at * cell.size)), 0, cell.size);
+            };
+            probes[i] = sample_at({cell.x + place(parts.middle_x + away * parts.normal_x),
+                                   cell.y + place(parts.middle_y + away * parts.normal_y)});
+        }
+        cell.stage = Stage::beside;
+    }
+    active.push_back(cell);
+}
+
+/// Is the edge as straight as the chord between its ends? Then both parts have the colours of their samples.
+void Cells::look_beside(Cell& cell) {
+    const auto& [crossings, probes] = searches[cell.search];
+    const auto& [first, second] = crossings;
+    const int ends[2][2] = {{first.high_sample, second.low_sample}, {first.low_sample, second.high_sample}};
+    for (int part = 0; part < 2; ++part)
+        if (samples[probes[part]].signature != samples[ends[part][0]].signature) return go_on(cell);
+
+    const double first_area = chord_of(crossings, cell.size).first_area;
+    const double s = double(cell.size) / unit;
+    std::array<double, 3> color{};
+    double uncertain = 0;
+    for (int part = 0; part < 2; ++part) {
+        double sum[3] = {}, low[3], high[3], count = 0;
+        const auto add = [&](int sample) {
+            for (int c = 0; c < 3; ++c) {
+                const double value = samples[sample].rgb[c];
+                sum[c] += value;
+                low[c] = count > 0 ? std::min(low[c], value) : value;
+                high[c] = count > 0 ? std::max(high[c], value) : value;
+            }
+            ++count;
+        };
+        for (int k = 0; k < 4; ++k)
+            if ((k > first.number && k <= second.number) == (part == 0)) add(cell.corners[k]);
+        for (const int end : ends[part]) add(end);
+        add(probes[part]);
+        const double area = part == 0 ? first_area : 1 - first_area;
+        for (int c = 0; c < 3; ++c) {
+            if (!((high[c] - low[c]) * area * s * s <= 2 * contrast)) return go_on(cell);
+            color[c] += area * sum[c] / count;
+            uncertain = std::max(uncertain, (high[c] - low[c]) * area);
+        }
+    }
+    finish(cell, color, uncertain);
+}
+
+double contrast_for(double error) {
+    const double aim = std::max(error, least_sampling_error);
+    return 8 * aim * std::min(1., 510 * aim);
+}
+
+}  // namespace strahl

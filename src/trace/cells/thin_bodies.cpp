@@ -1,0 +1,147 @@
+#include "trace/cells/thin_bodies.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "num/vec_math.h"
+#include "trace/cells/cells.h"
+#include "trace/kernel/kernel.h"
+
+namespace strahl {
+namespace {
+
+using Quad = std::array<DVec3, 4>;
+
+/// Reflected rays part at most so many times as fast as the camera's own, or they are not asked about: in mirrors more
+/// curved everything is small, so that there the price, two to three times the rays, is not worth it.
+constexpr double most_widening = 2;
+
+double square(const DVec3& v) { return dot_product(v, v); }
+DVec3 unit_of(const DVec3& v) { return (1 / std::sqrt(square(v))) * v; }
+DVec3 middle_of(const Quad& corners) { return .25 * (corners[0] + corners[1] + corners[2] + corners[3]); }
+/// As seen along a direction.
+double area(const Quad& corners, const DVec3& direction) {
+    return std::abs(dot_product(cross_product(corners[2] - corners[0], corners[3] - corners[1]), direction)) / 2;
+}
+
+double radius_of(const Quad& points) {
+    const DVec3 middle = middle_of(points);
+    double squared = 0;
+    for (const DVec3& point : points) squared = std::max(squared, square(point - middle));
+    return std::sqrt(squared);
+}
+/// The largest tangent of the angles between the directions and the axis.
+double growth_of(const Quad& directions, const DVec3& axis) {
+    double squared = 0;
+    for (const DVec3& direction : directions) {
+        const double ahead = dot_product(direction, axis);
+        if (!(ahead > 0)) return std::numeric_limits<double>::infinity();
+        squared = std::max(squared, square(direction - ahead * axis) / (ahead * ahead));
+    }
+    return std::sqrt(squared);
+}
+
+}  // namespace
+
+Thin::Thin(const Scene& scene, const View& view, std::shared_ptr<const ThinBodies> known)
+    : own(known ? std::move(known) : std::make_shared<const ThinBodies>(scene)),
+      bodies(*own),
+      lights(points_of(scene.lights)),
+      eye(view.camera.position) {
+    const CameraFrame frame = frame_of(view.camera, static_cast<double>(view.width) / view.height);
+    right = (2 * frame.tan_x / view.width) * frame.right, down = (2 * frame.tan_y / view.height) * frame.down;
+    diagonal = std::sqrt(square(right + down));
+    if (!bodies.empty()) end = length(bodies.around().from - eye) + bodies.around().radius;
+    first = frame.forward + (view.shift_x - view.width / 2.) * right + (view.shift_y - view.height / 2.) * down;
+}
+
+bool Thin::hides_in(const std::array<Corner, 4>& corners, double least) const {
+    if (bodies.empty()) return false;
+    double furthest = 0, nearest = end, brightest = 0, reflection = 0, further = 0;
+    std::uint32_t lit = 0;
+    bool one_surface = true;
+    for (const Corner& corner : corners) {
+        const CellSample& sample = *corner.sample;
+        const double distance = std::min(double(sample.distance), end);
+        furthest = std::max(furthest, distance), nearest = std::min(nearest, distance);
+        for (const double value : sample.rgb) brightest = std::max(brightest, value);
+        reflection = std::max(reflection, double(sample.reflection));
+        further = std::max(further, double(sample.further));
+        lit |= sample.lit;
+        one_surface = one_surface && sample.surface == corners[0].sample->surface;
+    }
+    one_surface = one_surface && corners[0].sample->surface >= 0;
+    // How far apart the corners are, at most. Where all bodies are larger, neither they nor their shadows are thin.
+    const double own_growth = std::max(corners[2].x - corners[0].x, corners[2].y - corners[0].y) * diagonal / 2;
+    const double across = 2 * own_growth * (furthest + 2 * bodies.least());
+    const bool wide = !(across + furthest - nearest < .99 * bodies.least());
+    Quad places, reflected;
+    bool mirrors = one_surface && reflection > least && further > 0;
+    if (mirrors) {
+        for (int k = 0; k < 4; ++k) {
+            const float* const direction = corners[k].sample->reflected;
+            reflected[k] = DVec3(direction[0], direction[1], direction[2]);
+        }
+        mirrors = growth_of(reflected, unit_of(middle_of(reflected))) < most_widening * own_growth;
+    }
+    if (!wide && !mirrors) return false;
+    for (int k = 0; k < 4; ++k) places[k] = unit_of(first + corners[k].x * right + corners[k].y * down);
+    if (wide && bodies.meets(from_eye(places, furthest), least)) return true;
+    if (!one_surface || (lit == 0 && !mirrors)) return false;
+    for (int k = 0; k < 4; ++k) places[k] = eye + double(corners[k].sample->distance) * places[k];
+    const double radius = radius_of(places);
+    return (wide && hides_shadow(places, radius, lit, least / brightest)) ||  // all that a shadow can take
+           (mirrors && hides_reflection(places, radius, reflected, further, least / reflection));
+}
+
+Tube Thin::from_eye(const Quad& directions, double furthest) const {
+    const DVec3 axis = unit_of(middle_of(directions));
+    const double growth = growth_of(directions, axis);
+    return {.from = eye,
+            .direction = axis,
+            .length = furthest,
+            .radius = 0,
+            .growth = growth,
+            .area = area(directions, axis) / (growth * growth)};
+}
+
+bool Thin::hides_shadow(const Quad& points, double radius, std::uint32_t lit, double least) const {
+    if (radius < bodies.least()) return false;
+    const DVec3 middle = middle_of(points);
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        if (!(lit >> std::min<std::size_t>(i, most_lit) & 1)) continue;
+        const Light& light = lights[i];
+        const DVec3 way = light.direction ? -2 * end / std::sqrt(square(*light.direction)) * *light.direction
+                                          : light.position - middle;
+        const double far = std::sqrt(square(way));
+        const Tube tube{.from = middle,
+                        .direction = way / far,
+                        .length = far,
+                        .radius = radius,
+                        .growth = light.direction ? 0 : -radius / far,
+                        .area = area(points, way / far) / (radius * radius)};
+        if (bodies.meets(tube, least, points)) return true;
+    }
+    return false;
+}
+
+bool Thin::hides_reflection(const Quad& points, double radius, const Quad& directions, double furthest,
+                            double least) const {
+    const DVec3 axis = unit_of(middle_of(directions)), middle = middle_of(points);
+    const double growth = growth_of(directions, axis), start = radius * (1 + growth);
+    const double longest = std::min(furthest, end + std::sqrt(square(middle - eye)));
+    if (!(start + growth * longest >= .99 * bodies.least())) return false;
+    const double near_area = area(points, axis) / (start * start);
+    const double far_area = growth > 0 ? area(directions, axis) / (growth * growth) : near_area;
+    return bodies.meets({.from = middle,
+                         .direction = axis,
+                         .length = furthest,
+                         .radius = start,
+                         .growth = growth,
+                         .area = std::min(near_area, far_area)},
+                        least, points);
+}
+
+}  // namespace strahl

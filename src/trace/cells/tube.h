@@ -1,0 +1,53 @@
+// Bodies in a tube: what a bundle of rays may meet that a few rays of it miss.
+//
+// Tubes stand for rays that are known by some of their bundle only: between the corners of a cell, from there to a
+// light. Compare cone tracing (J. Amanatides, "Ray Tracing with Cones", SIGGRAPH 1984); here it only tells where to
+// look.
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "scene/capsules.h"
+#include "scene/scene.h"
+
+namespace strahl {
+
+/// All points no further from a straight way than a radius that grows or shrinks evenly along it.
+struct Tube {
+    DVec3 from, direction;  // of length 1
+    double length;          // of the way; may be infinite
+    double radius, growth;  // at `from`, and by unit of length; not below 0 anywhere
+    double area;            // of the bundle's cross section, which the tube contains, over the square of the radius
+};
+
+/// The largest radius of the tube where the capsule reaches into it; below 0 if it does not. A bound.
+double radius_at(const Tube& tube, const Capsule& capsule);
+
+/// The capsules of a scene's bodies in a binary tree of balls.
+class ThinBodies {
+  public:
+    explicit ThinBodies(const Scene& scene);
+
+    bool empty() const { return nodes.empty(); }
+    /// The smallest radius, and a ball around all; not of no bodies.
+    double least() const { return nodes[0].least; }
+    const Capsule& around() const { return nodes[0].around; }
+
+    /// Is a body in the tube that is thinner than it there, so that the corners of the bundle may miss it, and that
+    /// hides at least `least` of the bundle? Bodies around all of `own` do not count: the rays start there.
+    bool meets(const Tube& tube, double least, std::span<const DVec3> own = {}) const;
+
+  private:
+    struct Node {
+        Capsule around;    // a ball, or the capsule of a leaf
+        double least;      // radius of a capsule below
+        std::int32_t next;  // node that follows all below this one
+        bool leaf;
+    };
+    void add(std::span<Capsule> capsules);
+
+    std::vector<Node> nodes;  // each before those below it
+};
+
+}  // namespace strahl

@@ -1,0 +1,136 @@
+// What the engine asks of a form's items through a table: compiled once per form, precision and instruction set.
+#pragma once
+#include <array>
+
+#include "trace/forms/items_kernel.h"
+
+namespace strahl::inline STRAHL_LEVEL {
+
+/// One ray, the same in all lanes, whose items are tested side by side: what it met so far, or what is left of the
+/// light from `t` away.
+template <class S>
+struct SingleRay {
+    using T = Element<S>;
+    Ray<S> ray;
+    T t;
+    T surface = -1;
+    Vec3<T> share{1};
+};
+
+/// Where a leaf of a composite is: from near to far, once or twice. Nowhere from infinity to -infinity.
+template <class S>
+struct LeafEnds {
+    S near[2], far[2], near_face, far_face;
+    int pairs;
+};
+
+/// Where rays cross the triangles of a mesh next, beyond some place.
+template <class S>
+struct MeshCrossing {
+    S t{std::numeric_limits<Element<S>>::infinity()}, surface{-1};
+    Mask<S> odd, odd_in_all;  // is the number of triangles crossed odd: at t, and of those looked at
+};
+
+/// Item i and those beside it of a leaf, whose first item and number of items are given.
+template <class S, class Group>
+STRAHL_INLINE auto load_of_leaf(const Group& group, int first, int count, int i) {
+    constexpr std::size_t fields = sizeof(group.items[0]) / sizeof(group.columns[0]);
+    return load_items<typename Group::template ItemOf<S>, S>(group.columns + first * fields, count, i - first);
+}
+
+template <class Form, class S>
+struct FormFunctions {
+    using T = Element<S>;
+    /// Meets the items with a pack of rays.
+    static void intersect(const World<T>& world, int first, int count, const Ray<S>& ray, Mask<S> mask,
+                          Nearest<S>& best);
+    /// Meets the items of a leaf, side by side, with one ray that is in all lanes.
+    static void intersect_single(const World<T>& world, int first, int count, SingleRay<S>& single);
+    /// Takes from the light what the items take. Is none left in any lane?
+    static bool occlude(const World<T>& world, int first, int count, const Ray<S>& ray, const S& distance, Mask<S> mask,
+                        Transmission<S>& light);
+    /// The same of one ray, items side by side.
+    static bool occlude_single(const World<T>& world, int first, int count, SingleRay<S>& single);
+    /// The points at which rays first meet items, one in each lane, and the materials of these.
+    /// `faces` is -1 where rays meet items by themselves, else the face of the leaf of a composite.
+    static void surfaces_at(const World<T>& world, const int* items, const Ray<S>& ray, const S& t, const S& faces,
+                            SurfaceHit<S>& hit, int* materials);
+    /// Where rays cross a leaf of a composite.
+    static void ends(const World<T>& world, int item, const Ray<S>& ray, LeafEnds<S>& ends);
+    /// Looks for the next crossing of the items beyond `place`, in the lanes of the mask.
+    static void cross_beyond(const World<T>& world, int first, int count, const Ray<S>& ray, Mask<S> mask,
+                             const S& place, MeshCrossing<S>& found);
+    // Of hot forms the two below are never called: see if_hot(). The second is of convex forms only.
+    /// The points at which rays first meet an item, all the same one.
+    static void surface_at(const World<T>& world, int item, const Ray<S>& ray, const S& t, SurfaceHit<S>& hit);
+    /// Where rays that start on an item leave it.
+    static Span<S> span(const World<T>& world, int item, const Ray<S>& ray);
+
+  private:
+    static Mask<S> outside(const World<T>& world, int item, const Ray<S>& ray, const Span<S>& span, Mask<S> inside);
+    static Mask<S> outside_each(const World<T>& world, int first, const Ray<S>& ray, const Span<S>& span,
+                                Mask<S> inside);
+    /// Is the eye in an item? Asked along the ray.
+    static Mask<S> holds_eye(const World<T>& world, int item, const Ray<S>& ray);
+    /// Where rays cross an item (`step` 0), or one ray items side by side (`step` 1), in lanes whose rays start near
+    /// its plane on a triangle beside it.
+    static void settle(const World<T>& world, const Item<Form, T>* items, int step, const Ray<S>& ray, Mask<S> near,
+                       Span<S>& span);
+    static void settle_start(const World<T>& world, int first, int step, const auto& item, const Ray<S>& ray,
+                             Mask<S> lanes, auto& crossed);
+    // The kernel's own code stands in each of the above if the form is hot, else only in these three.
+    using Crossed = CrossingsOf<S, Item<Form, T>>;
+    static Crossed cross_one(const Item<Form, T>& item, const Ray<S>& ray);
+    static Crossed cross_each(const Item<Form, S>& items, const Ray<S>& ray);
+    static void hit_each(const Item<Form, S>& items, const Ray<S>& ray, const S& t, const S& faces, SurfaceHit<S>& hit);
+};
+
+/// The same, of a form that is only known by its number.
+template <class S>
+struct FormCalls {
+    using W = World<Element<S>>;
+    void (*intersect)(const W&, int, int, const Ray<S>&, Mask<S>, Nearest<S>&);
+    void (*intersect_single)(const W&, int, int, SingleRay<S>&);
+    bool (*occlude)(const W&, int, int, const Ray<S>&, const S&, Mask<S>, Transmission<S>&);
+    bool (*occlude_single)(const W&, int, int, SingleRay<S>&);
+    void (*surfaces_at)(const W&, const int*, const Ray<S>&, const S&, const S&, SurfaceHit<S>&, int*) = nullptr;
+    void (*ends)(const W&, int, const Ray<S>&, LeafEnds<S>&) = nullptr;
+    void (*cross_beyond)(const W&, int, int, const Ray<S>&, Mask<S>, const S&, MeshCrossing<S>&) = nullptr;
+    void (*surface_at)(const W&, int, const Ray<S>&, const S&, SurfaceHit<S>&) = nullptr;
+    Span<S> (*span)(const W&, int, const Ray<S>&) = nullptr;
+};
+/// Those of a kind, in a file of its own.
+template <class Kind, class S>
+struct KindCalls {
+    static constexpr std::size_t forms = std::tuple_size_v<typename Kind::template Kernels<Element<S>>>;
+    static const std::array<FormCalls<S>, forms> calls;
+};
+template <class S>
+struct KindCalls<Union, S> {
+    static constexpr std::size_t forms = 1;
+    static const std::array<FormCalls<S>, 1> calls;
+};
+template <class S, class Forms>
+struct FormTable;
+template <class S, class... F>
+struct FormTable<S, FormList<F...>> {
+    static constexpr const FormCalls<S>* calls[]{KindCalls<typename F::Kind, S>::calls.data() + F::number...};
+};
+template <class S>
+STRAHL_INLINE const FormCalls<S>& calls(int form) {
+    return *FormTable<S, Forms>::calls[form];
+}
+/// Calls visit(group) if the form is hot.
+template <class T, class Visit>
+STRAHL_INLINE bool if_hot(const World<T>& world, int form, const Visit& visit) {
+    int number = 0;
+    bool hot = false;
+    world.groups.each([&](const auto& group) __attribute__((always_inline)) {
+        if constexpr (std::remove_cvref_t<decltype(group)>::Form::hot)
+            if (number == form) visit(group), hot = true;
+        ++number;
+    });
+    return hot;
+}
+
+}  // namespace strahl::inline STRAHL_LEVEL

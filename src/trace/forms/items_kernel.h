@@ -1,0 +1,157 @@
+// The two questions asked of geometry, of items of one form: which is nearest, and what light passes them.
+#pragma once
+#include <array>
+#include <bit>
+#include <utility>
+
+#include "num/memory.h"
+#include "trace/patterns/pattern_calls.h"
+
+namespace strahl::inline STRAHL_LEVEL {
+
+/// The nearest hit so far: t is infinite and the surface -1 at first. The bin is that of the surface's item.
+template <class S>
+struct Nearest {
+    S t{std::numeric_limits<Element<S>>::infinity()}, surface{-1}, bin;
+};
+
+/// What is left of light, per channel, past the items looked at, and how far away it comes from: -1 if none is left.
+template <class S>
+struct Transmission {
+    Vec3<S> share;
+    S limit;
+};
+
+/// Is a surface nearer than the best so far? Of equally near ones the first declared is.
+template <class S>
+STRAHL_INLINE Mask<S> closer(const S& t, const S& surface, const S& best_t, const S& best_surface) {
+    return (t < best_t) | ((t == best_t) & (surface < best_surface));
+}
+
+/// Where rays cross an item, the same for all or one in each lane.
+template <class S, class Item>
+STRAHL_INLINE auto crossings_of(const Item& item, const Ray<S>& ray) {
+    const S start = ray.source - S(item.surface);
+    if constexpr (requires { item.shape.span(ray, start); })
+        return item.shape.span(ray, start);
+    else
+        return item.shape.crossings(ray, start);
+}
+/// Span or Crossings.
+template <class S, class Item>
+using CrossingsOf = decltype(crossings_of(std::declval<const Item&>(), std::declval<const Ray<S>&>()));
+
+/// The lanes that cross between the start and `distance`, one mask for each crossing.
+template <class S>
+STRAHL_INLINE std::array<Mask<S>, 2> crossed(const Span<S>& span, Mask<S> hit, const S& distance) {
+    return {Mask<S>(hit & (span.near > S(0)) & (span.near < distance)),
+            Mask<S>(hit & (span.far > S(0)) & (span.far < distance))};
+}
+template <class S, int N>
+STRAHL_INLINE std::array<Mask<S>, N> crossed(const Crossings<S, N>& crossings, Mask<S> hit, const S& distance) {
+    std::array<Mask<S>, N> masks;
+    for (int i = 0; i < N; ++i) masks[i] = hit & (crossings.t[i] > S(0)) & (crossings.t[i] < distance);
+    return masks;
+}
+
+/// Crossing i of a line, of those that `crossed` tells of.
+template <class S>
+STRAHL_INLINE S crossing(const Span<S>& span, int i) {
+    return i == 0 ? span.near : span.far;
+}
+template <class S, int N>
+STRAHL_INLINE S crossing(const Crossings<S, N>& crossings, int i) {
+    return crossings.t[i];
+}
+
+/// Does the item let light through?
+template <class T, class Item>
+STRAHL_INLINE bool transparent(const World<T>& world, const Item& item) {
+    return world.transparent && world.materials[static_cast<int>(item.material)].refraction > 0;
+}
+template <class T, class Item>
+STRAHL_INLINE const Vec3<T>& filter(const World<T>& world, const Item& item) {
+    return world.materials[static_cast<int>(item.material)].filter;
+}
+
+/// Meets an item. The lanes in which it is the nearest so far; their bin is left to the caller. Exits of an opaque
+/// convex body are shown to `outside(span, lanes)`, which tells those that are none.
+template <class S, class Item, class Outside>
+STRAHL_INLINE Mask<S> intersect_item(const World<Element<S>>& world, const Item& item, const CrossingsOf<S, Item>& span,
+                                     Mask<S> mask, Nearest<S>& best, const Outside& outside) {
+    const Mask<S> hit = span.hit & mask;
+    if (none(hit)) return hit;
+    const S surface(item.surface), t = first_crossing(span);
+    Mask<S> better = hit & (t > S(0)) & closer(t, surface, best.t, best.surface);
+    if constexpr (Item::has_exits)
+        if (!transparent(world, item)) better = better & !outside(span, Mask<S>(better & !(span.near > S(0))));
+    best.t = select(better, t, best.t);
+    best.surface = select(better, surface, best.surface);
+    return better;
+}
+
+/// A point of a surface, the number of that and the number of its item's first surface.
+template <class S>
+struct SurfaceHit {
+    SurfacePoint<S> point;
+    S surface, body;
+};
+
+/// Where rays first meet items, one in each lane, at `t`. Which face that is the crossings tell, found once more,
+/// unless it is known: 0 or above in `faces`.
+template <class S, class Item, class Cross>
+STRAHL_INLINE SurfaceHit<S> surface_hit(const Item& items, const Ray<S>& ray, S t, const Cross& cross,
+                                        const S* faces = nullptr) {
+    if constexpr (Item::faces == 1) {
+        return {items.shape.at(ray, t, S(0)), items.surface, items.surface};
+    } else {
+        S face = first_face(cross(items, ray));
+        if (faces) face = select(*faces < S(0), face, *faces);
+        return {items.shape.at(ray, t, face), items.surface + face, items.surface};
+    }
+}
+
+/// Takes from the light what an item takes whose colours a pattern tells.
+template <class S, class Cross, std::size_t count>
+[[gnu::noinline]] void occlude_by_pattern(const World<Element<S>>& world, int material, int surface, const Ray<S>& ray,
+                                          const Cross& span, const std::array<Mask<S>, count>& crossed_by,
+                                          Vec3<S>& share) {
+    for (std::size_t i = 0; i < count; ++i)
+        PatternCalls<S>::filter(world, material, S(static_cast<Element<S>>(surface)), ray,
+                                crossing(span, static_cast<int>(i)), crossed_by[i], share);
+}
+
+/// Takes from the light what an item takes; `outside` as above. Is none left in any lane?
+template <class S, class Item, class Outside>
+STRAHL_INLINE bool occlude_item(const World<Element<S>>& world, const Item& item, const Ray<S>& ray,
+                                const CrossingsOf<S, Item>& span, const S& distance, Mask<S> mask,
+                                Transmission<S>& light, const Outside& outside) {
+    const S one(1);
+    const Mask<S> hit = span.hit & mask;
+    if (none(hit)) return false;
+    auto crossed_by = crossed(span, hit, distance);
+    if (transparent(world, item)) {
+        if (patterned(world, static_cast<int>(item.material))) [[unlikely]] {
+            Vec3<S> share = light.share;
+            occlude_by_pattern(world, static_cast<int>(item.material), static_cast<int>(item.surface), Ray<S>(ray),
+                               CrossingsOf<S, Item>(span), crossed_by, share);
+            light.share = share;
+            return false;
+        }
+        const Vec3<S> f = splat<S>(filter(world, item));
+        for (int c = 0; c < 3; ++c) {
+            S kept = one;
+            for (const Mask<S> crossing : crossed_by) kept = kept * select(crossing, f[c], one);
+            light.share[c] = min(light.share[c] * kept, S(largest_gain));
+        }
+        return false;
+    }
+    if constexpr (Item::has_exits)
+        crossed_by[1] = crossed_by[1] & !outside(span, Mask<S>(crossed_by[1] & !crossed_by[0]));
+    Mask<S> dark = crossed_by[0];
+    for (std::size_t i = 1; i < crossed_by.size(); ++i) dark = dark | crossed_by[i];
+    light.limit = select(dark, S(-1), light.limit);
+    return all(light.limit < S(0));
+}
+
+}  // namespace strahl::inline STRAHL_LEVEL

@@ -1,0 +1,265 @@
+// The code of a kind's forms. Every kind has a file of its own that instantiates this, made by kernels.cmake, so that
+// processors share the work of compiling.
+#pragma once
+#include "trace/forms/form_kernel.h"
+#include "trace/world/triangle_of.h"
+
+namespace strahl::inline STRAHL_LEVEL {
+
+/// Calls a form's function, or expands it.
+template <class Form, class S, class Item>
+STRAHL_INLINE auto cross(const Item& item, const Ray<S>& ray,
+                         CrossingsOf<S, Item> (*call)(const Item&, const Ray<S>&)) {
+    if constexpr (Form::compact)
+        return crossings_of(item, ray);
+    else
+        return call(item, ray);
+}
+template <class Form, class S>
+[[gnu::noinline]] auto FormFunctions<Form, S>::cross_one(const Item<Form, T>& item, const Ray<S>& ray) -> Crossed {
+    return crossings_of(item, ray);
+}
+template <class Form, class S>
+[[gnu::noinline]] auto FormFunctions<Form, S>::cross_each(const Item<Form, S>& items, const Ray<S>& ray) -> Crossed {
+    return crossings_of(items, ray);
+}
+template <class Form, class S>
+[[gnu::noinline]] void FormFunctions<Form, S>::hit_each(const Item<Form, S>& items, const Ray<S>& ray, const S& t,
+                                                        const S& faces, SurfaceHit<S>& hit) {
+    hit = surface_hit(items, ray, t, cross_each, &faces);
+}
+
+/// See crossing_beside.
+template <class Form, class S>
+[[gnu::noinline]] void FormFunctions<Form, S>::settle(const World<T>& world, const Item<Form, T>* items, int step,
+                                                      const Ray<S>& ray, Mask<S> near, Span<S>& span) {
+    for (unsigned left = bits(near); left; left &= left - 1) {
+        const int k = std::countr_zero(left);
+        const TriangleKernel<T>* const start = triangle_of(world, static_cast<int>(lane(ray.source, k)));
+        const TriangleKernel<T>& other = flat(items[k * step].shape);
+        if (!start || !share_a_corner(*start, other)) continue;
+        const auto pick = [k](const Vec3<S>& v) { return Vec3<T>(lane(v.x, k), lane(v.y, k), lane(v.z, k)); };
+        const Ray<T> one{pick(ray.origin), pick(ray.direction), lane(ray.source, k)};
+        span.far = with_lane(span.far, k, crossing_beside(*start, other, one));
+    }
+}
+/// Triangles beside the start are looked at closely. Lanes of no item are not asked for.
+template <class Form, class S>
+STRAHL_INLINE void FormFunctions<Form, S>::settle_start(const World<T>& world, int first, int step, const auto& item,
+                                                        const Ray<S>& ray, Mask<S> lanes, auto& crossed) {
+    if constexpr (requires { item.shape.starts_near(ray, crossed.far, crossed.far); }) {
+        lanes = lanes & crossed.hit & (ray.source >= S(0));
+        if (none(lanes)) return;
+        const Mask<S> near = lanes & item.shape.starts_near(ray, crossed.far, S(world.rounding));
+        if (any(near)) [[unlikely]]
+            settle(world, &world.groups.template get<Form>().items[first], step, ray, near, crossed);
+    }
+}
+
+template <class Form, class S>
+[[gnu::noinline]] Mask<S> FormFunctions<Form, S>::holds_eye(const World<T>& world, int item, const Ray<S>& ray) {
+    const Ray<S> from_eye{splat<S>(world.eye), ray.direction, S(-1)};
+    const Span<S> span = cross<Form>(world.groups.template get<Form>().items[item], from_eye, cross_one);
+    return span.hit & (span.near <= S(0)) & (span.far > S(0));
+}
+/// Of rays that seem to start in an opaque convex body, those that do not: rays get into such a body only with the eye.
+/// If the ray is nearer to where it leaves than to where it entered, it starts on another surface that lies there but
+/// for rounding, outside, and goes away from the body.
+template <class Form, class S>
+STRAHL_INLINE Mask<S> FormFunctions<Form, S>::outside(const World<T>& world, int item, const Ray<S>& ray,
+                                                      const Span<S>& span, Mask<S> inside) {
+    if (none(inside)) [[likely]]
+        return inside;
+    const Mask<S> leaving = inside & (span.near + span.far < S(0));
+    if (none(leaving)) return leaving;
+    return leaving & !holds_eye(world, item, ray);
+}
+/// The same of items side by side, which may be transparent.
+template <class Form, class S>
+STRAHL_INLINE Mask<S> FormFunctions<Form, S>::outside_each(const World<T>& world, int first, const Ray<S>& ray,
+                                                           const Span<S>& span, Mask<S> inside) {
+    if (none(inside)) [[likely]]
+        return inside;
+    const Mask<S> leaving = inside & (span.near + span.far < S(0));
+    if (none(leaving)) return leaving;
+    T outside[width<S>] = {};
+    for (unsigned left = bits(leaving); left; left &= left - 1) {
+        const int k = std::countr_zero(left);
+        const auto& item = world.groups.template get<Form>().items[first + k];
+        if (!transparent(world, item) && none(holds_eye(world, first + k, ray))) outside[k] = 1;
+    }
+    return load_lanes<S>(outside) > S(0);
+}
+
+template <class Form, class S>
+void FormFunctions<Form, S>::intersect(const World<T>& world, int first, int count, const Ray<S>& ray, Mask<S> mask,
+                                       Nearest<S>& best) {
+    const auto& group = world.groups.template get<Form>();
+    for (int i = first; i < first + count; ++i) {
+        const auto& item = group.items[i];
+        auto crossed = cross<Form>(item, ray, cross_one);
+        settle_start(world, i, 0, item, ray, mask, crossed);
+        intersect_item(world, item, crossed, mask, best,
+                       [&](const auto& span, Mask<S> exits) { return outside(world, i, ray, span, exits); });
+    }
+}
+
+template <class Form, class S>
+void FormFunctions<Form, S>::intersect_single(const World<T>& world, int first, int count, SingleRay<S>& single) {
+    const auto& group = world.groups.template get<Form>();
+    const Ray<S> ray = single.ray;
+    for (int i = first; i < first + count; i += width<S>) {
+        const auto item = load_of_leaf<S>(group, first, count, i);
+        auto span = cross<Form>(item, ray, cross_each);
+        settle_start(world, i, 1, item, ray, first_lanes<S>(first + count - i), span);
+        const S t = first_crossing(span);
+        Mask<S> better = span.hit & (t > S(0)) & first_lanes<S>(first + count - i);
+        better = better & closer(t, item.surface, S(single.t), S(single.surface));
+        if constexpr (Item<Form, T>::has_exits)
+            better = better & !outside_each(world, i, ray, span, better & !(span.near > S(0)));
+        while (any(better)) {
+            const int k = strahl::first(better);
+            single.t = lane(t, k), single.surface = lane(item.surface, k);
+            better = better & closer(t, item.surface, S(single.t), S(single.surface));
+        }
+    }
+}
+
+template <class Form, class S>
+bool FormFunctions<Form, S>::occlude(const World<T>& world, int first, int count, const Ray<S>& ray, const S& distance,
+                                     Mask<S> mask, Transmission<S>& light) {
+    const auto& group = world.groups.template get<Form>();
+    for (int i = first; i < first + count; ++i) {
+        const auto& item = group.items[i];
+        auto crossed = cross<Form>(item, ray, cross_one);
+        settle_start(world, i, 0, item, ray, mask, crossed);
+        if (occlude_item(world, item, ray, crossed, distance, mask, light,
+                         [&](const auto& span, Mask<S> exits) { return outside(world, i, ray, span, exits); }))
+            return true;
+    }
+    return false;
+}
+
+template <class Form, class S>
+bool FormFunctions<Form, S>::occlude_single(const World<T>& world, int first, int count, SingleRay<S>& single) {
+    const auto& group = world.groups.template get<Form>();
+    const Ray<S> ray = single.ray;
+    const S distance(single.t);
+    for (int i = first; i < first + count; i += width<S>) {
+        const auto item = load_of_leaf<S>(group, first, count, i);
+        auto span = cross<Form>(item, ray, cross_each);
+        settle_start(world, i, 1, item, ray, first_lanes<S>(first + count - i), span);
+        auto crossed_by = crossed(span, span.hit & first_lanes<S>(first + count - i), distance);
+        if constexpr (Item<Form, T>::has_exits)
+            crossed_by[1] = crossed_by[1] & !outside_each(world, i, ray, span, crossed_by[1] & !(span.near > S(0)));
+        std::array<unsigned, crossed_by.size()> crossings;
+        unsigned all = 0;
+        for (std::size_t k = 0; k < crossings.size(); ++k) all |= crossings[k] = bits(crossed_by[k]);
+        for (unsigned hits = all; hits; hits &= hits - 1) {
+            const int n = std::countr_zero(hits);
+            if (!transparent(world, group.items[i + n])) return true;
+            const int material = static_cast<int>(group.items[i + n].material);
+            if (patterned(world, material)) [[unlikely]] {
+                const Mask<S> own = first_lanes<S>(n + 1) & !first_lanes<S>(n);
+                const S surface(group.items[i + n].surface);
+                Vec3<S> share = splat<S>(single.share);
+                for (std::size_t k = 0; k < crossings.size(); ++k)
+                    PatternCalls<S>::filter(world, material, surface, ray, crossing(span, static_cast<int>(k)),
+                                            own & crossed_by[k], share);
+                for (int c = 0; c < 3; ++c) single.share[c] = lane(share[c], n);
+                continue;
+            }
+            const Vec3<T> f = filter(world, group.items[i + n]);
+            for (int c = 0; c < 3; ++c) {
+                T kept = 1;
+                for (const unsigned crossing : crossings) kept *= crossing >> n & 1 ? f[c] : T(1);
+                single.share[c] = min(single.share[c] * kept, T(largest_gain));
+            }
+        }
+    }
+    return false;
+}
+
+template <class Form, class S>
+void FormFunctions<Form, S>::surface_at(const World<T>& world, int item, const Ray<S>& ray, const S& t,
+                                        SurfaceHit<S>& found) {
+    hit_each(splat_item<Item<Form, S>, S>(world.groups.template get<Form>().items[item]), ray, t, S(-1), found);
+}
+
+template <class Form, class S>
+void FormFunctions<Form, S>::surfaces_at(const World<T>& world, const int* items, const Ray<S>& ray, const S& t,
+                                         const S& faces, SurfaceHit<S>& found, int* materials) {
+    const auto& group = world.groups.template get<Form>();
+    for (int k = 0; k < width<S>; ++k) materials[k] = static_cast<int>(group.items[items[k]].material);
+    const auto own = gather_items<Item<Form, S>, S>(group.items, items);
+    if constexpr (Form::hot)
+        found = surface_hit(own, ray, t, crossings_of<S, Item<Form, S>>, &faces);
+    else
+        hit_each(own, ray, t, faces, found);
+}
+
+template <class Form, class S>
+Span<S> FormFunctions<Form, S>::span(const World<T>& world, int item, const Ray<S>& ray) {
+    static_assert(Form::Kind::convex);
+    return cross_one(world.groups.template get<Form>().items[item], ray);
+}
+
+template <class S>
+STRAHL_INLINE void tell_ends(const Span<S>& span, LeafEnds<S>& ends) {
+    constexpr auto inf = std::numeric_limits<Element<S>>::infinity();
+    ends.pairs = 1;
+    ends.near[0] = select(span.hit, span.near, S(inf)), ends.far[0] = select(span.hit, span.far, S(-inf));
+    ends.near_face = span.near_face, ends.far_face = span.far_face;
+}
+template <class S>
+STRAHL_INLINE void tell_ends(const Crossings<S, 4>& crossings, LeafEnds<S>& ends) {
+    constexpr auto inf = std::numeric_limits<Element<S>>::infinity();
+    ends.pairs = 2;
+    for (int k = 0; k < 2; ++k) {
+        ends.near[k] = select(crossings.hit, crossings.t[2 * k], S(inf));
+        ends.far[k] = select(crossings.hit, crossings.t[2 * k + 1], S(-inf));
+    }
+    ends.near_face = ends.far_face = S(0);
+}
+template <class Form, class S>
+void FormFunctions<Form, S>::ends(const World<T>& world, int item, const Ray<S>& ray, LeafEnds<S>& ends) {
+    tell_ends(cross_one(world.groups.template get<Form>().items[item], ray), ends);
+}
+
+template <class Form, class S>
+void FormFunctions<Form, S>::cross_beyond(const World<T>& world, int first, int count, const Ray<S>& ray, Mask<S> mask,
+                                          const S& place, MeshCrossing<S>& found) {
+    for (int i = first; i < first + count; ++i) {
+        const auto& item = world.groups.template get<Form>().items[i];
+        auto crossed = cross<Form>(item, ray, cross_one);
+        settle_start(world, i, 0, item, ray, mask, crossed);
+        const Mask<S> beyond = mask & crossed.hit & (crossed.far > place);
+        const Mask<S> nearer = beyond & (crossed.far < found.t), same = beyond & (crossed.far == found.t);
+        const S surface(item.surface);
+        found.surface = select(nearer, surface, select(same, min(found.surface, surface), found.surface));
+        found.t = select(nearer, crossed.far, found.t);
+        found.odd = nearer | (same & !found.odd) | (found.odd & !same);
+        found.odd_in_all = (beyond & !found.odd_in_all) | (found.odd_in_all & !beyond);
+    }
+}
+
+template <class Form, class S>
+constexpr FormCalls<S> calls_of() {
+    using Own = FormFunctions<Form, S>;
+    FormCalls<S> calls{&Own::intersect, &Own::intersect_single, &Own::occlude, &Own::occlude_single};
+    calls.surfaces_at = &Own::surfaces_at;
+    if constexpr (Form::Kind::closed && Form::Kind::bounded) calls.ends = &Own::ends;
+    if constexpr (Form::compact && !Form::hot) calls.cross_beyond = &Own::cross_beyond;  // those of meshes
+    if constexpr (!Form::hot) calls.surface_at = &Own::surface_at;
+    if constexpr (!Form::hot && Form::Kind::convex) calls.span = &Own::span;
+    return calls;
+}
+template <class S, class... F>
+constexpr std::array<FormCalls<S>, sizeof...(F)> calls_of_all(FormList<F...>) {
+    return {{calls_of<F, S>()...}};
+}
+template <class Kind, class S>
+const std::array<FormCalls<S>, KindCalls<Kind, S>::forms> KindCalls<Kind, S>::calls =
+    calls_of_all<S>(FormsOfKind<Kind>{});
+
+}  // namespace strahl::inline STRAHL_LEVEL

@@ -1,0 +1,292 @@
+#include "trace/hierarchy/hierarchy.h"
+
+#include <algorithm>
+#include <array>
+#include <deque>
+#include <utility>
+#include <vector>
+
+#include "num/thread_pool.h"
+#include "trace/hierarchy/hierarchy_grid.h"
+
+namespace strahl {
+namespace {
+
+using namespace hierarchy_cut;
+
+constexpr int leaf_items = 16;  // most items of a leaf
+static_assert(leaf_items <= LeafCode::most_items);
+constexpr int deepest_cut = 30;      // from this depth on, in the middle: 2^30 items have no more than 60 levels
+constexpr int shared_items = 16384;  // more than these are cut by a grid, by all threads together,
+constexpr int few_cells = 128;       // until a part has no more cells than these
+constexpr int chunk_items = 8192;    // a thread's piece of other work on all items
+
+/// A node of the binary hierarchy: items [begin, end).
+struct Part {
+    Extents extents;
+    Cut cut;  // of at most leaf_items
+    std::int32_t begin, end;
+    int depth;
+    int side = 0;  // which of the two arrays they are in
+    bool leaf = false;
+    const std::array<Part, 2>* halves = nullptr;  // those known already
+    std::int32_t count() const { return end - begin; }
+};
+
+class Builder {
+  public:
+    Builder(Buffer<ItemBox> boxes, std::int32_t size, double margin, ThreadPool& workers)
+        : entries{boxes.get()}, pool(workers) {
+        result.order = uninitialized_buffer<std::int32_t>(size);
+        Buffer<ItemBox> others = uninitialized_buffer<ItemBox>(size);
+        entries[1] = others.get();
+        std::vector<Extents> extents(size / chunk_items + 1);
+        share_out(pool, size, chunk_items, [&](std::int32_t first, std::int32_t last) {
+            for (ItemBox* e = entries[0] + first; e < entries[0] + last; ++e) {
+                const Bounds box = grown(bounds_of(*e), margin);
+                for (int c = 0; c < 3; ++c) e->low[c] = box.low[c], e->high[c] = box.high[c];
+                e->item = static_cast<std::int32_t>(e - entries[0]);
+                extents[first / chunk_items].add(box);
+            }
+        });
+        for (std::size_t i = 1; i < extents.size(); ++i) extents[0].add(extents[i]);
+        std::vector<Node> top;
+        node(finished({extents[0], {}, 0, size, 0}), top, true);
+        std::vector<std::vector<Node>> below(tasks.size());
+        share_out(pool, static_cast<std::int32_t>(tasks.size()), 1, [&](std::int32_t first, std::int32_t last) {
+            for (std::int32_t i = first; i < last; ++i) node(tasks[i].part, below[i], false), below[i].shrink_to_fit();
+        });
+        boxes.reset(), others.reset();
+        join(top, below);
+    }
+    Hierarchy result;
+
+  private:
+    struct Task {
+        Part part;
+        std::size_t node;
+        int child;
+    };
+    ItemBox* entries[2];
+    ThreadPool& pool;
+    std::vector<Task> tasks;
+    std::deque<std::array<Part, 2>> halves;  // of the parts that a grid cuts
+
+    /// The nodes of all tasks after those at the top.
+    void join(std::vector<Node>& top, const std::vector<std::vector<Node>>& below) {
+        std::size_t count = top.size();
+        std::vector<std::size_t> starts;
+        for (std::size_t i = 0; i < tasks.size(); ++i) {
+            top[tasks[i].node].first[tasks[i].child] = static_cast<std::int32_t>(count);
+            starts.push_back(count);
+            count += below[i].size();
+        }
+        result.nodes = uninitialized_buffer<Node>(count);
+        result.size = static_cast<std::int32_t>(count);
+        std::copy(top.begin(), top.end(), result.nodes.get());
+        share_out(pool, static_cast<std::int32_t>(tasks.size()), 1, [&](std::int32_t first, std::int32_t last) {
+            for (std::int32_t i = first; i < last; ++i) {
+                Node* to = result.nodes.get() + starts[i];
+                for (Node node : below[i]) {
+                    for (int c = 0; c < node.children; ++c)
+                        if (node.leaves[c] == 0) node.first[c] += static_cast<std::int32_t>(starts[i]);
+                    *to++ = node;
+                }
+            }
+        });
+    }
+
+    ItemBox* first_of(const Part& part) const { return entries[part.side] + part.begin; }
+    ItemBox* last_of(const Part& part) const { return entries[part.side] + part.end; }
+
+    Cut cut_of(const Part& part) const {
+        if (part.depth >= deepest_cut || part.count() <= 2) return {};
+        const int count = bins_for(part.count());
+        const BinScale scale(part.extents.middles, Quad{} + static_cast<float>(count));
+        Bins bins(count, count, count);
+        for (const ItemBox* e = first_of(part); e < last_of(part); ++e) {
+            const Bounds box = bounds_of(*e);
+            const WholeQuad bin = scale.bins(box);
+            for (int axis = 0; axis < 3; ++axis) bins.add(axis, bin[axis], box, 1);
+        }
+        return best_cut(bins, part.count());
+    }
+
+    /// A part whose items and extents are known; if it has few items it may be a leaf.
+    Part finished(Part part) const {
+        if (part.count() > leaf_items) return part;
+        part.cut = cut_of(part);
+        const float area = part.extents.all.half_area(), all = item_cost * static_cast<float>(part.count()) * area;
+        part.leaf = !(area + item_cost * part.cut.cost < all);
+        if (part.leaf) {
+            const auto [least, most] = std::minmax_element(
+                first_of(part), last_of(part), [](const ItemBox& a, const ItemBox& b) { return a.form < b.form; });
+            if (least->form < most->form) part.leaf = false, part.cut = {0, by_form, least->form};
+        }
+        return part;
+    }
+    Part part(std::int32_t begin, std::int32_t end, const Part& of) const {
+        Part part{{}, {}, begin, end, of.depth + 1, of.side};
+        for (const ItemBox* e = first_of(part); e < last_of(part); ++e) part.extents.add(bounds_of(*e));
+        return finished(part);
+    }
+
+    /// Items before the cut go to the front. What remains of `from` is the part before; the other is returned.
+    Part open(Part& from) {
+        if (!from.halves && from.count() > shared_items) cut_by_grid(from);
+        if (from.halves) {
+            const std::array<Part, 2>& both = *from.halves;
+            from = both[0];
+            return both[1];
+        }
+        const Cut cut = from.count() <= leaf_items ? from.cut : cut_of(from);
+        std::int32_t at = from.begin + from.count() / 2;
+        if (cut.axis == by_form) {
+            at = divide(from, [form = cut.bin](const ItemBox& e) { return e.form == form; });
+        } else if (cut.axis != in_the_middle) {
+            const BinScale scale(from.extents.middles, Quad{} + static_cast<float>(bins_for(from.count())));
+            at = divide(from, [axis = cut.axis, low = scale.from[cut.axis], per_bin = scale.per_bin[cut.axis],
+                               bin = static_cast<float>(cut.bin)](const ItemBox& e) {
+                return (e.low[axis] + e.high[axis] - low) * per_bin < bin;
+            });
+        }
+        const Part left = part(from.begin, at, from), right = part(at, from.end, from);
+        from = left;
+        return right;
+    }
+
+    /// Moves items for which `before` holds to the front and all others behind them, in the other array: so there is
+    /// no branch, which could not be predicted. Where the others begin.
+    template <class Before>
+    std::int32_t divide(Part& part, const Before& before) const {
+        ItemBox* const to = entries[1 - part.side];
+        std::int32_t front = part.begin, back = part.end - 1;
+        for (const ItemBox* e = first_of(part); e < last_of(part); ++e) {
+            to[front] = *e, to[back] = *e;
+            const int goes = before(*e);
+            front += goes, back -= 1 - goes;
+        }
+        part.side = 1 - part.side;
+        return front;
+    }
+
+    /// Cuts a part by the borders of a grid's cells, again and again, before any item moves; then all move at once.
+    /// Where that is no cut, all centres being in one place, it stays as it is.
+    void cut_by_grid(Part& from) {
+        const Grid grid(from.extents.middles);
+        const std::int32_t pieces = 2 * pool.size(), step = (from.count() - 1) / pieces + 1;
+        std::vector<std::vector<Cell>> seen(pieces);
+        share_out(pool, from.count(), step, [&](std::int32_t first, std::int32_t last) {
+            std::vector<Cell>& cells = seen[first / step];
+            cells.resize(grid.cells());
+            for (const ItemBox* e = first_of(from) + first; e < first_of(from) + last; ++e) {
+                const Bounds box = bounds_of(*e);
+                Cell& cell = cells[grid.cell(box)];
+                cell.extents.add(box), ++cell.count;
+            }
+        });
+        std::vector<Cell> cells = seen[0];
+        for (std::int32_t p = 1; p < pieces; ++p)
+            for (std::size_t c = 0; c < seen[p].size(); ++c)
+                cells[c].extents.add(seen[p][c].extents), cells[c].count += seen[p][c].count;
+        std::vector<Part*> ends;
+        cut_cells(from, grid, grid.all, cells, ends);
+        if (!from.halves) return;
+        // The items of a cell come one after the other, piece by piece.
+        for (std::int32_t c = 0; c < grid.cells(); ++c)
+            for (std::int32_t p = 0, at = cells[c].count; p < pieces; ++p)
+                if (!seen[p].empty()) at += std::exchange(seen[p][c].count, at);
+        share_out(pool, from.count(), step, [&](std::int32_t first, std::int32_t last) {
+            std::vector<Cell>& own = seen[first / step];
+            for (const ItemBox* e = first_of(from) + first; e < first_of(from) + last; ++e)
+                entries[1 - from.side][own[grid.cell(bounds_of(*e))].count++] = *e;
+        });
+        for (Part* const end : ends) {
+            end->side = 1 - from.side;
+            *end = finished(*end);
+        }
+    }
+
+    /// Cuts a part that consists of a range of cells. In cells of `ends`, which are not cut any more, counts become
+    /// places of the first items.
+    void cut_cells(Part& part, const Grid& grid, const CellRange& range, std::vector<Cell>& cells,
+                   std::vector<Part*>& ends) {
+        Bins bins(range.size(0), range.size(1), range.size(2));
+        part.extents = {};
+        range.each(grid.shift, [&](int c, const int(&at)[3]) {
+            if (cells[c].count == 0) return;
+            part.extents.add(cells[c].extents);
+            for (int axis = 0; axis < 3; ++axis)
+                bins.add(axis, at[axis] - range.low[axis], cells[c].extents.all, cells[c].count);
+        });
+        const bool done = range.cells() <= few_cells || part.depth >= deepest_cut;
+        const Cut cut = done ? Cut{} : best_cut(bins, part.count());
+        if (cut.axis == in_the_middle) {
+            std::int32_t next = part.begin;
+            range.each(grid.shift, [&](int c, const int(&)[3]) { next += std::exchange(cells[c].count, next); });
+            ends.push_back(&part);
+            return;
+        }
+        std::int32_t at = part.begin;
+        for (int b = 0; b < cut.bin; ++b) at += bins.count[cut.axis][b];
+        auto& both = halves.emplace_back(
+            std::array{Part{{}, {}, part.begin, at, part.depth + 1}, Part{{}, {}, at, part.end, part.depth + 1}});
+        part.halves = &both;
+        CellRange left = range, right = range;
+        left.high[cut.axis] = right.low[cut.axis] = range.low[cut.axis] + cut.bin;
+        cut_cells(both[0], grid, left, cells, ends);
+        cut_cells(both[1], grid, right, cells, ends);
+    }
+
+    /// Makes a wide node and what is below it; or if others can do that, leaves them tasks.
+    std::int32_t node(const Part& root, std::vector<Node>& nodes, bool shared) {
+        const std::size_t index = nodes.size();
+        nodes.emplace_back();
+        Part parts[Node::width];
+        float areas[Node::width];  // of those that can be opened
+        int order[Node::width]{};  // that of their items
+        const auto put = [&](int i, const Part& part) {
+            parts[i] = part;
+            areas[i] = part.leaf ? -1 : part.extents.all.half_area();
+        };
+        put(0, root);
+        int count = 1;
+        for (; count < Node::width; ++count) {
+            int largest = 0;  // the first of them in order
+            for (int i = 1; i < count; ++i)
+                if (areas[order[i]] > areas[order[largest]]) largest = i;
+            if (areas[order[largest]] < 0) break;
+            Part& left = parts[order[largest]];
+            const Part right = open(left);
+            put(order[largest], left), put(count, right);
+            std::copy_backward(order + largest + 1, order + count, order + count + 1);
+            order[largest + 1] = count;
+        }
+        Node node{};
+        node.children = count;
+        for (int i = 0; i < node.children; ++i) {
+            const Part& child = parts[order[i]];
+            for (int c = 0; c < 3; ++c)
+                node.low[c][i] = child.extents.all.low[c], node.high[c][i] = child.extents.all.high[c];
+            if (child.leaf) {
+                node.first[i] = child.begin;
+                node.leaves[i] = static_cast<std::int16_t>(LeafCode::make(first_of(child)->form, child.count()));
+                for (std::int32_t k = child.begin; k < child.end; ++k) result.order[k] = entries[child.side][k].item;
+            } else if (shared && child.count() <= shared_items) {
+                tasks.push_back({child, index, i});
+            } else {
+                node.first[i] = this->node(child, nodes, shared);
+            }
+        }
+        nodes[index] = node;
+        return static_cast<std::int32_t>(index);
+    }
+};
+
+}  // namespace
+
+Hierarchy build_hierarchy(Buffer<ItemBox> boxes, std::int32_t size, double margin, ThreadPool& pool) {
+    return std::move(Builder(std::move(boxes), size, margin, pool).result);
+}
+
+}  // namespace strahl

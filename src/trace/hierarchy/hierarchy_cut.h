@@ -1,0 +1,108 @@
+// Where to cut a range of items in two: boxes in bins, and the surface area heuristic.
+#pragma once
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "num/quad.h"
+#include "trace/hierarchy/hierarchy.h"
+
+namespace strahl::hierarchy_cut {
+
+inline constexpr int most_bins = 16;
+inline constexpr float infinity = std::numeric_limits<float>::infinity();
+
+using WholeQuad [[gnu::vector_size(16)]] = std::int32_t;
+
+struct Bounds {
+    Quad low, high;  // coordinates x, y, z, and something that does not matter
+
+    void add(const Bounds& b) { low = minimum(low, b.low), high = maximum(high, b.high); }
+    void add(Quad point) { low = minimum(low, point), high = maximum(high, point); }
+    float half_area() const {
+        const Quad size = maximum(high - low, Quad{}), area = size * __builtin_shufflevector(size, size, 1, 2, 0, 3);
+        return area[0] + area[1] + area[2];
+    }
+    Quad middle() const { return low + high; }  // twice the centre
+};
+inline const Bounds nothing{Quad{} + infinity, Quad{} - infinity};
+inline Bounds bounds_of(const ItemBox& box) { return std::bit_cast<Bounds>(box); }
+
+/// With a margin, and with what rounding cost: half a unit in the last place was lost when the corner was rounded, and
+/// half a one is lost here. The smallest floats have few places.
+inline Bounds grown(const Bounds& box, double margin) {
+    const Quad grow = Quad{} + (static_cast<float>(margin) + std::numeric_limits<float>::min()),
+               units = Quad{} + 0x1p-22f;
+    return {box.low - (grow + maximum(box.low, -box.low) * units),
+            box.high + (grow + maximum(box.high, -box.high) * units)};
+}
+
+inline constexpr float item_cost = .25f;  // of that of a binary node
+
+/// Of a range of boxes: one around them, and one around their centres.
+struct Extents {
+    Bounds all = nothing, middles = nothing;
+    void add(const Extents& e) { all.add(e.all), middles.add(e.middles); }
+    void add(const Bounds& box) { all.add(box), middles.add(box.middle()); }
+};
+
+/// Bins for so many items: an empty one costs as much as a full one.
+inline int bins_for(std::int32_t count) { return count <= 16 ? 4 : count <= 64 ? 8 : most_bins; }
+
+/// How far along the bins of each axis a box's centre is.
+struct BinScale {
+    Quad from, per_bin, last;
+    BinScale(const Bounds& middles, Quad bins) : from(middles.low), per_bin(bins), last(bins - 1) {
+        per_bin /= middles.high - middles.low;
+        for (int i = 0; i < 3; ++i)
+            if (!std::isfinite(per_bin[i])) per_bin[i] = 0;
+    }
+    Quad operator()(const Bounds& box) const { return minimum((box.middle() - from) * per_bin, last); }
+    WholeQuad bins(const Bounds& box) const { return __builtin_convertvector((*this)(box), WholeQuad); }
+};
+
+/// What is in each bin of an axis: count boxes, and one around them.
+struct Bins {
+    int bins[3];
+    Bounds box[3][most_bins];
+    std::int32_t count[3][most_bins];
+
+    Bins(int x, int y, int z) : bins{x, y, z} {
+        for (int axis = 0; axis < 3; ++axis)
+            for (int b = 0; b < bins[axis]; ++b) box[axis][b] = nothing, count[axis][b] = 0;
+    }
+    void add(int axis, int bin, const Bounds& more, std::int32_t items) {
+        box[axis][bin].add(more), count[axis][bin] += items;
+    }
+};
+
+/// Items are cut in the middle, along the bins of an axis, or by their forms: those of form `bin` come first.
+enum CutAxis { in_the_middle = -1, by_form = 3 };
+struct Cut {
+    float cost = infinity;  // in boxes' half areas
+    int axis = in_the_middle, bin = 0;
+};
+
+/// The cheapest cut along the bins of one of the axes, both sides of which have items.
+inline Cut best_cut(const Bins& in, std::int32_t count) {
+    Cut best;
+    for (int axis = 0; axis < 3; ++axis) {
+        float cost_left[most_bins];
+        Bounds sum = nothing;
+        std::int32_t n = 0;
+        for (int b = 0; b + 1 < in.bins[axis]; ++b) {
+            sum.add(in.box[axis][b]), n += in.count[axis][b];
+            cost_left[b] = static_cast<float>(n) * sum.half_area();
+        }
+        sum = nothing, n = 0;
+        for (int b = in.bins[axis] - 1; b > 0; --b) {
+            sum.add(in.box[axis][b]), n += in.count[axis][b];
+            const float cost = cost_left[b - 1] + static_cast<float>(n) * sum.half_area();
+            if (n > 0 && n < count && cost < best.cost) best = {cost, axis, b};
+        }
+    }
+    return best;
+}
+
+}  // namespace strahl::hierarchy_cut

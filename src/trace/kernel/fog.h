@@ -1,0 +1,20 @@
+// What rays lose to the fog on their way.
+#pragma once
+#include <cmath>
+
+#include "num/memory.h"
+#include "trace/kernel/shading.h"
+
+namespace strahl::inline STRAHL_LEVEL::inline STRAHL_INSTANCE {
+
+/// What fog leaves of the weights of rays that went as far as `t`. Its light has the weight that they lost.
+template <class S>
+[[gnu::noinline]] S left_by_fog(const World<Element<S>>& world, const S& weight, const S& medium, const S& t) {
+    alignas(64) Element<S> share[width<S>];
+    store_lanes(share, t * S(-world.fog_per));
+    for (auto& value : share) value = std::exp(value);
+    const S left = weight * load_lanes<S>(share);
+    return world.nested ? select(medium == S(0), left, weight) : left;
+}
+
+}  // namespace strahl::inline STRAHL_LEVEL::inline STRAHL_INSTANCE

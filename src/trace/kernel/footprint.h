@@ -1,0 +1,77 @@
+// Footprints of samples, by which images are filtered: only where a batch asks for them.
+#pragma once
+#include "trace/kernel/ray_cone.h"
+
+namespace strahl::inline STRAHL_LEVEL::inline STRAHL_INSTANCE {
+
+/// Of camera rays, as far as t, to surfaces with these normals. With D the direction before its length became 1, which
+/// has length 1 along `forward`, the ray of the next pixel goes along D + right.
+template <class S>
+Footprint<S> footprint_of(const Shading<S>& shading, const S& pixel, const Vec3<S>& direction, const S& t,
+                          const Vec3<S>& normal) {
+    const Footprints<Element<S>>& all = *shading.batch.footprints;
+    const S size = t * dot(direction, splat<S>(all.forward)) * sides_of(all, pixel);
+    return {direction, normal, scale(size, splat<S>(all.right)), scale(size, splat<S>(all.down))};
+}
+
+/// Of rays whose cones are so wide there: two ways across them (T. Duff et al., "Building an Orthonormal Basis,
+/// Revisited", 2017), since a square's ellipse does not depend on how it is turned.
+template <class S>
+Footprint<S> footprint_of(const Vec3<S>& d, const S& size, const Vec3<S>& normal) {
+    const S sign = select(d.z >= S(0), S(1), S(-1)), a = S(-1) / (sign + d.z), b = d.x * d.y * a;
+    return {d, normal, scale(size, {fma(sign * d.x, d.x * a, S(1)), sign * b, -sign * d.x}),
+            scale(size, {b, fma(d.y, d.y * a, sign), -d.y})};
+}
+
+/// From this share of an image's pixel on, a pixel of the view may hide some of the image from the pixels around.
+inline constexpr float coarse_pixel = .25f;
+
+/// Notes the colours of samples whose footprints are that long, in pixels of an image: of all surfaces that a sample
+/// sees, as far as they reach it. What can hardly be seen does not count.
+template <class S>
+STRAHL_INLINE void note_colors(const Shading<S>& shading, const S& longer, const Vec3<S>& color, const S& pixel,
+                               const S& weight, int lanes) {
+    using T = Element<S>;
+    const Footprints<T>& all = *shading.batch.footprints;
+    alignas(64) T colors[3][width<S>], lengths[width<S>], pixels[width<S>], weights[width<S>];
+    for (int c = 0; c < 3; ++c) store_lanes(colors[c], color[c]);
+    store_lanes(lengths, longer), store_lanes(pixels, pixel), store_lanes(weights, weight);
+    for (int k = 0; k < lanes; ++k) {
+        const int own = static_cast<int>(pixels[k]);
+        if (!(lengths[k] > coarse_pixel * all.sides[own]) || !(weights[k] > shading.limits.noticed)) continue;
+        T* const sum = all.colors + std::ptrdiff_t(3) * own;
+        for (int c = 0; c < 3; ++c) sum[c] = std::max(sum[c], T(0)) + weights[k] * colors[c][k];
+    }
+}
+
+/// Gives materials the colours of their patterns, images filtered.
+template <class S>
+[[gnu::noinline]] void paint_filtered(const Shading<S>& shading, const int* materials, const SurfaceHit<S>& hit,
+                                      const RayQueue<Element<S>>& from, const LaneIndices<S>& pick, const S& t,
+                                      MaterialKernel<S>& values) {
+    const auto& d = from.direction;
+    const Vec3<S> direction(pick(d.x), pick(d.y), pick(d.z)), &normal = hit.point.normal;
+    const S pixel = pick(from.pixel);
+    const Footprint<S> footprint =
+        shading.depth > 1 ? footprint_of(direction, cone_at(shading, from, pick, direction, t).width, normal)
+                          : footprint_of(shading, pixel, direction, t, normal);
+    const S longer =
+        PatternCalls<S>::paint_filtered(shading.world, materials, hit.point.position, hit.surface, footprint, values);
+    note_colors(shading, longer, values.ambient + values.diffuse, pixel, pick(from.weight), pick.lanes);
+}
+
+/// The background, images filtered.
+template <class S>
+[[gnu::noinline]] Vec3<S> filtered_sky(const Shading<S>& shading, const LaneIndices<S>& pick) {
+    const RayQueue<Element<S>>& from = shading.rays.open;
+    const Vec3<S> direction(pick(from.direction.x), pick(from.direction.y), pick(from.direction.z));
+    const S pixel = pick(from.pixel);
+    Vec3<S> color;
+    const Footprint<S> footprint = shading.depth > 1 ? footprint_of(direction, pick(from.spread), direction)
+                                                     : footprint_of(shading, pixel, direction, S(1), direction);
+    const S longer = PatternCalls<S>::sky_filtered(shading.world, footprint, color);
+    note_colors(shading, longer, color, pixel, pick(from.weight), pick.lanes);
+    return color;
+}
+
+}  // namespace strahl::inline STRAHL_LEVEL::inline STRAHL_INSTANCE

@@ -1,0 +1,177 @@
+// The light that surfaces scatter.
+#pragma once
+#include "trace/kernel/sight.h"
+
+namespace strahl::inline STRAHL_LEVEL::inline STRAHL_INSTANCE {
+
+/// Ks (h.l)^p in the lanes of `glossy`.
+template <class S>
+STRAHL_INLINE S highlight_of(const Hit<S>& hit, const Vec3<S>& reflected, const Vec3<S>& l, Mask<S> glossy) {
+    const MaterialKernel<S>& material = hit.material;
+    const S shine = min(max(dot(reflected, l), S(0)), S(1));  // or sharp highlights blow rounding up
+    const Mask<S> shines = glossy & (shine > material.shines_from);
+    if (none(shines)) return S(0);
+    const S power_of_shine = hit.uniform ? power_of_uniform(shine, lane(material.pow, 0)) : power(shine, material.pow);
+    return select(shines, material.specular * power_of_shine, S(0));
+}
+
+/// Below this squares lose bits.
+template <class T>
+inline constexpr T least_square = std::numeric_limits<T>::min() / std::numeric_limits<T>::epsilon();
+
+/// The way to a light, of length 1, and how far it is: for lights so near that the square of the distance underflows.
+template <class S>
+struct WayToLight {
+    Vec3<S> l;
+    S distance, cosine;
+};
+/// A normal that is not of length 1, of a body too small or too large for this kind of number, is not lit.
+template <class S>
+[[gnu::noinline]] WayToLight<S> way_to_near_light(const Hit<S>& hit, const Vec3<S>& to_light) {
+    const S longest = max(abs(to_light.x), max(abs(to_light.y), abs(to_light.z)));
+    const Vec3<S> way(to_light.x / longest, to_light.y / longest, to_light.z / longest);
+    const S length = sqrt(dot(way, way));
+    const Vec3<S> l = scale(S(1) / length, way);
+    const S cosine = dot(hit.normal, l);
+    return {l, longest * length, select(cosine < S(2), cosine, S(0))};
+}
+
+/// The share of its light that a spot sends along -l. What 1 less the cosine is comes from the difference of the
+/// directions: of a narrow cone cosines have few digits.
+template <class S>
+[[gnu::noinline]] S spot_share(const LightKernel<Element<S>>& light, const Vec3<S>& l) {
+    using T = Element<S>;
+    const Vec3<S> off = l + splat<S>(light.axis);
+    const S from_axis = dot(off, off) * S(T(.5)), cosine = S(1) - from_axis;
+    const S u = min(max((S(light.falloff) - from_axis) * S(light.per), S(0)), S(1));
+    S share = select(from_axis > S(light.radius), u * u * fma(S(-2), u, S(3)), S(1));
+    if (light.tightness != 0) share = share * power_of_uniform(max(cosine, S(0)), light.tightness);
+    return select(cosine > S(0), share, S(0));
+}
+
+/// Adds what a rectangle sends to the hits in these lanes.
+template <class S>
+[[gnu::noinline]] void add_area_light(const Shading<S>& shading, const Hit<S>& hit, int number, Mask<S> lanes,
+                                      const RareHit<S>& rare, Vec3<S>& sum) {
+    using T = Element<S>;
+    const MaterialKernel<S>& material = hit.material;
+    const LightKernel<T>& light = shading.world.lights[number];
+    const Vec3<S> reflected = reflect(hit);
+    const LitHits<S> hits{lanes, hit.outside, hit.position, hit.normal,
+                          shading.world.bends ? rare.flat : hit.normal, reflected, hit.surface, hit.weight,
+                          largest(material.diffuse), material.specular, material.pow, material.shines_from, hit.bin};
+    constexpr T usual = T(1) / 510;
+    const T error = shading.limits.error > T(0) ? shading.limits.error : usual;
+    const AreaMeans<S> means = AreaLightCalls<S>::means(shading.world, number, hits, error, visibility<S>);
+    shading.counts.shadow += means.rays;
+    if (!proves && shading.batch.sights) {
+        // Half shadows are told from light and from shadow, not from each other: their colours tell that.
+        Vec3<S> share;
+        for (int c = 0; c < 3; ++c)
+            share[c] = select(means.share[c] > S(0), select(means.share[c] < S(1), S(T(.5)), S(1)), S(0));
+        const Vec3<S> way = splat<S>(light.position) - hit.position;
+        note_light(shading, hit, rare, number, share, S(dot(reflected, way) / sqrt(dot(way, way))), lanes);
+    }
+    for (int c = 0; c < 3; ++c)
+        sum[c] = fma(S(light.color[c]), fma(material.diffuse[c], means.diffuse[c], means.highlight[c]), sum[c]);
+}
+
+/// Ia Ka Of + sum over lights S Il [Kd Of (n.l) + Ks (h.l)^p]; at `dim` hits without lights that bring no more than
+/// `MaterialKernel::scattered`. `rare` is only read where that is.
+template <class S>
+STRAHL_INLINE Vec3<S> illumination(const Shading<S>& shading, const Hit<S>& hit, Mask<S> dim,
+                                   RareHit<S>& rare) {
+    const MaterialKernel<S>& material = hit.material;
+    const auto& world = shading.world;
+    const S zero(0);
+    Vec3<S> sum = material.ambient;
+    const Vec3<S> reflected = reflect(hit);
+    const S strongest = largest(material.diffuse);
+    S possible = strongest;  // in exact arithmetic
+    if constexpr (proves) possible = possible + rare.bounds.diffuse;
+    const Mask<S> glossy = hit.active & (material.specular > zero);
+    if (none(glossy | (hit.active & (possible > zero)))) return sum;
+    const S faint = select(dim, S(faint_share) * strongest, zero);
+    for (int i = 0; i < world.light_count; ++i) {
+        const LightKernel<Element<S>>& light = world.lights[i];
+        if (light.area) [[unlikely]] {
+            const Mask<S> lit = hit.active & ((strongest > faint) | glossy);
+            if constexpr (proves) add_unknown_light(shading, hit, light, rare.bounds);
+            Vec3<S> copy = sum;
+            add_area_light(shading, hit, i, lit, rare, copy);
+            sum = copy;
+            continue;
+        }
+        const Vec3<S> to_light = fma(S(-light.finite), hit.position, splat<S>(light.position));
+        const S facing = dot(hit.normal, to_light);
+        if constexpr (proves) {
+            if (none(may_face(rare.bounds, hit, light, to_light, facing))) continue;
+        } else if (none(hit.active & (facing > zero))) {
+            continue;
+        }
+        const S squared = dot(to_light, to_light);
+        const S length = sqrt(squared), inverse = S(1) / length;
+        S distance = length * S(light.far);
+        Vec3<S> l = scale(inverse, to_light);
+        S cosine = facing * inverse;
+        S highlight = zero;
+        if (any(glossy)) highlight = highlight_of(hit, reflected, l, glossy);
+        // Whether anything is between only matters where there is light to lose.
+        Mask<S> faces = hit.active & (cosine > zero) & (fma(possible, cosine, highlight) > faint);
+        [[maybe_unused]] IfProving<LitBounds<S>> lit;
+        if constexpr (proves) {
+            lit = bound_lit(rare.bounds, hit, light, length, cosine, S(dot(reflected, l)), highlight);
+            if (none(faces | (hit.active & lit.doubt))) continue;
+        } else if (none(faces)) {
+            continue;
+        }
+        const Mask<S> lost = faces & ((squared < S(least_square<Element<S>>)) | (cosine > S(2)));
+        if (any(lost)) {
+            const WayToLight<S> way = way_to_near_light(hit, to_light);
+            distance = select(lost, way.distance, distance), l = select(lost, way.l, l);
+            cosine = select(lost, way.cosine, cosine);
+            faces = faces & (cosine > zero);
+            if (any(glossy)) highlight = highlight_of(hit, reflected, l, glossy);
+        }
+        if constexpr (proves) {
+            if (world.bends) [[unlikely]] {
+                bound_side_of_light(rare.bounds, rare.flat, Vec3<S>(l), lit, faces);
+                if (none(faces | (hit.active & lit.doubt))) continue;
+            }
+        }
+        if (light.spot) [[unlikely]] {
+            faces = faces & (spot_share(light, Vec3<S>(l)) > zero);
+            if constexpr (proves) {
+                add_spot_error(shading, hit, light, lit, Vec3<S>(l), cosine, highlight, rare.bounds);
+                if (none(faces | (hit.active & lit.doubt))) continue;
+            } else if (none(faces)) {
+                continue;
+            }
+        }
+        shading.counts.shadow += count(faces);
+        const auto arriving = [&]() __attribute__((always_inline)) {
+            if constexpr (proves)
+                return share_proved(shading, hit, lit, l, distance, faces, cosine, highlight,
+                                    Start<S>{i, hit.bin, hit.outside}, rare.bounds);
+            else
+                return visibility(world, Ray<S>{hit.position, l, hit.surface}, distance, faces,
+                                  {i, hit.bin, hit.outside});
+        };
+        Vec3<S> share = arriving();
+        if (shading.rare) [[unlikely]] {
+            // A light that only the bent normal faces is behind the surface.
+            if (world.bends) share = select(dot(rare.flat, l) > S(0), share, splat<S>(Vec3<Element<S>>(0)));
+            if (!proves && shading.batch.sights)
+                note_light(shading, hit, rare, i, Vec3<S>(share), S(dot(reflected, l)), faces);
+        }
+        if (light.spot) [[unlikely]]
+            share = scale(spot_share(light, Vec3<S>(l)), share);
+        cosine = select(faces, cosine, zero);  // at the light itself it is NaN
+        highlight = select(faces, highlight, zero);
+        for (int c = 0; c < 3; ++c)
+            sum[c] = fma(share[c] * S(light.color[c]), fma(material.diffuse[c], cosine, highlight), sum[c]);
+    }
+    return sum;
+}
+
+}  // namespace strahl::inline STRAHL_LEVEL::inline STRAHL_INSTANCE

@@ -1,0 +1,182 @@
+// What the plain part of the tracer and the kernels, compiled once per instruction set, know of each other.
+#pragma once
+#include <atomic>
+#include <cstdint>
+#include <limits>
+
+#include "trace/kernel/ray_counts.h"
+#include "trace/world/eye.h"
+#include "trace/world/world.h"
+
+namespace strahl {
+
+/// Most pixels in a batch, and most rays in each queue of a generation.
+inline constexpr int batch_pixels = 256, batch_rays = 4096;
+
+/// A queue of rays, one array per value.
+template <class T>
+struct RayQueue {
+    Vec3<T*> origin, direction;
+    T* source;  // surface on which the ray starts, -1 for none
+    T* pixel;   // of the tile
+    T* weight;  // share of this ray's light that reaches the pixel
+    T* medium;  // list of bodies entered; only in nested worlds
+    T* t;       // where the ray meets its body again; only of rays inside
+    int count = 0;
+    T *away = nullptr, *turn = nullptr, *side = nullptr, *spin = nullptr;  // see Doubt; only of proving kernels
+    T *width = nullptr, *spread = nullptr;  // see RayCone; only where images are filtered
+};
+inline constexpr int ray_arrays = 11;
+
+/// The rays of a generation: those whose hits are searched, and those inside an enclosed body (see World), which meet
+/// nothing else: ranges by the body's bin.
+template <class T>
+struct Generation {
+    RayQueue<T> open, inside;
+    std::int32_t *inside_begin, *inside_end;
+    int rays() const { return open.count + inside.count; }
+};
+
+/// What a generation met.
+template <class T>
+struct HitList {
+    T *t, *surface;       // by ray
+    T* order;             // numbers of rays by the bin of what they hit, see of(); of misses the bin is World::bins
+    std::int32_t* count;  // by bin
+    T* of(int bin) const { return order + std::size_t(bin) * capacity; }
+    static constexpr std::size_t capacity = batch_rays + 80;  // packs are stored whole; no power of two, or caches
+                                                              // would fill one place only
+};
+
+/// Stacks of transparent bodies entered, as POV-Ray keeps them: numbered, each a shorter stack and one body more.
+/// Stack 0 is empty. Not for two threads at once.
+class MediumStacks;
+int push(MediumStacks& stacks, int stack, int body);    // the stack with the body on top
+int remove(MediumStacks& stacks, int stack, int body);  // ... without it, wherever it is
+bool contains(const MediumStacks& stacks, int stack, int body);
+int top(const MediumStacks& stacks, int stack);  // the body entered last, -1 for none
+
+/// Memory of one thread, reused from tile to tile.
+template <class T>
+class Workspace;
+/// Generation number `slot`, made when first asked for; it keeps its address.
+template <class T>
+Generation<T>& generation(Workspace<T>& workspace, int slot);
+/// A queue for refracted rays until they join the reflected ones.
+template <class T>
+RayQueue<T>& refracted_queue(Workspace<T>& workspace);
+template <class T>
+HitList<T>& hits(Workspace<T>& workspace);
+template <class T>
+MediumStacks& mediums(Workspace<T>& workspace);
+
+/// What a sample saw besides its light. Samples of equal signature saw the same surfaces from the same sides, in the
+/// light of the same lamps, directly and by the same reflections and refractions.
+template <class T>
+struct Sight {
+    std::uint32_t signature = 0;
+    T glint = 0;                                      // what blunt highlights, of exponent 4, would bring
+    T distance = std::numeric_limits<T>::infinity();  // of the camera ray's hit
+    std::int32_t surface = -1;                        // of that hit
+    std::uint32_t lit = 0;                            // bit i: light i reaches that hit, see most_lit
+    T reflected[3] = {}, reflection = 0;              // direction and weight of the ray reflected there
+    T further = 0;                                    // the longest way that rays went from there
+    bool uneven = false;                              // a pattern was seen that varies within its pieces
+};
+
+/// The last bit of Sight::lit, which counts for all lights from this number on.
+inline constexpr int most_lit = 31;
+
+/// By how much a world's numbers may be off those of the scene, which are exact: proving kernels count it as an error
+/// of the ray. Infinite: nothing is known.
+template <class T>
+struct Slack {
+    T share = 0;                   // places and lengths of bodies, in their sizes and their distances from 0
+    T turn = 0;                    // directions: normals, axes, angles, rows of boxes and of spaces of their own
+    T plane = 0;                   // distances of planes from 0
+    T eye_away = 0, eye_turn = 0;  // of camera rays: where they start; what is not measured of their directions
+    Eye<T> eye_lacks{};            // what the eye's numbers lack, which is measured: see camera_turn
+    T gain = 1;                    // most by which bodies on its way multiply a light
+    T reach = 0;                   // the largest coordinate of a bounded body
+    T culled = 0;                  // share of a world in double: culling takes bodies to be where that has them
+    bool medium = false;           // it is certain in what the eye is
+    bool fits() const { return culled <= 8 * std::numeric_limits<double>::epsilon(); }  // into the margins of culling
+};
+
+/// How far rays are followed.
+template <class T>
+struct Limits {
+    int depth = 20;                           // generations
+    T error = 0;                              // light that a pixel may lack by pruned rays
+    const T* brightest = nullptr;             // [n]: with n generations to come, the next one's rays are no brighter
+    T noticed = 0;                            // hits of no more weight do not count in signatures
+    T brightest_limit = 0;                    // nor with any number of generations; infinite if there is no bound
+    const std::atomic<bool>* stop = nullptr;  // if it becomes true the picture is no longer wanted
+    Slack<T> slack{};                         // for proving kernels
+    bool stopped() const { return stop && stop->load(std::memory_order_relaxed); }
+};
+
+/// The light of a pixel, and what it lacks at most by rays pruned as too weak: four numbers, added to at once.
+template <class T>
+struct PixelSum {
+    T rgb[3], pruned;
+};
+
+/// What images are filtered by, where that is wanted: squares of the view around the places of samples.
+template <class T>
+struct Footprints {
+    Vec3<T> forward, right, down;  // in the plane at distance 1: its middle, and from a pixel to the next ones
+    const T* sides;                // of the samples' squares, in pixels
+    /// Three values for each sample: what the light that its camera ray meets is multiplied by where that comes from an
+    /// image that is not seen much larger than it is, else as they were.
+    T* colors;
+};
+
+/// Pixels to trace.
+template <class T>
+struct PixelBatch {
+    const T *x, *y;
+    PixelSum<T>* sums;
+    T* past;  // what each pixel lacks at most by generations past the last
+    int count;
+    Sight<T>* sights = nullptr;  // of each pixel, if that is wanted
+    T* bounds = nullptr;  // for proving kernels: no pixel's sum is further than this from that of exact arithmetic
+    const Footprints<T>* footprints = nullptr;  // of each pixel, if that is wanted
+};
+
+/// Traces a batch. False if some generation has more rays than fit: the batch must be split, its sums thrown away. A
+/// batch of one pixel always succeeds. Stopped batches are incomplete.
+template <class T>
+using TraceBatch = bool (*)(const World<T>&, const Eye<T>&, const Limits<T>&, const PixelBatch<T>&, Workspace<T>&,
+                            Counts&);
+
+template <class T>
+struct Kernel {
+    TraceBatch<T> trace = nullptr;
+    int lanes = 1;
+};
+
+// One inline namespace for each instruction set; the kernel's own code lives in them, so that nothing merges when
+// linked. Each is there for float and double, the scalar one for long double too; of those that prove none for float.
+inline namespace scalar {
+template <class T, bool proving>
+Kernel<T> kernel();
+}  // namespace scalar
+inline namespace v2 {
+template <class T, bool proving>
+Kernel<T> kernel();
+}  // namespace v2
+inline namespace v3 {
+template <class T, bool proving>
+Kernel<T> kernel();
+}  // namespace v3
+inline namespace v4 {
+template <class T, bool proving>
+Kernel<T> kernel();
+}  // namespace v4
+inline namespace neon {
+template <class T, bool proving>
+Kernel<T> kernel();
+}  // namespace neon
+
+}  // namespace strahl

@@ -1,0 +1,116 @@
+# The tracer: its plain part, and the kernel compiled once per instruction set: a file for each element type, and one
+# for each kind of body. Kernels are optimised in every preset: an inline function that is not inlined would merge with
+# another level's when linked.
+strahl_module(trace src/trace strahl_scene)
+get_target_property(strahl_trace_sources strahl_trace SOURCES)
+list(FILTER strahl_trace_sources EXCLUDE REGEX "/kernel\\.cpp$")
+set_property(TARGET strahl_trace PROPERTY SOURCES ${strahl_trace_sources})
+
+# The kinds are read from their one list.
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/scene/kinds/kinds.h)
+file(READ src/scene/kinds/kinds.h strahl_kinds)
+string(REGEX REPLACE ".*using Shape = std::variant<([^>]*)>.*" "\\1" strahl_kinds "${strahl_kinds}")
+string(REGEX REPLACE "[ \n]*,[ \n]*" ";" strahl_kinds "${strahl_kinds}")
+list(REMOVE_ITEM strahl_kinds Mesh Intersection Difference)  # have other kinds' kernels
+
+# A file that instantiates a struct of a header for each element type; `begin` is the struct up to its last argument.
+function(strahl_instances file header begin elements)
+  set(content "#include \"trace/${header}\"\nnamespace strahl::inline STRAHL_LEVEL {\n")
+  foreach(element ${elements})
+    string(APPEND content "template struct ${begin}Widest<${element}>>;\n")
+  endforeach()
+  file(CONFIGURE OUTPUT ${file} CONTENT "${content}}\n")
+endfunction()
+
+set(STRAHL_KERNELS "" CACHE PATH "A build folder to take SIMD kernels from in place of compiling them once more")
+function(strahl_kernel level elements)
+  set(folder ${CMAKE_BINARY_DIR}/kernels/${level})
+  set(sources)
+  foreach(element ${elements})
+    string(REPLACE " " "_" name ${element})
+    file(CONFIGURE OUTPUT ${folder}/${name}.cpp CONTENT "#define STRAHL_ELEMENT ${element}\n#include \"trace/kernel/kernel.cpp\"\n")
+    list(APPEND sources ${folder}/${name}.cpp)
+    if(NOT element STREQUAL float)
+      file(CONFIGURE OUTPUT ${folder}/proving_${name}.cpp
+           CONTENT "#define STRAHL_ELEMENT ${element}\n#define STRAHL_PROVES\n#include \"trace/kernel/kernel.cpp\"\n")
+      list(APPEND sources ${folder}/proving_${name}.cpp)
+    endif()
+  endforeach()
+  foreach(kind ${strahl_kinds})
+    set(header forms/kind_kernel.h)
+    if(kind STREQUAL Union)
+      set(header forms/composite_kernel.h)
+    endif()
+    strahl_instances(${folder}/${kind}.cpp ${header} "KindCalls<${kind}, " "${elements}")
+    list(APPEND sources ${folder}/${kind}.cpp)
+  endforeach()
+  foreach(feature patterns/pattern:PatternCalls lights/area_light:AreaLightCalls lights/light_buffer:LightBufferCalls)
+    string(REGEX MATCH "(.*/(.*)):(.*)" feature ${feature})
+    set(name ${CMAKE_MATCH_2})
+    strahl_instances(${folder}/${name}.cpp ${CMAKE_MATCH_1}_kernel.h "${CMAKE_MATCH_3}<" "${elements}")
+    list(APPEND sources ${folder}/${name}.cpp)
+  endforeach()
+  set(proving ${elements})
+  list(REMOVE_ITEM proving float)
+  strahl_instances(${folder}/pattern_bounds.cpp proof/relief_bounds_kernel.h "PatternBounds<" "${proving}")
+  list(APPEND sources ${folder}/pattern_bounds.cpp)
+  target_compile_definitions(strahl_trace PRIVATE STRAHL_KERNEL_${level})
+  if(STRAHL_KERNELS AND NOT level STREQUAL scalar)
+    # The same text, compiled the same way.
+    list(TRANSFORM sources REPLACE "^${CMAKE_BINARY_DIR}/(.*)$" "${STRAHL_KERNELS}/CMakeFiles/kernel_${level}.dir/\\1.o")
+    set_source_files_properties(${sources} PROPERTIES EXTERNAL_OBJECT ON GENERATED ON)
+    target_sources(strahl_trace PRIVATE ${sources})
+    return()
+  endif()
+  add_library(kernel_${level} OBJECT ${sources})
+  target_link_libraries(kernel_${level} PRIVATE strahl_flags)
+  target_compile_definitions(kernel_${level} PRIVATE STRAHL_LEVEL=${level})
+  # Points-to analysis takes g++ 12 a third of its time here and finds nothing that makes the code faster; ordering
+  # instructions before registers are shared out, which x86 does without by default, makes it 3 % faster.
+  # Functions begin with a line of the cache, or what else is linked decides about 5 % of the speed.
+  target_compile_options(kernel_${level} PRIVATE -O3 -falign-functions=64
+    $<$<CXX_COMPILER_ID:GNU>:-fno-tree-pta$<SEMICOLON>-fschedule-insns$<SEMICOLON>-fsched-pressure> ${ARGN})
+  if(STRAHL_SANITIZE AND NOT level STREQUAL scalar)
+    # Instrumented packs take g++ a quarter of an hour to compile. The scalar instance is the same text.
+    set_target_properties(kernel_${level} PROPERTIES UNSANITIZED ON)
+  elseif(STRAHL_SANITIZE)
+    target_compile_options(kernel_${level} PRIVATE -O1)
+  endif()
+  target_sources(strahl_trace PRIVATE $<TARGET_OBJECTS:kernel_${level}>)
+endfunction()
+
+# The levels to build: all that the compiler can; those that this machine can run; or its best, in a third of the time.
+# The scalar one, which traces in extended precision and for want of any other, is always built.
+set(STRAHL_LEVELS all CACHE STRING "SIMD levels to build: all, runnable for those of this machine, or host for its best")
+set(strahl_levels v2 v3 v4 neon)
+if(NOT STRAHL_LEVELS STREQUAL all AND EXISTS /proc/cpuinfo)
+  file(STRINGS /proc/cpuinfo strahl_flags_of_cpu REGEX "^flags" LIMIT_COUNT 1)
+  set(strahl_levels v2)
+  if(strahl_flags_of_cpu MATCHES " avx2 " AND strahl_flags_of_cpu MATCHES " fma ")
+    list(APPEND strahl_levels v3)
+  endif()
+  if(strahl_flags_of_cpu MATCHES " avx512bw " AND strahl_flags_of_cpu MATCHES " avx512vl ")
+    list(APPEND strahl_levels v4)
+  endif()
+  if(STRAHL_LEVELS STREQUAL host)
+    list(GET strahl_levels -1 strahl_levels)
+  endif()
+endif()
+function(strahl_level level)
+  if(level IN_LIST strahl_levels)
+    strahl_kernel(${level} "float;double" ${ARGN})
+  endif()
+endfunction()
+
+strahl_kernel(scalar "float;double;long double" -DSTRAHL_SCALAR)
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+  strahl_level(v2 -march=x86-64-v2)
+  strahl_level(v3 -march=x86-64-v3)
+  if(NOT CMAKE_CXX_COMPILER_ID MATCHES Clang)  # clang's AVX-512 code for libstdc++ 12's packs gives wrong pictures
+    # g++ 12 warns of an "uninitialized" operand inside its own AVX-512 header.
+    strahl_level(v4 -march=x86-64-v4 -mprefer-vector-width=512 -Wno-uninitialized
+                  -Wno-maybe-uninitialized)
+  endif()
+elseif(CMAKE_SYSTEM_PROCESSOR MATCHES "aarch64|arm64")
+  strahl_kernel(neon "float;double" -Wno-psabi)  # g++ notes that packs were passed otherwise before its version 10
+endif()

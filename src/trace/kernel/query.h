@@ -1,0 +1,296 @@
+// The two questions asked of geometry: which surface is nearest, and what light comes through.
+#pragma once
+#include "trace/forms/form_kernel.h"
+#include "trace/hierarchy/traverse.h"
+#include "trace/lights/area_light_calls.h"
+#include "trace/lights/light_buffer.h"
+#include "trace/lights/light_buffer_calls.h"
+
+namespace strahl::inline STRAHL_LEVEL {
+
+template <class Group>
+using FormOf = typename std::remove_cvref_t<Group>::Form;
+
+/// The ray of one lane in all lanes.
+template <class S>
+STRAHL_INLINE Ray<S> lane_of(const Ray<S>& ray, int k) {
+    const auto pick = [k](const Vec3<S>& v) { return Vec3<S>(S(lane(v.x, k)), S(lane(v.y, k)), S(lane(v.z, k))); };
+    return {pick(ray.origin), pick(ray.direction), S(lane(ray.source, k))};
+}
+
+/// Calls look(group, item) for the items of the hot forms that are not in the hierarchy, those of the set if there is a
+/// bin for each, until that returns true.
+template <class T, class Look>
+STRAHL_INLINE void each_hot_item(const World<T>& world, BodySet set, const Look& look) {
+    bool done = false;
+    world.groups.each([&](const auto& group) __attribute__((always_inline)) {
+        if constexpr (FormOf<decltype(group)>::hot) {
+            if (done) return;
+            if (!world.bin_per_item) {
+                for (int i = group.in_hierarchy; i < group.count; ++i)
+                    if (look(group, i)) return void(done = true);
+            } else if (group.count > 0) {
+                const BodySet own = ~BodySet(0) >> (most_item_bins - group.count);
+                for (BodySet left = set >> group.first_bin & own; left; left &= left - 1)
+                    if (look(group, std::countr_zero(left))) return void(done = true);
+            }
+        }
+    });
+}
+
+/// Calls look(items) for the items of other forms that are not in the hierarchy.
+template <class T, class Look>
+STRAHL_INLINE void each_cold_range(const World<T>& world, BodySet set, const Look& look) {
+    for (BodySet left = set & world.cold; left; left &= left - 1) {
+        const SortBin& bin = world.sort_bins[std::countr_zero(left)];
+        if (look(ItemRange{bin.form, bin.item, 1}, std::countr_zero(left))) return;
+    }
+    for (int i = 0; i < world.loop_count; ++i)
+        if (look(world.loops[i], 0)) return;
+}
+
+/// The nearest surfaces of the hierarchy, of packs that go through it together.
+template <class S>
+STRAHL_INLINE void nearest_in_hierarchy(const World<Element<S>>& world, const Ray<S> (&rays)[together<S>],
+                                        const Mask<S> (&active)[together<S>], Nearest<S> (&best)[together<S>]) {
+    using F = ForBoxes<S>;
+    const auto line = traversal_ray(rays);
+    F limit(std::numeric_limits<Element<F>>::infinity());
+    const auto set_limit = [&] {
+        S ends[together<S>];
+        for (int h = 0; h < together<S>; ++h) ends[h] = best[h].t;
+        limit = join(ends);
+        if constexpr (together<S> > 1) limit = limit * F(1 + 8 * std::numeric_limits<Element<F>>::epsilon());
+    };
+    const auto look = [&](const Leaf& leaf, Mask<F> mask) {
+        for (int h = 0; h < together<S>; ++h) {
+            const Mask<S> own = pack_of<S>(mask, h);
+            if (together<S> == 1 || any(own))
+                calls<S>(leaf.form()).intersect(world, leaf.first, leaf.count(), rays[h], own, best[h]);
+        }
+        set_limit();
+        return false;
+    };
+    set_limit();
+    traverse<true>(world.nodes, line, join_masks<S>(active), limit, look, [&](int lane_of_all, const Leaf& from) {
+        const int h = lane_of_all / width<S>, k = lane_of_all % width<S>;
+        SingleRay<S> single{lane_of(rays[h], k), lane(best[h].t, k), lane(best[h].surface, k)};
+        const auto look_single = [&](const Leaf& leaf) {
+            calls<S>(leaf.form()).intersect_single(world, leaf.first, leaf.count(), single);
+            return false;
+        };
+        if (from.code != 0)
+            look_single(from);
+        else
+            traverse_single<true>(world.nodes, from.first, lane_of(line, lane_of_all), single.t, look_single);
+        best[h].t = with_lane(best[h].t, k, single.t);
+        best[h].surface = with_lane(best[h].surface, k, single.surface);
+        set_limit();
+    });
+}
+
+/// The bins of what was met beyond the hot loops.
+template <class S>
+STRAHL_INLINE S bins_of(const World<Element<S>>& world, const S& surface) {
+    using T = Element<S>;
+    if (world.loop_count == 0 && world.hierarchy_bin >= 0) return S(static_cast<T>(world.hierarchy_bin));
+    alignas(64) T surfaces[width<S>], bins[width<S>];
+    store_lanes(surfaces, surface);
+    for (int k = 0; k < width<S>; ++k) bins[k] = static_cast<T>(world.references[static_cast<int>(surfaces[k])].bin);
+    return load_lanes<S>(bins);
+}
+
+/// The nearest surfaces of what the hot loops leave out, of packs that go through the hierarchy together. Not inline: of
+/// small worlds it would be a burden.
+template <class S>
+[[gnu::noinline]] void nearest_beyond_loops(const World<Element<S>>& world, const Ray<S> (&rays)[together<S>],
+                                            const Mask<S> (&active)[together<S>], BodySet set,
+                                            Nearest<S> (&best)[together<S>]) {
+    S before[together<S>];
+    for (int h = 0; h < together<S>; ++h) {
+        before[h] = best[h].surface;
+        each_cold_range(world, set, [&](const ItemRange& items, int) {
+            calls<S>(items.form).intersect(world, items.first, items.count, rays[h], active[h], best[h]);
+            return false;
+        });
+    }
+    if (world.nodes) nearest_in_hierarchy(world, rays, active, best);
+    for (int h = 0; h < together<S>; ++h)
+        best[h].bin = select(best[h].surface == before[h], best[h].bin, bins_of(world, best[h].surface));
+}
+
+/// The hot loops only note the rays that seem to start in an opaque body. They look again, more closely.
+template <class S>
+[[gnu::noinline]] void nearest_again(const World<Element<S>>& world, const Ray<S>& ray, Mask<S> suspects, BodySet set,
+                                     Nearest<S>& best) {
+    using T = Element<S>;
+    Nearest<S> found;
+    found.bin = S(static_cast<T>(world.bins));
+    each_hot_item(world, set, [&](const auto& group, int i) {
+        const S before = found.surface;
+        FormFunctions<FormOf<decltype(group)>, S>::intersect(world, i, 1, ray, suspects, found);
+        const int bin = world.bin_per_item ? group.first_bin + i : group.first_bin;
+        found.bin = select(found.surface == before, found.bin, S(static_cast<T>(bin)));
+        return false;
+    });
+    best.t = select(suspects, found.t, best.t);
+    best.surface = select(suspects, found.surface, best.surface);
+    best.bin = select(suspects, found.bin, best.bin);
+}
+
+/// The nearest surfaces of the hot loops; where there is a bin for each item, among the bodies of the set.
+template <class S>
+STRAHL_INLINE Nearest<S> nearest_in_loops(const World<Element<S>>& world, const Ray<S>& ray, Mask<S> active,
+                                          BodySet set) {
+    using T = Element<S>;
+    Nearest<S> best;
+    best.bin = S(static_cast<T>(world.bins));
+    Mask<S> suspects = first_lanes<S>(0);
+    const auto note = [&](const Span<S>&, Mask<S> exits) __attribute__((always_inline)) {
+        suspects = suspects | exits;
+        return first_lanes<S>(0);
+    };
+    each_hot_item(
+        world, set, [&](const auto& group, int i) __attribute__((always_inline)) {
+            const auto& item = group.items[i];
+            const Mask<S> better = intersect_item(world, item, crossings_of(item, ray), active, best, note);
+            const int bin = world.bin_per_item ? group.first_bin + i : group.first_bin;
+            best.bin = select(better, S(static_cast<T>(bin)), best.bin);
+            return false;
+        });
+    if (any(suspects)) [[unlikely]] {
+        Nearest<S> copy = best;
+        nearest_again(world, Ray<S>(ray), suspects, set, copy);
+        best = copy;
+    }
+    return best;
+}
+
+/// The nearest surfaces.
+template <class S>
+STRAHL_INLINE Nearest<S> nearest(const World<Element<S>>& world, const Ray<S>& ray, Mask<S> active, BodySet set) {
+    Nearest<S> best = nearest_in_loops(world, ray, active, set);
+    if (world.beyond_loops) {  // works on copies, so that in small worlds all stays in registers
+        Ray<S> rays[together<S>];
+        Mask<S> lanes[together<S>];
+        Nearest<S> copies[together<S>];
+        for (int h = 0; h < together<S>; ++h)
+            rays[h] = ray, lanes[h] = h == 0 ? active : first_lanes<S>(0), copies[h] = best;
+        nearest_beyond_loops(world, rays, lanes, set, copies);
+        best = copies[0];
+    }
+    return best;
+}
+
+/// What the hierarchy takes from the light.
+template <class S>
+STRAHL_INLINE void occlude_in_hierarchy(const World<Element<S>>& world, const Ray<S>& ray, const S& distance,
+                                        Mask<S> active, Transmission<S>& light) {
+    using T = Element<S>;
+    const TraversalRay<S> line = traversal_ray(ray);
+    const auto look = [&](const Leaf& leaf, Mask<S> mask) {
+        return calls<S>(leaf.form()).occlude(world, leaf.first, leaf.count(), ray, distance, mask, light);
+    };
+    const auto single = [&](int k, const Leaf& from) {
+        SingleRay<S> one{.ray = lane_of(ray, k), .t = lane(distance, k)};
+        if (world.transparent)
+            for (int c = 0; c < 3; ++c) one.share[c] = lane(light.share[c], k);
+        const T limit = lane(light.limit, k);
+        bool dark = false;
+        const auto look_single = [&](const Leaf& leaf) {
+            return dark = calls<S>(leaf.form()).occlude_single(world, leaf.first, leaf.count(), one);
+        };
+        if (from.code != 0)
+            look_single(from);
+        else
+            traverse_single<false>(world.nodes, from.first, lane_of(line, k), limit, look_single);
+        light.limit = with_lane(light.limit, k, dark ? T(-1) : limit);
+        if (world.transparent)
+            for (int c = 0; c < 3; ++c) light.share[c] = with_lane(light.share[c], k, one.share[c]);
+    };
+    traverse<false>(world.nodes, line, active, light.limit, look, single);
+}
+
+/// Rays that a body, by its bin, can be in the way of.
+template <class S>
+STRAHL_INLINE Mask<S> reached(const World<Element<S>>& world, int bin, const Ray<S>& ray, const S& distance,
+                              Mask<S> active, const Start<S>& start) {
+    const LightCone<Element<S>>& cone = world.cones[start.light * world.bins + bin];
+    Mask<S> mask =
+        active & (dot(splat<S>(cone.axis), ray.direction) <= S(-cone.cosine)) & (distance > S(cone.distance));
+    if (bin == start.bin && (world.convex >> bin & 1)) mask = mask & !start.outside;
+    return mask;
+}
+
+/// What the light loses to what the hot loops leave out.
+template <class S>
+[[gnu::noinline]] void occlude_beyond_loops(const World<Element<S>>& world, const Ray<S>& ray, const S& distance,
+                                            Mask<S> active, const Start<S>& start, BodySet set,
+                                            Transmission<S>& light) {
+    bool dark = false;
+    each_cold_range(world, set, [&](const ItemRange& items, int bin) {
+        const Mask<S> mask = world.bin_per_item ? reached(world, bin, ray, distance, active, start) : active;
+        if (none(mask)) return false;
+        return dark = calls<S>(items.form).occlude(world, items.first, items.count, ray, distance, mask, light);
+    });
+    if (!world.nodes || dark) return;
+    Mask<S> left = light.limit > S(0);
+    if (world.light_buffers && world.light_buffers[start.light].faces) {
+        left = LightBufferCalls<S>::occlude(world, start.light, ray, distance, light);
+        if (none(left)) return;
+    }
+    occlude_in_hierarchy(world, ray, distance, left, light);
+}
+
+/// What rays that seem to start in an opaque body lose to the items of the hot loops, looked at more closely.
+template <class S>
+[[gnu::noinline]] void occlude_again(const World<Element<S>>& world, const Ray<S>& ray, const S& distance,
+                                     Mask<S> suspects, const Start<S>& start, BodySet set, Transmission<S>& light) {
+    const S one(1);
+    Transmission<S> left{{one, one, one}, select(suspects, distance, S(-1))};
+    each_hot_item(world, set, [&](const auto& group, int i) {
+        const Mask<S> mask =
+            world.bin_per_item ? reached(world, group.first_bin + i, ray, distance, suspects, start) : suspects;
+        return FormFunctions<FormOf<decltype(group)>, S>::occlude(world, i, 1, ray, distance, mask, left);
+    });
+    light = {select(suspects, left.share, light.share), select(suspects, left.limit, light.limit)};
+}
+
+/// See Visibility.
+template <class S>
+[[gnu::noinline]] Vec3<S> visibility(const World<Element<S>>& world, const Ray<S>& ray, const S& distance,
+                                     Mask<S> active, const Start<S>& start) {
+    const S one(1);
+    Transmission<S> light{{one, one, one}, select(active, distance, S(-1))};
+    const BodySet set = world.bin_per_item ? world.occluders[start.light * world.bins + start.bin] & start.only : 0;
+    bool dark = false;
+    Mask<S> suspects = first_lanes<S>(0);
+    const auto note = [&](const Span<S>&, Mask<S> exits) __attribute__((always_inline)) {
+        suspects = suspects | exits;
+        return first_lanes<S>(0);
+    };
+    each_hot_item(
+        world, set, [&](const auto& group, int i) __attribute__((always_inline)) {
+            Mask<S> mask = active;
+            if (world.bin_per_item) {
+                mask = reached(world, group.first_bin + i, ray, distance, active, start);
+                if (none(mask)) return false;
+            }
+            const auto& item = group.items[i];
+            return dark = occlude_item(world, item, ray, crossings_of(item, ray), distance, mask, light, note);
+        });
+    if (any(suspects)) [[unlikely]] {
+        Transmission<S> copy = light;
+        occlude_again(world, Ray<S>(ray), S(distance), suspects, start, set, copy);
+        light = copy;
+        dark = all(light.limit < S(0));
+    }
+    if (world.beyond_loops && !dark) {
+        Transmission<S> copy = light;
+        occlude_beyond_loops(world, ray, distance, active, start, set, copy);
+        light = copy;
+    }
+    return select(light.limit < S(0), Vec3<S>(S(0), S(0), S(0)), light.share);
+}
+
+}  // namespace strahl::inline STRAHL_LEVEL

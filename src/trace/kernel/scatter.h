@@ -1,0 +1,259 @@
+// The rays that go on from hits.
+#pragma once
+#include "trace/kernel/prune.h"
+#include "trace/kernel/ray_cone.h"
+
+namespace strahl::inline STRAHL_LEVEL::inline STRAHL_INSTANCE {
+
+/// A ray that goes on from a hit.
+template <class S>
+struct Branch {
+    Mask<S> mask;
+    Vec3<S> direction;
+    S weight, medium;
+    [[no_unique_address]] IfProving<Doubt<S>> doubt;
+};
+/// Lengths that are off by more than unit() mends: those of directions that come from normals of bodies too small for
+/// this kind of number. What culls packets of rays relies on the length. Rays without any direction end.
+template <class S>
+[[gnu::noinline, gnu::cold]] void normalize(Branch<S>& ray, const Vec3<S>& direction, Mask<S> off) {
+    const S squared = dot(direction, direction);
+    ray.direction = select(off, scale(S(1) / sqrt(squared), direction), ray.direction);
+    ray.mask = ray.mask & (dot(ray.direction, ray.direction) < S(2));
+}
+template <class S>
+STRAHL_INLINE Branch<S> branch(const Hit<S>& hit, Mask<S> mask, const Vec3<S>& direction, S share, S medium) {
+    using T = Element<S>;
+    constexpr T mended = T(1) / (std::uint64_t(1) << (std::numeric_limits<T>::digits / 2 - 1));
+    const S weight = min(hit.weight * share, S(largest_gain));
+    Branch<S> ray{Mask<S>(mask & (weight > S(0))), unit(direction), weight, medium, {}};
+    const Mask<S> off = ray.mask & !(abs(dot(direction, direction) - S(1)) <= S(mended));
+    if (any(off)) [[unlikely]] {
+        Branch<S> copy = ray;
+        normalize(copy, Vec3<S>(direction), off);
+        ray = copy;
+    }
+    return ray;
+}
+
+template <class S>
+STRAHL_INLINE void push(const Shading<S>& shading, RayQueue<Element<S>>& to, const Hit<S>& hit, const Branch<S>& ray,
+                        const RareHit<S>& known) {
+    using T = Element<S>;
+    if (none(ray.mask)) return;
+    const int n = to.count;
+    const auto put_with = [&](const auto& put) {
+        for (int c = 0; c < 3; ++c) put(to.origin[c] + n, hit.position[c]), put(to.direction[c] + n, ray.direction[c]);
+        put(to.source + n, hit.surface), put(to.pixel + n, hit.pixel), put(to.weight + n, ray.weight);
+        if (shading.world.nested) put(to.medium + n, ray.medium);
+        if constexpr (proves) {
+            put(to.away + n, ray.doubt.away), put(to.turn + n, ray.doubt.turn), put(to.side + n, ray.doubt.side);
+            if (shading.world.transparent) put(to.spin + n, ray.doubt.spin);
+        }
+    };
+    if (all(ray.mask))
+        put_with([](T* place, const S& value) { store_lanes(place, value); });
+    else
+        put_with([&](T* place, const S& value) { compress(place, value, ray.mask); });
+    if (filters(shading)) [[unlikely]]
+        put_cones(shading, to, Hit<S>(hit), Vec3<S>(ray.direction), Mask<S>(ray.mask), known);
+    to.count += count(ray.mask);
+}
+
+/// The ratio of indices and the medium stack beyond the surface, by the bodies entered (as POV-Ray does): from outside
+/// all, into the body; from the body entered last, out of it; from one entered before, straight on.
+template <class S>
+[[gnu::noinline]] void change_medium(const Shading<S>& shading, const Hit<S>& hit, Mask<S> glass, S& ratio, S& medium) {
+    using T = Element<S>;
+    T ratios[width<S>], stacks[width<S>], bodies[width<S>], wanted[width<S>];
+    store_lanes(ratios, ratio), store_lanes(stacks, medium), store_lanes(bodies, hit.body);
+    store_lanes(wanted, select(glass, S(1), S(0)));
+    MediumStacks& all = mediums(shading.workspace);
+    const auto ior = [&](int body) { return body < 0 ? T(1) : shading.world.iors[body]; };
+    for (int k = 0; k < width<S>; ++k) {
+        if (wanted[k] == 0) continue;
+        const int before = static_cast<int>(stacks[k]), body = shading.world.bodies[static_cast<int>(bodies[k])];
+        const int inner = top(all, before);
+        if (body == inner) {
+            const int after = remove(all, before, body);
+            ratios[k] = ior(body) / ior(top(all, after));
+            stacks[k] = static_cast<T>(after);
+        } else if (contains(all, before, body)) {
+            ratios[k] = 1;
+            stacks[k] = static_cast<T>(remove(all, before, body));
+        } else {
+            ratios[k] = ior(inner) / ior(body);
+            stacks[k] = static_cast<T>(push(all, before, body));
+        }
+    }
+    ratio = load_lanes<S>(ratios), medium = load_lanes<S>(stacks);
+}
+
+/// From this ratio of indices on, refract_far is needed. Below it lengths are off by less than what unit() mends.
+inline constexpr float far_ratio = 16;
+
+/// Refracted directions where the ratio of indices is large, and cos^2 beyond the surface. There b^2 (1 - s^2) is all
+/// rounding, and the direction neither right nor of length 1. The sine comes from the part of the direction across the
+/// normal instead, from which what lies along the normal is taken out twice: once leaves a rounding error that the
+/// ratio magnifies (L. Giraud, J. Langou, M. Rozloznik, "The Loss of Orthogonality in the Gram-Schmidt
+/// Orthogonalization Process", 2005).
+template <class S>
+[[gnu::noinline]] Vec3<S> refract_far(const Hit<S>& hit, const Vec3<S>& normal, const S& ratio, const S& s,
+                                      S& cosine_squared) {
+    Vec3<S> across = fma(s, normal, hit.direction);
+    across = fma(-dot(across, normal), normal, across);
+    const Vec3<S> beyond = scale(ratio, across);
+    cosine_squared = S(1) - dot(beyond, beyond);
+    return fma(-sqrt(max(cosine_squared, S(0))), normal, beyond);
+}
+
+/// Where rays that start on the one item of a bin leave it.
+template <class S>
+STRAHL_INLINE Span<S> span_of_item(const World<Element<S>>& world, const SortBin& bin, const Ray<S>& ray) {
+    Span<S> span;
+    const auto inline_code = [&](const auto& group) __attribute__((always_inline)) {
+        span = crossings_of(group.items[bin.item], ray);
+    };
+    if (!if_hot(world, bin.form, inline_code)) {
+        const Ray<S> copy = ray;
+        span = calls<S>(bin.form).span(world, bin.item, copy);
+    }
+    return span;
+}
+
+/// Of the two rays at a surface of an enclosed body the one inside goes apart: where it leaves is found at once.
+template <class S>
+STRAHL_INLINE void keep_inside(const Shading<S>& shading, const Hit<S>& hit, Branch<S>& reflected, Branch<S>& refracted,
+                               const RareHit<S>& known) {
+    RayQueue<Element<S>>& queue = shading.next.inside;
+    const Mask<S> in = hit.outside;
+    Branch<S> within{Mask<S>((reflected.mask & !in) | (refracted.mask & in)),
+                     select(in, refracted.direction, reflected.direction),
+                     select(in, refracted.weight, reflected.weight),
+                     S(0),
+                     {}};
+    if constexpr (proves) {
+        within.doubt.away = select(in, refracted.doubt.away, reflected.doubt.away);
+        within.doubt.turn = select(in, refracted.doubt.turn, reflected.doubt.turn);
+        within.doubt.side = select(in, refracted.doubt.side, reflected.doubt.side);
+        within.doubt.spin = select(in, refracted.doubt.spin, reflected.doubt.spin);
+    }
+    const Span<S> span = span_of_item(shading.world, shading.world.sort_bins[hit.bin],
+                                      Ray<S>{hit.position, within.direction, hit.surface});
+    within.mask = within.mask & span.hit & (span.far > S(0));
+    reflected.mask = reflected.mask & (in | !within.mask);
+    refracted.mask = refracted.mask & !(in & within.mask);
+    compress(queue.t + queue.count, span.far, within.mask);
+    push(shading, queue, hit, within, known);
+}
+
+/// The mirrored direction where there are bumps. One that would go under the surface is mirrored again: by the surface
+/// itself, as POV-Ray does, either in place of the bent normal or, where that faces away from where the ray goes, after
+/// it.
+template <class S>
+[[gnu::noinline, gnu::cold]] Vec3<S> reflect_bent(const Hit<S>& hit, const Vec3<S>& flat) {
+    const Vec3<S> mirrored = reflect(hit);
+    const Mask<S> under = dot(mirrored, flat) < S(0), turned = dot(mirrored, hit.normal) < S(0);
+    const Vec3<S> from = select(turned, hit.direction, mirrored);
+    return select(under, fma(S(-2) * dot(from, flat), flat, from), mirrored);
+}
+
+/// What is known of mirrored rays.
+template <class S>
+STRAHL_INLINE Doubt<S> bound_reflection(const HitBounds<S>& known) {
+    return {select(known.followed, known.away, S(-1)), select(known.followed, turn_reflected(known), S(0)),
+            side_reflected(known), known.spin};
+}
+
+/// What is known of refracted rays; c is the cosine before the surface, k its square beyond it and b the
+/// ratio of indices. Where it can't be told whether the reflection is total, the pixel's bound grows by all that the
+/// refracted light may be. Bent normals are turned to the side that the ray comes from, which must be certain. Medium
+/// stacks are those of exact arithmetic if the camera's rays begin with its own: each
+/// hit that is certain is one on the same body.
+template <class S>
+STRAHL_INLINE void bound_refraction(const Shading<S>& shading, const Hit<S>& hit, const HitBounds<S>& known,
+                                    Mask<S> glass, Mask<S> far, const S& b, const S& c, const S& k,
+                                    Branch<S>& refracted) {
+    const S k_error = error_beyond(known, b, c);
+    const Mask<S> told = abs(k) > k_error, all_told = first_lanes<S>(shading.limits.slack.medium ? width<S> : 0);
+    Mask<S> doubt = glass & known.followed & !(told & all_told & !far);
+    if (shading.world.bends) [[unlikely]]
+        doubt = doubt | (glass & known.followed & bent_side_in_doubt(known, c));
+    refracted.doubt.away = select(known.followed & !doubt, known.away, S(-1));
+    refracted.doubt.turn = select(known.followed & !doubt, turn_refracted(known, b, c, k, k_error), S(0));
+    refracted.doubt.side = side_refracted(known, c, k, k_error);
+    if (none(doubt)) return;
+    const S most(shading.limits.brightest[shading.limits.depth - shading.depth]);
+    add_bounds(shading.batch, hit.pixel, count(hit.active),
+               select(doubt, hit.weight * hit.material.refraction * most, S(0)));
+}
+
+/// Queues reflected and refracted rays that can still be seen. The lanes whose own light can hardly be.
+template <class S>
+STRAHL_INLINE Mask<S> scatter(const Shading<S>& shading, const Hit<S>& hit, const RareHit<S>& known) {
+    const MaterialKernel<S>& material = hit.material;
+    const auto& [world, limits, rays, hits, batch, next, refracted_queue, workspace, counts, depth, rare] = shading;
+    const S zero(0), brightest(limits.brightest[limits.depth - depth]);
+    Contribution<S> light(hit.weight * material.scattered, hit.active & (material.scattered > zero));
+    const Mask<S> glass = hit.active & (material.refraction > zero);
+    if (none(glass | (hit.active & (material.reflection > zero)))) {
+        prune(shading, hit.pixel, light);
+        return light.pruned;
+    }
+    const auto mirrored = [&]() __attribute__((always_inline)) {
+        if (rare && world.bends) [[unlikely]]
+            return reflect_bent(hit, known.flat);
+        return reflect(hit);
+    };
+    if (!world.transparent || none(glass)) {
+        Branch<S> reflected = branch(hit, hit.active, mirrored(), material.reflection, hit.medium);
+        if constexpr (proves) {
+            reflected.doubt = bound_reflection(known.bounds);
+            if (world.bends) [[unlikely]]
+                bound_bent_reflection(shading, hit, known, S(material.reflection), reflected);
+        }
+        Contribution<S> part(reflected.weight * brightest, reflected.mask);
+        prune(shading, hit.pixel, part, light);
+        reflected.mask = reflected.mask & !part.pruned;
+        counts.reflected += count(reflected.mask);
+        push(shading, next.open, hit, reflected, known);
+        return light.pruned;
+    }
+    S b = select(hit.outside, S(1) / material.ior, material.ior), medium = hit.medium;
+    if (world.nested) change_medium(shading, hit, glass, b, medium);
+    Vec3<S> normal = hit.normal;
+    if (rare && world.bends) [[unlikely]]
+        normal = select(dot(hit.direction, normal) > S(0), -normal, normal);  // bent away from the eye: its other side
+    const S s = -dot(hit.direction, normal);
+    S k = fma(b * b, fma(s, s, S(-1)), S(1));
+    Vec3<S> beyond = fma(fma(b, s, -sqrt(max(k, zero))), normal, scale(b, hit.direction));
+    const Mask<S> far = glass & (b > S(far_ratio));
+    if (any(far)) {
+        S far_k;
+        const Vec3<S> far_beyond = refract_far(hit, Vec3<S>(normal), b, s, far_k);
+        k = select(far, far_k, k), beyond = select(far, far_beyond, beyond);
+    }
+    const Mask<S> total = glass & (k < zero);
+    const S all = material.reflection + material.refraction;
+    Branch<S> reflected = branch(hit, hit.active, mirrored(), select(total, all, material.reflection), hit.medium);
+    Branch<S> refracted = branch(hit, glass & !total, beyond, material.refraction, medium);
+    if constexpr (proves) {
+        reflected.doubt = bound_reflection(known.bounds);
+        if (world.bends) [[unlikely]]
+            bound_bent_reflection(shading, hit, known, select(total, all, material.reflection), reflected);
+        bound_refraction(shading, hit, known.bounds, glass, far, b, s, k, refracted);
+    }
+    Contribution<S> reflected_part(reflected.weight * brightest, reflected.mask);
+    Contribution<S> refracted_part(refracted.weight * brightest, refracted.mask);
+    prune(shading, hit.pixel, reflected_part, refracted_part, light);
+    reflected.mask = reflected.mask & !reflected_part.pruned;
+    refracted.mask = refracted.mask & !refracted_part.pruned;
+    counts.reflected += count(reflected.mask);
+    counts.refracted += count(refracted.mask);
+    if (world.enclosed >> hit.bin & 1) keep_inside(shading, hit, reflected, refracted, known);
+    push(shading, refracted_queue, hit, refracted, known);
+    push(shading, next.open, hit, reflected, known);
+    return light.pruned;
+}
+
+}  // namespace strahl::inline STRAHL_LEVEL::inline STRAHL_INSTANCE

@@ -1,0 +1,246 @@
+// The hits of a generation: their light goes to the pixels, their rays to the next generation.
+#pragma once
+#include <algorithm>
+
+#include "trace/kernel/fog.h"
+#include "trace/kernel/footprint.h"
+#include "trace/kernel/illuminate.h"
+#include "trace/kernel/scatter.h"
+#include "trace/proof/pattern_bounds.h"
+#ifdef STRAHL_PROVES
+#include "trace/proof/proving_reliefs.h"
+#endif
+
+namespace strahl::inline STRAHL_LEVEL::inline STRAHL_INSTANCE {
+
+/// Rays that hit nothing bring back the background.
+template <class S>
+void shade_misses(const Shading<S>& shading) {
+    const auto& world = shading.world;
+    const auto& hits = shading.hits;
+    for (int i = 0, left; (left = hits.count[world.bins] - i) > 0; i += width<S>) {
+        const LaneIndices<S> pick(hits.of(world.bins) + i, left);
+        const S weight = pick(shading.rays.open.weight);
+        const S pixel = pick(shading.rays.open.pixel);
+        if (!proves && shading.batch.sights) [[unlikely]]
+            note_misses(shading, pick(shading.rays.open.source), S(weight), S(pixel), pick.lanes);
+        Vec3<S> color = splat<S>(world.background);
+        if (world.sky) [[unlikely]] {
+            const auto& d = shading.rays.open.direction;
+            color = filters(shading) ? filtered_sky(shading, pick)
+                                     : PatternCalls<S>::sky(world, {pick(d.x), pick(d.y), pick(d.z)});
+        }
+        if (world.fog) [[unlikely]]
+            color = splat<S>(world.fog_color);
+        add_light(shading.batch, pixel, pick.lanes, scale(weight, color));
+        if constexpr (proves) {
+            const RayQueue<Element<S>>& rays = shading.rays.open;
+            const auto& d = rays.direction;
+            const Mask<S> followed = first_lanes<S>(pick.lanes) & (pick(rays.away) >= S(0));
+            S off = rounding_of(scale(weight, color), shading.depth, 0);
+            if (world.sky && !world.fog) [[unlikely]]
+                off = fma(weight, PatternBounds<S>::of_sky(world, {pick(d.x), pick(d.y), pick(d.z)}, pick(rays.turn)),
+                          off);
+            add_bounds(shading.batch, pixel, pick.lanes, select(followed, off, S(0)));
+        }
+    }
+}
+
+/// The material of a pack of hits; only loaded again where it is another one.
+template <class S>
+class HitMaterial {
+    using T = Element<S>;
+
+  public:
+    MaterialKernel<S> values;
+    int numbers[width<S>];  // of each lane; only set where not all lanes are known to have the same
+    bool uniform() const { return number >= 0; }
+    STRAHL_INLINE void broadcast(const World<T>& world, int own) {
+        if (own == number) return;
+        values = splat_item<MaterialKernel<S>, S>(world.materials[own]);
+        number = own;
+    }
+    STRAHL_INLINE void load(const World<T>& world) {
+        if (std::all_of(numbers, numbers + width<S>, [&](int m) { return m == numbers[0]; }))
+            return broadcast(world, numbers[0]);
+        values = gather_items<MaterialKernel<S>, S>(world.materials, numbers);
+        number = -1;
+    }
+    /// Gives it the colours that the patterns have at these points.
+    STRAHL_INLINE void paint(const Shading<S>& shading, const SurfaceHit<S>& hit, const RayQueue<T>& from,
+                             const LaneIndices<S>& pick, const T* t) {
+        MaterialKernel<S> copy = values;
+        if (filters(shading))
+            paint_filtered(shading, numbers, SurfaceHit<S>(hit), from, pick, pick(t), copy);
+        else
+            PatternCalls<S>::paint(shading.world, numbers, Vec3<S>(hit.point.position), S(hit.surface), copy);
+        values = copy;
+    }
+
+  private:
+    int number = -1;  // of the one that all lanes have
+};
+
+/// Where rays first meet the one item of a bin. What is called gets copies, so that all else can stay in registers.
+template <class S>
+STRAHL_INLINE SurfaceHit<S> surface_at(const World<Element<S>>& world, const SortBin& bin, const Ray<S>& ray, S t) {
+    SurfaceHit<S> hit;
+    const auto inline_code = [&](const auto& group) __attribute__((always_inline)) {
+        using Item = typename std::remove_cvref_t<decltype(group)>::template ItemOf<S>;
+        hit = surface_hit(splat_item<Item, S>(group.items[bin.item]), ray, t, crossings_of<S, Item>);
+    };
+    if (!if_hot(world, bin.form, inline_code)) {
+        const Ray<S> copy = ray;
+        SurfaceHit<S> called;
+        calls<S>(bin.form).surface_at(world, bin.item, copy, S(t), called);
+        hit.point = called.point, hit.surface = called.surface, hit.body = called.body;
+    }
+    return hit;
+}
+/// Where rays first meet the items of their surfaces, all of one form, and the materials of these.
+template <class S>
+STRAHL_INLINE SurfaceHit<S> surfaces_at(const World<Element<S>>& world, int form, const Element<S>* surfaces,
+                                        const LaneIndices<S>& pick, const Ray<S>& ray, S t, int* materials) {
+    int items[width<S>];
+    for (int k = 0; k < width<S>; ++k) items[k] = world.references[static_cast<int>(surfaces[pick.index[k]])].item;
+    S faces(-1);
+    if (world.leaf_faces) {
+        alignas(64) Element<S> known[width<S>];
+        for (int k = 0; k < width<S>; ++k)
+            known[k] = static_cast<Element<S>>(world.leaf_faces[static_cast<int>(surfaces[pick.index[k]])]);
+        faces = load_lanes<S>(known);
+    }
+    const Ray<S> copy = ray;
+    SurfaceHit<S> called;
+    calls<S>(form).surfaces_at(world, items, copy, S(t), faces, called, materials);
+    return called;
+}
+
+template <class S>
+STRAHL_INLINE Hit<S> make_hit(const Shading<S>& shading, int bin, const RayQueue<Element<S>>& from,
+                              const LaneIndices<S>& pick, const Element<S>* t, HitMaterial<S>& material) {
+    const auto& world = shading.world;
+    const SortBin& own = world.sort_bins[bin];
+    const Ray<S> ray{{pick(from.origin.x), pick(from.origin.y), pick(from.origin.z)},
+                     {pick(from.direction.x), pick(from.direction.y), pick(from.direction.z)},
+                     pick(from.source)};
+    SurfaceHit<S> hit;
+    if (world.bin_per_item) {
+        hit = surface_at(world, own, ray, pick(t));
+        material.broadcast(world, own.material);
+        if (world.patterns) [[unlikely]] {
+            std::fill_n(material.numbers, width<S>, own.material);
+            if (patterned(world, own.material)) material.paint(shading, hit, from, pick, t);
+        }
+    } else {
+        hit = surfaces_at(world, own.form, shading.hits.surface, pick, ray, pick(t), material.numbers);
+        material.load(world);
+        if (world.patterns) [[unlikely]]
+            material.paint(shading, hit, from, pick, t);
+    }
+    const Mask<S> outside = dot(ray.direction, hit.point.normal) < S(0);
+    return {first_lanes<S>(pick.lanes),
+            ray.direction,
+            hit.point.position,
+            select(outside, hit.point.normal, -hit.point.normal),
+            outside,
+            hit.surface,
+            hit.body,
+            pick(from.pixel),
+            pick(from.weight),
+            world.nested ? pick(from.medium) : S(0),
+            material.values,
+            material.uniform(),
+            bin};
+}
+
+/// What is known of hits, but for fog where it is not certain whether the eye is in glass, and insides that are only
+/// nearly known.
+template <class S>
+STRAHL_INLINE HitBounds<S> bounds_of(const Shading<S>& shading, const Hit<S>& hit, const RayQueue<Element<S>>& from,
+                                     const LaneIndices<S>& pick, const Element<S>* t, bool within,
+                                     const HitMaterial<S>& material) {
+    const auto& world = shading.world;
+    const Ray<S> ray{{pick(from.origin.x), pick(from.origin.y), pick(from.origin.z)}, hit.direction, pick(from.source)};
+    const Slack<Element<S>>& slack = shading.limits.slack;
+    const bool unknown = (world.fog && !slack.medium) || (within && !slack.fits());
+    const Doubt<S> doubt{pick(from.away), pick(from.turn), pick(from.side),
+                         world.transparent ? pick(from.spin) : Doubt<S>{}.spin};
+    HitBounds<S> bounds = bound_hits(shading, hit, ray, doubt, pick(t), pick(from.weight), pick.lanes,
+                                     first_lanes<S>(unknown ? 0 : width<S>));
+    if (world.patterns) [[unlikely]] {
+        const ColorErrors<S> errors = PatternBounds<S>::of_hits(world, material.numbers, Vec3<S>(hit.position),
+                                                                S(hit.surface), S(bounds.away), slack);
+        bounds.off = errors.ambient, bounds.diffuse = errors.diffuse;
+    }
+    return bounds;
+}
+
+/// Shades the hits of a bin. False if the queues are full.
+template <class S>
+bool shade_bin(const Shading<S>& shading, int bin) {
+    const auto& world = shading.world;
+    const Generation<Element<S>>& rays = shading.rays;
+    Generation<Element<S>>& next = shading.next;
+    const int found = shading.hits.count[bin];
+    const int inside = world.enclosed ? rays.inside_end[bin] - rays.inside_begin[bin] : 0;
+    next.inside_begin[bin] = next.inside.count;
+    HitMaterial<S> material;
+    for (int i = -inside, left; i < found; i += std::min(left, width<S>)) {
+        left = i < 0 ? -i : found - i;
+        if (shading.full()) return false;
+        const bool within = i < 0;
+        const LaneIndices<S> pick =
+            within ? LaneIndices<S>(rays.inside_end[bin] + i, left) : LaneIndices<S>(shading.hits.of(bin) + i, left);
+        const RayQueue<Element<S>>& from = within ? rays.inside : rays.open;
+        const Element<S>* const t = within ? rays.inside.t : shading.hits.t;
+        Hit<S> hit = make_hit(shading, bin, from, pick, t, material);
+        if (world.fog) [[unlikely]]
+            hit.weight = left_by_fog(world, S(hit.weight), S(hit.medium), pick(t));
+        RareHit<S> rare;
+        if constexpr (proves) rare.bounds = bounds_of(shading, hit, from, pick, t, within, material);
+        if (shading.rare) [[unlikely]] {
+            rare.flat = hit.normal;
+            if (world.bends) {
+                hit.normal = PatternCalls<S>::bent(world, material.numbers, hit.position, hit.surface, rare.flat);
+                if constexpr (proves)
+                    bound_bent(shading, material.numbers, hit, rare.flat, pick(from.weight), pick.lanes, rare.bounds);
+            }
+            if (!proves && shading.batch.sights) {
+                Mask<S> filtered = first_lanes<S>(0);
+                if (filters(shading)) {
+                    rare.cone = cone_at(shading, from, pick, hit.direction, pick(t));
+                    filtered = rare.cone.width > S(0);
+                }
+                S seen_from = pick(from.source);
+                if (world.patterns)
+                    seen_from = seen_from +
+                                PatternCalls<S>::piece(world, material.numbers, hit.position, hit.surface, filtered);
+                note_hits(shading, hit, seen_from, pick(t), pick.lanes, material.numbers, rare);
+            }
+        }
+        Mask<S> dim = first_lanes<S>(0);
+        if (shading.depth < shading.limits.depth)
+            dim = scatter(shading, hit, rare);
+        else
+            truncate(shading, hit);
+        Vec3<S> light = scale(hit.weight, illumination(shading, hit, dim, rare));
+        if (world.fog) [[unlikely]]
+            light = fma(pick(from.weight) - hit.weight, splat<S>(world.fog_color), light);
+        add_light(shading.batch, hit.pixel, pick.lanes, light);
+        if constexpr (proves) {
+            S off = fma(hit.weight, rare.bounds.off, rounding_of(light, shading.depth, world.light_count));
+            if (world.fog) [[unlikely]] {
+                const Vec3<S> origin(pick(from.origin.x), pick(from.origin.y), pick(from.origin.z));
+                const S lost = fog_error(shading, Vec3<S>(hit.position - origin), S(rare.bounds.away + pick(from.away)),
+                                         pick(t), pick(from.weight), S(hit.weight));
+                off = off + select(hit.medium == S(0), lost, S(0));
+            }
+            add_bounds(shading.batch, hit.pixel, pick.lanes, select(rare.bounds.followed, off, S(0)));
+        }
+    }
+    next.inside_end[bin] = next.inside.count;
+    return true;
+}
+
+}  // namespace strahl::inline STRAHL_LEVEL::inline STRAHL_INSTANCE

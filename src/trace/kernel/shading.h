@@ -1,0 +1,120 @@
+// What the stages of a generation share: its rays, hits and queues, and a pack of hits.
+#pragma once
+#include "num/lane_math.h"
+#include "trace/kernel/kernel.h"
+#include "trace/kernel/query.h"
+
+// Code of the plain and of the proving instances of the kernel, which are the same text.
+#ifdef STRAHL_PROVES
+#include "trace/proof/proving_query.h"
+#define STRAHL_INSTANCE proving
+#else
+#define STRAHL_INSTANCE plain
+#endif
+
+namespace strahl::inline STRAHL_LEVEL::inline STRAHL_INSTANCE {
+
+/// Does this instance of the kernel prove? Then bounds of errors travel with rays, see proving.h.
+#ifdef STRAHL_PROVES
+inline constexpr bool proves = true;
+#else
+inline constexpr bool proves = false;
+template <class S>
+struct Doubt;
+#endif
+struct Nothing {};
+template <class S>
+struct LitBounds;
+template <class Value>
+using IfProving = std::conditional_t<proves, Value, Nothing>;
+
+/// What is known of a pack of hits besides what the plain kernel knows.
+template <class S>
+struct HitBounds {
+    S away{0}, normal{0}, mirrored{0}, side{0}, height{0};  // see PointBounds
+    S spin{std::numeric_limits<Element<S>>::infinity()};
+    S flat{-1};        // of bent normals: by how much these were off before. Of others -1
+    S turn{0};         // of the rays that came
+    S off{0};          // bound of the error of the light that the hit sends back, before its weight
+    S diffuse{0};      // by how much the largest channel of the diffuse colour may be off
+    Mask<S> followed;  // lanes whose errors are bounded; those of all others are in their pixels' bounds
+};
+
+/// The shading of one generation.
+template <class S>
+struct Shading {
+    using T = Element<S>;
+    const World<T>& world;
+    const Limits<T>& limits;
+    const Generation<T>& rays;
+    const HitList<T>& hits;  // of the open rays
+    const PixelBatch<T>& batch;
+    Generation<T>& next;
+    RayQueue<T>& refracted;  // open rays, to follow the reflected ones in `next`
+    Workspace<T>& workspace;
+    Counts& counts;
+    int depth;
+    bool rare;  // sights are noted, or there are bumps
+
+    bool full() const { return next.open.count + refracted.count > batch_rays || next.inside.count > batch_rays; }
+};
+
+/// A pack's part of values by ray: up to `lanes` rays, in the lanes left over any others.
+template <class S>
+struct LaneIndices {
+    using T = Element<S>;
+    int index[width<S>] = {};
+    int lanes;
+    bool consecutive = true;
+    STRAHL_INLINE LaneIndices(int first, int left) : lanes(left < width<S> ? left : width<S>) { index[0] = first; }
+    STRAHL_INLINE LaneIndices(const T* order, int left) : LaneIndices(static_cast<int>(order[0]), left) {
+        for (int k = 1; k < width<S>; ++k) index[k] = static_cast<int>(order[k < lanes ? k : 0]);
+        consecutive = lanes == width<S> && index[width<S> - 1] - index[0] == width<S> - 1;
+    }
+    STRAHL_INLINE S operator()(const T* values) const {
+        return consecutive ? load_lanes<S>(values + index[0]) : gather<S>(values, index);
+    }
+};
+
+/// What is known of a pack of hits.
+template <class S>
+struct Hit {
+    Mask<S> active;
+    Vec3<S> direction, position, normal;  // the normal is turned towards the incoming ray
+    Mask<S> outside;                      // it comes from the side the surface faces
+    S surface, body, pixel, weight, medium;
+    const MaterialKernel<S>& material;
+    bool uniform;  // all lanes have the same material
+    int bin;
+};
+
+/// What a sample's square of the view becomes along its rays, nowhere wider than it is: a cone (J. Amanatides, "Ray
+/// Tracing with Cones", 1984).
+template <class S>
+struct RayCone {
+    S width;   // where the ray starts or, of hits, ends; 0 if nothing is known
+    S spread;  // by which it grows along the ray, for each length of this
+};
+
+/// What is only known of a pack of hits where it is rare: the words of their samples' signatures, which tell where the
+/// light went from here, and the normals before they were bent.
+template <class S>
+struct RareHit {
+    std::uint32_t words[width<S>];
+    Vec3<S> flat;
+    RayCone<S> cone;  // only set where images are filtered
+    [[no_unique_address]] IfProving<HitBounds<S>> bounds;
+};
+
+template <class S>
+STRAHL_INLINE Vec3<S> reflect(const Hit<S>& hit) {
+    return fma(S(-2) * dot(hit.direction, hit.normal), hit.normal, hit.direction);
+}
+
+/// Adds light to the pixels of a pack's first lanes.
+template <class S>
+STRAHL_INLINE void add_light(const PixelBatch<Element<S>>& batch, const S& pixel, int lanes, const Vec3<S>& light) {
+    add_lanes(batch.sums[0].rgb, pixel, lanes, light);
+}
+
+}  // namespace strahl::inline STRAHL_LEVEL::inline STRAHL_INSTANCE

@@ -1,0 +1,115 @@
+// What samples saw besides their light: only noted where a batch asks for it.
+#pragma once
+#include "trace/kernel/shading.h"
+#include "trace/patterns/pattern_calls.h"
+
+namespace strahl::inline STRAHL_LEVEL::inline STRAHL_INSTANCE {
+
+/// Mixes a word into a hash, lane by lane in plain arrays, which the compiler turns into vectors. Multiplications by
+/// odd numbers and shifts lose nothing (M. E. O'Neill, "PCG: A Family of Simple Fast Space-Efficient Statistically Good
+/// Algorithms for Random Number Generation", 2014, on what such steps reach).
+STRAHL_INLINE std::uint32_t mixed(std::uint32_t hash, std::uint32_t word) {
+    hash = (hash ^ word) * 0x9e3779b1u;
+    return hash ^ hash >> 15;
+}
+/// The bits of numbers, which are the same at every SIMD level.
+template <class T>
+STRAHL_INLINE std::uint32_t bits_of(T value) {
+    if constexpr (sizeof(T) == sizeof(std::uint32_t)) {
+        return std::bit_cast<std::uint32_t>(value);
+    } else {
+        const auto bits = std::bit_cast<std::uint64_t>(static_cast<double>(value));
+        return static_cast<std::uint32_t>(bits) * 0x85ebca6bu + static_cast<std::uint32_t>(bits >> 32);
+    }
+}
+
+/// What tells reflected from refracted rays: their weight, in fog only its magnitude, since fog dims them evenly.
+template <class T>
+STRAHL_INLINE std::uint32_t weight_word(const World<T>& world, T weight) {
+    return world.fog ? static_cast<std::uint32_t>(std::ilogb(weight)) : bits_of(weight);
+}
+
+/// Patterns of hits that weigh less, in weights that are noticed, hardly show.
+inline constexpr int least_uneven = 4;
+
+/// Notes a pack of hits in the signatures of their samples, those of hits that can be seen: which surface from which
+/// side, from where, how weak and after how many bounces. The weight tells reflected, refracted and totally reflected
+/// rays apart. `materials` are their numbers where there are patterns.
+template <class S>
+[[gnu::noinline]] void note_hits(const Shading<S>& shading, const Hit<S>& hit, const S& source, const S& t, int lanes,
+                                 const int* materials, RareHit<S>& rare) {
+    using T = Element<S>;
+    alignas(64) T surfaces[width<S>], sides[width<S>], sources[width<S>], weights[width<S>], pixels[width<S>];
+    alignas(64) T distances[width<S>], reflected[3][width<S>] = {}, reflections[width<S>] = {};
+    store_lanes(surfaces, hit.surface), store_lanes(sides, select(hit.outside, S(1), S(0)));
+    store_lanes(sources, source), store_lanes(weights, hit.weight), store_lanes(pixels, hit.pixel);
+    store_lanes(distances, t);
+    const auto depth = static_cast<std::uint32_t>(shading.depth);
+    if (shading.depth == 1) {
+        const Vec3<S> direction = reflect(hit);
+        for (int c = 0; c < 3; ++c) store_lanes(reflected[c], direction[c]);
+        store_lanes(reflections, hit.weight * hit.material.reflection);
+    }
+    for (int k = 0; k < width<S>; ++k) {
+        std::uint32_t word = mixed(depth, bits_of(surfaces[k]));
+        word = mixed(word, bits_of(sides[k]));
+        word = mixed(word, bits_of(sources[k]));
+        rare.words[k] =
+            weights[k] > shading.limits.noticed ? mixed(word, weight_word(shading.world, weights[k])) | 1 : 0;
+    }
+    for (int k = 0; k < lanes; ++k) {
+        Sight<T>& sight = shading.batch.sights[static_cast<int>(pixels[k])];
+        sight.signature += rare.words[k];
+        if (shading.world.patterns && weights[k] > least_uneven * shading.limits.noticed &&
+            uneven(shading.world, materials[k]))
+            sight.uneven = true;
+        if (shading.depth == 2) sight.further = std::max(sight.further, distances[k]);
+        if (shading.depth != 1) continue;
+        sight.distance = distances[k], sight.surface = static_cast<std::int32_t>(surfaces[k]);
+        for (int c = 0; c < 3; ++c) sight.reflected[c] = reflected[c][k];
+        sight.reflection = reflections[k];
+    }
+}
+
+/// Notes rays that met nothing.
+template <class S>
+[[gnu::noinline]] void note_misses(const Shading<S>& shading, const S& source, const S& weight, const S& pixel,
+                                   int lanes) {
+    using T = Element<S>;
+    alignas(64) T sources[width<S>], weights[width<S>], pixels[width<S>];
+    store_lanes(sources, source), store_lanes(weights, weight), store_lanes(pixels, pixel);
+    for (int k = 0; k < lanes; ++k) {
+        if (!(weights[k] > shading.limits.noticed)) continue;
+        const std::uint32_t word = mixed(~static_cast<std::uint32_t>(shading.depth), bits_of(sources[k]));
+        Sight<T>& sight = shading.batch.sights[static_cast<int>(pixels[k])];
+        sight.signature += mixed(word, weight_word(shading.world, weights[k]));
+        if (shading.depth == 2) sight.further = std::numeric_limits<T>::infinity();
+    }
+}
+
+/// Notes which share of a light reaches the hits in the lanes of `lit`: surfaces that face away count as dark. And the
+/// light that a highlight of exponent 4 would bring: where that varies, a sharper one may lie between two samples.
+template <class S>
+[[gnu::noinline]] void note_light(const Shading<S>& shading, const Hit<S>& hit, const RareHit<S>& rare, int number,
+                                  const Vec3<S>& share, const S& shine, Mask<S> lit) {
+    using T = Element<S>;
+    alignas(64) T shares[3][width<S>], glints[width<S>], pixels[width<S>];
+    for (int c = 0; c < 3; ++c) store_lanes(shares[c], select(lit, share[c], S(0)));
+    const S squared = max(shine, S(0)) * max(shine, S(0));
+    const S most = S(largest(shading.world.lights[number].color)) * hit.material.specular;
+    store_lanes(glints, select(lit, hit.weight * most * squared * squared, S(0)));
+    store_lanes(pixels, hit.pixel);
+    for (unsigned left = bits(lit); left != 0; left &= left - 1) {
+        const int k = std::countr_zero(left);
+        if (rare.words[k] == 0) continue;
+        std::uint32_t word = mixed(rare.words[k], static_cast<std::uint32_t>(number));
+        bool dark = true;
+        for (int c = 0; c < 3; ++c) word = mixed(word, bits_of(shares[c][k])), dark = dark && shares[c][k] == 0;
+        Sight<T>& sight = shading.batch.sights[static_cast<int>(pixels[k])];
+        if (dark) continue;
+        sight.signature += word, sight.glint += glints[k];
+        if (shading.depth == 1) sight.lit |= 1u << std::min(number, most_lit);
+    }
+}
+
+}  // namespace strahl::inline STRAHL_LEVEL::inline STRAHL_INSTANCE

@@ -1,0 +1,61 @@
+// What one thread keeps from tile to tile: queues of rays, hits, and lists of bodies entered.
+#pragma once
+#include <memory>
+#include <unordered_map>
+#include <vector>
+
+#include "num/buffer.h"
+#include "trace/kernel/kernel.h"
+
+namespace strahl {
+
+class MediumStacks {
+  public:
+    struct List {
+        int shorter, body;
+    };
+    std::vector<List> lists{{0, -1}};  // list 0 is empty
+    std::unordered_map<std::uint64_t, int> known;
+};
+
+/// Most pixels in a batch of scattered ones, in which each body is seen by few.
+inline constexpr int scattered_pixels = 1024;
+
+template <class T>
+class Workspace {
+  public:
+    Workspace();
+    Generation<T>& generation(int slot);
+    RayQueue<T> refracted_queue;
+    HitList<T> hits;
+    MediumStacks mediums;
+    std::vector<T> pixels_x, pixels_y;
+    std::vector<int> order;  // of the tile's pixels, row by row: their numbers in the batch
+    std::vector<PixelSum<T>> sums;
+    std::vector<T> past;
+    std::vector<Sight<T>> sights;
+    std::vector<T> sides, colors;  // see Footprints
+    int batch = scattered_pixels;  // pixels that last fitted
+    std::vector<T> bounds;         // of the pixels, for proving kernels
+    /// Makes room for what proving kernels add to rays.
+    void hold_bounds();
+    /// Makes room for what rays carry where images are filtered.
+    void hold_cones();
+
+  private:
+    Buffer<T> values, order_by_bin;
+    std::vector<Buffer<T>> more;  // arrays that queues have besides `values`
+    std::size_t used = 0;         // of these in the last buffer
+    bool with_cones = false;
+    void hold(T*& array);
+    void hold_more(RayQueue<T>& queue);
+    std::vector<std::int32_t> counts;
+    struct Held {
+        Buffer<T> values;
+        std::vector<std::int32_t> stretches;
+        Generation<T> generation;
+    };
+    std::vector<std::unique_ptr<Held>> held;
+};
+
+}  // namespace strahl

@@ -1,0 +1,259 @@
+// Means over a rectangle of the light that it sends to a point.
+//
+// A rectangle of which nothing can be hidden is known without any shadow ray. Else it is divided into cells, as a pixel
+// is: shadow rays go to their corners, and cells whose corners are not all in the same light are divided further.
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "num/lane_math.h"
+#include "trace/forms/items_kernel.h"
+#include "trace/lights/area_light_calls.h"
+#include "trace/lights/area_mean_kernel.h"
+#include "trace/lights/shaft_kernel.h"
+
+namespace strahl::inline STRAHL_LEVEL {
+
+/// Squares of a rectangle, by their corner with the smallest coordinates, in units of the smallest squares.
+struct AreaCells {
+    static constexpr int side = 64, largest = 8, most = side * side;  // side: of the rectangle
+    int count = 0;
+    std::array<std::uint8_t, most> x, y;
+    void add(int cell_x, int cell_y) {
+        x[count] = static_cast<std::uint8_t>(cell_x), y[count] = static_cast<std::uint8_t>(cell_y);
+        ++count;
+    }
+};
+
+/// The means for one hit.
+template <class S>
+class AreaSum {
+    using T = Element<S>;
+    static constexpr int side = AreaCells::side, row = side + 1;
+
+  public:
+    AreaSum(const World<T>& world, int number, const LitHits<S>& hits, int k, Visibility<S> visibility)
+        : world(world), visibility(visibility), position(at(hits.position, k)), normal(at(hits.normal, k)),
+          flat(at(hits.flat, k)), reflected(at(hits.reflected, k)), surface(lane(hits.surface, k)),
+          specular(lane(hits.specular, k)), pow(lane(hits.pow, k)), shines_from(lane(hits.shines_from, k)),
+          start{number, hits.bin, first_lanes<S>((bits(hits.outside) >> k & 1) ? width<S> : 0)} {
+        const LightKernel<T>& light = world.lights[number];
+        u = light.u, v = light.v;
+        middle = light.position - position;
+        first = middle - scale(T(.5), u + v);
+        brightest = lane(hits.weight, k) * (lane(hits.diffuse, k) + specular) * largest(light.color);
+    }
+
+    void add_up(T error) {
+        const Vec3<T> ways[4]{first, first + u, first + u + v, first + v};
+        int faced = 0;
+        for (const Vec3<T>& way : ways) faced += dot(normal, way) > T(0) && dot(flat, way) > T(0);
+        if (faced == 0) return;
+        look_around(ways);
+        glossy = may_shine(ways);
+        if (clear && faced == 4 && !glossy) {
+            const T mean = mean_cosine(normal, middle, u, v);
+            diffuse = Vec3<T>(mean), share = Vec3<T>(T(1));
+            return;
+        }
+        known.fill(0);
+        AreaCells cells, mixed;
+        int size = clear && faced < 4 ? 2 : AreaCells::largest;
+        for (int y = 0; y < side; y += size)
+            for (int x = 0; x < side; x += size) cells.add(x, y);
+        for (;; size /= 2) {
+            trace_corners(cells, size);
+            split(cells, mixed, size);
+            add(cells, size);
+            constexpr T off = T(.15);  // of the light of a cell that an edge crosses, as measured
+            const T left = off * brightest * std::sqrt(static_cast<T>(mixed.count)) * area(size);
+            if (size == 1 || !(left > error)) break;
+            divide(mixed, cells, size / 2);
+        }
+        add(mixed, size);
+        if (faced == 4 && whole > 0) diffuse = scale(mean_cosine(normal, middle, u, v) / whole, diffuse);
+    }
+
+    Vec3<T> diffuse{0}, highlight{0}, share{0};
+    std::int64_t rays = 0;
+
+  private:
+    static Vec3<T> at(const Vec3<S>& v, int k) { return {lane(v.x, k), lane(v.y, k), lane(v.z, k)}; }
+    static T area(int size) { return T(size * size) / T(side * side); }
+
+    /// What can be in the way, if anything.
+    void look_around(const Vec3<T> (&ways)[4]) {
+        const Shaft<T> shaft(position, ways, u, v, world.rounding);
+        const ShaftStart<T> from{surface, start.light, start.bin, bool(bits(start.outside) & 1)};
+        if (world.bin_per_item) {
+            start.only = bodies_in<S>(world, shaft, from);
+            clear = start.only == 0;
+        } else {
+            clear = !anything_in<S>(world, shaft, from);
+        }
+    }
+
+    /// Can the highlight of any point of the rectangle be seen?
+    bool may_shine(const Vec3<T> (&ways)[4]) const {
+        if (!(specular > T(0))) return false;
+        const T length = sqrt(dot(middle, middle)), along = dot(reflected, middle) / length;
+        T cosine(1);
+        for (const Vec3<T>& way : ways) cosine = min(cosine, dot(way, middle) / (length * sqrt(dot(way, way))));
+        if (!(along < cosine)) return true;  // it is reflected towards a point of the cone around the rectangle
+        const T sine = sqrt(max(T(1) - cosine * cosine, T(0))), across = sqrt(max(T(1) - along * along, T(0)));
+        return !(along * cosine + across * sine < shines_from);
+    }
+
+    /// The way to points of the rectangle, by their coordinates in units of the smallest cells.
+    Vec3<S> way_to(const S& x, const S& y) const {
+        constexpr T unit = T(1) / side;
+        return fma(x * S(unit), splat<S>(u), fma(y * S(unit), splat<S>(v), splat<S>(first)));
+    }
+
+    /// Shadow rays to those corners of cells that no earlier ones had.
+    void trace_corners(const AreaCells& cells, int size) {
+        std::array<std::int16_t, row * row> list;
+        int count = 0;
+        for (int i = 0; i < cells.count; ++i)
+            for (const int corner : corners_of(cells.x[i], cells.y[i], size))
+                if (known[corner] == 0) known[corner] = dark_side, list[count++] = static_cast<std::int16_t>(corner);
+        for (int i = 0; i < count; i += width<S>) trace_pack(list.data() + i, std::min(count - i, width<S>));
+    }
+    void trace_pack(const std::int16_t* corners, int lanes) {
+        alignas(64) T xs[width<S>] = {}, ys[width<S>] = {};
+        for (int k = 0; k < lanes; ++k) xs[k] = T(corners[k] % row), ys[k] = T(corners[k] / row);
+        const Vec3<S> way = way_to(load_lanes<S>(xs), load_lanes<S>(ys));
+        const S distance = sqrt(dot(way, way));
+        const Mask<S> faces = first_lanes<S>(lanes) & (dot(splat<S>(normal), way) > S(0)) &
+                              (dot(splat<S>(flat), way) > S(0)) & (distance > S(0));
+        if (none(faces)) return;
+        Vec3<S> arrives(S(1), S(1), S(1));
+        if (!clear) {
+            const Ray<S> ray{splat<S>(position), scale(S(1) / distance, way), S(surface)};
+            arrives = visibility(world, ray, distance, faces, start);
+            rays += strahl::count(faces);
+        }
+        alignas(64) T found[3][width<S>];
+        for (int c = 0; c < 3; ++c) store_lanes(found[c], arrives[c]);
+        for (unsigned left = bits(faces); left; left &= left - 1) {
+            const int k = std::countr_zero(left);
+            known[corners[k]] = faced_side;
+            for (int c = 0; c < 3; ++c) shares[c][corners[k]] = found[c][k];
+        }
+    }
+
+    static std::array<int, 4> corners_of(int x, int y, int size) {
+        const int corner = y * row + x;
+        return {corner, corner + size, corner + size * row, corner + size * row + size};
+    }
+    /// Are the corners that face the surface in the same light?
+    bool is_even(int x, int y, int size) const {
+        int last = -1;
+        for (const int corner : corners_of(x, y, size)) {
+            if (known[corner] != faced_side) continue;
+            for (int c = 0; c < 3; ++c)
+                if (last >= 0 && shares[c][corner] != shares[c][last]) return false;
+            last = corner;
+        }
+        return true;
+    }
+    /// The mean share of these corners.
+    Vec3<T> mean_share(int x, int y, int size) const {
+        Vec3<T> sum{0};
+        int count = 0;
+        for (const int corner : corners_of(x, y, size)) {
+            if (known[corner] != faced_side) continue;
+            for (int c = 0; c < 3; ++c) sum[c] += shares[c][corner];
+            ++count;
+        }
+        return count > 1 ? scale(T(1) / T(count), sum) : sum;
+    }
+
+    /// Leaves those cells whose corners are in the same light; the others become `mixed`.
+    void split(AreaCells& cells, AreaCells& mixed, int size) const {
+        const int all = cells.count;
+        cells.count = mixed.count = 0;
+        for (int i = 0; i < all; ++i) {
+            const int x = cells.x[i], y = cells.y[i];
+            (is_even(x, y, size) ? cells : mixed).add(x, y);
+        }
+    }
+    static void divide(const AreaCells& cells, AreaCells& quarters, int size) {
+        quarters.count = 0;
+        for (int i = 0; i < cells.count; ++i)
+            for (int k = 0; k < 4; ++k) quarters.add(cells.x[i] + k % 2 * size, cells.y[i] + k / 2 * size);
+    }
+
+    /// Adds the light of cells: what their middles send, and of highlights a grid so fine that they are smooth on it.
+    void add(const AreaCells& cells, int size) {
+        for (int i = 0; i < cells.count; i += width<S>) {
+            const int lanes = std::min(cells.count - i, width<S>);
+            alignas(64) T xs[width<S>] = {}, ys[width<S>] = {}, cosines[width<S>], shines[width<S>];
+            for (int k = 0; k < lanes; ++k) xs[k] = T(cells.x[i + k]), ys[k] = T(cells.y[i + k]);
+            const S x = load_lanes<S>(xs), y = load_lanes<S>(ys), half(T(size) / 2);
+            const Vec3<S> way = way_to(x + half, y + half);
+            // The point may be where the lamp is.
+            const S length = max(sqrt(dot(way, way)), S(std::sqrt(std::numeric_limits<T>::min())));
+            store_lanes(cosines, max(dot(splat<S>(normal), way), S(0)) / length);
+            store_lanes(shines, glossy ? mean_highlight(x, y, size) : S(0));
+            for (int k = 0; k < lanes; ++k) {
+                const Vec3<T> arrives = mean_share(cells.x[i + k], cells.y[i + k], size);
+                whole = fma(cosines[k], area(size), whole);
+                diffuse = fma(cosines[k] * area(size), arrives, diffuse);
+                highlight = fma(shines[k] * area(size), arrives, highlight);
+                share = fma(area(size), arrives, share);
+            }
+        }
+    }
+    /// Ks (h.l)^p over cells.
+    S mean_highlight(const S& x, const S& y, int size) const {
+        // A highlight's brightness falls by the exponential of -1/2 in the angle 1 / sqrt(p).
+        const T reach = sqrt(max(dot(u, u), dot(v, v)) * (pow + T(1)) / dot(middle, middle));
+        const T wanted = std::ceil(reach * T(2 * size) / T(side));
+        const int n = wanted < T(8) ? std::max(1, static_cast<int>(wanted)) : 8;
+        S sum(0);
+        for (int i = 0; i < n * n; ++i) {
+            const T dx = (T(i % n) + T(.5)) * T(size) / T(n), dy = (T(i / n) + T(.5)) * T(size) / T(n);
+            const Vec3<S> way = way_to(x + S(dx), y + S(dy));
+            const S length = sqrt(dot(way, way));
+            const S shine = min(max(dot(splat<S>(reflected), way) / length, S(0)), S(1));
+            const Mask<S> shines = (shine > S(shines_from)) & (dot(splat<S>(normal), way) > S(0));
+            if (any(shines)) sum = sum + select(shines, power_of_uniform(shine, pow), S(0));
+        }
+        return sum * S(specular / T(n * n));
+    }
+
+    static constexpr std::uint8_t dark_side = 1, faced_side = 2;
+    const World<T>& world;
+    Visibility<S> visibility;
+    Vec3<T> position, normal, flat, reflected, u, v, middle, first;  // the last two from the position
+    T surface, specular, pow, shines_from, brightest, whole = 0;
+    Start<S> start;
+    bool clear = false, glossy = false;
+    std::array<std::uint8_t, row * row> known;  // of each corner: nothing, or on which side of the surface it is
+    std::array<T, row * row> shares[3];         // of the light of those on the side it faces
+};
+
+template <class S>
+AreaMeans<S> AreaLightCalls<S>::means(const World<T>& world, int light, const LitHits<S>& hits, T error,
+                                      Visibility<S> visibility) {
+    alignas(64) T lanes[9][width<S>] = {};
+    AreaMeans<S> result;
+    for (unsigned left = bits(hits.lanes); left; left &= left - 1) {
+        const int k = std::countr_zero(left);
+        AreaSum<S> sum(world, light, hits, k, visibility);
+        sum.add_up(error);
+        result.rays += sum.rays;
+        for (int c = 0; c < 3; ++c)
+            lanes[c][k] = sum.diffuse[c], lanes[3 + c][k] = sum.highlight[c], lanes[6 + c][k] = sum.share[c];
+    }
+    for (int c = 0; c < 3; ++c) {
+        result.diffuse[c] = load_lanes<S>(lanes[c]), result.highlight[c] = load_lanes<S>(lanes[3 + c]);
+        result.share[c] = load_lanes<S>(lanes[6 + c]);
+    }
+    return result;
+}
+
+}  // namespace strahl::inline STRAHL_LEVEL

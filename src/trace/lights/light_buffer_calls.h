@@ -1,0 +1,16 @@
+// Shadow rays by light buffers: compiled once per precision and instruction set, in a file of its own.
+#pragma once
+#include "trace/forms/items_kernel.h"
+
+namespace strahl::inline STRAHL_LEVEL {
+
+template <class S>
+struct LightBufferCalls {
+    using T = Element<S>;
+    /// Takes from a light that has a buffer what the items of the hierarchy take. Returns the lanes that are left to
+    /// the hierarchy.
+    static Mask<S> occlude(const World<T>& world, int light, const Ray<S>& ray, const S& distance,
+                           Transmission<S>& left);
+};
+
+}  // namespace strahl::inline STRAHL_LEVEL

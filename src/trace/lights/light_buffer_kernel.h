@@ -1,0 +1,82 @@
+// Shadow rays by light buffers. Each lane goes through the candidates of a cell of its own; a step tests one of each
+// lane, side by side.
+#pragma once
+#include <algorithm>
+
+#include "trace/forms/form_kernel.h"
+#include "trace/lights/light_buffer.h"
+#include "trace/lights/light_buffer_calls.h"
+#include "trace/lights/light_buffer_cells_kernel.h"
+
+namespace strahl::inline STRAHL_LEVEL {
+
+template <class S>
+struct BufferWalk {
+    using T = Element<S>;
+    const World<T>& world;
+    const Ray<S>& ray;
+    const S& distance;
+
+    /// Of these lanes those whose items, all opaque, are in the way; tested one after the other.
+    [[gnu::noinline]] Mask<S> darkened_one_by_one(Mask<S> lanes, int form, const int* items) const {
+        const S one(1);
+        T dark[width<S>] = {};
+        for (unsigned left = bits(lanes); left; left &= left - 1) {
+            const int k = std::countr_zero(left);
+            const Mask<S> own = first_lanes<S>(k + 1) & !first_lanes<S>(k);
+            Transmission<S> light{{one, one, one}, select(own, one, S(-1))};
+            dark[k] = calls<S>(form).occlude(world, items[k], 1, ray, distance, own, light);
+        }
+        return load_lanes<S>(dark) > S(0);
+    }
+    /// The same, side by side. Rays that seem to start in a body are looked at more closely.
+    STRAHL_INLINE Mask<S> darkened(Mask<S> lanes, int form, const int* items) const {
+        Mask<S> dark = first_lanes<S>(0);
+        const auto side_by_side = [&](const auto& group) __attribute__((always_inline)) {
+            using Group = std::remove_cvref_t<decltype(group)>;
+            using Item = typename Group::template ItemOf<S>;
+            if constexpr (Group::Form::Kind::bounded) {
+                const auto span = crossings_of(gather_items<Item, S>(group.items, items), ray);
+                const auto crossed_by = crossed(span, span.hit & lanes, distance);
+                dark = crossed_by[0];
+                const Mask<S> exits = crossed_by[1] & !dark;
+                if (any(exits)) [[unlikely]]
+                    dark = dark | darkened_one_by_one(exits, form, items);
+            }
+        };
+        if (!if_hot(world, form, side_by_side)) dark = darkened_one_by_one(lanes, form, items);
+        return dark;
+    }
+};
+
+template <class S>
+Mask<S> LightBufferCalls<S>::occlude(const World<T>& world, int number, const Ray<S>& ray, const S& distance,
+                                     Transmission<S>& light) {
+    const LightBuffer<T>& buffer = world.light_buffers[number];
+    const LightKernel<T>& from = world.lights[number];
+    const bool parallel = from.finite == 0;
+    const Mask<S> active = light.limit > S(0);
+    const Mask<S> near = active & (dot(ray.origin, ray.origin) < S(buffer.furthest * buffer.furthest));
+    const Vec3<S> position = splat<S>(from.position);
+    const S depth = parallel ? -dot(position, ray.origin) : distance;
+    const BufferWalk<S> walk{world, ray, distance};
+    S at = cells_of(buffer, parallel, parallel ? ray.origin : ray.origin - position, near);
+    Mask<S> left = near & (at > S(0)), dark = first_lanes<S>(0);
+    while (any(left)) {
+        int places[width<S>], items[width<S>];
+        store_whole(places, at);
+        const auto candidate = gather_items<Candidate<S>, S>(buffer.candidates, places);
+        left = left & (candidate.near < depth);
+        if (none(left)) break;
+        const S form(lane(candidate.form, first(left)));
+        const Mask<S> now = left & (candidate.form == form);
+        store_whole(items, select(now, candidate.item, S(0)));
+        const Mask<S> found = walk.darkened(now, static_cast<int>(lane(form, 0)), items);
+        dark = dark | found, left = left & !found;
+        at = select(now, candidate.next, at);
+    }
+    light.limit = select(dark, S(-1), light.limit);
+    return active & !near;
+}
+
+}  // namespace strahl::inline STRAHL_LEVEL

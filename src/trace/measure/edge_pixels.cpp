@@ -1,0 +1,65 @@
+#include "trace/measure/edge_pixels.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "num/thread_pool.h"
+
+namespace strahl {
+namespace {
+
+using Sample = std::array<double, 3>;
+
+double apart(const Sample& a, const Sample& b) {
+    return std::max({std::fabs(a[0] - b[0]), std::fabs(a[1] - b[1]), std::fabs(a[2] - b[2])});
+}
+
+/// The picture along a line through a pixel's sampling point; positions in pixels.
+struct Line {
+    Tracer& tracer;
+    const View& view;
+    ThreadPool& pool;
+    int x, y;
+    double radius, step;
+    const std::atomic<bool>* stop;
+    double dx, dy;
+
+    Sample at(double t) const {
+        View moved = view;
+        moved.shift_x += t * dx;
+        moved.shift_y += t * dy;
+        Sample value{};
+        const auto keep = [&](const Tile& tile) {
+            std::visit([&](const auto& rgb) { std::copy_n(rgb.begin(), 3, value.begin()); }, tile.rgb);
+        };
+        tracer.trace(moved, {.x = x, .y = y, .columns = 1, .rows = 1}, pool, keep, stop);
+        for (double& v : value) v = std::clamp(v, 0., 1.);
+        return value;
+    }
+    /// What varies smoothly becomes less than a step when looked at closely; a jump does not.
+    bool jumps(double a, const Sample& at_a, double b, const Sample& at_b) const {
+        if (apart(at_a, at_b) <= step || (stop && *stop)) return false;
+        if (b - a < 1e-5 * radius) return true;
+        const double middle = (a + b) / 2;
+        const Sample at_middle = at(middle);
+        return jumps(a, at_a, middle, at_middle) || jumps(middle, at_middle, b, at_b);
+    }
+};
+
+}  // namespace
+
+bool on_edge(Tracer& tracer, const View& view, ThreadPool& pool, int x, int y, double radius, double step,
+             const std::atomic<bool>* stop) {
+    constexpr int spokes = 8;
+    const Sample middle = Line{tracer, view, pool, x, y, radius, step, stop, 0, 0}.at(0);
+    for (int i = 0; i < spokes; ++i) {
+        const double angle = 2 * std::numbers::pi / spokes * i;
+        const Line line{tracer, view, pool, x, y, radius, step, stop, std::cos(angle), std::sin(angle)};
+        if (line.jumps(0, middle, radius, line.at(radius))) return true;
+    }
+    return false;
+}
+
+}  // namespace strahl

@@ -1,0 +1,73 @@
+#include "trace/measure/picture_accuracy.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "num/thread_pool.h"
+#include "trace/measure/edge_pixels.h"
+
+namespace strahl {
+namespace {
+
+constexpr double safety = 16;        // of the sample's largest rounding over the error
+constexpr double least_jump = 1e-3;  // smaller differences are not taken for edges
+constexpr double edge_radius = .1;   // pixels; in float edges are this wide where mirrors magnify
+
+/// Pixels spread over the picture, about a thousand.
+Lattice sample_of(const View& view) {
+    const int step = std::max(1, static_cast<int>(std::sqrt(view.width * double(view.height) / 1024)));
+    const int start = std::min({step / 2, view.width - 1, view.height - 1});
+    return {start, start, (view.width - start + step - 1) / step, (view.height - start + step - 1) / step, step, step};
+}
+
+std::vector<double> trace(Tracer& tracer, const View& view, const Lattice& lattice, ThreadPool& pool) {
+    std::vector<double> values(std::size_t(3) * lattice.columns * lattice.rows);
+    tracer.trace(view, lattice, pool, [&](const Tile& tile) { place(tile, lattice, values); });
+    return values;
+}
+
+/// The largest difference between float and double on the sample, off the edges; or the first found that is more than
+/// `enough`.
+double rounding_of_float(const Scene& scene, const View& view, double enough, ThreadPool& pool, Simd simd) {
+    const Lattice lattice = sample_of(view);
+    Tracer float32(scene, Precision::float32, simd), float64(scene, Precision::float64, simd);
+    const std::vector<double> a = trace(float32, view, lattice, pool), b = trace(float64, view, lattice, pool);
+    ThreadPool alone(1);  // a float32 pixel is not worth waking others for
+    double most = 0;
+    for (int i = 0; i < lattice.columns * lattice.rows; ++i) {
+        double off = 0;
+        for (int c = 0; c < 3; ++c) off = std::max(off, std::abs(a[3 * i + c] - b[3 * i + c]));
+        if (off <= most) continue;
+        const int x = lattice.x + i % lattice.columns * lattice.step_x;
+        const int y = lattice.y + i / lattice.columns * lattice.step_y;
+        if (off > std::max(enough, least_jump) && on_edge(float64, view, alone, x, y, edge_radius, off / 4)) continue;
+        most = off;
+        if (most > enough) break;
+    }
+    return most;
+}
+
+}  // namespace
+
+Accuracy choose_accuracy(const Scene& scene, const View& view, double error, std::optional<Precision> precision,
+                         std::optional<int> depth, ThreadPool& pool, Simd simd) {
+    Accuracy choice{.precision = precision.value_or(Precision::float64),
+                    .depth = depth.value_or(scene.settings.max_trace_level)};
+    choice.dropped = error / 2;
+    if (precision || error == 0) return choice;
+
+    View sampled = view;
+    sampled.depth = choice.depth, sampled.error = choice.dropped;
+    choice.rounding = rounding_of_float(scene, sampled, error / safety, pool, simd);
+    constexpr double ratio = std::numeric_limits<double>::epsilon() / std::numeric_limits<float>::epsilon();
+    constexpr double extended_ratio =
+        static_cast<double>(std::numeric_limits<long double>::epsilon() / std::numeric_limits<double>::epsilon());
+    choice.precision = Precision::float32;
+    if (*choice.rounding > error / safety) choice.precision = Precision::float64, *choice.rounding *= ratio;
+    if (*choice.rounding > error / safety) choice.precision = Precision::extended, *choice.rounding *= extended_ratio;
+    return choice;
+}
+
+}  // namespace strahl

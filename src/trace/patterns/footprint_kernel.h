@@ -1,0 +1,134 @@
+// Colours of pictures, filtered by footprints: means over what a sample's square of the view shows of a picture.
+//
+// A footprint is a parallelogram in the picture, how the place there changes from ray to ray (H. Igehy, "Tracing Ray
+// Differentials", 1999). It counts as the ellipse with the same variances, as in P. Heckbert, "Fundamentals of Texture
+// Mapping and Image Warping", 1989, and its mean is that of several lookups along the longer axis (J. McCormack, R.
+// Perry, K. Farkas, N. Jouppi, "Feline: Fast Elliptical Lines for Anisotropic Texture Mapping", 1999), each in mip
+// levels as coarse as the shorter axis or the distance between lookups wants it.
+#pragma once
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "trace/patterns/image_kernel.h"
+
+namespace strahl::inline STRAHL_LEVEL {
+
+/// Lookups along the longer axis of a footprint, at most, and along the shorter one.
+inline constexpr int most_lookups = 32, lookups_beside = 2;
+
+/// How the place in the picture changes along ways of the pattern's space.
+template <class S>
+STRAHL_INLINE std::array<S, 2> way_in_image(const ImageKernel<Element<S>>& image, const Vec3<S>& p,
+                                            const Vec3<S>& way) {
+    using T = Element<S>;
+    if (image.map != ImageMap::spherical && image.map != ImageMap::cylindrical) return {way.x, way.y};
+    const S turn(T(1) / T(6.283185307179586476925286766559L)), squared = fma(p.x, p.x, p.y * p.y);
+    const S around = turn * fma(p.x, way.y, -(p.y * way.x)) / squared;
+    if (image.map == ImageMap::cylindrical) return {around, way.z};
+    const S outwards = fma(p.x, way.x, p.y * way.y);
+    const S up = fma(squared, way.z, -(p.z * outwards)) / (sqrt(squared) * fma(p.z, p.z, squared));
+    return {around, S(2) * turn * up};
+}
+
+/// One lane's lookups.
+template <class T>
+struct ImageLookups {
+    const ImageKernel<T>& image;
+    const MipMapKernel& map;
+    T sum[3] = {};
+
+    /// Adds to the sum: bilinear in a level.
+    STRAHL_INLINE void add(int number, T u, T v, T share) {
+        const MipLevel& level = map.levels[number];
+        // Smaller pictures join at the poles no more than the picture itself does.
+        const bool ends_at_poles = image.map == ImageMap::spherical && number > 0;
+        const auto pair = [](T place, std::int32_t size, bool ends, std::int32_t(&numbers)[2]) {
+            const T from_middle = place * static_cast<T>(size) - T(.5), low = std::floor(from_middle);
+            const auto first = static_cast<std::int32_t>(low), last = size - 1;
+            numbers[0] = first < 0 ? (ends ? 0 : last) : first;
+            numbers[1] = first + 1 > last ? (ends ? last : 0) : first + 1;
+            return from_middle - low;
+        };
+        std::int32_t columns[2], rows[2];
+        const T across = pair(u, level.width, image.once, columns);
+        const T down = pair(T(1) - v, level.height, image.once || ends_at_poles, rows);
+        for (int j = 0; j < 2; ++j)
+            for (int i = 0; i < 2; ++i) {
+                const T own = share * (i ? across : T(1) - across) * (j ? down : T(1) - down);
+                const float* const pixel =
+                    level.pixels + 3 * (static_cast<std::ptrdiff_t>(rows[j]) * level.width + columns[i]);
+                for (int c = 0; c < 3; ++c) sum[c] = fma(own, static_cast<T>(pixel[c]), sum[c]);
+            }
+    }
+
+    /// Sums up to the mean around a place whose square has these sides: an ellipse, the length of which is returned. An
+    /// image that is there once is seen from where the place is: inside or outside.
+    STRAHL_INLINE T filter(T u, T v, const T (&a)[2], const T (&b)[2]) {
+        // The axes of the ellipse, in pixels: a square with sides a and b has the variances of a a^T + b b^T.
+        const T size[2] = {static_cast<T>(image.width), static_cast<T>(image.height)};
+        const T x[2] = {a[0] * size[0], b[0] * size[0]}, y[2] = {a[1] * size[1], b[1] * size[1]};
+        const T xx = fma(x[0], x[0], x[1] * x[1]), yy = fma(y[0], y[0], y[1] * y[1]), xy = fma(x[0], y[0], x[1] * y[1]);
+        const T half = T(.5) * (xx - yy), middle = T(.5) * (xx + yy), root = std::sqrt(fma(half, half, xy * xy));
+        const T longer = std::sqrt(middle + root), shorter = std::sqrt(std::max(middle - root, T(0)));
+        T along[2] = {half > 0 ? half + root : xy, half > 0 ? xy : root - half};
+        const T length = std::sqrt(fma(along[0], along[0], along[1] * along[1]));
+        for (T& share : along) share = length > 0 ? share / length : T(0);
+        const T beside[2] = {-along[1] * shorter / size[0], along[0] * shorter / size[1]};
+        for (int i = 0; i < 2; ++i) along[i] *= longer / size[i];
+        // Parts shorter than half a pixel would see the same.
+        const T wanted = std::ceil(longer / std::max(shorter / T(lookups_beside), T(.5)));
+        const T parts = std::clamp(wanted, T(1), T(most_lookups)), per = T(1) / parts;
+        const T part = std::max(shorter / T(lookups_beside), longer * per);
+        // Means over squares with sides s, bilinear in between, have the variance s^2 / 4 - 1/12 in pixels; the picture
+        // itself has 1/6, and the part adds 1/12 of its square. Variances of two levels mix as the levels do.
+        const T squared = fma(part * part, T(1) / T(3), T(1));
+        const int last = map.count - 1, level = std::min(std::ilogb(squared) / 2, last);
+        const T coarse = level < last ? (std::ldexp(squared, -2 * level) - T(1)) / T(3) : T(0);
+        const T share = per / T(lookups_beside);
+        for (int i = 0; i < static_cast<int>(parts); ++i)
+            for (int j = 0; j < lookups_beside; ++j) {
+                const T x_at = fma(static_cast<T>(i) + T(.5), per, T(-.5));
+                const T y_at = (static_cast<T>(j) + T(.5)) / T(lookups_beside) - T(.5);
+                const T own_u = within(fma(x_at, along[0], fma(y_at, beside[0], u)), image.once);
+                const T own_v = within(fma(x_at, along[1], fma(y_at, beside[1], v)),
+                                       image.once || image.map == ImageMap::spherical);
+                add(level, own_u, own_v, share * (T(1) - coarse));
+                if (coarse > 0) add(level + 1, own_u, own_v, share * coarse);
+            }
+        return longer;
+    }
+
+    STRAHL_INLINE static T within(T x, bool ends) {
+        const T own = ends ? x : x - std::floor(x);
+        return own >= 0 ? std::min(own, T(1)) : T(0);
+    }
+};
+
+/// The colours of a picture where these points of the pattern's space, and ways to those of rays beside, are. How many
+/// of its pixels long footprints are, 0 outside.
+template <class S>
+[[gnu::noinline]] S filtered_color(const ImageKernel<Element<S>>& image, const MipMapKernel& map, const Vec3<S>& p,
+                                   const Vec3<S>& across, const Vec3<S>& down, Mask<S> lanes, Vec3<S>& color) {
+    using T = Element<S>;
+    const auto [u, v] = place_in_image(image, p);
+    const std::array<S, 2> ways[2] = {way_in_image(image, p, across), way_in_image(image, p, down)};
+    // Of longer ways, and of what are none, all that is seen is the picture's mean.
+    const auto limited = [](T way) { return way < T(1000) ? std::max(way, T(-1000)) : T(1000); };
+    const S low(-image.border), high(1 - image.border);
+    const Mask<S> around = (u < low) | !(u < high) | (v < low) | !(v < high);
+    alignas(64) T values[3][width<S>], lengths[width<S>] = {};
+    for (int c = 0; c < 3; ++c) store_lanes(values[c], S(image.around[c]));
+    for (unsigned left = bits(image.once ? lanes & !around : lanes); left != 0; left &= left - 1) {
+        const int k = std::countr_zero(left);
+        ImageLookups<T> lookups{image, map};
+        const auto way = [&](int i, int j) { return limited(lane(ways[i][j], k)); };
+        lengths[k] = lookups.filter(lane(u, k), lane(v, k), {way(0, 0), way(0, 1)}, {way(1, 0), way(1, 1)});
+        for (int c = 0; c < 3; ++c) values[c][k] = lookups.sum[c];
+    }
+    for (int c = 0; c < 3; ++c) color[c] = load_lanes<S>(values[c]);
+    return load_lanes<S>(lengths);
+}
+
+}  // namespace strahl::inline STRAHL_LEVEL

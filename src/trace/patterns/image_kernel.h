@@ -1,0 +1,95 @@
+// Colours of pictures. scene/image_pattern.h says where a point is in one.
+#pragma once
+#include <array>
+#include <limits>
+
+#include "num/lane_math.h"
+#include "num/memory.h"
+#include "scene/image_pattern.h"
+#include "trace/world/world.h"
+
+namespace strahl::inline STRAHL_LEVEL {
+
+/// The angle of (x, y) from the x axis, in turns, 0 or above and below 1: the series of the arc tangent (J. Gregory,
+/// 1671), after the angle, at most an eighth of a turn, was halved twice by tan(a/2) = tan a / (1 + sqrt(1 + tan^2 a)).
+/// It is off by a few units in the last place of 1. Of (0, 0) the angle is 0.
+template <class S>
+STRAHL_INLINE S turns(const S& x, const S& y) {
+    using T = Element<S>;
+    constexpr int digits = std::numeric_limits<T>::digits, terms = digits <= 24 ? 5 : digits <= 53 ? 11 : 14;
+    const S across = abs(x), up = abs(y), longer = max(across, up);
+    S tangent = select(longer > S(0), min(across, up) / longer, S(0));
+    for (int i = 0; i < 2; ++i) tangent = tangent / (S(1) + sqrt(fma(tangent, tangent, S(1))));
+    const S squared = tangent * tangent;
+    S sum(T(1) / T(2 * terms - 1));
+    for (int i = terms - 2; i >= 0; --i) sum = fma(-squared, sum, S(T(1) / T(2 * i + 1)));
+    S angle = S(T(2) / T(3.14159265358979323846264338327950288L)) * (tangent * sum);
+    angle = select(up > across, S(T(.25)) - angle, angle);
+    angle = select(x < S(0), S(T(.5)) - angle, angle);
+    angle = select(y < S(0), S(1) - angle, angle);
+    return select(angle < S(1), angle, S(0));
+}
+
+/// Two pixels next to each other along an axis of `size` pixels, by their numbers, and how far from the first to the
+/// second a place is. Places are in pixels; the middle of the first pixel is at 1/2.
+template <class S>
+struct PixelPair {
+    alignas(64) Element<S> numbers[2][width<S>];
+    S share;
+    PixelPair(const S& place, const S& size, bool once) {
+        const S from_middle = place - S(Element<S>(.5)), low = floor(from_middle), last = size - S(1);
+        const S high = low + S(1);
+        share = from_middle - low;
+        store_lanes(numbers[0], select(low < S(0), once ? S(0) : last, low));
+        store_lanes(numbers[1], select(high > last, once ? last : S(0), high));
+    }
+};
+
+/// Where a point of the pattern's space is in the picture: u and v.
+template <class S>
+STRAHL_INLINE std::array<S, 2> place_in_image(const ImageKernel<Element<S>>& image, const Vec3<S>& p) {
+    using T = Element<S>;
+    S u = p.x, v = p.y;
+    if (image.map == ImageMap::spherical || image.map == ImageMap::cylindrical) u = turns(p.x, p.y), v = p.z;
+    if (image.map == ImageMap::spherical) {
+        const S latitude = turns(sqrt(fma(p.x, p.x, p.y * p.y)), p.z);
+        v = fma(S(2), select(latitude > S(T(.5)), latitude - S(1), latitude), S(T(.5)));
+    }
+    return {u, v};
+}
+
+/// The colour at a point of the pattern's space; where coordinates are too large for numbers that of a corner.
+template <class S>
+[[gnu::noinline]] Vec3<S> image_color(const ImageKernel<Element<S>>& image, const Vec3<S>& p) {
+    using T = Element<S>;
+    const auto [u, v] = place_in_image(image, p);
+    const auto in_picture = [&](const S& x) {
+        const S own = image.once ? x : x - floor(x);
+        return select((own >= S(0)) & (own <= S(1)), own, S(0));
+    };
+    const S across(T(image.width)), down(T(image.height));
+    const PixelPair<S> column(in_picture(u) * across, across, image.once);
+    const PixelPair<S> row((S(1) - in_picture(v)) * down, down, image.once);
+    alignas(64) T values[2][2][3][width<S>];
+    for (int j = 0; j < 2; ++j)
+        for (int i = 0; i < 2; ++i)
+            for (int k = 0; k < width<S>; ++k) {
+                const auto y = static_cast<std::ptrdiff_t>(row.numbers[j][k]);
+                const auto x = static_cast<std::ptrdiff_t>(column.numbers[i][k]);
+                for (int c = 0; c < 3; ++c) values[j][i][c][k] = image.pixels[3 * (image.width * y + x) + c];
+            }
+    Vec3<S> color;
+    const S low(-image.border), high(1 - image.border);
+    const Mask<S> inside = (u >= low) & (u < high) & (v >= low) & (v < high);
+    for (int c = 0; c < 3; ++c) {
+        const auto between = [](const S& a, const S& b, const S& share) { return fma(share, b - a, a); };
+        const auto in_row = [&](int j) {
+            return between(load_lanes<S>(values[j][0][c]), load_lanes<S>(values[j][1][c]), column.share);
+        };
+        color[c] = between(in_row(0), in_row(1), row.share);
+        if (image.once) color[c] = select(inside, color[c], S(image.around[c]));
+    }
+    return color;
+}
+
+}  // namespace strahl::inline STRAHL_LEVEL

@@ -1,0 +1,193 @@
+// Colours and normals of patterns. scene/pattern.h says what they are.
+#pragma once
+#include "trace/patterns/footprint_kernel.h"
+#include "trace/patterns/pattern_calls.h"
+#include "trace/patterns/relief_kernel.h"
+
+namespace strahl::inline STRAHL_LEVEL {
+
+/// Where points of the world, which are on these surfaces, are in the pattern's space.
+template <class S>
+STRAHL_INLINE Vec3<S> place_of(const World<Element<S>>& world, const PatternKernel<Element<S>>& pattern,
+                               const Vec3<S>& position, const S& surface) {
+    if (!pattern.by_uv) return in_space_of(pattern, position);
+    return in_space_of(pattern, place_in(placed_triangles(world, pattern.places, surface), position));
+}
+
+/// The colour of a pattern at points of the world, which are on these surfaces.
+template <class S>
+[[gnu::noinline]] Vec3<S> color_at(const World<Element<S>>& world, const PatternKernel<Element<S>>& pattern,
+                                   const Vec3<S>& position, const S& surface) {
+    const Vec3<S> p = place_of(world, pattern, position, surface);
+    if (pattern.form == PatternForm::image) return image_color(pattern.image, p);
+    const S value = value_at(pattern, p);
+    const auto* stop = world.stops + pattern.first_stop;
+    Vec3<S> color = splat<S>(stop->color);
+    for (int i = 1; i < pattern.stops; ++i) {
+        const auto *const before = stop++, *const after = stop;
+        const Mask<S> beyond = value > S(before->at);
+        if (none(beyond)) break;
+        // Two stops in one place are a jump: there, `per` is infinite.
+        const S share = min((value - S(before->at)) * S(after->per), S(1)), rest = S(1) - share;
+        for (int c = 0; c < 3; ++c)
+            color[c] = select(beyond, fma(share, S(after->color[c]), rest * S(before->color[c])), color[c]);
+    }
+    return color;
+}
+
+/// The same, images filtered; lanes beyond these have any colour. How many of an image's pixels long footprints are.
+template <class S>
+[[gnu::noinline]] S filtered_at(const World<Element<S>>& world, const PatternKernel<Element<S>>& pattern,
+                                const Vec3<S>& position, const S& surface, const Footprint<S>& footprint, Mask<S> lanes,
+                                Vec3<S>& color) {
+    if (pattern.form != PatternForm::image) {
+        color = color_at(world, pattern, position, surface);
+        return S(0);
+    }
+    const auto along = [&](const Vec3<S>& way, const Vec3<S>& normal) {
+        return fma(-dot(way, normal) / dot(footprint.direction, normal), footprint.direction, way);
+    };
+    const auto turned = [&](const Vec3<S>& way) {
+        Vec3<S> own;
+        for (int c = 0; c < 3; ++c) own[c] = dot(splat<S>(pattern.rows[c]), way);
+        return own;
+    };
+    Vec3<S> place = position, across, down;
+    if (pattern.by_uv) {
+        const PlacedTriangles<S> triangles = placed_triangles(world, pattern.places, surface);
+        const Vec3<S> normal = cross(triangles.e, triangles.f);
+        place = place_in(triangles, position);
+        across = way_in(triangles, along(footprint.across, normal));
+        down = way_in(triangles, along(footprint.down, normal));
+    } else {
+        across = along(footprint.across, footprint.normal), down = along(footprint.down, footprint.normal);
+    }
+    return filtered_color(pattern.image, world.mip_maps[pattern.image.number], in_space_of(pattern, place),
+                          turned(across), turned(down), lanes, color);
+}
+
+/// Calls visit(which, lanes) for each of the patterned materials in a pack.
+template <class S, class Visit>
+STRAHL_INLINE void each_pattern(const World<Element<S>>& world, const int* materials, const Visit& visit) {
+    using T = Element<S>;
+    alignas(64) T numbers[width<S>];
+    for (int k = 0; k < width<S>; ++k) numbers[k] = static_cast<T>(materials[k]);
+    const S number = load_lanes<S>(numbers);
+    Mask<S> left = number >= S(static_cast<T>(world.first_pattern));
+    while (any(left)) {
+        const T own = lane(number, first(left));
+        const Mask<S> lanes = left & (number == S(own));
+        visit(static_cast<int>(own) - world.first_pattern, lanes);
+        left = left & !lanes;
+    }
+}
+
+/// Gives a material the colours of its pattern.
+template <class S>
+STRAHL_INLINE void set_colors(const PatternKernel<Element<S>>& pattern, Mask<S> lanes, const Vec3<S>& color,
+                              MaterialKernel<S>& values) {
+    for (int c = 0; c < 3; ++c) {
+        values.ambient[c] = select(lanes, S(pattern.ambient[c]) * color[c], values.ambient[c]);
+        values.diffuse[c] = select(lanes, S(pattern.diffuse) * color[c], values.diffuse[c]);
+    }
+}
+
+template <class S>
+void PatternCalls<S>::paint(const World<T>& world, const int* materials, const Vec3<S>& position, const S& surface,
+                            MaterialKernel<S>& values) {
+    each_pattern<S>(world, materials, [&](int which, Mask<S> lanes) {
+        const PatternKernel<T>& pattern = world.patterns[which];
+        set_colors(pattern, lanes, color_at(world, pattern, position, surface), values);
+    });
+}
+
+template <class S>
+S PatternCalls<S>::paint_filtered(const World<T>& world, const int* materials, const Vec3<S>& position,
+                                  const S& surface, const Footprint<S>& footprint, MaterialKernel<S>& values) {
+    S all(0);
+    each_pattern<S>(world, materials, [&](int which, Mask<S> lanes) {
+        const PatternKernel<T>& pattern = world.patterns[which];
+        Vec3<S> color;
+        const S longer = filtered_at(world, pattern, position, surface, footprint, lanes, color);
+        set_colors(pattern, lanes, color, values);
+        all = select(lanes, longer, all);
+    });
+    return all;
+}
+
+template <class S>
+Vec3<S> PatternCalls<S>::bent(const World<T>& world, const int* materials, const Vec3<S>& position, const S& surface,
+                              const Vec3<S>& normal) {
+    Vec3<S> all = normal;
+    each_pattern<S>(world, materials, [&](int which, Mask<S> lanes) {
+        const BendKernel<T>& own = world.bends[which];
+        Vec3<S> n = normal;
+        if (!own.map.flat) n = bent_by(world, own.map, position, surface, n);
+        if (!own.bump.flat) n = bent_by(world, own.bump, position, surface, normal, n);
+        all = select(lanes, n, all);
+    });
+    return all;
+}
+
+/// The piece of PatternCalls, in three whole or half numbers.
+template <class S>
+[[gnu::noinline]] Vec3<S> piece_at(const World<Element<S>>& world, const PatternKernel<Element<S>>& pattern,
+                                   const Vec3<S>& position, const S& surface, Mask<S> filtered) {
+    using T = Element<S>;
+    const Vec3<S> p = place_of(world, pattern, position, surface);
+    const Vec3<S> whole(floor(p.x), floor(p.y), floor(p.z));
+    const S zero(0);
+    switch (pattern.form) {
+        case PatternForm::checker:
+            return whole;
+        case PatternForm::brick: {
+            const S half = S(T(.5)), shift = select(fraction(p.y * half) > half, half, zero);
+            const S mortar = select(brick_at(pattern.mortar, p) > zero, zero, half);
+            return {floor(p.x + shift), whole.y + mortar, floor(p.z + (half - shift))};
+        }
+        case PatternForm::ramp:
+            return {whole.x, zero, zero};
+        case PatternForm::image:
+            if (pattern.image.map == ImageMap::spherical || pattern.image.map == ImageMap::cylindrical) break;
+            if (pattern.image.once) return {whole.x, whole.y, zero};
+            return {select(filtered, zero, whole.x), select(filtered, zero, whole.y), zero};
+        default:
+            break;
+    }
+    return {zero, zero, zero};
+}
+template <class S>
+S PatternCalls<S>::piece(const World<T>& world, const int* materials, const Vec3<S>& position, const S& surface,
+                         Mask<S> filtered) {
+    S all(0);
+    each_pattern<S>(world, materials, [&](int which, Mask<S> lanes) {
+        const Vec3<S> p = piece_at(world, world.patterns[which], position, surface, filtered);
+        // Square roots of primes: no two sums are the same as long as numbers have the digits.
+        const S number =
+            fma(S(T(1.4142135623730951)), p.x, fma(S(T(1.7320508075688772)), p.y, S(T(2.23606797749979)) * p.z));
+        all = select(lanes, number, all);
+    });
+    return all;
+}
+
+template <class S>
+Vec3<S> PatternCalls<S>::sky(const World<T>& world, const Vec3<S>& direction) {
+    return color_at(world, *world.sky, direction, S(-1));
+}
+
+template <class S>
+S PatternCalls<S>::sky_filtered(const World<T>& world, const Footprint<S>& footprint, Vec3<S>& color) {
+    return filtered_at(world, *world.sky, footprint.direction, S(-1), footprint, first_lanes<S>(width<S>), color);
+}
+
+template <class S>
+void PatternCalls<S>::filter(const World<T>& world, int material, const S& surface, const Ray<S>& ray, const S& t,
+                             Mask<S> lanes, Vec3<S>& share) {
+    if (none(lanes)) return;
+    const PatternKernel<T>& pattern = world.patterns[material - world.first_pattern];
+    const Vec3<S> color = color_at(world, pattern, fma(t, ray.direction, ray.origin), surface);
+    for (int c = 0; c < 3; ++c)
+        share[c] = select(lanes, min(share[c] * (S(pattern.refraction) * color[c]), S(largest_gain)), share[c]);
+}
+
+}  // namespace strahl::inline STRAHL_LEVEL

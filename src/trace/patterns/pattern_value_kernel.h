@@ -1,0 +1,141 @@
+// The values of patterns. scene/pattern.h says what they are.
+#pragma once
+#include "trace/patterns/image_kernel.h"
+#include "trace/patterns/mesh_places_kernel.h"
+
+namespace strahl::inline STRAHL_LEVEL {
+
+/// x - floor(x)
+template <class S>
+STRAHL_INLINE S fraction(const S& x) {
+    return x - floor(x);
+}
+/// x mod 289, exact for whole numbers up to 2.8 million in float: there a half over 289 is more than the rounding.
+template <class S>
+STRAHL_INLINE S mod_289(const S& x) {
+    using T = Element<S>;
+    return fma(S(T(-289)), floor((x + S(T(.5))) * S(T(1) / T(289))), x);
+}
+/// The permutation polynomial, of whole numbers from 0 to 577.
+template <class S>
+STRAHL_INLINE S permuted(const S& number) {
+    const S x = select(number < S(289), number, number - S(289));
+    return mod_289(fma(S(34), x, S(1)) * x);
+}
+/// The gradient of a corner with this hash times the way from the corner.
+template <class S>
+STRAHL_INLINE S slope_at_corner(const S& hash, const S& x, const S& y, const S& z) {
+    using T = Element<S>;
+    // The hash and a half over 7 is never so near to a whole number that rounding would matter.
+    const S sevens = floor((hash + S(T(.5))) * S(T(1) / T(7))), forties = floor((sevens + S(T(.5))) * S(T(1) / T(7)));
+    const S a = fma(S(-7), sevens, hash), b = fma(S(-7), forties, sevens);
+    return fma(a - S(3), x, fma(b - S(3), y, (forties - S(T(2.5))) * S(T(1.2)) * z));
+}
+template <class S>
+STRAHL_INLINE S mix(const S& a, const S& b, const S& t) {
+    return fma(t, b - a, a);
+}
+template <class S>
+[[gnu::noinline]] S noise_at(const Vec3<S>& p) {
+    using T = Element<S>;
+    Vec3<S> cell, from, t;
+    for (int c = 0; c < 3; ++c) {
+        const S low = floor(p[c]);
+        from[c] = p[c] - low, cell[c] = mod_289(low);
+        const S f = from[c];
+        t[c] = f * f * f * fma(f, fma(f, S(6), S(-15)), S(10));
+    }
+    S along_x[2];
+    for (int i = 0; i < 2; ++i) {
+        const S x = from.x - S(T(i)), hash_x = permuted(cell.x + S(T(i)));
+        S along_y[2];
+        for (int j = 0; j < 2; ++j) {
+            const S y = from.y - S(T(j)), hash_y = permuted(hash_x + cell.y + S(T(j)));
+            S along_z[2];
+            for (int k = 0; k < 2; ++k)
+                along_z[k] = slope_at_corner(permuted(hash_y + cell.z + S(T(k))), x, y, from.z - S(T(k)));
+            along_y[j] = mix(along_z[0], along_z[1], t.z);
+        }
+        along_x[i] = mix(along_y[0], along_y[1], t.y);
+    }
+    return mix(along_x[0], along_x[1], t.x) * S(T(1) / T(6));
+}
+template <class S>
+STRAHL_INLINE S octaves_at(const PatternKernel<Element<S>>& pattern, const Vec3<S>& p) {
+    using T = Element<S>;
+    S sum(0);
+    T strength = 1, fineness = 1;
+    for (int i = 0; i < pattern.octaves; ++i) {
+        sum = fma(S(strength), noise_at(scale(S(fineness), p)), sum);
+        strength *= pattern.omega, fineness *= pattern.lambda;
+    }
+    return sum;
+}
+
+/// Whole numbers modulo 2.
+template <class S>
+STRAHL_INLINE S parity(const S& x) {
+    return fma(S(-2), floor(x * S(Element<S>(.5))), x);
+}
+/// 0 in the mortar, 1 in a brick. One brick with its mortar is 1 long, wide and high.
+template <class S>
+STRAHL_INLINE S brick_at(const Vec3<Element<S>>& mortar, const Vec3<S>& p) {
+    using T = Element<S>;
+    const S half = S(T(.5)), shift = select(fraction(p.y * half) > half, half, S(0));
+    const Mask<S> brick = (fraction(p.y) > S(mortar.y)) & (fraction(p.x + shift) > S(mortar.x)) &
+                          (fraction(p.z + (half - shift)) > S(mortar.z));
+    return select(brick, S(1), S(0));
+}
+/// From 0 up to 1 and down again.
+template <class S>
+STRAHL_INLINE S wave(const S& x) {
+    return S(1) - abs(fma(S(2), fraction(x), S(-1)));
+}
+
+/// The value of a pattern at a point of its space, from 0 to 1, or an image's brightness; where coordinates are too
+/// large for numbers 0.
+template <class S>
+[[gnu::noinline]] S value_at(const PatternKernel<Element<S>>& pattern, const Vec3<S>& p) {
+    using T = Element<S>;
+    S value(0);
+    const auto moved = [&](const S& x) {
+        return pattern.turbulence == 0 ? x : fma(S(pattern.turbulence), octaves_at(pattern, p), x);
+    };
+    switch (pattern.form) {
+        case PatternForm::checker:
+            value = parity(parity(floor(p.x)) + parity(floor(p.y)) + parity(floor(p.z)));
+            break;
+        case PatternForm::brick:
+            value = brick_at(pattern.mortar, p);
+            break;
+        case PatternForm::ramp:
+            value = max(fraction(p.x) - S(pattern.border), S(0));
+            break;
+        case PatternForm::noise:
+            value = min(max(octaves_at(pattern, p) + S(T(.5)), S(0)), S(1));
+            break;
+        case PatternForm::layers:
+            value = wave(moved(p.x));
+            break;
+        case PatternForm::rings:
+            value = wave(moved(sqrt(fma(p.x, p.x, p.y * p.y))));
+            break;
+        case PatternForm::image: {
+            const Vec3<S> color = image_color(pattern.image, p);
+            return fma(S(T(brightness[0])), color.x, fma(S(T(brightness[1])), color.y, S(T(brightness[2])) * color.z));
+        }
+        case PatternForm::constant:
+            break;
+    }
+    return select((value >= S(0)) & (value <= S(1)), value, S(0));
+}
+
+/// A point of the world, or a place by uv, in the pattern's space.
+template <class S>
+STRAHL_INLINE Vec3<S> in_space_of(const PatternKernel<Element<S>>& pattern, const Vec3<S>& position) {
+    Vec3<S> p;
+    for (int c = 0; c < 3; ++c) p[c] = dot(splat<S>(pattern.rows[c]), position) + S(pattern.offset[c]);
+    return p;
+}
+
+}  // namespace strahl::inline STRAHL_LEVEL

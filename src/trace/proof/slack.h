@@ -1,0 +1,22 @@
+// By how much a world in double or in extended precision differs from the scene that it is made of.
+#pragma once
+#include "trace/kernel/kernel.h"
+#include "trace/world/build_world.h"
+#include "trace/world/view.h"
+
+namespace strahl {
+
+/// Of the bodies that proofs know: those for whose kernels there is a span_bounds(). Found by making their numbers once
+/// more in long double. Infinite where a body has motions.
+template <class T>
+Slack<T> slack_of(const Scene& scene, const Placement& placement);
+
+/// Adds that of the camera's rays, which should go through the middles of pixels: a shift is an error as well.
+template <class T>
+void add_eye(Slack<T>& slack, const View& view, const Placement& placement);
+
+/// Is it certain which transparent bodies a camera is in? Not near their surfaces, nor, of those that are not convex,
+/// in their boxes.
+bool knows_medium(const Scene& scene, const DVec3& eye);
+
+}  // namespace strahl

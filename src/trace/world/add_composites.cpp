@@ -1,0 +1,266 @@
+// Composites become leaves, steps and planes.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <type_traits>
+#include <unordered_map>
+
+#include "scene/leaves.h"
+#include "trace/world/extended_numbers.h"
+#include "trace/world/plane_numbers.h"
+#include "trace/world/world_arrays.h"
+
+namespace strahl {
+namespace {
+
+template <class Kind>
+int faces_of_leaf(const Kind&) {
+    return Kind::faces;
+}
+int faces_of_leaf(const Mesh& mesh) { return static_cast<int>(mesh.data->triangles.size()); }
+
+/// Adds the leaves of one composite.
+template <class T>
+class CompositeBuilder {
+  public:
+    CompositeBuilder(WorldArrays<T>& arrays, std::array<std::vector<T>, Forms::size>& leaf_numbers,
+                     const Primitive& whole, int surface, std::int32_t first_leaf, const Placement& placement,
+                     ThreadPool& pool, bool proves)
+        : arrays(arrays),
+          leaf_numbers(leaf_numbers),
+          placement(placement),
+          pool(pool),
+          proves(proves),
+          outer(matrix(whole.transformations)),
+          next_leaf(first_leaf) {
+        info.first_leaf = static_cast<std::int32_t>(arrays.leaves.size());
+        info.first_step = static_cast<std::int32_t>(arrays.steps.size());
+        info.first_plane = static_cast<std::int32_t>(arrays.planes.size());
+        info.first_key = static_cast<std::int32_t>(arrays.face_keys.size());
+        info.surface = next_surface = surface;
+        for_each_leaf_within(
+            whole,
+            [&](const Primitive& leaf, const LeafWay& way) {
+                std::visit(
+                    [&]<class Kind>(const Kind& shape) {
+                        if constexpr (!is_composite<Kind>) add_leaf(shape, leaf, way);
+                    },
+                    leaf.shape);
+            },
+            [&](Operation operation) { arrays.steps.push_back(step(operation)); });
+        share_planes();
+        info.leaves = static_cast<std::int32_t>(arrays.leaves.size()) - info.first_leaf;
+        info.steps = static_cast<std::int32_t>(arrays.steps.size()) - info.first_step;
+        info.planes = static_cast<std::int32_t>(arrays.planes.size()) - info.first_plane;
+        info.surfaces = next_surface - surface;
+        arrays.composites.push_back(info);
+    }
+
+  private:
+    static CompositeStep step(Operation operation) {
+        return operation == Operation::unite       ? CompositeStep::unite
+               : operation == Operation::intersect ? CompositeStep::intersect
+                                                   : CompositeStep::subtract;
+    }
+    template <class Kind>
+    void add_leaf(const Kind& shape, const Primitive& part, const LeafWay& way) {
+        const glm::dmat4& m = way.inner;
+        const WorldTransform to_world{outer * m, way.similarity, placement.origin, placement.scale};
+        const std::int32_t material = arrays.material_of(part, next_leaf);
+        CompositeLeaf leaf{-1, 0, material, next_surface, faces_of_leaf(shape), 0};
+        std::vector<ItemBox> boxes;
+        const auto put = [&]<class K>(const K& kernel) {
+            constexpr int form = form_number<K, T>(Forms{});
+            using Own = Item<FormAt<form, Forms>, T>;
+            constexpr std::size_t fields = sizeof(Own) / sizeof(T);
+            const auto surface = static_cast<T>(next_surface + static_cast<int>(boxes.size()));
+            const Own item{kernel, surface, static_cast<T>(material)};
+            std::vector<T>& numbers = leaf_numbers[form];
+            if (leaf.form < 0) leaf.item = arrays.forms[form].count + static_cast<int>(numbers.size() / fields);
+            leaf.form = form;
+            const T* const first = reinterpret_cast<const T*>(&item);
+            numbers.insert(numbers.end(), first, first + fields);
+            if constexpr (std::is_same_v<Kind, Mesh>) boxes.push_back(item_box(kernel.bounds(), form));
+        };
+        emit_in<T>(shape, to_world, way.steps, put, proves);
+        if constexpr (std::is_same_v<Kind, Mesh>) {
+            meshes.push_back({shape.data.get(), m, arrays.leaves.size()});
+            return add_mesh(leaf, boxes);
+        }
+        for (int face = 0; face < Kind::faces; ++face) {
+            const std::optional<HalfSpace> plane = plane_of(shape, face);
+            if (plane) {
+                const PlaneNumbers numbers(moved(*plane, m));
+                arrays.face_keys.push_back(plane_key(numbers));
+                if constexpr (!Kind::bounded) leaf.half_space = static_cast<std::int32_t>(numbers.side);
+            } else {
+                arrays.face_keys.push_back(most_planes + 8 * equal_leaf(leaf) + face);
+            }
+        }
+        next_surface += Kind::faces;
+        arrays.leaves.push_back(leaf);
+        arrays.steps.push_back(CompositeStep::leaf);
+    }
+    /// Its triangles are put into the order of a hierarchy of their own.
+    void add_mesh(CompositeLeaf& leaf, const std::vector<ItemBox>& boxes) {
+        const std::size_t fields = WorldArrays<T>::traits[leaf.form].fields;
+        T* const numbers = &leaf_numbers[leaf.form][(leaf.item - arrays.forms[leaf.form].count) * fields];
+        const std::vector<T> before(numbers, numbers + boxes.size() * fields);
+        double reach = 0;
+        for (const ItemBox& box : boxes)
+            for (int c = 0; c < 3; ++c) reach = std::max<double>({reach, std::abs(box.low[c]), std::abs(box.high[c])});
+        const auto size = static_cast<std::int32_t>(boxes.size());
+        Buffer<ItemBox> copies = uninitialized_buffer<ItemBox>(size);
+        std::copy(boxes.begin(), boxes.end(), copies.get());
+        Hierarchy own = build_hierarchy(std::move(copies), size, WorldArrays<T>::rounding(reach), pool);
+        for (std::int32_t i = 0; i < size; ++i)
+            std::copy_n(&before[own.order[i] * fields], fields, numbers + i * fields);
+        for (Node* node = own.nodes.get(); node < own.nodes.get() + own.size; ++node)
+            for (int c = 0; c < node->children; ++c)
+                if (node->leaves[c] != 0) node->first[c] += leaf.item;
+        own.order.reset();
+        leaf.nodes = own.nodes.get();
+        arrays.leaf_hierarchies.push_back(std::move(own));
+        leaf.first_key = mesh_key(leaf);
+        for (std::int32_t i = 0; i < size; ++i) arrays.face_keys.push_back(leaf.first_key + i);
+        next_surface += size;
+        arrays.leaves.push_back(leaf);
+        arrays.steps.push_back(CompositeStep::leaf);
+    }
+    /// The key of a mesh's first triangle: that of the first mesh with the same numbers.
+    std::int32_t mesh_key(const CompositeLeaf& own) const {
+        const int equal = equal_leaf(own);
+        const std::size_t count = arrays.leaves.size() - info.first_leaf;
+        if (equal < static_cast<int>(count)) return arrays.leaves[info.first_leaf + equal].first_key;
+        return most_planes + 8 * most_leaves + own.surface - info.surface;
+    }
+    std::int32_t plane_key(const PlaneNumbers& own) {
+        const auto found = std::ranges::find(planes, own);
+        if (found != planes.end()) return static_cast<std::int32_t>(found - planes.begin());
+        planes.push_back(own);
+        const HalfSpace there = moved({own.distance * own.normal, own.normal}, outer);
+        const DVec3 point = (there.point - placement.origin) * placement.scale;
+        arrays.planes.push_back({cast<T>(there.normal), static_cast<T>(dot_product(there.normal, point))});
+        return static_cast<std::int32_t>(planes.size()) - 1;
+    }
+    /// Triangles in a plane with a face of another part get the key of that plane, as long as there is one left.
+    void share_planes() {
+        if (meshes.empty() || arrays.leaves.size() - info.first_leaf < 2) return;
+        constexpr std::int32_t none = -1;
+        struct User {
+            std::int32_t key, mesh;  // that of the plane, and of the first triangle of the mesh that has it alone
+        };
+        std::unordered_map<PlaneNumbers, User, PlaneNumbers::Hash> users;
+        for (std::size_t i = 0; i < planes.size(); ++i) users[planes[i]] = {static_cast<std::int32_t>(i), none};
+        const auto each_triangle = [&](const auto& visit) {
+            for (const MeshLeaf& mesh : meshes)
+                for (std::size_t i = 0; i < mesh.data->triangles.size(); ++i) {
+                    const PlaneNumbers plane(plane_of_triangle(*mesh.data, mesh.data->triangles[i], mesh.matrix));
+                    if (std::isfinite(plane.distance)) visit(arrays.leaves[mesh.leaf], static_cast<int>(i), plane);
+                }
+        };
+        each_triangle([&](const CompositeLeaf& leaf, int, const PlaneNumbers& plane) {
+            User& user = users.try_emplace(plane, User{none, leaf.first_key}).first->second;
+            if (user.key == none && user.mesh != leaf.first_key && planes.size() < most_planes)
+                user.key = plane_key(plane);
+        });
+        each_triangle([&](CompositeLeaf& leaf, int triangle, const PlaneNumbers& plane) {
+            const std::int32_t key = users.find(plane)->second.key;
+            if (key == none) return;
+            arrays.face_keys[info.first_key + leaf.surface - info.surface + triangle] = key;
+            leaf.in_planes = true;
+        });
+    }
+    /// The number, in the composite, of the first leaf with the same numbers.
+    int equal_leaf(const CompositeLeaf& own) const {
+        const std::size_t fields = WorldArrays<T>::traits[own.form].fields;
+        const auto numbers = [&](const CompositeLeaf& leaf) {
+            return leaf_numbers[own.form].data() + (leaf.item - arrays.forms[own.form].count) * fields;
+        };
+        const std::size_t count = arrays.leaves.size() - info.first_leaf;
+        for (std::size_t i = 0; i < count; ++i) {
+            const CompositeLeaf& other = arrays.leaves[info.first_leaf + i];
+            const int items = own.nodes ? own.faces : 1;
+            bool same = other.form == own.form && (other.nodes ? other.faces : 1) == items;
+            for (int k = 0; same && k < items; ++k)
+                same = std::equal(numbers(own) + k * fields, numbers(own) + (k + 1) * fields - 2,
+                                  numbers(other) + k * fields);
+            if (same) return static_cast<int>(i);
+        }
+        return static_cast<int>(count);
+    }
+
+    WorldArrays<T>& arrays;
+    std::array<std::vector<T>, Forms::size>& leaf_numbers;
+    const Placement& placement;
+    ThreadPool& pool;
+    const bool proves;
+    const glm::dmat4 outer;
+    std::int32_t next_leaf;  // of the scene
+    CompositeInfo info{};
+    std::int32_t next_surface;
+    std::vector<PlaneNumbers> planes;
+    struct MeshLeaf {
+        const MeshData* data;
+        glm::dmat4 matrix;  // from its own space into the composite's
+        std::size_t leaf;
+    };
+    std::vector<MeshLeaf> meshes;
+};
+
+}  // namespace
+
+int faces_of(const Shape& shape) {
+    const bool item = std::holds_alternative<Mesh>(shape);
+    return sum_of_leaves(shape, [&](const auto& kind) { return item ? Mesh::faces : faces_of_leaf(kind); });
+}
+
+/// The leaves follow the items of their forms.
+template <class T>
+void WorldArrays<T>::add_composites(const Scene& scene, const Placement& placement, ThreadPool& pool, bool proves) {
+    if (forms[place_of<CompositeForm>(Forms{})].count == 0) return;
+    std::array<std::vector<T>, Forms::size> leaf_numbers;
+    ItemCounts before;
+    for (std::size_t i = 0; i < scene.primitives.size(); ++i) {
+        const Primitive& primitive = scene.primitives[i];
+        if (std::visit([]<class Kind>(const Kind&) { return is_composite<Kind>; }, primitive.shape))
+            CompositeBuilder<T>(*this, leaf_numbers, primitive, static_cast<int>(before.surfaces),
+                                leaf_of(static_cast<std::int32_t>(i)), placement, pool, proves);
+        count_items<T>(primitive, before);
+    }
+    for (int form = 0; form < Forms::size; ++form) {
+        FormItems<T>& own = forms[form];
+        const std::size_t size = std::size_t(own.count) * traits[form].fields, more = leaf_numbers[form].size();
+        if (more == 0) continue;
+        Buffer<T> longer = uninitialized_buffer<T>(size + more + std::size_t(widest_pack) * traits[form].fields);
+        std::copy_n(own.numbers.get(), size, longer.get());
+        std::copy_n(leaf_numbers[form].data(), more, longer.get() + size);
+        own.numbers = std::move(longer);
+    }
+    leaf_faces.assign(surfaces, -1);
+    for (const CompositeLeaf& leaf : leaves) {
+        const auto refer = [&](std::int32_t surface, std::int32_t item, int face) {
+            references[1 + surface] = {item, leaf.form};  // each form has one bin
+            leaf_faces[surface] = face;
+        };
+        const std::size_t fields = traits[leaf.form].fields;
+        const T* const numbers = forms[leaf.form].numbers.get();
+        for (int i = 0; i < leaf.faces; ++i)
+            if (leaf.nodes)
+                refer(static_cast<int>(numbers[(leaf.item + i + 1) * fields - 2]), leaf.item + i, 0);
+            else
+                refer(leaf.surface + i, leaf.item, i);
+    }
+    world.composites = composites.data();
+    world.leaves = leaves.data();
+    world.steps = steps.data();
+    world.planes = planes.data();
+    world.face_keys = face_keys.data();
+    world.leaf_faces = leaf_faces.data();
+}
+
+template void WorldArrays<float>::add_composites(const Scene&, const Placement&, ThreadPool&, bool);
+template void WorldArrays<double>::add_composites(const Scene&, const Placement&, ThreadPool&, bool);
+template void WorldArrays<long double>::add_composites(const Scene&, const Placement&, ThreadPool&, bool);
+
+}  // namespace strahl

@@ -1,0 +1,95 @@
+// Primitives become items: all threads at once, each item where it would be if one came after the other.
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "scene/overlap.h"
+#include "trace/world/extended_numbers.h"
+#include "trace/world/world_arrays.h"
+
+namespace strahl {
+namespace {
+
+/// An emitter that puts items into their places.
+template <class T>
+struct PutItems {
+    WorldArrays<T>& arrays;
+    ItemCounts& before;
+    const Box& box;
+    T material;
+    int faces;
+
+    template <class K>
+    void operator()(const K& kernel) const {
+        constexpr int number = form_number<K, T>(Forms{});
+        FormItems<T>& own = arrays.forms[number];
+        const int i = before.items[number]++;
+        auto* const items = reinterpret_cast<Item<FormAt<number, Forms>, T>*>(own.numbers.get());
+        items[i] = {kernel, static_cast<T>(before.surfaces), material};
+        if constexpr (requires { kernel.number; }) items[i].shape.number = static_cast<T>(i);
+        if constexpr (requires { kernel.bounds(); })
+            own.boxes[i] = item_box(kernel.bounds(), number);  // one of many of a body
+        else
+            own.boxes[i] = item_box(box, number);
+        before.surfaces += faces;
+    }
+};
+
+}  // namespace
+
+template <class T>
+void WorldArrays<T>::add_items(const Scene& scene, const Placement& placement, ThreadPool& pool, bool proves) {
+    const auto size = static_cast<std::int32_t>(scene.primitives.size());
+    std::vector<ItemCounts> before(size / share_items + 2);
+    share_out(pool, size, share_items, [&](std::int32_t first, std::int32_t last) {
+        ItemCounts own;
+        for (std::int32_t i = first; i < last; ++i) count_items<T>(scene.primitives[i], own);
+        before[first / share_items + 1] = own;
+    });
+    for (std::size_t i = 1; i < before.size(); ++i) before[i] += before[i - 1];
+    const ItemCounts& all = before.back();
+    check_capacity<T>(all.surfaces);
+    boxes = uninitialized_buffer<ItemBox>(std::accumulate(all.items.begin(), all.items.end(), std::size_t(0)));
+    ItemBox* next_box = boxes.get();
+    for (int form = 0; form < Forms::size; ++form) {
+        forms[form].count = all.items[form];
+        forms[form].numbers = uninitialized_buffer<T>(std::size_t(all.items[form] + widest_pack) * traits[form].fields);
+        forms[form].boxes = next_box;
+        next_box += all.items[form];
+    }
+    surfaces = static_cast<int>(all.surfaces);
+
+    std::vector<double> reaches(before.size());
+    share_out(pool, size, share_items, [&](std::int32_t first, std::int32_t last) {
+        ItemCounts own = before[first / share_items];
+        double reach = 0;
+        for (std::int32_t i = first; i < last; ++i) {
+            const Primitive& primitive = scene.primitives[i];
+            const WorldTransform to_world{matrix(primitive.transformations), similarity(primitive.transformations),
+                                          placement.origin, placement.scale};
+            const Box whole = transformed_bounds(primitive.shape, to_world.matrix);
+            const Box box{to_world.place(whole.low), to_world.place(whole.high)};
+            if (std::visit([]<class Kind>(const Kind&) { return is_composite<Kind>; }, primitive.shape))
+                reach = std::max(reach, reach_from(placement.origin, primitive) * placement.scale);
+            else if (box.finite())
+                for (int c = 0; c < 3; ++c) reach = std::max({reach, std::abs(box.low[c]), std::abs(box.high[c])});
+            std::int32_t leaf = leaf_of(i);
+            const T material = static_cast<T>(material_of(primitive, leaf));
+            std::visit(
+                [&](const auto& shape) {
+                    const int faces = faces_of(primitive.shape);
+                    emit_in<T>(shape, to_world, primitive.transformations,
+                               PutItems<T>{*this, own, box, material, faces}, proves);
+                },
+                primitive.shape);
+        }
+        reaches[first / share_items] = reach;
+    });
+    reach = *std::max_element(reaches.begin(), reaches.end());
+}
+
+template void WorldArrays<float>::add_items(const Scene&, const Placement&, ThreadPool&, bool);
+template void WorldArrays<double>::add_items(const Scene&, const Placement&, ThreadPool&, bool);
+template void WorldArrays<long double>::add_items(const Scene&, const Placement&, ThreadPool&, bool);
+
+}  // namespace strahl

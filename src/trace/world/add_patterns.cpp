@@ -1,0 +1,134 @@
+// Patterns become kernels, each in the spaces of the bodies that have it.
+#include <algorithm>
+#include <array>
+#include <map>
+#include <tuple>
+
+#include "scene/error.h"
+#include "scene/leaves.h"
+#include "trace/world/pattern_space.h"
+
+namespace strahl {
+namespace {
+
+/// That of a material, but for its stops, its pixels and its ambient light.
+template <class T>
+PatternKernel<T> kernel_of(const Material& material, const glm::dmat4& to_world, const Placement& placement) {
+    PatternKernel<T> kernel{};
+    kernel.form = PatternForm::constant;
+    if (material.rgb.pattern) kernel = kernel_of<T>(*material.rgb.pattern, to_world, placement);
+    kernel.diffuse = static_cast<T>(material.diffuse);
+    kernel.refraction = static_cast<T>(material.refraction);
+    return kernel;
+}
+
+}  // namespace
+
+template <class T>
+void WorldArrays<T>::add_image(const std::shared_ptr<const Pixels>& from, bool linear, bool colors,
+                               ImageKernel<T>& kernel) {
+    kernel.number = images->add(from, linear, colors);
+    kernel.pixels = (*images)[kernel.number].own->values.data();
+}
+
+template <class T>
+void WorldArrays<T>::add_colors(const Pigment& pigment, PatternKernel<T>& kernel, bool linear) {
+    using M = Made<T>;
+    const Pattern* const pattern = pigment.pattern.get();
+    const ImagePattern* const image = image_of(pigment.pattern);
+    if (image) add_image(image->pixels, linear, true, kernel.image);
+    kernel.first_stop = static_cast<std::int32_t>(stops.size());
+    const std::vector<ColorStop> colors = pattern ? pattern->colors : std::vector{ColorStop{0, pigment.color}};
+    for (double before = 0; const ColorStop& stop : colors) {
+        stops.push_back({static_cast<T>(stop.at), static_cast<T>(1 / (M(stop.at) - before)), cast<T>(stop.color)});
+        before = stop.at;
+    }
+    kernel.stops = static_cast<std::int32_t>(colors.size());
+    if constexpr (!std::is_same_v<T, float>) measure_colors(colors, image, kernel.slack);
+}
+
+template <class T>
+PlacesKernel WorldArrays<T>::add_places(const Shape& shape, int first_surface) {
+    const Mesh* const mesh = std::get_if<Mesh>(&shape);
+    if (!mesh || mesh->data->places.empty()) return {};
+    meshes.push_back(mesh->data);
+    return {first_surface, static_cast<std::int32_t>(mesh->data->triangles.size()), mesh->data->place_numbers(),
+            mesh->data->places.data()};
+}
+
+template <class T>
+void WorldArrays<T>::add_sky(const Scene& scene, bool proves) {
+    const Pattern* const pattern = scene.background.pattern.get();
+    if (!pattern) return;
+    sky = kernel_of<T>(*pattern, glm::dmat4(1), {});
+    add_colors(scene.background, sky, scene.settings.linear);
+    if (proves) compare(*pattern, {}, {}, true, sky);
+    world.sky = &sky, world.stops = stops.data();
+}
+template <class T>
+void WorldArrays<T>::add_patterns(const Scene& scene, const Placement& placement, bool proves) {
+    using M = Made<T>;
+    add_sky(scene, proves);
+    const bool any_bent = std::ranges::any_of(scene.materials, &Material::bends);
+    const auto varies = [&](const Material& m) { return any_bent || m.patterned(); };
+    if (std::ranges::none_of(scene.materials, varies)) return;
+    world.first_pattern = static_cast<int>(materials.size());
+    std::vector<PatternKernel<T>> ranges(scene.materials.size());
+    for (std::size_t i = 0; i < ranges.size(); ++i)
+        if (varies(scene.materials[i])) add_colors(scene.materials[i].rgb, ranges[i], scene.settings.linear);
+    const bool any_uv = std::ranges::any_of(scene.materials, &Material::by_uv);
+    std::map<std::tuple<int, int, std::array<double, 16>>, std::int32_t> numbers;
+    ItemCounts before;  // only by uv
+    for (const Primitive& primitive : scene.primitives) {
+        first_leaf.push_back(static_cast<std::int32_t>(leaf_materials.size()));
+        const std::vector<LeafWay> ways = proves ? ways_of(primitive) : std::vector<LeafWay>();
+        for_each_leaf_placed(primitive, [&](const Primitive& leaf, const LeafMatrices& matrices) {
+            const Material& material = scene.materials[leaf.material];
+            const int surface = static_cast<int>(before.surfaces);
+            if (any_uv) count_items<T>(leaf, before);
+            const std::size_t own_way = leaf_materials.size() - first_leaf.back();
+            if (!varies(material)) return leaf_materials.push_back(leaf.material);
+            const bool by_uv = material.by_uv(), compared = proves && material.rgb.pattern;
+            std::array<double, 16> values{};  // those of the matrix, if they matter
+            for (int i = 0; i < 16 && material.patterned(); ++i) values[i] = matrices.material[i / 4][i % 4];
+            const auto [entry, is_new] = numbers.try_emplace({leaf.material, by_uv ? surface : -1, values},
+                                                             static_cast<std::int32_t>(materials.size()));
+            leaf_materials.push_back(entry->second);
+            if (!is_new) {
+                // The same matrix by other steps may be another one in exact arithmetic.
+                const int known = entry->second - world.first_pattern;
+                if (compared) compare(*material.rgb.pattern, ways[own_way].material, placement, false, patterns[known]);
+                if (proves && any_bent) compare(material, ways[own_way].material, placement, false, bends[known]);
+                return;
+            }
+            materials.push_back(MaterialKernel<T>(materials[leaf.material]));
+            PatternKernel<T> kernel = kernel_of<T>(material, matrices.material, placement);
+            if (by_uv) kernel.places = add_places(leaf.shape, surface);
+            kernel.first_stop = ranges[leaf.material].first_stop, kernel.stops = ranges[leaf.material].stops;
+            kernel.image.pixels = ranges[leaf.material].image.pixels;
+            kernel.image.number = ranges[leaf.material].image.number;
+            kernel.slack = ranges[leaf.material].slack;
+            if (compared) compare(*material.rgb.pattern, ways[own_way].material, placement, true, kernel);
+            kernel.ambient = Vec3<T>(cast<M>(scene.settings.ambient_light) * M(material.ambient));
+            patterns.push_back(kernel);
+            if (any_bent) bends.push_back(bend_of(material, matrices.material, placement, kernel.places));
+            if (proves && any_bent) compare(material, ways[own_way].material, placement, true, bends.back());
+        });
+    }
+    if (static_cast<double>(materials.size()) > World<T>::capacity)
+        throw FileError(
+            "this scene has patterns in more bodies than can be told apart in this precision; trace it with "
+            "--precision double");
+    world.patterns = patterns.data();
+    if (any_bent) world.bends = bends.data();
+    world.stops = stops.data();
+}
+
+template void WorldArrays<float>::add_image(const std::shared_ptr<const Pixels>&, bool, bool, ImageKernel<float>&);
+template void WorldArrays<double>::add_image(const std::shared_ptr<const Pixels>&, bool, bool, ImageKernel<double>&);
+template void WorldArrays<long double>::add_image(const std::shared_ptr<const Pixels>&, bool, bool, ImageKernel<long double>&);
+template void WorldArrays<float>::add_patterns(const Scene&, const Placement&, bool);
+template void WorldArrays<double>::add_patterns(const Scene&, const Placement&, bool);
+template void WorldArrays<long double>::add_patterns(const Scene&, const Placement&, bool);
+
+}  // namespace strahl

@@ -1,0 +1,190 @@
+// Items get their places: duplicates go, leaves of the hierarchy hold items that lie side by side, bins are numbered.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "trace/world/duplicate_bodies.h"
+#include "trace/world/world_arrays.h"
+
+namespace strahl {
+namespace {
+
+bool finite(const ItemBox& box) {
+    bool all = true;
+    for (int c = 0; c < 3; ++c) all &= std::isfinite(box.high[c] - box.low[c]);
+    return all;
+}
+
+/// Removes the items whose numbers are given, ascending. The others move together, and what was removed comes after
+/// them if it is to be kept. How many others are there?
+template <class T>
+int remove_items(FormItems<T>& own, int fields, const std::vector<std::int32_t>& removed, bool keep = false) {
+    int left = removed.empty() ? own.count : removed[0];
+    std::vector<T> behind;
+    for (const std::int32_t i : removed)
+        if (keep) behind.insert(behind.end(), &own.numbers[i * fields], &own.numbers[(i + 1) * fields]);
+    for (std::size_t i = 0; i < removed.size(); ++i)
+        for (int from = removed[i] + 1; from < (i + 1 < removed.size() ? removed[i + 1] : own.count); ++from, ++left) {
+            std::copy_n(&own.numbers[from * fields], fields, &own.numbers[left * fields]);
+            own.boxes[left] = own.boxes[from];
+        }
+    std::copy(behind.begin(), behind.end(), &own.numbers[left * fields]);
+    return left;
+}
+
+/// The items of the leaves once more, see Group::columns.
+template <class T>
+void add_columns(std::array<FormItems<T>, Forms::size>& forms, const Hierarchy& hierarchy, ThreadPool& pool) {
+    constexpr auto& traits = WorldArrays<T>::traits;
+    for (int form = 0; form < Forms::size; ++form) {
+        FormItems<T>& own = forms[form];
+        if (own.in_hierarchy == 0) continue;
+        const std::size_t size = std::size_t(own.in_hierarchy) * traits[form].fields;
+        own.columns = uninitialized_buffer<T>(size + widest_pack);
+        std::fill_n(&own.columns[size], widest_pack, T(0));
+    }
+    share_out(pool, hierarchy.size, 256, [&](std::int32_t first, std::int32_t last) {
+        for (const Node* node = &hierarchy.nodes[first]; node < &hierarchy.nodes[last]; ++node)
+            for (int c = 0; c < node->children; ++c) {
+                if (node->leaves[c] == 0) continue;
+                const FormItems<T>& own = forms[LeafCode::form(node->leaves[c])];
+                const int fields = traits[LeafCode::form(node->leaves[c])].fields;
+                const int items = LeafCode::items(node->leaves[c]);
+                const std::size_t start = std::size_t(node->first[c]) * fields;
+                for (int i = 0; i < items; ++i)
+                    for (int f = 0; f < fields; ++f)
+                        own.columns[start + f * items + i] = own.numbers[start + i * fields + f];
+            }
+    });
+}
+
+}  // namespace
+
+/// One hierarchy of all bounded items, which are put into the order of its leaves.
+template <class T>
+void WorldArrays<T>::make_hierarchy(ThreadPool& pool) {
+    std::array<std::int32_t, Forms::size + 1> starts{};
+    for (int form = 0; form < Forms::size; ++form) {
+        FormItems<T>& own = forms[form];
+        if (traits[form].bounded) {
+            std::vector<std::int32_t> unbounded;
+            for (int i = 0; i < own.count; ++i)
+                if (!finite(own.boxes[i])) unbounded.push_back(i);
+            own.in_hierarchy = remove_items(own, traits[form].fields, unbounded, true);
+        }
+        starts[form + 1] = starts[form] + own.in_hierarchy;
+    }
+    const std::int32_t size = starts.back();
+    if (size == 0) return;
+    for (int form = 0; form < Forms::size; ++form)
+        if (forms[form].boxes != &boxes[starts[form]])
+            std::copy_n(forms[form].boxes, forms[form].in_hierarchy, &boxes[starts[form]]);
+    // Where light passes bodies, their order in the leaves is that in which their colours are multiplied.
+    hierarchy = moving && !world.transparent ? moving->fit(std::move(boxes), starts, rounding(reach), pool)
+                                             : build_hierarchy(std::move(boxes), size, rounding(reach), pool);
+    if (!moving && size > share_items) trim_memory();  // what moves needs as much again soon
+
+    // Item i in the order of the leaves becomes item places[i] of its form.
+    const auto form_at = [&](std::int32_t i) {
+        return static_cast<int>(std::upper_bound(starts.begin(), starts.end(), hierarchy.order[i]) - starts.begin()) -
+               1;
+    };
+    Buffer<std::int32_t> places = uninitialized_buffer<std::int32_t>(size);
+    Buffer<std::uint8_t> form_of = uninitialized_buffer<std::uint8_t>(size);
+    share_out(pool, size, share_items, [&](std::int32_t first, std::int32_t last) {
+        for (std::int32_t i = first; i < last; ++i) form_of[i] = static_cast<std::uint8_t>(form_at(i));
+    });
+    std::array<std::int32_t, Forms::size> next{};
+    for (std::int32_t i = 0; i < size; ++i) places[i] = next[form_of[i]]++;
+    share_out(pool, hierarchy.size, 256, [&](std::int32_t first, std::int32_t last) {
+        for (Node* node = &hierarchy.nodes[first]; node < &hierarchy.nodes[last]; ++node)
+            for (int c = 0; c < node->children; ++c)
+                if (node->leaves[c] != 0) node->first[c] = places[node->first[c]];
+    });
+    std::array<Buffer<T>, Forms::size> sorted;
+    for (int form = 0; form < Forms::size; ++form)
+        sorted[form] = uninitialized_buffer<T>(std::size_t(forms[form].count + widest_pack) * traits[form].fields);
+    share_out(pool, size, share_items, [&](std::int32_t first, std::int32_t last) {
+        for (std::int32_t i = first; i < last; ++i) {
+            const int form = form_of[i];
+            const std::size_t fields = traits[form].fields;
+            std::copy_n(&forms[form].numbers[(hierarchy.order[i] - starts[form]) * fields], fields,
+                        &sorted[form][places[i] * fields]);
+        }
+    });
+    for (int form = 0; form < Forms::size; ++form) {
+        FormItems<T>& own = forms[form];
+        const std::size_t fields = traits[form].fields;
+        std::copy(&own.numbers[own.in_hierarchy * fields], &own.numbers[own.count * fields],
+                  &sorted[form][own.in_hierarchy * fields]);
+        own.numbers = std::move(sorted[form]);
+    }
+    hierarchy.order.reset();
+    places.reset(), form_of.reset();
+    add_columns(forms, hierarchy, pool);
+    world.nodes = hierarchy.nodes.get();
+}
+
+/// Numbers the bins, and notes of each surface where its item is.
+template <class T>
+void WorldArrays<T>::number_bins(ThreadPool& pool) {
+    references = uninitialized_buffer<ItemReference>(surfaces + 1);
+    world.references = &references[1];
+    share_out(pool, surfaces + 1, 16 * share_items, [&](std::int32_t first, std::int32_t last) {
+        std::fill(&references[first], &references[last], ItemReference{-1, -1});
+    });
+    int hierarchy_forms = 0;
+    for (int form = 0; form < Forms::size; ++form) {
+        const FormItems<T>& own = forms[form];
+        const std::size_t fields = traits[form].fields;
+        const int first_bin = static_cast<int>(sort_bins.size());
+        if (!world.bin_per_item) {
+            if (own.in_hierarchy > 0) hierarchy_forms += 1, world.hierarchy_bin = first_bin;
+            sort_bins.push_back({form});
+            if (!traits[form].hot && own.in_hierarchy < own.count)
+                loops.push_back({form, own.in_hierarchy, own.count - own.in_hierarchy});
+        } else {
+            for (int i = 0; i < own.count; ++i) {
+                const int material = static_cast<int>(own.numbers[i * fields + fields - 1]);
+                const BodySet body = BodySet(1) << sort_bins.size();
+                if (materials[material].refraction > 0) glass |= body;
+                if (!traits[form].hot) world.cold |= body;
+                if (traits[form].convex) world.convex |= body;
+                sort_bins.push_back({form, i, material});
+            }
+        }
+        share_out(pool, own.count, share_items, [&](std::int32_t first, std::int32_t last) {
+            for (std::int32_t i = first; i < last; ++i)
+                for (int face = 0; face < traits[form].faces; ++face)
+                    references[1 + static_cast<int>(own.numbers[i * fields + fields - 2]) + face] = {
+                        i, world.bin_per_item ? first_bin + i : first_bin};
+        });
+    }
+    world.sort_bins = sort_bins.data();
+    world.bins = references[0].bin = static_cast<int>(sort_bins.size());
+    if (hierarchy_forms > 1 || forms[place_of<CompositeForm>(Forms{})].count > 0) world.hierarchy_bin = -1;
+    world.loops = loops.data();
+    world.loop_count = static_cast<int>(loops.size());
+    world.beyond_loops = world.nodes || world.cold || !loops.empty();
+}
+
+template <class T>
+void WorldArrays<T>::arrange_items(ThreadPool& pool) {
+    int items = 0;
+    for (int form = 0; form < Forms::size; ++form) {
+        FormItems<T>& own = forms[form];
+        const int fields = traits[form].fields;
+        own.count = remove_items(own, fields, duplicates(own.numbers.get(), own.count, fields, fields - 2, pool));
+        items += own.count;
+    }
+    const bool composites = forms[place_of<CompositeForm>(Forms{})].count > 0;
+    world.bin_per_item = items <= most_item_bins && !composites;
+    if (!world.bin_per_item) make_hierarchy(pool);
+    number_bins(pool);
+}
+
+template void WorldArrays<float>::arrange_items(ThreadPool&);
+template void WorldArrays<double>::arrange_items(ThreadPool&);
+template void WorldArrays<long double>::arrange_items(ThreadPool&);
+
+}  // namespace strahl

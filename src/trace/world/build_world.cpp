@@ -1,0 +1,265 @@
+#include "trace/world/build_world.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "num/vec_math.h"
+#include "scene/error.h"
+#include "scene/leaves.h"
+#include "scene/overlap.h"
+#include "trace/world/extended_numbers.h"
+#include "trace/world/light_bound.h"
+#include "trace/world/world_arrays.h"
+
+namespace strahl {
+namespace {
+
+/// The cosine whose power is a 64th of the last bit of 1.
+template <class T>
+T shines_from(double exponent) {
+    return std::pow(std::numeric_limits<T>::epsilon() / 64, 1 / static_cast<T>(exponent));
+}
+
+/// What is around a kernel, from its box if need be, whose corners may be off by `slack`.
+template <class Kind, class K>
+BoundingVolume bounding_volume_of(const K& kernel, const ItemBox& rounded, double slack) {
+    Box box;
+    for (int c = 0; c < 3; ++c) box.low[c] = rounded.low[c] - slack, box.high[c] = rounded.high[c] + slack;
+    if constexpr (!Kind::bounded) {
+        return {box, {}, true, to_double(kernel.normal), static_cast<double>(kernel.distance)};
+    } else if constexpr (requires { kernel.ball(); }) {
+        return {box, kernel.ball()};
+    } else {
+        const DVec3 size = box.size();
+        return {box, {box.centre(), std::hypot(size.x, size.y, size.z) / 2}};
+    }
+}
+
+template <class T>
+LightKernel<T> light_kernel(const Light& light, const Placement& placement) {
+    using M = Made<T>;
+    const Vec3<M> position = (cast<M>(light.position) - cast<M>(placement.origin)) * M(placement.scale);
+    LightKernel<T> kernel{Vec3<T>(position), cast<T>(light.color)};
+    if (light.direction) {
+        if constexpr (std::is_same_v<M, Extended>)
+            kernel.position = -unit_of(extended(*light.direction));
+        else
+            kernel.position = cast<T>(-normalize(*light.direction));
+        kernel.finite = 0, kernel.far = std::numeric_limits<T>::infinity();
+    }
+    if (light.area) {
+        // Shorter edges than this have no more digits; nothing that can be seen depends on their length.
+        constexpr double shortest = 1e-7;
+        const auto edge = [&](const DVec3& given) {
+            const double own = length(given);
+            return cast<T>(std::max(own * placement.scale, shortest) / own * given);
+        };
+        kernel.area = true;
+        // What moves unevenly scaled may lose its right angles.
+        const DVec3 along = normalize(light.area->u);
+        kernel.u = edge(light.area->u);
+        kernel.v = edge(light.area->v - dot_product(light.area->v, along) * along);
+    }
+    if (light.spot) {
+        const auto less_cosine = [](double degrees) {  // than 1, by how much
+            const M sine = std::sin(degrees * (std::numbers::pi_v<M> / 360));
+            return 2 * sine * sine;
+        };
+        const M radius = less_cosine(light.spot->radius), falloff = less_cosine(light.spot->falloff);
+        kernel.spot = true;
+        if constexpr (std::is_same_v<M, Extended>)
+            kernel.axis = unit_of(extended(light.spot->look_at) - extended(light.position));
+        else
+            kernel.axis = cast<T>(normalize(light.spot->look_at - light.position));
+        kernel.radius = static_cast<T>(radius), kernel.falloff = static_cast<T>(falloff);
+        kernel.per = static_cast<T>(1 / (falloff - radius));
+        kernel.tightness = static_cast<T>(light.spot->tightness);
+    }
+    return kernel;
+}
+
+}  // namespace
+
+/// The kernels' view of the items, and of few items the volumes around them.
+template <class T>
+void WorldArrays<T>::fill_groups() {
+    int form = 0, bin = 0;
+    world.groups.each([&](auto& group) {
+        using Form = typename std::remove_cvref_t<decltype(group)>::Form;
+        FormItems<T>& own = forms[form++];
+        group.items = reinterpret_cast<const Item<Form, T>*>(own.numbers.get());
+        group.count = own.count, group.in_hierarchy = own.in_hierarchy;
+        group.columns = own.columns.get();
+        group.first_bin = bin;
+        bin += world.bin_per_item ? own.count : 1;
+        if (world.bin_per_item)
+            for (int i = 0; i < own.count; ++i)
+                volumes.push_back(
+                    bounding_volume_of<typename Form::Kind>(group.items[i].shape, own.boxes[i], reach * 0x1p-23));
+    });
+    boxes.reset();
+}
+
+template <class T>
+void WorldArrays<T>::add_materials(const Scene& scene) {
+    using M = Made<T>;
+    const Vec3<M> ambient = cast<M>(scene.settings.ambient_light);
+    const std::vector<double> scattered = scattered_light(scene);
+    for (const Material& m : scene.materials) {
+        const Vec3<M> rgb = cast<M>(m.rgb.color);
+        materials.push_back({Vec3<T>(ambient * rgb * M(m.ambient)), Vec3<T>(rgb * M(m.diffuse)),
+                             Vec3<T>(rgb * M(m.refraction)), static_cast<T>(m.specular), static_cast<T>(m.pow),
+                             static_cast<T>(m.reflection), static_cast<T>(m.refraction), static_cast<T>(m.ior),
+                             shines_from<T>(m.pow), static_cast<T>(scattered[materials.size()])});
+        world.transparent |= m.refraction > 0;
+    }
+}
+
+template <class T>
+void WorldArrays<T>::list_transparent(const Scene& scene) {
+    ItemCounts before;
+    for (const Primitive& primitive : scene.primitives) {
+        const Material* medium = &scene.materials[primitive.material];
+        for_each_leaf(primitive, [&](const Primitive& leaf, const glm::dmat4&) {
+            const Material& own = scene.materials[leaf.material];
+            if (!(medium->refraction > 0) && own.refraction > 0) medium = &own;
+        });
+        if (medium->refraction > 0)
+            transparent.push_back(
+                {static_cast<int>(before.surfaces), primitive.shape, glm::inverse(matrix(primitive.transformations))});
+        const auto body = static_cast<std::int32_t>(before.surfaces);
+        count_items<T>(primitive, before);
+        bodies.resize(before.surfaces, body);
+        iors.resize(before.surfaces, static_cast<T>(medium->ior));
+    }
+}
+
+/// What is known of each body, if there is a bin for each.
+template <class T>
+void WorldArrays<T>::bound_bodies() {
+    const double margin = rounding(reach);
+    const std::size_t stride = most_item_bins + widest_pack;
+    balls.assign(4 * stride, -std::numeric_limits<T>::infinity());
+    std::fill_n(balls.begin(), 3 * stride, T(0));
+    for (std::size_t i = 0; i < volumes.size(); ++i) {
+        const auto [centre, radius] = volumes[i].ball;
+        for (int c = 0; c < 3; ++c) balls[c * stride + i] = static_cast<T>(centre[c]);
+        balls[3 * stride + i] = volumes[i].plane ? std::numeric_limits<T>::infinity() : static_cast<T>(radius + margin);
+        if ((glass & world.convex) >> i & 1 && !world.nested && isolated(volumes, i, margin))
+            world.enclosed |= BodySet(1) << i;
+    }
+    const T* const first = balls.data();
+    world.centres = {first, first + stride, first + 2 * stride};
+    world.radii = first + 3 * stride;
+}
+
+template <class T>
+void WorldArrays<T>::cull_for_lights() {
+    for (const LightKernel<T>& light : lights) {
+        const LightPlace place{to_double(light.position), light.finite == 0};
+        const DVec3& point = place.point;
+        const double margin = rounding(reach + std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)}));
+        for (std::size_t i = 0; i < volumes.size(); ++i) {
+            cones.push_back(light.area ? LightCone<T>() : cone_of<T>(volumes[i], place, margin));
+            occluders.push_back(light.area ? ~BodySet(0) : occluders_of(volumes, i, place, margin));
+        }
+    }
+    world.cones = cones.data();
+    world.occluders = occluders.data();
+    constexpr std::size_t stride = World<T>::cone_stride;
+    cone_columns.resize(5 * stride * lights.size());
+    for (std::size_t n = 0; n < cones.size(); ++n) {
+        T* const to = cone_columns.data() + n / volumes.size() * 5 * stride + n % volumes.size();
+        const auto& [axis, cosine, distance] = cones[n];
+        to[0] = axis.x, to[stride] = axis.y, to[2 * stride] = axis.z, to[3 * stride] = cosine,
+        to[4 * stride] = distance;
+    }
+    world.cone_columns = cone_columns.data();
+}
+
+template <class T>
+WorldArrays<T>::WorldArrays(const Scene& scene, const Placement& placement, ThreadPool& pool, MovingHierarchy* moving,
+                            std::shared_ptr<Images> kept, bool proves)
+    : moving(moving), images(std::move(kept)) {
+    add_materials(scene);
+    add_patterns(scene, placement, proves);
+    for (const Light& light : points_of(scene.lights)) lights.push_back(light_kernel<T>(light, placement));
+    if (scene.fog) {
+        world.fog = true;
+        world.fog_per = static_cast<T>(
+            std::min<long double>(1 / (scene.fog->distance * placement.scale), std::numeric_limits<T>::max()));
+        world.fog_color = cast<T>(scene.fog->color);
+    }
+    const auto bent_glass = [](const Material& m) { return m.refraction > 0 && m.bends(); };
+    // With fog rays have to know whether they are in a transparent body.
+    world.nested = world.transparent && (world.fog || transparent_bodies_overlap(scene) ||
+                                         std::any_of(scene.materials.begin(), scene.materials.end(), bent_glass));
+    world.background = cast<T>(scene.background.color);
+    world.materials = materials.data();
+    world.lights = lights.data();
+    world.light_count = static_cast<int>(lights.size());
+    if (world.nested) list_transparent(scene);
+    world.iors = iors.data();
+    world.bodies = bodies.data();
+
+    add_items(scene, placement, pool, proves);
+    world.rounding = static_cast<T>(rounding(reach));
+    arrange_items(pool);
+    add_composites(scene, placement, pool, proves);
+    fill_groups();
+    if (world.bin_per_item) {
+        bound_bodies();
+        cull_for_lights();
+    }
+}
+
+template <class T>
+BuiltWorld<T>::BuiltWorld(const Scene& scene, const Placement& placement, ThreadPool& pool, MovingHierarchy* moving,
+                          const std::shared_ptr<Images>& images, bool proves)
+    : arrays(std::make_unique<WorldArrays<T>>(scene, placement, pool, moving,
+                                              images ? images : std::make_shared<Images>(), proves)) {}
+template <class T>
+BuiltWorld<T>::~BuiltWorld() = default;
+template <class T>
+const World<T>& BuiltWorld<T>::world() const {
+    return arrays->world;
+}
+template <class T>
+std::vector<int> BuiltWorld<T>::bodies_around(const DVec3& eye) const {
+    std::vector<int> bodies;
+    for (const auto& body : arrays->transparent)
+        if (arrays->world.references[body.surface].item >= 0 &&
+            std::visit([&](const auto& shape) { return shape.contains(transform_point(body.inverse, eye)); },
+                       body.shape))
+            bodies.push_back(body.surface);
+    return bodies;
+}
+
+std::int64_t surfaces_of(const Scene& scene) {
+    ItemCounts counts;
+    for (const Primitive& primitive : scene.primitives) count_items<float>(primitive, counts);
+    return counts.surfaces;
+}
+
+template <class T>
+void check_capacity(std::int64_t surfaces) {
+    constexpr double most = std::min<double>(World<T>::capacity, std::numeric_limits<int>::max());
+    if (static_cast<double>(surfaces) <= most) return;
+    throw FileError("this scene has " + std::to_string(surfaces) + " surfaces, and in this precision at most " +
+                    std::to_string(static_cast<std::int64_t>(most)) +
+                    " can be told apart; trace it with --precision double");
+}
+template void check_capacity<float>(std::int64_t);
+template void check_capacity<double>(std::int64_t);
+template void check_capacity<long double>(std::int64_t);
+
+template class BuiltWorld<float>;
+template class BuiltWorld<double>;
+template class BuiltWorld<long double>;
+
+}  // namespace strahl

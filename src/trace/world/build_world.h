@@ -1,0 +1,60 @@
+// From Scene to World.
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "scene/scene.h"
+#include "trace/world/world.h"
+
+namespace strahl {
+
+class ThreadPool;
+class MovingHierarchy;
+class Images;
+
+/// Where a world's coordinates start and how long its unit is: world = (scene - origin) * scale. The scale is a power
+/// of two and the origin on a coarse grid, so that both are exact wherever numbers are of a sane size.
+struct Placement {
+    DVec3 origin{0};
+    double scale = 1;
+    bool operator==(const Placement&) const = default;
+};
+
+/// Where a scene's shapes mostly are. Outliers, huge ground spheres say, do not count.
+struct Extent {
+    DVec3 centre{0};
+    double size = 1;
+};
+Extent extent_of(const Scene& scene);
+
+/// The same for all cameras near the scene; for one far off it follows from the camera's position alone.
+Placement placement(const Extent& extent, const DVec3& camera);
+
+/// How many surfaces the bodies have in all.
+std::int64_t surfaces_of(const Scene& scene);
+/// Throws FileError if these are more than T can number.
+template <class T>
+void check_capacity(std::int64_t surfaces);
+
+template <class T>
+struct WorldArrays;
+
+/// A world and the arrays that it points into.
+template <class T>
+class BuiltWorld {
+  public:
+    /// `moving` and `images` are what was kept of the same scene at other moments. For proofs a world in long double is
+    /// made in long double, see extended_numbers.h.
+    BuiltWorld(const Scene& scene, const Placement& placement, ThreadPool& pool, MovingHierarchy* moving = nullptr,
+               const std::shared_ptr<Images>& images = nullptr, bool proves = false);
+    ~BuiltWorld();
+    const World<T>& world() const;
+    /// Transparent bodies, by surface number, that hold a point of the scene, in the order declared.
+    std::vector<int> bodies_around(const DVec3& point) const;
+
+  private:
+    std::unique_ptr<WorldArrays<T>> arrays;
+};
+
+}  // namespace strahl

@@ -1,0 +1,163 @@
+// The numbers of bodies and of a camera in long double: what extended precision traces, and what slack.cpp takes for
+// exact. Of bodies that proofs know.
+#pragma once
+#include <array>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <type_traits>
+
+#include "scene/kinds/kinds.h"
+#include "trace/world/build_world.h"
+#include "trace/world/eye.h"
+#include "trace/world/view.h"
+
+namespace strahl {
+
+using Extended = long double;
+using ExtendedVector = Vec3<Extended>;
+
+template <class T>
+ExtendedVector extended(const Vec3<T>& v) {
+    return {v.x, v.y, v.z};
+}
+inline Extended dot_of(const ExtendedVector& a, const ExtendedVector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline Extended length_of(const ExtendedVector& v) { return std::sqrt(dot_of(v, v)); }
+inline Extended sum_of(const ExtendedVector& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
+inline ExtendedVector unit_of(const ExtendedVector& v) { return Extended(1) / length_of(v) * v; }
+inline ExtendedVector cross_of(const ExtendedVector& a, const ExtendedVector& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+/// The way from a primitive's own space into the world's, as WorldTransform has it in double.
+class ExtendedTransform {
+  public:
+    ExtendedTransform(std::span<const Transformation> steps, const DVec3& origin, double scale);
+
+    ExtendedVector turn(const ExtendedVector& v) const {
+        return v.x * columns[0] + v.y * columns[1] + v.z * columns[2];
+    }
+    ExtendedVector way(const ExtendedVector& v) const { return scale * turn(v); }
+    ExtendedVector point(const ExtendedVector& p) const { return scale * (turn(p) + moved - origin); }
+    ExtendedVector point(const DVec3& p) const { return point(extended(p)); }
+    /// Under transformations that do not keep angles, the most that a length can become.
+    Extended length(Extended own) const { return own * stretch * scale; }
+    /// Normals go by the inverse's transpose, but for its length and sign.
+    ExtendedVector normal(const ExtendedVector& n) const {
+        const auto& [x, y, z] = columns;
+        return n.x * cross_of(y, z) + n.y * cross_of(z, x) + n.z * cross_of(x, y);
+    }
+    /// By how much the rounding of one of length 1 is more than that of a direction.
+    Extended normal_size() const {
+        const Extended x = length_of(columns[0]), y = length_of(columns[1]), z = length_of(columns[2]);
+        return x * y + y * z + z * x;
+    }
+    bool mirrors() const { return dot_of(columns[0], cross_of(columns[1], columns[2])) < 0; }
+
+    /// Are all steps known? Motions are not.
+    bool known() const { return size < std::numeric_limits<Extended>::infinity(); }
+    /// How far lengths and directions may be off by rounding, as a share.
+    Extended rounding() const { return roundings * unit * unevenness; }
+    /// And points, as a distance in the world. The numbers of the scene are exact, so that to move by them costs digits
+    /// of what comes out alone.
+    Extended rounding(const DVec3& p) const {
+        const Extended steps = roundings == few ? 0 : roundings * unit * (length(sum_of(extended(p))) + scale * size);
+        return steps + 4 * unit * sum_of(point(p));
+    }
+    static constexpr Extended unit = std::numeric_limits<Extended>::epsilon() / 2;
+
+  private:
+    template <class Step>
+    void then(const Step& step) {
+        for (ExtendedVector& column : columns) column = step(column);
+        moved = step(moved);
+    }
+    void turn_by(int from, int to, double degrees);
+    void add(const Rotate& rotate);
+    void add(const Translate& translate);
+    void add(const Scale& factor);
+    void add(const Motion& motion);
+
+    ExtendedVector columns[3]{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, moved{0}, origin;
+    Extended scale, size = 0;              // the largest number that was added on the way, beside the columns
+    Extended stretch = 1, unevenness = 1;  // products of the largest factors, and of their ratios to the least
+    static constexpr int few = 8;
+    int roundings = few;
+};
+
+SphereKernel<Extended> extended_kernel(const Sphere& sphere, const ExtendedTransform& to_world);
+PlaneKernel<Extended> extended_kernel(const Plane& plane, const ExtendedTransform& to_world);
+CylinderKernel<Extended> extended_kernel(const Cylinder& cylinder, const ExtendedTransform& to_world);
+ConeKernel<Extended> extended_kernel(const Cone& cone, const ExtendedTransform& to_world);
+TorusKernel<Extended> extended_kernel(const Torus& torus, const ExtendedTransform& to_world);
+DiscKernel<Extended> extended_kernel(const Disc& disc, const ExtendedTransform& to_world);
+BoxKernel<Extended> extended_kernel(const Cuboid& box, const ExtendedTransform& to_world);
+TriangleKernel<Extended> extended_kernel(const Triangle& triangle, const ExtendedTransform& to_world);
+SmoothTriangleKernel<Extended> extended_kernel(const SmoothTriangle& triangle, const ExtendedTransform& to_world);
+/// Triangle number i of a mesh.
+Triangle triangle_of(const Mesh& mesh, std::size_t i);
+SmoothTriangle smooth_triangle_of(const Mesh& mesh, std::size_t i);
+/// What a shape is in the space of its own that affine() gives it, whose unit and centre are these in the primitive's.
+template <class K>
+struct InOwnSpace {
+    DVec3 centre;
+    double unit;
+    K kernel;
+};
+InOwnSpace<SphereKernel<Extended>> in_own_space(const Sphere& sphere);
+InOwnSpace<CylinderKernel<Extended>> in_own_space(const Cylinder& cylinder);
+InOwnSpace<ConeKernel<Extended>> in_own_space(const Cone& cone);
+InOwnSpace<DiscKernel<Extended>> in_own_space(const Disc& disc);
+InOwnSpace<TorusKernel<Extended>> in_own_space(const Torus& torus);
+/// To vectors u, v, w those whose products with them are 1 and with the others 0.
+std::array<ExtendedVector, 3> dual_of(const std::array<ExtendedVector, 3>& vectors);
+/// Of a shape under any transformation; the box is the one that double has.
+template <class Shape>
+auto extended_affine(const Shape& shape, const ExtendedTransform& to_world, const HitBox<Extended>& box) {
+    const auto [centre, unit, kernel] = in_own_space(shape);
+    const Extended u = unit;
+    const auto [x, y, z] = dual_of({to_world.way({u, 0, 0}), to_world.way({0, u, 0}), to_world.way({0, 0, u})});
+    return AffineKernel<std::remove_const_t<decltype(kernel)>, Extended>{to_world.point(centre), x, y, z, box, kernel};
+}
+
+/// Emits the numbers from above, if there are any for this shape under these transformations.
+template <class Shape, class Emit>
+bool emit_extended(const Shape& shape, const WorldTransform& to_world, std::span<const Transformation> steps,
+                   const Emit& emit) {
+    constexpr bool is_mesh = std::is_same_v<Shape, Mesh>;
+    constexpr bool takes_any = is_mesh || std::tuple_size_v<typename Shape::template Kernels<Extended>> == 1;
+    const ExtendedTransform own(steps, to_world.origin, to_world.scale);
+    if (!own.known()) return false;
+    if constexpr (requires { in_own_space(shape); })
+        if (!to_world.similar()) {
+            shape.template emit<Extended>(to_world, [&](const auto& kernel) {
+                if constexpr (requires { kernel.shape; }) emit(extended_affine(shape, own, kernel.box));
+            });
+            return true;
+        }
+    if (!to_world.similar() && !takes_any) return false;
+    if constexpr (is_mesh) {
+        const bool smooth = !shape.data->corner_normals.empty();
+        for (std::size_t i = 0; i < shape.data->triangles.size(); ++i)
+            smooth ? emit(extended_kernel(smooth_triangle_of(shape, i), own))
+                   : emit(extended_kernel(triangle_of(shape, i), own));
+        return true;
+    } else if constexpr (requires { extended_kernel(shape, own); }) {
+        emit(extended_kernel(shape, own));
+        return true;
+    }
+    return false;
+}
+/// Emits what a shape does. For proofs long double gets numbers from above where there are any, and not such that were
+/// rounded to double before. In pictures these would differ from patterns, which are made in double.
+template <class T, class Shape, class Emit>
+void emit_in(const Shape& shape, const WorldTransform& to_world, std::span<const Transformation> steps,
+             const Emit& emit, bool proves = true) {
+    if constexpr (std::is_same_v<T, Extended>)
+        if (proves && emit_extended(shape, to_world, steps, emit)) return;
+    shape.template emit<T>(to_world, emit);
+}
+
+Eye<Extended> extended_eye(const View& view, const Placement& placement);
+
+}  // namespace strahl

@@ -1,0 +1,87 @@
+#include "trace/world/light_bound.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "scene/leaves.h"
+#include "trace/world/world.h"
+
+namespace strahl {
+namespace {
+
+double largest(const Color& c) { return std::max({std::abs(c.x), std::abs(c.y), std::abs(c.z)}); }
+
+/// How often a line crosses a shape at most.
+double most_crossings(const Shape& shape) {
+    return std::visit(
+        []<class Kind>(const Kind& kind) -> double {
+            if constexpr (requires { kind.data->triangles; })
+                return static_cast<double>(kind.data->triangles.size());
+            else
+                return std::max(2, Kind::max_crossings);
+        },
+        shape);
+}
+
+/// Most by which the bodies on its way can multiply a light: glass of a colour above 1 brightens it.
+double gain(const Scene& scene) {
+    const auto filter = [](const Material& m) { return m.refraction * largest(m.rgb.color); };
+    double product = 1;
+    if (std::any_of(scene.materials.begin(), scene.materials.end(), [&](const auto& m) { return filter(m) > 1; }))
+        for (const Primitive& primitive : scene.primitives)
+            for_each_leaf(primitive, [&](const Primitive& leaf, const glm::dmat4&) {
+                const double factor = filter(scene.materials[leaf.material]);
+                if (factor > 1) product *= std::pow(factor, most_crossings(leaf.shape));
+            });
+    return std::min(product, std::numeric_limits<double>::max());  // infinity times nothing would be no number
+}
+
+/// Most light that a surface of this material sends back by itself.
+double own_light(const Scene& scene, const Material& m, double gain) {
+    Color sum = scene.settings.ambient_light * m.rgb.color * m.ambient;
+    for (const Light& light : scene.lights)
+        for (int c = 0; c < 3; ++c)
+            sum[c] += gain * std::abs(light.color[c]) * (m.diffuse * m.rgb.color[c] + m.specular);
+    return largest(sum);
+}
+
+}  // namespace
+
+Bound bound_for(const Scene& scene, int depth) {
+    // B(n) = max(background, own + (Kr + Kt) B(n - 1)) over all materials, from the last generation upwards.
+    const double background =
+        std::max(largest(scene.background.color), scene.fog ? largest(scene.fog->color) : 0);
+    std::vector<double> own;
+    const double most_gain = gain(scene);
+    for (const Material& m : scene.materials) own.push_back(own_light(scene, m, most_gain));
+    Bound bound{{0}, background, most_gain};
+    for (int generation = 0; generation < depth; ++generation) {
+        double most = background;
+        for (std::size_t i = 0; i < own.size(); ++i) {
+            const Material& m = scene.materials[i];
+            most = std::max(most, own[i] + (m.reflection + m.refraction) * bound.brightest.back());
+        }
+        bound.brightest.push_back(most);
+    }
+    // A geometric series.
+    for (std::size_t i = 0; i < own.size(); ++i) {
+        const double lost = 1 - scene.materials[i].reflection - scene.materials[i].refraction;
+        const double series = lost > 0 ? own[i] / lost : std::numeric_limits<double>::infinity();
+        bound.limit = std::max(bound.limit, series);
+    }
+    return bound;
+}
+
+std::vector<double> scattered_light(const Scene& scene) {
+    double lights = 0;
+    for (const Light& light : scene.lights) lights += largest(light.color);
+    const double most_gain = gain(scene);
+    std::vector<double> light;
+    for (const Material& m : scene.materials)
+        light.push_back(faint_share * most_gain * lights * m.diffuse * largest(m.rgb.color));
+    return light;
+}
+
+}  // namespace strahl

@@ -1,0 +1,90 @@
+#include "trace/world/mip_maps.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace strahl {
+namespace {
+
+/// Linear light from a value that is sRGB-encoded (IEC 61966-2-1).
+float decoded(float v) { return static_cast<float>(v <= .04045 ? v / 12.92 : std::pow((v + .055) / 1.055, 2.4)); }
+
+/// Which of `size` pixels side by side pixel `i` of `smaller` ones covers, and how much of each: shares of 1.
+struct Covered {
+    std::int32_t first, count = 0;
+    double shares[4];
+    Covered(std::int64_t i, std::int64_t size, std::int64_t smaller) {
+        const std::int64_t begin = i * size, end = begin + size;  // in parts of a pixel, `smaller` of them
+        first = static_cast<std::int32_t>(begin / smaller);
+        for (std::int64_t at = first; at * smaller < end; ++at)
+            shares[count++] = static_cast<double>(std::min((at + 1) * smaller, end) - std::max(at * smaller, begin)) /
+                              static_cast<double>(size);
+    }
+};
+
+void shrink(const MipLevel& from, std::int32_t width, std::int32_t height, float* to) {
+    std::vector<Covered> columns;
+    for (std::int32_t x = 0; x < width; ++x) columns.emplace_back(x, from.width, width);
+    for (std::int32_t y = 0; y < height; ++y) {
+        const Covered rows(y, from.height, height);
+        for (const Covered& own : columns) {
+            double sum[3] = {};
+            for (int j = 0; j < rows.count; ++j) {
+                const float* pixel = from.pixels + 3 * (std::ptrdiff_t(rows.first + j) * from.width + own.first);
+                for (int i = 0; i < own.count; ++i)
+                    for (double& value : sum) value += rows.shares[j] * own.shares[i] * double(*pixel++);
+            }
+            for (const double value : sum) *to++ = static_cast<float>(value);
+        }
+    }
+}
+
+}  // namespace
+
+MipMap::MipMap(const float* values, std::int32_t width, std::int32_t height) : levels{{values, width, height}} {
+    const auto half = [](std::int32_t size) { return std::max(size / 2, 1); };
+    std::size_t pixels = 0;
+    for (std::int32_t w = width, h = height; w > 1 || h > 1;)
+        w = half(w), h = half(h), pixels += static_cast<std::size_t>(w) * static_cast<std::size_t>(h);
+    smaller.resize(3 * pixels);
+    for (float* next = smaller.data(); levels.back().width > 1 || levels.back().height > 1;) {
+        const MipLevel from = levels.back();
+        const std::int32_t w = half(from.width), h = half(from.height);
+        shrink(from, w, h, next);
+        levels.push_back({next, w, h});
+        next += 3 * (std::ptrdiff_t(w) * h);
+    }
+}
+
+int Images::add(const std::shared_ptr<const Pixels>& pixels, bool linear, bool colors) {
+    const bool decode = linear && !pixels->linear;
+    const auto same = [&](const Image& image) { return image.given == pixels && image.linear == decode; };
+    const auto known = std::ranges::find_if(images, same);
+    const auto number = static_cast<int>(known - images.begin());
+    if (known == images.end()) {
+        std::shared_ptr<const Pixels> own = pixels;
+        if (decode) {
+            const auto copy = std::make_shared<Pixels>(*pixels);
+            std::ranges::transform(copy->values, copy->values.begin(), decoded);
+            own = copy;
+        }
+        images.push_back({pixels, own, decode, false});
+    }
+    images[number].colors |= colors;
+    return number;
+}
+
+const MipMapKernel* Images::mip_maps() {
+    if (std::ranges::none_of(images, &Image::colors)) return nullptr;
+    if (kernels.size() == images.size()) return kernels.data();
+    maps.clear(), kernels.clear();
+    maps.reserve(images.size());
+    for (const Image& image : images) {
+        const Pixels& own = *image.own;
+        if (image.colors) maps.emplace_back(own.values.data(), own.width, own.height);
+        kernels.push_back(image.colors ? maps.back().kernel() : MipMapKernel{});
+    }
+    return kernels.data();
+}
+
+}  // namespace strahl

@@ -1,0 +1,47 @@
+// The pictures of a scene as kernels want them: in linear light where the scene declares that, and at smaller sizes.
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "scene/image_pattern.h"
+#include "trace/world/world.h"
+
+namespace strahl {
+
+/// A picture and smaller ones of it, each of about half the width and half the height of that before, down to a single
+/// pixel (L. Williams, "Pyramidal Parametrics", 1983). A pixel is the mean of the rectangle that it covers of the level
+/// before, so that all levels have one mean. All smaller ones together have a third of the picture's pixels, those of
+/// pictures one pixel high or wide as many as these.
+class MipMap {
+  public:
+    /// Three values for each pixel, which the map refers to.
+    MipMap(const float* values, std::int32_t width, std::int32_t height);
+    MipMapKernel kernel() const { return {levels.data(), static_cast<std::int32_t>(levels.size())}; }
+
+  private:
+    std::vector<float> smaller;
+    std::vector<MipLevel> levels;
+};
+
+/// Kept from moment to moment of a scene that moves.
+class Images {
+  public:
+    /// Pixels in linear light if `linear`, else as they are.
+    struct Image {
+        std::shared_ptr<const Pixels> given, own;
+        bool linear, colors;
+    };
+    /// The number of an image. Mip maps are made of those that are there for their colours.
+    int add(const std::shared_ptr<const Pixels>& pixels, bool linear, bool colors);
+    const Image& operator[](int number) const { return images[number]; }
+    /// By number; null if no image is there for its colours. Made when first asked for.
+    const MipMapKernel* mip_maps();
+
+  private:
+    std::vector<Image> images;
+    std::vector<MipMap> maps;
+    std::vector<MipMapKernel> kernels;
+};
+
+}  // namespace strahl

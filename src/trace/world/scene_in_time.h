@@ -1,0 +1,62 @@
+// A scene whose bodies and lights may move, as it is at one moment after the other.
+#pragma once
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "num/thread_pool.h"
+#include "scene/moving_scene.h"
+
+namespace strahl {
+
+/// Begins at time 0, at which bodies are as they are declared (see matrix), unless they follow tracks. Whether any
+/// moves is looked up when another time is asked for, so that other scenes are not searched.
+class Stage {
+  public:
+    explicit Stage(Scene&& own) : now(std::move(own)) {
+        const auto moved = [](const Light& light) { return light.motion.has_value(); };
+        if (now.tracks.empty() && std::ranges::none_of(now.lights, moved)) return;
+        begin();
+        if (!moving) return;
+        const SceneTime start = scene_time(*moving, 0);
+        if (!now.tracks.empty()) move_bodies(now, *moving, movers->bodies, start);
+        move_others(now, *moving, *movers, start);
+    }
+    const Scene& scene() const { return now; }
+    bool moves() const { return moving.has_value(); }
+
+    /// Moves what moves, by all threads. `tracks`, if any, are in place of the scene's. Returns whether the scene is
+    /// another one now.
+    bool set(double wanted, const std::shared_ptr<const std::vector<Track>>& wanted_tracks, ThreadPool& pool) {
+        if (wanted == time && wanted_tracks == tracks) return false;
+        if (!movers) begin();
+        time = wanted, tracks = wanted_tracks;
+        if (!moving) return false;
+        const SceneTime moment = scene_time(*moving, time, tracks.get());
+        constexpr std::int32_t share = 1024;  // a thread's piece of work
+        share_out(pool, static_cast<std::int32_t>(movers->bodies.size()), share,
+                  [&](std::int32_t first, std::int32_t last) {
+                      move_bodies(now, *moving, std::span(movers->bodies).subspan(first, last - first), moment);
+                  });
+        move_others(now, *moving, *movers, moment);
+        return true;
+    }
+
+  private:
+    void begin() {
+        movers.emplace(now);
+        if (movers->any()) moving = now;
+    }
+
+    Scene now;
+    std::optional<Movers> movers;  // once they are looked up
+    std::optional<Scene> moving;   // only if something moves
+    double time = 0;
+    std::shared_ptr<const std::vector<Track>> tracks;
+};
+
+}  // namespace strahl

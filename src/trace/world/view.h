@@ -1,0 +1,63 @@
+// A view: which picture of a scene to trace, which of its pixels, and where their values go.
+#pragma once
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <span>
+#include <variant>
+#include <vector>
+
+#include "scene/camera.h"
+#include "scene/motion/track.h"
+
+namespace strahl {
+
+/// Pixels x + i * step_x, y + j * step_y for 0 <= i < columns, 0 <= j < rows of a picture. A crop has steps of 1, the
+/// window's resolution levels have steps of 16 to 1.
+struct Lattice {
+    int x = 0, y = 0, columns = 0, rows = 0, step_x = 1, step_y = 1;
+};
+
+struct Pixel {
+    int x, y;
+};
+
+/// Values of one tile: red, green, blue of each pixel of `lattice`, row by row, linear and unclamped. Float for
+/// float32, double for the two others.
+struct Tile {
+    Lattice lattice;
+    std::variant<std::span<const float>, std::span<const double>> rgb;
+    /// With View::prove, of each pixel: no channel is further than this from what exact arithmetic would give.
+    std::span<const double> bounds{};
+};
+/// Copies a tile to its place among the values of the lattice that is being traced, 3 for each pixel, row by row.
+template <class T>
+void place(const Tile& tile, const Lattice& whole, std::vector<T>& values) {
+    const Lattice& part = tile.lattice;
+    const std::ptrdiff_t column = (part.x - whole.x) / whole.step_x, first_row = (part.y - whole.y) / whole.step_y;
+    const auto copy = [&](const auto& rgb) {
+        for (std::ptrdiff_t row = 0; row < part.rows; ++row)
+            std::copy_n(rgb.begin() + 3 * row * part.columns, 3 * part.columns,
+                        values.begin() + 3 * ((first_row + row) * whole.columns + column));
+    };
+    std::visit(copy, tile.rgb);
+}
+/// Called from any thread, once per tile; tiles do not overlap.
+using Sink = std::function<void(const Tile&)>;
+
+/// What to trace. Everything is in pixels of the whole picture, so that a crop or a pass is the same pixels.
+struct View {
+    Camera camera;
+    int width = 640, height = 480;
+    int depth = 20;                   // generations of rays, the primary ray being the first; 1 to 256
+    double shift_x = 0, shift_y = 0;  // of the sampling point from the pixel's centre, in pixels
+    double error = 0;  // a pixel may lack this much light in a channel: weak rays are left out until they add up to it
+    double time = 0;   // in seconds: where moving bodies and lights are
+    /// Tiles come with bounds of their errors; one ray in each pixel, in float64 or extended. What is exact goes through
+    /// the pixel's middle: by how much a shift changes it is in the bound.
+    bool prove = false;
+    std::shared_ptr<const std::vector<Track>> tracks{};  // if any, in place of the scene's
+};
+
+}  // namespace strahl

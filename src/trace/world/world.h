@@ -1,0 +1,218 @@
+// World: a scene made ready for one kind of number, as the kernels read it. Plain arrays, const ever after.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+#include "scene/kinds/kinds.h"
+#include "trace/world/world_patterns.h"
+
+namespace strahl {
+
+struct Node;
+template <class T>
+struct LightBuffer;
+
+/// Shares and weights above 1, of glass brighter than white or of total reflection, grow no further than this, or in
+/// float they would become infinite and, times 0, NaN.
+inline constexpr float largest_gain = 1e18f;
+/// Where a hit can do without the light of its lights, it does without that of one light up to this many times what
+/// that light, straight above, would make it scatter.
+inline constexpr float faint_share = 2;
+/// Lanes. Arrays hold as many elements more, because packs are loaded and stored whole.
+inline constexpr int widest_pack = 16;
+
+/// A kernel with its numbers. Made of elements only, so that it can be gathered lane by lane; whole numbers are exact
+/// in every element type (in float up to 2^24, see `World::capacity`).
+template <class Form, class T>
+struct Item {
+    using Kind = typename Form::Kind;
+    static constexpr int faces = Form::Kind::faces;
+    static constexpr bool has_exits = Form::Kind::bounded && Form::Kind::convex && Form::Kind::closed;
+    typename Form::template Kernel<T> shape;
+    T surface;  // number of its first face; faces are numbered through the scene in the order declared
+    T material;
+};
+
+/// Material coefficients, multiplied out as far as they can be before a ray is known.
+template <class T>
+struct MaterialKernel {
+    Vec3<T> ambient;  // Ia Ka Of
+    Vec3<T> diffuse;  // Kd Of
+    Vec3<T> filter;   // Kt Of, what a shadow ray keeps at each surface crossed
+    T specular, pow, reflection, refraction, ior;
+    T shines_from;  // the cosine up to which a highlight is below the last bit
+    T scattered;    // see scattered_light
+};
+
+/// A light; parallel light has the direction towards it as its position.
+template <class T>
+struct LightKernel {
+    Vec3<T> position, color;
+    T finite = 1, far = 1;  // of parallel light 0 and infinity
+    bool spot = false;
+    Vec3<T> axis{0};  // of the spot. The next two are 1 less the cosines of its radius and its falloff
+    T radius = 0, falloff = 0, per = 0;  // per: 1 over their difference
+    T tightness = 0;
+    bool area = false;
+    Vec3<T> u{0}, v{0};  // edges of a rectangle around its position
+};
+
+/// A body as seen from a point: around the direction `axis`, no further off than an angle with this cosine, and no
+/// nearer than `distance`. What can't be told is around (-2) and here (-infinity).
+template <class T>
+struct LightCone {
+    Vec3<T> axis{0};
+    T cosine = -2, distance = -std::numeric_limits<T>::infinity();
+};
+
+/// Bodies by sort bin, a bit for each.
+using BodySet = std::uint64_t;
+inline constexpr int most_item_bins = 64;  // up to here each item has a bin of its own, and there is no hierarchy
+
+/// Items [first, first + count) of a form.
+struct ItemRange {
+    std::int32_t form, first, count;
+};
+/// Where a surface's item is: its index among the items of its form, and the bin by which hits are sorted.
+struct ItemReference {
+    std::int32_t item, bin;
+};
+/// What hits of a bin are on: one item of this form and its material, or if these are -1 any item of the form.
+struct SortBin {
+    std::int32_t form, item = -1, material = -1;
+};
+
+/// The items of a form. Those of the hierarchy come first, in the order of its leaves, then those that are looked at
+/// one after the other: unbounded ones, and all in a world without a hierarchy.
+template <class F, class T>
+struct Group {
+    using Form = F;
+    template <class S>
+    using ItemOf = Item<F, S>;
+    const Item<F, T>* items = nullptr;
+    int count = 0, in_hierarchy = 0;
+    // The items of the leaves once more, field by field: field f of the i-th of a leaf's n items, the first of which is
+    // item k, is columns[k * fields + f * n + i]. A pack may be read past the end. Only where there is a hierarchy.
+    const T* columns = nullptr;
+    int first_bin = 0;  // its bins are this one and, if there is a bin per item, one for each
+};
+
+/// The form of all composites.
+using CompositeForm = Form<Union, 0>;
+
+/// A plane that faces of a composite's parts lie in: normal . x = distance.
+template <class T>
+struct CompositePlane {
+    Vec3<T> normal;
+    T distance;
+};
+/// A simple body of a composite: an item of its form, beyond those that are looked at by themselves.
+struct CompositeLeaf {
+    std::int32_t form, item, material;
+    std::int32_t surface, faces;  // the number of its first face, and how many it has
+    std::int32_t half_space;      // 0 if it is none; else whether it is behind its plane's normal (1) or before it (-1)
+    const Node* nodes = nullptr;  // of a mesh: the hierarchy of its triangles, which are the items from `item` on
+    std::int32_t first_key = 0;   // of a mesh: the key of its first triangle, if that has one of its own
+    bool in_planes = false;       // of a mesh: some of its triangles have the keys of planes
+};
+/// How the insides of leaves make the inside of the whole: the next leaf, or the last two results as one.
+enum class CompositeStep : std::uint8_t { leaf, unite, intersect, subtract };
+/// Ranges of the world's arrays. Faces have keys: those below `most_planes` are numbers of planes. A triangle has that
+/// of its plane if a face of another part lies there.
+struct CompositeInfo {
+    std::int32_t first_leaf, leaves, first_step, steps, first_plane, planes;
+    std::int32_t first_key, surface, surfaces;
+};
+inline constexpr int most_planes = 6 * most_leaves;
+
+template <class T, class Forms>
+struct GroupsOf;
+template <class T, class... F>
+struct GroupsOf<T, FormList<F...>> : Group<F, T>... {
+    template <class Form>
+    [[gnu::always_inline]] const Group<Form, T>& get() const {
+        return *this;
+    }
+    /// Calls visit(group) for each form in the order of the list.
+    template <class Visit>
+    [[gnu::always_inline]] void each(const Visit& visit) const {
+        (visit(static_cast<const Group<F, T>&>(*this)), ...);
+    }
+    template <class Visit>
+    [[gnu::always_inline]] void each(const Visit& visit) {
+        (visit(static_cast<Group<F, T>&>(*this)), ...);
+    }
+};
+
+template <class T>
+struct World {
+    /// Surfaces that can be numbered exactly in T.
+    static constexpr double capacity = 2 / std::numeric_limits<T>::epsilon();
+
+    GroupsOf<T, Forms> groups;
+    const Node* nodes = nullptr;                // the hierarchy of all bounded items; null: few items, or unbounded
+    bool beyond_loops = false;                  // there is a hierarchy, or there are items of other than hot forms
+    const ItemReference* references = nullptr;  // by surface, and of a miss by -1
+    const SortBin* sort_bins = nullptr;         // by bin
+    int bins = 0;
+    bool bin_per_item = false;         // few items, up to most_item_bins: all hits of a bin are on the same item
+    int hierarchy_bin = -1;            // that of all items of the hierarchy, if they are of one form
+    const ItemRange* loops = nullptr;  // where there is a hierarchy: items of other than hot forms that it lacks,
+    int loop_count = 0;                // and how many such ranges
+
+    // Only if there is a bin per item, by bin; the last two by light * bins + bin.
+    Vec3<const T*> centres{nullptr};      // of balls around the bodies; a pack may be read past the end
+    const T* radii = nullptr;             // of these; infinite for planes, and -infinite past the end
+    const LightCone<T>* cones = nullptr;  // each body as seen from the light
+    const BodySet* occluders = nullptr;   // bodies that can keep light from this one; itself only from its inside
+    BodySet cold = 0;                     // bodies of other than hot forms
+    BodySet convex = 0;                   // bodies that never shadow their own outside
+    // Transparent convex bodies that nothing else reaches into: a ray inside meets the same body again.
+    BodySet enclosed = 0;
+
+    // Only where there are composites.
+    const CompositeInfo* composites = nullptr;
+    const CompositeLeaf* leaves = nullptr;
+    const CompositeStep* steps = nullptr;
+    const CompositePlane<T>* planes = nullptr;
+    const std::int32_t* face_keys = nullptr;
+    const std::int32_t* leaf_faces = nullptr;  // by surface: which face of its leaf it is, -1 if it is of none
+
+    Vec3<T> eye{0};  // of the view that is traced
+    T rounding = 0;  // what the coordinates of points on bodies may be off
+    const MaterialKernel<T>* materials = nullptr;
+    // Materials with patterns follow those without: each as often as there are bodies in spaces of their own that have
+    // it, with the largest colour of the pattern as its colour. The first ones are not used where normals are bent.
+    int first_pattern = std::numeric_limits<int>::max();
+    const PatternKernel<T>* patterns = nullptr;  // of these materials; null if there are none
+    const BendKernel<T>* bends = nullptr;  // likewise; then all materials are among these. Null if no normals are bent
+    const ColorStopKernel<T>* stops = nullptr;
+    const MipMapKernel* mip_maps = nullptr;  // by the numbers of images; null where these are not filtered
+    const LightKernel<T>* lights = nullptr;
+    int light_count = 0;
+    const LightBuffer<T>* light_buffers = nullptr;  // by light; null if there are none
+    Vec3<T> background{0};
+    const PatternKernel<T>* sky = nullptr;  // the pattern of the background, by direction; null if it has none
+    const T* iors = nullptr;                // by surface; only in nested worlds
+    const std::int32_t* bodies = nullptr;   // likewise: the first surface of the body
+
+    // What the scene contains; what it does not is not looked for.
+    bool fog = false;
+    T fog_per = 0;  // 1 over its distance
+    Vec3<T> fog_color{0};
+    bool transparent = false;  // some body lets light through
+    bool nested = false;       // such bodies overlap, or bumps bend rays back: rays carry the list of those entered
+
+    // For proofs, the cones by columns: by light the axes' x, y and z, the cosines and the distances of all bins.
+    const T* cone_columns = nullptr;
+    static constexpr int cone_stride = most_item_bins + 16;  // a pack may be read past the end
+};
+
+/// A composite by its item.
+template <class T>
+STRAHL_INLINE const CompositeInfo& composite_of(const World<T>& world, int item) {
+    return world.composites[static_cast<int>(world.groups.template get<CompositeForm>().items[item].shape.number)];
+}
+
+}  // namespace strahl

@@ -1,0 +1,178 @@
+// The arrays that a World points into, while they are made and ever after.
+#pragma once
+#include <array>
+#include <atomic>
+#include <memory>
+#include <type_traits>
+#include <vector>
+
+#include "num/buffer.h"
+#include "num/thread_pool.h"
+#include "scene/scene.h"
+#include "trace/hierarchy/hierarchy.h"
+#include "trace/hierarchy/moving_hierarchy.h"
+#include "trace/world/build_world.h"
+#include "trace/world/light_culling.h"
+#include "trace/world/mip_maps.h"
+#include "trace/world/world.h"
+
+namespace strahl {
+
+inline constexpr std::int32_t share_items = 4096;  // a thread's piece of work on items
+
+/// Counts what shapes emit, by form.
+struct ItemCounts {
+    std::array<int, Forms::size> items{};
+    std::int64_t surfaces = 0;
+    ItemCounts& operator+=(const ItemCounts& more) {
+        for (std::size_t i = 0; i < items.size(); ++i) items[i] += more.items[i];
+        return surfaces += more.surfaces, *this;
+    }
+};
+
+/// The number of the form whose kernel for T is K.
+template <class K, class T, class... F>
+consteval int form_number(FormList<F...>) {
+    int number = 0, found = -1;
+    ((std::is_same_v<typename F::template Kernel<T>, K> ? found = number++ : ++number), ...);
+    return found;
+}
+/// How many faces an item has that a shape emits, or the leaves of a composite.
+int faces_of(const Shape& shape);
+
+/// An emitter that counts.
+template <class T>
+struct CountItems {
+    ItemCounts& counts;
+    int faces;
+    template <class K>
+    void operator()(const K&) const {
+        count<K>(1);
+    }
+    template <class K>
+    void count(std::size_t number) const {
+        counts.items[form_number<K, T>(Forms{})] += static_cast<int>(number);
+        counts.surfaces += static_cast<std::int64_t>(number) * faces;
+    }
+};
+/// Adds what a primitive emits; which forms these are depends on the similarity alone.
+template <class T>
+void count_items(const Primitive& primitive, ItemCounts& counts) {
+    const WorldTransform transform{.similarity = similarity(primitive.transformations)};
+    std::visit(
+        [&](const auto& shape) {
+            shape.template emit<T>(transform, CountItems<T>{counts, faces_of(primitive.shape)});
+        },
+        primitive.shape);
+}
+
+/// In which the numbers of a world are reckoned.
+template <class T>
+using Made = std::conditional_t<std::is_same_v<T, long double>, long double, double>;
+
+template <class T>
+DVec3 to_double(const Vec3<T>& v) {
+    return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
+}
+
+/// What is known of a form.
+struct FormTraits {
+    bool hot, bounded, convex;
+    int faces;   // of an item
+    int fields;  // numbers in an item, the last two being its surface and its material
+};
+template <class T, class... F>
+constexpr std::array<FormTraits, sizeof...(F)> traits_of(FormList<F...>) {
+    return {{{F::hot, F::Kind::bounded, F::Kind::convex, F::Kind::faces, int(sizeof(Item<F, T>) / sizeof(T))}...}};
+}
+
+/// The items of a form as plain numbers, one item after the other, so that code which moves them is compiled once.
+template <class T>
+struct FormItems {
+    Buffer<T> numbers, columns;
+    ItemBox* boxes = nullptr;  // of all items, until these have their places
+    int count = 0, in_hierarchy = 0;
+};
+
+template <class T>
+struct WorldArrays {
+    World<T> world;
+    static constexpr auto traits = traits_of<T>(Forms{});
+    std::array<FormItems<T>, Forms::size> forms;
+    Buffer<ItemBox> boxes;  // those of all forms, one after the other
+    Hierarchy hierarchy;
+    Buffer<ItemReference> references;
+    std::vector<SortBin> sort_bins;
+    std::vector<ItemRange> loops;
+    std::vector<MaterialKernel<T>> materials;
+    std::vector<PatternKernel<T>> patterns;
+    std::vector<BendKernel<T>> bends;
+    std::vector<ColorStopKernel<T>> stops;
+    PatternKernel<T> sky;
+    std::vector<std::shared_ptr<const MeshData>> meshes;  // those with places in pictures
+    // Only where there are patterns: the material of each leaf of the scene, and the first leaf of each primitive.
+    std::vector<std::int32_t> leaf_materials, first_leaf;
+    std::vector<LightKernel<T>> lights;
+    std::vector<CompositeInfo> composites;
+    std::vector<CompositeLeaf> leaves;
+    std::vector<CompositeStep> steps;
+    std::vector<CompositePlane<T>> planes;
+    std::vector<Hierarchy> leaf_hierarchies;  // of meshes that are leaves
+    std::vector<std::int32_t> face_keys, leaf_faces;
+    std::vector<T> iors;
+    std::vector<std::int32_t> bodies;
+    std::vector<BoundingVolume> volumes;  // by bin, if there is one for each item
+    BodySet glass = 0;                    // of these the transparent ones
+    std::vector<T> balls;
+    std::vector<LightCone<T>> cones;
+    std::vector<T> cone_columns;
+    std::vector<BodySet> occluders;
+    double reach = 0;  // the largest coordinate of a bounded body
+    int surfaces = 0;
+
+    struct Body {
+        int surface;
+        Shape shape;
+        glm::dmat4 inverse;
+    };
+    std::vector<Body> transparent;  // only in nested worlds
+
+    MovingHierarchy* const moving;  // of the world at the moments before, or nullptr
+    const std::shared_ptr<Images> images;
+
+    WorldArrays(const Scene& scene, const Placement& placement, ThreadPool& pool, MovingHierarchy* moving,
+                std::shared_ptr<Images> kept, bool proves);
+
+    /// What coordinates may be off, the largest of them being `furthest`.
+    static double rounding(double furthest) { return 32 * culling_unit<T> * furthest; }
+    // add_items.cpp
+    void add_items(const Scene& scene, const Placement& placement, ThreadPool& pool, bool proves);
+    // arrange_items.cpp
+    void arrange_items(ThreadPool& pool);
+    void make_hierarchy(ThreadPool& pool);
+    void number_bins(ThreadPool& pool);
+    // add_composites.cpp
+    void add_composites(const Scene& scene, const Placement& placement, ThreadPool& pool, bool proves);
+    // add_patterns.cpp
+    void add_sky(const Scene& scene, bool proves);
+    void add_patterns(const Scene& scene, const Placement& placement, bool proves);
+    void add_colors(const Pigment& pigment, PatternKernel<T>& kernel, bool linear);
+    /// What patterns by uv know of a body, whose first surface is given.
+    PlacesKernel add_places(const Shape& shape, int first_surface);
+    BendKernel<T> bend_of(const Material& material, const glm::dmat4& to_world, const Placement& placement,
+                          const PlacesKernel& places);
+    void add_image(const std::shared_ptr<const Pixels>& from, bool linear, bool colors, ImageKernel<T>& kernel);
+    /// The number of a primitive's material, or of its leaf's, the number of which goes on by one.
+    int material_of(const Primitive& primitive, std::int32_t& leaf) const {
+        return leaf_materials.empty() ? primitive.material : leaf_materials[leaf++];
+    }
+    std::int32_t leaf_of(std::int32_t primitive) const { return first_leaf.empty() ? 0 : first_leaf[primitive]; }
+    // build.cpp
+    void add_materials(const Scene& scene);
+    void list_transparent(const Scene& scene);
+    void fill_groups();
+    void bound_bodies();
+    void cull_for_lights();
+};
+
+}  // namespace strahl

@@ -1,0 +1,100 @@
+// Patterns of a world, which colour its materials and bend their normals, as the kernels read them.
+#pragma once
+#include <cstdint>
+#include <limits>
+
+#include "scene/kinds/kinds.h"
+
+namespace strahl {
+
+enum class ImageMap : std::int32_t;
+
+/// What the value of a pattern is made from.
+enum class PatternForm : std::int32_t { checker, brick, ramp, noise, layers, rings, image, constant };
+/// A picture at one size: three values for each pixel, row by row from the top.
+struct MipLevel {
+    const float* pixels;
+    std::int32_t width, height;
+};
+/// From its own size to one pixel, see mip_maps.h.
+struct MipMapKernel {
+    const MipLevel* levels = nullptr;
+    std::int32_t count = 0;
+};
+/// A picture that a pattern has its colours from, see scene/image_pattern.h.
+template <class T>
+struct ImageKernel {
+    const float* pixels;
+    std::int32_t width, height;
+    ImageMap map;
+    bool once;
+    Vec3<T> around;       // where it is there once: the colour outside
+    T border;             // and how much before 0 and 1 it begins and ends
+    std::int32_t number;  // among the world's mip maps
+};
+/// Where the corners of a mesh are by uv: its surfaces, the numbers of their corners' places, and these. Null of other
+/// bodies.
+struct PlacesKernel {
+    std::int32_t first_surface, surfaces;
+    const MeshData::Corners* corners;
+    const MeshData::Place* places;
+};
+/// What proofs know of a pattern: how far its numbers may be off those of exact arithmetic, and what its colours are.
+template <class T>
+struct PatternSlack {
+    T turned = std::numeric_limits<T>::infinity();  // each row, as the sum of its numbers' errors
+    T moved = 0;                                    // each number of the offset, but for whole periods
+    T apart = 0;                                    // the most by which two of its colours differ in a channel
+    T largest = 0;                                  // the largest channel of a colour
+};
+/// The pattern of a material in the space of one body, whose point p = rows * world + offset.
+template <class T>
+struct PatternKernel {
+    PatternForm form;
+    bool by_uv;  // then p is where the surface is by uv, and not in the world
+    std::int32_t first_stop, stops, octaves;
+    Vec3<T> rows[3], offset;
+    Vec3<T> mortar;  // its share of a brick along each axis
+    T border, turbulence, omega, lambda;
+    ImageKernel<T> image;
+    PlacesKernel places;
+    Vec3<T> ambient;        // Ia Ka
+    T diffuse, refraction;  // Kd, Kt
+    PatternSlack<T> slack;  // only in worlds for proofs
+};
+/// What proofs know of a relief besides: how far its columns, each of its bends and each number of its steps are off.
+template <class T>
+struct ReliefSlack {
+    T columns = std::numeric_limits<T>::infinity(), bends = 0, steps = 0;
+};
+/// What bends the normals of a material in the space of one body.
+template <class T>
+struct ReliefKernel {
+    PatternKernel<T> pattern;
+    bool flat;             // nothing does
+    Vec3<T> columns[3];    // what the axes of the pattern's space are in the world, the longest of length 1
+    ReliefSlack<T> slack;  // only in worlds for proofs
+};
+/// n is bent to n + |columns^T n| times the sum of value(p + step) bend. The steps are in the kernel's space of the
+/// pattern.
+template <class T>
+struct BumpKernel : ReliefKernel<T> {
+    Vec3<T> steps[4], bends[4];
+};
+template <class T>
+struct NormalMapKernel : ReliefKernel<T> {
+    T height;
+};
+/// What a material has of both.
+template <class T>
+struct BendKernel {
+    NormalMapKernel<T> map;
+    BumpKernel<T> bump;
+};
+template <class T>
+struct ColorStopKernel {
+    T at, per;  // per: 1 over the way from the stop before
+    Vec3<T> color;
+};
+
+}  // namespace strahl
