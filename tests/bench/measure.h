@@ -1,10 +1,12 @@
-// Time, memory, and the line in which programs of ours tell them.
+// What the benchmarks' programs share: time, memory and medians.
 #pragma once
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
+#include <vector>
 
 namespace strahl::bench {
 
@@ -12,7 +14,14 @@ inline double seconds() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// Memory is this process' peak so far, in KiB.
+/// Of an even number of values the mean of the two in the middle.
+inline double median(std::vector<double> values) {
+    std::ranges::sort(values);
+    const std::size_t n = values.size();
+    return n % 2 ? values[n / 2] : (values[n / 2 - 1] + values[n / 2]) / 2;
+}
+
+/// Prints the line that tests/bench/run reads. Memory is this process' peak so far, in KiB.
 inline void print_figures(double build, double trace, std::uint64_t rays) {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);

@@ -4,7 +4,6 @@
 //   bench_chart passes SCENE   columns: seconds per megapixel so far, share of pixels of another 8-bit colour than the
 //                              exact picture's, mean difference
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
@@ -18,6 +17,7 @@
 #include "num/thread_pool.h"
 #include "scene/kinds/sphere.h"
 #include "show/session/progressive.h"
+#include "tests/bench/measure.h"
 #include "text/parse.h"
 #include "trace/cells/cell_picture.h"
 #include "trace/tracer.h"
@@ -127,7 +127,7 @@ void show_passes(const std::string& path) {
     for (int round = 0; round < rounds; ++round) {
         Canvas canvas(view.width, view.height);
         std::optional<CellPicture> cells;
-        const auto start = std::chrono::steady_clock::now();
+        const double start = bench::seconds();
         for (std::size_t pass = 0; pass < seconds.size(); ++pass) {
             const auto keep = [&](const Tile& tile) { canvas.fill(tile, pass == 0 ? steps_of(first) : Steps{}); };
             if (pass == 0)
@@ -135,12 +135,11 @@ void show_passes(const std::string& path) {
             else
                 tracer.trace(view, *cells, later[pass - 1].finest, pool, keep);
             if (pass == 0) cells.emplace(tracer.scene(), view, whole, Sampling{}.error);
-            seconds[pass].push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+            seconds[pass].push_back(bench::seconds() - start);
             if (round + 1 < rounds) continue;
             const auto [other, mean] = difference(canvas, exact, scene.settings.linear);
-            std::ranges::nth_element(seconds[pass], seconds[pass].begin() + rounds / 2);
             const double pixels = double(view.width) * view.height;
-            std::printf("%g\t%g\t%g\n", seconds[pass][rounds / 2] * 1e6 / pixels, other, mean);
+            std::printf("%g\t%g\t%g\n", bench::median(seconds[pass]) * 1e6 / pixels, other, mean);
         }
     }
 }

@@ -19,8 +19,6 @@ namespace {
 
 using namespace strahl;
 
-double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
-
 void run(char** argv) {
     const int width = std::atoi(argv[3]), height = std::atoi(argv[4]), threads = std::atoi(argv[5]);
     const Scene scene = parse_scene(read_text(argv[1]), argv[1]);

@@ -15,6 +15,7 @@
 #include "num/thread_pool.h"
 #include "show/session/flight.h"
 #include "show/session/progressive.h"
+#include "tests/bench/measure.h"
 #include "text/parse.h"
 #include "trace/tracer.h"
 
@@ -36,10 +37,7 @@ Run run(const Lattice& lattice, const Trace& trace) {
     return result;
 }
 
-double median(std::vector<double> values) {
-    std::ranges::sort(values);
-    return values[values.size() / 2];
-}
+using bench::median;
 
 /// Pixels whose worst channel, as the screen shows it, is off by more than this many steps.
 double share_off(const Run& a, const Run& b, bool linear, int steps) {

@@ -1,9 +1,7 @@
-// Methods of intersection side by side: nanoseconds per ray against error. A table in Markdown, and numbers for
-// plot.gp.
+// Methods of intersection side by side: nanoseconds per ray and errors, as a table in Markdown.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <fstream>
 #include <iostream>
 #include <limits>
 #include <sstream>
@@ -47,29 +45,19 @@ std::string digits(double v, int n) {
 
 /// One line of the table for each method, its lists of equal methods one per width of lanes.
 template <class T>
-void compare(const char* precision, const std::vector<std::vector<Method<T>>>& levels, std::ostream& table,
-             std::ostream& chart) {
+void compare(const char* precision, const std::vector<std::vector<Method<T>>>& levels) {
+    std::ostream& table = std::cout;
     for (std::size_t m = 0; m < levels[0].size(); ++m) {
         const Method<T>& method = levels[0][m];
         table << "| " << method.group << " | " << (method.engine ? "**" : "") << method.name
               << (method.engine ? "**" : "") << " | " << precision << " |";
-        double best = std::numeric_limits<double>::infinity();
         for (std::size_t level = 0; level < 3; ++level)
-            if (level < levels.size()) {
-                const double ns = nanoseconds(levels[level][m]);
-                best = std::min(best, ns);
-                table << ' ' << digits(ns, 2) << " |";
-            } else {
-                table << " |";
-            }
-        double most_wrong = 0, worst = 0;
+            table << (level < levels.size() ? ' ' + digits(nanoseconds(levels[level][m]), 2) : "") << " |";
         for (const char* input : inputs) {
             const Rays<T> rays = rays_for<T>(method.group, input, rays_judged);
             Answers<T> answers(rays_judged);
             method.run(rays, answers);
             const Wrong wrong = judge(method.group, rays, answers);
-            most_wrong = std::max(most_wrong, wrong.answers),
-            worst = std::max(worst, input == std::string("far") ? wrong.surface : 0);
             // Half an ulp is the best there is: ulps of the precision itself.
             const double ulp = static_cast<double>(std::numeric_limits<T>::epsilon());
             const bool box = std::string(method.group) == "box";
@@ -80,28 +68,23 @@ void compare(const char* precision, const std::vector<std::vector<Method<T>>>& l
             table << " |";
         }
         table << std::endl;
-        chart << method.group << '\t' << method.name << '\t' << precision << '\t' << best << '\t' << worst << '\t'
-              << most_wrong << '\t' << method.engine << '\n';
     }
 }
 
 }  // namespace
 }  // namespace strahl::bench
 
-/// strahl_methods TABLE.md CHART.tsv
-int main(int count, char** words) {
+int main() {
     using namespace strahl;
     using namespace strahl::bench;
-    if (count != 3) return std::cerr << "usage: strahl_methods TABLE.md CHART.tsv\n", 2;
-    std::ofstream table(words[1]), chart(words[2]);
-    table << "| | method | numbers | 1 lane | 8 / 4 | 16 / 8 |";
-    for (const char* input : inputs) table << ' ' << input << " |";
-    table << "\n|---|---|---|--:|--:|--:|---|---|---|---|---|---|\n";
+    std::cout << "| | method | numbers | 1 lane | 8 / 4 | 16 / 8 |";
+    for (const char* input : inputs) std::cout << ' ' << input << " |";
+    std::cout << "\n|---|---|---|--:|--:|--:|---|---|---|---|---|---|\n";
     std::vector<std::vector<Method<float>>> single{scalar::methods_float()};
     std::vector<std::vector<Method<double>>> twice{scalar::methods_double()};
     if (supported(Simd::v3)) single.push_back(v3::methods_float()), twice.push_back(v3::methods_double());
     if (supported(Simd::v4)) single.push_back(v4::methods_float()), twice.push_back(v4::methods_double());
-    compare<float>("float", single, table, chart);
-    compare<double>("double", twice, table, chart);
-    compare<long double>("long double", {scalar::methods_extended()}, table, chart);
+    compare<float>("float", single);
+    compare<double>("double", twice);
+    compare<long double>("long double", {scalar::methods_extended()});
 }

@@ -53,10 +53,9 @@ void measure(const Scene& scene, const char* what, int frames, ThreadPool& pool)
         const double end = bench::seconds();
         moved.push_back(set - start), made.push_back(end - set), whole.push_back(end - start);
     }
-    const auto print = [&](const char* stage, std::vector<double> seconds) {
-        std::ranges::sort(seconds);
-        std::printf("  %s %.1f (%.1f to %.1f)", stage, 1000 * seconds[seconds.size() / 2], 1000 * seconds.front(),
-                    1000 * seconds.back());
+    const auto print = [](const char* stage, const std::vector<double>& seconds) {
+        const auto [least, most] = std::ranges::minmax(seconds);
+        std::printf("  %s %.1f (%.1f to %.1f)", stage, 1000 * bench::median(seconds), 1000 * least, 1000 * most);
     };
     std::printf("%s, in ms:", what);
     print("scene", moved), print("world", made), print("together", whole);

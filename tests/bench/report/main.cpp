@@ -1,17 +1,113 @@
-// Table, JSON and plot data of a measurement: bench_report ROWS.tsv FOLDER MACHINE > results.md
+// Tables of a measurement: bench_report ROWS.tsv MACHINE > results.md
+#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdio>
 #include <fstream>
-#include <functional>
 #include <iostream>
+#include <map>
+#include <optional>
+#include <sstream>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
-#include "rows.h"
+#include "tests/bench/measure.h"
 
 namespace {
 
-using namespace strahl::bench;
+using strahl::bench::median;
+
+/// One run. Seconds without start-up, parsing and writing.
+struct Row {
+    std::string world, program;
+    int objects = 0, lights = 0, width = 0, height = 0, threads = 0, round = 0;
+    double build = 0, trace = 0;
+    double rays = 0;                           // 0: the program does not report them
+    double memory = 0;                         // peak, in KiB
+    std::optional<double> difference, beyond;  // from Strahl's double picture: the largest, and pixels beyond 1/255
+    double seconds() const { return build + trace; }
+};
+
+std::optional<double> number(const std::string& word) {
+    if (word.empty() || word == "-") return {};
+    return std::stod(word);
+}
+
+/// Tab-separated, in the order in which tests/bench/run writes them. Throws std::runtime_error.
+std::vector<Row> read_rows(const std::string& path) {
+    std::vector<Row> rows;
+    std::ifstream file(path);
+    for (std::string line; std::getline(file, line);) {
+        std::istringstream words(line);
+        std::vector<std::string> w;
+        for (std::string word; std::getline(words, word, '\t');) w.push_back(word);
+        if (w.size() != 14) throw std::runtime_error(path + ": not a line of fourteen: " + line);
+        Row row;
+        row.world = w[0], row.program = w[7];
+        row.objects = std::stoi(w[1]), row.lights = std::stoi(w[2]);
+        row.width = std::stoi(w[3]), row.height = std::stoi(w[4]);
+        row.threads = std::stoi(w[5]), row.round = std::stoi(w[6]);
+        row.build = std::stod(w[8]), row.trace = std::stod(w[9]);
+        row.rays = std::stod(w[10]), row.memory = std::stod(w[11]);
+        row.difference = number(w[12]), row.beyond = number(w[13]);
+        rows.push_back(row);
+    }
+    if (rows.empty()) throw std::runtime_error(path + ": nothing was measured");
+    return rows;
+}
+
+/// All rounds of one program in one world, with one number of threads: medians.
+struct Summary {
+    Row row;
+    std::map<std::string, double> ratio;  // its time to another program's of the same round
+};
+
+struct World {
+    std::string name;
+    int threads = 0;
+    std::vector<Summary> programs;  // in the order measured
+    const Summary* find(const std::string& program) const {
+        for (const Summary& s : programs)
+            if (s.row.program == program) return &s;
+        return nullptr;
+    }
+};
+
+/// In the order measured.
+std::vector<World> summarize(const std::vector<Row>& rows) {
+    std::vector<World> worlds;
+    std::map<std::string, std::vector<Row>> all;  // by world, threads and program
+    const auto key = [](const std::string& world, int threads, const std::string& program) {
+        return world + '/' + std::to_string(threads) + '/' + program;
+    };
+    for (const Row& row : rows) {
+        auto world = std::find_if(worlds.begin(), worlds.end(),
+                                  [&](const World& w) { return w.name == row.world && w.threads == row.threads; });
+        if (world == worlds.end()) world = worlds.insert(worlds.end(), {row.world, row.threads, {}});
+        auto& rounds = all[key(row.world, row.threads, row.program)];
+        if (rounds.empty()) world->programs.push_back({row, {}});
+        rounds.push_back(row);
+    }
+    for (World& world : worlds)
+        for (Summary& s : world.programs) {
+            const auto& rounds = all[key(world.name, world.threads, s.row.program)];
+            const auto middle = [&](double Row::*value) {
+                std::vector<double> values;
+                for (const Row& r : rounds) values.push_back(r.*value);
+                return median(values);
+            };
+            s.row.build = middle(&Row::build), s.row.trace = middle(&Row::trace), s.row.memory = middle(&Row::memory);
+            for (const Summary& other : world.programs) {
+                std::vector<double> ratios;
+                for (const Row& mine : rounds)
+                    for (const Row& theirs : all[key(world.name, world.threads, other.row.program)])
+                        if (mine.round == theirs.round && theirs.seconds() > 0)
+                            ratios.push_back(mine.seconds() / theirs.seconds());
+                if (!ratios.empty()) s.ratio[other.row.program] = median(ratios);
+            }
+        }
+    return worlds;
+}
 
 const std::array<std::pair<const char*, const char*>, 10> programs{{{"float", "Strahl float"},
                                                                     {"double", "Strahl double"},
@@ -41,11 +137,6 @@ std::string digits(double value) {
     return text(value < 9.995 ? value < .9995 ? "%.3f" : "%.2f" : value < 99.95 ? "%.1f" : "%.0f", value);
 }
 
-const Summary* any_of_ours(const World& world) {
-    const Summary* s = world.find("double");
-    return s ? s : world.find("float");
-}
-
 /// Seconds of two of our programs, and how many times as long the others take.
 void write_overview(const std::vector<World>& worlds, const std::array<const char*, 2>& ours,
                     const std::vector<const char*>& peers) {
@@ -70,130 +161,34 @@ void write_overview(const std::vector<World>& worlds, const std::array<const cha
     }
 }
 
-void write_details(const World& world) {
-    const Row& first = world.programs[0].row;
-    std::cout
-        << "\n## " << world.name << "\n\n"
-        << first.width << 'x' << first.height << ", " << first.objects << " objects, " << first.lights << " lights, "
-        << world.threads << " threads\n\n"
-        << "| Program | Build s | Trace s | Rays | Mrays/s | Memory MiB | Largest difference | Pixels differing by "
-           "more than 1/255 |\n|---|--:|--:|--:|--:|--:|--:|--:|\n";
-    for (const auto& [row, ratio] : world.programs) {
-        std::cout << "| " << title(row.program) << " | " << digits(row.build) << " | " << digits(row.trace) << " | "
-                  << (row.rays > 0 ? text("%.0f", row.rays) : "") << " | "
-                  << (row.rays > 0 && row.trace > 0 ? digits(row.rays / row.trace * 1e-6) : "") << " | "
-                  << text("%.0f", row.memory / 1024) << " | " << (row.difference ? text("%.2g", *row.difference) : "")
-                  << " | " << (row.beyond ? text("%.4f", 100 * *row.beyond / row.width / row.height) + " %" : "")
-                  << " |\n";
-    }
-}
-
-/// All names are our own except the machine's.
-std::string quoted(const std::string& words) {
-    std::string result = "\"";
-    for (const char c : words) {
-        if (c == '"' || c == '\\') result += '\\';
-        if (static_cast<unsigned char>(c) >= ' ') result += c;
-    }
-    return result + '"';
-}
-
-void write_run(std::ostream& out, const Row& row) {
-    const auto maybe = [](const std::optional<double>& value) { return value ? text("%.9g", *value) : "null"; };
-    out << "{\"world\": " << quoted(row.world) << ", \"program\": " << quoted(row.program)
-        << ", \"objects\": " << row.objects << ", \"lights\": " << row.lights << ", \"width\": " << row.width
-        << ", \"height\": " << row.height << ", \"threads\": " << row.threads << ", \"round\": " << row.round
-        << ", \"build_seconds\": " << row.build << ", \"trace_seconds\": " << row.trace
-        << ", \"rays\": " << text("%.0f", row.rays) << ", \"memory_kib\": " << text("%.0f", row.memory)
-        << ", \"largest_difference\": " << maybe(row.difference) << ", \"pixels_beyond\": " << maybe(row.beyond) << "}";
-}
-
-void write_json(const std::string& path, const std::string& machine, const std::vector<Row>& rows,
-                const std::vector<World>& worlds) {
-    std::ofstream out(path);
-    out << "{\n\"machine\": " << quoted(machine) << ",\n\"runs\": [\n";
-    for (std::size_t i = 0; i < rows.size(); ++i) out << (i ? ",\n" : ""), write_run(out, rows[i]);
-    out << "\n],\n\"ratios\": [\n";
-    const char* separator = "";
-    for (const World& world : worlds)
-        for (const Summary& s : world.programs) {
-            if (s.row.program == "float" || s.row.program == "double") continue;
-            out << separator << "{\"world\": " << quoted(world.name) << ", \"threads\": " << world.threads
-                << ", \"program\": " << quoted(s.row.program);
-            for (const char* own : {"float", "double", "float-16", "double-16"})
-                if (s.ratio.contains(own)) out << ", \"to_" << own << "\": " << s.ratio.at(own);
-            out << "}";
-            separator = ",\n";
-        }
-    out << "\n]\n}\n";
-    if (!out.flush()) throw std::runtime_error("cannot write " + path);
-}
-
-/// In a plot, `strahl render` would be hidden behind the tracer alone; and plots show no pruned pictures.
-bool shown(std::string_view program) { return !program.starts_with("render-") && !program.ends_with("-16"); }
-
-/// A line per scene for which `x` is above 0, a column per program; no file if there are too few points for a line.
-void write_plot(const std::string& path, const std::string& label, const std::vector<World>& worlds,
-                const std::function<double(const World&)>& x) {
-    std::vector<const World*> points;
-    for (const World& world : worlds)
-        if (x(world) > 0) points.push_back(&world);
-    if (points.size() < 2) return;
-    std::ofstream out(path);
-    out << label;
-    std::vector<std::string> columns;
-    for (const auto& [name, words] : programs)
-        for (const World* world : points)
-            if (world->find(name) && shown(name)) {
-                columns.push_back(name);
-                out << " \"" << words << '"';
-                break;
-            }
-    for (const World* world : points) {
-        out << '\n' << text("%.0f", x(*world));
-        for (const std::string& column : columns) {
-            const Summary* s = world->find(column);
-            out << ' ' << (s && s->row.seconds() > 0 ? text("%.6g", s->row.seconds()) : "-");
+/// Every program in every scene. A scene's first line says what it is.
+void write_details(const std::vector<World>& worlds) {
+    std::cout << "\n## Scene by scene\n\n"
+                 "| Scene | Program | Build s | Trace s | Rays | Mrays/s | Memory MiB | Largest difference | Pixels "
+                 "differing by more than 1/255 |\n|---|---|--:|--:|--:|--:|--:|--:|--:|\n";
+    for (const World& world : worlds) {
+        const Row& first = world.programs[0].row;
+        std::cout << "| **" << world.name << "**, " << first.width << 'x' << first.height << ", " << first.objects
+                  << " objects, " << first.lights << " lights, " << world.threads << " threads ";
+        for (const auto& [row, ratio] : world.programs) {
+            std::cout << (&row == &first ? "| " : "| | ") << title(row.program) << " | " << digits(row.build) << " | "
+                      << digits(row.trace) << " | " << (row.rays > 0 ? text("%.0f", row.rays) : "") << " | "
+                      << (row.rays > 0 && row.trace > 0 ? digits(row.rays / row.trace * 1e-6) : "") << " | "
+                      << text("%.0f", row.memory / 1024) << " | "
+                      << (row.difference ? text("%.2g", *row.difference) : "") << " | "
+                      << (row.beyond ? text("%.4f", 100 * *row.beyond / row.width / row.height) + " %" : "")
+                      << " |\n";
         }
     }
-    out << '\n';
-    if (!out.flush()) throw std::runtime_error("cannot write " + path);
-}
-
-void write_plots(const std::string& folder, const std::vector<World>& worlds) {
-    const int threads = worlds[0].threads;
-    const auto of_kind = [&](const std::string& kind, auto value) {
-        return [=](const World& w) -> double {
-            return w.threads == threads && w.name.starts_with(kind) ? value(w.programs[0].row) : 0;
-        };
-    };
-    const auto objects = [](const Row& row) { return row.objects; };
-    const auto pixels = [](const Row& row) { return double(row.width) * row.height; };
-    write_plot(folder + "/plot-flake.dat", "objects_(sphere_flake)", worlds, of_kind("flake-", objects));
-    write_plot(folder + "/plot-grid.dat", "objects_(balls_and_cylinders_in_rows)", worlds, of_kind("grid-", objects));
-    write_plot(folder + "/plot-lights.dat", "lights", worlds,
-               of_kind("lights-", [](const Row& row) { return row.lights; }));
-    write_plot(folder + "/plot-pixels.dat", "pixels_(the_article's_scene)", worlds, of_kind("article-", pixels));
-    write_plot(folder + "/plot-rays.dat", "rays_(all_scenes)", worlds, [&](const World& w) {
-        const Summary* s = any_of_ours(w);
-        return w.threads == threads && s ? s->row.rays : 0;
-    });
-    std::string varied;
-    for (const World& world : worlds)
-        if (world.threads != threads) varied = world.name;
-    write_plot(folder + "/plot-threads.dat", "threads_(the_article's_scene)", worlds,
-               [&](const World& w) { return w.name == varied ? w.threads : 0.; });
 }
 
 }  // namespace
 
 int main(int argc, char** argv) try {
-    if (argc != 4) throw std::invalid_argument("bench_report ROWS.tsv FOLDER MACHINE > results.md");
-    const std::string folder = argv[2];
-    const auto rows = read_rows(argv[1]);
-    const auto worlds = summarize(rows);
+    if (argc != 3) throw std::invalid_argument("bench_report ROWS.tsv MACHINE > results.md");
+    const auto worlds = summarize(read_rows(argv[1]));
     std::cout
-        << "# Strahl compared with other programs\n\nMeasured by tests/bench/run on: " << argv[3]
+        << "# Strahl compared with other programs\n\nMeasured by tests/bench/run on: " << argv[2]
         << ".\n\nTimes are wall time for building the hierarchy and tracing, without start-up, parsing and writing; "
            "medians of all\nrounds. Ratios say how many times as long as Strahl a program takes in the same round.\n\n";
     write_overview(worlds, {"float", "double"}, {"embree", "tachyon", "povray"});
@@ -202,9 +197,7 @@ int main(int argc, char** argv) try {
            "guaranteed.\nPOV-Ray drops rays that weigh less than half a step (`adc_bailout`), which guarantees nothing "
            "for their sum.\n\n";
     write_overview(worlds, {"float-16", "double-16"}, {"povray-16", "povray"});
-    for (const World& world : worlds) write_details(world);
-    write_json(folder + "/results.json", argv[3], rows, worlds);
-    write_plots(folder, worlds);
+    write_details(worlds);
 } catch (const std::exception& error) {
     std::cerr << "bench_report: " << error.what() << '\n';
     return 1;

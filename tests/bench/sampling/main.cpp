@@ -1,12 +1,12 @@
 // How far anti-aliased pictures are from the average over each pixel, and what they cost. See tests/bench/README.md.
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +15,7 @@
 #include "image/picture.h"
 #include "image/pixels.h"
 #include "num/thread_pool.h"
+#include "tests/bench/measure.h"
 #include "text/parse.h"
 #include "trace/cells/cell_picture.h"
 #include "trace/tracer.h"
@@ -28,28 +29,33 @@ struct Result {
     double seconds = 0, estimate = 0;
 };
 
-/// An adaptive picture, and the RMS error that it is thought to have.
-Result refine(Tracer& tracer, const View& view, double error, ThreadPool& pool) {
+/// A picture and what it costs. `trace` is given where its tiles go.
+Result render(Tracer& tracer, const View& view, ThreadPool& pool, const std::function<Counts(const Sink&)>& trace) {
     const Lattice whole{.columns = view.width, .rows = view.height};
     Result result;
     result.rgb.resize(std::size_t(3) * view.width * view.height);
     tracer.prepare(view, pool);
-    const auto start = std::chrono::steady_clock::now();
-    CellPicture picture(tracer.scene(), view, whole, error);
-    result.rays = tracer.trace(view, picture, 0, pool, [&](const Tile& tile) { place(tile, whole, result.rgb); });
-    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    result.estimate = picture.sampled().error();
+    const double start = bench::seconds();
+    result.rays = trace([&](const Tile& tile) { place(tile, whole, result.rgb); });
+    result.seconds = bench::seconds() - start;
     return result;
 }
 
-Result render(Tracer& tracer, const View& view, const Sampling& sampling, ThreadPool& pool) {
+/// With a grid of rays in every pixel.
+Result grid_picture(Tracer& tracer, const View& view, int grid, ThreadPool& pool) {
     const Lattice whole{.columns = view.width, .rows = view.height};
-    Result result;
-    result.rgb.resize(std::size_t(3) * view.width * view.height);
-    tracer.prepare(view, pool);
-    const auto start = std::chrono::steady_clock::now();
-    result.rays = tracer.trace(view, sampling, whole, pool, [&](const Tile& tile) { place(tile, whole, result.rgb); });
-    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return render(tracer, view, pool,
+                  [&](const Sink& sink) { return tracer.trace(view, {.grid = grid}, whole, pool, sink); });
+}
+
+/// An adaptive picture, and the RMS error that it is thought to have.
+Result refine(Tracer& tracer, const View& view, double error, ThreadPool& pool) {
+    std::optional<CellPicture> picture;
+    Result result = render(tracer, view, pool, [&](const Sink& sink) {
+        picture.emplace(tracer.scene(), view, Lattice{.columns = view.width, .rows = view.height}, error);
+        return tracer.trace(view, *picture, 0, pool, sink);
+    });
+    result.estimate = picture->sampled().error();
     return result;
 }
 
@@ -58,7 +64,7 @@ std::vector<double> reference(Tracer& tracer, const View& view, int grid, const 
     std::vector<double> rgb(std::size_t(3) * view.width * view.height);
     const auto bytes = static_cast<std::streamsize>(rgb.size() * sizeof(double));
     if (std::ifstream file(path, std::ios::binary); file.read(reinterpret_cast<char*>(rgb.data()), bytes)) return rgb;
-    rgb = render(tracer, view, {.grid = grid}, pool).rgb;
+    rgb = grid_picture(tracer, view, grid, pool).rgb;
     std::ofstream(path, std::ios::binary).write(reinterpret_cast<const char*>(rgb.data()), bytes);
     return rgb;
 }
@@ -118,7 +124,7 @@ int compare(int argc, char** argv) {
     std::printf("%-14s %7s %8s %8s %8s %8s %8s %9s %9s\n", "", "samples", "rays", "RMS*510", "99%*255", "99.9%", "most",
                 "seconds", "estimate");
     for (const int n : {1, 2, 4, 8})
-        print(std::to_string(n) + "x" + std::to_string(n), render(tracer, view, {.grid = n}, pool), exact, pixels);
+        print(std::to_string(n) + "x" + std::to_string(n), grid_picture(tracer, view, n, pool), exact, pixels);
     for (const double error : {8., 4., 2., 1., .5, .25}) {
         char name[32];
         std::snprintf(name, sizeof name, "error %g/510", error);

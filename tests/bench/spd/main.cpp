@@ -11,33 +11,16 @@
 #include <string>
 #include <vector>
 
+#include "tests/bench/points.h"
+
 namespace {
 
 constexpr double pi = std::numbers::pi;
 
-struct Point {
-    double x = 0, y = 0, z = 0;
-};
-Point operator+(const Point& a, const Point& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-Point operator-(const Point& a, const Point& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-Point operator*(double s, const Point& a) { return {s * a.x, s * a.y, s * a.z}; }
-Point cross(const Point& a, const Point& b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-Point unit(const Point& a) { return 1 / std::sqrt(a.x * a.x + a.y * a.y + a.z * a.z) * a; }
-/// Two directions at right angles to `a` and to each other.
-void across(const Point& a, Point& u, Point& v) {
-    u = unit(cross(a, std::fabs(a.x) < .6 ? Point{1, 0, 0} : Point{0, 1, 0}));
-    v = cross(a, u);
-}
+using namespace strahl::bench;
 
-/// A number from 0 to 1 that looks random, the same for the same key everywhere (S. Vigna's SplitMix64).
-double chance(std::uint64_t key) {
-    std::uint64_t z = key * 0x9E3779B97F4A7C15u;
-    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
-    z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
-    return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-53;
-}
+/// A number from 0 to 1 that looks random, the same for the same key everywhere.
+double by_chance(std::uint64_t key) { return chance(key * next_state); }
 
 void put(const char* word, const Point& p) { std::printf("%s %.9g %.9g %.9g\n", word, p.x, p.y, p.z); }
 void view(const Point& from, const Point& at) {
@@ -58,27 +41,13 @@ void floor_at(double z, double half) {
     polygon({{half, half, z}, {-half, half, z}, {-half, -half, z}, {half, -half, z}});
 }
 
-/// 9^size + ... + 1 balls. Around each are nine, a third as large: six around its waist, three above.
-void flake(const Point& centre, double radius, const Point& outwards, int generations) {
-    sphere(centre, radius);
-    if (generations == 0) return;
-    Point u, v;
-    across(outwards, u, v);
-    for (int i = 0; i < 9; ++i) {
-        const bool waist = i < 6;
-        const double turn = pi / 3 * (waist ? i : 2 * i + .5);
-        const double up = waist ? 0 : std::sqrt(2. / 3), out = std::sqrt(1 - up * up);
-        const Point d = unit(up * outwards + out * std::cos(turn) * u + out * std::sin(turn) * v);
-        flake(centre + 4. / 3 * radius * d, radius / 3, d, generations - 1);
-    }
-}
 void balls(int size) {
     view({2.1, 1.3, 1.7}, {0, 0, 0});
     light({4, 3, 2}), light({1, -4, 4}), light({-3, 1, 5});
     std::puts("f 1 .75 .33 .8 0 0 0 0");
     floor_at(-.5, 12);
     std::puts("f 1 .9 .7 .5 .5 3.0827 0 0");
-    flake({0, 0, 0}, .5, {0, 0, 1}, size);
+    flake(sphere, {0, 0, 0}, .5, {0, 0, 1}, size);
 }
 
 /// size^3 gears of 144 flanks and two ends with 144 corners each, in mesh.
@@ -119,7 +88,7 @@ void mount(int size) {
     for (int step = n; step > 1; step /= 2) {
         const double rough = .55 * step / n;
         const auto middle = [&](int x, int y, double mean) {
-            at(x, y) = mean + rough * (chance(static_cast<std::uint64_t>(y) * 65537 + x + 7) - .42);
+            at(x, y) = mean + rough * (by_chance(static_cast<std::uint64_t>(y) * 65537 + x + 7) - .42);
         };
         const int half = step / 2;
         for (int y = 0; y <= n; y += step)
@@ -193,7 +162,7 @@ void branch(const Point& base, const Point& direction, double length, double rad
     if (generations == 0) return;
     Point u, v;
     across(direction, u, v);
-    const double turn = 2 * pi * chance(static_cast<std::uint64_t>(key));
+    const double turn = 2 * pi * by_chance(static_cast<std::uint64_t>(key));
     const Point side = std::cos(turn) * u + std::sin(turn) * v;
     const auto grow = [&](double degrees, double sign, double shorter, int next_key) {
         const double angle = degrees * pi / 180;

@@ -24,10 +24,7 @@ namespace {
 
 using namespace strahl;
 
-double median(std::vector<double> values) {
-    std::ranges::sort(values);
-    return values[values.size() / 2];
-}
+using bench::median;
 
 /// Seconds of one picture: before its tiles (hierarchy and light buffers), and for them.
 struct Times {

@@ -1,31 +1,20 @@
 // Worlds to measure with, as scene text on standard output: bench_worlds KIND COUNT
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <numbers>
 #include <string>
+
+#include "tests/bench/points.h"
 
 namespace {
 
-struct Point {
-    double x, y, z;
-};
-Point operator+(const Point& a, const Point& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-Point operator*(double s, const Point& a) { return {s * a.x, s * a.y, s * a.z}; }
-Point cross(const Point& a, const Point& b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-Point unit(const Point& a) { return 1 / std::sqrt(a.x * a.x + a.y * a.y + a.z * a.z) * a; }
+using namespace strahl::bench;
 
-/// Numbers that look random and are the same everywhere (S. Vigna's SplitMix64).
+/// Numbers that look random and are the same everywhere.
 class Chance {
   public:
-    double in(double low, double high) {
-        std::uint64_t z = state += 0x9E3779B97F4A7C15u;
-        z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
-        z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
-        return low + (high - low) * static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-53;
-    }
+    double in(double low, double high) { return low + (high - low) * chance(state += next_state); }
 
   private:
     std::uint64_t state = 1;
@@ -50,23 +39,6 @@ void floor_scene(const char* lights) {
     floor_at(0);
 }
 
-/// Nine balls, each a third as large, around every ball: six around its waist, three above. The layout of the sphere
-/// flake in E. Haines, "A Proposal for Standard Graphics Environments", 1987: the corners of a cuboctahedron but for
-/// the three that point back.
-void flake(const Point& centre, double radius, const Point& outwards, int generations) {
-    sphere(centre, radius);
-    if (generations == 0) return;
-    const Point u = unit(cross(outwards, std::abs(outwards.x) < .6 ? Point{1, 0, 0} : Point{0, 1, 0}));
-    const Point v = cross(outwards, u);
-    for (int i = 0; i < 9; ++i) {
-        const bool waist = i < 6;
-        const double turn = std::numbers::pi / 3 * (waist ? i : 2 * i + .5);
-        const double up = waist ? 0 : std::sqrt(2. / 3), across = std::sqrt(1 - up * up);
-        const Point d = unit(up * outwards + across * std::cos(turn) * u + across * std::sin(turn) * v);
-        flake(centre + 4. / 3 * radius * d, radius / 3, d, generations - 1);
-    }
-}
-
 void flake_world(int count) {
     int generations = 0;
     for (int balls = 1, level = 1; balls < count; balls += level) level *= 9, ++generations;
@@ -80,7 +52,7 @@ void flake_world(int count) {
         "defaultmaterial { rgb <1,.75,.33> reflection 0 refraction 0 diffuse .8 ambient .05 specular 0 pow 1 ior 1 }");
     floor_at(-.5);
     std::puts("defaultmaterial { rgb <1,.9,.7> reflection .5 diffuse .5 specular .5 pow 20 }");
-    flake({0, 0, 0}, .5, {0, 0, 1}, generations);
+    flake([](const Point& c, double r) { sphere(c, r); }, {0, 0, 0}, .5, {0, 0, 1}, generations);
 }
 
 /// Small balls and upright cylinders in turn, in rows on a floor ten wide.
