@@ -1,3 +1,3 @@
 # Conversion to POV-Ray and stored pictures; and POV-Ray itself, which must be installed.
-strahl_tests(test_povref unit strahl_povref povref povref_agreement povray povray_folder)
+strahl_tests(test_povref unit/povref strahl_povref povref povref_agreement povray povray_folder)
 set_tests_properties(povray PROPERTIES LABELS slow TIMEOUT 600)

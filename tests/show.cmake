@@ -1,8 +1,8 @@
 # The window: its parts without a display, and the program itself on a virtual one.
 if(TARGET strahl_show)
-  strahl_tests(test_show unit strahl_show progressive flying flights edited_path show_threads show_files rocket)
+  strahl_tests(test_show unit/show strahl_show progressive flying flights edited_path show_threads show_files rocket)
   if(SOUND_FOUND)
-    strahl_tests(test_sound unit strahl_show sound)
+    strahl_tests(test_sound unit/show strahl_show sound)
   endif()
   add_test(NAME window COMMAND bash ${CMAKE_SOURCE_DIR}/tests/window/run.sh $<TARGET_FILE:strahl>)
   foreach(topic hands timeline sound)

@@ -1,8 +1,8 @@
 # Scenes as values and as text.
-strahl_tests(test_text unit "strahl_text;strahl_image" scene overlap language language_errors language_values
-             language_composites language_patterns language_lights language_define hostile_text roundtrip edit_path
-             dictionary manual)
-strahl_tests(test_import unit strahl_import import_nff import_tachyon)
+strahl_tests(test_text unit/scene "" scene overlap)
+strahl_tests(test_text unit/text "strahl_text;strahl_image" language language_errors language_values language_composites
+             language_patterns language_lights language_define hostile_text roundtrip edit_path dictionary manual)
+strahl_tests(test_import unit/import strahl_import import_nff import_tachyon)
 
 # The tables of the manual: the test fails if they are stale, the target `manual` writes them.
 add_executable(write_manual EXCLUDE_FROM_ALL manual/main.cpp)

@@ -3,11 +3,12 @@ set(referee ${CMAKE_SOURCE_DIR}/tests/referee)
 add_library(strahl_referee STATIC ${referee}/referee.cpp ${referee}/random_scene.cpp ${referee}/examples.cpp)
 target_link_libraries(strahl_referee PUBLIC strahl_scene)
 
-strahl_tests(test_trace unit "strahl_text;strahl_image;strahl_trace;strahl_referee" referee structure kernel
+strahl_tests(test_trace unit/trace "strahl_text;strahl_image;strahl_trace;strahl_referee" referee kernel
              light_culling hierarchy bound accuracy hashes tracing sampling footprints lattice_cells area_light thin
              motion tracks patterns images reliefs)
+strahl_tests(test_trace unit "" structure)
 # It makes a kernel of its own.
-set_source_files_properties(${CMAKE_SOURCE_DIR}/tests/unit/area_light.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+set_source_files_properties(${CMAKE_SOURCE_DIR}/tests/unit/trace/area_light.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 # It starts threads in place of the C library.
 strahl_tests(test_thread_pool unit "strahl_text;strahl_trace" thread_pool)
 # With sanitizers it takes as long as all of the window's parts together, and `sampling` runs the same code.

@@ -14,12 +14,13 @@ if(CMAKE_CXX_COMPILER_ID MATCHES Clang)
 endif()
 
 # The renderer. In the sanitize preset only the scalar level is instrumented.
-add_library(strahl_picture_check STATIC ${attack}/picture_check.cpp ${attack}/shrink.cpp)
+add_library(strahl_picture_check STATIC ${attack}/renderer/picture_check.cpp
+            ${attack}/renderer/shrink.cpp)
 target_link_libraries(strahl_picture_check PUBLIC strahl_text strahl_trace)
-add_executable(attack_renderer ${attack}/renderer.cpp ${attack}/wild_scene.cpp ${attack}/wild_materials.cpp
-               ${attack}/wild_values.cpp)
+add_executable(attack_renderer ${attack}/renderer/renderer.cpp ${attack}/renderer/wild_scene.cpp
+               ${attack}/renderer/wild_materials.cpp ${attack}/renderer/wild_values.cpp)
 target_link_libraries(attack_renderer PRIVATE strahl_picture_check)
-strahl_tests(test_attacked unit strahl_picture_check attacked)
+strahl_tests(test_attacked unit/trace strahl_picture_check attacked)
 add_dependencies(attack attack_renderer)
 add_test(NAME attack_renderer COMMAND attack_renderer --seconds 5)
 

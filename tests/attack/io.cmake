@@ -1,5 +1,5 @@
 # Attacks on the finished program: failing allocations, threads and file calls, kills, power cuts.
-set(attack ${CMAKE_SOURCE_DIR}/tests/attack)
+set(attack ${CMAKE_SOURCE_DIR}/tests/attack/program)
 # No sanitizers in what is loaded before them.
 add_library(strahl_fail MODULE ${attack}/fail.cpp ${attack}/calls.cpp)
 add_executable(attack_io ${attack}/io.cpp ${attack}/attacked.cpp ${attack}/cases.cpp ${attack}/faults.cpp

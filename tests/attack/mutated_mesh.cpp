@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "tests/attack/mutator.h"
-#include "tests/unit/mesh_text.h"
+#include "tests/unit/mesh/mesh_text.h"
 
 namespace strahl {
 namespace {

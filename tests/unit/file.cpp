@@ -18,7 +18,7 @@
 #include <new>
 #include <vector>
 
-#include "scratch.h"
+#include "tests/unit/scratch.h"
 
 namespace {
 

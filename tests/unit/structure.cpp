@@ -203,9 +203,9 @@ TEST_CASE("no header includes itself, by others") {
     for (const auto& [file, path] : module_files()) visit(file);
 }
 
-TEST_CASE("a folder of sources has at most 30 files") {
+TEST_CASE("a folder of sources or tests has at most 30 files") {
     std::map<fs::path, int> count;
-    for (const char* top : {"src", "povref"})
+    for (const char* top : {"src", "povref", "tests"})
         for (const fs::path& file : files_under(fs::path(STRAHL_SOURCE) / top, std::regex(".*")))
             if (file.string().find("/povref/reference/") == std::string::npos) ++count[file.parent_path()];
     for (const auto& [folder, files] : count) CHECK_MESSAGE(files <= 30, folder.string());

@@ -1,7 +1,7 @@
 // A small GNU Rocket editor for tests of the window. Says "port P"; once a client is there "connected", and then what
 // it sends: "asks NAME", "row R". Its own commands are lines of standard input: `key TRACK ROW VALUE WAY`, `delete
 // TRACK ROW`, `row R`, `pause 0|1`, `save`; the numbers are those of the protocol.
-#include "tests/unit/rocket_editor.h"
+#include "tests/unit/show/rocket_editor.h"
 
 #include <cstdio>
 #include <cstdlib>

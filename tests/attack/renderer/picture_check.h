@@ -1,0 +1,39 @@
+// What a picture must not depend on, held against one scene: the same bit for bit at every SIMD level, with any number
+// of threads, whole and in part; and finite.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "num/thread_pool.h"
+#include "tests/attack/renderer/wild_scene.h"
+#include "tests/unit/levels.h"
+#include "tests/unit/sanitized.h"
+
+namespace strahl {
+
+/// The scene, seen in a smaller picture where one as large would take very many rays. It is traced a dozen times, and
+/// without this half of the time would go to one scene in a hundred. The same at every SIMD level.
+WildScene affordable(WildScene wild);
+
+class PictureCheck {
+  public:
+    /// What is wrong with this scene's pictures, a line each, which starts with the setting.
+    std::vector<std::string> faults(const WildScene& scene);
+
+    std::vector<Precision> precisions{Precision::float64, Precision::float32};
+
+  private:
+    using Values = std::vector<double>;
+    Values trace(Tracer& tracer, const Lattice& lattice, ThreadPool& pool);
+    void check(Precision precision);
+    void look_for_strange_values(const Values& values, Precision precision, const std::string& setting);
+    void compare(const Values& values, const Lattice& lattice, const Values& expected, const std::string& setting);
+
+    ThreadPool one{1}, three{3};
+    // Of a sanitize build only the scalar one is instrumented.
+    std::vector<Simd> levels = sanitized() ? std::vector{Simd::scalar} : fused_levels();
+    WildScene wild;
+    std::vector<std::string> found;
+};
+
+}  // namespace strahl

@@ -1,0 +1,103 @@
+// Pictures of wild scenes, one after the other: whatever picture_check.h finds wrong is a fault.
+//
+// attack_renderer [--seconds S] [--first N]   the seeds from N on
+// attack_renderer --seed N                    this one alone
+// attack_renderer --seed N --write            its scene as text
+// attack_renderer --seed N --shrink           a scene as small as possible with the same kind of fault, as text
+// While it runs, and after a crash, the file attack-renderer-seed in the working directory holds the seed.
+#include <malloc.h>
+
+#include <chrono>
+#include <cstdio>
+#include <fstream>
+#include <limits>
+#include <string>
+
+#include "tests/attack/renderer/picture_check.h"
+#include "tests/attack/renderer/shrink.h"
+#include "text/write.h"
+
+using namespace strahl;
+
+namespace {
+
+std::string words_of(const WildScene& wild) {
+    char view[200];
+    std::snprintf(view, sizeof view, "// --size %dx%d --depth %d, error %.17g, shift %.17g %.17g\n", wild.view.width,
+                  wild.view.height, wild.view.depth, wild.view.error, wild.view.shift_x, wild.view.shift_y);
+    return view + write_scene(wild.scene);
+}
+
+/// Tells what is wrong with the scene of a seed, and writes it to a file. Is anything?
+bool attack(PictureCheck& check, std::uint64_t seed) {
+    const WildScene wild = affordable(wild_scene(seed));
+    const std::vector<std::string> faults = check.faults(wild);
+    if (faults.empty()) return false;
+    const std::string file = "seed-" + std::to_string(seed) + ".rt";
+    for (const std::string& fault : faults) std::fprintf(stderr, "%s: %s\n", file.c_str(), fault.c_str());
+    std::ofstream(file) << words_of(wild);
+    return true;
+}
+
+/// The first fault tells the kind: the setting, and whether values differ or are not finite.
+void shrink(std::uint64_t seed) {
+    PictureCheck check;
+    const auto kind = [&](const WildScene& wild) {
+        const std::vector<std::string> faults = check.faults(wild);
+        return faults.empty() ? "" : faults[0].substr(0, faults[0].find(':'));
+    };
+    WildScene wild = affordable(wild_scene(seed));
+    const std::string first = kind(wild);
+    if (first.empty()) return;
+    if (first.starts_with(name(Precision::float64))) check.precisions = {Precision::float64};
+    wild = shrunk(wild, [&](const WildScene& w) { return kind(w) == first; });
+    std::printf("// %s\n%s", first.c_str(), words_of(wild).c_str());
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+    double seconds = std::numeric_limits<double>::infinity();
+    std::uint64_t seed = 1;
+    bool write = false, smaller = false, alone = false;
+    for (int i = 1; i < count; ++i) {
+        const std::string option = arguments[i];
+        if (option == "--write")
+            write = true;
+        else if (option == "--shrink")
+            smaller = true;
+        else if (option == "--seconds" && i + 1 < count)
+            seconds = std::stod(arguments[++i]);
+        else if ((option == "--first" || option == "--seed") && i + 1 < count)
+            seed = std::stoull(arguments[++i]), alone = option == "--seed";
+        else
+            return std::fprintf(stderr, "attack_renderer: what is '%s'?\n", arguments[i]), 2;
+    }
+    if (write) return std::fputs(words_of(affordable(wild_scene(seed))).c_str(), stdout), 0;
+
+    // Each tracer's workspaces come from what the last one left, which is faster, and shows who reads before writing.
+    ::mallopt(M_MMAP_THRESHOLD, 1 << 30), ::mallopt(M_TRIM_THRESHOLD, 1 << 30);
+    if (smaller) return shrink(seed), 0;
+
+    std::FILE* const progress = std::fopen("attack-renderer-seed", "w");
+    if (!progress) return std::perror("attack-renderer-seed"), 1;
+    const auto start = std::chrono::steady_clock::now();
+    const auto passed = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
+    PictureCheck check;
+    std::uint64_t done = 0, faults = 0, slowest_seed = 0;
+    double slowest = 0, now = 0;
+    do {
+        std::rewind(progress);
+        std::fprintf(progress, "%llu\n", static_cast<unsigned long long>(seed + done));
+        std::fflush(progress);
+        faults += attack(check, seed + done++);
+        const double before = now;
+        now = passed();
+        if (now - before > slowest) slowest = now - before, slowest_seed = seed + done - 1;
+    } while (now < seconds && !alone);
+    std::fclose(progress);
+    std::remove("attack-renderer-seed");
+    std::printf("%llu scenes, %llu faults, %.2f s the slowest, seed %llu\n", static_cast<unsigned long long>(done),
+                static_cast<unsigned long long>(faults), slowest, static_cast<unsigned long long>(slowest_seed));
+    return faults > 0;
+}

@@ -1,0 +1,206 @@
+// Files that are made to hurt whoever reads them as pictures.
+#include <doctest/doctest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+
+#include "files/output_file.h"
+#include "image/picture.h"
+#include "tests/unit/scratch.h"
+
+namespace strahl {
+namespace {
+
+Picture picture(int width, int height) {
+    return {width, height, 3, std::vector<double>(std::size_t(3) * width * height, .5), 32};
+}
+
+/// What is told of a file, or nothing if it can be read.
+std::string fault_in(const std::string& path, std::uint64_t most = most_values_read) {
+    try {
+        read_picture(path, most);
+    } catch (const FileError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+bool says(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+template <class... Values>
+std::string bytes_of_values(Values... values) {
+    std::string bytes;
+    ((bytes += std::string(reinterpret_cast<const char*>(&values), sizeof values)), ...);
+    return bytes;
+}
+
+/// A tiled .exr file of three float channels that ends after the place of its first tile.
+std::string forged_exr(int width, int height, int tile) {
+    std::string bytes = bytes_of_values(20000630, 2 | 0x200);
+    const auto add = [&](const char* name, const char* type, const std::string& value) {
+        bytes += std::string(name) + '\0' + type + '\0' + bytes_of_values(int(value.size())) + value;
+    };
+    std::string channels;
+    for (const char* channel : {"B", "G", "R"}) channels += std::string(channel) + '\0' + bytes_of_values(2, 0, 1, 1);
+    add("channels", "chlist", channels + '\0');
+    add("compression", "compression", std::string(1, '\3'));
+    add("dataWindow", "box2i", bytes_of_values(0, 0, width - 1, height - 1));
+    add("displayWindow", "box2i", bytes_of_values(0, 0, width - 1, height - 1));
+    add("lineOrder", "lineOrder", std::string(1, '\0'));
+    add("pixelAspectRatio", "float", bytes_of_values(1.f));
+    add("screenWindowCenter", "v2f", bytes_of_values(0.f, 0.f));
+    add("screenWindowWidth", "float", bytes_of_values(1.f));
+    add("tiles", "tiledesc", bytes_of_values(tile, tile) + '\0');
+    bytes += '\0';
+    return bytes + bytes_of_values(std::uint64_t(bytes.size() + 8));
+}
+
+TEST_CASE("only .bmp, .png, .exr, .ppm and .pfm are read, told by what is in the file") {
+    const Scratch folder;
+    const auto reading = [&](const std::string& name) { return fault_in(folder / name); };
+    write_picture(picture(4, 4), folder / "a.png", {});
+    std::filesystem::rename(folder / "a.png", folder / "a.bmp");
+    CHECK(reading("a.bmp").empty());
+    const std::string no_channels("\x01\xda\0\1\0\3\0\4\0\4\0\0", 12);  // of an SGI file
+    const std::string icon("\0\0\1\0\1\0", 6), dds("DDS \x7c\0\0\0", 8), cineon("\x80\x2a\x5f\xd7", 4);
+    for (const std::string& start : {no_channels, icon, dds, cineon, std::string("P3 1 1 255\n1 2 3")})
+        for (const char* name : {"b.png", "b.sgi", "b.ico", "b.dds", "b.cin", "b.ppm"}) {
+            write_file(folder / name, start + std::string(2000, '\0'));
+            CHECK(says(reading(name), "no .bmp, .png, .exr, .ppm or .pfm"));
+        }
+}
+
+TEST_CASE("pictures without compression: headers that are forged, and files that are cut off") {
+    const Scratch folder;
+    const auto reading = [&](const std::string& bytes, std::uint64_t most = most_values_read) {
+        write_file(folder / "a.ppm", bytes);
+        return fault_in(folder / "a.ppm", most);
+    };
+    const std::string values(2000, '\7');
+    CHECK(reading("P6 # red first\n2 1\t255\n123456").empty());
+    CHECK(says(reading("P6 2 1 255\n12345"), "cut off"));
+    CHECK(says(reading("P6 2 1 65535\n12345678901"), "cut off"));
+    CHECK(says(reading("P6 2"), "cut off"));
+    CHECK(says(reading("P6 2 1 255#"), "cut off"));
+    CHECK(says(reading("P6 " + std::string(30, '1') + values), "cut off"));
+    CHECK(says(reading("P6 1000000 1000000 255\n" + values), "1000000x1000000 pixels"));
+    CHECK(says(reading("P6 2 1 255\n123456", 5), "2x1 pixels"));
+    for (const char* wrong : {"P6 0 1 255", "P6 -1 1 255", "P6 1 9999999 255", "P6 1 x 255", "P6 1 1 0", "P6 1.5 1 255",
+                              "PF 1 1 x", "PF 1 1 nan", "PF 1 1 2"})
+        CHECK(says(reading(wrong + ('\n' + values)), "where a number is expected"));
+    CHECK(says(reading("P6 1 1 100\n" + values), "neither 255 nor 65535"));
+    CHECK(says(reading("PF 1 1 0\n" + values), "neither 1 nor -1"));
+    CHECK(says(reading("P6_" + values), "cut off"));
+    CHECK(says(reading("P61 1 255\n" + values), "it is no .ppm"));
+}
+
+TEST_CASE("devices and pipes are not read") {
+    const Scratch folder;
+    CHECK(says(fault_in("/dev/zero"), "no regular file"));
+    REQUIRE(::mkfifo((folder / "pipe.png").c_str(), 0600) == 0);
+    CHECK(says(fault_in(folder / "pipe.png"), "no regular file"));
+}
+
+TEST_CASE("a forged header costs no memory, and a large picture no more than was allowed") {
+    const Scratch folder;
+    const auto reading = [&](const std::string& name) { return fault_in(folder / name); };
+    struct Forgery {
+        int width, height, tile;
+    };
+    for (const auto& [width, height, tile] : {Forgery{9000, 9000, 9000}, {8, 6, 8000}}) {
+        CAPTURE(width);
+        CAPTURE(tile);
+        write_file(folder / "a.exr", forged_exr(width, height, tile));
+        CHECK(says(reading("a.exr"), "than fit into such a file"));
+    }
+    std::string bmp(1100, '\0');  // run-length encoded, with the end right after the palette
+    const std::array<std::int32_t, 8> header{1078, 40, 20000, 20000, 8 << 16 | 1, 1, 0, 0};
+    bmp.replace(0, 2, "BM"), bmp[1079] = 1;
+    std::memcpy(&bmp[10], header.data(), sizeof header);
+    write_file(folder / "a.bmp", bmp);
+    CHECK(says(reading("a.bmp"), "than fit into such a file"));
+    write_picture(picture(20, 10), folder / "a.png", {});
+    CHECK(fault_in(folder / "a.png", 600).empty());
+    CHECK(says(fault_in(folder / "a.png", 599), "20x10 pixels"));
+}
+
+/// The most memory so far, in MB.
+double memory() {
+    rusage usage{};
+    ::getrusage(RUSAGE_SELF, &usage);
+    return static_cast<double>(usage.ru_maxrss) / 1024;
+}
+
+TEST_CASE("what the header says is longer than the file is refused before anything is allocated for it") {
+    const Scratch folder;
+    write_picture(picture(4, 4), folder / "a.png", {});
+    write_picture(picture(4, 4), folder / "a.exr", {});
+    const auto forged = [&](const char* name, const std::string& word, std::ptrdiff_t offset, const std::string& size) {
+        std::string bytes = bytes_of(folder / name);
+        const std::size_t at = bytes.find(word);
+        REQUIRE(at != bytes.npos);
+        bytes.replace(at + static_cast<std::size_t>(offset), size.size(), size);
+        write_file(folder / "forged", bytes);
+        return fault_in(folder / "forged");
+    };
+    const double before = memory();
+    CHECK(says(forged("a.png", "gAMA", -4, std::string("\x60\0\0\1", 4)), "more than is in the file"));
+    const std::string type("lineOrder\0lineOrder", 19);
+    CHECK(says(forged("a.exr", type, 20, std::string("\1\0\0\x60", 4)), "more than is in the file"));
+    CHECK(says(forged("a.exr", type, 20, std::string("\1\0\0\x80", 4)), "more than is in the file"));
+    // Of the right size or too short it goes on to the library.
+    CHECK(forged("a.png", "gAMA", 0, "gAMA").empty());
+    CHECK(forged("a.exr", type, 0, type).empty());
+    CHECK(memory() - before < 100);
+}
+
+TEST_CASE("rows that a file promises and does not have cost no memory") {
+    const Scratch folder;
+    Picture noise = picture(64, 64);
+    for (std::size_t i = 0; i < noise.values.size(); ++i) noise.values[i] = double(i * i % 1009) / 1009;
+    write_picture(noise, folder / "a.exr", {});
+    std::string bytes = bytes_of(folder / "a.exr");
+    for (const std::string window : {"dataWindow", "displayWindow"}) {
+        const std::size_t at = bytes.find(window + std::string("\0box2i\0\x10\0\0\0", 11));
+        REQUIRE(at != bytes.npos);
+        bytes.replace(at + window.size() + 11, 16, bytes_of_values(0, 0, 7999, 7999));
+    }
+    bytes.resize(std::max<std::size_t>(bytes.size(), 8000));
+    write_file(folder / "a.exr", bytes);
+    const double before = memory();
+    CHECK(says(fault_in(folder / "a.exr"), "as a picture"));
+    CHECK(memory() - before < 200);
+}
+
+TEST_CASE("a picture that says it lies at the end of all numbers is refused") {
+    const Scratch folder;
+    write_picture(picture(4, 4), folder / "a.png", {});
+    std::string bytes = bytes_of(folder / "a.png");
+    // Where it lies on a page, after the header.
+    constexpr std::size_t header_end = 8 + 12 + 13;
+    bytes.insert(header_end, std::string("\0\0\0\x9oFFs\0\0\0\0\x7f\xff\0\0\0\x7f\xad\xc7\x21", 21));
+    write_file(folder / "a.png", bytes);
+    CHECK(says(fault_in(folder / "a.png"), "lies too far"));
+}
+
+TEST_CASE("run lengths of other bits than the pixels are refused") {
+    const Scratch folder;
+    const auto fault = [&](std::uint16_t bits, std::int32_t compression) {
+        std::string bytes =
+            "BM" + bytes_of_values(1110, 0, 1078, 40, 8, 8, std::uint16_t(1), bits, compression, 32, 0, 0, 256, 0);
+        bytes += std::string(1024, '\x40');
+        for (int row = 0; row < 8; ++row) bytes += std::string("\x08\x01\0", 3) + (row < 7 ? '\0' : '\1');
+        write_file(folder / "a.bmp", bytes);
+        return fault_in(folder / "a.bmp");
+    };
+    CHECK(fault(8, 1).empty());
+    for (const std::uint16_t bits : {16, 24, 32, 4}) CHECK(says(fault(bits, 1), "run lengths"));
+    for (const std::uint16_t bits : {16, 24, 32, 8}) CHECK(says(fault(bits, 2), "run lengths"));
+}
+
+}  // namespace
+}  // namespace strahl

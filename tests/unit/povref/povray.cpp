@@ -1,0 +1,169 @@
+// Runs POV-Ray on every scene.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <mutex>
+#include <thread>
+
+#include "image/compare.h"
+#include "image/picture.h"
+#include "main/commands/command_pov.h"
+#include "num/thread_pool.h"
+#include "povref/compare/run_povray.h"
+#include "scene/moving_scene.h"
+#include "tests/unit/povref/agreement.h"
+#include "tests/unit/scratch.h"
+
+using namespace strahl;
+
+namespace {
+
+/// Why the pictures of this scene disagree, or "".
+std::string check(const std::string& name, const Allowed& allowed, int width, int height) {
+    const Scene scene = read_scene(name);
+    const View view{.camera = scene.camera, .width = width, .height = height, .depth = scene.settings.max_trace_level};
+    const PovRun theirs = run_povray(
+        scene, {.title = name, .cameras = {view.camera}, .width = width, .height = height, .depth = view.depth}, 1);
+    Tracer tracer(scene, Precision::float64);
+    const std::string disagreement = fault(judge(tracer, view, render(scene, view), theirs.picture), allowed);
+    return disagreement + (theirs.warnings.empty() ? "" : "povray warns: " + theirs.warnings);
+}
+
+/// The largest difference between averages over a grid of rays, in steps of 16 bits.
+int worst_of_grids(const std::string& name, int grid) {
+    const Scene scene = read_scene(name);
+    const View view{.camera = scene.camera, .width = 64, .height = 48, .depth = scene.settings.max_trace_level};
+    const PovRun theirs =
+        run_povray(scene, {.cameras = {view.camera}, .width = 64, .height = 48, .depth = view.depth, .grid = grid}, 1);
+    const Lattice whole{.columns = 64, .rows = 48};
+    std::vector<double> ours(3 * 64 * 48);
+    ThreadPool pool(1);
+    Tracer(scene, Precision::float64)
+        .trace(view, Sampling{.grid = grid, .centre = true}, whole, pool,
+               [&](const Tile& tile) { place(tile, whole, ours); });
+    int worst = 0;
+    for (std::size_t i = 0; i < ours.size(); ++i) {
+        const auto steps = [](double value) {
+            return static_cast<int>(std::lround(65535 * std::clamp(value, 0., 1.)));
+        };
+        worst = std::max(worst, std::abs(steps(ours[i]) - steps(theirs.picture.values[i])));
+    }
+    return worst;
+}
+
+/// Runs a command line and returns its output.
+std::string output_of(const std::string& command) {
+    std::FILE* pipe = popen((command + " 2>&1").c_str(), "r");
+    REQUIRE(pipe);
+    std::string text;
+    char buffer[4096];
+    while (const std::size_t got = std::fread(buffer, 1, sizeof buffer, pipe)) text.append(buffer, got);
+    REQUIRE_MESSAGE(pclose(pipe) == 0, text);
+    return text;
+}
+
+}  // namespace
+
+TEST_CASE("averages over grids agree with POV-Ray's") {
+    for (const char* const name : {"crosscheck/balls_of_mirror", "crosscheck/overbright", "crosscheck/shadow_coloured"})
+        for (const int grid : {2, 3}) {
+            CAPTURE(name);
+            CHECK(worst_of_grids(name, grid) <= 1);
+        }
+}
+
+TEST_CASE("every scene's picture agrees with POV-Ray's") {
+    const std::vector<std::string> names = scene_names();
+    const auto table = allowed_table();
+    std::atomic<std::size_t> next = 0;
+    std::mutex mutex;
+    std::string faults;
+    const auto work = [&] {
+        for (std::size_t i = next++; i < names.size(); i = next++) {
+            const auto entry = table.find(names[i]);
+            const Allowed allowed = entry == table.end() ? Allowed{} : entry->second;
+            if (!allowed.comparable()) continue;
+            std::string found;
+            try {
+                found = check(names[i], allowed, 160, 120);
+            } catch (const std::exception& error) {
+                found = error.what();
+            }
+            if (found.empty()) continue;
+            const std::lock_guard lock(mutex);
+            faults += names[i] + ": " + found + "\n";
+        }
+    };
+    {
+        // POV-Ray sleeps most of the half second that it takes for a small picture.
+        std::vector<std::jthread> threads;
+        for (int i = 0; i < 4; ++i) threads.emplace_back(work);
+    }
+    CHECK_MESSAGE(faults.empty(), faults);
+}
+
+TEST_CASE("povray renders an emitted .ini without warnings, to Strahl's picture") {
+    const Scratch scratch;
+    for (const char* name : {"crosscheck/total_reflection", "crosscheck/linear_light", "crosscheck/camera_inside"}) {
+        CAPTURE(name);
+        const std::string pov = scratch / "it's a scene.pov";
+        REQUIRE(pov_command({.scene = std::string(STRAHL_SOURCE) + "/scenes/" + name + ".rt",
+                             .output = pov,
+                             .width = 64,
+                             .height = 48}) == 0);
+        // As a comment of the .ini says.
+        std::ifstream ini(scratch / "it's a scene.ini");
+        std::string command;
+        while (std::getline(ini, command) && !command.starts_with(";   povray ")) {
+        }
+        REQUIRE(ini.good());
+        const std::string log = output_of(command.substr(1));
+        CHECK_MESSAGE(log.find("Warning: ") == std::string::npos, log);
+        const Scene scene = read_scene(name);
+        const Frame frame =
+            render(scene, {.camera = scene.camera, .width = 64, .height = 48, .depth = scene.settings.max_trace_level});
+        const std::string ours = scratch / "ours.png";
+        write_picture({64, 48, 3, frame.rgb}, ours, {16, scene.settings.linear});
+        const Picture a = read_picture(ours), b = read_picture(scratch / "it's a scene.png");
+        // The sRGB curve is up to 13 times steeper than the values it encodes.
+        CHECK(compare(a, b, 0).max * 65535 < (scene.settings.linear ? 13.5 : 1.5));
+    }
+}
+
+TEST_CASE("animations of ten frames agree frame by frame") {
+    const Scratch scratch;
+    for (const auto& [name, fps] : {std::pair("flight", 4.5), {"motion", 3.75}}) {
+        CAPTURE(name);
+        const Scene scene = read_scene(std::string("crosscheck/") + name);
+        REQUIRE(pov_command({.scene = std::string(STRAHL_SOURCE "/scenes/crosscheck/") + name + ".rt",
+                             .output = scratch / "film.pov",
+                             .animation = true,
+                             .fps = fps,
+                             .width = 64,
+                             .height = 48}) == 0);
+        const std::string log = output_of("povray '" + (scratch / "film.ini") + "'");
+        CHECK_MESSAGE(log.find("Rendering frame 10 of 10") != std::string::npos, log);
+        Tracer tracer(scene, Precision::float64);
+        for (int n = 0; n < 10; ++n) {
+            CAPTURE(n);
+            const double time = n / fps;
+            const View view{.camera = camera_at(scene, time), .width = 64, .height = 48, .time = time};
+            const Picture theirs = read_picture(scratch / ("film" + std::to_string(n) + ".png"));
+            const Verdict verdict = judge(tracer, view, render(scene, view), theirs);
+            CHECK_MESSAGE(fault(verdict, {}).empty(), fault(verdict, {}));
+        }
+    }
+}
+
+TEST_CASE("without povray the message says what to install") {
+    const Scene scene = read_scene("crosscheck/ambient");
+    const std::string path = std::getenv("PATH");
+    setenv("PATH", "/nowhere", 1);
+    CHECK_THROWS_WITH(run_povray(scene, {.cameras = {scene.camera}, .width = 8, .height = 6}, 1),
+                      doctest::Contains("apt install povray"));
+    setenv("PATH", path.c_str(), 1);
+}

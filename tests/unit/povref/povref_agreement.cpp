@@ -1,0 +1,91 @@
+// Strahl's pictures compared with stored ones of POV-Ray, and the comparison itself.
+#include <doctest/doctest.h>
+
+#include <atomic>
+#include <cmath>
+#include <set>
+
+#include "files/output_file.h"
+#include "image/picture.h"
+#include "num/thread_pool.h"
+#include "povref/compare/run_povray.h"
+#include "tests/unit/povref/agreement.h"
+#include "trace/measure/edge_pixels.h"
+
+using namespace strahl;
+
+TEST_CASE("Strahl's pictures agree with the stored ones of POV-Ray") {
+    const auto table = allowed_table();
+    std::set<std::string> unknown;
+    for (const auto& [name, allowed] : table) unknown.insert(name);
+    for (const std::string& name : scene_names()) {
+        CAPTURE(name);
+        const auto entry = table.find(name);
+        const Allowed allowed = entry == table.end() ? Allowed{} : entry->second;
+        unknown.erase(name);
+        if (!allowed.comparable()) continue;
+        const Scene scene = read_scene(name);
+        const View view{.camera = scene.camera,
+                        .width = picture_width,
+                        .height = picture_height,
+                        .depth = scene.settings.max_trace_level};
+        Tracer tracer(scene, Precision::float64);
+        const Picture theirs = read_picture(STRAHL_SOURCE "/povref/reference/" + name + ".png");
+        const Verdict verdict = judge(tracer, view, render(scene, view), theirs);
+        CHECK_MESSAGE(fault(verdict, allowed).empty(), name, ": ", fault(verdict, allowed));
+    }
+    CHECK_MESSAGE(unknown.empty(), "povref/allowed.txt speaks of a scene that is not there: ", *unknown.begin());
+}
+
+TEST_CASE("a pixel is on an edge where the picture jumps, not where it only changes fast") {
+    Scene scene;
+    scene.camera = {.position = {0, -9, 0}, .look_at = {0, 0, 0}, .up = {0, 0, -1}, .fov = 20, .aspectratio = 1};
+    scene.lights.push_back({{-3, -9, 4}, Color(1)});
+    scene.materials.push_back({.reflection = 0, .specular = 1, .pow = 500});
+    scene.primitives.push_back({Sphere{{0, 0, 0}, 2}, 0, {}});
+    const View view{.camera = scene.camera, .width = 101, .height = 101};
+    Tracer tracer(scene, Precision::float64);
+    ThreadPool pool(1);
+    const Frame frame = render(scene, view);
+    const auto lit = [&](int x) { return frame.rgb[3 * (50 * 101 + x)] > 0; };
+    int rim = 0;
+    while (!lit(rim)) ++rim;
+    // Within a pixel of the rim a shift brings the sampling point onto it.
+    int edges = 0;
+    for (int i = -50; i <= 50; ++i) {
+        View moved = view;
+        moved.shift_x = i / 50.;
+        edges += on_edge(tracer, moved, pool, rim, 50, edge_radius, 1. / 65535);
+    }
+    CHECK(edges >= 1);
+    CHECK(edges <= 3);
+    // The highlight is a few pixels wide, far from flat, and bent where it is brighter than a screen can show.
+    for (int y = 22; y < 78; ++y)
+        for (int x = 35; x < 65; ++x) CHECK_FALSE(on_edge(tracer, view, pool, x, y, edge_radius, 1. / 65535));
+}
+
+TEST_CASE("a verdict counts differences on and off edges") {
+    const Scene scene = read_scene("crosscheck/ambient");
+    const View view{.camera = scene.camera, .width = 40, .height = 30};
+    Tracer tracer(scene, Precision::float64);
+    const Frame ours = render(scene, view);
+    Picture theirs{40, 30, 3, ours.rgb, 16};
+    for (double& v : theirs.values) v = std::round(v * 65535) / 65535;
+    CHECK(judge(tracer, view, ours, theirs).worst_off_edges == 0);
+    theirs.values[0] += 1 / 65535.;
+    CHECK(judge(tracer, view, ours, theirs).worst_off_edges == 1);
+    CHECK(judge(tracer, view, ours, theirs).beyond_off_edges == 0);
+    theirs.values[3 * 41 + 1] += 5 / 65535.;
+    const Verdict verdict = judge(tracer, view, ours, theirs);
+    CHECK(verdict.worst_off_edges == 5);
+    CHECK(verdict.beyond_off_edges == 1);
+    CHECK(verdict.x == 1);
+    CHECK(verdict.y == 1);
+    CHECK(fault(verdict, {}) != "");
+    CHECK(fault(verdict, {5, 0.01}).empty());
+    const std::atomic<bool> stop = true;
+    CHECK_THROWS_AS(judge(tracer, view, ours, theirs, &stop), Stopped);
+    Picture other = theirs;
+    other.width = 30;
+    CHECK_THROWS_AS(judge(tracer, view, ours, other), FileError);
+}

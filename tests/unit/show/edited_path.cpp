@@ -1,0 +1,194 @@
+// The path that hands edit, without a window.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "tests/unit/show/flight_scene.h"
+#include "text/write.h"
+
+using namespace strahl;
+
+TEST_CASE("keys make a path that can be pasted and flown") {
+    Session session(scene_of(""));
+    session.perform({Action::play}, 0);  // around the scene, for a while
+    session.perform({Action::play}, 1.8);
+    session.perform({Action::reset}, 2);
+    CHECK(session.perform({Action::add_key}, 2).note == "key 1 added at 0 s; a path needs two");
+    CHECK(session.perform({Action::copy_path}, 2).text == "");
+    session.steer({.push = {0, 0, 0.1}}, 3);
+    CHECK(session.perform({Action::add_key}, 3).note == "key 2 added at 3 s");
+    session.perform({Action::reset}, 4);
+    session.perform({Action::add_key}, 4);
+    const auto pasted = scene_of(session.perform({Action::copy_path}, 4).text);
+    REQUIRE(pasted->flythrough);
+    CHECK(pasted->flythrough->keys.size() == 3);
+    CHECK(pasted->flythrough->loop);  // it came back to where it began
+    CHECK(pasted->flythrough->duration == 6);
+    // From its start, whatever was flown before.
+    CHECK(session.perform({Action::play}, 5).note == "flying from 0 s");
+    CHECK(session.flight_path() == pasted->flythrough);
+}
+
+TEST_CASE("one steps through a flight, and goes to its ends and keys") {
+    Session session(scene_of(path_text));
+    const auto note = [&](Action action, int number = 0) { return session.perform({action, number}, 9).note; };
+    CHECK(note(Action::step, 25) == "at 1 s");
+    CHECK(session.paused());
+    CHECK(note(Action::step, 1) == "at 1.04 s");
+    CHECK(note(Action::step, -50) == "at 0 s");
+    CHECK(note(Action::to_end) == "at 4 s");
+    CHECK(session.camera.position == DVec3(-3, 0, 0));
+    CHECK(note(Action::to_key, -1) == "key 2 at 2 s");
+    CHECK(session.camera.position == DVec3(0, 2, 0));
+    CHECK(note(Action::to_key, 1) == "key 3 at 4 s");
+    CHECK(note(Action::to_key, 1) == "there is no key after");
+    CHECK(note(Action::rewind) == "at 0 s");
+    CHECK(session.camera.position == DVec3(1, 0, 0));
+    CHECK(Session(scene_of("")).perform({Action::step, 1}, 0).note == "there is no path, and nothing moves");
+}
+
+TEST_CASE("keys are set, deleted and added, with undo and redo") {
+    Session session(scene_of(path_text));
+    const auto note = [&](Action action, int number = 0) { return session.perform({action, number}, 9).note; };
+    const auto times = [&] {
+        std::string text;
+        for (const Keyframe& key : session.editor.path().keys) text += std::to_string(int(1000 * key.time)) + " ";
+        return text;
+    };
+    session.go_to(1, 0);
+    session.steer({.push = {1, 0, 0}}, 1);
+    const Camera there = session.camera;
+    CHECK(note(Action::set_key) == "key at 1 s set");
+    CHECK(times() == "0 1000 2000 4000 ");
+    session.go_to(1, 2);
+    CHECK(distance(session.camera.position, there.position) < 1e-4);
+    session.steer({.push = {1, 0, 0}}, 3);
+    CHECK(note(Action::set_key) == "key at 1 s changed");
+    CHECK(times() == "0 1000 2000 4000 ");
+    CHECK(note(Action::delete_key) == "key at 1 s deleted");
+    CHECK(session.editor.path() == *session.scene->flythrough);
+    CHECK(note(Action::delete_key).starts_with("there is no key at 1 s"));
+    CHECK(note(Action::undo) == "undone");
+    CHECK(note(Action::undo) == "undone");
+    CHECK(distance(session.editor.path().keys[1].position, there.position) < 1e-4);
+    CHECK(note(Action::redo) == "redone");
+    CHECK(distance(session.editor.path().keys[1].position, there.position) > 0.1);
+    CHECK(note(Action::add_key) == "key 5 added at 7 s");
+    CHECK(session.editor.path().duration == 7);
+    CHECK(note(Action::redo) == "there is nothing to redo");
+    for (int i = 0; i < 3; ++i) CHECK(note(Action::undo) == "undone");
+    CHECK(note(Action::undo) == "there is nothing to undo");
+    CHECK(session.editor.path() == *session.scene->flythrough);
+    // A new path replaces that of the scene, which stays within reach.
+    CHECK(note(Action::clear_path) == "a new path");
+    CHECK(note(Action::add_key) == "key 1 added at 0 s; a path needs two");
+    note(Action::undo), note(Action::undo);
+    session.perform({Action::rewind}, 10), session.perform({Action::pause}, 10);
+    CHECK(session.flight_path() == session.scene->flythrough);
+}
+
+TEST_CASE("values of a key are typed, and a drag of it is undone at once") {
+    Session session(scene_of(path_text));
+    const Flythrough before = session.editor.path();
+    Keyframe key = before.keys[1];
+    for (int i = 1; i <= 10; ++i) {
+        key.time = 2 + 0.1 * i;
+        CHECK(session.change_key(1, key, i > 1, 0).note == "");
+        CHECK(session.time == doctest::Approx(key.time));
+    }
+    key.time = 9;  // not past the next one
+    session.change_key(1, key, true, 0);
+    CHECK(session.editor.path().keys[1].time == doctest::Approx(3.999));
+    session.perform({Action::undo}, 0);
+    CHECK(session.editor.path() == before);
+    key = before.keys[2], key.position = {1, 1, 7}, key.fov = 30, key.time = 12;
+    CHECK(session.change_key(2, key, false, 0).note == "");
+    CHECK(session.editor.path().keys[2] == key);
+    CHECK(session.editor.path().duration == 12);
+    key.position = key.look_at;
+    CHECK(session.change_key(2, key, false, 0).note.starts_with("the camera sees nothing there"));
+    key.position = {1, 1, 7}, key.fov = 90;
+    CHECK(session.change_key(2, key, false, 0).note == "a camera can't be like this");
+    key.fov = NAN;
+    CHECK(session.change_key(2, key, false, 0).note == "a camera can't be like this");
+}
+
+TEST_CASE("a flight by hand becomes a path of few keys that is nowhere farther from it than is said") {
+    Session session(scene_of(""));
+    CHECK(session.perform({Action::record}, 5).note.starts_with("recording"));
+    std::vector<CameraMoment> flown;
+    double now = 9;  // the rest before is not part of it
+    const auto fly_on = [&](double seconds, const CameraInput& input) {
+        session.observe(now);
+        for (const double end = now + seconds; now < end;) {
+            now += 1 / 60.;
+            session.steer(input, now);
+            session.observe(now);
+            flown.push_back({now - 9, session.camera});
+        }
+    };
+    fly_on(2, {.push = {0, 0, 0.01}});
+    fly_on(2, {.push = {0.01, 0, 0.01}, .right = 0.01});
+    now += 3;  // a rest in between is
+    fly_on(2, {.push = {0, 0.01, 0}});
+    const std::string note = session.perform({Action::record}, now + 9).note;
+    const Flythrough path = session.editor.path();
+    CAPTURE(note);
+    CHECK(path.duration == doctest::Approx(9).epsilon(0.01));
+    CHECK(path.keys.size() >= 5);
+    CHECK(path.keys.size() < 20);
+    for (const CameraMoment& moment : flown) {
+        const Camera there = camera_at(path, camera, moment.time);
+        CHECK(distance(there.position, moment.camera.position) <
+              distance(camera.position, camera.look_at) / 100 + 1e-3);
+    }
+    CHECK(scene_of(write_flythrough(path))->flythrough == path);
+    session.perform({Action::undo}, 99);
+    CHECK(session.editor.path().keys.empty());
+    session.perform({Action::record}, 100);
+    CHECK(session.perform({Action::record}, 101).note == "nothing moved, nothing is recorded");
+}
+
+TEST_CASE("a path that was edited can be read again, whatever was done") {
+    std::uint32_t state = 1;
+    const auto random = [&](int n) { return static_cast<int>((state = state * 1664525 + 1013904223) >> 8) % n; };
+    Session session(scene_of(path_text));
+    const Action actions[] = {Action::add_key, Action::set_key, Action::delete_key, Action::undo,
+                              Action::redo,    Action::reset,   Action::rewind,     Action::to_end};
+    for (int i = 0; i < 3000; ++i) {
+        session.perform({actions[random(8)]}, i);
+        session.perform({Action::step, random(200) - 100}, i);
+        if (random(3) == 0) session.perform({Action::to_key, random(2) * 2 - 1}, i);
+        if (random(2) == 0) session.steer({.push = {random(9) / 9., 0, random(5) / 9.}}, i);
+        if (random(300) == 0) session.perform({Action::clear_path}, i);
+        const Flythrough& path = session.editor.path();
+        if (!path.keys.empty() && random(2) == 0) {
+            const auto number = std::size_t(random(int(path.keys.size())));
+            session.editor.change(retimed(path, number, random(12000) / 1000.));
+            session.path_changed(i);
+        }
+        if (path.keys.size() < 2) continue;
+        const auto pasted = scene_of(write_flythrough(path));
+        REQUIRE(pasted->flythrough == path);
+    }
+}
+
+TEST_CASE("a path that the file gets replaces the edited one, which can be had back") {
+    Session session(scene_of(""));
+    for (int i = 0; i < 2; ++i) {
+        session.perform({Action::add_key}, i);
+        session.steer({.push = {1, 0, 0}}, i);
+    }
+    const Flythrough edited = session.editor.path();
+    CHECK(session.editor.changed());
+    session.replace(scene_of("sphere { <0,0,0>, 1 }"), false);  // still without a path
+    CHECK(session.editor.path() == edited);
+    session.replace(scene_of(path_text), false);
+    session.perform({Action::play}, 5);
+    CHECK(session.flight_path() == session.scene->flythrough);
+    CHECK(!session.editor.changed());
+    session.perform({Action::undo}, 6);
+    CHECK(session.editor.path() == edited);
+}

@@ -1,0 +1,159 @@
+// Flights without a window, and their figures.
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "show/work/benchmark.h"
+#include "tests/unit/show/flight_scene.h"
+
+using namespace strahl;
+
+TEST_CASE("a flight follows the clock at any frame rate and can be paused") {
+    Session session(scene_of(path_text));
+    session.perform({Action::play}, 10);
+    CHECK(session.under_way());
+    session.follow(12);
+    CHECK(session.camera == camera_at(*session.scene->flythrough, session.scene->camera, 2));
+    const Answer paused = session.perform({Action::pause}, 13);
+    CHECK(paused.note == "paused at 3 s");
+    CHECK(!session.follow(20));
+    CHECK(session.camera == camera_at(*session.scene->flythrough, session.scene->camera, 3));
+    session.perform({Action::pause}, 30);
+    session.follow(30.5);
+    CHECK(session.camera == camera_at(*session.scene->flythrough, session.scene->camera, 3.5));
+    CHECK(session.follow(31.5));  // over
+    CHECK(!session.flying());
+    CHECK(session.camera.position == DVec3(-3, 0, 0));
+    session.perform({Action::play}, 40);  // from its beginning again
+    CHECK(session.camera.position == DVec3(1, 0, 0));
+    session.follow(40.5);
+    CHECK(session.steer({.right = 0.1}, 40.5).note == "flight ended at 0.5 s; F continues");
+    CHECK(!session.flying());
+    CHECK(session.steer({.right = 0.1}, 40.6).note == "");
+    session.perform({Action::play}, 50);  // where it was left
+    CHECK(session.flight_time(50) == 0.5);
+}
+
+TEST_CASE("a flight can start at any moment") {
+    Session session(scene_of(path_text));
+    CHECK(session.go_to(2.5, 7));
+    CHECK(session.paused());
+    CHECK(session.camera == camera_at(*session.scene->flythrough, session.scene->camera, 2.5));
+    CHECK(!Session(scene_of("")).go_to(1, 0));
+}
+
+TEST_CASE("what moves plays without a flythrough, and the camera is free meanwhile") {
+    Session session(scene_of("sphere { <0,0,0>, 1 motion { key { time 1 } key { time 5 translate <1,0,0> } } }"));
+    CHECK(session.time == 0);
+    session.perform({Action::play}, 10);
+    session.follow(12.5);
+    CHECK(session.time == 2.5);
+    CHECK(session.camera == camera);
+    session.steer({.push = {1, 0, 0}}, 13);
+    CHECK(session.under_way());
+    const Camera there = session.camera;
+    session.follow(14);
+    CHECK(session.time == 4);
+    CHECK(session.camera == there);
+    CHECK(there != camera);
+    CHECK(session.perform({Action::pause}, 14.25).note == "paused at 4.25 s");
+    CHECK(session.time == 4.25);
+    session.perform({Action::pause}, 20);
+    CHECK(session.follow(21));  // over
+    CHECK(!session.flying());
+    CHECK(session.camera == there);
+    CHECK(session.go_to(1.5, 30));
+    CHECK(session.time == 1.5);
+    CHECK(session.paused());
+}
+
+TEST_CASE("without a flythrough the flight orbits the scene") {
+    Session session(scene_of(""));
+    session.perform({Action::play}, 0);
+    CHECK(distance(session.camera.position, camera.position) < 1e-9);
+    const double away = length(camera.position);
+    for (double t = 0; t < 40; t += 0.37) {
+        session.follow(t);
+        CHECK(session.camera.look_at == camera.look_at);
+        CHECK(std::abs(length(session.camera.position) / away - 1) < 1e-4);
+        CHECK(std::abs(session.camera.position.z - 18) < 1e-9);
+    }
+    session.follow(20);
+    CHECK(distance(session.camera.position, {-5, 20, 18}) < 1e-3);
+    session.follow(400);
+    CHECK(session.under_way());
+    CHECK(distance(session.camera.position, camera.position) < 1e-6);
+}
+
+TEST_CASE("the wheel changes the speed of what moves the camera") {
+    Session session(scene_of(path_text));
+    const double speed = session.speed;
+    CHECK(session.change_speed(2, 0).note.starts_with("speed "));
+    CHECK(session.speed == 2 * speed);
+    session.perform({Action::play}, 10);
+    session.follow(11);
+    CHECK(session.change_speed(0.5, 11).note == "flight at 0.5 times its speed");
+    CHECK(session.speed == 2 * speed);
+    CHECK(session.flight_time(11) == 1);
+    session.follow(13);
+    CHECK(session.flight_time(13) == 2);
+}
+
+TEST_CASE("a flight continues along the changed path") {
+    Session session(scene_of(path_text));
+    session.perform({Action::play}, 0);
+    auto other = std::make_shared<Scene>(*session.scene);
+    other->flythrough->keys[1].position = {0, 5, 0};
+    session.replace(other, false);
+    CHECK(session.under_way());
+    session.follow(2);
+    CHECK(session.camera.position == DVec3(0, 5, 0));
+    session.replace(scene_of(""), false);
+    CHECK(!session.flying());
+}
+
+TEST_CASE("a pause is at a time with few digits") {
+    Session session(scene_of(path_text));
+    session.perform({Action::play}, 0);
+    CHECK(session.perform({Action::pause}, 1.23456).note == "paused at 1.235 s");
+    CHECK(session.camera == camera_at(*session.scene->flythrough, session.scene->camera, 1.235));
+}
+
+TEST_CASE("a flight that is played once ends after a round") {
+    Session session(scene_of(""));
+    session.once = true;
+    session.perform({Action::play}, 0);
+    CHECK(!session.follow(39.9));
+    CHECK(session.follow(40.1));
+    CHECK(!session.flying());
+}
+
+TEST_CASE("figures of a flight are those of its times and levels") {
+    // A picture of averages, from the rest before: all pixels, and no more.
+    CHECK(shown_picture(0, averaged_level, 40, 30).pixels == 1200);
+    CHECK(shown_picture(0, averaged_level, 40, 30).level == finest_level);
+    CHECK(shown_picture(0, 0, 40, 30).pixels == 6);
+    std::vector<ShownPicture> shown;
+    double time = 5;
+    for (int i = 0; i < 101; ++i) {
+        shown.push_back({time, i < 51 ? finest_level : finest_level - 2, 1000});
+        time += i == 40 ? 0.5 : i % 2 ? 0.01 : 0.02;
+    }
+    const Benchmark b = benchmark_of(shown);
+    CHECK(b.pictures == 101);
+    CHECK(b.seconds == doctest::Approx(1.98));
+    CHECK(b.median == doctest::Approx(0.01));
+    CHECK(b.p99 == doctest::Approx(0.02));
+    CHECK(b.worst == doctest::Approx(0.5));
+    CHECK(b.levels.size() == 2);
+    CHECK(b.levels.at(finest_level) == doctest::Approx(51. / 101));
+    CHECK(b.pixels_per_second == doctest::Approx(100000 / 1.98));
+    const BenchmarkSetting setting{"a \"b\".rt", "float", "scalar", 640, 480, 20, 2, 60, 0.002};
+    const std::string text = text_of(b, setting), json = json_of(b, setting);
+    CHECK(text.find("median 10.00 ms, 99th percentile 20.00 ms, worst 500.00 ms") != std::string::npos);
+    CHECK(text.find("all pixels in 50.5 %, 1/4 of the pixels in 49.5 %") != std::string::npos);
+    CHECK(json.find("\"scene\": \"a \\\"b\\\".rt\"") != std::string::npos);
+    CHECK(json.find("\"1/4\": 0.495") != std::string::npos);
+    CHECK(benchmark_of({}).pictures == 0);
+    CHECK(text_of(benchmark_of({}), setting) != "");
+}

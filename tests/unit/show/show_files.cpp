@@ -1,0 +1,220 @@
+// The files of the window's threads: stills written in the background, and the scene file read again.
+#include <doctest/doctest.h>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <set>
+#include <thread>
+
+#include "image/picture.h"
+#include "num/thread_pool.h"
+#include "show/window/window_state.h"
+#include "show/work/reload.h"
+#include "show/work/stills.h"
+#include "tests/unit/scratch.h"
+#include "tests/unit/show/show_scene.h"
+#include "text/write.h"
+
+using namespace strahl;
+
+namespace {
+
+/// Waits for another thread.
+bool soon(const std::function<bool()>& done) {
+    for (int i = 0; i < 1000; ++i) {
+        if (done()) return true;
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    return false;
+}
+
+}  // namespace
+
+TEST_CASE("stills equal rendered pictures and replace no file") {
+    const Scratch folder;
+    const auto scene = shown_scene();
+    const View view{.camera = scene->camera, .width = 20, .height = 15, .depth = 5};
+    {
+        std::ofstream(folder / "still.bmp") << "mine";
+        Stills stills(2, [] {});
+        for (int i = 0; i < 3; ++i) stills.add({scene, view, folder / "still"});
+        stills.add({scene, view, folder / "still", ".png"});
+        CHECK(stills.pending() > 0);
+        REQUIRE(soon([&] { return stills.pending() == 0; }));
+        std::set<std::string> paths;
+        for (const auto& outcome : stills.outcomes()) {
+            CHECK(outcome.fault == "");
+            paths.insert(outcome.path);
+        }
+        CHECK(paths == std::set<std::string>{folder / "still-2.bmp", folder / "still-3.bmp", folder / "still-4.bmp",
+                                             folder / "still.png"});
+        CHECK(stills.outcomes().empty());
+    }
+    CHECK(bytes_of(folder / "still.bmp") == "mine");
+    CHECK(folder.files() == 5);
+    std::vector<double> rgb(3 * 20 * 15);
+    const Lattice whole{.columns = 20, .rows = 15};
+    ThreadPool pool(2);
+    Tracer(*scene, Precision::float64).trace(view, Sampling{}, whole, pool, [&](const Tile& tile) {
+        place(tile, whole, rgb);
+    });
+    write_picture({20, 15, 3, rgb}, folder / "reference.bmp", {});
+    CHECK(bytes_of(folder / "still-2.bmp") == bytes_of(folder / "reference.bmp"));
+}
+
+TEST_CASE("unfinished stills are dropped by name and leave no file") {
+    const Scratch folder;
+    const auto scene = shown_scene();
+    Stills stills(2, [] {});
+    for (const char* name : {"a", "b"})
+        stills.add({scene, {.camera = scene->camera, .width = 8000, .height = 6000}, folder / name});
+    CHECK(stills.drop() == std::vector<std::string>{folder / "a", folder / "b"});
+    CHECK(folder.files() == 0);
+}
+
+TEST_CASE("a still that can't be written reports the reason") {
+    const Scratch folder;
+    const auto scene = shown_scene();
+    Stills stills(1, [] {});
+    stills.add({scene, {.camera = scene->camera, .width = 4, .height = 3}, folder / "missing/still"});
+    REQUIRE(soon([&] { return stills.pending() == 0; }));
+    const auto outcomes = stills.outcomes();
+    REQUIRE(outcomes.size() == 1);
+    CHECK(outcomes[0].fault.find("missing/still.bmp") != std::string::npos);
+}
+
+TEST_CASE("a still is named after its scene and the time") {
+    const std::string name = still_name("some/where/article.rt", {});
+    CHECK(name.starts_with("article-20"));
+    CHECK(name.size() == std::string("article-20260131-235959").size());
+    CHECK(still_name("-", {}).starts_with("scene-"));
+    CHECK(still_name("-", 12.5).ends_with("-at-12.5s"));
+}
+
+TEST_CASE("a folder without stills is known before they are traced") {
+    const Scratch folder;
+    CHECK(folder_fault(folder / "still") == "");
+    CHECK(folder_fault("still") == "");
+    CHECK(folder_fault(folder / "missing/still").find("No such file") != std::string::npos);
+}
+
+TEST_CASE("a changed scene file is read again, a broken one reported, a touched one ignored") {
+    const Scratch folder;
+    const std::string path = folder / "scene.rt";
+    const auto put = [&](const std::string& content) {
+        std::ofstream(folder / "new") << content;
+        std::filesystem::rename(folder / "new", path);
+    };
+    put(scene_text);
+    Reload reload(path, scene_text, [] {});
+    std::optional<Loaded> loaded;
+    const auto next = [&] { return soon([&] { return (loaded = reload.take()).has_value(); }); };
+
+    put(scene_text + "light { position <0,0,9> color <1,1,1> }");
+    REQUIRE(next());
+    REQUIRE(loaded->scene);
+    CHECK(loaded->scene->lights.size() == 2);
+    CHECK(!loaded->opened);
+
+    put(scene_text + "lihgt { }");
+    REQUIRE(next());
+    CHECK(!loaded->scene);
+    CHECK(loaded->fault.find("scene.rt:7:1") != std::string::npos);
+
+    std::filesystem::remove(path);  // as some editors do for a moment
+    put(scene_text + "lihgt { }");  // the same again: nothing new
+    put(scene_text);
+    REQUIRE(next());
+    CHECK(loaded->scene);
+
+    const std::string other = folder / "other.rt";
+    std::ofstream(other) << "camera {";
+    reload.open(other);
+    REQUIRE(next());
+    CHECK(loaded->opened);
+    CHECK(!loaded->scene);
+    reload.open(folder / "nothing.rt");
+    REQUIRE(next());
+    CHECK(loaded->fault.find("nothing.rt") != std::string::npos);
+    reload.open("/dev/zero");
+    REQUIRE(next());
+    CHECK(loaded->fault == "/dev/zero: this is no file");
+    put(scene_text + " ");  // still the one that is watched
+    REQUIRE(next());
+    CHECK(loaded->path == path);
+
+    std::ofstream(other) << scene_text;
+    reload.open(other);
+    REQUIRE(next());
+    CHECK(loaded->path == other);
+    CHECK(loaded->scene);
+    std::ofstream(other) << scene_text << "light { position <0,0,9> color <1,1,1> }";
+    REQUIRE(next());
+    CHECK(loaded->scene->lights.size() == 2);
+}
+
+TEST_CASE("a path is written into the scene file, of which a copy stays; a file changed meanwhile is asked about") {
+    const Scratch folder;
+    const std::string path = folder / "scene.rt", comment = "// mine\n";
+    const auto put = [&](const std::string& content) { std::ofstream(path) << content; };
+    put(scene_text + comment);
+    Reload reload(path, scene_text + comment, [] {});
+    std::optional<Written> written;
+    const auto write = [&](std::optional<Flythrough> flythrough, bool anyway) {
+        reload.write(std::move(flythrough), anyway);
+        return soon([&] { return (written = reload.take_written()).has_value(); });
+    };
+    Flythrough flight{4, false, {{0, {1, 2, 3}, {0, 0, 0}, {}, {}}, {4, {3, 2, 1}, {0, 0, 0}, {}, {}}}};
+    REQUIRE(write(flight, false));
+    CHECK(written->fault == "");
+    CHECK(written->copy == path + "~");
+    CHECK(bytes_of(path + "~") == scene_text + comment);
+    CHECK(bytes_of(path) == scene_text + comment + "\n" + write_flythrough(flight));
+    const auto loaded = reload.take();
+    REQUIRE(loaded);
+    CHECK(loaded->scene->flythrough == flight);
+    // Once more: the copy stays that of the file which others wrote.
+    flight.duration = 5;
+    REQUIRE(write(flight, false));
+    CHECK(written->copy == "");
+    CHECK(bytes_of(path + "~") == scene_text + comment);
+    CHECK(parse_scene(bytes_of(path), "").flythrough == flight);
+
+    const std::string other = scene_text + "// theirs\n";
+    put(other);
+    REQUIRE(write(flight, false));
+    CHECK(written->asks);
+    CHECK(bytes_of(path) == other);
+    REQUIRE(write(flight, true));
+    CHECK(bytes_of(path) == other + "\n" + write_flythrough(flight));
+    CHECK(bytes_of(path + "~") == other);
+
+    put("camera {");
+    REQUIRE(write(flight, true));
+    CHECK(written->fault.find("scene.rt:1:") != std::string::npos);
+    CHECK(bytes_of(path) == "camera {");
+}
+
+TEST_CASE("the window's size and place are kept in the XDG state folder") {
+    const Scratch folder;
+    ::setenv("XDG_STATE_HOME", (folder / "new/state").c_str(), 1);
+    CHECK(!read_window_state());
+    write_window_state({-5, 20, 800, 600});
+    CHECK(read_window_state() == WindowState{-5, 20, 800, 600});
+    CHECK(bytes_of(folder / "new/state/strahl/window") == "-5 20 800 600\n");
+    write_window_state({1, 2, 0, 0});
+    CHECK(read_window_state() == WindowState{1, 2, 0, 0});
+    for (const char* bad : {"", "1 2 3", "1 2 3 4", "1 2 90000 100", "1 2 800 -600", "a b c d"}) {
+        std::ofstream(folder / "new/state/strahl/window") << bad;
+        CHECK(!read_window_state());
+    }
+    ::setenv("XDG_STATE_HOME", "relative", 1);  // to be ignored, says the specification
+    ::setenv("HOME", (folder / "home").c_str(), 1);
+    CHECK(window_state_file() == folder / "home/.local/state/strahl/window");
+    ::unsetenv("HOME");
+    CHECK(window_state_file() == "");
+    write_window_state({1, 2, 300, 400});  // nowhere, and no error
+    CHECK(!read_window_state());
+}

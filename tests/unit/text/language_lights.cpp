@@ -1,0 +1,72 @@
+// The scene language: lights and fog.
+#include "tests/unit/text/language.h"
+
+using namespace strahl;
+using namespace strahl::language;
+
+namespace {
+
+Light light(const std::string& text) { return with_eye("light { color <1,1,1> " + text + " }").lights.at(0); }
+/// In line 3.
+void check_light(const std::string& text, const std::string& place, const std::string& message) {
+    check_fault("light { color <1,1,1>\n" + text + " }", place + ": " + message);
+}
+
+}  // namespace
+
+TEST_CASE("points, spots and parallel light") {
+    CHECK(light("position <1,2,3>") == Light{{1, 2, 3}, Color(1)});
+    CHECK(light("direction <0,0,-2>") == Light{{0, 0, 0}, Color(1), DVec3(0, 0, -2)});
+    CHECK(light("position <1,2,3> spot { look_at <0,0,0> }") ==
+          Light{{1, 2, 3}, Color(1), {}, Spot{{0, 0, 0}, 30, 45, 0}});
+    CHECK(light("spot { tightness 3 radius 20 falloff 20 look_at <0,0,0> } position <1,2,3>") ==
+          Light{{1, 2, 3}, Color(1), {}, Spot{{0, 0, 0}, 20, 20, 3}});
+}
+
+TEST_CASE("rectangles and grids") {
+    CHECK(light("position <1,2,3> edges <2,0,0> <0,0,1>") ==
+          Light{{1, 2, 3}, Color(1), {}, {}, Area{{2, 0, 0}, {0, 0, 1}}});
+    const Light grid = light("edges <2,0,0>, <0,0,1> grid 3, 1 position <1,2,3>");
+    CHECK(grid == Light{{1, 2, 3}, Color(1), {}, {}, Area{{2, 0, 0}, {0, 0, 1}, 3, 1}});
+    CHECK(points_of(std::vector{grid}) ==
+          std::vector<Light>{{{0, 2, 3}, Color(1. / 3)}, {{1, 2, 3}, Color(1. / 3)}, {{2, 2, 3}, Color(1. / 3)}});
+    check_light("position <1,2,3> edges <2,0,0>, <1,1,0>", "3:18", "the edges of this light are not perpendicular");
+    check_light("position <1,2,3> edges <2,0,0>, <0,0,0>", "3:18", "an edge of this light has no length");
+    check_light("position <1,2,3> grid 2, 2", "3:18", "a grid of points needs 'edges'");
+    check_light("position <1,2,3> edges <2,0,0>, <0,1,0> grid 65, 2", "3:46",
+                "'grid' of 'light' must be a whole number from 1 to 64, not '65'");
+    check_light("direction <0,0,1> edges <2,0,0>, <0,1,0>", "3:19",
+                "parallel light has no place for a rectangle; give it a 'position'");
+    check_light("position <1,2,3> edges <2,0,0>, <0,1,0> spot { look_at <0,0,0> }", "3:41",
+                "a spot is a point; a light with 'edges' shines in all directions");
+}
+
+TEST_CASE("fog") {
+    CHECK(with_eye("fog { color <.1,.2,.3> distance 7 }").fog == Fog{7, {.1, .2, .3}});
+    CHECK(!with_eye("").fog);
+    check_fault("fog { color <1,1,1> }", "2:1: 'fog' lacks 'distance'");
+    check_fault("fog { color <1,1,1> distance 0 }",
+                "2:30: 'distance' of 'fog' must be greater than 0 (at least 2.3e-308) and at most 1e9, not '0'");
+    check_fault("fog { color <1,1,1> distance 1 }\nfog { color <1,1,1> distance 1 }",
+                "3:1: a second 'fog'; the first is in line 2");
+}
+
+TEST_CASE("mistakes in lights") {
+    check_fault("light { color <1,1,1> }", "2:1: 'light' lacks 'position' (or 'direction')");
+    check_light("position <1,2,3> direction <0,0,1>", "3:18",
+                "'direction' says again what 'position' in line 3 says; only one of them may stand");
+    check_light("direction <0,0,0>", "3:1", "this 'direction' of 'light' has no direction");
+    check_light("direction <0,0,1> spot { look_at <0,0,0> }", "3:19",
+                "parallel light has no place from which a spot could shine; give it a 'position'");
+    check_light("position <1,2,3> spot { look_at <1,2,3> }", "3:18",
+                "this spot shines nowhere: 'look_at' is the light's own position");
+    check_light("position <1,2,3> spot { }", "3:18", "'spot' lacks 'look_at'");
+    check_light("position <1,2,3> spot { look_at <0,0,0> falloff 20 }", "3:18",
+                "the falloff of this spot, 20, is below its radius, 30");
+    check_light("position <1,2,3> spot { look_at <0,0,0> falloff 91 }", "3:49",
+                "'falloff' of 'spot' must be from 0 to 90 degrees, not '91'");
+    check_light("position <1,2,3> spot { look_at <0,0,0> } spot { look_at <0,0,0> }", "3:43",
+                "a second 'spot'; the first is in line 3");
+    check_light("position <1,2,3> spotlight { look_at <0,0,0> }", "3:18",
+                "unknown word 'spotlight' in 'light'; did you mean 'spot'?");
+}

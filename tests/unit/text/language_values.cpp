@@ -1,0 +1,126 @@
+// The scene language: values, bodies, cameras and flythroughs that cannot be.
+#include "tests/unit/text/language.h"
+
+using namespace strahl;
+using namespace strahl::language;
+
+TEST_CASE("values out of range") {
+    check_fault("sphere { <0,0,0>, 0 }",
+                "2:19: 'radius' of 'sphere' must be greater than 0 (at least 2.3e-308) and at most 1e9, not '0'");
+    check_fault("sphere { <0,0,0>, 1e-310 }",
+                "2:19: 'radius' of 'sphere' must be greater than 0 (at least 2.3e-308) and at most 1e9, not '1e-310'");
+    check_fault("sphere { <0,-1.5e9,0>, 1 }", "2:13: 'centre' of 'sphere' must be from -1e9 to 1e9, not '-1.5e9'");
+    check_fault("light { position <1e10,0,0> color <1,1,1> }",
+                "2:19: 'position' of 'light' must be from -1e9 to 1e9, not '1e10'");
+    check_fault("light { position <1,0,0> color <1,1,-1> }",
+                "2:37: 'color' of 'light' must be from 0 to 1e9, not '-1'");
+    check_fault("background { color <-.1,0,0> }", "2:21: 'color' of 'background' must be from 0 to 1e9, not '-.1'");
+    check_fault("defaultmaterial { reflection 1.01 }",
+                "2:30: 'reflection' of 'defaultmaterial' must be from 0 to 1, not '1.01'");
+    check_fault("defaultmaterial { refraction -.1 }",
+                "2:30: 'refraction' of 'defaultmaterial' must be from 0 to 1, not '-.1'");
+    check_fault("defaultmaterial { rgb <0,0,-1> }", "2:28: 'rgb' of 'defaultmaterial' must be from 0 to 1e9, not '-1'");
+    check_fault("defaultmaterial { specular 1.1e9 }",
+                "2:28: 'specular' of 'defaultmaterial' must be from 0 to 1e9, not '1.1e9'");
+    check_fault("defaultmaterial { pow -1 }", "2:23: 'pow' of 'defaultmaterial' must be from 0 to 1e9, not '-1'");
+    check_fault("defaultmaterial { ior 0 }", "2:23: 'ior' of 'defaultmaterial' must be from 1e-9 to 1e9, not '0'");
+    check_fault("global_settings { max_trace_level 0 }",
+                "2:35: 'max_trace_level' of 'global_settings' must be a whole number from 1 to 256, not '0'");
+    check_fault("global_settings { max_trace_level 257 }",
+                "2:35: 'max_trace_level' of 'global_settings' must be a whole number from 1 to 256, not '257'");
+    check_fault("global_settings { max_trace_level 2.5 }",
+                "2:35: 'max_trace_level' of 'global_settings' must be a whole number from 1 to 256, not '2.5'");
+    check_fault("global_settings { ambient_light <1,1,-1> }",
+                "2:38: 'ambient_light' of 'global_settings' must be from 0 to 1e9, not '-1'");
+    CHECK(faults(eye + "global_settings { assumed_gamma 2.2 }")
+              .at(0)
+              .starts_with("x.rt:2:33: 'assumed_gamma' of 'global_settings' must be 1,"));
+    CHECK(faults("camera { position <0,0,0> look_at <0,1,0> up <0,0,-1> fov 90 }") ==
+          Faults{"x.rt:1:59: 'fov' of 'camera' must be greater than 0 and less than 90 degrees, not '90'"});
+    CHECK(faults("camera { position <0,0,0> look_at <0,1,0> up <0,0,-1> fov 0 }") ==
+          Faults{"x.rt:1:59: 'fov' of 'camera' must be greater than 0 and less than 90 degrees, not '0'"});
+    CHECK(faults("camera { position <0,0,0> look_at <0,1,0> up <0,0,-1> angle 180 }") ==
+          Faults{"x.rt:1:61: 'angle' of 'camera' must be greater than 0 and less than 180 degrees, not '180'"});
+    CHECK(faults("camera { position <0,0,0> look_at <0,1,0> up <0,0,-1> fov 1 aspectratio 0 }") ==
+          Faults{"x.rt:1:73: 'aspectratio' of 'camera' must be from 1e-9 to 1e9, not '0'"});
+    CHECK(parse("camera { position <0,0,0> look_at <0,1,0> up <0,0,-1> fov 89.99999999999999 }").camera.fov < 90);
+    // A wrong value does not hide a missing parameter.
+    CHECK(faults("camera { position <0,0,0> look_at <0,1,0> fov 95 }") ==
+          Faults{"x.rt:1:1: 'camera' lacks 'up' (or 'sky')",
+                 "x.rt:1:47: 'fov' of 'camera' must be greater than 0 and less than 90 degrees, not '95'"});
+}
+
+TEST_CASE("an argument that may be left out") {
+    const Scene scene = parse(eye + "disc { <1,2,3>, <0,0,2>, 4 } disc { <1,2,3> <0,0,2> 4 1.5 rotate <0,0,9> }");
+    CHECK(scene.primitives.at(0).shape == Shape(Disc{{1, 2, 3}, {0, 0, 2}, 4, 0}));
+    CHECK(scene.primitives.at(1).shape == Shape(Disc{{1, 2, 3}, {0, 0, 2}, 4, 1.5}));
+    CHECK(scene.primitives.at(1).transformations.size() == 1);
+}
+
+TEST_CASE("directions are turned and stretched with their bodies, and not moved") {
+    const Scene scene = parse(eye + "disc { <0,0,0>, <0,0,1e-9>, 4 translate <0,0,1e8> }");
+    CHECK(scene.primitives.size() == 1);
+    CHECK(faults(eye + "torus { <0,0,0>, <0,0,1>, 1, .1  translate <2e9,0,0> }").size() == 1);
+}
+
+TEST_CASE("invalid bodies and cameras") {
+    check_fault("plane { <0,0,0>, <1,1,1>, <3,3,3> }", "2:1: this plane is none: the three points lie on one line");
+    check_fault("cylinder { <1,2,3>, <1,2,3>, 1 }", "2:1: this cylinder is none: base and cap are the same point");
+    check_fault("torus { <0,0,0>, <0,0,0>, 1, .1 }", "2:1: this torus is none: its axis has no direction");
+    check_fault("torus { <0,0,0>, <0,0,1>, 1e-3, 1.1 }",
+                "2:1: this torus is none: its major radius is less than a thousandth of its minor one");
+    check_fault("disc { <0,0,0>, <0,0,0>, 1 }", "2:1: this disc is none: its normal has no direction");
+    check_fault("disc { <0,0,0>, <0,0,1>, 1, 1 }", "2:1: this disc is none: the hole is as large as the disc");
+    check_fault("disc { <0,0,0>, <0,0,1>, 1, material { } }",
+                "2:29: a number expected for 'hole's radius' of 'disc', but here comes 'material'");
+    check_fault("sphere { <0,0,0>, 1 scale 0 }",
+                "2:27: 'scale' of 'sphere' is 0, which would leave nothing of it; 1 changes nothing");
+    check_fault("sphere { <0,0,0>, 1 scale <1,0,1> }",
+                "2:27: 'scale' of 'sphere' is 0, which would leave nothing of it; 1 changes nothing");
+    check_fault("sphere { <0,0,0>, 1 scale 1e200 scale 1e200 }",
+                "2:33: up to here the transformations of this sphere scale it out of the range of numbers");
+    check_fault("sphere { <0,0,0>, 1 scale 1e-200 scale 1e-200 }",
+                "2:34: up to here the transformations of this sphere scale it out of the range of numbers");
+    check_fault("sphere { <0,0,0>, 1 scale <1,1,1e-13> }",
+                "2:21: up to here the transformations of this sphere flatten it: one side shrinks more than 1e12 times "
+                "as much as another");
+    check_fault("sphere { <1e7,0,0>, 1 scale 1e3 }",
+                "2:23: up to here the transformations of this sphere make it too large, too small or too far away "
+                "(coordinates go up to 1e9)");
+    check_fault("sphere { <0,0,0>, 1e7 scale 1e3 }",
+                "2:23: up to here the transformations of this sphere make it too large, too small or too far away "
+                "(coordinates go up to 1e9)");
+    check_fault(
+        "cylinder { <0,0,0>, <0,0,1>, 1 scale 1e-30 translate <1,1,1> }",
+        "2:44: up to here the transformations of this cylinder leave nothing of it: base and cap are the same point");
+    CHECK(with_eye("sphere { <0,0,0>, 1 scale 1e-200 scale 1e200 scale <1e6,1,1> }").primitives.size() == 1);
+    CHECK(faults("camera { position <1,2,3> look_at <1,2,3> up <0,0,-1> fov 1 }") ==
+          Faults{"x.rt:1:1: this camera sees nothing: position and look_at are the same point"});
+    CHECK(faults("camera { position <1,2,3> look_at <1,2,0> up <0,0,-1> fov 1 }") ==
+          Faults{"x.rt:1:1: this camera sees nothing: up is parallel to the direction from position to look_at"});
+}
+
+TEST_CASE("invalid flythroughs") {
+    const auto path = [](const std::string& head, const std::string& first, const std::string& second) {
+        return "flythrough { " + head + "\nkey { position <0,0,0> look_at <1,0,0> time " + first +
+               " }\nkey { position <0,0,0> look_at <1,1,0> time " + second + " } }";
+    };
+    CHECK(with_eye(path("duration 2", "0", "2")).flythrough->keys.size() == 2);
+    check_fault(path("duration 2", "1", "1"),
+                "4:40: times must rise: the key before, in line 3, is not earlier than this one");
+    check_fault(path("duration 2", "0", "2.5"), "4:40: this is after the end, which 'duration' in line 2 sets");
+    check_fault(path("duration 0", "0", "1"),
+                "2:23: 'duration' of 'flythrough' must be greater than 0 (at least 2.3e-308) and at most 1e9, not '0'");
+    check_fault(path("duration 2", "-1", "1"), "3:45: 'time' of 'key' must be from 0 to 1e9, not '-1'");
+    check_fault(path("loop duration 2", "0", "2"),
+                "4:40: at this time the loop is at its first key again: make this key the same as that in line 3, or "
+                "'duration' longer");
+    check_fault(path("duration 2", "0 tmie 3", "0"), "3:47: unknown word 'tmie' in 'key'; did you mean 'time'?");
+    check_fault("key { time 1 }", "2:1: " + unknown("key"));
+    CHECK(
+        faults(eye + "flythrough { duration 2 key { time 0 position <0,0,0> look_at <0,0,0> }\nkey { time 1 position "
+                     "<0,0,0> look_at <0,0,1> } }") ==
+        Faults{
+            "x.rt:2:25: the camera sees nothing at this key: position and look_at are the same point",
+            "x.rt:3:1: the camera sees nothing at this key: up is parallel to the direction from position to look_at"});
+}

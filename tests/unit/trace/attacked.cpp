@@ -1,0 +1,123 @@
+// Scenes that tests/attack found faults in, as small as they could be made.
+#include <doctest/doctest.h>
+
+#include <stdexcept>
+
+#include "tests/attack/renderer/picture_check.h"
+#include "tests/attack/renderer/shrink.h"
+#include "text/parse.h"
+
+using namespace strahl;
+
+namespace {
+
+std::vector<std::string> faults(const std::string& text, int width, int height) {
+    WildScene wild{parse_scene(text, "text"), {}};
+    wild.view = {
+        .camera = wild.scene.camera, .width = width, .height = height, .depth = wild.scene.settings.max_trace_level};
+    return PictureCheck().faults(wild);
+}
+
+}  // namespace
+
+TEST_CASE("a box thinner than float can say") {
+    for (const std::string thickness : {"1e-30", "8e-107", "1e-300"}) {
+        CAPTURE(thickness);
+        const std::string text =
+            "camera { position <-3, -4, -4> look_at <0, 0, 0> up <0, 0, 1> fov 45 }"
+            "background { color <.7, .4, .75> }"
+            "box { <0, 0, 0>, <-.7, -" +
+            thickness +
+            ", 1> } box { <0, 0, 1>, <1, 1, 0> }"
+            "sphere { <0, 0, 0>, 1 } cylinder { <0, 0, 0>, <0, 1, 0>, 1 }";
+        CHECK(faults(text, 30, 16) == std::vector<std::string>{});
+    }
+}
+
+TEST_CASE("a cone so flat that its height is lost") {
+    CHECK(faults("camera { position <0, 0, -3e8> look_at <0, 0, 0> up <0, 1, 0> fov 45 }"
+                 "cone { <0, 0, 0>, .1, <0, 0, .1>, 5e7 material { ambient 1 } }",
+                 19, 20) == std::vector<std::string>{});
+    CHECK(faults("camera { position <0, 0, -3e8> look_at <0, 0, 0> up <0, 1, 0> fov 45 }"
+                 "cylinder { <0, 0, 0>, <0, 1e-6, 0>, 1e-6 } sphere { <0, 0, 0>, 1e-6 }"
+                 "box { <0, 0, 0>, <1e-6, 1e-6, 1e-6> }"
+                 "cone { <0, 0, 0>, 1e-6, <0, 0, 1e-6>, 1e9 scale .08 material { ambient 1 } }",
+                 16, 7) == std::vector<std::string>{});
+    CHECK(faults("camera { position <0, 0, 0> look_at <0, 0, 1> up <0, 1, 0> fov 45 } background { color <.2, .5, 1> }"
+                 "cone { <-1.8, -1.8, -1.8000000000000105>, 3, <-1.8, -1.8000000000000002, -1.8000000000000105>, 1 }",
+                 28, 18) == std::vector<std::string>{});
+    for (const std::string height : {"2e-47", "4e-197", "1e-300"})
+        CHECK(faults("camera { position <0, 0, 1> look_at <0, 0, 0> up <0, 1, 0> fov 45 }"
+                     "cone { <0, 0, 0>, 1, <0, 1, 0>, 1 } sphere { <0, 0, 0>, 1 }"
+                     "cone { <-1, 0, -" +
+                         height + ">, 1, <-1, 0, 0>, 2 material { ambient 1 } }",
+                     26, 6) == std::vector<std::string>{});
+}
+
+TEST_CASE("a mirror whose squared radius float can hardly say") {
+    for (const std::string radius : {"5.5e-14", "6e-14", "6.5e-14"}) {
+        CAPTURE(radius);
+        CHECK(faults("camera { position <0, 0, -1e9> look_at <1e-6, 0, -1e9> up <0, 1, 0> fov 30 }"
+                     "background { color <.2, .5, 1> }"
+                     "sphere { <1.5e-13, 0, -1e9>, " +
+                         radius +
+                         " material { reflection 1 } }"
+                         "box { <2e-6, -1e9, 0>, <1e9, -2e-6, -3e-6> material { ambient .7 } }"
+                         "box { <0, 0, 0>, <1e-6, 1e-6, 1e-6> } sphere { <0, 0, 0>, 1e-6 }",
+                     30, 20) == std::vector<std::string>{});
+    }
+}
+
+TEST_CASE("shrinking a scene ends") {
+    // 0.3 and 3 * 0.1, the next number above, became each other for ever.
+    WildScene wild{parse_scene("camera { position <0, 0, .31> look_at <0, 1, 0> up <0, 0, 1> fov 45 }", "text"), {}};
+    int tries = 0;
+    const WildScene small = shrunk(wild, [&](const WildScene& w) {
+        if (++tries > 10000) throw std::runtime_error("no end");
+        return w.scene.camera.position.z > .29 && w.scene.camera.position.z < .32;
+    });
+    CHECK(small.scene.camera.position.z == .3);
+}
+
+TEST_CASE("a cone that is nothing in float") {
+    for (const std::string size : {"4e-225", "1e-100"}) {
+        CAPTURE(size);
+        CHECK(faults("camera { position <1, 0, 0> look_at <0, 0, 1> up <1, 0, 0> fov 89.99999999999999 }"
+                     "cone { <1.980754203476951, 0, 0>, 0, <1.980754203476951, 0, -" +
+                         size + ">, " + size +
+                         " } sphere { <0, 0, 0>, 1 material { ior 1.3 } } sphere { <0, 0, 0>, 1 }"
+                         "cylinder { <0, 0, 0>, <0, 0, 1>, 1 }"
+                         "plane { <0, 0, 0>, <0, 0, 1>, <0, 1, 0> material { ambient 1 } }"
+                         "sphere { <0, 0, 0>, 1e9 material { ior 3 } }",
+                     16, 15) == std::vector<std::string>{});
+    }
+}
+
+TEST_CASE("one side shrinks more than float can say") {
+    const std::string sky = "background { color <.9, .2, .4> }";
+    CHECK(faults("camera { position <-5, 0, 1> look_at <0, 0, 0> up <0, 0, 1> fov 45 }" + sky +
+                     "cone { <0, 0, 0>, 0, <0, 0, 1>, 1 scale <-1, -2.3473442004460097, 7.943614243260376e-11> }",
+                 7, 16) == std::vector<std::string>{});
+    CHECK(faults("camera { position <2, 1.3, 4> look_at <0, 0, 1> up <-1.5, 0, -1.3> fov 45 }"
+                 "cylinder { <0, -.7, 0>, <1, 0, -2>, .4 scale <-1.25, -.5, 4.9457630743498925e-08>"
+                 "material { ambient 1 } } sphere { <0, 0, 0>, 1 }",
+                 12, 9) == std::vector<std::string>{});
+    CHECK(faults("camera { position <0, 0, -6> look_at <0, 0, 0> up <0, 1, 0> fov 45 }" + sky +
+                     "sphere { <0, 0, 0>, 1 rotate <40, 30, 20> scale <1, 1, 3e-9> rotate <50, 60, 0> }",
+                 32, 24) == std::vector<std::string>{});
+    CHECK(faults("camera { position <0, 0, -6> look_at <0, 0, 0> up <0, 1, 0> fov 45 }" + sky +
+                     "box { <-1, -1, -1>, <1, 1, 1> rotate <40, 30, 20> scale <1, 1, 3e-9> rotate <50, 60, 0> }",
+                 32, 24) == std::vector<std::string>{});
+}
+
+TEST_CASE("bodies of which one is the unit of length, and the square of the other no number in it") {
+    CHECK(faults("camera { position <0, 0, 0> look_at <0, 0, 1> up <0, 1, 0> fov 45 }"
+                 "cone { <0, 0, 0>, 1, <0, 0, 1>, 1 scale 4.432039137151644e-142 }"
+                 "cylinder { <0, 0, 0>, <1e9, 0, 0>, 1e7 material { ambient 1 } }",
+                 17, 24) == std::vector<std::string>{});
+    CHECK(faults("camera { position <0, 0, -1e-77> look_at <0, 0, 0> up <0, 1, 0> fov 45 }"
+                 "cylinder { <0, 1, 0>, <0, 0, 0>, 1 scale <1.5, 1.3237483668007852, -2> material { ambient 1 } }"
+                 "sphere { <0, 0, 0>, 1 scale -5.671912830527493e-78 }"
+                 "plane { <0, 0, 0>, <0, 0, 1>, <1, 0, 0> }",
+                 30, 21) == std::vector<std::string>{});
+}

@@ -1,0 +1,147 @@
+// Lattices of which smooth parts are filled: what the window shows in motion.
+#include "trace/cells/lattice_cells.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <vector>
+
+#include "files/read_file.h"
+#include "num/thread_pool.h"
+#include "tests/referee/random_scene.h"
+#include "tests/unit/scenes.h"
+#include "trace/tracer.h"
+
+namespace strahl::lattice_cells {
+
+constexpr double contrast = 3. / 255;
+
+struct Traced {
+    std::vector<float> rgb;
+    Counts rays;
+};
+
+View view_of(const Scene& scene, int width, int height) {
+    return {.camera = scene.camera, .width = width, .height = height, .depth = 6, .error = .5 / 255};
+}
+
+Traced traced(const Scene& scene, const View& view, const Lattice& part, bool filled, int threads = 2,
+              Simd simd = Simd::automatic) {
+    ThreadPool pool(threads);
+    Tracer tracer(scene, Precision::float32, simd);
+    Traced pixels{std::vector<float>(std::size_t(3) * part.columns * part.rows), {}};
+    const auto keep = [&](const Tile& tile) { place(tile, part, pixels.rgb); };
+    pixels.rays = filled ? tracer.trace_filled(view, part, contrast, pool, keep) : tracer.trace(view, part, pool, keep);
+    return pixels;
+}
+
+/// The largest difference of each pixel, in steps of 1/255.
+std::vector<double> differences(const Traced& a, const Traced& b) {
+    std::vector<double> off(a.rgb.size() / 3);
+    for (std::size_t i = 0; i < a.rgb.size(); ++i)
+        off[i / 3] =
+            std::max(off[i / 3], 255. * std::abs(std::clamp(a.rgb[i], 0.f, 1.f) - std::clamp(b.rgb[i], 0.f, 1.f)));
+    return off;
+}
+double share_above(const std::vector<double>& values, double limit) {
+    return double(std::ranges::count_if(values, [&](double v) { return v > limit; })) / double(values.size());
+}
+
+TEST_CASE("a picture that is filled where it is smooth looks like the one that is traced") {
+    for (const std::string name : {"article", "flythrough", "die", "mirror_ball"}) {
+        CAPTURE(name);
+        const Scene scene = read_scene(name);
+        const View view = view_of(scene, 640, 480);
+        const Lattice all{.columns = view.width, .rows = view.height};
+        const Traced plain = traced(scene, view, all, false), filled = traced(scene, view, all, true);
+        const std::vector<double> off = differences(plain, filled);
+        CHECK(share_above(off, 1.5) < .005);
+        CHECK(share_above(off, 4) < .0004);
+        CHECK(double(filled.rays.total()) < .8 * double(plain.rays.total()));
+        CHECK(share_above(off, 0) > .2);  // or nothing would have been filled
+        // Other pixels have the values that they have in a plain lattice; the middles of filled cells are filled over.
+        CHECK(share_above(off, 0) < 1 - double(filled.rays.camera) / double(all.columns * all.rows) + .04);
+    }
+}
+
+TEST_CASE("patterns that are as fine as the cells are not filled") {
+    const Scene scene = read_scene("demo");
+    const View view = view_of(scene, 640, 360);
+    const Lattice all{.columns = view.width, .rows = view.height};
+    const Traced plain = traced(scene, view, all, false), filled = traced(scene, view, all, true);
+    const std::vector<double> off = differences(plain, filled);
+    CAPTURE(share_above(off, 1.5));
+    CHECK(share_above(off, 1.5) < .005);
+    CHECK(double(filled.rays.total()) < .9 * double(plain.rays.total()));
+}
+
+TEST_CASE("what is filled depends neither on threads, lanes nor crops") {
+    for (const Scene& scene : {read_scene("article"), random_scene(17, {.camera_inside = true})}) {
+        const View view = view_of(scene, 203, 141);
+        for (const auto& [x, y] : {std::pair{1, 1}, {2, 1}, {2, 2}}) {
+            const Lattice all{0, 0, (view.width + x - 1) / x, (view.height + y - 1) / y, x, y};
+            const Traced picture = traced(scene, view, all, true);
+            CHECK(picture.rgb == traced(scene, view, all, true, 3).rgb);
+            CHECK(picture.rgb == traced(scene, view, all, true, 1, Simd::scalar).rgb);
+            const Lattice crop{24 * x, 16 * y, 70, 45, x, y};
+            const Traced part = traced(scene, view, crop, true);
+            for (int row = 0; row < crop.rows; ++row) {
+                const auto from = picture.rgb.begin() + 3 * ((row + 16) * all.columns + 24);
+                CHECK(std::equal(from, from + 3 * crop.columns, part.rgb.begin() + 3 * row * crop.columns));
+            }
+        }
+    }
+}
+
+TEST_CASE("nothing but corners and middles is traced of an empty scene") {
+    Scene scene = read_scene("crosscheck/no_light");
+    scene.primitives.clear();
+    const Traced pixels = traced(scene, view_of(scene, 256, 256), {.columns = 256, .rows = 256}, true, 1);
+    CHECK(pixels.rays.camera == 16 * (81 + 64));  // tiles of 64 cells with corners and a middle
+}
+
+TEST_CASE("wires thinner than the cells are not lost in motion") {
+    const std::string path = STRAHL_SOURCE "/tests/bench/sampling/wires.rt";
+    const Scene scene = parse_scene(read_text(path), path, {}, read_pixels);
+    const View view = view_of(scene, 640, 480);
+    const Lattice all{.columns = view.width, .rows = view.height};
+    const std::vector<double> off = differences(traced(scene, view, all, false), traced(scene, view, all, true));
+    CHECK(share_above(off, 1.01) == 0);
+}
+
+TEST_CASE("where everything differs, hardly more is traced than in a plain lattice") {
+    const Scene scene = random_scene(17, {.camera_inside = true});
+    const View view = view_of(scene, 320, 240);
+    const Lattice all{.columns = view.width, .rows = view.height};
+    const Traced plain = traced(scene, view, all, false, 1), filled = traced(scene, view, all, true, 1);
+    // Corners of cells beyond tiles are the only other ones.
+    CHECK(filled.rays.camera <= plain.rays.camera + 20 * (16 + 16 + 1));
+}
+
+TEST_CASE("worlds of very many bodies are traced as they are") {
+    Scene scene = read_scene("article");
+    const Primitive ball = scene.primitives.back();
+    scene.primitives.resize(10001, ball);
+    const View view = view_of(scene, 64, 48);
+    const Lattice all{.columns = view.width, .rows = view.height};
+    CHECK(traced(scene, view, all, true).rgb == traced(scene, view, all, false).rgb);
+    CHECK(traced(scene, view, all, true).rays.camera == 64 * 48);
+}
+
+TEST_CASE("a picture that is stopped hands on whole tiles only") {
+    const Scene scene = read_scene("article");
+    const View view = view_of(scene, 640, 480);
+    ThreadPool pool(2);
+    Tracer tracer(scene, Precision::float32);
+    std::atomic<bool> stop = false;
+    std::atomic<int> tiles = 0;
+    const Lattice all{.columns = view.width, .rows = view.height};
+    tracer.trace_filled(
+        view, all, contrast, pool, [&](const Tile&) { ++tiles, stop = true; }, &stop);
+    CHECK(tiles >= 1);
+    CHECK(tiles <= 2);
+}
+
+}  // namespace strahl::lattice_cells

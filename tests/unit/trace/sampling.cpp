@@ -1,0 +1,207 @@
+// More than one ray in a pixel: grids, and cells that follow what the picture needs.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "num/thread_pool.h"
+#include "tests/referee/random_scene.h"
+#include "tests/unit/sanitized.h"
+#include "tests/unit/scenes.h"
+#include "trace/cells/cell_picture.h"
+#include "trace/tracer.h"
+
+namespace strahl::sampling {
+
+View view_of(const Scene& scene, int width, int height) {
+    return {.camera = scene.camera, .width = width, .height = height, .depth = 6, .error = 1. / 510};
+}
+
+std::vector<double> traced(Tracer& tracer, const View& view, const Sampling& sampling, const Lattice& part,
+                           int threads = 2) {
+    ThreadPool pool(threads);
+    std::vector<double> rgb(std::size_t(3) * part.columns * part.rows);
+    tracer.trace(view, sampling, part, pool, [&](const Tile& tile) { place(tile, part, rgb); });
+    return rgb;
+}
+std::vector<double> whole(const Scene& scene, const View& view, const Sampling& sampling,
+                          Precision precision = Precision::float64, Simd simd = Simd::automatic) {
+    Tracer tracer(scene, precision, simd);
+    return traced(tracer, view, sampling, {.columns = view.width, .rows = view.height});
+}
+
+/// In steps of 1/510, of values as a file shows them.
+double rms(const std::vector<double>& a, const std::vector<double>& b) {
+    double squares = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        const double off = std::clamp(a[i], 0., 1.) - std::clamp(b[i], 0., 1.);
+        squares += off * off;
+    }
+    return 510 * std::sqrt(squares / double(a.size()));
+}
+
+TEST_CASE("a grid is the average of shifted pictures") {
+    const Scene scene = random_scene(3);
+    View view = view_of(scene, 37, 23);
+    view.error = 0;
+    const std::vector<double> one = whole(scene, view, {.grid = 1});
+    CHECK(one == whole(scene, view, {.grid = 1, .centre = false}));
+    for (const bool centre : {false, true}) {
+        std::vector<double> sum = centre ? one : std::vector<double>(one.size());
+        for (const double y : {-1. / 3, 0., 1. / 3})
+            for (const double x : {-1. / 3, 0., 1. / 3}) {
+                View shifted = view;
+                shifted.shift_x = x, shifted.shift_y = y;
+                const std::vector<double> more = whole(scene, shifted, {.grid = 1});
+                for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += more[i];
+            }
+        for (double& value : sum) value /= centre ? 10 : 9;
+        CHECK(rms(sum, whole(scene, view, {.grid = 3, .centre = centre})) < 1e-6);
+    }
+}
+
+TEST_CASE("averages come out as exact as they aim") {
+    if (sanitized()) return;  // only figures count here and below: the other cases run the same code
+    for (const std::string name : {"article", "die", "flythrough"}) {
+        CAPTURE(name);
+        const Scene scene = read_scene(name);
+        const View view = view_of(scene, 96, 72);
+        const std::vector<double> exact = whole(scene, view, {.grid = 12}, Precision::float32);
+        const double stairs = rms(whole(scene, view, {.grid = 1}), exact);
+        const double usual = rms(whole(scene, view, {}), exact), fine = rms(whole(scene, view, {.error = 2e-4}), exact);
+        CHECK(usual < stairs / 5);
+        CHECK(usual < 2);  // where much is smaller than a pixel, up to twice as much as is aimed at
+        CHECK(fine < usual / 1.5);
+    }
+}
+
+TEST_CASE("the error that is estimated is the true one, within a factor of two") {
+    if (sanitized()) return;
+    for (const auto& [name, depth] : {std::pair<std::string, int>{"article", 20},
+                                      {"flythrough", 20},
+                                      {"die", 6},
+                                      {"crosscheck/balls_of_mirror", 6},
+                                      {"kinds/torus", 6}}) {
+        CAPTURE(name);
+        const Scene scene = read_scene(name);
+        View view = view_of(scene, 120, 90);
+        view.depth = depth;
+        const Lattice all{.columns = view.width, .rows = view.height};
+        const std::vector<double> exact = whole(scene, view, {.grid = 16}, Precision::float32);
+        ThreadPool pool(2);
+        Tracer tracer(scene, Precision::float64);
+        for (const double aim : {4. / 510, 1. / 510, .5 / 510}) {
+            CAPTURE(aim);
+            CellPicture cells(scene, view, all, aim);
+            std::vector<double> rgb(exact.size());
+            tracer.trace(view, cells, 0, pool, [&](const Tile& tile) { place(tile, all, rgb); });
+            const double ratio = 510 * cells.sampled().error() / rms(rgb, exact);
+            CHECK(ratio > .5);
+            CHECK(ratio < 2);
+        }
+    }
+}
+
+TEST_CASE("checks and bricks are known by themselves, not by their colours alone") {
+    // Without that the errors of both are 3.7.
+    for (const std::string pattern : {"checker { <.9, .9, .9>, <.1, .1, .1>  rotate <0, 0, 25> }",
+                                      "brick { <.9, .9, .9>, <.1, .1, .1>  scale .2  rotate <0, 0, 25> }"}) {
+        CAPTURE(pattern);
+        const Scene scene = parse_scene(
+            "camera { position <0, -10, 5>  look_at <0, 0, .5>  up <0, 0, -1>  fov 18 }\n"
+            "light { position <-7, -9, 12>  color <.9, .9, .9> }\n"
+            "disc { <0, 0, 0>, <0, 0, 1>, 6  material { rgb " +
+                pattern +
+                " } }\n"
+                "sphere { <0, 0, 1>, 1  material { reflection .6 } }",
+            "checks");
+        const View view = view_of(scene, 160, 120);
+        const double error = rms(whole(scene, view, Sampling{}), whole(scene, view, {.grid = 16}));
+        CAPTURE(error);
+        CHECK(error < 2);
+    }
+}
+
+TEST_CASE("averages depend neither on threads, crops, lanes nor passes") {
+    for (const Scene& scene : {read_scene("article"), random_scene(17, {.camera_inside = true})}) {
+        const View view = view_of(scene, 75, 61);
+        Tracer tracer(scene, Precision::float64);
+        const Lattice all{.columns = view.width, .rows = view.height};
+        const std::vector<double> picture = traced(tracer, view, {}, all);
+        CHECK(picture == traced(tracer, view, {}, all, 3));
+        CHECK(picture == whole(scene, view, {}, Precision::float64, Simd::scalar));
+        for (const Lattice crop :
+             {Lattice{33, 17, 20, 30}, Lattice{0, 0, 1, 1}, Lattice{74, 60, 1, 1}, Lattice{7, 0, 40, 9}}) {
+            const std::vector<double> part = traced(tracer, view, {}, crop);
+            std::vector<double> cut;
+            for (int y = crop.y; y < crop.y + crop.rows; ++y) {
+                const auto row = picture.begin() + 3 * (y * view.width + crop.x);
+                cut.insert(cut.end(), row, row + 3 * crop.columns);
+            }
+            CHECK(part == cut);
+        }
+        ThreadPool pool(2);
+        CellPicture cells(scene, view, all, Sampling{}.error);
+        std::vector<double> rgb(picture.size());
+        double before = 1e9;
+        for (const int finest : {8, 4, 2, 1, 0}) {
+            CHECK(!cells.finished());
+            tracer.trace(view, cells, finest, pool, [&](const Tile& tile) { place(tile, all, rgb); });
+            CHECK(rms(rgb, picture) < before);  // each pass is nearer to the last
+            before = rms(rgb, picture);
+        }
+        CHECK(cells.finished());
+        CHECK(rgb == picture);
+        CHECK(cells.sampled().count() == 75 * 61);
+        CHECK(cells.sampled().most() > cells.sampled().median());
+    }
+}
+
+TEST_CASE("rays are where the picture changes") {
+    Scene scene = read_scene("crosscheck/no_light");
+    scene.primitives.clear();
+    const View view = view_of(scene, 64, 64);
+    ThreadPool pool(1);
+    Tracer tracer(scene, Precision::float64);
+    const Lattice all{.columns = 64, .rows = 64};
+    CellPicture empty(scene, view, all, Sampling{}.error, 8);
+    const Counts rays = tracer.trace(view, empty, 0, pool, [](const Tile&) {});
+    CHECK(rays.camera == 81 + 64);  // a tile of 64 cells with corners and a middle
+    CHECK(empty.sampled().error() == 0);
+}
+
+TEST_CASE("a chord halves a cell") {
+    // Straight edges at random: areas are exact.
+    for (int i = 0; i < 1000; ++i) {
+        const double a = .001 + .998 * (i % 31) / 31., b = .001 + .998 * (i % 37) / 37.;
+        const std::array<int, 2> opposite{0, 2}, beside{0, 1}, across{1, 3};
+        CHECK(parts_of(opposite, {a, b}).first_area == doctest::Approx(((1 - a) + b) / 2));
+        CHECK(parts_of(beside, {a, b}).first_area == doctest::Approx((1 - a) * b / 2));
+        CHECK(parts_of(across, {a, b}).first_area == doctest::Approx(((1 - a) + b) / 2));
+        const Parts parts = parts_of(beside, {a, b});  // the first part has the corner (1, 0)
+        CHECK((1 - parts.middle_x) * parts.normal_x - parts.middle_y * parts.normal_y < 0);
+    }
+    CHECK(!changing_sides({1, 1, 1, 1}));
+    CHECK(!changing_sides({1, 2, 1, 2}));
+    CHECK(!changing_sides({1, 2, 3, 1}));
+    CHECK(changing_sides({1, 2, 2, 1}) == std::array<int, 2>{0, 2});
+    CHECK(changing_sides({1, 1, 2, 1}) == std::array<int, 2>{1, 2});
+}
+
+TEST_CASE("what is counted of samples") {
+    Sampled a, b;
+    a.pixels[1] = 3, a.pixels[7] = 2, a.squares = 5;
+    CHECK(a.count() == 5);
+    CHECK(a.median() == 1);
+    CHECK(a.most() == 7);
+    CHECK(a.error() == 1);
+    b.pixels[4096] = 20;
+    a += b;
+    CHECK(a.median() == 4096);
+    CHECK(a.count() == 25);
+    CHECK(Sampled().error() == 0);
+}
+
+}  // namespace strahl::sampling
