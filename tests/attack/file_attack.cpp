@@ -17,6 +17,7 @@
 #include <thread>
 
 #include "scene/error.h"
+#include "tests/attack/options.h"
 #include "tests/unit/scratch.h"
 
 namespace strahl {
@@ -25,7 +26,7 @@ namespace {
 constexpr double most_seconds = 5, most_megabytes = 1000;
 constexpr int files_of_a_worker = 20000, too_much_memory = 3;
 
-double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+using attack::now;
 
 /// What the worker tells.
 struct Shared {
@@ -153,21 +154,11 @@ int attack_all(const FileAttack& attack, std::uint64_t first, double seconds) {
 }  // namespace
 
 int run_attack(const FileAttack& attack, int count, char** arguments) {
-    double seconds = 5;
-    std::uint64_t number = 1;
-    bool write = false, alone = false;
-    for (int i = 1; i < count; ++i) {
-        const std::string option = arguments[i];
-        if (option == "--write")
-            write = true;
-        else if (option == "--seconds" && i + 1 < count)
-            seconds = std::stod(arguments[++i]);
-        else if ((option == "--first" || option == "--seed") && i + 1 < count)
-            number = std::stoull(arguments[++i]), alone = option == "--seed";
-        else
-            return std::fprintf(stderr, "attack_%ss: what is '%s'?\n", attack.what, arguments[i]), 2;
-    }
-    return alone ? read_alone(attack, number, write) : attack_all(attack, number, seconds);
+    attack::Options options(count, arguments);
+    const bool write = options.take("--write");
+    refuse(options, "attack_" + std::string(attack.what) + "s");
+    return options.alone ? read_alone(attack, options.number, write)
+                         : attack_all(attack, options.number, options.seconds);
 }
 
 }  // namespace strahl

@@ -5,10 +5,8 @@
 // While it runs, and after a crash, the file attack-parser-seed in the working directory holds the number of the input:
 // pass it as --seed to reproduce the crash.
 #include <algorithm>
-#include <chrono>
 #include <cstdint>
 #include <cstdio>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -16,11 +14,14 @@
 #include <string>
 #include <vector>
 
+#include "tests/attack/options.h"
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
 namespace {
 
 namespace fs = std::filesystem;
+namespace attack = strahl::attack;
 using Seeds = std::vector<std::string>;
 
 /// What mutations are made of.
@@ -136,34 +137,20 @@ class Mutator {
 }  // namespace
 
 int main(int count, char** arguments) {
-    double seconds = 5;
-    std::uint64_t number = 1;
-    std::vector<fs::path> paths;
-    for (int i = 1; i < count; ++i) {
-        if (std::strcmp(arguments[i], "--seconds") == 0 && i + 1 < count)
-            seconds = std::stod(arguments[++i]);
-        else if (std::strcmp(arguments[i], "--seed") == 0 && i + 1 < count)
-            number = std::stoull(arguments[++i]);
-        else
-            paths.emplace_back(arguments[i]);
-    }
+    const attack::Options options(count, arguments);
+    const std::vector<fs::path> paths(options.words.begin(), options.words.end());
     const Ingredients ingredients = read_ingredients(paths);
     if (ingredients.seeds.empty() || ingredients.words.empty() || ingredients.numbers.empty() ||
         ingredients.statements.empty())
         return std::fputs("this attack needs a dictionary and seeds\n", stderr), 2;
-    std::FILE* const progress = std::fopen("attack-parser-seed", "w");
-    if (!progress) return std::perror("attack-parser-seed"), 1;
-    const std::uint64_t first = number;
-    const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
-    for (; std::chrono::steady_clock::now() < end; ++number) {
+    attack::Progress progress("attack-parser-seed");
+    const std::uint64_t first = options.number;
+    std::uint64_t number = first;
+    for (const double end = attack::now() + options.seconds; attack::now() < end; ++number) {
         const std::string input = Mutator(ingredients, number).input();
-        std::rewind(progress);
-        std::fprintf(progress, "%llu\n", static_cast<unsigned long long>(number));
-        std::fflush(progress);
+        progress.note(number);
         LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(input.data()), input.size());
     }
-    std::fclose(progress);
-    std::remove("attack-parser-seed");
     std::printf("%llu inputs, --seed %llu to %llu\n", static_cast<unsigned long long>(number - first),
                 static_cast<unsigned long long>(first), static_cast<unsigned long long>(number - 1));
 }

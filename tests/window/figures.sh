@@ -5,15 +5,10 @@
 #
 # Run it where nothing else runs; as root it gives the program a higher priority.
 set -uo pipefail
-
-strahl=$(readlink -f -- "$1") size=${2-960x720} runs=5
-here=$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")
-source "$here/display.sh"
+source "$(dirname -- "$0")/window.sh"
+size=${2-960x720} runs=5
 own_display 1280x1024 "" "$@"
 scenes=$here/../../scenes
-work=$(mktemp -d)
-pid=
-trap '[[ -n $pid ]] && kill "$pid" 2>/dev/null; rm -rf "$work"' EXIT
 higher=()
 nice -n -5 true 2>/dev/null && higher=(nice -n -5)
 

@@ -6,21 +6,15 @@
 #
 # Exit status: 0 all as expected, 1 not, 77 a tool is missing.
 set -uo pipefail
-
-strahl=$(readlink -f -- "$1")
-here=$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")
-source "$here/display.sh"
-own_display 800x400 "import compare" "$strahl"
-source "$here/window.sh"
+source "$(dirname -- "$0")/window.sh"
+own_display 800x400 "import compare" "$@"
 
 echo "-- a scene that is missing, then broken, is waited for"
 start_log 'waiting until' scene.rt --size 320x240 --depth 2
 put "shpere { }"
 await 'scene.rt:1:1'
 flat=${camera/fov 12/fov 12 aspectratio 2}
-put "$flat
-$world
-$path"
+put "$flat" "$world" "$path"
 await 'read again'
 await 'finished 320x160'
 
@@ -30,9 +24,7 @@ convert -size 320x240 xc:black picture.png -geometry +0+40 -composite bars.png
 shows bars.png
 xdotool key v
 await 'finished 320x240'
-put "$camera
-$world
-$path"
+put "$camera" "$world" "$path"
 await 'read again'
 await 'finished 320x240'
 still filled.png --size 320x240 --depth 2
@@ -87,9 +79,7 @@ xdotool getwindowgeometry --shell "$id" | grep -q '^X=30$' || fault "the window 
 quit
 
 echo "-- a flight is played once, and measured"
-put "$camera
-$world
-${path//60/1}"
+put "$camera" "$world" "${path//60/1}"
 "$strahl" play scene.rt --size 64x48 --benchmark --stats stats.json >log || fault "play fails: $(cat log)"
 grep -q 'median .* ms, 99th percentile .* ms, worst' log || fault "the figures of a flight: $(cat log)"
 grep -q '"pixels_per_second": [1-9]' stats.json || fault "the statistics of a flight: $(cat stats.json)"

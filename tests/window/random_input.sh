@@ -5,15 +5,10 @@
 #
 # Exit status: 0 the window survived and the sanitizers reported nothing, 1 otherwise, 77 a tool is missing.
 set -uo pipefail
-
-strahl=$(readlink -f -- "$1") seconds=$2 seed=${3-1}
-here=$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")
-source "$here/display.sh"
+source "$(dirname -- "$0")/window.sh"
+seconds=$2 seed=${3-1}
 own_display 800x600 cc "$@"
-work=$(mktemp -d)
-pid=
 trap '[[ -n $pid ]] && kill -9 "$pid" 2>/dev/null; rm -rf "$work"' EXIT
-cd "$work" || exit 1
 cp "$here/../../scenes/flythrough.rt" good.rt
 cp "$here/../../scenes/article.rt" other.rt
 cp good.rt scene.rt

@@ -5,13 +5,9 @@
 #
 # Exit status: 0 all as expected, 1 not, 77 a tool is missing.
 set -uo pipefail
-
-strahl=$(readlink -f -- "$1")
+source "$(dirname -- "$0")/window.sh"
 editor=$(readlink -f -- "$2")
-here=$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")
-source "$here/display.sh"
-own_display 640x480 "import compare" "$strahl" "$editor"
-source "$here/window.sh"
+own_display 640x480 "import compare" "$@"
 
 # scene FOV GREEN HEIGHT
 scene() {

@@ -6,17 +6,11 @@
 #
 # Exit status: 0 all as expected, 1 not, 77 a tool is missing.
 set -uo pipefail
-
-strahl=$(readlink -f -- "$1")
-here=$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")
-source "$here/display.sh"
-own_display 1280x1024 "import compare" "$strahl"
-source "$here/window.sh"
+source "$(dirname -- "$0")/window.sh"
+own_display 1280x1024 "import compare" "$@"
 
 echo "-- first picture, refinement"
-put "$camera
-$world
-$path"
+put "$camera" "$world" "$path"
 start scene.rt --size 320x240
 await 'finished 320x240'
 still first.png --size 320x240
@@ -39,9 +33,7 @@ shows_other first.png
 xdotool key c
 await 'camera copied'
 await '}'
-put "$(grep -A 6 -F 'camera {' log)
-$world
-$path"
+put "$(grep -A 6 -F 'camera {' log)" "$world" "$path"
 await 'read again'
 still flown.png --size 320x240
 shows flown.png
@@ -62,22 +54,24 @@ xdotool key 1
 await 'camera 1'
 shows flown.png
 
-# Flies for a moment and waits until the paused picture is finished; sets `seconds`.
-fly_and_pause() {
-    xdotool key f
-    await 'flying from'
-    sleep 0.5
+# Pauses the flight; sets `seconds`.
+pause() {
     xdotool key space
     await 'paused at '
     seconds=${line##*paused at }
     seconds=${seconds% s}
+}
+# Flies for a moment and waits until the paused picture is finished.
+fly_and_pause() {
+    xdotool key f
+    await 'flying from'
+    sleep 0.5
+    pause
     await 'finished'
 }
 
 echo "-- the flight: played, paused, a still of it"
-put "$camera
-$world
-$path"
+put "$camera" "$world" "$path"
 await 'read again'
 fly_and_pause
 still paused.png --size 320x240 --time "$seconds"
@@ -107,24 +101,15 @@ xdotool key x
 shows paused.png
 
 echo "-- the file changes: a broken one, and a good one"
-put "$camera
-$world
-shpere { }
-$path"
+put "$camera" "$world" "shpere { }" "$path"
 await 'has an error'
 await 'scene.rt:6:1'
 shows_other paused.png
 xdotool key space
 await 'flight continues'
 sleep 0.3 # the flight goes on meanwhile
-xdotool key space
-await 'paused at '
-seconds=${line##*paused at }
-seconds=${seconds% s}
-put "$camera
-$world
-sphere { <-3, 0, 1>, 1 }
-$path"
+pause
+put "$camera" "$world" "sphere { <-3, 0, 1>, 1 }" "$path"
 await 'read again'
 still changed.png --size 320x240 --time "$seconds"
 shows changed.png
@@ -174,9 +159,7 @@ quit
 grep -q 'still dropped: scene-' log || fault "it is not said which still was dropped"
 
 echo "-- bodies that move: played, paused, and looked at from elsewhere meanwhile"
-put "$camera
-$world
-sphere { <-3, 0, 1>, 1  motion { key { time 0 }  key { time 20  translate <0, 6, 3>  scale 2 } } }"
+put "$camera" "$world" "sphere { <-3, 0, 1>, 1  motion { key { time 0 }  key { time 20  translate <0, 6, 3>  scale 2 } } }"
 start scene.rt --size 320x240
 await 'finished'
 still moving.png --size 320x240

@@ -6,16 +6,10 @@
 #
 # Exit status: 0 all as expected, 1 not, 77 a tool is missing.
 set -uo pipefail
+source "$(dirname -- "$0")/window.sh"
+own_display 640x400 "import convert" "$@"
 
-strahl=$(readlink -f -- "$1")
-here=$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")
-source "$here/display.sh"
-own_display 640x400 "import convert" "$strahl"
-source "$here/window.sh"
-
-put "// mine
-$camera // eye
-$world"
+put "// mine" "$camera // eye" "$world"
 cp scene.rt first.rt
 start scene.rt --size 640x400 --depth 2
 

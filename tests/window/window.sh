@@ -1,14 +1,34 @@
-# Sourced by the tests of the window: opens it in a folder of its own, waits for what it logs, and compares what it shows
-# with pictures of `strahl render`. `strahl` is the program; the display is there already.
+# shellcheck shell=bash
+# Sourced by the tests of the window: runs them on a virtual display in a folder of their own, opens the window, waits for
+# what it logs, and compares what it shows with pictures of `strahl render`.
 
-work=$(mktemp -d)
-pid=
-trap '[[ -n $pid ]] && kill "$pid" 2>/dev/null; rm -rf "$work"' EXIT
-cd "$work" || exit 1
+strahl=$(readlink -f -- "$1")
+# shellcheck disable=SC2034  # for the tests
+here=$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")
 faults=0
 fault() {
     printf 'FAULT: %s\n' "$*"
     ((++faults))
+}
+
+# own_display SIZE "TOOL..." ARGUMENT...: starts the script again with ARGUMENT... under Xvfb, unless it already runs
+# there, and then enters an empty folder. Exits with status 77 (skipped) if a tool is missing.
+own_display() {
+    if [[ -n ${STRAHL_OWN_DISPLAY-} ]]; then
+        work=$(mktemp -d)
+        pid=
+        trap '[[ -n $pid ]] && kill "$pid" 2>/dev/null; rm -rf "$work"' EXIT
+        cd "$work" || exit 1
+        return
+    fi
+    local size=$1 tools tool
+    read -ra tools <<<"$2"
+    for tool in xvfb-run xauth xdotool "${tools[@]}"; do
+        command -v "$tool" >/dev/null && continue
+        echo "skipped: $tool is missing (Debian packages xvfb, xauth, xdotool, imagemagick, libgl1-mesa-dri)"
+        exit 77
+    done
+    STRAHL_OWN_DISPLAY=yes exec xvfb-run -a -s "-screen 0 ${size}x24" bash "$0" "${@:3}"
 }
 
 # start ARGUMENT...: opens the window and waits for its first picture.
@@ -86,9 +106,9 @@ plane { <0, 0, 0>, <1, 0, 0>, <0, 1, 0> }'
 camera='camera { position <5, -20, 18>  look_at <0, 0, 0>  up <0, 0, -1>  fov 12 }'
 path='flythrough { duration 60  key { time 0  position <5, -20, 18>  look_at <0, 0, 0> }
   key { time 60  position <15, -20, 10>  look_at <0, 0, 0> } }'
-# put TEXT: replaces the content of the scene file.
+# put TEXT...: replaces the content of the scene file, a line or several for each TEXT.
 put() {
-    printf '%s\n' "$1" >scene.new
+    printf '%s\n' "$@" >scene.new
     mv scene.new scene.rt
 }
 

@@ -3,7 +3,6 @@
 // attack_io PART --seconds S STRAHL LIBRARY     in an empty folder; prints one row of the table
 // attack_io PART --only N STRAHL LIBRARY        one trial again, with what it said
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstring>
 #include <string>
@@ -11,8 +10,6 @@
 #include "parts.h"
 
 namespace strahl::attack {
-
-double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 void Tally::fault(const std::string& what, const Ran& ran) {
     if (faults++ == 0) worst = what;

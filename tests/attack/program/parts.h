@@ -3,10 +3,9 @@
 #include <string>
 
 #include "attacked.h"
+#include "options.h"
 
 namespace strahl::attack {
-
-double now();
 
 /// How long, or which trial alone.
 struct Plan {

@@ -1,18 +1,17 @@
 // Pictures of wild scenes, one after the other: whatever picture_check.h finds wrong is a fault.
 //
-// attack_renderer [--seconds S] [--first N]   the seeds from N on
+// attack_renderer [--seconds S] [--first N]   the seeds from N on, for 5 s by default
 // attack_renderer --seed N                    this one alone
 // attack_renderer --seed N --write            its scene as text
 // attack_renderer --seed N --shrink           a scene as small as possible with the same kind of fault, as text
 // While it runs, and after a crash, the file attack-renderer-seed in the working directory holds the seed.
 #include <malloc.h>
 
-#include <chrono>
 #include <cstdio>
 #include <fstream>
-#include <limits>
 #include <string>
 
+#include "tests/attack/options.h"
 #include "tests/attack/renderer/picture_check.h"
 #include "tests/attack/renderer/shrink.h"
 #include "text/write.h"
@@ -28,8 +27,8 @@ std::string words_of(const WildScene& wild) {
     return view + write_scene(wild.scene);
 }
 
-/// Tells what is wrong with the scene of a seed, and writes it to a file. Is anything?
-bool attack(PictureCheck& check, std::uint64_t seed) {
+/// Reports what is wrong with the scene of a seed, and writes the scene to a file. Is anything wrong?
+bool is_faulty(PictureCheck& check, std::uint64_t seed) {
     const WildScene wild = affordable(wild_scene(seed));
     const std::vector<std::string> faults = check.faults(wild);
     if (faults.empty()) return false;
@@ -57,46 +56,28 @@ void shrink(std::uint64_t seed) {
 }  // namespace
 
 int main(int count, char** arguments) {
-    double seconds = std::numeric_limits<double>::infinity();
-    std::uint64_t seed = 1;
-    bool write = false, smaller = false, alone = false;
-    for (int i = 1; i < count; ++i) {
-        const std::string option = arguments[i];
-        if (option == "--write")
-            write = true;
-        else if (option == "--shrink")
-            smaller = true;
-        else if (option == "--seconds" && i + 1 < count)
-            seconds = std::stod(arguments[++i]);
-        else if ((option == "--first" || option == "--seed") && i + 1 < count)
-            seed = std::stoull(arguments[++i]), alone = option == "--seed";
-        else
-            return std::fprintf(stderr, "attack_renderer: what is '%s'?\n", arguments[i]), 2;
-    }
+    attack::Options options(count, arguments);
+    const bool write = options.take("--write"), smaller = options.take("--shrink");
+    refuse(options, "attack_renderer");
+    const std::uint64_t seed = options.number;
     if (write) return std::fputs(words_of(affordable(wild_scene(seed))).c_str(), stdout), 0;
 
     // Each tracer's workspaces come from what the last one left, which is faster, and shows who reads before writing.
     ::mallopt(M_MMAP_THRESHOLD, 1 << 30), ::mallopt(M_TRIM_THRESHOLD, 1 << 30);
     if (smaller) return shrink(seed), 0;
 
-    std::FILE* const progress = std::fopen("attack-renderer-seed", "w");
-    if (!progress) return std::perror("attack-renderer-seed"), 1;
-    const auto start = std::chrono::steady_clock::now();
-    const auto passed = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
+    attack::Progress progress("attack-renderer-seed");
     PictureCheck check;
     std::uint64_t done = 0, faults = 0, slowest_seed = 0;
-    double slowest = 0, now = 0;
+    double slowest = 0, now = attack::now();
+    const double end = now + options.seconds;
     do {
-        std::rewind(progress);
-        std::fprintf(progress, "%llu\n", static_cast<unsigned long long>(seed + done));
-        std::fflush(progress);
-        faults += attack(check, seed + done++);
+        progress.note(seed + done);
+        faults += is_faulty(check, seed + done++);
         const double before = now;
-        now = passed();
+        now = attack::now();
         if (now - before > slowest) slowest = now - before, slowest_seed = seed + done - 1;
-    } while (now < seconds && !alone);
-    std::fclose(progress);
-    std::remove("attack-renderer-seed");
+    } while (now < end && !options.alone);
     std::printf("%llu scenes, %llu faults, %.2f s the slowest, seed %llu\n", static_cast<unsigned long long>(done),
                 static_cast<unsigned long long>(faults), slowest, static_cast<unsigned long long>(slowest_seed));
     return faults > 0;

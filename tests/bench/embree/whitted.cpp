@@ -9,25 +9,23 @@ namespace {
 using RayHit = std::conditional_t<lanes == 16, RTCRayHit16, std::conditional_t<lanes == 8, RTCRayHit8, RTCRayHit4>>;
 using ShadowRay = std::conditional_t<lanes == 16, RTCRay16, std::conditional_t<lanes == 8, RTCRay8, RTCRay4>>;
 
-// Of these the one for this machine's lanes is called.
+// Embree's functions for this machine's lanes.
 using Context = RTCIntersectContext;
-void intersect(const int* valid, RTCScene scene, Context* context, RTCRayHit16* rays) {
-    rtcIntersect16(valid, scene, context, rays);
+void intersect(const int* valid, RTCScene scene, Context* context, auto* rays) {
+    if constexpr (lanes == 16)
+        rtcIntersect16(valid, scene, context, rays);
+    else if constexpr (lanes == 8)
+        rtcIntersect8(valid, scene, context, rays);
+    else
+        rtcIntersect4(valid, scene, context, rays);
 }
-void intersect(const int* valid, RTCScene scene, Context* context, RTCRayHit8* rays) {
-    rtcIntersect8(valid, scene, context, rays);
-}
-void intersect(const int* valid, RTCScene scene, Context* context, RTCRayHit4* rays) {
-    rtcIntersect4(valid, scene, context, rays);
-}
-void occluded(const int* valid, RTCScene scene, Context* context, RTCRay16* rays) {
-    rtcOccluded16(valid, scene, context, rays);
-}
-void occluded(const int* valid, RTCScene scene, Context* context, RTCRay8* rays) {
-    rtcOccluded8(valid, scene, context, rays);
-}
-void occluded(const int* valid, RTCScene scene, Context* context, RTCRay4* rays) {
-    rtcOccluded4(valid, scene, context, rays);
+void occluded(const int* valid, RTCScene scene, Context* context, auto* rays) {
+    if constexpr (lanes == 16)
+        rtcOccluded16(valid, scene, context, rays);
+    else if constexpr (lanes == 8)
+        rtcOccluded8(valid, scene, context, rays);
+    else
+        rtcOccluded4(valid, scene, context, rays);
 }
 
 constexpr float infinity = std::numeric_limits<float>::infinity();

@@ -9,13 +9,13 @@
 namespace strahl::bench::STRAHL_LEVEL {
 namespace {
 
-template <class S, class M>
+template <class S, Answer<S> (*method)(const Question<S>&)>
 void run(const Rays<Element<S>>& rays, Answers<Element<S>>& answers) {
     for (std::size_t i = 0; i < rays.size(); i += width<S>) {
         const auto v = [&](int c) { return load_lanes<S>(rays.column[c].data() + i); };
         const Question<S> q{
             {v(0), v(1), v(2)}, {v(3), v(4), v(5)}, {v(6), v(7), v(8)}, {v(9), v(10), v(11)}, v(12), v(13)};
-        const Answer<S> answer = M::of(q);
+        const Answer<S> answer = method(q);
         store_lanes(answers.t.data() + i, answer.t);
         store_lanes(answers.x.data() + i, answer.p.x), store_lanes(answers.y.data() + i, answer.p.y);
         store_lanes(answers.z.data() + i, answer.p.z);
@@ -25,25 +25,25 @@ void run(const Rays<Element<S>>& rays, Answers<Element<S>>& answers) {
 template <class S>
 std::vector<Method<Element<S>>> all() {
     constexpr int n = width<S>;
-    return {{"sphere", "b^2-4ac", n, false, run<S, Quadratic>},
-            {"sphere", "stable roots", n, false, run<S, StableQuadratic>},
-            {"sphere", "compensated", n, false, run<S, Compensated>},
-            {"sphere", "factored", n, false, run<S, Factored>},
-            {"sphere", "projection", n, false, run<S, Projection>},
-            {"sphere", "projection, put back", n, true, run<S, PutBack>},
-            {"start", "epsilon 1e-6", n, false, run<S, Epsilon<6>>},
-            {"start", "epsilon 1e-4", n, false, run<S, Epsilon<4>>},
-            {"start", "epsilon 1e-2", n, false, run<S, Epsilon<2>>},
-            {"start", "offset by ulps", n, false, run<S, Offset>},
-            {"start", "divided out", n, true, run<S, DividedOut>},
-            {"plane", "point and normal", n, false, run<S, PointNormal>},
-            {"plane", "distance", n, false, run<S, Distance>},
-            {"plane", "distance, put back", n, true, run<S, PlanePutBack>},
-            {"cylinder", "b^2-ac", n, false, run<S, CylinderQuadratic>},
-            {"cylinder", "distance of lines", n, true, run<S, CylinderDistance>},
-            {"box", "by sign of d", n, false, run<S, Ordered>},
-            {"box", "by min and max", n, false, run<S, Sorted>},
-            {"box", "grown, 1/d finite", n, true, run<S, Grown>}};
+    return {{"sphere", "b^2-4ac", n, false, run<S, quadratic<S>>},
+            {"sphere", "stable roots", n, false, run<S, stable_quadratic<S>>},
+            {"sphere", "compensated", n, false, run<S, compensated<S>>},
+            {"sphere", "factored", n, false, run<S, factored<S>>},
+            {"sphere", "projection", n, false, run<S, projection<S>>},
+            {"sphere", "projection, put back", n, true, run<S, put_back<S>>},
+            {"start", "epsilon 1e-6", n, false, run<S, epsilon<6, S>>},
+            {"start", "epsilon 1e-4", n, false, run<S, epsilon<4, S>>},
+            {"start", "epsilon 1e-2", n, false, run<S, epsilon<2, S>>},
+            {"start", "offset by ulps", n, false, run<S, offset<S>>},
+            {"start", "divided out", n, true, run<S, divided_out<S>>},
+            {"plane", "point and normal", n, false, run<S, point_normal<S>>},
+            {"plane", "distance", n, false, run<S, distance<S>>},
+            {"plane", "distance, put back", n, true, run<S, plane_put_back<S>>},
+            {"cylinder", "b^2-ac", n, false, run<S, cylinder_quadratic<S>>},
+            {"cylinder", "distance of lines", n, true, run<S, cylinder_distance<S>>},
+            {"box", "by sign of d", n, false, run<S, ordered<S>>},
+            {"box", "by min and max", n, false, run<S, sorted<S>>},
+            {"box", "grown, 1/d finite", n, true, run<S, grown<S>>}};
 }
 template <class T>
 using Widest =
