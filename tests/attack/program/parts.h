@@ -3,7 +3,7 @@
 #include <string>
 
 #include "attacked.h"
-#include "options.h"
+#include "../options.h"
 
 namespace strahl::attack {
 
