@@ -11,10 +11,10 @@
 #include <functional>
 #include <system_error>
 
+#include "files/bytes.h"
 #include "files/output_file.h"
 #include "files/streams.h"
 #include "files/temporary_file.h"
-#include "image/bytes.h"
 
 namespace strahl {
 namespace {
@@ -105,10 +105,8 @@ BandFile::BandFile(const std::string& path) : own_path(path) {
         std::string start(start_bytes, '\0');
         in.seekg(static_cast<std::streamoff>(end));
         if (!in.read(start.data(), start_bytes)) break;
-        std::array<std::uint64_t, 3> numbers{};
-        for (std::size_t i = 8 * numbers.size(); i-- > 0;)
-            numbers[i / 8] = numbers[i / 8] << 8 | static_cast<unsigned char>(start[i]);
-        const auto [band, note_size, bytes_size] = numbers;
+        const auto number = [&](std::size_t i) { return get_little<std::uint64_t>(start, 8 * i); };
+        const std::uint64_t band = number(0), note_size = number(1), bytes_size = number(2);
         const std::uint64_t left = size - end - start_bytes;
         if (note_size > left || bytes_size > left - note_size || band > 1'000'000) break;
         EncodedBand encoded{std::string(bytes_size, '\0'), std::string(note_size, '\0')};

@@ -5,7 +5,7 @@
 #include <cassert>
 #include <cstdint>
 
-#include "image/bytes.h"
+#include "files/bytes.h"
 
 namespace strahl {
 namespace {

@@ -8,7 +8,7 @@
 #include <cstring>
 #include <new>
 
-#include "image/bytes.h"
+#include "files/bytes.h"
 #include "image/encoder.h"
 
 namespace strahl {
@@ -62,21 +62,16 @@ class Exr : public Encoder {
     void assemble(const Notes& notes, const BytesOf& bytes_of, const Append& append) const override {
         std::string table = head();
         std::uint64_t place = table.size() + std::size_t((layout.height - 1) / chunk_rows + 1) * 8;
-        const auto size_at = [](const std::string& note, std::size_t at) {
-            std::uint32_t size = 0;
-            for (std::size_t i = 4; i-- > 0;) size = size << 8 | static_cast<unsigned char>(note[at + i]);
-            return size;
-        };
         for (const std::string& note : notes)
             for (std::size_t at = 0; at < note.size(); at += 4)
-                put_little(table, place), place += 8 + size_at(note, at);
+                put_little(table, place), place += 8 + get_little<std::uint32_t>(note, at);
         append(table);
         std::uint32_t row = 0;
         for (int i = 0; i < bands(); ++i) {
             const std::string bytes = bytes_of(i);
             const std::string& note = notes[unsigned(i)];
             for (std::size_t at = 0, from = 0; at < note.size(); at += 4, row += chunk_rows) {
-                const std::uint32_t size = size_at(note, at);
+                const auto size = get_little<std::uint32_t>(note, at);
                 std::string start;
                 put_little(start, row), put_little(start, size);
                 append(start);

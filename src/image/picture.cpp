@@ -13,11 +13,11 @@
 #include <thread>
 
 #include "image/memory.h"
-#include "image/netpbm.h"
 #include "image/picture_module.h"
 #include "image/picture_writer.h"
 #include "image/recognise.h"
 #include "image/transfer.h"
+#include "image/uncompressed.h"
 
 #if defined(__SANITIZE_ADDRESS__)
 #include <sanitizer/lsan_interface.h>
@@ -123,8 +123,9 @@ void write_picture(const Picture& picture, const std::string& path, FileFormat f
 }
 
 Picture read_picture(const std::string& path, std::uint64_t most) {
-    const auto [format, possible] = recognised(path);
-    if (format == std::string_view("netpbm")) return read_netpbm(path, std::min(most, possible));
+    const RegularFile file(path);
+    const auto [format, possible] = recognised(file);
+    if (!format) return read_uncompressed(file, std::min(most, possible));
     Picture picture;
     std::string reason;
     if (!library().decode({path, format, std::min(most, possible), available_memory()}, picture, reason))

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <new>
 
-#include "image/bytes.h"
+#include "files/bytes.h"
 #include "image/encoder.h"
 
 namespace strahl {
@@ -70,8 +70,7 @@ class Png : public Encoder {
         uLong sum = 1;
         for (int i = 0; i < bands(); ++i) {
             append(bytes_of(i));
-            uLong own = 0;
-            for (const char byte : notes[unsigned(i)]) own = own << 8 | static_cast<unsigned char>(byte);
+            const auto own = get_big<std::uint32_t>(notes[unsigned(i)], 0);
             sum = ::adler32_combine(sum, own, static_cast<z_off_t>((layout.row_bytes() + 1) * unsigned(rows(i))));
         }
         std::string end("\x03\0", 2), tail;  // the last block, which is empty

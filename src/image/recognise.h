@@ -1,20 +1,18 @@
-// What a picture file is, and whether its header can be believed, before a library opens it.
+// Finds out which format a picture file has, and whether its header can be true, before a library opens it.
 #pragma once
 #include <cstdint>
-#include <string>
 
-#include "scene/error.h"
+#include "files/regular_file.h"
 
 namespace strahl {
 
-struct Recognised {
-    const char* format;      // as OpenImageIO calls it, or "netpbm"
-    std::uint64_t most = 0;  // values that a file of this many bytes can hold
+struct PictureFormat {
+    const char* library_name = nullptr;  // as OpenImageIO calls it; null for what image/uncompressed.h reads
+    std::uint64_t most = 0;              // values that a file of this size can hold
 };
 
-/// Only .bmp, .png and .exr, and .ppm, .pgm and .pfm, whatever the ending says: OpenImageIO has readers that forged
-/// files bring down. And no
-/// devices or pipes, which need have no end. Throws FileError.
-Recognised recognised(const std::string& path);
+/// Recognises .bmp, .png, .exr, .ppm, .pgm and .pfm files, whatever their names end in, and no others: OpenImageIO has
+/// readers that forged files bring down. Throws FileError.
+PictureFormat recognised(const RegularFile& file);
 
 }  // namespace strahl

@@ -1,53 +1,16 @@
 // Opens mesh files, tells which kind they are, and removes what has no surface.
 #include "mesh/read_mesh.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <system_error>
 
+#include "files/regular_file.h"
 #include "mesh/source.h"
 #include "num/buffer.h"
 #include "num/decimal.h"
 
 namespace strahl {
 namespace {
-
-struct Bytes {
-    Buffer<char> buffer;
-    std::size_t size = 0;
-};
-
-Bytes bytes_of(const std::string& path, const MeshLimits& limits) {
-    const auto fail = [&](const std::string& why) { throw FileError("cannot read '" + path + "': " + why); };
-    // A pipe would keep an open() that blocks waiting, and a device need have no end.
-    const int opened = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
-    if (opened < 0) fail(errno == ENOENT ? "there is no such file" : std::generic_category().message(errno));
-    const struct File {
-        int number;
-        ~File() { ::close(number); }
-    } file{opened};
-    struct stat status {};
-    if (::fstat(file.number, &status) != 0) fail(std::generic_category().message(errno));
-    if (S_ISDIR(status.st_mode)) fail("it is a folder");
-    if (!S_ISREG(status.st_mode)) fail("it is no regular file");
-    const auto size = static_cast<std::uint64_t>(status.st_size);
-    if (size == 0) fail("it is empty");
-    if (size > limits.most_bytes)
-        fail("it is larger than " + std::to_string(limits.most_bytes) + " bytes; simplify the mesh, or split it");
-    Bytes bytes{uninitialized_buffer<char>(size)};
-    while (bytes.size < size) {
-        const ssize_t got = ::read(file.number, &bytes.buffer[bytes.size], size - bytes.size);
-        if (got < 0 && errno != EINTR) fail(std::generic_category().message(errno));
-        if (got == 0) break;
-        if (got > 0) bytes.size += static_cast<std::size_t>(got);
-    }
-    return bytes;
-}
 
 /// Has the path this ending, in capitals or not?
 bool ends_with(std::string_view path, std::string_view ending) {
@@ -108,8 +71,13 @@ void check_normals(const MeshData& mesh, const Source& source, Kind kind) {
 }  // namespace
 
 MeshData read_mesh(const std::string& path, const MeshLimits& limits) {
-    const Bytes bytes = bytes_of(path, limits);
-    const Source source{path, {bytes.buffer.get(), bytes.size}, limits};
+    const RegularFile file(path);
+    const auto fail = [&](const std::string& why) { throw FileError("cannot read '" + path + "': " + why); };
+    if (file.size() == 0) fail("it is empty");
+    if (file.size() > limits.most_bytes)
+        fail("it is larger than " + std::to_string(limits.most_bytes) + " bytes; simplify the mesh, or split it");
+    const Buffer<char> bytes = uninitialized_buffer<char>(file.size());
+    const Source source{path, {bytes.get(), file.read(0, bytes.get(), file.size())}, limits};
     const Kind kind = kind_of(source);
     MeshData mesh = kind == Kind::ply ? read_ply(source) : kind == Kind::obj ? read_obj(source) : read_stl(source);
     remove_empty(mesh);

@@ -1,7 +1,7 @@
 // STL: triangles with three points each, as text or as floats.
 #include <bit>
-#include <cstring>
 
+#include "files/bytes.h"
 #include "mesh/join.h"
 #include "mesh/source.h"
 
@@ -12,16 +12,7 @@ constexpr std::size_t header_size = 84, triangle_size = 50;
 
 /// The triangles that a binary file should have.
 std::uint64_t announced(std::string_view bytes) {
-    std::uint64_t count = 0;
-    for (std::size_t i = header_size; i > header_size - 4; --i)
-        count = count << 8 | static_cast<unsigned char>(bytes[i - 1]);
-    return count;
-}
-
-float little_endian_float(const char* bytes) {
-    std::uint32_t bits = 0;
-    for (int i = 4; i-- > 0;) bits = bits << 8 | static_cast<unsigned char>(bytes[i]);
-    return std::bit_cast<float>(bits);
+    return get_little<std::uint32_t>(bytes, header_size - 4);
 }
 
 MeshData read_binary(const Source& source) {
@@ -36,14 +27,14 @@ MeshData read_binary(const Source& source) {
     PointJoiner points;
     mesh.triangles.resize(count);
     for (std::uint64_t i = 0; i < count; ++i) {
-        const char* place = &bytes[header_size + triangle_size * i + 12];  // after the normal
+        std::size_t place = header_size + triangle_size * i + 12;  // after the normal
         for (std::int32_t& corner : mesh.triangles[i]) {
-            const DVec3 point{little_endian_float(place), little_endian_float(place + 4),
-                              little_endian_float(place + 8)};
+            DVec3 point;
+            for (int c = 0; c < 3; ++c, place += 4)
+                point[c] = std::bit_cast<float>(get_little<std::uint32_t>(bytes, place));
             if (const std::string fault = Source::fault(point); !fault.empty())
                 source.fail("a corner of triangle " + std::to_string(i) + " (counted from 0) " + fault);
             corner = points.number_of(point);
-            place += 12;
         }
     }
     mesh.points = std::move(points.points());

@@ -50,9 +50,9 @@ head -c 3000 /dev/urandom >noise.png
   printf '\x01\x00\x18\x00'; head -c 1000 /dev/zero; } >forged.bmp
 textured="$camera\nsphere { <0,0,0>, 1  material { rgb image"
 broken 2:46 "cannot read 'none.png': there is no such file" "$textured { \"none.png\" } } }"
-broken 2:46 "cannot read 'cut.png': its header speaks of more than is in the file" "$textured { \"cut.png\" } } }"
+broken 2:46 "cannot read 'cut.png': its header announces more than is in the file" "$textured { \"cut.png\" } } }"
 broken 2:46 "cannot read 'half.png' as a picture" "$textured { \"half.png\" } } }"
-broken 2:46 "'noise.png' as a picture: it is no .bmp, .png, .exr, .ppm or .pfm file" "$textured { \"noise.png\" } } }"
+broken 2:46 "noise.png' is not a .bmp, .png, .exr, .ppm, .pgm or .pfm file" "$textured { \"noise.png\" } } }"
 broken 2:46 "it has 40000x1 pixels, and at most 32768 may be side by side" "$textured { \"wide.png\" } } }"
 broken 2:46 "cannot read 'forged.bmp'" "$textured { \"forged.bmp\" } } }"
 broken 2:46 "is a folder" "$textured { \".\" } } }"
@@ -66,8 +66,8 @@ expect 0 "no errors" check below/textured.rt
 # Sound that is not there, no sound, or named twice; what is written back names it again.
 cp "$source_folder/tests/window/clicks.ogg" .
 broken 2:16 "cannot read 'none.ogg': there is no such file" "$camera\nmusic { sound \"none.ogg\" }"
-broken 2:16 "'noise.png': it is no Ogg Vorbis file" "$camera\nmusic { sound \"noise.png\" }"
-broken 2:16 "is no regular file" "$camera\nmusic { sound \"below\" }"
+broken 2:16 "noise.png' is not an Ogg Vorbis file" "$camera\nmusic { sound \"noise.png\" }"
+broken 2:16 "it is a folder" "$camera\nmusic { sound \"below\" }"
 broken 2:15 "the name of a file" "$camera\nmusic { sound 3 }"
 broken 2:9 "did you mean 'sound'" "$camera\nmusic { sond \"clicks.ogg\" }"
 broken 2:28 "a second 'sound'" "$camera\nmusic { sound \"clicks.ogg\" sound \"clicks.ogg\" }"

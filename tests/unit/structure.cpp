@@ -29,7 +29,7 @@ const std::map<std::string, Module> modules{
     {"num", {{}}},
     {"scene", {{"num"}, {"kinds", "motion", ""}}},
     {"files", {{"num", "scene"}}},
-    {"mesh", {{"num", "scene"}}},
+    {"mesh", {{"num", "scene", "files"}}},
     {"text", {{"num", "scene", "files", "mesh"}, {"reading", "blocks", "manual", ""}}},
     {"trace",
      {{"num", "scene"},

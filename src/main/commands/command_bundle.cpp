@@ -26,7 +26,7 @@
 #include "files/read_file.h"
 #include "files/streams.h"
 #include "files/utf8.h"
-#include "image/netpbm.h"
+#include "image/uncompressed.h"
 #include "image/pixels.h"
 #include "main/licence.h"
 #include "main/process/exit_status.h"

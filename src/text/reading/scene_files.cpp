@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "files/read_file.h"
-#include "files/streams.h"
+#include "files/regular_file.h"
 #include "mesh/read_mesh.h"
 #include "text/reading/tracks_file.h"
 
@@ -34,14 +34,10 @@ std::shared_ptr<const Pixels> SceneFiles::pixels(std::string_view name) {
 
 void SceneFiles::sound(std::string_view name) {
     const std::string path = path_beside(scene, *names.sounds.emplace(name).first);
-    const auto fail = [&](const char* why) { throw FileError("cannot read '" + path + "': " + why); };
-    std::error_code error;
-    if (!std::filesystem::exists(path, error)) fail("there is no such file");
-    if (!std::filesystem::is_regular_file(path, error)) fail("it is no regular file");
     // The first page of Ogg, and in it the first header of Vorbis (xiph.org/vorbis/doc/Vorbis_I_spec.html, 4.2.1).
-    std::string head(35, '\0');
-    FileStream(path).read(head.data(), static_cast<std::streamsize>(head.size()));
-    if (!head.starts_with("OggS") || head.substr(28) != "\1vorbis") fail("it is no Ogg Vorbis file");
+    const std::string head = RegularFile(path).bytes(0, 35);
+    if (!head.starts_with("OggS") || head.substr(std::min<std::size_t>(28, head.size())) != "\1vorbis")
+        throw FileError("'" + path + "' is not an Ogg Vorbis file");
 }
 
 std::vector<Track> SceneFiles::tracks() const {

@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
+#include <limits>
+#include <random>
 
 #include "files/output_file.h"
 #include "image/picture.h"
@@ -59,7 +61,7 @@ std::string forged_exr(int width, int height, int tile) {
     return bytes + bytes_of_values(std::uint64_t(bytes.size() + 8));
 }
 
-TEST_CASE("only .bmp, .png, .exr, .ppm and .pfm are read, told by what is in the file") {
+TEST_CASE("only .bmp, .png, .exr, .ppm, .pgm and .pfm are read, recognised by their contents") {
     const Scratch folder;
     const auto reading = [&](const std::string& name) { return fault_in(folder / name); };
     write_picture(picture(4, 4), folder / "a.png", {});
@@ -70,7 +72,7 @@ TEST_CASE("only .bmp, .png, .exr, .ppm and .pfm are read, told by what is in the
     for (const std::string& start : {no_channels, icon, dds, cineon, std::string("P3 1 1 255\n1 2 3")})
         for (const char* name : {"b.png", "b.sgi", "b.ico", "b.dds", "b.cin", "b.ppm"}) {
             write_file(folder / name, start + std::string(2000, '\0'));
-            CHECK(says(reading(name), "no .bmp, .png, .exr, .ppm or .pfm"));
+            CHECK(says(reading(name), "is not a .bmp, .png, .exr, .ppm, .pgm or .pfm file"));
         }
 }
 
@@ -95,14 +97,52 @@ TEST_CASE("pictures without compression: headers that are forged, and files that
     CHECK(says(reading("P6 1 1 100\n" + values), "neither 255 nor 65535"));
     CHECK(says(reading("PF 1 1 0\n" + values), "neither 1 nor -1"));
     CHECK(says(reading("P6_" + values), "cut off"));
-    CHECK(says(reading("P61 1 255\n" + values), "it is no .ppm"));
+    CHECK(says(reading("P61 1 255\n" + values), "it is not a .ppm"));
+}
+
+TEST_CASE("BMP headers that are forged, and files that are cut off") {
+    const Scratch folder;
+    const auto reading = [&](std::int32_t start, std::int32_t width, std::int32_t height, std::size_t size) {
+        std::string bytes = "BM" + bytes_of_values(0, 0, start, 40, width, height, std::uint16_t(1), std::uint16_t(24),
+                                                   0, 0, 0, 0, 0, 0);
+        bytes.resize(size, '\7');
+        write_file(folder / "a.bmp", bytes);
+        return fault_in(folder / "a.bmp");
+    };
+    CHECK(reading(54, 2, 2, 54 + 14).empty());  // the padding of the last row may be missing
+    CHECK(says(reading(54, 2, 2, 54 + 13), "cut off"));
+    CHECK(says(reading(54, 2, -2, 54 + 13), "cut off"));
+    CHECK(says(reading(60, 2, 2, 54 + 14), "cut off"));
+    CHECK(says(reading(-1, 2, 2, 100), "cut off"));
+    CHECK(says(reading(53, 2, 2, 100), "begin inside its header"));
+    CHECK(says(reading(54, 50, 50, 1000), "50x50 pixels"));
+    constexpr std::int32_t lowest = std::numeric_limits<std::int32_t>::min();
+    for (const std::int32_t wrong : {0, -3, lowest, 1 << 21})
+        CHECK(says(reading(54, wrong, 2, 1000), "impossible sizes"));
+    for (const std::int32_t wrong : {0, lowest, 1 << 21, -(1 << 21)})
+        CHECK(says(reading(54, 2, wrong, 1000), "impossible sizes"));
+    // Whatever the first bytes are, reading ends.
+    std::minstd_rand random(7);
+    write_picture(picture(9, 5), folder / "a.bmp", {});
+    const std::string whole = bytes_of(folder / "a.bmp");
+    int read = 0;
+    for (int i = 0; i < 2000; ++i) {
+        std::string bytes = whole.substr(0, i % 4 ? whole.size() : random() % whole.size());
+        for (int k = 0; k < 3 && bytes.size() > 2; ++k)
+            bytes[2 + random() % (std::min<std::size_t>(54, bytes.size()) - 2)] = static_cast<char>(random());
+        if (bytes.size() > 34) bytes.replace(28, 6, std::string("\x18\0\0\0\0\0", 6));  // else the library reads it
+        if (bytes.size() > 18) bytes.replace(14, 4, std::string("\x28\0\0\0", 4));
+        write_file(folder / "b.bmp", bytes);
+        read += fault_in(folder / "b.bmp").empty();
+    }
+    CHECK(read > 100);
 }
 
 TEST_CASE("devices and pipes are not read") {
     const Scratch folder;
-    CHECK(says(fault_in("/dev/zero"), "no regular file"));
+    CHECK(says(fault_in("/dev/zero"), "not a regular file"));
     REQUIRE(::mkfifo((folder / "pipe.png").c_str(), 0600) == 0);
-    CHECK(says(fault_in(folder / "pipe.png"), "no regular file"));
+    CHECK(says(fault_in(folder / "pipe.png"), "not a regular file"));
 }
 
 TEST_CASE("a forged header costs no memory, and a large picture no more than was allowed") {
@@ -148,10 +188,10 @@ TEST_CASE("what the header says is longer than the file is refused before anythi
         return fault_in(folder / "forged");
     };
     const double before = memory();
-    CHECK(says(forged("a.png", "gAMA", -4, std::string("\x60\0\0\1", 4)), "more than is in the file"));
+    CHECK(says(forged("a.png", "gAMA", -4, std::string("\x60\0\0\1", 4)), "announces more than is in the file"));
     const std::string type("lineOrder\0lineOrder", 19);
-    CHECK(says(forged("a.exr", type, 20, std::string("\1\0\0\x60", 4)), "more than is in the file"));
-    CHECK(says(forged("a.exr", type, 20, std::string("\1\0\0\x80", 4)), "more than is in the file"));
+    CHECK(says(forged("a.exr", type, 20, std::string("\1\0\0\x60", 4)), "announces more than is in the file"));
+    CHECK(says(forged("a.exr", type, 20, std::string("\1\0\0\x80", 4)), "announces more than is in the file"));
     // Of the right size or too short it goes on to the library.
     CHECK(forged("a.png", "gAMA", 0, "gAMA").empty());
     CHECK(forged("a.exr", type, 0, type).empty());

@@ -12,7 +12,7 @@
 #include <random>
 
 #include "files/output_file.h"
-#include "image/netpbm.h"
+#include "image/uncompressed.h"
 #include "image/pixels.h"
 #include "image/transfer.h"
 #include "tests/unit/scratch.h"
@@ -165,6 +165,34 @@ TEST_CASE("a BMP is 24 bits a pixel, bottom-up, rows padded to 4 bytes") {
     CHECK(bytes.substr(54) == std::string("\xff\0\0\0\0\0\xff\0", 8));
 }
 
+TEST_CASE("BMP files of other programs: rows from the top, longer headers, palettes") {
+    const Scratch folder;
+    const auto word = [](std::uint32_t value, int bytes = 4) {
+        return std::string(reinterpret_cast<const char*>(&value), static_cast<std::size_t>(bytes));
+    };
+    const auto read = [&](std::uint32_t header, std::int32_t height, std::uint32_t bits, const std::string& rest) {
+        const std::uint32_t start = 14 + header + (bits == 8 ? 8 : 0);
+        std::string bytes = "BM" + word(0) + word(0) + word(start) + word(header) + word(2) +
+                            word(static_cast<std::uint32_t>(height)) + word(1, 2) + word(bits, 2) + word(0);
+        bytes += word(0) + word(0) + word(0) + word(bits == 8 ? 2 : 0) + word(0);
+        bytes.resize(14 + header);
+        write_file(folder / "a.bmp", bytes + rest);
+        return read_picture(folder / "a.bmp");
+    };
+    const std::string first("\xff\0\0\0\xff\0..", 8), second("\0\0\xff\xff\xff\xff..", 8);  // blue, green, red
+    const std::vector<double> top{0, 0, 1, 0, 1, 0}, bottom{1, 0, 0, 1, 1, 1};
+    std::vector<double> from_top = top, from_bottom = bottom;
+    from_top.insert(from_top.end(), bottom.begin(), bottom.end());
+    from_bottom.insert(from_bottom.end(), top.begin(), top.end());
+    for (const std::uint32_t header : {40, 108, 124}) {
+        CHECK(read(header, 2, 24, first + second).values == from_bottom);
+        CHECK(read(header, -2, 24, first + second).values == from_top);
+    }
+    // The library reads this one.
+    const Picture coloured = read(40, 1, 8, std::string("\xff\0\0\0\0\0\xff\0\1\0\0\0", 12));
+    CHECK(coloured.values == std::vector<double>{1, 0, 0, 0, 0, 1});
+}
+
 TEST_CASE("a PNG is marked as sRGB, and equal pictures make equal files") {
     const Scratch folder;
     for (const bool linear : {false, true})
@@ -257,6 +285,9 @@ TEST_CASE("pictures as patterns: grey is of three equal colours, and what no pat
 }
 
 TEST_CASE("run away from its module" * doctest::skip()) {
+    const Scratch folder;
+    write_picture(noise(3, 2), folder / "a.bmp", {});
+    CHECK(read_picture(folder / "a.bmp").width == 3);
     CHECK(says(fault_of([] { require_picture_library(); }), "libstrahl_image.so"));
     CHECK(says(fault_of([] { read_picture(STRAHL_SOURCE "/assets/balls.png"); }), "libstrahl_image.so"));
 }

@@ -61,9 +61,9 @@ TEST_CASE("what can't be opened, is no file or is no mesh") {
     const Scratch folder;
     CHECK(fault_at(folder / "none.ply") == Says{"there is no such file"});
     CHECK(fault_at(folder / "") == Says{"it is a folder"});
-    CHECK(fault_at("/dev/zero") == Says{"it is no regular file"});
+    CHECK(fault_at("/dev/zero") == Says{"it is not a regular file"});
     REQUIRE(::mkfifo((folder / "pipe.ply").c_str(), 0600) == 0);
-    CHECK(fault_at(folder / "pipe.ply") == Says{"it is no regular file"});
+    CHECK(fault_at(folder / "pipe.ply") == Says{"it is not a regular file"});
     for (const char* name : {"a.ply", "a.obj", "a.stl", "a"}) CHECK(fault_in(name, "") == Says{"it is empty"});
     for (const char* bytes : {"x", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "\x1f\x8b\x08", "plymouth"})
         CHECK(fault_in("a.txt", bytes) == Says{"a.txt: this is no mesh that can be read"});
