@@ -28,7 +28,7 @@ constexpr int files_of_a_worker = 20000, too_much_memory = 3;
 
 using attack::now;
 
-/// What the worker tells.
+/// Memory that the worker shares with the process that watches it.
 struct Shared {
     std::atomic<std::uint64_t> number, read;
     std::atomic<double> begun, slowest, largest;  // begun is 0 between two files
@@ -74,7 +74,7 @@ class MemoryFile {
     std::string name;
 };
 
-/// Reads the file of one number, and says what it took.
+/// Reads the file of one number, and prints time and memory.
 int read_alone(const FileAttack& attack, std::uint64_t number, bool write) {
     const std::vector<std::string> valid = attack.valid();
     const std::string bytes = attack.mutated(valid, number);
@@ -107,7 +107,7 @@ int read_alone(const FileAttack& attack, std::uint64_t number, bool write) {
     std::_Exit(0);
 }
 
-/// What is wrong with the file that the worker came to, or nothing.
+/// Waits until the worker ends or takes too long; returns the fault of the file it was reading, or "".
 std::string watch(pid_t worker, const Shared& shared) {
     int status = 0;
     while (::waitpid(worker, &status, WNOHANG) == 0) {

@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 namespace attack = strahl::attack;
 using Seeds = std::vector<std::string>;
 
-/// What mutations are made of.
+/// Texts that mutations start from, and words, numbers and statements that they insert.
 struct Ingredients {
     Seeds seeds, words, numbers, statements;
 };

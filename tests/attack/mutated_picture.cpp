@@ -64,7 +64,7 @@ std::string png(int size, char bits, char color, char interlaced) {
            chunk("tRNS", std::string(color == 3 ? 2 : 6, '\1')) + chunk("IDAT", stored(data)) + chunk("IEND", "");
 }
 
-/// Of 8x8 pixels with a palette, and run lengths if `compression` is 1 (of 8 bits) or 2 (of 4).
+/// A .bmp of 8x8 pixels with a palette, and run lengths if `compression` is 1 (of 8 bits) or 2 (of 4).
 std::string bmp(std::uint16_t bits, std::int32_t compression) {
     std::string pixels;
     for (int row = 0; row < 8; ++row)
@@ -129,7 +129,7 @@ void PictureMutator::put_number() {
     file.replace(std::min(place(), file.size()), bytes.size(), bytes);
 }
 
-/// How the values of an .exr are packed.
+/// Gives the header of an .exr another way of packing.
 void PictureMutator::put_compression() {
     const std::string name("compression\0compression\0\1\0\0\0", 28);
     if (const std::size_t found = file.find(name); found != file.npos && found + name.size() < file.size())

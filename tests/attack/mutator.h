@@ -1,4 +1,4 @@
-// What mutations of files have in common.
+// Changes that mutations of all kinds of files share.
 #pragma once
 #include <algorithm>
 #include <cstdint>

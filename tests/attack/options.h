@@ -1,4 +1,4 @@
-// What the programs of the attacks share: their options, and a file that tells which input is being tried.
+// Shared by the programs of the attacks: their options, and a file with the number of the input being tried.
 #pragma once
 #include <algorithm>
 #include <chrono>

@@ -1,5 +1,5 @@
 # shellcheck shell=bash
-# What the scripts of the benchmarks share: help, building, and reading what programs report.
+# Shared by the scripts of the benchmarks: help, building, and reading what programs report.
 # shellcheck disable=SC2034  # the variables are for those scripts
 
 here=$(dirname -- "$(readlink -f -- "$0")")
@@ -7,7 +7,7 @@ root=$(dirname -- "$(dirname -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0
 # shellcheck source=.ci/setup.sh
 source "$root/.ci/setup.sh"
 
-# Of a script without options: prints the text on standard input and ends the script if there are arguments.
+# For scripts without options: if there are arguments, prints the text on standard input and ends the script.
 usage() {
     (($#)) || return 0
     cat

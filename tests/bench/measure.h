@@ -1,4 +1,4 @@
-// What the benchmarks' programs share: time, memory and medians.
+// Shared by the benchmarks' programs: time, memory and medians.
 #pragma once
 #include <sys/resource.h>
 
@@ -14,7 +14,7 @@ inline double seconds() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// Of an even number of values the mean of the two in the middle.
+/// Returns the value in the middle; of an even number of values, the mean of the two in the middle.
 inline double median(std::vector<double> values) {
     std::ranges::sort(values);
     const std::size_t n = values.size();

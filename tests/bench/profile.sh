@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Where the time goes: the share of each stage of the tracing kernel in the samples of `perf`.
+# Prints the share of each stage of the tracing kernel in the samples of `perf`.
 #
 #   tests/bench/profile.sh build/release/strahl scenes/article.rt [STRAHL-RENDER-OPTION...]
 set -euo pipefail

@@ -41,7 +41,7 @@ cat >wanted <<'LIST'
 LIST
 diff wanted found || fault "the bundle's files are others"
 
-# The same picture from elsewhere, when nothing else is left and without the library that reads pictures.
+# A bundle renders the same picture elsewhere, without the original files and the library that reads pictures.
 expect 0 "" render "demo/a scene's.rt" -o before.exr --size 64x48
 mv "to go" "$work/moved away"
 rm -r demo other
@@ -76,7 +76,7 @@ expect 2 "was not made by strahl bundle" bundle scene.rt -o mine
 expect 2 "was not made by strahl bundle" bundle scene.rt -o scene.rt
 expect 2 "was not made by strahl bundle" bundle scene.rt -o .
 [[ $(<mine/play) == "my own" ]] || fault "a folder was overwritten"
-# What goes wrong leaves nothing, and an older bundle as it was.
+# A failure leaves nothing, and an older bundle stays as it was.
 echo 'sphere { <0, 0, 0>, 1 }  mesh { file "gone.obj" }' | cat scene.rt - >broken.rt
 expect 3 "gone.obj" bundle broken.rt -o empty
 expect 3 "gone.obj" bundle broken.rt -o another

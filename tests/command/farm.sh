@@ -11,7 +11,7 @@ mkdir one
 "$strahl" render scene.rt "${film[@]/#film-/one/film-}" || fault "no film"
 "$strahl" render scene.rt "${still[@]/#still/one/still}" || fault "no still"
 
-# In place of strahl: of three times it is killed so often as `deaths` says, after up to .15 s.
+# Replaces strahl: `deaths` of three runs are killed after up to .15 s.
 cat >mortal <<MORTAL
 #!/bin/bash
 ((RANDOM % 3 < deaths)) || exec "$strahl" "\$@"

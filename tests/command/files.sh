@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Files that can't be read or written: exit status 3 and 1; existing files survive a failure.
+# Files that cannot be read or written: exit status 3 and 1; existing files survive a failure.
 set -uo pipefail
 source "$(dirname "$0")/expect.sh"
 
@@ -77,7 +77,7 @@ expect_same two.png three.png
 make 0 "" scene.rt film-0012.png --stats film-12.json
 rm -r same hard.rt kept.* film-* one.png two.png three.png
 
-# What a name holds does not steer the terminal.
+# Control characters in names do not reach the terminal.
 steering=$'red\e[31m\u009b2J.rt'
 cp scene.rt "$steering"
 "$strahl" render scene.rt -o $'\e[1m.png' --size 8x6

@@ -4,7 +4,7 @@ set -uo pipefail
 source "$(dirname "$0")/expect.sh"
 set -m # a shell without job control starts what it puts into the background with SIGINT ignored
 
-# In place of ffmpeg: its film is the stream. It can fail after some bytes.
+# Replaces ffmpeg: writes its input as the film, or fails after some bytes.
 mkdir bin
 cat >bin/ffmpeg <<'SCRIPT'
 #!/usr/bin/env bash
@@ -48,7 +48,7 @@ expect_same loud.mp4 some
 ! grep -q clicks arguments || fault "frames that do not follow each other have sound"
 rm -r sound loud.mp4 arguments 'a folder'
 
-# ffmpeg fails at once, and on its way: what it said is told, and an older film stays.
+# ffmpeg fails at once, or halfway: its message is shown, and an older film stays.
 echo "an older film" >film.mp4
 echo yes >no_codec
 expect 1 "ffmpeg failed: no such codec" render scene.rt -o film.mp4 "${options[@]}"
@@ -66,7 +66,7 @@ rm full film.part.mp4 arguments
 mkdir none
 PATH=$work/none expect 3 "apt install ffmpeg" render scene.rt -o film.mp4
 rmdir none
-# What makes no film.
+# Options that do not fit a film are refused.
 refuse() { expect 2 "$1" render scene.rt "${@:2}"; }
 refuse "even, and not 31x24" -o a.mp4 --size 31x24
 refuse "even, and not 3x2" -o a.mkv --size 32x24 --crop 0,0,3,2

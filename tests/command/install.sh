@@ -12,7 +12,7 @@ expect_file x.png
 expect_file moved/share/doc/strahl/LICENSE
 for scene in moved/share/strahl/scenes/*.rt; do expect 0 "no errors" check "$scene"; done
 
-# What other programs read about it.
+# Files for other programs are installed.
 share=moved/share
 for file in applications/strahl.desktop mime/packages/strahl.xml icons/hicolor/scalable/apps/strahl.svg \
     metainfo/strahl.metainfo.xml vim/vimfiles/ftdetect/strahl.vim; do expect_file "$share/$file"; done
@@ -38,7 +38,7 @@ if command -v dpkg-shlibdeps >/dev/null; then
     rm -rf package
 fi
 
-# Where HOME can't be written, ccache has no place for its cache; the build goes on without it.
+# If HOME cannot be written, ccache has no place for its cache; the build works without it.
 unwritable=(env -u CCACHE_DIR -u XDG_CACHE_HOME HOME=/dev/null/none)
 object=CMakeFiles/strahl_picture_module.dir/src/image/oiio/oiio_module.cpp.o
 "${unwritable[@]}" cmake -S "$source_folder" -B homeless -G Ninja -DCMAKE_BUILD_TYPE=Debug -DSTRAHL_TESTS=OFF \

@@ -41,7 +41,7 @@ for signal in INT TERM HUP; do
     rm picture.* stats.json
 done
 
-# Of several frames the finished ones stay, and --resume continues.
+# Finished frames stay after an interruption, and --resume continues.
 expect 0 "" render long.rt -o film.bmp --frames 0-1 --size 1000x750 --depth 1
 stop INT -o film.bmp --frames 0-9 --size 1000x750 --resume
 grep -q "with --resume continues" said || fault "it said: $(<said)"

@@ -34,7 +34,7 @@ for ending in png bmp exr; do
     done
 done
 
-# What is kept is not traced again, and is of this scene, these options and this program alone. The file's first lines,
+# Kept bands are not traced again, and fit this scene, these options and this program only. The file's first lines,
 # some 300 bytes, stand there before the first band does.
 least=2000 killed 0 --samples 8x8 -o a.png
 for bytes in 1 200; do

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Where float, double and long double disagree.
+# strahl stability: the pixels in which float, double and long double disagree.
 set -uo pipefail
 source "$(dirname "$0")/expect.sh"
 

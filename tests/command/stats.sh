@@ -41,7 +41,7 @@ is 1 samples in_each_pixel
 (($(value proof proved) + $(value proof undecided) == 600 && $(value proof proved) > 300 && $(value proof undecided) > 0)) || fault "proof in $(<stats.json)"
 [[ -s map.png ]] || fault "there is no map"
 
-# What double leaves undecided here, extended precision decides in part. The picture is whole, and the same.
+# Extended precision decides some of the pixels that double leaves undecided. The picture is whole, and the same.
 article=$source_folder/scenes/article.rt
 expect 0 "" render "$article" -o proved.png --bits 16 --size 320x240 --crop 90,90,100,80 --prove map.png --stats stats.json
 (($(value proof in_extended) > 5 && $(value proof proved) + $(value proof undecided) == 8000)) || fault "proof in $(<stats.json)"

@@ -135,7 +135,7 @@ struct Body {
         while (leaf->first_face > face) --leaf;
         return *leaf;
     }
-    /// By the operations; `leaf` goes on by those of the part.
+    /// Is p within the part, by its operations? Advances `leaf` past the leaves of the part.
     bool within(const Primitive& part, const Vector<R>& p, typename std::vector<Leaf<R>>::const_iterator& leaf) const {
         const auto combine = [&]<class Kind>(const Kind& kind) {
             if constexpr (is_composite<Kind>) {
@@ -154,8 +154,8 @@ struct Body {
         return std::visit(combine, part.shape);
     }
 
-    /// Where points of the line half way to the crossings before and after are on different sides. Crossings in one
-    /// place count as one, of the face declared first, and those at the line's own start as that.
+    /// Returns crossings at which the line changes sides, by points halfway to the next crossings. Crossings in one
+    /// place count as one, of the face declared first, and crossings at the line's start count as the start.
     LineCrossings<R> surface(const Line<R>& line, int source) const {
         LineCrossings<R> all, found;
         if (source >= 0) all.add(0, source, {});

@@ -1,4 +1,4 @@
-// What the referee's formulas are made of: vectors, lines and where they cross something, for long double and
+// The referee's vectors, lines and their crossings with surfaces, for long double and
 // __float128.
 #pragma once
 #include <cmath>

@@ -184,7 +184,7 @@ TEST_CASE("a hierarchy of cylinders on a grid, seen along every axis, equals a p
             all.look(along * (6. * side), {0, 0, 0}, 25, up).background({0, 0, 1});
             for (const Precision precision : precisions) {
                 const Frame frame = shoot(all.scene, precision, {33, 33, 1});
-                // The same with nine cylinders at a time, without a hierarchy. The nearest layer along the axis wins.
+                // Nine cylinders at a time, without a hierarchy. The nearest layer along the axis wins.
                 Frame plain = frame;
                 std::fill(plain.rgb.begin(), plain.rgb.end(), -1.);
                 for (int layer = 0; layer < 3; ++layer) {

@@ -51,7 +51,7 @@ std::vector<double> bounces(double distance, double tilt) {
     }
     return offsets;
 }
-/// The same by the formula of 1999, with rays that start 1e-4 further on.
+/// Counts bounces by the formula of 1999, with rays that start 1e-4 further on.
 std::size_t naive_bounces(double distance) {
     Pair<float> pair(distance, 0);
     for (int i = 0; i < most; ++i) {

@@ -155,7 +155,7 @@ class Tree {
         }
         return {std::make_shared<const MeshData>(std::move(data)), ""};
     }
-    /// Those that keep whole numbers exact.
+    /// Returns transformations that keep whole numbers exact.
     std::vector<Transformation> steps() {
         const double kind = dice(0, 3);
         if (kind < 1) return {Rotate{{90 * whole_number(0, 3), 90 * whole_number(0, 3), 0}}};
@@ -163,7 +163,7 @@ class Tree {
         return {Scale{DVec3(dice(0, 1) < .5 ? .5 : 2) * DVec3(1, dice(0, 1) < .3 ? -1 : 1, dice(0, 1) < .3 ? 2 : 1)}};
     }
 
-    /// By the operations; the leaf `other` is taken for the opposite of what it is.
+    /// Is p inside, by the operations? The leaf `other` counts as the opposite of what it is.
     static bool holds(const Primitive& part, const DVec3& p, int& leaf, int other) {
         const DVec3 local = transform_point(glm::inverse(matrix(part.transformations)), p);
         return std::visit(
@@ -234,7 +234,7 @@ void compare(Dice& dice, bool meshes, Precision precision, R unsure, Count& sum)
         }
 }
 
-/// As many rays in double and in float.
+/// Tries as many rays in double as in float.
 void compare(double rays, bool meshes) {
     for (const auto& [precision, unsure] :
          {std::pair(Precision::float64, 1e-9L), std::pair(Precision::float32, 2e-3L)}) {

@@ -1,4 +1,4 @@
-// What the tests of cones share: the engine's crossings, and those in 113 bits.
+// Shared by the tests of cones: the engine's crossings, and those in 113 bits.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -20,14 +20,14 @@ Span<T> ours(const Cone& cone, const Vec3<T>& o, const Vec3<T>& d) {
 }
 using naive::unit;
 
-/// In 113 bits: where the ray first meets the cone, or infinity.
+/// Returns the t at which the ray first meets the cone, in 113 bits, or infinity.
 inline double exact(const Cone& cone, const DVec3& o, const DVec3& d) {
     Quadruple nearest = INFINITY;
     for (const auto& crossing : referee::crossings<Quadruple>(cone, {o, d}, -1))
         if (crossing.t > 0) nearest = std::min(nearest, crossing.t);
     return static_cast<double>(nearest);
 }
-/// The same cone, grown by `by` on all sides.
+/// Returns the cone grown by `by` on all sides.
 inline Cone grown(const Cone& cone, double by) {
     const DVec3 a = cone.axis();
     const double slope = (cone.cap_radius - cone.base_radius) / cone.height(), out = by * std::hypot(1, slope);

@@ -26,7 +26,7 @@ template <class T>
 Span<T> ours(const Vec3<T>& o, const Vec3<T>& d) {
     return CylinderKernel<T>{{0, 0, 0}, {0, 0, 1}, 1, 1}.span(Ray<T>{o, d, T(-1)}, T(-1));
 }
-/// In 113 bits: where the ray enters the unit cylinder, or NaN.
+/// Returns the t at which the ray enters the unit cylinder, in 113 bits, or NaN.
 double exact(const DVec3& o, const DVec3& d) {
     using Q = Quadruple;
     const Q a = Q(d.x) * d.x + Q(d.y) * d.y, b = Q(o.x) * d.x + Q(o.y) * d.y, c = Q(o.x) * o.x + Q(o.y) * o.y - 1;

@@ -236,7 +236,7 @@ TEST_CASE("glass brighter than white, and total reflection without loss, in floa
 }
 
 TEST_CASE("noise in float, so far from the eye") {
-    // How far away, in cells of the coarsest octave, float's noise is double's to half a step of 8 bits.
+    // Up to these distances, in cells of the coarsest octave, float's noise is that of double to half a step of 8 bits.
     const auto patch = [](const std::string& kind, double away) {
         Scene scene = parse_scene("global_settings { ambient_light <1, 1, 1> }\n"
                                   "defaultmaterial { ambient 1  diffuse 0  reflection 0  specular 0 }\n"

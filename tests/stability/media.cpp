@@ -38,7 +38,7 @@ std::vector<double> crop(const Scene& scene, Precision precision, const Lattice&
                  [&](const Tile& tile) { place(tile, pixels, values); });
     return values;
 }
-/// The same, of the whole picture.
+/// Returns the same part of the whole picture.
 std::vector<double> part(const Frame& frame, const Lattice& pixels) {
     std::vector<double> values;
     for (int y = pixels.y; y < pixels.y + pixels.rows; ++y)

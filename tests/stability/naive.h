@@ -1,4 +1,4 @@
-// The methods that fail, and an exact one to compare with: textbook formulas for any number type, Quadruple included.
+// Textbook formulas, which fail in float and double, for any number type. In Quadruple they are exact enough to judge.
 #pragma once
 #include "num/vec.h"
 #include "tests/referee/quadruple.h"
@@ -37,7 +37,7 @@ Roots<T> sphere(const Vec3<T>& o, const Vec3<T>& d, const Vec3<T>& centre, T rad
     const T s = root(discriminant);
     return {(-b - s) / (2 * a), (-b + s) / (2 * a), true};
 }
-/// The same without the second cancellation: the larger root first, the other from their product.
+/// Avoids the second cancellation: the larger root first, the other from their product.
 template <class T>
 Roots<T> stable_sphere(const Vec3<T>& o, const Vec3<T>& d, const Vec3<T>& centre, T radius) {
     const Vec3<T> f = o - centre;

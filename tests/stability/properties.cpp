@@ -1,4 +1,4 @@
-// What a picture must not depend on: the unit of length, the origin, mirroring, order, lanes, threads.
+// Pictures do not depend on the unit of length, the origin, mirroring, order, lanes and threads.
 #include <doctest/doctest.h>
 
 #include <algorithm>

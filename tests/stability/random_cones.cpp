@@ -37,7 +37,7 @@ TEST_CASE("near and far cones of all kinds: hit or miss, and where") {
             const Span<double> span = ours(cone, from, d);
             const bool hit = span.hit && span.far > 0;
             hits += hit;
-            // Wrong is what is not even right of a cone a few bits larger or smaller.
+            // An answer is wrong if it is not even right for a cone a few bits larger or smaller.
             if (hit != (right < INFINITY))
                 wrong += hit != (exact(grown(cone, hit ? unsure : -unsure), from, d) < INFINITY);
             if (!hit || right == INFINITY) continue;

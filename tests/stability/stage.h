@@ -34,9 +34,9 @@ Frame shoot(const Scene& scene, Precision precision, const Shot& shot = {});
 inline constexpr Precision precisions[]{Precision::float32, Precision::float64, Precision::extended};
 
 Color pixel(const Frame& frame, int x, int y);
-/// The number of pixels of exactly this colour.
+/// Counts the pixels of exactly this colour.
 int count(const Frame& frame, const Color& color);
-/// The number of channels that are NaN or infinite. It must be 0.
+/// Counts the channels that are NaN or infinite. There must be none.
 int not_finite(const Frame& frame);
 /// Share of pixels with a channel that differs by more than `tolerance`.
 double share_apart(const Frame& a, const Frame& b, double tolerance);
@@ -48,7 +48,7 @@ Scene placed(Scene scene, double factor, const DVec3& by = DVec3(0));
 /// Many kinds of bodies, materials and lights, at positions that are exact in few bits.
 Scene still_life();
 
-/// The same numbers on every machine.
+/// Random numbers that are the same on every machine.
 struct Dice {
     std::mt19937_64 engine{1999};
     double operator()(double low, double high) { return low + (high - low) * double(engine() >> 11) * 0x1p-53; }

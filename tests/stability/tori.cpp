@@ -19,7 +19,7 @@ using naive::unit;
 
 namespace {
 
-/// How far p is outside of the torus, in 64 bits.
+/// Returns the distance by which p is outside of the torus, in 64 bits.
 template <class T>
 long double outside(const TorusKernel<T>& torus, const DVec3& p) {
     using L = long double;
@@ -37,7 +37,7 @@ TorusKernel<T> random_torus(Dice& dice) {
 using Q = Quadruple;
 using Polynomial = std::vector<Q>;  // c[0] + c[1] t + c[2] t^2 + ...
 
-/// How many different real roots it has, by Sturm's theorem: the changes of sign along its chain of remainders, at
+/// Counts the different real roots, by Sturm's theorem: the changes of sign along the chain of remainders, at
 /// -infinity less those at infinity.
 int real_roots(const Polynomial& whole) {
     std::vector<Polynomial> chain{whole, {}};
@@ -63,7 +63,7 @@ int real_roots(const Polynomial& whole) {
     return changes;
 }
 
-/// How often the ray's line crosses the surface of a torus that is no spindle, in 113 bits; -1 if that depends on
+/// Counts how often the ray's line crosses a torus that is not a spindle, in 113 bits; returns -1 if that depends on
 /// whether the tube is wider or thinner by `unsure`.
 int line_crossings(const TorusKernel<double>& torus, const Ray<double>& ray, Q unsure) {
     using referee::Vector;

@@ -1,4 +1,4 @@
-// Whitted's ray tracer as one writes it the first time: textbook formulas, an epsilon, untransformed coordinates.
+// Whitted's ray tracer as a first attempt: textbook formulas, an epsilon, untransformed coordinates.
 #pragma once
 #include <algorithm>
 #include <cmath>

@@ -22,7 +22,7 @@
 
 namespace {
 
-/// What became of files, in order: "sync 3 bytes", "rename", "sync folder"; and the number of the sync that fails.
+/// Calls on files, in order: "sync 3 bytes", "rename", "sync folder"; and the number of the sync that fails.
 std::vector<std::string> events;
 int failing_sync = 0;
 bool deadly_sync = false;
@@ -30,7 +30,7 @@ std::size_t most_memory = -1;  // that can be had in one piece
 
 }  // namespace
 
-// In place of the C library's.
+// These replace the C library's functions.
 extern "C" int fsync(int file) {
     struct stat status {};
     ::fstat(file, &status);

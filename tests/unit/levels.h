@@ -1,4 +1,4 @@
-// The instruction sets that this machine has.
+// Lists the SIMD levels of this machine.
 #pragma once
 #include <vector>
 
@@ -6,7 +6,7 @@
 
 namespace strahl {
 
-/// Those with a fused multiply-add: their pictures are equal bit for bit. (Scalar has it by the C library if need be.)
+/// Returns levels with a fused multiply-add, whose pictures are equal bit for bit. (Scalar may use the C library's.)
 inline std::vector<Simd> fused_levels() {
     std::vector<Simd> list;
     for (const Simd simd : {Simd::scalar, Simd::v3, Simd::v4, Simd::neon})

@@ -1,4 +1,4 @@
-// Whether this is the sanitize build, where tests must do with less: what they test takes ten times as long. Known only
+// Tells whether this is the sanitize build, where tests try less because everything takes ten times as long. Known only
 // when the program is linked, since the tests' own code is the release's.
 #pragma once
 

@@ -17,7 +17,7 @@ namespace {
 int threads_left = 1000;
 }
 
-// In place of the C library's: the machine lets only so many threads start.
+// Replaces the C library's function: lets only so many threads start.
 extern "C" int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*work)(void*),
                               void* argument) {
     if (threads_left == 0) return EAGAIN;

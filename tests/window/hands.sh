@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What hands do to the window besides flying: full screen, drags, signals, broken files; with real keys and mouse on a
+# The window in use, besides flying: full screen, drags, signals, broken files; with real keys and mouse on a
 # virtual display.
 #
 #   tests/window/hands.sh STRAHL

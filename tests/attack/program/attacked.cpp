@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// In place of bytes.
+/// Stands for a folder where the bytes of a file are expected.
 const std::string a_folder = "a folder";
 
 std::string bytes_of(const fs::path& path) {
@@ -31,7 +31,7 @@ std::string bytes_of(const fs::path& path) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// Where it waits, on standard error, if there is a debugger.
+/// Prints where the child waits to standard error, if gdb is installed.
 void show_stacks(pid_t child) {
     const std::string command = "gdb -batch -ex 'thread apply all bt' -p " + std::to_string(child) + " >&2 2>/dev/null";
     if (std::system(command.c_str()) != 0) std::fprintf(stderr, "no stacks: no gdb\n");

@@ -26,7 +26,7 @@ struct Case {
     bool hard_link = false;  // picture.bmp has a second name, other.bmp
 };
 std::vector<Case> cases();
-/// Those that other programs or the kernel write files for, of which only `faults` knows what to expect.
+/// Cases in which other programs or the kernel write files. Only `faults` knows what to expect of them.
 std::vector<Case> cases_with_others();
 /// Stills and films that take long enough to be killed at any moment.
 std::vector<Case> larger_cases();
@@ -37,7 +37,7 @@ struct Ran {
     Files files;
 };
 
-/// What is wrong with a run, or nothing. `good` is the run without harm.
+/// Returns the fault of a run, or "". `good` is the run without harm.
 std::string verdict(const Case& attacked, const Ran& good, const Ran& ran, const Control& control);
 
 /// Is this file's content that from before or that of the undisturbed run?
@@ -45,10 +45,10 @@ bool whole(const std::string& name, const std::string& bytes, const Files& befor
 
 /// The words of the command that goes on after a kill or a power cut.
 std::vector<std::string> resumed(std::vector<std::string> words);
-/// What is wrong with the folder when that command has come to its end, or nothing.
+/// Returns the fault of the folder after the command has ended, or "".
 std::string finished(const Case& attacked, const Ran& good, const Ran& ran);
 
-/// So many seconds a run may take.
+/// The most seconds that a run may take.
 inline constexpr double longest = 20;
 
 class Attacker {
@@ -60,7 +60,7 @@ class Attacker {
     Control& control() { return *orders; }
     const std::filesystem::path& folder() const { return work; }
 
-    /// What will be done to the next run.
+    /// Sets the harm that is done to the next run.
     void order(Watched watched, long at, Harm harm = Harm::error, int error = 0);
 
     /// The path of the log of the next runs' file calls, or nothing.
@@ -74,7 +74,7 @@ class Attacker {
     /// Runs the case in the folder as it is, for `seconds` at most; then it is killed, which `by_itself` says is a
     /// fault.
     Ran run(const Case& attacked, double seconds = longest, bool preloaded = true);
-    /// The same in a folder that is as it should be before.
+    /// Runs the case after preparing its folder.
     Ran run_fresh(const Case& attacked);
 
   private:

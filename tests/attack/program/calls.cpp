@@ -191,7 +191,7 @@ int close(int file) {
     const int mode = ::fcntl(file, F_GETFL);
     const auto call = [&] { return kernel(SYS_close, file); };
     if (!orders() || mode < 0 || !writes(mode)) return static_cast<int>(call());
-    // As Linux does it, the file is closed even if it says that it failed.
+    // The file is closed even if the call fails, as on Linux.
     bool is_closed = false;
     const long result = harmed("close", [&] { return is_closed = true, call(); });
     const int error = errno;

@@ -1,4 +1,4 @@
-// What the preloaded library's two parts share: fail.cpp, and calls.cpp with the file calls.
+// Shared by the two parts of the preloaded library: fail.cpp, and calls.cpp with the file calls.
 #pragma once
 #include "fail.h"
 

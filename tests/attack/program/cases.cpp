@@ -19,7 +19,7 @@ flythrough {
 }
 )";
 
-/// Of what is not in the other.
+/// A scene with most words that the other one lacks.
 const char many_words[] = R"(camera { position <5, -20, 18>  look_at <0, 0, 0>  up <0, 0, -1>  fov 10 }
 light { position <-5, 0, 10>  color <.9, .9, .9>  edges <1, 0, 0>, <0, 1, 0> }
 light { position <8, -9, 12>  color <.2, .3, .4>  spot { look_at <0, 0, 0>  radius 10  falloff 20 } }
@@ -33,9 +33,9 @@ union { torus { <3, 0, 1>, <0, 0, 1>, 1, .25 }  cone { <3, 0, 1>, .5, <3, 0, 3>,
 sphere { <-3, 2, 1>, 1  motion { key { time 0 }  key { time 2  translate <0, 0, 2> } } }
 )";
 
-/// In place of POV-Ray: the attack is on what starts it.
+/// Replaces POV-Ray, because the attack is on the program that starts it.
 const char povray[] = "#!/bin/sh\nexec cp \"$TMPDIR/a.bmp\" scene.png\n";
-/// In place of ffmpeg: the film is what it gets.
+/// Replaces ffmpeg: writes its input as the film.
 const char ffmpeg[] = "#!/bin/sh\nfor file; do :; done\nexec cat >\"${file#file:}\"\n";
 
 /// A red picture of 8x6 pixels.

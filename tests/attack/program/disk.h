@@ -1,4 +1,4 @@
-// What a disk may hold after a power cut, from a log of a program's file calls.
+// Works out what a disk may hold after a power cut, from a log of a program's file calls.
 #pragma once
 #include <map>
 #include <random>
@@ -37,7 +37,7 @@ class Disk {
         void put(const std::filesystem::path& folder) const;
         bool operator<(const State& other) const;
     };
-    /// What may be there after a power cut now.
+    /// Returns a state that a power cut at this moment may leave.
     State cut(std::mt19937& random) const;
 
   private:

@@ -1,4 +1,4 @@
-// What the attacker and the library in the attacked program share: a file that both map.
+// The file through which the attacker controls the library in the attacked program: both map it.
 #pragma once
 #include <atomic>
 #include <cstdint>

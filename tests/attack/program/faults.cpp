@@ -23,7 +23,7 @@ struct Trial {
     long at;
     bool only_named;
 
-    /// The same one in every run, and a random order of all trials.
+    /// Returns a number that is the same in every run. Sorted by it, trials are in random order.
     long number() const;
 };
 
@@ -67,7 +67,7 @@ std::vector<long> calls(const Control& control, Watched watched, std::set<std::u
     return numbers;
 }
 
-/// All there is to try for a case: one trial for each of these calls of the run without harm, and each harm.
+/// Adds all trials of a case: one for each call of the run without harm and each kind of harm.
 void add_trials(Attacker& attacker, const Case& attacked, Ran& good, std::set<std::uint64_t>& known,
                 std::vector<Trial>& trials) {
     attacker.order(Watched::nothing, 0);

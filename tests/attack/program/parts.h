@@ -7,12 +7,12 @@
 
 namespace strahl::attack {
 
-/// How long, or which trial alone.
+/// How many seconds to attack, or which trial alone.
 struct Plan {
     double seconds = 0, only = -1;
 };
 
-/// What becomes one row of the table.
+/// Counts for one row of the table.
 struct Tally {
     long tried = 0, faults = 0;
     std::string worst = {};

@@ -8,7 +8,7 @@
 namespace strahl::attack {
 namespace {
 
-/// What is wrong with what the power cut left, or nothing. `promised` are the files whose writing had ended.
+/// Returns the fault of the files that the power cut left, or "". `promised` are the files that were written before.
 std::string verdict_of(const Files& left, const Files& before, const Files& good,
                        const std::set<std::string>& promised) {
     bool copied = false;

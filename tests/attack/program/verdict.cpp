@@ -1,4 +1,4 @@
-// What must hold of every run, whatever was done to it.
+// Checks what must hold after every run, whatever harm was done to it.
 #include <algorithm>
 #include <cerrno>
 
@@ -40,7 +40,7 @@ std::string verdict(const Case& attacked, const Ran& good, const Ran& ran, const
         if (ran.status == 0 && (found == ran.files.end() || !whole(name, found->second, {}, good.files)))
             return "done, but " + name + " is not there or not whole";
     }
-    // Of a file with several names, overwritten in place, a copy is whole whenever the file itself is not.
+    // A file with several names is overwritten in place: while it is not whole, its copy is.
     bool copied = false;
     for (const auto& [name, bytes] : ran.files)
         copied |= name.ends_with(".copy") && bytes == good.files.at("picture.bmp");

@@ -1,5 +1,5 @@
-// What a picture must not depend on, held against one scene: the same bit for bit at every SIMD level, with any number
-// of threads, whole and in part; and finite.
+// Checks one scene's pictures: they must be finite, and the same bit for bit at every SIMD level, with any number
+// of threads, whole and in part.
 #pragma once
 #include <string>
 #include <vector>
@@ -17,7 +17,7 @@ WildScene affordable(WildScene wild);
 
 class PictureCheck {
   public:
-    /// What is wrong with this scene's pictures, a line each, which starts with the setting.
+    /// Returns the faults of this scene's pictures, a line each, which starts with the setting.
     std::vector<std::string> faults(const WildScene& scene);
 
     std::vector<Precision> precisions{Precision::float64, Precision::float32};
@@ -30,7 +30,7 @@ class PictureCheck {
     void compare(const Values& values, const Lattice& lattice, const Values& expected, const std::string& setting);
 
     ThreadPool one{1}, three{3};
-    // Of a sanitize build only the scalar one is instrumented.
+    // In a sanitize build only the scalar level is instrumented.
     std::vector<Simd> levels = sanitized() ? std::vector{Simd::scalar} : fused_levels();
     WildScene wild;
     std::vector<std::string> found;

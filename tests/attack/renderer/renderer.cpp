@@ -1,4 +1,4 @@
-// Pictures of wild scenes, one after the other: whatever picture_check.h finds wrong is a fault.
+// Renders wild scenes, one after the other, and reports the faults that picture_check.h finds.
 //
 // attack_renderer [--seconds S] [--first N]   the seeds from N on, for 5 s by default
 // attack_renderer --seed N                    this one alone

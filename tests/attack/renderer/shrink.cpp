@@ -1,4 +1,4 @@
-// Greedy: each change that keeps the fault is kept, until none does.
+// Shrinks greedily: keeps each change that keeps the fault, until none does.
 #include "tests/attack/renderer/shrink.h"
 
 #include <algorithm>
@@ -80,7 +80,7 @@ void Shrinking::plain(Get get, double usual) {
         attempt([&](WildScene& w) { get(w) = value; });
         if (get(wild) == value) return;
     }
-    // As decimals: what is rounded once more must stay as it is, or there is no end.
+    // Rounded as decimals, so that rounding a number again changes nothing and shrinking ends.
     for (int digits = 0; digits < 3; ++digits) {
         char decimal[40];
         std::snprintf(decimal, sizeof decimal, "%.*e", digits, get(wild));

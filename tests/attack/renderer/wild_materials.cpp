@@ -1,4 +1,4 @@
-// What a value may be is asked of the parser's own bounds.
+// Chooses values within the parser's own bounds.
 #include "tests/attack/renderer/wild_materials.h"
 
 #include <type_traits>
@@ -8,7 +8,7 @@
 
 namespace strahl {
 
-/// Of any kind, with any numbers that the parser takes.
+/// Returns a pattern of any kind, with any numbers that the parser accepts.
 Pattern WildMaterials::pattern() {
     Pattern pattern;
     const auto fill = [&]<class Kind>(Kind kind) {

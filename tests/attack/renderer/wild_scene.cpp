@@ -1,4 +1,4 @@
-// What a value may be is asked of the parser's own bounds.
+// Chooses values within the parser's own bounds.
 #include "tests/attack/renderer/wild_scene.h"
 
 #include <algorithm>
@@ -107,7 +107,7 @@ std::shared_ptr<const std::vector<Primitive>> Wild::parts(int material, int leve
 
 void Wild::add_body() { scene.primitives.push_back(body_of(new_material(), 1)); }
 
-/// The same body once more: in the same place, a little aside, or somewhere else.
+/// Repeats a body: in the same place, a little aside, or somewhere else.
 void Wild::repeat_body() {
     const int number = dice.upto(static_cast<int>(scene.primitives.size()) - 1);
     Primitive copy = scene.primitives[number];
@@ -172,7 +172,7 @@ Camera Wild::camera() {
     return camera;
 }
 
-/// Where no surface both reflects and transmits, rays do not multiply, and many generations cost little.
+/// Chooses the depth. If no surface both reflects and transmits, rays do not multiply and many generations cost little.
 int Wild::depth() {
     const bool branches = std::any_of(palette.begin(), palette.end(),
                                       [](const Material& m) { return m.reflection > 0 && m.refraction > 0; });

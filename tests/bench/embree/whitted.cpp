@@ -64,7 +64,7 @@ S largest(const Vec3<S>& v) { return max(v.x, max(v.y, v.z)); }
 
 }  // namespace
 
-/// What a packet of rays met.
+/// The hits of a packet of rays.
 struct Whitted::Packet {
     Mask<S> active, outside;
     Vec3<S> direction, position, start, normal;  // `start` lies off the surface, on the side the ray came from

@@ -100,7 +100,7 @@ void occlude_cylinder(const RTCOccludedFunctionNArguments* a) {
     }
 }
 
-/// The same for transparent balls, of which Embree reports both surfaces.
+/// Weakens light at transparent balls; Embree reports both of their surfaces.
 void pass_through(const RTCFilterFunctionNArguments* a) {
     const Group& group = *static_cast<const Group*>(a->geometryUserPtr);
     for (unsigned i = 0; i < a->N; ++i) {
@@ -119,7 +119,7 @@ void attach(World& world, RTCGeometry geometry, int id) {
     world.empty = false;
 }
 
-/// All meshes that are opaque, or all that are transparent, as one.
+/// Attaches all opaque meshes, or all transparent ones, as one geometry.
 void attach_meshes(World& world, const std::vector<Body<MeshData>>& meshes, bool clear) {
     std::size_t points = 0, triangles = 0;
     const auto own = [&](const Body<MeshData>& mesh) {

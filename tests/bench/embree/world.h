@@ -47,7 +47,7 @@ struct World {
     Vec3<float> background;
 };
 
-/// What a packet of shadow rays has left of its light; Embree input it to the callbacks.
+/// The light that a packet of shadow rays has left. Embree hands it to the callbacks.
 struct ShadowContext {
     RTCIntersectContext embree;
     alignas(64) float share[3][lanes];

@@ -3,7 +3,7 @@
 END {
     frames = 1e5
     pixels = 1e11; side = sqrt(pixels); bands = side / 64
-    # What was not measured here but assumed of a farm:
+    # Assumed of a farm, not measured:
     launches = 100   # tasks that a scheduler starts in a second
     creations = 5000 # files that a shared file system creates and syncs in a second
     bandwidth = 2e9  # bytes that it takes in a second

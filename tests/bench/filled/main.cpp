@@ -1,4 +1,4 @@
-// What lattices in cells cost and how far they are off, beside plain ones: tests/bench/sampling.md, "In flight".
+// Compares lattices filled by cells with plain ones, in cost and error: tests/bench/sampling.md, "In flight".
 #include <algorithm>
 #include <array>
 #include <cmath>

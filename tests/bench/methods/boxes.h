@@ -1,4 +1,4 @@
-// Boxes: a ray that crosses must never be told that it does not.
+// Methods of intersection with boxes, which must never miss a ray that crosses.
 #pragma once
 #include <cstdint>
 #include <limits>
@@ -28,7 +28,7 @@ Answer<S> sorted(const Question<S>& q) {
     }
     return {select(near <= far, near, infinite<S>()), q.o};
 }
-/// What the engine does: finite reciprocals, a box grown by some units in the last place of its coordinates, and far
+/// The engine's method: finite reciprocals, a box grown by some units in the last place of its coordinates, and far
 /// ends a little farther (T. Ize, "Robust BVH Ray Traversal", 2013). In a hierarchy boxes grow once, when built.
 template <class S>
 Answer<S> grown(const Question<S>& q) {

@@ -93,7 +93,7 @@ Case box_case(std::string_view input, Dice& dice) {
     return c;
 }
 
-/// Where the ray meets the sphere first, or none.
+/// Returns the t at which the ray first meets the sphere, or `none`.
 Q sphere_root(const QVec3& o, const QVec3& d, const QVec3& c, Q r) {
     const auto roots = naive::sphere<Q>(o, d, c, r);
     if (!roots.hit || roots.far <= 0) return none;

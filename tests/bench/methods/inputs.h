@@ -9,11 +9,11 @@ namespace strahl::bench {
 
 inline constexpr std::array inputs{"easy", "far", "huge", "tiny", "shifted", "grazing"};
 
-/// The same rays in every precision but for the rounding to it, which is not the methods' fault and not counted.
+/// Returns the same rays in every precision. Rounding them to it is not the methods' fault and does not count.
 template <class T>
 Rays<T> rays_for(std::string_view group, std::string_view input, std::size_t n);
 
-/// How wrong some answers are.
+/// Errors of a method's answers.
 struct Wrong {
     double answers = 0;  // share: hit taken for miss or the other way round; of boxes only a hit missed counts
     double t = 0;        // 99.9 % of the errors of t are below this, in t

@@ -1,4 +1,4 @@
-// Where a ray meets a plane or a cylinder.
+// Methods of intersection with planes and cylinders.
 #pragma once
 #include "scene/kinds/cylinder.h"
 #include "scene/kinds/plane.h"
@@ -20,7 +20,7 @@ Answer<S> distance(const Question<S>& q) {
     const Span<S> span = PlaneKernel<S>{q.b, q.h}.span(q.ray(), S(-1));
     return along(q, span.hit, span.near, span.near);
 }
-/// What the engine does: the same, put back.
+/// The engine's method: the same, and the point put back onto the plane.
 template <class S>
 Answer<S> plane_put_back(const Question<S>& q) {
     const PlaneKernel<S> plane{q.b, q.h};
@@ -42,7 +42,7 @@ Answer<S> cylinder_quadratic(const Question<S>& q) {
     const S near = max((-b - s) / a, min(low, high)), far = min((s - b) / a, max(low, high));
     return along(q, (k > S(0)) & (near < far), near, far);
 }
-/// What the engine does: the discriminant from the distance between ray and axis.
+/// The engine's method: the discriminant from the distance between ray and axis.
 template <class S>
 Answer<S> cylinder_distance(const Question<S>& q) {
     const CylinderKernel<S> can{q.a, q.b, q.r, q.h};

@@ -1,4 +1,4 @@
-// What a method is asked, and how it answers, for one number or a pack of lanes.
+// Input and result of a method, for one number or a pack of lanes.
 #pragma once
 #include <limits>
 
@@ -19,7 +19,7 @@ struct Answer {
     S t;
     Vec3<S> p;
 };
-/// No variable: one of packs would be set up when the program starts, on machines that lack the instructions too.
+/// A function, because a variable of packs would be set up at program start, even on machines without the instructions.
 template <class S>
 S infinite() {
     return S(std::numeric_limits<Element<S>>::infinity());

@@ -1,4 +1,4 @@
-// Where a ray meets a sphere.
+// Methods of intersection with spheres.
 #pragma once
 #include "scene/kinds/sphere.h"
 #include "tests/bench/methods/question.h"
@@ -13,7 +13,7 @@ Answer<S> quadratic(const Question<S>& q) {
     const S s = sqrt(max(e, S(0))), half = S(Element<S>(.5)) / a;
     return along(q, e > S(0), (-b - s) * half, (s - b) * half);
 }
-/// The same discriminant; the smaller root from the product of both.
+/// The same discriminant, but the smaller root is computed from the product of both.
 template <class S>
 Answer<S> stable_quadratic(const Question<S>& q) {
     const Vec3<S> f = q.o - q.a;
@@ -54,7 +54,7 @@ Answer<S> compensated(const Question<S>& q) {
     const S w = select(b > S(0), b + s, b - s), other = (sum + rest) / w;
     return along(q, e > S(0), min(w, other), max(w, other));
 }
-/// What the engine does: projection, and the point put back onto the sphere.
+/// The engine's method: projection, and the point put back onto the sphere.
 template <class S>
 Answer<S> put_back(const Question<S>& q) {
     Answer<S> answer = projection(q);

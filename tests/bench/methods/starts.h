@@ -59,7 +59,7 @@ Answer<S> offset(const Question<S>& q) {
     const S t = select(on.near > S(0), on.near, on.far);
     return chord(start, away.hit & (away.far > S(0)), on.hit & (t > S(0)), t);
 }
-/// What the engine does: the root at the start is known, and divided out.
+/// The engine's method: the root at the start is known and divided out.
 template <class S>
 Answer<S> divided_out(const Question<S>& q) {
     const Start<S> start = start_of(q);

@@ -1,4 +1,4 @@
-// How long a frame of a moving scene waits before rays are traced: bench_motion [BALLS [FRAMES [THREADS [WORLDS]]]]
+// Measures the time before rays of a moving frame are traced: bench_motion [BALLS [FRAMES [THREADS [WORLDS]]]]
 //
 // Balls in a cube, each on a way of its own through three keys, or turning about the middle besides. Prints medians and
 // ranges; the first frame builds the hierarchy.

@@ -1,4 +1,4 @@
-// How far anti-aliased pictures are from the average over each pixel, and what they cost. See tests/bench/README.md.
+// Measures the error and cost of anti-aliased pictures, against averages over pixels. See tests/bench/sampling.md.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

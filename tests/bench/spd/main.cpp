@@ -55,7 +55,7 @@ void gear(const Point& middle, bool between, double height) {
     constexpr int teeth = 36;
     std::vector<Point> low, high;
     for (int i = 0; i < 4 * teeth; ++i) {
-        // Of a tooth's four corners the first two are its tip.
+        // The first two of a tooth's four corners are its tip.
         const double share[] = {-.14, .14, .3, .7};
         const double turn = 2 * pi / teeth * (i / 4 + share[i % 4] + (between ? .5 : 0));
         const double radius = i % 4 < 2 ? 1.04 : .94;

@@ -1,4 +1,4 @@
-// What more threads bring: bench_threads SCENE WIDTH HEIGHT [ROUNDS [PRECISION]]
+// Works out the speed of more threads: bench_threads SCENE WIDTH HEIGHT [ROUNDS [PRECISION]]
 //
 // Measures one and two threads in turn, and with one how long each tile takes. From that it works out larger numbers:
 // the tiles, in their order, go to whichever thread is free; of what comes before them the serial part is what two
@@ -43,7 +43,7 @@ void measure(const Scene& scene, const View& view, Precision precision, ThreadPo
     times.tiles.push_back(second), times.before.push_back(std::max(0., first - start - second));
 }
 
-/// Of the calling thread, which other programs do not lengthen.
+/// Returns the processor time of the calling thread, which other programs do not lengthen.
 double processor_seconds() {
     timespec time{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);

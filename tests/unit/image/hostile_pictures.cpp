@@ -1,4 +1,4 @@
-// Files that are made to hurt whoever reads them as pictures.
+// Files that are made to harm programs that read them as pictures.
 #include <doctest/doctest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -192,7 +192,7 @@ TEST_CASE("what the header says is longer than the file is refused before anythi
     const std::string type("lineOrder\0lineOrder", 19);
     CHECK(says(forged("a.exr", type, 20, std::string("\1\0\0\x60", 4)), "announces more than is in the file"));
     CHECK(says(forged("a.exr", type, 20, std::string("\1\0\0\x80", 4)), "announces more than is in the file"));
-    // Of the right size or too short it goes on to the library.
+    // If the size is right, or the file too short, the library reads it.
     CHECK(forged("a.png", "gAMA", 0, "gAMA").empty());
     CHECK(forged("a.exr", type, 0, type).empty());
     CHECK(memory() - before < 100);
@@ -220,7 +220,7 @@ TEST_CASE("a picture that says it lies at the end of all numbers is refused") {
     const Scratch folder;
     write_picture(picture(4, 4), folder / "a.png", {});
     std::string bytes = bytes_of(folder / "a.png");
-    // Where it lies on a page, after the header.
+    // The chunk with the place on a page, after the header.
     constexpr std::size_t header_end = 8 + 12 + 13;
     bytes.insert(header_end, std::string("\0\0\0\x9oFFs\0\0\0\0\x7f\xff\0\0\0\x7f\xad\xc7\x21", 21));
     write_file(folder / "a.png", bytes);

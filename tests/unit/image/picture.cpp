@@ -136,7 +136,7 @@ TEST_CASE("pictures without compression hold what the file holds from which they
             CHECK(same.bits == bits);
             CHECK(same.values == picture.values);
         }
-    // As the formats' pages say: 16 bits with the high byte first, floats from the bottom and of either order.
+    // By the formats' pages, 16 bits have the high byte first; floats start at the bottom, in either byte order.
     write_file(folder / "a.pgm", std::string("P5\n2 1\n65535\n\x80\0\0\1", 19));
     CHECK(read_picture(folder / "a.pgm").values == std::vector<double>{32768 / 65535., 1 / 65535.});
     write_file(folder / "a.pfm", std::string("Pf\n1 2\n1.0\n\x3f\x80\0\0\x40\0\0\0", 19));

@@ -17,7 +17,7 @@ inline const std::string eye =
     "CENTER 1 2 -9 VIEWDIR 0 0 1 UPDIR 0 1 0 END_CAMERA\n";
 inline const std::string white = "TEXTURE AMBIENT 0 DIFFUSE 1 SPECULAR 0 OPACITY 1 COLOR 1 1 1 TEXFUNC 0\n";
 
-/// What is imported can always be written, and is the same when read again.
+/// Imports a scene, and checks that it can be written and is the same when read again.
 inline Imported imported(const std::string& text, const ImportLimits& limits = {}) {
     const Imported result = import_scene(text, "x", limits);
     CHECK(parse_scene(write_scene(result.scene), "x.rt") == result.scene);

@@ -10,7 +10,7 @@
 #include "scene/error.h"
 #include "tests/unit/scratch.h"
 
-/// In place of the C library's: there is no memory for it.
+/// Replaces the C library's function: fails for lack of memory.
 extern "C" int posix_spawn_file_actions_adddup2(posix_spawn_file_actions_t*, int, int) noexcept { return ENOMEM; }
 
 namespace strahl {

@@ -27,7 +27,7 @@ TEST_CASE("the text of the progress line") {
     CHECK(progress_text(1.5, 10) == "100 %");
 }
 
-/// What is written to standard error, a terminal here, while `act` runs.
+/// Returns what is written to standard error, which is a terminal here, while `act` runs.
 template <class Act>
 std::string on_terminal(Act act) {
     const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY);

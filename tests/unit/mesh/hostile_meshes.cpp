@@ -1,4 +1,4 @@
-// Mesh files that are broken, or made to hurt whoever reads them.
+// Mesh files that are broken, or made to harm programs that read them.
 #include <doctest/doctest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>

@@ -11,7 +11,7 @@
 
 namespace strahl {
 
-/// Of the stored pictures, as make_references has it.
+/// The size of the stored pictures, as in make_references.
 inline constexpr int picture_width = 80, picture_height = 60;
 
 struct Allowed {

@@ -115,7 +115,7 @@ TEST_CASE("povray renders an emitted .ini without warnings, to Strahl's picture"
                              .output = pov,
                              .width = 64,
                              .height = 48}) == 0);
-        // As a comment of the .ini says.
+        // POV-Ray is called by the command in a comment of the .ini file.
         std::ifstream ini(scratch / "it's a scene.ini");
         std::string command;
         while (std::getline(ini, command) && !command.starts_with(";   povray ")) {

@@ -38,7 +38,7 @@ extern "C" DIR* fdopendir(int folder) {
 namespace strahl {
 namespace {
 
-/// In place of POV-Ray: it copies a picture, and leaves a file beside itself that says so.
+/// Replaces POV-Ray: copies a picture, and leaves a file beside itself as a sign.
 struct StandIn {
     StandIn() {
         const std::string tool = tools / "povray", picture = tools / "picture.png";

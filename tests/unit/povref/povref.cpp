@@ -232,7 +232,7 @@ TEST_CASE("an animation holds every frame's camera") {
     CHECK(has(files.pov, "location  Eye[frame_number]"));
     CHECK(has(files.ini, "Initial_Frame=0\nFinal_Frame=9\n"));
     CHECK_FALSE(has(files.ini, "Clock"));
-    // What moves does so by the clock; equal motions are declared once.
+    // Bodies move by the clock; equal motions are declared once.
     const std::string motion = "motion { key { time 1 } key { time 3 translate <0, 0, 8> } }";
     const std::string two = "sphere { <0, 0, 0>, 1 " + motion + " } sphere { <3, 0, 0>, 1 " + motion + " }";
     const Scene moving = parse_scene(camera + light + two, "test");

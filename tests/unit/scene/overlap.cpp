@@ -136,7 +136,7 @@ TEST_CASE("what a union of many bodies becomes") {
     Primitive mixed = row(65, 3, 1);
     mixed.material = 2;  // which refracts in another way than its parts
     CHECK(split_union(mixed, materials) == std::vector<Primitive>{mixed});
-    // Of several looks the faces in one plane have an order, as long as there are few.
+    // Faces with different materials in one plane have an order, as long as there are few.
     for (const int balls : {64, 65}) {
         const Primitive row_of_one = row(balls, 1, 0);
         std::vector<Primitive> parts = *std::get<Union>(row_of_one.shape).parts;

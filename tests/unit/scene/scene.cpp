@@ -82,7 +82,7 @@ TEST_CASE("the article's camera looks at +y with +x to the right of the picture"
 TEST_CASE("tangents are right to the last bit") {
     CHECK(tangent(0) == 0);
     CHECK(tangent(45) == 1);
-    // Where the C library of x86-64 takes the neighbour.
+    // For these the C library of x86-64 returns the neighbouring double.
     CHECK(tangent(35.1) == 0.7028117712403573746701);
     CHECK(tangent(58.37) == 1.6235713841211499852100);
     CHECK(tangent(89.71) == 197.56996633889131866304);

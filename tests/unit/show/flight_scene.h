@@ -1,4 +1,4 @@
-// What the tests of flights share: scenes seen by one camera, and a path.
+// Shared by the tests of flights: scenes seen by one camera, and a path.
 #pragma once
 #include <memory>
 #include <string>

@@ -30,7 +30,7 @@ void load(const Sound& sound) {
     REQUIRE(!sound.loading());
 }
 
-/// How far the moment heard is before a clock that began with it.
+/// Returns by how many seconds the moment heard is ahead of a clock that started with it, every 2 ms.
 std::vector<double> leads(const Sound& sound, double from, double begin, double seconds) {
     std::vector<double> all;
     for (; now() < begin + seconds; rest(.002))
@@ -50,7 +50,7 @@ TEST_CASE("the moment heard goes on as a clock does, from where it is played") {
     for (const double from : {0., 2.5}) {
         sound.play(from);
         const double begin = now();
-        // What is mixed goes to the device in pieces of about 20 ms.
+        // Mixed sound goes to the device in pieces of about 20 ms.
         const std::vector<double> first = leads(sound, from, begin, .5), second = leads(sound, from, begin, 1);
         REQUIRE(first.size() > 50);
         REQUIRE(second.size() > 50);

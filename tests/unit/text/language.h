@@ -1,4 +1,4 @@
-// What the tests of the scene language share: scenes from texts, and the errors of wrong ones.
+// Shared by the tests of the scene language: scenes from texts, and the errors of wrong ones.
 #pragma once
 #include <doctest/doctest.h>
 

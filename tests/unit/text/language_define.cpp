@@ -68,7 +68,7 @@ TEST_CASE("mistakes with names") {
     // An error in a definition is told once.
     check_fault("define ball sphere { <0,0,0>, -1 }\nball { } ball { scale 2 }",
                 "2:31: 'radius' of 'sphere' must be greater than 0 (at least 2.3e-308) and at most 1e9, not '-1'");
-    // What doubles 40 times is more than a scene may have, and ends early.
+    // Doubling 40 times makes more bodies than a scene may have, and is stopped early.
     std::string doubling = "define a0 sphere { <0,0,0>, 1 }\n";
     for (int i = 1; i < 40; ++i) {
         const std::string before = "a" + std::to_string(i - 1) + " { }";

@@ -40,7 +40,7 @@ std::string many_balls() {
     return text;
 }
 
-/// The same with n * n points, at the middles of as many rectangles, in place of each rectangle.
+/// Replaces each rectangle of light by n * n points, at the middles of as many equal rectangles.
 Scene with_points(Scene scene, int n) {
     std::vector<Light> lights;
     for (const Light& light : scene.lights)

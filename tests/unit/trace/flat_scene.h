@@ -21,7 +21,7 @@ inline Frame picture(const Scene& scene, Precision precision = Precision::float6
                   {.camera = scene.camera, .width = width, .height = height, .depth = scene.settings.max_trace_level},
                   precision, 2);
 }
-/// How many values differ by more than `tolerance`.
+/// Counts the values that differ by more than `tolerance`.
 inline int different(const Frame& a, const Frame& b, double tolerance) {
     int count = 0;
     for (std::size_t i = 0; i < a.rgb.size(); ++i) count += !(std::abs(a.rgb[i] - b.rgb[i]) <= tolerance);

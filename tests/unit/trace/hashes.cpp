@@ -1,6 +1,6 @@
 // Pictures are the same on every machine: small ones of all scenes against hashes stored in hashes.txt.
 //
-// Where a change of the engine is meant to change pictures, the file is written anew, from this machine's best
+// If a change of the engine is meant to change pictures, write the file anew, from this machine's best
 // instruction set:
 //
 //     build/release/tests/test_trace --no-skip --test-case="hashes.txt is written anew"

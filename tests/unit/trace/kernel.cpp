@@ -79,7 +79,7 @@ Verdict judge(const Frame& frame, const Referee<long double>& referee, const Pix
 struct Tally {
     long pixels = 0, excused = 0;
 };
-/// Does a pattern go on to the horizon? There it changes from one float to the next, and no shift explains anything.
+/// Does a pattern reach the horizon? There it changes from one float to the next, and no shift explains a difference.
 bool endless_pattern(const Scene& scene) {
     return std::any_of(scene.primitives.begin(), scene.primitives.end(), [&](const Primitive& primitive) {
         bool patterned = false;
@@ -118,7 +118,7 @@ void hold(const Scene& scene, int depth, std::array<Tally, 3>& tally) {
         }
     }
 }
-/// Of `more` times as many pixels as usual.
+/// Checks the share of excused pixels, of which `more` times as many as usual may be.
 void conclude(const std::array<Tally, 3>& tally, double more = 1) {
     for (const Precision precision : {Precision::float32, Precision::float64, Precision::extended}) {
         const auto [pixels, excused] = tally[int(precision)];

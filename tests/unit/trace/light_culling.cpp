@@ -23,7 +23,7 @@ namespace strahl::light_culling {
 const int columns = sanitized() ? 10 : 40, rows = sanitized() ? 8 : 30;
 const int every = sanitized() ? 9 : 1, random_scenes = sanitized() ? 8 : 120;
 
-/// The same scene with so many more bodies, far away and black inside a black ball, that it has a hierarchy instead of
+/// Adds so many bodies to the scene, black ones in a black ball far away, that it has a hierarchy instead of
 /// culling.
 Scene crowded(Scene scene) {
     scene.materials.push_back({.rgb = Color(0), .reflection = 0, .diffuse = 0, .specular = 0});
@@ -170,7 +170,7 @@ Scene large_world(int seed, bool scattered) {
     return scene;
 }
 
-/// The same picture in stripes, each by a tracer of its own that has no use for light buffers.
+/// Traces the picture in stripes, each by a tracer of its own for which light buffers do not pay.
 std::vector<double> in_stripes(const Scene& scene, const View& view, Precision precision, Simd simd) {
     const Lattice whole{.columns = view.width, .rows = view.height};
     std::vector<double> values(3 * std::size_t(view.width) * view.height);
@@ -213,7 +213,7 @@ TEST_CASE("light buffers are bounded, and the same for any number of threads") {
     CHECK(lights >= 6);
     CHECK(candidates <= LightBuffers<float>::most_per_item * std::int64_t(lights * scene.primitives.size()));
     CHECK(made(scene, 3) == std::pair(lights, candidates));
-    // Where all bodies reach into all cells there is none.
+    // If all bodies reach into all cells, no buffer is made.
     for (Primitive& primitive : scene.primitives)
         if (Sphere* const ball = std::get_if<Sphere>(&primitive.shape)) ball->radius = 3;
     CHECK(made(scene, 1).second == 0);

@@ -74,12 +74,12 @@ TEST_CASE("rotations go the shorter way, evenly where keys are even, and half a 
     const glm::dmat4 half = matrix(at(two, .5));
     const DVec3 twice = transform_point(half, transform_point(half, {1, 2, 3}));
     check_near(twice, apply(two, 1, {1, 2, 3}));
-    // Where the angle about y is 90 degrees those about x and z are one.
+    // If the angle about y is 90 degrees, rotations about x and z are about the same axis.
     for (double time = 0; time < 2; time += .11) {
         const DVec3 p = apply(turning({{0, 90, 0}, {0, 90, 60}, {0, 90, 120}}), time, {0, 1, 0});
         check_near(p, around_z(90 + 60 * time));
     }
-    // The same rotation, written in another way, is none.
+    // Between two ways to write the same rotation nothing turns.
     check_near(apply(turning({{0, 0, 30}, {180, 180, 210}}), .3, {1, 2, 3}),
                transform_point(matrix(std::vector<Transformation>{Rotate{{0, 0, 30}}}), {1, 2, 3}));
 }
@@ -238,7 +238,7 @@ sphere { <0, 0, 0>, 1
   }
 }
 )"));
-    // What define named keeps its motion, and what it is used with comes after that.
+    // A defined body keeps its motion, and transformations where it is used come after that.
     CHECK(with_eye("define ball sphere { <0,0,0>, 1 motion { key { time 0 } key { time 1 translate <1,0,0> } } }"
                    "ball { rotate <0,0,9> }") ==
           with_eye("sphere { <0,0,0>, 1 motion { key { time 0 } key { time 1 translate <1,0,0> } } rotate <0,0,9> }"));

@@ -23,7 +23,7 @@ TEST_CASE("a pattern moves with its body") {
     const std::string turn = "  rotate <0, 0, 70>  scale <1.5, 1, 1>  translate <.3, .2, 0>";
     const Frame turned = picture(flat(ball + turn + " }"));
     CHECK(different(as_it_is, turned, .01) > 500);
-    // The same by the pattern's own transformations.
+    // The pattern's own transformations have the same effect.
     const std::string marble_turned = marble.substr(0, marble.size() - 1) + turn + " }";
     const Frame by_hand = picture(flat("sphere { <0, 0, 0>, 2" + turn + "  material { rgb " + marble + " } }"));
     CHECK(different(turned, by_hand, 1e-12) == 0);
@@ -65,7 +65,7 @@ TEST_CASE("a chequered floor in a border of its cells is not speckled, in any pr
                 const Scene scene = flat(plane + "  material { rgb checker { <1, 1, 1>, <0, 0, 0>  scale " + scale +
                                          "  translate <.31, .17, " + z + "> } } }");
                 const Frame frame = picture(scene, precision);
-                // Of a whole cell all pixels have the same colour: few neighbours differ.
+                // All pixels of a cell have the same colour, so few neighbours differ.
                 int changes = 0, white = 0;
                 for (int y = 0; y < 48; ++y)
                     for (int x = 1; x < 64; ++x) {

@@ -241,7 +241,7 @@ TEST_CASE("a box minus a box that ends where it does is open there") {
              {Translate{{0, 0, .25}}}}};
         check(ahead(scene), {.5, .25, 1});
     }
-    // Of two faces in one place the first declared is seen; a face that the next body goes on behind is none.
+    // Of two faces in one place the first declared is seen; a face behind which the next body continues is not.
     const Cuboid upper{{-1, -1, 1}, {1, 1, 2}};
     for (const int first : {0, 1})
         check(ahead(made(Union{list({{whole, first, {}}, {whole, 1 - first, {}}})}, {ground, glow})),

@@ -85,7 +85,7 @@ defaultmaterial { rgb <1, 1, 1>  diffuse 0  ambient 1  specular 0  reflection 0 
 cylinder { <-2.5, .7, 12>, <2.7, 1.7, 12>, .0048 }
 )";
 
-/// What ours and 1024 rays a pixel say of the last body of a scene, that is thin.
+/// Checks how much light of a scene's thin last body our samples find, against a fine grid.
 void check_last_body(Scene scene) {
     const std::vector<double> exact = picture(scene, 160, {.grid = 20}), ours = picture(scene, 160, {});
     scene.primitives.pop_back();

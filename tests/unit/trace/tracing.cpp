@@ -1,4 +1,4 @@
-// What a picture must not depend on: threads, crops, passes, and earlier pictures. And stopping.
+// Pictures do not depend on threads, crops, passes and earlier pictures; and tracing can be stopped.
 #include <doctest/doctest.h>
 
 #include <algorithm>
