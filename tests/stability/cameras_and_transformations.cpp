@@ -8,6 +8,7 @@
 #include "scene/camera.h"
 #include "tests/stability/naive.h"
 #include "tests/stability/stage.h"
+#include "tests/unit/faults.h"
 #include "text/parse.h"
 
 using namespace strahl;
@@ -15,14 +16,8 @@ using namespace strahl::stability;
 
 namespace {
 
-/// The error message of parse_scene for a text, or "".
 std::string fault(const std::string& text) {
-    try {
-        parse_scene(text, "scene.rt");
-        return "";
-    } catch (const FileError& error) {
-        return error.what();
-    }
+    return fault_of([&] { parse_scene(text, "scene.rt"); });
 }
 const std::string camera = "camera { position <0,-6,0> look_at <0,0,0> sky <0,0,1> fov 20 }\n";
 

@@ -18,6 +18,7 @@
 #include <new>
 #include <vector>
 
+#include "tests/unit/faults.h"
 #include "tests/unit/scratch.h"
 
 namespace {
@@ -61,16 +62,9 @@ mode_t mode_of(const std::string& path) {
     return status.st_mode & 07777;
 }
 
-std::string fault_of(const std::string& path, const std::string& bytes = "new") {
-    try {
-        write_file(path, bytes);
-    } catch (const FileError& error) {
-        return error.what();
-    }
-    return "";
+std::string fault_in(const std::string& path, const std::string& bytes = "new") {
+    return fault_of([&] { write_file(path, bytes); });
 }
-
-bool says(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 /// Lets files grow to no more than `bytes` while it lives.
 class FileSizeLimit {
@@ -103,7 +97,7 @@ TEST_CASE("an older file survives a write that fails halfway") {
     std::string fault;
     {
         const FileSizeLimit limit(1000);
-        fault = fault_of(folder / "file", std::string(100000, 'x'));
+        fault = fault_in(folder / "file", std::string(100000, 'x'));
     }
     CHECK(says(fault, folder / "file"));
     CHECK(says(fault, "File too large"));
@@ -122,7 +116,7 @@ TEST_CASE("permissions: the umask's for a new file, unchanged for an old one, an
     CHECK(mode_of(folder / "new") == 0604);
     ::chmod((folder / "new").c_str(), 0400);
     if (::geteuid() != 0) {  // root may write everything
-        CHECK(says(fault_of(folder / "new"), "Permission denied"));
+        CHECK(says(fault_in(folder / "new"), "Permission denied"));
         CHECK(bytes_of(folder / "new") == "y");
     }
 }
@@ -137,7 +131,7 @@ TEST_CASE("bytes are on the disk before they get the name, and the name before t
     }
     for (const int sync : {1, 2}) {
         failing_sync = sync;
-        CHECK(says(fault_of(folder / "file", "newer"), "Input/output error"));
+        CHECK(says(fault_in(folder / "file", "newer"), "Input/output error"));
         CHECK(failing_sync == 0);
         CHECK(bytes_of(folder / "file") == (sync == 1 ? "new" : "newer"));
     }
@@ -188,7 +182,7 @@ TEST_CASE("all names of a file show the new bytes, and a failure leaves it its o
     CHECK(std::filesystem::hard_link_count(folder / "one") == 2);
     {
         const FileSizeLimit limit(1000);
-        CHECK(says(fault_of(folder / "one", std::string(100000, 'x')), "File too large"));
+        CHECK(says(fault_in(folder / "one", std::string(100000, 'x')), "File too large"));
     }
     CHECK(bytes_of(folder / "two") == "old");
     CHECK(folder.files() == 2);
@@ -198,14 +192,14 @@ TEST_CASE("all names of a file show the new bytes, and a failure leaves it its o
     CHECK(bytes_of(folder / "two") == "old");
     CHECK(folder.files() == 2);
     failing_sync = 2;  // of the folder with the copy: until that is on the disk, nothing is overwritten
-    CHECK(says(fault_of(folder / "one", "new"), "Input/output error"));
+    CHECK(says(fault_in(folder / "one", "new"), "Input/output error"));
     CHECK(bytes_of(folder / "two") == "old");
     CHECK(folder.files() == 2);
     events.clear();
     write_file(folder / "one", "newer");
     CHECK(events == std::vector<std::string>{"sync 5 bytes", "sync folder", "sync 5 bytes", "sync folder"});
     failing_sync = 3;  // of the file in place: what it holds is no longer certain
-    const std::string fault = fault_of(folder / "one", "new");
+    const std::string fault = fault_in(folder / "one", "new");
     CHECK(says(fault, "all of it is in '" + (folder / ".strahl-")));
     const std::string copy = fault.substr(fault.rfind(".strahl-"), fault.rfind('\'') - fault.rfind(".strahl-"));
     CHECK(bytes_of(folder / copy) == "new");
@@ -243,24 +237,24 @@ TEST_CASE("symbolic links stay links") {
         CHECK(std::filesystem::is_symlink(folder / "two"));
     }
     std::filesystem::create_symlink("circle", folder / "circle");
-    CHECK_FALSE(fault_of(folder / "circle").empty());
+    CHECK_FALSE(fault_in(folder / "circle").empty());
 }
 
 TEST_CASE("devices and pipes are written to, not replaced") {
     write_file("/dev/null", "x");
     CHECK(std::filesystem::is_character_file("/dev/null"));
-    CHECK(says(fault_of("/dev/full"), "No space left"));
+    CHECK(says(fault_in("/dev/full"), "No space left"));
     CHECK(std::filesystem::is_character_file("/dev/full"));
 }
 
 TEST_CASE("impossible paths are reported with advice") {
     const Scratch folder;
-    CHECK(says(fault_of(folder / "no/file"), "folder does not exist"));
-    CHECK(says(fault_of(folder / ""), "it is a folder"));
+    CHECK(says(fault_in(folder / "no/file"), "folder does not exist"));
+    CHECK(says(fault_in(folder / ""), "it is a folder"));
     write_file(folder / "file", "old");
-    CHECK(says(fault_of(folder / "file/below"), "Not a directory"));
-    CHECK(says(fault_of(folder / std::string(300, 'x')), "name too long"));
-    CHECK_FALSE(fault_of("").empty());
+    CHECK(says(fault_in(folder / "file/below"), "Not a directory"));
+    CHECK(says(fault_in(folder / std::string(300, 'x')), "name too long"));
+    CHECK_FALSE(fault_in("").empty());
     CHECK(folder.files() == 1);
 }
 

@@ -1,6 +1,5 @@
 // Files that are made to harm programs that read them as pictures.
 #include <doctest/doctest.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
 
 #include <array>
@@ -12,6 +11,7 @@
 
 #include "files/output_file.h"
 #include "image/picture.h"
+#include "tests/unit/faults.h"
 #include "tests/unit/scratch.h"
 
 namespace strahl {
@@ -21,17 +21,9 @@ Picture picture(int width, int height) {
     return {width, height, 3, std::vector<double>(std::size_t(3) * width * height, .5), 32};
 }
 
-/// What is told of a file, or nothing if it can be read.
 std::string fault_in(const std::string& path, std::uint64_t most = most_values_read) {
-    try {
-        read_picture(path, most);
-    } catch (const FileError& error) {
-        return error.what();
-    }
-    return "";
+    return fault_of([&] { read_picture(path, most); });
 }
-
-bool says(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 template <class... Values>
 std::string bytes_of_values(Values... values) {
@@ -166,13 +158,6 @@ TEST_CASE("a forged header costs no memory, and a large picture no more than was
     write_picture(picture(20, 10), folder / "a.png", {});
     CHECK(fault_in(folder / "a.png", 600).empty());
     CHECK(says(fault_in(folder / "a.png", 599), "20x10 pixels"));
-}
-
-/// The most memory so far, in MB.
-double memory() {
-    rusage usage{};
-    ::getrusage(RUSAGE_SELF, &usage);
-    return static_cast<double>(usage.ru_maxrss) / 1024;
 }
 
 TEST_CASE("what the header says is longer than the file is refused before anything is allocated for it") {

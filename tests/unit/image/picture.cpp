@@ -15,6 +15,7 @@
 #include "image/uncompressed.h"
 #include "image/pixels.h"
 #include "image/transfer.h"
+#include "tests/unit/faults.h"
 #include "tests/unit/scratch.h"
 
 // OpenImageIO leaks one string when libpng longjmps at a truncated file; a leak checker can attribute it only with the
@@ -35,18 +36,6 @@ Picture noise(int width, int height, int channels = 3) {
     for (int i = 0; i < width * height * channels; ++i) picture.values.push_back(value(random));
     return picture;
 }
-
-template <class Call>
-std::string fault_of(Call call) {
-    try {
-        call();
-    } catch (const FileError& error) {
-        return error.what();
-    }
-    return "";
-}
-
-bool says(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 TEST_CASE("8- and 16-bit files hold the quantised values exactly") {
     const Scratch folder;

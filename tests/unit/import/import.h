@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "import/import.h"
+#include "tests/unit/faults.h"
 #include "text/parse.h"
 #include "text/write.h"
 
@@ -25,12 +26,7 @@ inline Imported imported(const std::string& text, const ImportLimits& limits = {
 }
 
 inline std::string message(const std::string& text, const ImportLimits& limits = {}) {
-    try {
-        import_scene(text, "x", limits);
-    } catch (const FileError& error) {
-        return error.what();
-    }
-    return "no error";
+    return fault_of([&] { import_scene(text, "x", limits); }, "no error");
 }
 /// The first line of the message.
 inline std::string fault(const std::string& text, const ImportLimits& limits = {}) {

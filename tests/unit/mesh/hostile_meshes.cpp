@@ -1,24 +1,18 @@
 // Mesh files that are broken, or made to harm programs that read them.
 #include <doctest/doctest.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
 
 #include <ctime>
 
 #include "mesh/read_mesh.h"
+#include "tests/unit/faults.h"
 #include "tests/unit/mesh/mesh_text.h"
 
 namespace strahl {
 namespace {
 
-/// What is told of a file, or nothing if it can be read.
 std::string fault_at(const std::string& path, const MeshLimits& limits = {}) {
-    try {
-        read_mesh(path, limits);
-    } catch (const FileError& error) {
-        return error.what();
-    }
-    return "";
+    return fault_of([&] { read_mesh(path, limits); });
 }
 std::string fault_in(const std::string& name, const std::string& bytes, const MeshLimits& limits = {}) {
     const Scratch folder;
@@ -48,13 +42,6 @@ std::string changed(const std::string& piece, const std::string& replacement) {
     const std::size_t at = bytes.find(piece);
     REQUIRE(at != bytes.npos);
     return bytes.replace(at, piece.size(), replacement);
-}
-
-/// The most memory so far, in MB.
-double memory() {
-    rusage usage{};
-    ::getrusage(RUSAGE_SELF, &usage);
-    return static_cast<double>(usage.ru_maxrss) / 1024;
 }
 
 TEST_CASE("what can't be opened, is no file or is no mesh") {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/unit/faults.h"
 #include "text/parse.h"
 
 template <>
@@ -25,12 +26,7 @@ inline Scene parse(const std::string& text) { return parse_scene(text, "x.rt"); 
 inline Scene with_eye(const std::string& text) { return parse(eye + text); }
 
 inline std::string message(const std::string& text, const TextLimits& limits = {}) {
-    try {
-        parse_scene(text, "x.rt", limits);
-    } catch (const FileError& error) {
-        return error.what();
-    }
-    return "no error";
+    return fault_of([&] { parse_scene(text, "x.rt", limits); }, "no error");
 }
 inline std::vector<std::string> lines(const std::string& text) {
     std::vector<std::string> result(1);
