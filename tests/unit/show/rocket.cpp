@@ -14,6 +14,7 @@
 #include "scene/error.h"
 #include "show/session/session.h"
 #include "show/work/reload.h"
+#include "tests/unit/faults.h"
 #include "tests/unit/scratch.h"
 #include "tests/unit/show/rocket_editor.h"
 #include "tests/unit/show/show_scene.h"
@@ -36,12 +37,6 @@ bool soon(Rocket& rocket, const std::function<bool(const RocketNews&)>& enough) 
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
     return false;
-}
-std::string fault_of(const std::function<void()>& action) try {
-    action();
-    return "none";
-} catch (const FileError& error) {
-    return error.what();
 }
 
 }  // namespace
