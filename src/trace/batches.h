@@ -12,6 +12,7 @@
 #include "trace/cells/z_curve.h"
 #include "trace/kernel/kernel.h"
 #include "trace/kernel/workspace.h"
+#include "trace/proof/proving_kernel.h"
 #include "trace/tracer.h"
 #include "trace/world/build_world.h"
 #include "trace/world/eye_of_view.h"
@@ -32,7 +33,7 @@ class Batches {
           limits(own_limits),
           workspace(own_workspace),
           prove(with_bounds) {
-        if (prove) workspace.hold_bounds();
+        if (prove) workspace.hold_extra(), bounds.resize(scattered_pixels);
         if (world.mip_maps) workspace.hold_cones();
     }
 
@@ -49,10 +50,10 @@ class Batches {
         for (int i = 0; i < pixels; ++i)
             for (int c = 0; c < 4; ++c)  // four at once are faster than three; the next pixel covers the last
                 values[3 * i + c] = finite<Out>(sums[4 * workspace.order[i] + c]);
-        double bounds[lattice_tile * lattice_tile];
+        double most[lattice_tile * lattice_tile];
         if (prove)
-            for (int i = 0; i < pixels; ++i) bounds[i] = bound_of(workspace.order[i]);
-        sink({tile, std::span<const Out>(values, 3 * pixels), std::span<const double>(bounds, prove ? pixels : 0)});
+            for (int i = 0; i < pixels; ++i) most[i] = bound_of(workspace.order[i]);
+        sink({tile, std::span<const Out>(values, 3 * pixels), std::span<const double>(most, prove ? pixels : 0)});
     }
 
     /// A tile of pixels with a grid of rays in each.
@@ -127,7 +128,7 @@ class Batches {
         // A pixel of long double becomes one of double, as this bound does.
         constexpr T rounding = std::numeric_limits<T>::epsilon() +
                                (std::is_same_v<T, long double> ? std::numeric_limits<double>::epsilon() : 0);
-        const T bound = T(1.001) * (workspace.bounds[i] + sum.pruned) + rounding * most;
+        const T bound = T(1.001) * (bounds[i] + sum.pruned) + rounding * most;
         return bound >= 0 ? static_cast<double>(bound) : std::numeric_limits<double>::infinity();
     }
     template <class To>
@@ -173,26 +174,20 @@ class Batches {
     void trace_batches(int pixels, Sight<T>* sights) {
         std::fill_n(workspace.sums.begin(), pixels, PixelSum<T>{});
         std::fill_n(workspace.past.begin(), pixels, T(0));
-        std::fill(workspace.bounds.begin(), workspace.bounds.end(), T(0));
         for (int done = 0; done < pixels;) {
             const int count = std::min(workspace.batch, pixels - done);
             const Footprints<T> footprints{eye.forward, eye.scale_x * eye.right, eye.scale_y * eye.down,
                                            workspace.sides.data() + done, workspace.colors.data() + 3 * done};
-            const PixelBatch<T> batch{workspace.pixels_x.data() + done,
-                                      workspace.pixels_y.data() + done,
-                                      workspace.sums.data() + done,
-                                      workspace.past.data() + done,
-                                      count,
-                                      sights ? sights + done : nullptr,
-                                      prove ? workspace.bounds.data() + done : nullptr,
-                                      world.mip_maps ? &footprints : nullptr};
+            const ProvingBatch<T> batch{{workspace.pixels_x.data() + done, workspace.pixels_y.data() + done,
+                                         workspace.sums.data() + done, workspace.past.data() + done, count,
+                                         sights ? sights + done : nullptr, world.mip_maps ? &footprints : nullptr},
+                                        prove ? bounds.data() + done : nullptr};
             if (kernel.trace(world, eye, limits, batch, workspace, counts)) {
                 done += count;
                 workspace.batch = std::min(scattered_pixels, 2 * workspace.batch);
             } else {
                 std::fill_n(batch.sums, count, PixelSum<T>{});
                 std::fill_n(batch.past, count, T(0));
-                if (prove) std::fill_n(batch.bounds, count, T(0));
                 if (sights) std::fill_n(batch.sights, count, Sight<T>{});
                 workspace.batch = std::max(1, count / 2);
             }
@@ -208,7 +203,8 @@ class Batches {
     const Eye<T>& eye;
     const Limits<T>& limits;
     Workspace<T>& workspace;
-    const bool prove;  // the kernel is a proving one
+    const bool prove;       // the kernel is a proving one
+    std::vector<T> bounds;  // of the pixels, by proving kernels
 };
 
 }  // namespace strahl

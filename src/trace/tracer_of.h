@@ -42,23 +42,23 @@ T upper(double value) {
     return value < 1e18 ? static_cast<T>(value) : std::numeric_limits<T>::infinity();
 }
 
-template <class T, bool proving>
+template <class T, class Purpose>
 Kernel<T> kernel_for(Simd simd) {
     if constexpr (!std::is_same_v<T, long double>) {
 #if defined(STRAHL_KERNEL_v2)
-        if (simd == Simd::v2) return v2::kernel<T, proving>();
+        if (simd == Simd::v2) return v2::kernel<T, Purpose>();
 #endif
 #if defined(STRAHL_KERNEL_v3)
-        if (simd == Simd::v3) return v3::kernel<T, proving>();
+        if (simd == Simd::v3) return v3::kernel<T, Purpose>();
 #endif
 #if defined(STRAHL_KERNEL_v4)
-        if (simd == Simd::v4) return v4::kernel<T, proving>();
+        if (simd == Simd::v4) return v4::kernel<T, Purpose>();
 #endif
 #if defined(STRAHL_KERNEL_neon)
-        if (simd == Simd::neon) return neon::kernel<T, proving>();
+        if (simd == Simd::neon) return neon::kernel<T, Purpose>();
 #endif
     }
-    return scalar::kernel<T, proving>();
+    return scalar::kernel<T, Purpose>();
 }
 
 template <class T>
@@ -67,8 +67,8 @@ class TracerOf : public AnyTracer {
 
   public:
     TracerOf(Scene&& own, Simd simd)
-        : AnyTracer(std::move(own)), extent(extent_of(scene())), kernel(kernel_for<T, false>(simd)) {
-        if constexpr (!std::is_same_v<T, float>) proving = kernel_for<T, true>(simd);
+        : AnyTracer(std::move(own)), extent(extent_of(scene())), kernel(kernel_for<T, ForPictures>(simd)) {
+        if constexpr (!std::is_same_v<T, float>) proving = kernel_for<T, ForProofs>(simd);
     }
 
     void prepare(const View& view, ThreadPool& pool) override {
@@ -170,13 +170,13 @@ class TracerOf : public AnyTracer {
             light_buffers = std::make_unique<LightBuffers<T>>(world, pool, view.prove);
         if (light_buffers) world.light_buffers = light_buffers->buffers();
         if (filters_images) world.mip_maps = images->mip_maps();
-        const Limits<T> limits{.depth = view.depth,
-                               .error = static_cast<T>(view.error),
-                               .brightest = brightest.data(),
-                               .noticed = static_cast<T>(noticed),
-                               .brightest_limit = upper<T>(bound.limit),
-                               .stop = stop,
-                               .slack = view.prove ? slack_for(view, world, bound.gain) : Slack<T>{}};
+        const ProvingLimits<T> limits{{.depth = view.depth,
+                                       .error = static_cast<T>(view.error),
+                                       .brightest = brightest.data(),
+                                       .noticed = static_cast<T>(noticed),
+                                       .brightest_limit = upper<T>(bound.limit),
+                                       .stop = stop},
+                                      view.prove ? slack_for(view, world, bound.gain) : Slack<T>{}};
         const std::vector<int> around = built->bodies_around(view.camera.position);
         std::atomic<int> next{0};
         std::vector<Counts> counts(pool.size());

@@ -49,7 +49,7 @@ MaterialKernel<double> material_of(Dice& dice) {
 }
 
 Vector direction_of(const OffHit& off, const Vec3<double>& direction) {
-    return unit(vector(branch(off.hit, true, direction, 1., 0.).direction));
+    return unit(vector(branch<Plain>(off.hit, true, direction, 1., 0.).direction));
 }
 
 }  // namespace

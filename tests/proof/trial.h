@@ -2,7 +2,6 @@
 #pragma once
 #define STRAHL_LEVEL formulas
 #define STRAHL_SCALAR
-#define STRAHL_PROVES
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -14,8 +13,9 @@
 #include "tests/proof/exact.h"
 #include "tests/referee/dice.h"
 #include "trace/kernel/illuminate.h"
+#include "trace/kernel/plain.h"
 #include "trace/kernel/scatter.h"
-#include "trace/proof/proving_lights.h"
+#include "trace/proof/lighting_bounds.h"
 
 namespace strahl::trial {
 
@@ -105,7 +105,8 @@ std::pair<Ray<T>, Doubt<T>> mirrored(const Ray<T>& ray, const Doubt<T>& doubt, c
     HitBounds<T> bounds;
     bounds.away = known.away, bounds.normal = known.normal, bounds.turn = doubt.turn, bounds.followed = true;
     bounds.mirrored = known.mirrored, bounds.side = known.side, bounds.height = known.height, bounds.spin = known.spin;
-    return {{point.position, branch(hit, true, reflect(hit), T(1), T(0)).direction, surface}, bound_reflection(bounds)};
+    return {{point.position, branch<Plain>(hit, true, reflect(hit), T(1), T(0)).direction, surface},
+            bound_reflection(bounds)};
 }
 inline Vector any_of(Dice& dice, const Vector& normal) {
     const int which = dice.upto(3);

@@ -140,7 +140,7 @@ TEST_CASE("the include rules reject wrong includes") {
     CHECK(fault("num/pack.h", "a line that speaks of #include \"trace/world/world.h\"") == "");
     CHECK(fault("trace/world/world.h", "#include \"trace/hierarchy/hierarchy.h\"") == "");
     CHECK(fault("trace/hierarchy/hierarchy.h", "#include \"trace/world/world.h\"") != "");
-    CHECK(fault("trace/kernel/shade.h", "#include \"trace/proof/proving.h\"") != "");
+    CHECK(fault("trace/kernel/shade.h", "#include \"trace/proof/hit_bounds.h\"") != "");
     CHECK(fault("trace/cells/cells.h", "#include \"trace/tracer.h\"") != "");
     CHECK(fault("trace/measure/edge_pixels.h", "#include \"trace/tracer.h\"") == "");
     CHECK(fault("trace/attic/box.h", "#include \"trace/tracer.h\"") != "");

@@ -5,7 +5,7 @@
 #include "num/memory.h"
 #include "trace/kernel/shading.h"
 
-namespace strahl::inline STRAHL_LEVEL::inline STRAHL_INSTANCE {
+namespace strahl::inline STRAHL_LEVEL {
 
 /// What fog leaves of the weights of rays that went as far as `t`. Its light has the weight that they lost.
 template <class S>
@@ -17,4 +17,4 @@ template <class S>
     return world.nested ? select(medium == S(0), left, weight) : left;
 }
 
-}  // namespace strahl::inline STRAHL_LEVEL::inline STRAHL_INSTANCE
+}  // namespace strahl::inline STRAHL_LEVEL

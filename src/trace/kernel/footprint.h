@@ -2,12 +2,12 @@
 #pragma once
 #include "trace/kernel/ray_cone.h"
 
-namespace strahl::inline STRAHL_LEVEL::inline STRAHL_INSTANCE {
+namespace strahl::inline STRAHL_LEVEL {
 
 /// Of camera rays, as far as t, to surfaces with these normals. With D the direction before its length became 1, which
 /// has length 1 along `forward`, the ray of the next pixel goes along D + right.
-template <class S>
-Footprint<S> footprint_of(const Shading<S>& shading, const S& pixel, const Vec3<S>& direction, const S& t,
+template <class S, class P>
+Footprint<S> footprint_of(const Shading<S, P>& shading, const S& pixel, const Vec3<S>& direction, const S& t,
                           const Vec3<S>& normal) {
     const Footprints<Element<S>>& all = *shading.batch.footprints;
     const S size = t * dot(direction, splat<S>(all.forward)) * sides_of(all, pixel);
@@ -28,8 +28,8 @@ inline constexpr float coarse_pixel = .25f;
 
 /// Notes the colours of samples whose footprints are that long, in pixels of an image: of all surfaces that a sample
 /// sees, as far as they reach it. What can hardly be seen does not count.
-template <class S>
-STRAHL_INLINE void note_colors(const Shading<S>& shading, const S& longer, const Vec3<S>& color, const S& pixel,
+template <class S, class P>
+STRAHL_INLINE void note_colors(const Shading<S, P>& shading, const S& longer, const Vec3<S>& color, const S& pixel,
                                const S& weight, int lanes) {
     using T = Element<S>;
     const Footprints<T>& all = *shading.batch.footprints;
@@ -45,8 +45,8 @@ STRAHL_INLINE void note_colors(const Shading<S>& shading, const S& longer, const
 }
 
 /// Gives materials the colours of their patterns, images filtered.
-template <class S>
-[[gnu::noinline]] void paint_filtered(const Shading<S>& shading, const int* materials, const SurfaceHit<S>& hit,
+template <class S, class P>
+[[gnu::noinline]] void paint_filtered(const Shading<S, P>& shading, const int* materials, const SurfaceHit<S>& hit,
                                       const RayQueue<Element<S>>& from, const LaneIndices<S>& pick, const S& t,
                                       MaterialKernel<S>& values) {
     const auto& d = from.direction;
@@ -61,8 +61,8 @@ template <class S>
 }
 
 /// The background, images filtered.
-template <class S>
-[[gnu::noinline]] Vec3<S> filtered_sky(const Shading<S>& shading, const LaneIndices<S>& pick) {
+template <class S, class P>
+[[gnu::noinline]] Vec3<S> filtered_sky(const Shading<S, P>& shading, const LaneIndices<S>& pick) {
     const RayQueue<Element<S>>& from = shading.rays.open;
     const Vec3<S> direction(pick(from.direction.x), pick(from.direction.y), pick(from.direction.z));
     const S pixel = pick(from.pixel);
@@ -74,4 +74,4 @@ template <class S>
     return color;
 }
 
-}  // namespace strahl::inline STRAHL_LEVEL::inline STRAHL_INSTANCE
+}  // namespace strahl::inline STRAHL_LEVEL

@@ -2,7 +2,7 @@
 #pragma once
 #include "trace/kernel/sight.h"
 
-namespace strahl::inline STRAHL_LEVEL::inline STRAHL_INSTANCE {
+namespace strahl::inline STRAHL_LEVEL {
 
 /// Ks (h.l)^p in the lanes of `glossy`.
 template <class S>
@@ -50,9 +50,9 @@ template <class S>
 }
 
 /// Adds what a rectangle sends to the hits in these lanes.
-template <class S>
-[[gnu::noinline]] void add_area_light(const Shading<S>& shading, const Hit<S>& hit, int number, Mask<S> lanes,
-                                      const RareHit<S>& rare, Vec3<S>& sum) {
+template <class S, class P>
+[[gnu::noinline]] void add_area_light(const Shading<S, P>& shading, const Hit<S>& hit, int number, Mask<S> lanes,
+                                      const HitNotes<S, P>& rare, Vec3<S>& sum) {
     using T = Element<S>;
     const MaterialKernel<S>& material = hit.material;
     const LightKernel<T>& light = shading.world.lights[number];
@@ -64,7 +64,7 @@ template <class S>
     const T error = shading.limits.error > T(0) ? shading.limits.error : usual;
     const AreaMeans<S> means = AreaLightCalls<S>::means(shading.world, number, hits, error, visibility<S>);
     shading.counts.shadow += means.rays;
-    if (!proves && shading.batch.sights) {
+    if (notes(shading)) {
         // Half shadows are told from light and from shadow, not from each other: their colours tell that.
         Vec3<S> share;
         for (int c = 0; c < 3; ++c)
@@ -78,37 +78,30 @@ template <class S>
 
 /// Ia Ka Of + sum over lights S Il [Kd Of (n.l) + Ks (h.l)^p]; at `dim` hits without lights that bring no more than
 /// `MaterialKernel::scattered`. `rare` is only read where that is.
-template <class S>
-STRAHL_INLINE Vec3<S> illumination(const Shading<S>& shading, const Hit<S>& hit, Mask<S> dim,
-                                   RareHit<S>& rare) {
+template <class S, class P>
+STRAHL_INLINE Vec3<S> illumination(const Shading<S, P>& shading, const Hit<S>& hit, Mask<S> dim, HitNotes<S, P>& rare) {
     const MaterialKernel<S>& material = hit.material;
     const auto& world = shading.world;
     const S zero(0);
     Vec3<S> sum = material.ambient;
     const Vec3<S> reflected = reflect(hit);
     const S strongest = largest(material.diffuse);
-    S possible = strongest;  // in exact arithmetic
-    if constexpr (proves) possible = possible + rare.bounds.diffuse;
+    const S possible = P::diffuse(rare.own, strongest);
     const Mask<S> glossy = hit.active & (material.specular > zero);
     if (none(glossy | (hit.active & (possible > zero)))) return sum;
     const S faint = select(dim, S(faint_share) * strongest, zero);
     for (int i = 0; i < world.light_count; ++i) {
         const LightKernel<Element<S>>& light = world.lights[i];
         if (light.area) [[unlikely]] {
-            const Mask<S> lit = hit.active & ((strongest > faint) | glossy);
-            if constexpr (proves) add_unknown_light(shading, hit, light, rare.bounds);
+            P::area(shading, hit, light, rare.own);
             Vec3<S> copy = sum;
-            add_area_light(shading, hit, i, lit, rare, copy);
+            add_area_light(shading, hit, i, hit.active & ((strongest > faint) | glossy), rare, copy);
             sum = copy;
             continue;
         }
         const Vec3<S> to_light = fma(S(-light.finite), hit.position, splat<S>(light.position));
         const S facing = dot(hit.normal, to_light);
-        if constexpr (proves) {
-            if (none(may_face(rare.bounds, hit, light, to_light, facing))) continue;
-        } else if (none(hit.active & (facing > zero))) {
-            continue;
-        }
+        if (none(P::may_face(rare.own, hit, light, to_light, facing))) continue;
         const S squared = dot(to_light, to_light);
         const S length = sqrt(squared), inverse = S(1) / length;
         S distance = length * S(light.far);
@@ -118,13 +111,8 @@ STRAHL_INLINE Vec3<S> illumination(const Shading<S>& shading, const Hit<S>& hit,
         if (any(glossy)) highlight = highlight_of(hit, reflected, l, glossy);
         // Whether anything is between only matters where there is light to lose.
         Mask<S> faces = hit.active & (cosine > zero) & (fma(possible, cosine, highlight) > faint);
-        [[maybe_unused]] IfProving<LitBounds<S>> lit;
-        if constexpr (proves) {
-            lit = bound_lit(rare.bounds, hit, light, length, cosine, S(dot(reflected, l)), highlight);
-            if (none(faces | (hit.active & lit.doubt))) continue;
-        } else if (none(faces)) {
-            continue;
-        }
+        auto own = P::light(rare.own, hit, light, length, cosine, S(dot(reflected, l)), highlight);
+        if (none(P::lit(faces, hit, own))) continue;
         const Mask<S> lost = faces & ((squared < S(least_square<Element<S>>)) | (cosine > S(2)));
         if (any(lost)) {
             const WayToLight<S> way = way_to_near_light(hit, to_light);
@@ -133,36 +121,20 @@ STRAHL_INLINE Vec3<S> illumination(const Shading<S>& shading, const Hit<S>& hit,
             faces = faces & (cosine > zero);
             if (any(glossy)) highlight = highlight_of(hit, reflected, l, glossy);
         }
-        if constexpr (proves) {
-            if (world.bends) [[unlikely]] {
-                bound_side_of_light(rare.bounds, rare.flat, Vec3<S>(l), lit, faces);
-                if (none(faces | (hit.active & lit.doubt))) continue;
-            }
-        }
+        if (world.bends) [[unlikely]]
+            P::side(rare.own, rare.flat, Vec3<S>(l), own, faces);
         if (light.spot) [[unlikely]] {
             faces = faces & (spot_share(light, Vec3<S>(l)) > zero);
-            if constexpr (proves) {
-                add_spot_error(shading, hit, light, lit, Vec3<S>(l), cosine, highlight, rare.bounds);
-                if (none(faces | (hit.active & lit.doubt))) continue;
-            } else if (none(faces)) {
-                continue;
-            }
+            P::spot(shading, hit, light, own, Vec3<S>(l), cosine, highlight, rare.own);
+            if (none(P::lit(faces, hit, own))) continue;
         }
         shading.counts.shadow += count(faces);
-        const auto arriving = [&]() __attribute__((always_inline)) {
-            if constexpr (proves)
-                return share_proved(shading, hit, lit, l, distance, faces, cosine, highlight,
-                                    Start<S>{i, hit.bin, hit.outside}, rare.bounds);
-            else
-                return visibility(world, Ray<S>{hit.position, l, hit.surface}, distance, faces,
-                                  {i, hit.bin, hit.outside});
-        };
-        Vec3<S> share = arriving();
+        const Start<S> start{i, hit.bin, hit.outside};
+        Vec3<S> share = P::arriving(shading, hit, own, l, distance, faces, cosine, highlight, start, rare.own);
         if (shading.rare) [[unlikely]] {
             // A light that only the bent normal faces is behind the surface.
             if (world.bends) share = select(dot(rare.flat, l) > S(0), share, splat<S>(Vec3<Element<S>>(0)));
-            if (!proves && shading.batch.sights)
-                note_light(shading, hit, rare, i, Vec3<S>(share), S(dot(reflected, l)), faces);
+            if (notes(shading)) note_light(shading, hit, rare, i, Vec3<S>(share), S(dot(reflected, l)), faces);
         }
         if (light.spot) [[unlikely]]
             share = scale(spot_share(light, Vec3<S>(l)), share);
@@ -174,4 +146,4 @@ STRAHL_INLINE Vec3<S> illumination(const Shading<S>& shading, const Hit<S>& hit,
     return sum;
 }
 
-}  // namespace strahl::inline STRAHL_LEVEL::inline STRAHL_INSTANCE
+}  // namespace strahl::inline STRAHL_LEVEL

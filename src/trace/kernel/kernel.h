@@ -1,4 +1,5 @@
-// What the plain part of the tracer and the kernels, compiled once per instruction set, know of each other.
+// The interface between the tracer, compiled once, and its kernels, compiled once per precision and SIMD level: queues
+// of rays, batches of pixels, limits, and the function that traces a batch.
 #pragma once
 #include <atomic>
 #include <cstdint>
@@ -13,7 +14,7 @@ namespace strahl {
 /// Most pixels in a batch, and most rays in each queue of a generation.
 inline constexpr int batch_pixels = 256, batch_rays = 4096;
 
-/// A queue of rays, one array per value.
+/// A queue of rays, one array per value. Arrays that no ray of the queue needs are null.
 template <class T>
 struct RayQueue {
     Vec3<T*> origin, direction;
@@ -23,10 +24,24 @@ struct RayQueue {
     T* medium;  // list of bodies entered; only in nested worlds
     T* t;       // where the ray meets its body again; only of rays inside
     int count = 0;
-    T *away = nullptr, *turn = nullptr, *side = nullptr, *spin = nullptr;  // see Doubt; only of proving kernels
+    T* extra[4] = {};                       // numbers of the kernel's policy, see plain.h
     T *width = nullptr, *spread = nullptr;  // see RayCone; only where images are filtered
 };
-inline constexpr int ray_arrays = 11;
+
+/// Which rays have an array: all, those inside an enclosed body, those of a policy that keeps more, those with cones.
+enum class RayPart { all, inside, extra, cone };
+inline constexpr int ray_arrays = 11;  // of the first two parts
+
+/// Calls visit(part, arrays...) for each array of a queue, or of several queues side by side.
+template <class Visit, class... Queues>
+void each_array(const Visit& visit, Queues&... queues) {
+    for (int c = 0; c < 3; ++c) visit(RayPart::all, queues.origin[c]...), visit(RayPart::all, queues.direction[c]...);
+    visit(RayPart::all, queues.source...), visit(RayPart::all, queues.pixel...);
+    visit(RayPart::all, queues.weight...), visit(RayPart::all, queues.medium...);
+    visit(RayPart::inside, queues.t...);
+    for (int i = 0; i < 4; ++i) visit(RayPart::extra, queues.extra[i]...);
+    visit(RayPart::cone, queues.width...), visit(RayPart::cone, queues.spread...);
+}
 
 /// The rays of a generation: those whose hits are searched, and those inside an enclosed body (see World), which meet
 /// nothing else: ranges by the body's bin.
@@ -87,22 +102,6 @@ struct Sight {
 /// The last bit of Sight::lit, which counts for all lights from this number on.
 inline constexpr int most_lit = 31;
 
-/// By how much a world's numbers may be off those of the scene, which are exact: proving kernels count it as an error
-/// of the ray. Infinite: nothing is known.
-template <class T>
-struct Slack {
-    T share = 0;                   // places and lengths of bodies, in their sizes and their distances from 0
-    T turn = 0;                    // directions: normals, axes, angles, rows of boxes and of spaces of their own
-    T plane = 0;                   // distances of planes from 0
-    T eye_away = 0, eye_turn = 0;  // of camera rays: where they start; what is not measured of their directions
-    Eye<T> eye_lacks{};            // what the eye's numbers lack, which is measured: see camera_turn
-    T gain = 1;                    // most by which bodies on its way multiply a light
-    T reach = 0;                   // the largest coordinate of a bounded body
-    T culled = 0;                  // share of a world in double: culling takes bodies to be where that has them
-    bool medium = false;           // it is certain in what the eye is
-    bool fits() const { return culled <= 8 * std::numeric_limits<double>::epsilon(); }  // into the margins of culling
-};
-
 /// How far rays are followed.
 template <class T>
 struct Limits {
@@ -112,7 +111,6 @@ struct Limits {
     T noticed = 0;                            // hits of no more weight do not count in signatures
     T brightest_limit = 0;                    // nor with any number of generations; infinite if there is no bound
     const std::atomic<bool>* stop = nullptr;  // if it becomes true the picture is no longer wanted
-    Slack<T> slack{};                         // for proving kernels
     bool stopped() const { return stop && stop->load(std::memory_order_relaxed); }
 };
 
@@ -139,8 +137,7 @@ struct PixelBatch {
     PixelSum<T>* sums;
     T* past;  // what each pixel lacks at most by generations past the last
     int count;
-    Sight<T>* sights = nullptr;  // of each pixel, if that is wanted
-    T* bounds = nullptr;  // for proving kernels: no pixel's sum is further than this from that of exact arithmetic
+    Sight<T>* sights = nullptr;                 // of each pixel, if that is wanted
     const Footprints<T>* footprints = nullptr;  // of each pixel, if that is wanted
 };
 
@@ -156,26 +153,29 @@ struct Kernel {
     int lanes = 1;
 };
 
-// One inline namespace for each instruction set; the kernel's own code lives in them, so that nothing merges when
-// linked. Each is there for float and double, the scalar one for long double too; of those that prove none for float.
+/// The purpose of the plain kernel.
+struct ForPictures;
+
+// One inline namespace for each SIMD level; the kernel's own code lives in them, so that nothing merges when linked.
+// There are kernels for float and double at each level, and for long double at the scalar one.
 inline namespace scalar {
-template <class T, bool proving>
+template <class T, class Purpose>
 Kernel<T> kernel();
 }  // namespace scalar
 inline namespace v2 {
-template <class T, bool proving>
+template <class T, class Purpose>
 Kernel<T> kernel();
 }  // namespace v2
 inline namespace v3 {
-template <class T, bool proving>
+template <class T, class Purpose>
 Kernel<T> kernel();
 }  // namespace v3
 inline namespace v4 {
-template <class T, bool proving>
+template <class T, class Purpose>
 Kernel<T> kernel();
 }  // namespace v4
 inline namespace neon {
-template <class T, bool proving>
+template <class T, class Purpose>
 Kernel<T> kernel();
 }  // namespace neon
 

@@ -3,7 +3,7 @@
 # another level's when linked.
 strahl_module(trace src/trace strahl_scene)
 get_target_property(strahl_trace_sources strahl_trace SOURCES)
-list(FILTER strahl_trace_sources EXCLUDE REGEX "/kernel\\.cpp$")
+list(FILTER strahl_trace_sources EXCLUDE REGEX "/(proving_)?kernel\\.cpp$")
 set_property(TARGET strahl_trace PROPERTY SOURCES ${strahl_trace_sources})
 
 # The kinds are read from their one list.
@@ -32,7 +32,7 @@ function(strahl_kernel level elements)
     list(APPEND sources ${folder}/${name}.cpp)
     if(NOT element STREQUAL float)
       file(CONFIGURE OUTPUT ${folder}/proving_${name}.cpp
-           CONTENT "#define STRAHL_ELEMENT ${element}\n#define STRAHL_PROVES\n#include \"trace/kernel/kernel.cpp\"\n")
+           CONTENT "#define STRAHL_ELEMENT ${element}\n#include \"trace/proof/proving_kernel.cpp\"\n")
       list(APPEND sources ${folder}/proving_${name}.cpp)
     endif()
   endforeach()

@@ -4,7 +4,7 @@
 
 #include "trace/kernel/shading.h"
 
-namespace strahl::inline STRAHL_LEVEL::inline STRAHL_INSTANCE {
+namespace strahl::inline STRAHL_LEVEL {
 
 /// What is pruned at once is no more than this share of what a pixel may still lack: later and weaker rays, of which
 /// there are more, want some of it too.
@@ -22,8 +22,8 @@ struct Contribution {
 
 /// Prunes contributions that are weak beside what the pixel may still lack, and adds them to what it does. One lane
 /// after the other, so that what happens to a pixel depends on its own rays alone.
-template <class S, class... Contributions>
-STRAHL_INLINE void prune(const Shading<S>& shading, const S& pixel, Contributions&... parts) {
+template <class S, class P, class... Contributions>
+STRAHL_INLINE void prune(const Shading<S, P>& shading, const S& pixel, Contributions&... parts) {
     using T = Element<S>;
     const T error = shading.limits.error;
     if (error == 0) return;
@@ -51,8 +51,8 @@ STRAHL_INLINE void prune(const Shading<S>& shading, const S& pixel, Contribution
 }
 
 /// In the last generation: what further ones could bring.
-template <class S>
-STRAHL_INLINE void truncate(const Shading<S>& shading, const Hit<S>& hit) {
+template <class S, class P>
+STRAHL_INLINE void truncate(const Shading<S, P>& shading, const Hit<S>& hit) {
     using T = Element<S>;
     const S share = hit.material.reflection + hit.material.refraction;
     const Mask<S> more = hit.active & (hit.weight * share > S(0));
@@ -65,4 +65,4 @@ STRAHL_INLINE void truncate(const Shading<S>& shading, const Hit<S>& hit) {
     }
 }
 
-}  // namespace strahl::inline STRAHL_LEVEL::inline STRAHL_INSTANCE
+}  // namespace strahl::inline STRAHL_LEVEL

@@ -6,12 +6,18 @@
 
 #include "trace/kernel/shading.h"
 
-namespace strahl::inline STRAHL_LEVEL::inline STRAHL_INSTANCE {
+namespace strahl::inline STRAHL_LEVEL {
 
-/// Are images filtered? Where a batch wants it, which proofs never do.
-template <class S>
-STRAHL_INLINE bool filters(const Shading<S>& shading) {
-    return !proves && shading.batch.footprints != nullptr;
+/// Are signatures noted?
+template <class S, class P>
+STRAHL_INLINE bool notes(const Shading<S, P>& shading) {
+    return P::notes && shading.batch.sights;
+}
+
+/// Are images filtered?
+template <class S, class P>
+STRAHL_INLINE bool filters(const Shading<S, P>& shading) {
+    return P::notes && shading.batch.footprints;
 }
 
 /// The sides of samples' squares, in pixels.
@@ -24,8 +30,8 @@ STRAHL_INLINE S sides_of(const Footprints<Element<S>>& footprints, const S& pixe
 }
 
 /// The cones of rays where these end, `t` away. Off the middle of the view a square is narrower along the radius.
-template <class S>
-RayCone<S> cone_at(const Shading<S>& shading, const RayQueue<Element<S>>& from, const LaneIndices<S>& pick,
+template <class S, class P>
+RayCone<S> cone_at(const Shading<S, P>& shading, const RayQueue<Element<S>>& from, const LaneIndices<S>& pick,
                    const Vec3<S>& direction, const S& t) {
     if (shading.depth > 1) {
         const S spread = pick(from.spread);
@@ -70,9 +76,9 @@ Bending<S> bending_of(const World<Element<S>>& world, int form, const S& surface
 /// 2 c cos(incidence) to the spread across the plane of incidence, and more in it. A flat surface between two media
 /// multiplies spreads by the ratio of indices and, in that plane, by that of the cosines, too; widths there by its
 /// inverse (both Igehy 1999). Bumps, and what is hollow or bent otherwise, leave nothing known.
-template <class S>
-[[gnu::noinline, gnu::cold]] void put_cones(const Shading<S>& shading, RayQueue<Element<S>>& to, const Hit<S>& hit,
-                                            const Vec3<S>& direction, Mask<S> lanes, const RareHit<S>& known) {
+template <class S, class P>
+[[gnu::noinline, gnu::cold]] void put_cones(const Shading<S, P>& shading, RayQueue<Element<S>>& to, const Hit<S>& hit,
+                                            const Vec3<S>& direction, Mask<S> lanes, const HitNotes<S, P>& known) {
     const auto& world = shading.world;
     const Bending<S> bending = bending_of(world, world.sort_bins[hit.bin].form, hit.surface);
     const S zero(0), one(1), cosine = -dot(hit.direction, known.flat), along = dot(direction, known.flat);
@@ -93,4 +99,4 @@ template <class S>
     put(to.width, cone.width), put(to.spread, cone.spread);
 }
 
-}  // namespace strahl::inline STRAHL_LEVEL::inline STRAHL_INSTANCE
+}  // namespace strahl::inline STRAHL_LEVEL

@@ -3,42 +3,42 @@
 #include "trace/kernel/prune.h"
 #include "trace/kernel/ray_cone.h"
 
-namespace strahl::inline STRAHL_LEVEL::inline STRAHL_INSTANCE {
+namespace strahl::inline STRAHL_LEVEL {
 
 /// A ray that goes on from a hit.
-template <class S>
+template <class S, class P>
 struct Branch {
     Mask<S> mask;
     Vec3<S> direction;
     S weight, medium;
-    [[no_unique_address]] IfProving<Doubt<S>> doubt;
+    [[no_unique_address]] typename P::template OfRay<S> own;  // what the policy keeps of it
 };
 /// Lengths that are off by more than unit() mends: those of directions that come from normals of bodies too small for
 /// this kind of number. What culls packets of rays relies on the length. Rays without any direction end.
-template <class S>
-[[gnu::noinline, gnu::cold]] void normalize(Branch<S>& ray, const Vec3<S>& direction, Mask<S> off) {
+template <class S, class P>
+[[gnu::noinline, gnu::cold]] void normalize(Branch<S, P>& ray, const Vec3<S>& direction, Mask<S> off) {
     const S squared = dot(direction, direction);
     ray.direction = select(off, scale(S(1) / sqrt(squared), direction), ray.direction);
     ray.mask = ray.mask & (dot(ray.direction, ray.direction) < S(2));
 }
-template <class S>
-STRAHL_INLINE Branch<S> branch(const Hit<S>& hit, Mask<S> mask, const Vec3<S>& direction, S share, S medium) {
+template <class P, class S>
+STRAHL_INLINE Branch<S, P> branch(const Hit<S>& hit, Mask<S> mask, const Vec3<S>& direction, S share, S medium) {
     using T = Element<S>;
     constexpr T mended = T(1) / (std::uint64_t(1) << (std::numeric_limits<T>::digits / 2 - 1));
     const S weight = min(hit.weight * share, S(largest_gain));
-    Branch<S> ray{Mask<S>(mask & (weight > S(0))), unit(direction), weight, medium, {}};
+    Branch<S, P> ray{Mask<S>(mask & (weight > S(0))), unit(direction), weight, medium, {}};
     const Mask<S> off = ray.mask & !(abs(dot(direction, direction) - S(1)) <= S(mended));
     if (any(off)) [[unlikely]] {
-        Branch<S> copy = ray;
+        Branch<S, P> copy = ray;
         normalize(copy, Vec3<S>(direction), off);
         ray = copy;
     }
     return ray;
 }
 
-template <class S>
-STRAHL_INLINE void push(const Shading<S>& shading, RayQueue<Element<S>>& to, const Hit<S>& hit, const Branch<S>& ray,
-                        const RareHit<S>& known) {
+template <class S, class P>
+STRAHL_INLINE void push(const Shading<S, P>& shading, RayQueue<Element<S>>& to, const Hit<S>& hit,
+                        const Branch<S, P>& ray, const HitNotes<S, P>& known) {
     using T = Element<S>;
     if (none(ray.mask)) return;
     const int n = to.count;
@@ -46,10 +46,7 @@ STRAHL_INLINE void push(const Shading<S>& shading, RayQueue<Element<S>>& to, con
         for (int c = 0; c < 3; ++c) put(to.origin[c] + n, hit.position[c]), put(to.direction[c] + n, ray.direction[c]);
         put(to.source + n, hit.surface), put(to.pixel + n, hit.pixel), put(to.weight + n, ray.weight);
         if (shading.world.nested) put(to.medium + n, ray.medium);
-        if constexpr (proves) {
-            put(to.away + n, ray.doubt.away), put(to.turn + n, ray.doubt.turn), put(to.side + n, ray.doubt.side);
-            if (shading.world.transparent) put(to.spin + n, ray.doubt.spin);
-        }
+        P::put(put, shading.world, to, ray.own);
     };
     if (all(ray.mask))
         put_with([](T* place, const S& value) { store_lanes(place, value); });
@@ -62,8 +59,9 @@ STRAHL_INLINE void push(const Shading<S>& shading, RayQueue<Element<S>>& to, con
 
 /// The ratio of indices and the medium stack beyond the surface, by the bodies entered (as POV-Ray does): from outside
 /// all, into the body; from the body entered last, out of it; from one entered before, straight on.
-template <class S>
-[[gnu::noinline]] void change_medium(const Shading<S>& shading, const Hit<S>& hit, Mask<S> glass, S& ratio, S& medium) {
+template <class S, class P>
+[[gnu::noinline]] void change_medium(const Shading<S, P>& shading, const Hit<S>& hit, Mask<S> glass, S& ratio,
+                                     S& medium) {
     using T = Element<S>;
     T ratios[width<S>], stacks[width<S>], bodies[width<S>], wanted[width<S>];
     store_lanes(ratios, ratio), store_lanes(stacks, medium), store_lanes(bodies, hit.body);
@@ -122,22 +120,14 @@ STRAHL_INLINE Span<S> span_of_item(const World<Element<S>>& world, const SortBin
 }
 
 /// Of the two rays at a surface of an enclosed body the one inside goes apart: where it leaves is found at once.
-template <class S>
-STRAHL_INLINE void keep_inside(const Shading<S>& shading, const Hit<S>& hit, Branch<S>& reflected, Branch<S>& refracted,
-                               const RareHit<S>& known) {
+template <class S, class P>
+STRAHL_INLINE void keep_inside(const Shading<S, P>& shading, const Hit<S>& hit, Branch<S, P>& reflected,
+                               Branch<S, P>& refracted, const HitNotes<S, P>& known) {
     RayQueue<Element<S>>& queue = shading.next.inside;
     const Mask<S> in = hit.outside;
-    Branch<S> within{Mask<S>((reflected.mask & !in) | (refracted.mask & in)),
-                     select(in, refracted.direction, reflected.direction),
-                     select(in, refracted.weight, reflected.weight),
-                     S(0),
-                     {}};
-    if constexpr (proves) {
-        within.doubt.away = select(in, refracted.doubt.away, reflected.doubt.away);
-        within.doubt.turn = select(in, refracted.doubt.turn, reflected.doubt.turn);
-        within.doubt.side = select(in, refracted.doubt.side, reflected.doubt.side);
-        within.doubt.spin = select(in, refracted.doubt.spin, reflected.doubt.spin);
-    }
+    Branch<S, P> within{
+        Mask<S>((reflected.mask & !in) | (refracted.mask & in)), select(in, refracted.direction, reflected.direction),
+        select(in, refracted.weight, reflected.weight), S(0), P::either(in, refracted.own, reflected.own)};
     const Span<S> span = span_of_item(shading.world, shading.world.sort_bins[hit.bin],
                                       Ray<S>{hit.position, within.direction, hit.surface});
     within.mask = within.mask & span.hit & (span.far > S(0));
@@ -158,39 +148,9 @@ template <class S>
     return select(under, fma(S(-2) * dot(from, flat), flat, from), mirrored);
 }
 
-/// What is known of mirrored rays.
-template <class S>
-STRAHL_INLINE Doubt<S> bound_reflection(const HitBounds<S>& known) {
-    return {select(known.followed, known.away, S(-1)), select(known.followed, turn_reflected(known), S(0)),
-            side_reflected(known), known.spin};
-}
-
-/// What is known of refracted rays; c is the cosine before the surface, k its square beyond it and b the
-/// ratio of indices. Where it can't be told whether the reflection is total, the pixel's bound grows by all that the
-/// refracted light may be. Bent normals are turned to the side that the ray comes from, which must be certain. Medium
-/// stacks are those of exact arithmetic if the camera's rays begin with its own: each
-/// hit that is certain is one on the same body.
-template <class S>
-STRAHL_INLINE void bound_refraction(const Shading<S>& shading, const Hit<S>& hit, const HitBounds<S>& known,
-                                    Mask<S> glass, Mask<S> far, const S& b, const S& c, const S& k,
-                                    Branch<S>& refracted) {
-    const S k_error = error_beyond(known, b, c);
-    const Mask<S> told = abs(k) > k_error, all_told = first_lanes<S>(shading.limits.slack.medium ? width<S> : 0);
-    Mask<S> doubt = glass & known.followed & !(told & all_told & !far);
-    if (shading.world.bends) [[unlikely]]
-        doubt = doubt | (glass & known.followed & bent_side_in_doubt(known, c));
-    refracted.doubt.away = select(known.followed & !doubt, known.away, S(-1));
-    refracted.doubt.turn = select(known.followed & !doubt, turn_refracted(known, b, c, k, k_error), S(0));
-    refracted.doubt.side = side_refracted(known, c, k, k_error);
-    if (none(doubt)) return;
-    const S most(shading.limits.brightest[shading.limits.depth - shading.depth]);
-    add_bounds(shading.batch, hit.pixel, count(hit.active),
-               select(doubt, hit.weight * hit.material.refraction * most, S(0)));
-}
-
 /// Queues reflected and refracted rays that can still be seen. The lanes whose own light can hardly be.
-template <class S>
-STRAHL_INLINE Mask<S> scatter(const Shading<S>& shading, const Hit<S>& hit, const RareHit<S>& known) {
+template <class S, class P>
+STRAHL_INLINE Mask<S> scatter(const Shading<S, P>& shading, const Hit<S>& hit, const HitNotes<S, P>& known) {
     const MaterialKernel<S>& material = hit.material;
     const auto& [world, limits, rays, hits, batch, next, refracted_queue, workspace, counts, depth, rare] = shading;
     const S zero(0), brightest(limits.brightest[limits.depth - depth]);
@@ -206,12 +166,8 @@ STRAHL_INLINE Mask<S> scatter(const Shading<S>& shading, const Hit<S>& hit, cons
         return reflect(hit);
     };
     if (!world.transparent || none(glass)) {
-        Branch<S> reflected = branch(hit, hit.active, mirrored(), material.reflection, hit.medium);
-        if constexpr (proves) {
-            reflected.doubt = bound_reflection(known.bounds);
-            if (world.bends) [[unlikely]]
-                bound_bent_reflection(shading, hit, known, S(material.reflection), reflected);
-        }
+        Branch<S, P> reflected = branch<P>(hit, hit.active, mirrored(), material.reflection, hit.medium);
+        P::reflect(shading, hit, known, S(material.reflection), reflected);
         Contribution<S> part(reflected.weight * brightest, reflected.mask);
         prune(shading, hit.pixel, part, light);
         reflected.mask = reflected.mask & !part.pruned;
@@ -235,14 +191,11 @@ STRAHL_INLINE Mask<S> scatter(const Shading<S>& shading, const Hit<S>& hit, cons
     }
     const Mask<S> total = glass & (k < zero);
     const S all = material.reflection + material.refraction;
-    Branch<S> reflected = branch(hit, hit.active, mirrored(), select(total, all, material.reflection), hit.medium);
-    Branch<S> refracted = branch(hit, glass & !total, beyond, material.refraction, medium);
-    if constexpr (proves) {
-        reflected.doubt = bound_reflection(known.bounds);
-        if (world.bends) [[unlikely]]
-            bound_bent_reflection(shading, hit, known, select(total, all, material.reflection), reflected);
-        bound_refraction(shading, hit, known.bounds, glass, far, b, s, k, refracted);
-    }
+    Branch<S, P> reflected =
+        branch<P>(hit, hit.active, mirrored(), select(total, all, material.reflection), hit.medium);
+    Branch<S, P> refracted = branch<P>(hit, glass & !total, beyond, material.refraction, medium);
+    P::reflect(shading, hit, known, select(total, all, material.reflection), reflected);
+    P::refract(shading, hit, known.own, glass, far, b, s, k, refracted);
     Contribution<S> reflected_part(reflected.weight * brightest, reflected.mask);
     Contribution<S> refracted_part(refracted.weight * brightest, refracted.mask);
     prune(shading, hit.pixel, reflected_part, refracted_part, light);
@@ -256,4 +209,4 @@ STRAHL_INLINE Mask<S> scatter(const Shading<S>& shading, const Hit<S>& hit, cons
     return light.pruned;
 }
 
-}  // namespace strahl::inline STRAHL_LEVEL::inline STRAHL_INSTANCE
+}  // namespace strahl::inline STRAHL_LEVEL

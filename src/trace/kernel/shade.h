@@ -6,23 +6,19 @@
 #include "trace/kernel/footprint.h"
 #include "trace/kernel/illuminate.h"
 #include "trace/kernel/scatter.h"
-#include "trace/proof/pattern_bounds.h"
-#ifdef STRAHL_PROVES
-#include "trace/proof/proving_reliefs.h"
-#endif
 
-namespace strahl::inline STRAHL_LEVEL::inline STRAHL_INSTANCE {
+namespace strahl::inline STRAHL_LEVEL {
 
 /// Rays that hit nothing bring back the background.
-template <class S>
-void shade_misses(const Shading<S>& shading) {
+template <class S, class P>
+void shade_misses(const Shading<S, P>& shading) {
     const auto& world = shading.world;
     const auto& hits = shading.hits;
     for (int i = 0, left; (left = hits.count[world.bins] - i) > 0; i += width<S>) {
         const LaneIndices<S> pick(hits.of(world.bins) + i, left);
         const S weight = pick(shading.rays.open.weight);
         const S pixel = pick(shading.rays.open.pixel);
-        if (!proves && shading.batch.sights) [[unlikely]]
+        if (notes(shading)) [[unlikely]]
             note_misses(shading, pick(shading.rays.open.source), S(weight), S(pixel), pick.lanes);
         Vec3<S> color = splat<S>(world.background);
         if (world.sky) [[unlikely]] {
@@ -33,16 +29,7 @@ void shade_misses(const Shading<S>& shading) {
         if (world.fog) [[unlikely]]
             color = splat<S>(world.fog_color);
         add_light(shading.batch, pixel, pick.lanes, scale(weight, color));
-        if constexpr (proves) {
-            const RayQueue<Element<S>>& rays = shading.rays.open;
-            const auto& d = rays.direction;
-            const Mask<S> followed = first_lanes<S>(pick.lanes) & (pick(rays.away) >= S(0));
-            S off = rounding_of(scale(weight, color), shading.depth, 0);
-            if (world.sky && !world.fog) [[unlikely]]
-                off = fma(weight, PatternBounds<S>::of_sky(world, {pick(d.x), pick(d.y), pick(d.z)}, pick(rays.turn)),
-                          off);
-            add_bounds(shading.batch, pixel, pick.lanes, select(followed, off, S(0)));
-        }
+        P::miss(shading, pick, weight, pixel, color);
     }
 }
 
@@ -67,7 +54,8 @@ class HitMaterial {
         number = -1;
     }
     /// Gives it the colours that the patterns have at these points.
-    STRAHL_INLINE void paint(const Shading<S>& shading, const SurfaceHit<S>& hit, const RayQueue<T>& from,
+    template <class P>
+    STRAHL_INLINE void paint(const Shading<S, P>& shading, const SurfaceHit<S>& hit, const RayQueue<T>& from,
                              const LaneIndices<S>& pick, const T* t) {
         MaterialKernel<S> copy = values;
         if (filters(shading))
@@ -116,8 +104,8 @@ STRAHL_INLINE SurfaceHit<S> surfaces_at(const World<Element<S>>& world, int form
     return called;
 }
 
-template <class S>
-STRAHL_INLINE Hit<S> make_hit(const Shading<S>& shading, int bin, const RayQueue<Element<S>>& from,
+template <class S, class P>
+STRAHL_INLINE Hit<S> make_hit(const Shading<S, P>& shading, int bin, const RayQueue<Element<S>>& from,
                               const LaneIndices<S>& pick, const Element<S>* t, HitMaterial<S>& material) {
     const auto& world = shading.world;
     const SortBin& own = world.sort_bins[bin];
@@ -154,31 +142,9 @@ STRAHL_INLINE Hit<S> make_hit(const Shading<S>& shading, int bin, const RayQueue
             bin};
 }
 
-/// What is known of hits, but for fog where it is not certain whether the eye is in glass, and insides that are only
-/// nearly known.
-template <class S>
-STRAHL_INLINE HitBounds<S> bounds_of(const Shading<S>& shading, const Hit<S>& hit, const RayQueue<Element<S>>& from,
-                                     const LaneIndices<S>& pick, const Element<S>* t, bool within,
-                                     const HitMaterial<S>& material) {
-    const auto& world = shading.world;
-    const Ray<S> ray{{pick(from.origin.x), pick(from.origin.y), pick(from.origin.z)}, hit.direction, pick(from.source)};
-    const Slack<Element<S>>& slack = shading.limits.slack;
-    const bool unknown = (world.fog && !slack.medium) || (within && !slack.fits());
-    const Doubt<S> doubt{pick(from.away), pick(from.turn), pick(from.side),
-                         world.transparent ? pick(from.spin) : Doubt<S>{}.spin};
-    HitBounds<S> bounds = bound_hits(shading, hit, ray, doubt, pick(t), pick(from.weight), pick.lanes,
-                                     first_lanes<S>(unknown ? 0 : width<S>));
-    if (world.patterns) [[unlikely]] {
-        const ColorErrors<S> errors = PatternBounds<S>::of_hits(world, material.numbers, Vec3<S>(hit.position),
-                                                                S(hit.surface), S(bounds.away), slack);
-        bounds.off = errors.ambient, bounds.diffuse = errors.diffuse;
-    }
-    return bounds;
-}
-
 /// Shades the hits of a bin. False if the queues are full.
-template <class S>
-bool shade_bin(const Shading<S>& shading, int bin) {
+template <class S, class P>
+bool shade_bin(const Shading<S, P>& shading, int bin) {
     const auto& world = shading.world;
     const Generation<Element<S>>& rays = shading.rays;
     Generation<Element<S>>& next = shading.next;
@@ -197,16 +163,15 @@ bool shade_bin(const Shading<S>& shading, int bin) {
         Hit<S> hit = make_hit(shading, bin, from, pick, t, material);
         if (world.fog) [[unlikely]]
             hit.weight = left_by_fog(world, S(hit.weight), S(hit.medium), pick(t));
-        RareHit<S> rare;
-        if constexpr (proves) rare.bounds = bounds_of(shading, hit, from, pick, t, within, material);
+        HitNotes<S, P> rare;
+        P::meet(shading, hit, from, pick, t, within, material, rare.own);
         if (shading.rare) [[unlikely]] {
             rare.flat = hit.normal;
             if (world.bends) {
                 hit.normal = PatternCalls<S>::bent(world, material.numbers, hit.position, hit.surface, rare.flat);
-                if constexpr (proves)
-                    bound_bent(shading, material.numbers, hit, rare.flat, pick(from.weight), pick.lanes, rare.bounds);
+                P::bend(shading, material.numbers, hit, rare.flat, pick(from.weight), pick.lanes, rare.own);
             }
-            if (!proves && shading.batch.sights) {
+            if (notes(shading)) {
                 Mask<S> filtered = first_lanes<S>(0);
                 if (filters(shading)) {
                     rare.cone = cone_at(shading, from, pick, hit.direction, pick(t));
@@ -228,19 +193,10 @@ bool shade_bin(const Shading<S>& shading, int bin) {
         if (world.fog) [[unlikely]]
             light = fma(pick(from.weight) - hit.weight, splat<S>(world.fog_color), light);
         add_light(shading.batch, hit.pixel, pick.lanes, light);
-        if constexpr (proves) {
-            S off = fma(hit.weight, rare.bounds.off, rounding_of(light, shading.depth, world.light_count));
-            if (world.fog) [[unlikely]] {
-                const Vec3<S> origin(pick(from.origin.x), pick(from.origin.y), pick(from.origin.z));
-                const S lost = fog_error(shading, Vec3<S>(hit.position - origin), S(rare.bounds.away + pick(from.away)),
-                                         pick(t), pick(from.weight), S(hit.weight));
-                off = off + select(hit.medium == S(0), lost, S(0));
-            }
-            add_bounds(shading.batch, hit.pixel, pick.lanes, select(rare.bounds.followed, off, S(0)));
-        }
+        P::shade(shading, hit, from, pick, t, light, rare.own);
     }
     next.inside_end[bin] = next.inside.count;
     return true;
 }
 
-}  // namespace strahl::inline STRAHL_LEVEL::inline STRAHL_INSTANCE
+}  // namespace strahl::inline STRAHL_LEVEL

@@ -4,44 +4,10 @@
 #include "trace/kernel/kernel.h"
 #include "trace/kernel/query.h"
 
-// Code of the plain and of the proving instances of the kernel, which are the same text.
-#ifdef STRAHL_PROVES
-#include "trace/proof/proving_query.h"
-#define STRAHL_INSTANCE proving
-#else
-#define STRAHL_INSTANCE plain
-#endif
+namespace strahl::inline STRAHL_LEVEL {
 
-namespace strahl::inline STRAHL_LEVEL::inline STRAHL_INSTANCE {
-
-/// Does this instance of the kernel prove? Then bounds of errors travel with rays, see proving.h.
-#ifdef STRAHL_PROVES
-inline constexpr bool proves = true;
-#else
-inline constexpr bool proves = false;
-template <class S>
-struct Doubt;
-#endif
-struct Nothing {};
-template <class S>
-struct LitBounds;
-template <class Value>
-using IfProving = std::conditional_t<proves, Value, Nothing>;
-
-/// What is known of a pack of hits besides what the plain kernel knows.
-template <class S>
-struct HitBounds {
-    S away{0}, normal{0}, mirrored{0}, side{0}, height{0};  // see PointBounds
-    S spin{std::numeric_limits<Element<S>>::infinity()};
-    S flat{-1};        // of bent normals: by how much these were off before. Of others -1
-    S turn{0};         // of the rays that came
-    S off{0};          // bound of the error of the light that the hit sends back, before its weight
-    S diffuse{0};      // by how much the largest channel of the diffuse colour may be off
-    Mask<S> followed;  // lanes whose errors are bounded; those of all others are in their pixels' bounds
-};
-
-/// The shading of one generation.
-template <class S>
+/// The shading of one generation, by a kernel of policy P (see plain.h).
+template <class S, class P>
 struct Shading {
     using T = Element<S>;
     const World<T>& world;
@@ -54,7 +20,7 @@ struct Shading {
     Workspace<T>& workspace;
     Counts& counts;
     int depth;
-    bool rare;  // sights are noted, or there are bumps
+    bool rare;  // sights are noted, or normals are bent
 
     bool full() const { return next.open.count + refracted.count > batch_rays || next.inside.count > batch_rays; }
 };
@@ -96,14 +62,13 @@ struct RayCone {
     S spread;  // by which it grows along the ray, for each length of this
 };
 
-/// What is only known of a pack of hits where it is rare: the words of their samples' signatures, which tell where the
-/// light went from here, and the normals before they were bent.
-template <class S>
-struct RareHit {
-    std::uint32_t words[width<S>];
-    Vec3<S> flat;
-    RayCone<S> cone;  // only set where images are filtered
-    [[no_unique_address]] IfProving<HitBounds<S>> bounds;
+/// What some worlds, batches and policies know of a pack of hits besides.
+template <class S, class P>
+struct HitNotes {
+    std::uint32_t words[width<S>];  // of the samples' signatures, which tell where the light went from here
+    Vec3<S> flat;                   // the normals before they were bent
+    RayCone<S> cone;                // only set where images are filtered
+    [[no_unique_address]] typename P::template OfHit<S> own;
 };
 
 template <class S>
@@ -117,4 +82,4 @@ STRAHL_INLINE void add_light(const PixelBatch<Element<S>>& batch, const S& pixel
     add_lanes(batch.sums[0].rgb, pixel, lanes, light);
 }
 
-}  // namespace strahl::inline STRAHL_LEVEL::inline STRAHL_INSTANCE
+}  // namespace strahl::inline STRAHL_LEVEL

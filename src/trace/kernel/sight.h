@@ -3,7 +3,7 @@
 #include "trace/kernel/shading.h"
 #include "trace/patterns/pattern_calls.h"
 
-namespace strahl::inline STRAHL_LEVEL::inline STRAHL_INSTANCE {
+namespace strahl::inline STRAHL_LEVEL {
 
 /// Mixes a word into a hash, lane by lane in plain arrays, which the compiler turns into vectors. Multiplications by
 /// odd numbers and shifts lose nothing (M. E. O'Neill, "PCG: A Family of Simple Fast Space-Efficient Statistically Good
@@ -35,9 +35,9 @@ inline constexpr int least_uneven = 4;
 /// Notes a pack of hits in the signatures of their samples, those of hits that can be seen: which surface from which
 /// side, from where, how weak and after how many bounces. The weight tells reflected, refracted and totally reflected
 /// rays apart. `materials` are their numbers where there are patterns.
-template <class S>
-[[gnu::noinline]] void note_hits(const Shading<S>& shading, const Hit<S>& hit, const S& source, const S& t, int lanes,
-                                 const int* materials, RareHit<S>& rare) {
+template <class S, class P>
+[[gnu::noinline]] void note_hits(const Shading<S, P>& shading, const Hit<S>& hit, const S& source, const S& t,
+                                 int lanes, const int* materials, HitNotes<S, P>& rare) {
     using T = Element<S>;
     alignas(64) T surfaces[width<S>], sides[width<S>], sources[width<S>], weights[width<S>], pixels[width<S>];
     alignas(64) T distances[width<S>], reflected[3][width<S>] = {}, reflections[width<S>] = {};
@@ -72,8 +72,8 @@ template <class S>
 }
 
 /// Notes rays that met nothing.
-template <class S>
-[[gnu::noinline]] void note_misses(const Shading<S>& shading, const S& source, const S& weight, const S& pixel,
+template <class S, class P>
+[[gnu::noinline]] void note_misses(const Shading<S, P>& shading, const S& source, const S& weight, const S& pixel,
                                    int lanes) {
     using T = Element<S>;
     alignas(64) T sources[width<S>], weights[width<S>], pixels[width<S>];
@@ -89,9 +89,9 @@ template <class S>
 
 /// Notes which share of a light reaches the hits in the lanes of `lit`: surfaces that face away count as dark. And the
 /// light that a highlight of exponent 4 would bring: where that varies, a sharper one may lie between two samples.
-template <class S>
-[[gnu::noinline]] void note_light(const Shading<S>& shading, const Hit<S>& hit, const RareHit<S>& rare, int number,
-                                  const Vec3<S>& share, const S& shine, Mask<S> lit) {
+template <class S, class P>
+[[gnu::noinline]] void note_light(const Shading<S, P>& shading, const Hit<S>& hit, const HitNotes<S, P>& rare,
+                                  int number, const Vec3<S>& share, const S& shine, Mask<S> lit) {
     using T = Element<S>;
     alignas(64) T shares[3][width<S>], glints[width<S>], pixels[width<S>];
     for (int c = 0; c < 3; ++c) store_lanes(shares[c], select(lit, share[c], S(0)));
@@ -112,4 +112,4 @@ template <class S>
     }
 }
 
-}  // namespace strahl::inline STRAHL_LEVEL::inline STRAHL_INSTANCE
+}  // namespace strahl::inline STRAHL_LEVEL

@@ -42,11 +42,12 @@ Buffer<T> zeros(std::size_t count) {
 /// A queue in memory for ray_arrays * queue_capacity values.
 template <class T>
 RayQueue<T> queue_in(T* next) {
-    const auto array = [&] { return std::exchange(next, next + queue_capacity); };
     RayQueue<T> queue;
-    for (int c = 0; c < 3; ++c) queue.origin[c] = array(), queue.direction[c] = array();
-    queue.source = array(), queue.pixel = array(), queue.weight = array();
-    queue.medium = array(), queue.t = array();
+    each_array(
+        [&](RayPart part, T*& array) {
+            if (part <= RayPart::inside) array = std::exchange(next, next + queue_capacity);
+        },
+        queue);
     return queue;
 }
 }  // namespace
@@ -77,22 +78,29 @@ void Workspace<T>::hold(T*& array) {
 
 template <class T>
 void Workspace<T>::hold_more(RayQueue<T>& queue) {
-    if (!bounds.empty()) hold(queue.away), hold(queue.turn), hold(queue.side), hold(queue.spin);
-    if (with_cones) hold(queue.width), hold(queue.spread);
+    each_array(
+        [&](RayPart part, T*& array) {
+            if ((part == RayPart::extra && with_extra) || (part == RayPart::cone && with_cones)) hold(array);
+        },
+        queue);
 }
 
 template <class T>
-void Workspace<T>::hold_bounds() {
-    bounds.resize(scattered_pixels);
+void Workspace<T>::hold_more() {
     hold_more(refracted_queue);
     for (const auto& made : held) hold_more(made->generation.open), hold_more(made->generation.inside);
+}
+
+template <class T>
+void Workspace<T>::hold_extra() {
+    with_extra = true;
+    hold_more();
 }
 
 template <class T>
 void Workspace<T>::hold_cones() {
     with_cones = true;
-    hold_more(refracted_queue);
-    for (const auto& made : held) hold_more(made->generation.open), hold_more(made->generation.inside);
+    hold_more();
 }
 
 template <class T>

@@ -36,9 +36,8 @@ class Workspace {
     std::vector<Sight<T>> sights;
     std::vector<T> sides, colors;  // see Footprints
     int batch = scattered_pixels;  // pixels that last fitted
-    std::vector<T> bounds;         // of the pixels, for proving kernels
-    /// Makes room for what proving kernels add to rays.
-    void hold_bounds();
+    /// Makes room for what a policy keeps of rays.
+    void hold_extra();
     /// Makes room for what rays carry where images are filtered.
     void hold_cones();
 
@@ -46,9 +45,10 @@ class Workspace {
     Buffer<T> values, order_by_bin;
     std::vector<Buffer<T>> more;  // arrays that queues have besides `values`
     std::size_t used = 0;         // of these in the last buffer
-    bool with_cones = false;
+    bool with_extra = false, with_cones = false;
     void hold(T*& array);
     void hold_more(RayQueue<T>& queue);
+    void hold_more();
     std::vector<std::int32_t> counts;
     struct Held {
         Buffer<T> values;

@@ -1,8 +1,8 @@
 // What exact arithmetic may meet of bodies made of bodies.
 #pragma once
 #include "num/uninitialized.h"
+#include "trace/proof/item_bounds.h"
 #include "trace/proof/known_forms.h"
-#include "trace/proof/proving_item.h"
 
 namespace strahl::inline STRAHL_LEVEL {
 

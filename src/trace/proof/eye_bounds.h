@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "num/lanes.h"
-#include "trace/kernel/kernel.h"
+#include "trace/proof/proving_kernel.h"
 
 namespace strahl::inline STRAHL_LEVEL {
 

@@ -1,7 +1,7 @@
 // What bodies in the cells of a light buffer take from the light, as exact arithmetic would have it.
 #pragma once
 #include "trace/lights/light_buffer_cells_kernel.h"
-#include "trace/proof/proving_item.h"
+#include "trace/proof/item_bounds.h"
 
 namespace strahl::inline STRAHL_LEVEL {
 

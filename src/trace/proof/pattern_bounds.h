@@ -3,7 +3,7 @@
 #pragma once
 #include "num/memory.h"
 #include "num/ray.h"
-#include "trace/kernel/kernel.h"
+#include "trace/proof/proving_kernel.h"
 #include "trace/world/world.h"
 
 namespace strahl::inline STRAHL_LEVEL {

@@ -1,6 +1,6 @@
 // By how much a world in double or in extended precision differs from the scene that it is made of.
 #pragma once
-#include "trace/kernel/kernel.h"
+#include "trace/proof/proving_kernel.h"
 #include "trace/world/build_world.h"
 #include "trace/world/view.h"
 

@@ -1,7 +1,7 @@
 // Between which numbers exact arithmetic has the crossings of a ray with a ball, a plane or a cylinder.
 #pragma once
 #include "trace/forms/items_kernel.h"
-#include "trace/kernel/kernel.h"
+#include "trace/proof/proving_kernel.h"
 
 namespace strahl::inline STRAHL_LEVEL {
 

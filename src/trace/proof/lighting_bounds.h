@@ -1,8 +1,9 @@
 // By how much the light of lights at hits may be off: its angle, its highlight, whether it comes, and how much of it.
 #pragma once
-#include "trace/proof/proving.h"
+#include "trace/kernel/illuminate.h"
+#include "trace/proof/ray_bounds.h"
 
-namespace strahl::inline STRAHL_LEVEL::inline STRAHL_INSTANCE {
+namespace strahl::inline STRAHL_LEVEL {
 
 /// How far the cosine of an angle is off that is off by a: cos(x + a) - cos x is at most a sin x + a^2 / 2. The cosine
 /// that is known may have 16 units of rounding.
@@ -67,12 +68,24 @@ STRAHL_INLINE LitBounds<S> bound_lit(const HitBounds<S>& known, const Hit<S>& hi
     return lit;
 }
 
+/// Behind a surface there is no light, whatever the bent normal faces. Where it can't be told on which side it is, it
+/// is in doubt.
+template <class S>
+[[gnu::noinline]] void bound_side_of_light(const HitBounds<S>& known, const Vec3<S>& flat, const Vec3<S>& l,
+                                           LitBounds<S>& lit, Mask<S>& faces) {
+    const S cosine = dot(flat, l), off = cosine_error(known.flat + lit.ray.turn, cosine) + S(8 * unit_error<S>);
+    const Mask<S> bent = known.flat >= S(0), told = (lit.ray.turn >= S(0)) & (abs(cosine) > off);
+    const Mask<S> behind = bent & told & (cosine < S(0));
+    faces = faces & !behind;
+    lit.doubt = (lit.doubt | (bent & !told)) & !behind;
+}
+
 /// Adds a light of which nothing is known to the errors of hits.
 template <class S>
-STRAHL_INLINE void add_unknown_light(const Shading<S>& shading, const Hit<S>& hit, const LightKernel<Element<S>>& light,
-                                     HitBounds<S>& known) {
+STRAHL_INLINE void add_unknown_light(const ProvedShading<S>& shading, const Hit<S>& hit,
+                                     const LightKernel<Element<S>>& light, HitBounds<S>& known) {
     const Vec3<S> most = splat<S>(light.color);
-    known.off = fma(S(shading.limits.slack.gain) * largest(most),
+    known.off = fma(S(proving(shading.limits).slack.gain) * largest(most),
                     largest(hit.material.diffuse) + known.diffuse + hit.material.specular, known.off);
 }
 
@@ -112,23 +125,23 @@ template <class S>
 }
 /// Adds it to the errors of hits, as far as they may be lit.
 template <class S>
-STRAHL_INLINE void add_spot_error(const Shading<S>& shading, const Hit<S>& hit, const LightKernel<Element<S>>& light,
-                                  const LitBounds<S>& lit, const Vec3<S>& l, const S& cosine, const S& highlight,
-                                  HitBounds<S>& known) {
+STRAHL_INLINE void add_spot_error(const ProvedShading<S>& shading, const Hit<S>& hit,
+                                  const LightKernel<Element<S>>& light, const LitBounds<S>& lit, const Vec3<S>& l,
+                                  const S& cosine, const S& highlight, HitBounds<S>& known) {
     const S diffuse = largest(hit.material.diffuse), error = light_error(hit, lit, cosine, known);
     const S most = fma(diffuse, max(cosine, S(0)), highlight) + error, color = largest(splat<S>(light.color));
     const Mask<S> told = lit.ray.turn >= S(0);
-    known.off = fma(S(shading.limits.slack.gain) * color * most, select(told, spot_error(light, l, lit.ray.turn), S(1)),
-                    known.off);
+    known.off = fma(S(proving(shading.limits).slack.gain) * color * most,
+                    select(told, spot_error(light, l, lit.ray.turn), S(1)), known.off);
 }
 
 /// The share of a light that reaches hits, in the lanes of `faces`. Adds the light's error to that of the hits.
 template <class S>
-STRAHL_INLINE Vec3<S> share_proved(const Shading<S>& shading, const Hit<S>& hit, const LitBounds<S>& lit,
+STRAHL_INLINE Vec3<S> share_proved(const ProvedShading<S>& shading, const Hit<S>& hit, const LitBounds<S>& lit,
                                    const Vec3<S>& l, const S& distance, Mask<S> faces, const S& cosine,
                                    const S& highlight, const Start<S>& start, HitBounds<S>& known) {
     const Ray<S> ray{hit.position, l, hit.surface};
-    const Slack<Element<S>>& slack = shading.limits.slack;
+    const Slack<Element<S>>& slack = proving(shading.limits).slack;
     LightBounds<S> found = light_bounds(shading.world, DoubtfulRay<S>{ray, lit.ray}, distance, lit.distance,
                                         faces & known.followed, start, slack);
     Mask<S> doubt = faces & ((found.doubt & !found.dark) | !known.followed);
@@ -145,4 +158,4 @@ STRAHL_INLINE Vec3<S> share_proved(const Shading<S>& shading, const Hit<S>& hit,
     return share;
 }
 
-}  // namespace strahl::inline STRAHL_LEVEL::inline STRAHL_INSTANCE
+}  // namespace strahl::inline STRAHL_LEVEL

@@ -1,0 +1,239 @@
+// Traces a batch of pixels: camera rays, their hits, light and new rays, generation by generation.
+#pragma once
+#include <algorithm>
+
+#include "trace/kernel/shade.h"
+
+namespace strahl::inline STRAHL_LEVEL {
+namespace {  // a copy for each kernel, so that functions which are called once are inlined
+
+/// Camera rays of a batch.
+template <class S, class T>
+void generate_camera_rays(const Eye<T>& eye, const PixelBatch<T>& batch, RayQueue<T>& rays) {
+    for (int i = 0; i < batch.count; i += width<S>) {
+        const S u = fma(load_lanes<S>(batch.x + i), S(eye.scale_x), S(eye.bias_x));
+        const S v = fma(load_lanes<S>(batch.y + i), S(eye.scale_y), S(eye.bias_y));
+        const Vec3<S> d = fma(u, splat<S>(eye.right), fma(v, splat<S>(eye.down), splat<S>(eye.forward)));
+        const Vec3<S> direction = scale(S(1) / sqrt(dot(d, d)), d);
+        for (int c = 0; c < 3; ++c) {
+            store_lanes(rays.origin[c] + i, S(eye.position[c]));
+            store_lanes(rays.direction[c] + i, direction[c]);
+        }
+        store_lanes(rays.source + i, S(-1));
+        store_lanes(rays.pixel + i, iota<S>() + S(static_cast<T>(i)));
+        store_lanes(rays.weight + i, S(1));
+        store_lanes(rays.medium + i, S(eye.medium));
+    }
+    rays.count = batch.count;
+}
+
+/// The bodies that rays of a pack can meet: the rays start in a ball around the first one's origin and leave within a
+/// cone around its direction, both widened by the policy. The bodies are tested side by side.
+template <class S, class T, class Widening>
+STRAHL_INLINE BodySet cull_packet(const World<T>& world, const Ray<S>& ray, Mask<S> active, const Widening& widening) {
+    const auto first_of = [](const Vec3<S>& v) { return Vec3<S>(S(lane(v.x, 0)), S(lane(v.y, 0)), S(lane(v.z, 0))); };
+    const Vec3<S> origin = first_of(ray.origin), axis = first_of(ray.direction), off = ray.origin - origin;
+    const T rounding = 16 * std::numeric_limits<T>::epsilon();
+    const T cosine = widening.turned(least(select(active, dot(ray.direction, axis), S(1))) - rounding);
+    if (!(cosine > T(.5))) return ~BodySet(0);
+    const T spread = widening.moved(sqrt(-least(select(active, -dot(off, off), S(0)))));
+    const S tangent(sqrt(1 - cosine * cosine) / cosine);
+    BodySet set = 0;
+    for (int i = 0; i < world.bins; i += width<S>) {
+        const auto at = [i](const T* values) { return load_lanes<S>(values + i); };
+        const Vec3<S> way = Vec3<S>(at(world.centres.x), at(world.centres.y), at(world.centres.z)) - origin;
+        const S reach = at(world.radii) + S(spread), along = dot(way, axis);
+        const Vec3<S> across = fma(-along, axis, way);
+        const S widest = fma(max(along + reach, S(0)), tangent, reach);
+        const Mask<S> met = (dot(across, across) <= widest * widest) & (along >= -reach);
+        set |= BodySet(bits(met)) << i;
+    }
+    return set;
+}
+
+/// Calls visit(bin, lanes) for the different bins of a pack.
+template <class S, class Visit>
+STRAHL_INLINE void each_bin(const S& bins, Mask<S> active, const Visit& visit) {
+    while (any(active)) {
+        const Element<S> bin = lane(bins, first(active));
+        const Mask<S> lanes = active & (bins == S(bin));
+        visit(static_cast<int>(bin), lanes);
+        active = active & !lanes;
+    }
+}
+
+/// The nearest surfaces in a world with a hierarchy, of rays from `first` on: `packs` packs, or as many as there are.
+template <class S, int packs, class PackOf>
+[[gnu::noinline]] void nearest_of_many(const World<Element<S>>& world, const PackOf& pack_of, int first, int rays,
+                                       Nearest<S> (&found)[packs]) {
+    static_assert(packs % together<S> == 0);
+    for (int n = 0; n < packs && first + n * width<S> < rays; n += together<S>) {
+        Ray<S> own[together<S>];
+        Mask<S> active[together<S>];
+        Nearest<S> best[together<S>];
+        for (int h = 0; h < together<S>; ++h) {
+            const int i = first + (n + h) * width<S>;
+            own[h] = i < rays ? pack_of(i) : own[0];
+            active[h] = first_lanes<S>(rays - i);
+            best[h] = nearest_in_loops(world, own[h], active[h], 0);
+        }
+        nearest_beyond_loops(world, own, active, 0, best);
+        for (int h = 0; h < together<S>; ++h) found[n + h] = best[h];
+    }
+}
+
+/// Finds the nearest surfaces, and sorts the rays by the bins of these, stably.
+template <class P, class S, class T>
+void intersect(const World<T>& world, const RayQueue<T>& rays, HitList<T>& hits, const Limits<T>& limits, int depth,
+               const PixelBatch<T>& batch) {
+    for (int k = 0; k <= world.bins; ++k) hits.count[k] = 0;
+    const auto pack_of = [&](int i) {
+        const auto at = [i](const T* values) { return load_lanes<S>(values + i); };
+        return Ray<S>{{at(rays.origin.x), at(rays.origin.y), at(rays.origin.z)},
+                      {at(rays.direction.x), at(rays.direction.y), at(rays.direction.z)},
+                      at(rays.source)};
+    };
+    constexpr int packs = 8;  // culled together: what one waits for does not hold up the next
+    for (int first = 0; first < rays.count; first += packs * width<S>) {
+        const int last = std::min(rays.count, first + packs * width<S>);
+        BodySet sets[packs];
+        const auto cull = [&](int i, Mask<S> active) __attribute__((always_inline)) {
+            return P::culls(limits) ? cull_packet(world, pack_of(i), active, P::template widening<S>(rays, i, active))
+                                    : ~BodySet(0);
+        };
+        for (int i = first; i < last; i += width<S>)
+            sets[(i - first) / width<S>] = world.bin_per_item ? cull(i, first_lanes<S>(rays.count - i)) : BodySet(0);
+        const auto keep = [&](int i, Mask<S> active, const Nearest<S>& hit) __attribute__((always_inline)) {
+            store_lanes(hits.t + i, hit.t);
+            store_lanes(hits.surface + i, hit.surface);
+            const S number = iota<S>() + S(static_cast<T>(i));
+            each_bin(hit.bin, active, [&](int bin, Mask<S> lanes) {
+                compress(hits.of(bin) + hits.count[bin], number, lanes);
+                hits.count[bin] += count(lanes);
+            });
+        };
+        if (P::joins && together<S> != 1 && world.nodes) {
+            Nearest<S> found[packs];
+            nearest_of_many(world, pack_of, first, rays.count, found);
+            for (int i = first; i < last; i += width<S>)
+                keep(i, first_lanes<S>(rays.count - i), found[(i - first) / width<S>]);
+            continue;
+        }
+        for (int i = first; i < last; i += width<S>) {
+            const Mask<S> active = first_lanes<S>(rays.count - i);
+            keep(i, active,
+                 P::nearest(world, limits, rays, i, pack_of(i), active, sets[(i - first) / width<S>], depth, batch));
+        }
+    }
+}
+
+/// Appends open rays to open rays.
+template <class T>
+void append(RayQueue<T>& to, const RayQueue<T>& from) {
+    each_array(
+        [&](RayPart part, T* own, const T* added) {
+            if (added && part != RayPart::inside) __builtin_memcpy(own + to.count, added, from.count * sizeof(T));
+        },
+        to, from);
+    to.count += from.count;
+}
+
+/// One generation: its light is added to the pixels; its reflected and then its refracted rays are the next, those
+/// inside enclosed bodies apart. The order of a pixel's rays, and so its sum, depends on that pixel alone. False if the
+/// next generation does not fit.
+template <class P, class S, class T>
+bool trace_generation(const World<T>& world, const Limits<T>& limits, const Generation<T>& rays, Generation<T>& next,
+                      int depth, const PixelBatch<T>& batch, Workspace<T>& workspace, Counts& counts) {
+    counts.depth = counts.depth < depth ? depth : counts.depth;
+    HitList<T>& list = hits(workspace);
+    intersect<P, S>(world, rays.open, list, limits, depth, batch);
+    RayQueue<T>& refracted = refracted_queue(workspace);
+    next.open.count = next.inside.count = refracted.count = 0;
+    const Shading<S, P> shading{world,
+                                limits,
+                                rays,
+                                list,
+                                batch,
+                                next,
+                                refracted,
+                                workspace,
+                                counts,
+                                depth,
+                                batch.sights != nullptr || world.bends != nullptr};
+    shade_misses(shading);
+    for (int bin = 0; bin < world.bins; ++bin)
+        if (!shade_bin(shading, bin)) return false;
+    if (shading.full()) return false;
+    append(next.open, refracted);
+    return true;
+}
+
+/// Rays [begin, begin + count) of a queue.
+template <class T>
+RayQueue<T> part_of(RayQueue<T> rays, int begin, int count) {
+    each_array(
+        [begin](RayPart, T*& values) {
+            if (values) values += begin;
+        },
+        rays);
+    rays.count = count;
+    return rays;
+}
+
+/// Generations of one pixel that are too large to hold, a part at a time. Parts are the same on any machine.
+template <class P, class S, class T>
+void trace_in_parts(const World<T>& world, const Limits<T>& limits, int slot, int depth, const PixelBatch<T>& batch,
+                    Workspace<T>& workspace, Counts& counts) {
+    if (limits.stopped()) return;
+    constexpr int part = batch_rays / 2;
+    const Generation<T>& all = generation(workspace, slot);
+    Generation<T>& next = generation(workspace, slot + 1);
+    const auto go = [&](const Generation<T>& some) {
+        trace_generation<P, S>(world, limits, some, next, depth, batch, workspace, counts);
+        if (next.rays()) trace_in_parts<P, S>(world, limits, slot + 1, depth + 1, batch, workspace, counts);
+    };
+    std::int32_t begins[most_item_bins] = {}, ends[most_item_bins] = {};
+    for (int begin = 0; begin < all.open.count; begin += part)
+        go({part_of(all.open, begin, std::min(part, all.open.count - begin)), part_of(all.inside, 0, 0), begins, ends});
+    for (int begin = 0; begin < all.inside.count; begin += part) {
+        const int count = std::min(part, all.inside.count - begin);
+        for (int bin = 0; bin < std::min(world.bins, most_item_bins); ++bin) {
+            begins[bin] = std::clamp(all.inside_begin[bin] - begin, 0, count);
+            ends[bin] = std::clamp(all.inside_end[bin] - begin, 0, count);
+        }
+        go({part_of(all.open, 0, 0), part_of(all.inside, begin, count), begins, ends});
+    }
+}
+
+/// Traces a batch (see TraceBatch) by a kernel of policy P.
+template <class P, class S, class T>
+bool trace(const World<T>& world, const Eye<T>& eye, const Limits<T>& limits, const PixelBatch<T>& batch,
+           Workspace<T>& workspace, Counts& counts) {
+    const Counts before = counts;
+    const auto start = [&](int slot) {
+        Generation<T>& first = generation(workspace, slot);
+        generate_camera_rays<S>(eye, batch, first.open);
+        P::start(eye, limits, batch, first.open);
+        first.inside.count = 0;
+        std::fill_n(first.inside_begin, world.bins, 0);
+        std::fill_n(first.inside_end, world.bins, 0);
+        counts.camera += batch.count;
+    };
+    int slot = 0;
+    start(slot);
+    for (int depth = 1; generation(workspace, slot).rays() > 0 && !limits.stopped(); ++depth, slot = 1 - slot)
+        if (!trace_generation<P, S>(world, limits, generation(workspace, slot), generation(workspace, 1 - slot), depth,
+                                    batch, workspace, counts)) {
+            counts = before;
+            if (batch.count > 1) return false;
+            batch.sums[0] = {}, batch.past[0] = 0;
+            constexpr int first_of_parts = 2;
+            start(first_of_parts);
+            trace_in_parts<P, S>(world, limits, first_of_parts, 1, batch, workspace, counts);
+            break;
+        }
+    return true;
+}
+
+}  // namespace
+}  // namespace strahl::inline STRAHL_LEVEL

@@ -1,0 +1,240 @@
+// How bounds travel with rays: what hits do to them, and what pixels get of them.
+#pragma once
+#include <algorithm>
+#include <limits>
+
+#include "trace/kernel/shade.h"
+#include "trace/proof/pattern_bounds.h"
+#include "trace/proof/proving_kernel.h"
+#include "trace/proof/query_bounds.h"
+
+namespace strahl::inline STRAHL_LEVEL {
+
+/// The policy of proving kernels, see proving.h.
+struct Proving;
+template <class S>
+using ProvedShading = Shading<S, Proving>;
+
+/// The limits and the pixels that a proving kernel was given.
+template <class T>
+STRAHL_INLINE const ProvingLimits<T>& proving(const Limits<T>& limits) {
+    return static_cast<const ProvingLimits<T>&>(limits);
+}
+template <class T>
+STRAHL_INLINE const ProvingBatch<T>& proving(const PixelBatch<T>& batch) {
+    return static_cast<const ProvingBatch<T>&>(batch);
+}
+
+/// The arrays of a queue that hold the doubts of its rays.
+template <class T>
+struct DoubtArrays {
+    T *away, *turn, *side, *spin;
+    STRAHL_INLINE DoubtArrays(const RayQueue<T>& rays)
+        : away(rays.extra[0]), turn(rays.extra[1]), side(rays.extra[2]), spin(rays.extra[3]) {}
+};
+
+/// The bounds of a pack of hits.
+template <class S>
+struct HitBounds {
+    S away{0}, normal{0}, mirrored{0}, side{0}, height{0};  // see PointBounds
+    S spin{std::numeric_limits<Element<S>>::infinity()};
+    S flat{-1};        // of bent normals: by how much these were off before. Of others -1
+    S turn{0};         // of the rays that came
+    S off{0};          // bound of the error of the light that the hit sends back, before its weight
+    S diffuse{0};      // by how much the largest channel of the diffuse colour may be off
+    Mask<S> followed;  // lanes whose errors are bounded; those of all others are in their pixels' bounds
+};
+
+/// Adds to the bounds of a pack's pixels, and for what follows the rounding of their sums.
+template <class S>
+STRAHL_INLINE void add_bounds(const PixelBatch<Element<S>>& batch, const S& pixel, int lanes, const S& bound) {
+    using T = Element<S>;
+    alignas(64) T pixels[width<S>], bounds[width<S>];
+    store_lanes(pixels, pixel), store_lanes(bounds, bound);
+    for (int k = 0; k < lanes; ++k) {
+        const int i = static_cast<int>(pixels[k]);
+        const T* const rgb = batch.sums[i].rgb;
+        proving(batch).bounds[i] += bounds[k] + T(.5) * unit_error<S> * max(rgb[0], max(rgb[1], rgb[2]));
+    }
+}
+
+/// The most that rays of a generation bring back, of all that is decided at random from here on.
+template <class T>
+STRAHL_INLINE T brightest_of(const Limits<T>& limits, int depth) {
+    return limits.brightest[limits.depth - depth + 1];
+}
+
+/// Rounding of a hit's light: of its colours, products and sums, 6 and one for each light, and of its weight, two for
+/// each generation but the first. What is rounded in the share of a light that comes through, share_proved knows.
+template <class S>
+STRAHL_INLINE S rounding_of(const Vec3<S>& light, int depth, int lights) {
+    using T = Element<S>;
+    return S((T(2) + T(depth) + T(.5) * T(lights)) * unit_error<S>) * largest(light);
+}
+
+/// Rays that may be turned by more than this are not followed.
+inline constexpr float most_turn = 1e-3f;
+
+/// The largest doubts of a pack.
+template <class S, class T>
+STRAHL_INLINE Doubt<T> most_doubt(const RayQueue<T>& rays, int i, Mask<S> active) {
+    const auto most = [&](const T* values) {
+        return -least(select(active, min(-load_lanes<S>(values + i), S(0)), S(0)));
+    };
+    const DoubtArrays<T> doubts(rays);
+    return {most(doubts.away), most(doubts.turn)};
+}
+
+/// Finds what a generation's rays meet. Where that can't be told the plain kernel decides, the pixel's bound grows by
+/// all that the ray may bring, and it is not followed any more.
+template <class S, class T>
+STRAHL_INLINE Nearest<S> nearest_proved(const World<T>& world, const Limits<T>& limits, const RayQueue<T>& rays, int i,
+                                        const Ray<S>& ray, Mask<S> active, BodySet set, int depth,
+                                        const PixelBatch<T>& batch) {
+    const DoubtArrays<T> doubts(rays);
+    const S away = load_lanes<S>(doubts.away + i), turn = load_lanes<S>(doubts.turn + i);
+    const Mask<S> followed = active & (away >= S(0));
+    const Candidates<S> found =
+        candidates(world, DoubtfulRay<S>{ray, {max(away, S(0)), turn}}, followed, set, proving(limits).slack);
+    Nearest<S> best;
+    best.t = found.t, best.surface = found.surface, best.bin = found.bin;
+    const Mask<S> told = followed & (found.hits() | found.misses()) & (turn < S(most_turn)), open = active & !told;
+    if (none(open)) return best;
+    const Nearest<S> plain = nearest(world, ray, open, set);
+    best.t = select(open, plain.t, best.t), best.surface = select(open, plain.surface, best.surface);
+    best.bin = select(open, plain.bin, best.bin);
+    const Mask<S> lost = open & followed;
+    if (none(lost)) return best;
+    const S weight = load_lanes<S>(rays.weight + i);
+    add_bounds(batch, load_lanes<S>(rays.pixel + i), std::min(width<S>, rays.count - i),
+               select(lost, weight * S(brightest_of(limits, depth)), S(0)));
+    store_lanes(doubts.away + i, select(lost, S(-1), away)), store_lanes(doubts.turn + i, select(lost, S(0), turn));
+    return best;
+}
+
+/// What is known of hits of one bin, found at `t`. Those of which nothing is are left, with all that they may bring.
+template <class S>
+STRAHL_INLINE HitBounds<S> bound_hits(const ProvedShading<S>& shading, const Hit<S>& hit, const Ray<S>& ray,
+                                      const Doubt<S>& doubt, const S& t, const S& weight, int lanes, Mask<S> known) {
+    const auto& world = shading.world;
+    const Mask<S> followed = hit.active & (doubt.away >= S(0));
+    const SortBin& bin = world.sort_bins[hit.bin];
+    int items[width<S>] = {};
+    if (!world.bin_per_item) {
+        alignas(64) Element<S> surfaces[width<S>];
+        store_lanes(surfaces, hit.surface);
+        for (int k = 0; k < width<S>; ++k) items[k] = world.references[static_cast<int>(surfaces[k])].item;
+    }
+    PointBounds<S> found{S(0), S(0), S(0), S(0), S(0), first_lanes<S>(0)};
+    if_known(world, bin.form, [&](const auto& group) {
+        using Item = typename std::remove_cvref_t<decltype(group)>::template ItemOf<S>;
+        const Item own =
+            world.bin_per_item ? splat_item<Item, S>(group.items[bin.item]) : gather_items<Item, S>(group.items, items);
+        found = point_bounds(own.shape, Ray<S>{ray.origin, ray.direction, ray.source - own.surface}, doubt, t,
+                             SurfacePoint<S>{hit.position, hit.normal}, S(hit.surface - own.surface),
+                             proving(shading.limits).slack);
+    });
+    HitBounds<S> bounds;
+    bounds.followed = followed & known & found.sure & (doubt.turn < S(most_turn));
+    const auto keep = [&](const S& value) { return select(bounds.followed, value, S(0)); };
+    bounds.away = keep(found.away), bounds.normal = keep(found.normal), bounds.turn = keep(doubt.turn);
+    bounds.mirrored = keep(found.mirrored), bounds.spin = found.spin;
+    bounds.side = keep(found.side), bounds.height = keep(found.height);
+    const Mask<S> lost = followed & !bounds.followed;
+    if (any(lost)) {
+        const S most = weight * S(brightest_of(shading.limits, shading.depth));
+        add_bounds(shading.batch, hit.pixel, lanes, select(lost, most, S(0)));
+    }
+    return bounds;
+}
+
+/// By how much fog makes the light off that comes by way of hits at `t`: `left` of the rays' weight is left there. All
+/// of that light is as far off as the weight, by what the way is off, which is what its ends are and `t` misses between
+/// them. Roundings: the distance has 3 u, 1 over the fog's distance 1, the product with the way 1/2, the exponential 2,
+/// the weight 1/2. Rays in glass lose nothing. Which those are is certain as long as hits are, see bound_refraction, if
+/// it is for the eye.
+template <class S>
+[[gnu::noinline]] S fog_error(const ProvedShading<S>& shading, const Vec3<S>& way, const S& away, const S& t,
+                              const S& weight, const S& left) {
+    constexpr auto u = unit_error<S>;
+    const auto& world = shading.world;
+    const S distance = sqrt(dot(way, way)), off = away + abs(t - distance) + S(4 * u) * (t + distance);
+    const S share = fma(S(Element<S>(1.01) * world.fog_per), off, S(2 * u * world.fog_per) * t + S(4 * u));
+    const S least(std::numeric_limits<Element<S>>::min());  // of what underflows
+    const S lost = select(share < S(.01f), fma(left, share, least), weight);
+    return lost * (S(brightest_of(shading.limits, shading.depth)) + largest(splat<S>(world.fog_color)));
+}
+
+/// What is known of hits whose normals materials bend. What bends them makes them steeper than what is known of the
+/// surface, so `height` is as for any direction. Those of which nothing is known are left.
+template <class S>
+[[gnu::noinline]] void bound_bent(const ProvedShading<S>& shading, const int* materials, const Hit<S>& hit,
+                                  const Vec3<S>& flat, const S& weight, int lanes, HitBounds<S>& known) {
+    const BentBounds<S> found = PatternBounds<S>::of_normals(shading.world, materials, hit.position, hit.surface, flat,
+                                                             known.normal, known.away, proving(shading.limits).slack);
+    const Mask<S> bent = known.followed & found.bent, lost = bent & !found.told, told = bent & found.told;
+    known.flat = select(told, known.normal, S(-1));
+    known.normal = select(told, found.off, known.normal), known.mirrored = select(told, found.off, known.mirrored);
+    known.height = select(told, known.away, known.height), known.spin = select(bent, HitBounds<S>{}.spin, known.spin);
+    if (none(lost)) return;
+    const auto leave = [&](S& value) { value = select(lost, S(0), value); };
+    leave(known.away), leave(known.normal), leave(known.mirrored), leave(known.turn), leave(known.side);
+    leave(known.height);
+    known.followed = known.followed & !lost;
+    const S most = weight * S(brightest_of(shading.limits, shading.depth));
+    add_bounds(shading.batch, hit.pixel, lanes, select(lost, most, S(0)));
+}
+
+/// What is known of hits, but for fog where it is not certain whether the eye is in glass, and insides that are only
+/// nearly known.
+template <class S>
+STRAHL_INLINE void bound_hit(const ProvedShading<S>& shading, const Hit<S>& hit, const RayQueue<Element<S>>& from,
+                             const LaneIndices<S>& pick, const Element<S>* t, bool within,
+                             const HitMaterial<S>& material, HitBounds<S>& bounds) {
+    const auto& world = shading.world;
+    const Ray<S> ray{{pick(from.origin.x), pick(from.origin.y), pick(from.origin.z)}, hit.direction, pick(from.source)};
+    const Slack<Element<S>>& slack = proving(shading.limits).slack;
+    const bool unknown = (world.fog && !slack.medium) || (within && !slack.fits());
+    const DoubtArrays<Element<S>> doubts(from);
+    const Doubt<S> doubt{pick(doubts.away), pick(doubts.turn), pick(doubts.side),
+                         world.transparent ? pick(doubts.spin) : Doubt<S>{}.spin};
+    bounds = bound_hits(shading, hit, ray, doubt, pick(t), pick(from.weight), pick.lanes,
+                        first_lanes<S>(unknown ? 0 : width<S>));
+    if (world.patterns) [[unlikely]] {
+        const ColorErrors<S> errors = PatternBounds<S>::of_hits(world, material.numbers, Vec3<S>(hit.position),
+                                                                S(hit.surface), S(bounds.away), slack);
+        bounds.off = errors.ambient, bounds.diffuse = errors.diffuse;
+    }
+}
+
+/// Bounds the background that rays which hit nothing bring back.
+template <class S>
+STRAHL_INLINE void bound_miss(const ProvedShading<S>& shading, const LaneIndices<S>& pick, const S& weight,
+                              const S& pixel, const Vec3<S>& color) {
+    const auto& world = shading.world;
+    const auto& d = shading.rays.open.direction;
+    const DoubtArrays<Element<S>> doubts(shading.rays.open);
+    const Mask<S> followed = first_lanes<S>(pick.lanes) & (pick(doubts.away) >= S(0));
+    S off = rounding_of(scale(weight, color), shading.depth, 0);
+    if (world.sky && !world.fog) [[unlikely]]
+        off = fma(weight, PatternBounds<S>::of_sky(world, {pick(d.x), pick(d.y), pick(d.z)}, pick(doubts.turn)), off);
+    add_bounds(shading.batch, pixel, pick.lanes, select(followed, off, S(0)));
+}
+
+/// Adds to the bounds of pixels by how much the light of hits may be off.
+template <class S>
+STRAHL_INLINE void bound_light(const ProvedShading<S>& shading, const Hit<S>& hit, const RayQueue<Element<S>>& from,
+                               const LaneIndices<S>& pick, const Element<S>* t, const Vec3<S>& light,
+                               const HitBounds<S>& known) {
+    S off = fma(hit.weight, known.off, rounding_of(light, shading.depth, shading.world.light_count));
+    if (shading.world.fog) [[unlikely]] {
+        const Vec3<S> origin(pick(from.origin.x), pick(from.origin.y), pick(from.origin.z));
+        const S lost =
+            fog_error(shading, Vec3<S>(hit.position - origin), S(known.away + pick(DoubtArrays<Element<S>>(from).away)),
+                      pick(t), pick(from.weight), S(hit.weight));
+        off = off + select(hit.medium == S(0), lost, S(0));
+    }
+    add_bounds(shading.batch, hit.pixel, pick.lanes, select(known.followed, off, S(0)));
+}
+
+}  // namespace strahl::inline STRAHL_LEVEL
