@@ -8,6 +8,7 @@
 #include "num/thread_pool.h"
 #include "num/vec_math.h"
 #include "scene/moving_scene.h"
+#include "tests/unit/scenes.h"
 #include "tests/unit/scratch.h"
 #include "tests/unit/text/language.h"
 #include "text/edit_path.h"
@@ -282,4 +283,59 @@ TEST_CASE("mistakes in a file of tracks") {
     check_tracks("\xFF", {"x.tracks:1:1: this is no text in UTF-8"});
     check_tracks("track \"x\" { word }",
                  {"x.tracks:1:13: a number expected for 'row' of 'track', but here comes 'word'"});
+}
+
+TEST_CASE("scenes/beat.rt is cut to its music") {
+    const Scene scene = read_scene("beat");
+    const Music& music = scene.music;
+    std::vector<std::string> followed = followed_tracks(scene), names;
+    for (const Track& track : scene.tracks) names.push_back(track.name);
+    std::ranges::sort(followed), std::ranges::sort(names);
+    CHECK(followed == names);
+
+    // The flight lasts as long as the sound, eight bars. Ogg's last page tells the number of samples.
+    const std::string sound = bytes_of(STRAHL_SOURCE "/scenes/beat.ogg");
+    const std::size_t page = sound.rfind("OggS");
+    REQUIRE(page != sound.npos);
+    std::uint64_t samples = 0;
+    for (std::size_t i = 14; i-- > 6;) samples = samples << 8 | static_cast<unsigned char>(sound.at(page + i));
+    CHECK(flight_of(scene)->duration == music.time_of(256));
+    CHECK(static_cast<double>(samples) == 44100 * music.time_of(256));
+
+    // On a beat the ball is on the floor, and the drum's light alone makes the picture redder than half a beat later.
+    Scene drummed = scene;
+    std::erase_if(drummed.tracks, [](const Track& track) { return track.name != "drum"; });
+    const auto red = [](const Frame& frame) {
+        double sum = 0;
+        for (std::size_t i = 0; i < frame.rgb.size(); i += 3) sum += frame.rgb[i];
+        return sum;
+    };
+    for (int beat = 0; beat <= 28; ++beat) {
+        CAPTURE(beat);
+        const double on = music.time_of(8 * beat), off = music.time_of(8 * beat + 4);
+        const Camera camera = camera_at(scene, on);
+        CHECK(*scene_time(scene, on).tracks.find("bounce") == 0);
+        CHECK(*scene_time(scene, off).tracks.find("bounce") > 1);
+        CHECK(red(picture(drummed, camera, on)) > 1.02 * red(picture(drummed, camera, off)));
+    }
+
+    // The camera is cut at bars, and between them it moves steadily.
+    DVec3 before = camera_at(scene, 0.).position;
+    for (int row = 1; row <= 256; ++row) {
+        CAPTURE(row);
+        const DVec3 eye_now = camera_at(scene, music.time_of(row)).position;
+        const bool cut = row == 64 || row == 96 || row == 128 || row == 192 || row == 224;
+        CHECK((length(eye_now - before) > 3) == cut);
+        CHECK((length(eye_now - before) < 1) != cut);
+        before = eye_now;
+    }
+
+    // Each track changes the picture.
+    for (std::size_t i = 0; i < scene.tracks.size(); ++i) {
+        CAPTURE(scene.tracks[i].name);
+        Scene other = scene;
+        for (TrackKey& key : other.tracks[i].keys) key.value += .1;
+        const double time = music.time_of(104);
+        CHECK(picture(other, camera_at(other, time), time) != picture(scene, camera_at(scene, time), time));
+    }
 }
