@@ -34,7 +34,7 @@ class Scratch {
     Scratch() : folder((fs::temp_directory_path() / "strahl-povray-XXXXXX").string()) {
         if (!::mkdtemp(folder.data())) throw std::runtime_error("cannot make a folder in " + folder);
     }
-    /// The files that are always there go without any memory, and from a folder that can't be listed. Others take some.
+    /// Removes the files that are always there without needing memory, or a folder that can be listed; others need both.
     ~Scratch() {
         const int opened = ::open(folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC);
         for (const char* const file : {"scene.pov", "scene.ini", "scene.png", "log"}) ::unlinkat(opened, file, 0);
@@ -57,7 +57,7 @@ int run(std::vector<std::string> words, const std::string& folder, const std::st
     arguments.push_back(nullptr);
     posix_spawn_file_actions_t files;
     posix_spawn_file_actions_init(&files);
-    // They take memory, and without the first one POV-Ray would write into the user's folder.
+    // These calls can run out of memory, and without the first one POV-Ray would write into the user's folder.
     const bool ready =
         posix_spawn_file_actions_addchdir_np(&files, folder.c_str()) == 0 &&
         posix_spawn_file_actions_addopen(&files, 0, "/dev/null", O_RDONLY, 0) == 0 &&
@@ -70,7 +70,7 @@ int run(std::vector<std::string> words, const std::string& folder, const std::st
     if (failed == ENOMEM) throw std::bad_alloc();
     if (failed) throw std::runtime_error("cannot start povray: " + std::generic_category().message(failed));
     int status = 0;
-    // A signal may reach any thread, so that it need not end a wait in this one.
+    // A signal may reach another thread, and would then not end a wait in this one.
     while (waitpid(child, &status, WNOHANG) == 0) {
         if (stop && *stop) {
             kill(child, SIGKILL);
@@ -89,7 +89,7 @@ std::string content(const std::string& path) {
     return text.str();
 }
 
-/// All warnings of POV-Ray with their continuation lines, except the one about the keyword `refraction`.
+/// Returns all warnings of POV-Ray with their continuation lines, except the one about the keyword `refraction`.
 std::string warnings_in(const std::string& log) {
     std::string found, message;
     const auto keep = [&] {
@@ -109,7 +109,7 @@ std::string warnings_in(const std::string& log) {
     return found;
 }
 
-/// What its log calls "Trace Time", or 0.
+/// Returns the "Trace Time" of its log, or 0.
 double trace_seconds(const std::string& log) {
     std::smatch match;
     double seconds = 0;
@@ -127,7 +127,7 @@ Picture picture_of(const std::string& path, const PovRequest& request) try {
                         " pixels of " + std::to_string(picture.channels) + " channels");
     return picture;
 } catch (const FileError& error) {
-    throw std::runtime_error(std::string("povray ended well, but not with the picture that was asked for: ") +
+    throw std::runtime_error(std::string("povray succeeded, but its picture is not the requested one: ") +
                              error.what());
 }
 

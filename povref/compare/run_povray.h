@@ -8,6 +8,7 @@
 
 namespace strahl {
 
+/// Thrown when `stop` became true.
 struct Stopped {};
 
 struct PovRun {
@@ -16,9 +17,9 @@ struct PovRun {
     std::string warnings;  // its warnings, except about the keyword `refraction`
 };
 
-/// Renders the one camera of `request`, whose paths are ignored. `threads` 0: all processors. Throws std::runtime_error
-/// with advice if povray is not installed, or with its messages if it fails. When `stop` becomes true povray is
-/// ended, its files go, and Stopped is thrown.
+/// Renders the one camera of `request`, whose paths are ignored. `threads` 0 means all processors. Throws std::runtime_error
+/// with advice if povray is not installed, or with its messages if it fails. When `stop` becomes true it ends
+/// povray, removes its files, and throws Stopped.
 PovRun run_povray(const Scene& scene, PovRequest request, int threads, const std::atomic<bool>* stop = nullptr);
 
 }  // namespace strahl

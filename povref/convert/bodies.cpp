@@ -14,7 +14,7 @@ namespace {
 
 using Items = std::vector<std::string>;
 
-/// The material of all its surfaces, if they have the same, and a pattern of it goes on through all.
+/// Returns the material of all surfaces of a body, if they share one and its pattern continues through all of them.
 std::optional<int> only_material(const Scene& scene, const Primitive& primitive) {
     std::optional<int> first;
     bool same = true;
@@ -27,8 +27,8 @@ std::optional<int> only_material(const Scene& scene, const Primitive& primitive)
     return same ? first : std::nullopt;
 }
 
-/// A body without its closing brace. POV-Ray's own word `union` keeps the surfaces inside; `dress(material)` are the
-/// words that give a part of a composite its material, if that is not the whole's: then its pattern is the whole's too.
+/// Returns a body without its closing brace. POV-Ray's own word `union` keeps the surfaces inside; `dress(material)`
+/// returns the words that give a part of a composite a material of its own; its pattern then has the whole's space.
 template <class Dress>
 std::string head_of(const Primitive& primitive, PovMotions& motions, const Dress& dress,
                     const std::string& indent = "") {
@@ -62,7 +62,7 @@ class BodyWriter {
     void add_mixed(const Primitive& primitive, bool clear_one);
     void add_clear(const Primitive& primitive, const std::string& head, const PovMaterial& material, Items items);
 
-    /// As the eye sees it, or as a copy that casts its shadow.
+    /// Returns the material of a visible body, or of the copy that casts its shadow.
     std::string dressed(int number, bool copy) const {
         const PovMaterial& material = how.materials[number];
         if (copy && material.own_shadow) return "texture { " + material.name + "_Shadow }";
@@ -87,7 +87,7 @@ void BodyWriter::add(const Scene& scene, const Primitive& primitive) {
     (material.transparent ? clear : solid) += block(head, items);
 }
 
-/// A composite whose parts have materials of their own.
+/// Adds a composite whose parts have materials of their own.
 void BodyWriter::add_mixed(const Primitive& primitive, bool clear_one) {
     Items items = statements(primitive.transformations, how.motions);
     if (how.scaled) items.push_back("scale Unit");

@@ -1,4 +1,4 @@
-// The bodies of a scene as POV-Ray objects.
+// Converts the bodies of a scene to POV-Ray objects.
 #pragma once
 #include <string>
 #include <vector>
@@ -17,10 +17,10 @@ struct PovBodies {
     PovMotions& motions;
 };
 
-/// Is a composite of several materials, or of one with another ior than its own?
+/// Returns whether a composite has parts of several materials, or of one with another ior than its own.
 bool mixed(const Scene& scene, const Primitive& primitive);
 
-/// All bodies. Opaque ones come first: POV-Ray lists the bodies around the camera in this order, and rays start in the
+/// Returns all bodies. Opaque ones come first: POV-Ray lists the bodies around the camera in this order, and rays start in the
 /// last one listed.
 std::string body_sections(const Scene& scene, const PovBodies& how);
 

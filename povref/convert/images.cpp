@@ -10,7 +10,7 @@
 namespace strahl {
 namespace {
 
-/// Told by the content, so that whoever names a picture need not know the others.
+/// Returns a name that depends only on the content, so that equal pictures have one name.
 std::string name_of(const Pixels& pixels) {
     std::uint64_t hash = 0;
     const auto add = [&](std::uint64_t value) {

@@ -11,19 +11,19 @@
 namespace strahl {
 namespace {
 
-/// A path as an .ini holds it. There is no way to escape a character in it.
+/// Returns a path as an .ini file holds it, which has no way to escape characters.
 std::string quoted_path(const std::string& path) {
     const auto has = [&](const char* text) { return path.find(text) != path.npos; };
     const bool steers = std::ranges::any_of(path, [](unsigned char c) { return c < ' ' || c == 0x7F; });
     if (steers || (has("\"") && has("'")) || has("\\\"") || has("\\'"))
-        throw UsageError("POV-Ray's .ini files can't hold the name " + strahl::quoted(path) +
+        throw UsageError("POV-Ray's .ini files cannot hold the name " + strahl::quoted(path) +
                          "; choose one without line breaks and quotes");
     if (path.find_first_of(" ;#'\"") == path.npos) return path;
     const std::string quote(path.find('"') == path.npos ? "\"" : "'");
     return quote + path + quote;
 }
 
-/// The shell command that runs POV-Ray, which splits its arguments at spaces again.
+/// Returns the shell command that runs POV-Ray, which splits its arguments at spaces again.
 std::string command(const std::string& ini_path) {
     const std::string quoted = quoted_path(ini_path);
     if (quoted == ini_path) return "povray " + quoted;

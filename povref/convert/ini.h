@@ -1,4 +1,4 @@
-// The .ini file that has POV-Ray render a scene.
+// Writes the .ini file that makes POV-Ray render a scene.
 #pragma once
 #include <string>
 
@@ -6,18 +6,18 @@
 
 namespace strahl {
 
-/// What the .ini has to care for.
+/// Properties of the scene that need options in the .ini file.
 struct IniNeeds {
     bool inside = false;    // a camera is in a transparent body
     bool keyword = false;   // some material uses `refraction`
-    bool moves = false;     // bodies or lights do, in an animation
-    bool pictures = false;  // there are some beside the scene
+    bool moves = false;     // bodies or lights move, in an animation
+    bool pictures = false;  // there are picture files beside the scene
 };
 
-/// Throws UsageError if a name can't be said in an .ini.
+/// Throws UsageError for a name that an .ini file cannot hold.
 std::string ini_of(const Scene& scene, const PovRequest& request, const IniNeeds& needs);
 
-/// Its path, from that of the scene.
+/// Returns the path of the .ini file beside a .pov file.
 std::string ini_beside(const std::string& pov_path);
 
 }  // namespace strahl

@@ -25,7 +25,7 @@ std::string name_of(const Color& c) {
     return "Red";
 }
 
-/// Of a pattern the name of its kind.
+/// Returns the name of a colour, or of the kind of a pattern.
 std::string name_of(const Pigment& pigment) {
     if (!pigment.pattern) return name_of(pigment.color);
     std::string name = std::visit([](const auto& kind) { return std::string(kind.name); }, pigment.pattern->kind);

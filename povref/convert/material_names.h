@@ -1,4 +1,4 @@
-// Names for the materials of a converted scene, after their appearance.
+// Names the materials of a converted scene after their appearance.
 #pragma once
 #include <string>
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace strahl {
 
-/// One name per material, such as Red_Glass or Grey_Mirror_2. All are different, and none is a keyword of POV-Ray.
+/// Returns one name per material, such as Red_Glass or Grey_Mirror_2. All are different, and none is a keyword of POV-Ray.
 std::vector<std::string> material_names(const std::vector<Material>& materials);
 
 }  // namespace strahl

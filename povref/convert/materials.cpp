@@ -30,13 +30,13 @@ Circumstances circumstances_of(const Scene& scene, int depth) {
     return all;
 }
 
-/// The share of light that continues from a transparent body, Kr + Kt. POV-Ray keeps it in single precision.
+/// Returns the share of light that continues from a transparent body, Kr + Kt, in single precision as in POV-Ray.
 std::string weight(const Material& m) {
     char digits[32];
     return {digits, std::to_chars(digits, digits + sizeof digits, static_cast<float>(m.reflection + m.refraction)).ptr};
 }
 
-/// The terms of a finish. POV-Ray multiplies ambient and diffuse light by the opacity of the pigment, so they are
+/// Returns the terms of a finish. POV-Ray multiplies ambient and diffuse light by the opacity of the pigment, so they are
 /// divided by it. `opacity` is text, "" for 1.
 std::vector<std::string> finish(const Material& m, const std::string& opacity, bool keyword) {
     const auto lit = [&](double k) { return text_of(k) + (k == 0 || opacity.empty() ? "" : "/" + opacity); };
@@ -55,8 +55,8 @@ std::string texture(const std::string& pigment, const std::vector<std::string>& 
            "}";
 }
 
-/// The transmitted share as the pigment has it; with the keyword, which also applies to total reflection, relative to
-/// Kr + Kt.
+/// Returns the transmitted share for the pigment. With the keyword, which also applies to total reflection, it is relative
+/// to Kr + Kt.
 double transmitted(const Material& m, bool keyword) {
     return keyword ? m.refraction / (m.reflection + m.refraction) : m.refraction;
 }
@@ -65,12 +65,12 @@ std::string transmitted_text(const Material& m, bool keyword) {
     return m.reflection == 0 ? "1" : text_of(m.refraction) + "/" + weight(m);
 }
 
-/// A pigment that is (almost) clear can't be lit.
+/// Returns whether the material needs two layers: POV-Ray does not light a pigment that is (almost) clear.
 bool needs_layers(const Material& m, bool keyword) {
     return transmitted(m, keyword) > 0.95 && (m.ambient > 0 || m.diffuse > 0);
 }
 
-/// The texture of a transparent body as the eye sees it.
+/// Returns the texture of a transparent body, but for its shadow.
 std::string seen_through(const Material& m, bool keyword) {
     const std::string share = transmitted_text(m, keyword);
     if (!needs_layers(m, keyword))

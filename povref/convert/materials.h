@@ -1,4 +1,4 @@
-// The coefficients of the illumination equation as POV-Ray textures.
+// Converts the coefficients of the illumination equation to POV-Ray textures.
 #pragma once
 #include <string>
 #include <vector>
@@ -21,7 +21,7 @@ struct PovMaterial {
     bool near_one = false;    // an ior of 1 is written as the next larger number
 };
 
-/// In the order of scene.materials. `depth` is the number of generations of rays.
+/// Returns the materials in the order of scene.materials. `depth` is the number of generations of rays.
 std::vector<PovMaterial> pov_materials(const Scene& scene, int depth);
 
 }  // namespace strahl

@@ -10,7 +10,7 @@
 namespace strahl {
 namespace {
 
-/// Statements for a moment at which the motion is at a key.
+/// Returns statements for the moment of a key.
 std::string key_text(const MotionKey& key) {
     std::string text;
     for (const Transformation& step : steps_of(key)) text.append(" ").append(step_text(step));
@@ -21,13 +21,13 @@ template <class V>
 std::string cubic(const V& p, const V& q, const V& m, const V& n, const char* share) {
     return "Cubic(" + text_of(p) + ", " + text_of(q) + ", " + text_of(m) + ", " + text_of(n) + ", " + share + ")";
 }
-/// The share of a curve that is over.
+/// Declares the share of the curve that is behind.
 std::string share_text(const Spline& spline) {
     const double k = spline.knots;
     return "    #declare Share = " + cubic(0., 1., spline.way.m / k, spline.way.n / k, "Over") + ";\n";
 }
 
-/// Statements for the moments between two keys.
+/// Returns statements for the moments between two keys.
 std::string between_text(const Window<MotionKey>& w) {
     const MotionKey &from = *w.key[1], &to = *w.key[2];
     std::string text = "    #declare Over = (clock - " + text_of(from.time) + ")/" + text_of(w.seconds[1]) + ";\n";

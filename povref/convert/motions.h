@@ -1,4 +1,4 @@
-// Motions as POV-Ray transformations that depend on `clock`.
+// Converts motions to POV-Ray transformations that depend on `clock`.
 #pragma once
 #include <string>
 #include <vector>
@@ -7,19 +7,19 @@
 
 namespace strahl {
 
-/// Motions get names when they are first asked for, and equal ones the same.
+/// Names motions when they are first used. Equal motions share a name.
 class PovMotions {
   public:
-    /// The statement that applies a motion: "transform { Motion_1 }".
+    /// Returns the statement that applies a motion: "transform { Motion_1 }".
     std::string use(const Motion& motion);
-    /// Their declarations; empty if there are none.
+    /// Returns the declarations of all motions used; empty if there are none.
     std::string section() const;
 
   private:
     std::vector<std::pair<Motion, std::string>> declared;
 };
 
-/// Transformations as POV-Ray statements.
+/// Returns transformations as POV-Ray statements.
 std::vector<std::string> statements(const std::vector<Transformation>& steps, PovMotions& motions);
 
 }  // namespace strahl

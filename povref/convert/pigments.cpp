@@ -28,7 +28,8 @@ std::string moved(const std::string& coordinate, const Kind& kind) {
     return coordinate + " + " + text_of(kind.turbulence) + "*(" + octaves_text(kind) + ")";
 }
 
-/// The value of a pattern that POV-Ray lacks, or whose own has tolerances that show: its gradient is off by 1e-5 at -1.
+/// Writes the value of a pattern as a function. Empty where POV-Ray has the pattern without visible tolerances; its own
+/// gradient is off by 1e-5 at -1.
 struct ValueText {
     std::string operator()(const Checker&) const { return ""; }
     std::string operator()(const Brick&) const { return ""; }
@@ -66,7 +67,7 @@ std::string pigment_text(const Pigment& pigment, const std::string& more) {
 
 std::string normal_text(const Bump& bump) {
     if (!bump.pattern) return "";
-    // What it calls a size of 1 is 0.1 / accuracy times the sum over the corners, scene/pattern.h says which.
+    // POV-Ray's size of 1 is 0.1 / accuracy times the sum over the corners that scene/pattern.h describes.
     constexpr double size_of_height = 3 / (4 * .1);
     const ImagePattern* const image = std::get_if<ImagePattern>(&bump.pattern->kind);
     std::string text = std::string(bump.pattern->by_uv ? "normal { uv_mapping " : "normal { ") +

@@ -1,4 +1,4 @@
-// Colours and patterns as POV-Ray pigments.
+// Converts colours and patterns to POV-Ray pigments.
 #pragma once
 #include <string>
 
@@ -6,13 +6,13 @@
 
 namespace strahl {
 
-/// What stands in `pigment { }`. `more` follows each colour, such as " transmit 0.5".
+/// Returns the content of `pigment { }`. `more` follows each colour, such as " transmit 0.5".
 std::string pigment_text(const Pigment& pigment, const std::string& more = "");
 
-/// `normal { }`, or nothing.
+/// Returns `normal { }`, or an empty text.
 std::string normal_text(const Bump& bump);
 
-/// The functions that pigments of the scene call; empty if there are none.
+/// Returns the functions that pigments of the scene call; empty if there are none.
 std::string function_section(const Scene& scene);
 
 }  // namespace strahl

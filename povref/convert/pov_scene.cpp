@@ -13,7 +13,7 @@
 #include "povref/convert/materials.h"
 #include "povref/convert/motions.h"
 #include "povref/convert/pigments.h"
-#include "povref/convert/unit.h"
+#include "povref/convert/scale.h"
 #include "scene/error.h"
 #include "scene/leaves.h"
 #include "scene/moving_scene.h"
@@ -23,9 +23,9 @@
 namespace strahl {
 namespace {
 
-/// What decides how the scene is written, and which comments and warnings it gets.
+/// Properties of the scene that decide how it is written, and which comments and warnings it gets.
 struct Plan {
-    Unit unit{};
+    PovScale scale{};
     std::vector<PovMaterial> materials;
     bool scaled = false;          // Unit is declared
     bool inside = false;          // a camera is in a transparent body
@@ -42,9 +42,9 @@ struct Plan {
 
 Plan plan_for(const Scene& scene, const PovRequest& request) {
     Plan plan{.materials = pov_materials(scene, request.depth)};
-    Sizes sizes;
+    Extents extents;
     const auto look = [&](const Scene& moment, const std::vector<Camera>& cameras) {
-        sizes.add(moment, cameras);
+        extents.add(moment, cameras);
         plan.bodies_overlap |= transparent_bodies_overlap(moment);
         for (const Primitive& primitive : moment.primitives)
             if (transparent(moment, primitive)) {
@@ -56,8 +56,8 @@ Plan plan_for(const Scene& scene, const PovRequest& request) {
     for (std::size_t n = 0; plan.moves && n < request.cameras.size(); ++n)
         look(at(scene, static_cast<double>(n) / request.fps), {request.cameras[n]});
     if (!plan.moves) look(scene, request.cameras);
-    plan.unit = unit_for(sizes);
-    plan.scaled = plan.unit.unit != 1;
+    plan.scale = scale_for(extents);
+    plan.scaled = plan.scale.factor != 1;
     for (const PovMaterial& material : plan.materials) {
         plan.keyword |= material.keyword;
         plan.shadow_copies |= material.own_shadow;
@@ -73,7 +73,7 @@ Plan plan_for(const Scene& scene, const PovRequest& request) {
 
 std::vector<std::string> warnings_of(const Plan& plan) {
     std::vector<std::string> warnings;
-    if (!plan.unit.fault.empty()) warnings.push_back(plan.unit.fault);
+    if (!plan.scale.fault.empty()) warnings.push_back(plan.scale.fault);
     if (plan.near_one)
         warnings.push_back(
             "POV-Ray does not count a ray that goes on unbent as a generation; transparent bodies of ior 1 have an ior "
@@ -123,7 +123,7 @@ std::string top(const Scene& scene, const PovRequest& request, const Plan& plan)
                 comment(
                     "POV-Ray's tolerances are lengths (no shadow over less than 0.001, no hit beyond 10000000), so "
                     "the scene is built with this many of its units to one of strahl's.") +
-                "#declare Unit = " + text_of(plan.unit.unit) + ";\n";
+                "#declare Unit = " + text_of(plan.scale.factor) + ";\n";
     return text;
 }
 
@@ -165,13 +165,13 @@ std::string camera_section(const PovRequest& request, const Plan& plan) {
            "\n  direction " + value("Direction", &PovCamera::direction) + "\n}\n";
 }
 
-/// Where POV-Ray, to which all lights have a place, may have one of parallel light: as far away as it looks.
+/// Returns a place for a parallel light, since every light of POV-Ray needs one: as far away as POV-Ray looks.
 DVec3 place_of_parallel(const DVec3& direction, const Plan& plan) {
     constexpr double far = 1e7;
-    return -far / plan.unit.unit * normalize(direction);
+    return -far / plan.scale.factor * normalize(direction);
 }
 
-/// Grids are written as the points that they are: POV-Ray's own multiply the mean of the points' light by the mean of
+/// Writes the lights. Grids are written as single points: POV-Ray's own grids multiply the mean of the points' light by the mean of
 /// their shadows, even with area_illumination.
 std::string light_section(const Scene& scene, const Plan& plan, PovMotions& motions) {
     if (scene.lights.empty()) return "";
@@ -218,7 +218,7 @@ std::string material_section(const Plan& plan) {
     return text;
 }
 
-/// A background with a pattern.
+/// Writes a background with a pattern.
 std::string sky_section(const Scene& scene) {
     if (!scene.background.pattern) return "";
     return heading("Background") + "sky_sphere { pigment { " + pigment_text(scene.background) + " } }\n";

@@ -21,17 +21,17 @@ struct PovRequest {
     int grid = 0;    // n > 0, for run_povray: the average of n x n rays in each pixel and the one through its middle
 };
 
-/// Both files, and warnings of what POV-Ray can't express exactly, which are also in the scene's comments.
+/// Both files, and warnings of what POV-Ray cannot express exactly, which are also in the scene's comments.
 struct PovFiles {
     std::string pov, ini;
     std::vector<std::string> warnings;
     std::vector<PovPicture> pictures;
 };
-/// Writes all of them: the pictures into the folder of the .pov.
+/// Writes all files: the pictures into the folder of the .pov.
 void write(const PovFiles& files, const std::string& pov_path);
 
-/// POV-Ray 3.7 renders these to the same picture as Strahl, up to rounding. The scene is equal term by term, and its
-/// camera's axes are written out, so that the handedness of the world does not matter.
+/// Converts a scene. POV-Ray 3.7 renders it to the same picture as Strahl, up to rounding: the scene is equal term by
+/// term, and its camera's axes are written out, so that the handedness of the world does not matter.
 PovFiles write_pov(const Scene& scene, const PovRequest& request);
 
 }  // namespace strahl

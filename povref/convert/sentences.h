@@ -1,4 +1,4 @@
-// What bodies and transformations are called in POV-Ray: their words and arguments.
+// Writes bodies and transformations in POV-Ray's words.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 
 namespace strahl {
 
-/// A transformation.
+/// Returns the statement of a transformation.
 inline std::string step_text(const Transformation& step) {
     // POV-Ray treats smaller factors as 0, and 0 as 1.
     constexpr double least = 1e-9;
@@ -24,12 +24,12 @@ inline std::string step_text(const Transformation& step) {
                        ", 0, 0, 0>";
             return "scale " + (f.x == f.y && f.y == f.z ? text_of(f.x) : text_of(f));
         }
-        std::string operator()(const Motion&) const { return ""; }  // patterns have none, for others see motions.h
+        std::string operator()(const Motion&) const { return ""; }  // patterns have no motions; for bodies see motions.h
     } words;
     return std::visit(words, step);
 }
 
-/// A mesh without its closing brace. A closed one gets a direction in which POV-Ray counts whether a point is inside.
+/// Returns a mesh without its closing brace. A closed one gets a direction in which POV-Ray counts whether a point is inside.
 inline std::string sentence(const Mesh& mesh) {
     const auto &points = mesh.data->points, &normals = mesh.data->normals;
     const auto &triangles = mesh.data->triangles, &corner_normals = mesh.data->corner_normals;
@@ -50,7 +50,7 @@ inline std::string sentence(const Mesh& mesh) {
     return text + (open_side(*mesh.data) ? "\n " : "\n  inside_vector <0, 0, 1>");
 }
 
-/// A simple body without its closing brace, in the shape's own space.
+/// Returns a simple body without its closing brace, in the shape's own space.
 inline std::string sentence(const Shape& shape) {
     const auto join = [](const char* keyword, const auto& first, const auto&... more) {
         return keyword + (" { " + text_of(first)) + (... + (", " + text_of(more)));

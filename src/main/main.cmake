@@ -1,5 +1,6 @@
-# The program: main.cpp with the options of all commands, and a file for the work of each.
+# The program: the options of all commands, and a file for the work of each.
 file(GLOB sources CONFIGURE_DEPENDS src/main/*.cpp src/main/*/*.cpp)
+list(FILTER sources EXCLUDE REGEX "/options/")
 if(NOT TARGET strahl_show)
   list(FILTER sources EXCLUDE REGEX "/command_view\\.cpp$")
   list(APPEND sources src/main/commands/without_window/command_view.cpp)
@@ -13,9 +14,14 @@ target_link_libraries(strahl PRIVATE strahl_text strahl_import strahl_image stra
 if(TARGET strahl_show)
   target_link_libraries(strahl PRIVATE strahl_show)
 endif()
-# Reading options takes no time, but CLI11 takes long to compile.
-set_source_files_properties(src/main/main.cpp PROPERTIES COMPILE_DEFINITIONS STRAHL_VERSION="${PROJECT_VERSION}"
-                                                         COMPILE_OPTIONS -O0 SKIP_PRECOMPILE_HEADERS ON)
+# Reading options takes no time, but CLI11 takes long to compile: once, without optimising.
+file(GLOB options CONFIGURE_DEPENDS src/main/options/*.cpp)
+add_library(strahl_options OBJECT ${options})
+target_compile_definitions(strahl_options PRIVATE STRAHL_VERSION="${PROJECT_VERSION}")
+target_compile_options(strahl_options PRIVATE -O0)
+target_link_libraries(strahl_options PRIVATE strahl_flags)
+set_target_properties(strahl_options PROPERTIES UNITY_BUILD ON)
+target_link_libraries(strahl PRIVATE strahl_options)
 set_target_properties(strahl PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR})
 
 include(src/main/package.cmake)

@@ -22,7 +22,7 @@ done
 said=$("$strahl" crosscheck scene.rt --size 32x24 --depth 2 2>&1)
 [[ $said != *stod* ]] || fault "it says: $said"
 povray ":"
-check 1 "not with the picture that was asked for"
+check 1 "its picture is not the requested one"
 povray "cp $work/wrong.png scene.png"
 check 1 "24x32 pixels"
 povray "echo nonsense >scene.png"

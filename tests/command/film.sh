@@ -56,7 +56,7 @@ expect_only bin bin/ffmpeg scene.rt whole some film.mp4 no_codec arguments
 rm no_codec
 echo yes >full
 expect 1 "ffmpeg failed: no space left
-what it wrote until then is in 'film.part.mp4'" render scene.rt -o film.mp4 --size 320x240
+the film so far is in 'film.part.mp4'" render scene.rt -o film.mp4 --size 320x240
 head -c 3000 <("$strahl" render scene.rt -o - --format y4m --size 320x240 --frames 0) | cmp - film.part.mp4
 expect_only bin bin/ffmpeg scene.rt whole some film.mp4 film.part.mp4 full arguments
 [[ $(<film.mp4) == "an older film" ]] || fault "the older film is gone"

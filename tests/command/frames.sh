@@ -76,5 +76,5 @@ head -1 stream | grep -q '^YUV4MPEG2 W3 H65 F30000:1001 .*C444' || fault "it beg
 # Red in BT.709.
 for plane in 0 1 2; do od -An -tu1 -N195 -j$((6 + 195 * plane)) -w195 -v still | tr -s ' ' '\n' | sort -u | tr -d '\n'; done |
     grep -qx 63102240 || fault "red is not 63, 102, 240"
-expect 2 "goes to standard output alone" render scene.rt -o x.ppm
+expect 2 "can only go to standard output" render scene.rt -o x.ppm
 finish

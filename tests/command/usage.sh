@@ -64,7 +64,7 @@ expect 2 "needs a scene with a track" view still.rt --rocket
 expect 2 "--rocket-port" view still.rt --rocket --rocket-port 70000
 expect 2 "--rocket" view still.rt --rocket-port 1338
 sed 's/^camera/fog { distance 99  color <0, 0, track "sky"> }\n&/' still.rt >tracks.rt
-expect 2 "can't follow the tracks of tracks.rt" pov tracks.rt -o x.pov --animation
+expect 2 "cannot follow the tracks of tracks.rt" pov tracks.rt -o x.pov --animation
 rm tracks.rt
 
 rm still.rt

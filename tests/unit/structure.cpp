@@ -203,6 +203,71 @@ TEST_CASE("no header includes itself, by others") {
     for (const auto& [file, path] : module_files()) visit(file);
 }
 
+/// The name of the type that this line defines, or "". Specialisations have the name of their template.
+std::string type_defined_in(const std::string& line) {
+    static const std::regex definition(
+        R"(\s*(?:template ?<.*> )?(?:struct|class|union|enum(?: class)?) (\w+)(?: final)?(?: ?: [^;]*)?(?: \{.*)?)");
+    std::smatch match;
+    return std::regex_match(line, match, definition) ? match[1].str() : "";
+}
+
+/// Types whose names other types have, which is allowed for the reason given.
+const std::map<std::string, std::string> names_of_several_types{
+};
+
+TEST_CASE("one word, one meaning: no two types share a name") {
+    CHECK(type_defined_in("struct Box {") == "Box");
+    CHECK(type_defined_in("    enum class Writer { own, other_program };") == "Writer");
+    CHECK(type_defined_in("template <class T> class Pack : Base<T> {") == "Pack");
+    CHECK(type_defined_in("class World;") == "");
+    CHECK(type_defined_in("struct Pair<int, int> {") == "");
+    std::map<std::string, std::vector<std::string>> places;
+    for (const auto& [file, path] : module_files()) {
+        std::ifstream in(path);
+        std::string line;
+        for (int number = 1; std::getline(in, line); ++number)
+            if (const std::string name = type_defined_in(line); !name.empty())
+                places[name].push_back(file + ":" + std::to_string(number));
+    }
+    CHECK(places.size() > 300);
+    for (const auto& [name, found] : places) {
+        std::string list;
+        for (const std::string& place : found) list += "\n" + place;
+        const bool allowed = names_of_several_types.contains(name);
+        if (!allowed) CHECK_MESSAGE(found.size() == 1, "several types are called " << name << ":" << list);
+    }
+    for (const auto& [name, reason] : names_of_several_types)
+        CHECK_MESSAGE(places[name].size() > 1, name << " is in the list of exceptions without need");
+}
+
+TEST_CASE("the page on the source names only what there is") {
+    std::string code;
+    for (const auto& [file, path] : module_files()) {
+        std::ostringstream text;
+        text << std::ifstream(path).rdbuf();
+        code += text.str();
+    }
+    std::ostringstream text;
+    text << std::ifstream(STRAHL_SOURCE "/src/README.md").rdbuf();
+    const std::string page = text.str();
+    const std::regex quoted("`([^`\n]+)`"), name("[A-Za-z_]\\w*"), own("[A-Za-z_/]+\\.(h|cpp|cmake)");
+    int names = 0;
+    for (std::sregex_iterator at(page.begin(), page.end(), quoted), end; at != end; ++at) {
+        const std::string word = (*at)[1];
+        if (std::regex_match(word, own)) {
+            const auto is = [&](const char* folder) { return fs::exists(fs::path(STRAHL_SOURCE) / folder / word); };
+            if (word.find("NAME") != word.npos || word.find("X") == 0) continue;
+            ++names;
+            CHECK_MESSAGE((is("") || is("src")), "src/README.md names the file " << word << ", which is not there");
+        } else if (std::regex_match(word, name) || word.ends_with("()")) {
+            ++names;
+            const std::regex whole("\\b" + word.substr(0, word.find('(')) + "\\b");
+            CHECK_MESSAGE(std::regex_search(code, whole), "src/README.md speaks of " << word << ", which is not there");
+        }
+    }
+    CHECK(names > 40);
+}
+
 TEST_CASE("a folder of sources or tests has at most 30 files") {
     std::map<fs::path, int> count;
     for (const char* top : {"src", "povref", "tests"})

@@ -44,7 +44,8 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view script_head = "#!/bin/sh\n# Made by strahl bundle.\n";
 
-/// Every desktop has these, and its drivers need its own: the C and C++ libraries, zlib, X, OpenGL and Wayland.
+/// Returns whether every desktop has this library, and its drivers need their own: the C and C++ libraries, zlib, X,
+/// OpenGL and Wayland.
 bool of_the_desktop(const std::string& library) {
     constexpr std::array<std::string_view, 22> names{
         "linux-vdso.", "ld-linux", "libc.",   "libm.",   "libdl.", "libpthread.", "librt.",     "libstdc++.",
@@ -53,8 +54,8 @@ bool of_the_desktop(const std::string& library) {
     return std::ranges::any_of(names, [&](std::string_view name) { return library.starts_with(name); });
 }
 
-/// The shared libraries of this program that go with it. To be asked for before pictures are read, which loads some
-/// that a bundle does without.
+/// Returns the shared libraries of this program that go into the bundle. Must be called before pictures are read: that
+/// loads some that a bundle does without.
 std::vector<fs::path> libraries() {
     std::vector<fs::path> all;
     const auto add = [](dl_phdr_info* info, std::size_t, void* list) {
@@ -67,7 +68,7 @@ std::vector<fs::path> libraries() {
     return all;
 }
 
-/// A folder beside another one, whose name it gets when it is whole. Else nothing is left of it.
+/// A folder that is made under another name beside `target`. finish() gives it its name; otherwise it is removed.
 class NewFolder {
   public:
     explicit NewFolder(const fs::path& own_target) : target(own_target), folder(target.string() + ".tmp-XXXXXX") {
@@ -81,7 +82,7 @@ class NewFolder {
 
     fs::path path() const { return folder; }
 
-    /// An older one gets the name of this, and is removed.
+    /// Renames it to the target. An older bundle there is removed.
     void finish() {
         const int file = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
         const bool synced = file >= 0 && ::syncfs(file) == 0;
@@ -104,7 +105,7 @@ class NewFolder {
     std::string folder;
 };
 
-/// Not std::filesystem::is_empty: where memory runs out, that ends the program.
+/// Like std::filesystem::is_empty, which ends the program when memory runs out.
 bool is_empty_folder(const fs::path& path) {
     DIR* const listed = ::opendir(path.c_str());
     if (!listed && errno == ENOMEM) throw std::bad_alloc();
@@ -115,7 +116,7 @@ bool is_empty_folder(const fs::path& path) {
     return entries == 2;  // "." and ".."
 }
 
-/// Only what this command made, or nothing, is replaced.
+/// Throws UsageError if something is there that this command did not make.
 void require_own(const fs::path& folder) {
     if (!fs::exists(folder) || is_empty_folder(folder)) return;
     std::string head(script_head.size(), '\0');
@@ -126,7 +127,7 @@ void require_own(const fs::path& folder) {
                          "another name");
 }
 
-/// What is put where in the bundle, and under which names the scene asks for it.
+/// Puts files into the bundle, and chooses their names in the scene.
 class Collection {
   public:
     Collection(const fs::path& own_folder, const Interrupt& own_interrupt)
@@ -149,7 +150,7 @@ class Collection {
         total += double(bytes.size());
     }
     double size() const { return total; }
-    /// A name for a file of the scene, in a folder of their own, where each name is given once.
+    /// Returns a name for a file of the scene in the folder `files`. Each name is given once.
     std::string name_for(const std::string& file, const char* ending) {
         const fs::path own = fs::path(file).filename();
         std::string name;
@@ -170,10 +171,11 @@ class Collection {
     std::set<std::string> given;
 };
 
-/// Pictures without compression need no library to be read; that which reads others has hundreds behind it.
+/// Writes a picture without compression, so that the bundle need not have OpenImageIO, which needs hundreds of
+/// libraries. Returns its name.
 std::string plain_picture(const std::string& path, Collection& bundle) {
     Picture picture = read_picture(path);
-    const int channels = picture.channels < 3 ? 1 : 3;  // without alpha, by which nothing is transparent in a scene
+    const int channels = picture.channels < 3 ? 1 : 3;  // without alpha, which scenes do not use
     std::vector<double> values;
     for (std::size_t i = 0; i < picture.values.size(); i += unsigned(picture.channels))
         values.insert(values.end(), &picture.values[i], &picture.values[i] + channels);
@@ -183,7 +185,7 @@ std::string plain_picture(const std::string& path, Collection& bundle) {
     return name;
 }
 
-/// A text with other names in its quotation marks.
+/// Replaces the names in a text's quotation marks.
 std::string renamed_in(const std::string& text, const std::map<std::string, std::string>& names) {
     std::string result;
     std::size_t at = 0;
@@ -197,7 +199,7 @@ std::string renamed_in(const std::string& text, const std::map<std::string, std:
     return result + text.substr(at);
 }
 
-/// The scene with the files that it names. Returns its path in the bundle.
+/// Copies the scene and the files that it names. Returns its path in the bundle.
 std::string collect_scene(const std::string& path, Collection& bundle) {
     const std::string text = read_text(path);
     FileNames names;
@@ -245,7 +247,7 @@ std::string read_me(const BundleOptions& options, const std::vector<fs::path>& l
 }  // namespace
 
 int bundle_command(const BundleOptions& options) try {
-    if (options.scene == "-") throw UsageError("a bundle is made of a scene file, whose folder other files are beside");
+    if (options.scene == "-") throw UsageError("a bundle needs a scene file; its folder has the other files");
     fs::path target = fs::path(options.output).lexically_normal();
     if (!target.has_filename()) target = target.parent_path();
     if (target.empty()) throw UsageError("no output folder. Add -o FOLDER");
@@ -255,7 +257,7 @@ int bundle_command(const BundleOptions& options) try {
     NewFolder folder(target);
     Collection bundle(folder.path(), interrupt);
     const std::string scene = collect_scene(options.scene, bundle);
-    // What cannot be read again would only be noticed elsewhere.
+    // Reading it again here shows errors that would otherwise be noticed on the other machine.
     const std::string copy = folder.path() / scene;
     parse_scene(read_text(copy), copy, {}, read_pixels);
     collect_program(own_libraries, bundle);

@@ -1,4 +1,4 @@
-// strahl bundle: a folder that plays a scene on another machine.
+// strahl bundle: makes a folder that plays a scene on another machine.
 #pragma once
 #include <string>
 
@@ -10,9 +10,9 @@ struct BundleOptions {
     std::string version;  // of the program
 };
 
-/// The program, the shared libraries that it has and a desktop need not have, the scene with its files, and a script
-/// `play`. An older bundle stays until the new one is whole. Returns the exit status. Throws FileError for the scene,
-/// UsageError if the folder is none of its own, and OutputError.
+/// Copies the program, the shared libraries that a desktop may lack, the scene with its files, and a script `play`. An
+/// older bundle stays until the new one is complete. Returns the exit status. Throws FileError for the scene,
+/// UsageError if the folder exists and is not a bundle, and OutputError.
 int bundle_command(const BundleOptions& options);
 
 }  // namespace strahl

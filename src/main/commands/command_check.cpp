@@ -7,15 +7,13 @@
 #include <utility>
 
 #include "files/output_file.h"
-#include "files/read_file.h"
 #include "files/streams.h"
 #include "files/utf8.h"
-#include "image/pixels.h"
+#include "main/commands/scene_file.h"
 #include "main/process/exit_status.h"
 #include "scene/leaves.h"
 #include "scene/moving_scene.h"
 #include "scene/overlap.h"
-#include "text/parse.h"
 #include "text/write.h"
 
 namespace strahl {
@@ -30,7 +28,7 @@ std::ostream& operator<<(std::ostream& out, const DVec3& v) {
     return out << '<' << v.x << ", " << v.y << ", " << v.z << '>';
 }
 
-/// How many there are of each kind.
+/// The number of bodies of each kind.
 using CountOfKinds = std::array<std::size_t, std::variant_size_v<Shape>>;
 
 /// "7: 5 spheres, 1 plane, 1 cylinder"
@@ -44,7 +42,7 @@ std::string kinds_in_words(const CountOfKinds& counts, std::variant<Kinds...>*) 
     return words;
 }
 
-/// The lines for the bodies, and for the simple ones that composites consist of.
+/// Returns the lines that count the bodies, and the simple ones that composites consist of.
 std::string bodies_in_words(const Scene& scene) {
     CountOfKinds bodies{}, parts{};
     for (const Primitive& primitive : scene.primitives) {
@@ -59,7 +57,7 @@ std::string bodies_in_words(const Scene& scene) {
     return line("  primitives   ", bodies) + (parts == CountOfKinds{} ? "" : line("  made of      ", parts));
 }
 
-/// The box around all bounded bodies.
+/// Describes the box around all bounded bodies.
 std::string bounds_in_words(const Scene& scene) {
     Box box;
     bool unbounded = false;
@@ -117,9 +115,9 @@ std::string summary(const Scene& scene) {
 }  // namespace
 
 int check_command(const CheckOptions& options) {
-    const std::string file = options.scene == "-" ? "standard input" : options.scene;
-    const Scene scene = parse_scene(read_text(options.scene), file, {}, read_pixels);
-    write_file("-", options.print ? write_scene(scene) : show(file).text + ": no errors\n" + summary(scene));
+    const Scene scene = read_scene(options.scene);
+    const std::string file = show(shown_name(options.scene)).text;
+    write_file("-", options.print ? write_scene(scene) : file + ": no errors\n" + summary(scene));
     return exit_status::done;
 }
 

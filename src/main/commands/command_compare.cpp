@@ -1,4 +1,4 @@
-// strahl compare: how much two pictures differ, and where.
+// strahl compare: reports how much two pictures differ, and where.
 #include "main/commands/command_compare.h"
 
 #include <cstdio>
@@ -24,7 +24,7 @@ int compare_command(const CompareOptions& options) {
         if (const std::string fault = format_fault(options.heatmap, 0); !fault.empty()) throw FileError(fault);
     for (const std::string& picture : {options.a, options.b})
         refuse_overwriting("--heatmap", options.heatmap, "a picture that is compared", picture);
-    // If the heat map goes to standard output, the text can't.
+    // If the heat map goes to standard output, the text cannot.
     std::FILE* const out = options.heatmap == "-" ? stderr : stdout;
     const Picture a = read_and_describe(options.a, out), b = read_and_describe(options.b, out);
     const PictureDifference difference = compare(a, b, options.tolerance);

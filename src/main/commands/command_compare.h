@@ -1,11 +1,11 @@
-// strahl compare: how much two pictures differ, and where.
+// strahl compare: reports how much two pictures differ, and where.
 #pragma once
 #include <string>
 
 namespace strahl {
 
 struct CompareOptions {
-    std::string a, b;      // .bmp, .png or .exr files
+    std::string a, b;      // files that read_picture() takes
     std::string heatmap;   // where to write the map of differences (.bmp .png .exr), or empty
     double tolerance = 0;  // 0 or more; the largest difference that counts as equal
 };

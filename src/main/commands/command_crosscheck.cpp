@@ -6,16 +6,14 @@
 #include <iostream>
 
 #include "files/output_file.h"
-#include "files/read_file.h"
 #include "files/utf8.h"
 #include "image/compare.h"
-#include "image/pixels.h"
 #include "image/transfer.h"
+#include "main/commands/scene_file.h"
 #include "num/thread_pool.h"
 #include "povref/compare/run_povray.h"
 #include "povref/compare/verdict.h"
 #include "scene/moving_scene.h"
-#include "text/parse.h"
 
 namespace strahl {
 namespace {
@@ -44,7 +42,7 @@ OurRun trace(Tracer& tracer, const View& view, int threads, const std::atomic<bo
     return run;
 }
 
-/// The values as a screen shows them.
+/// Rounds the values to 16 bits, as a screen would show them.
 Picture for_screen(Picture picture, bool linear) {
     for (double& v : picture.values) v = quantise(v, linear, 65535) / 65535.;
     return picture;
@@ -56,7 +54,7 @@ void write_sheet(const std::string& path, const Frame& ours, const Picture& thei
     write_picture(beside({for_screen(mine, linear), for_screen(theirs, linear), difference}, 4), path, {});
 }
 
-/// "sheet.png" for one scene, "sheet-NAME.png" for one of several.
+/// Returns "sheet.png" for one scene, "sheet-NAME.png" for one of several.
 std::string sheet_path(const CrosscheckOptions& options, const std::string& scene) {
     if (options.scenes.size() == 1) return options.sheet;
     const fs::path path(options.sheet);
@@ -74,7 +72,7 @@ void print_row(const std::string& path, const Verdict& verdict, double ours, dou
 
 /// Returns whether the two pictures agree.
 bool check(const CrosscheckOptions& options, const std::string& path, const std::atomic<bool>* stop) {
-    const Scene scene = parse_scene(read_text(path), path, {}, read_pixels);
+    const Scene scene = read_scene(path);
     if (options.time) flight_for("--time", scene, path);
     const View view{.camera = camera_at(scene, options.time),
                     .width = options.width,

@@ -1,4 +1,4 @@
-// strahl import: reads another program's scene, tells what can't be said, and writes the rest as text.
+// strahl import: reads another program's scene, reports unsupported features, and writes the rest as text.
 #include "main/commands/command_import.h"
 
 #include <filesystem>
@@ -8,22 +8,21 @@
 #include "files/read_file.h"
 #include "files/utf8.h"
 #include "import/import.h"
+#include "main/commands/scene_file.h"
 #include "main/process/exit_status.h"
-#include "text/parse.h"
+#include "main/render/values.h"
 #include "text/write.h"
 
 namespace strahl {
 
 int import_command(const ImportOptions& options) {
-    const bool piped = options.file == "-";
     refuse_overwriting("-o", options.output, "the file to import", options.file);
-    const Imported imported = import_scene(read_text(options.file), piped ? "standard input" : options.file);
+    const Imported imported = import_scene(read_text(options.file), shown_name(options.file));
     std::string text = "// Imported";
-    if (!piped) text += " from " + show(std::filesystem::path(options.file).filename().string()).text;
+    if (options.file != "-") text += " from " + show(std::filesystem::path(options.file).filename().string()).text;
     text += '.';
     if (imported.size)
-        text += " Its picture: --size " + std::to_string(imported.size->width) + "x" +
-                std::to_string(imported.size->height);
+        text += " Its picture: --size " + size_text(imported.size->width, imported.size->height);
     write_file(options.output, text + "\n\n" + write_scene(imported.scene));
     for (const std::string& warning : imported.warnings) std::cerr << "strahl: warning: " << printable(warning) << '\n';
     return exit_status::done;

@@ -1,4 +1,4 @@
-// strahl import: scenes of other programs as scene text.
+// strahl import: converts scenes of other programs to scene text.
 #pragma once
 #include <string>
 

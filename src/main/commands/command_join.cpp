@@ -1,4 +1,4 @@
-// strahl join: bands from all parts, in their order.
+// strahl join: collects the bands of all parts in their order.
 #include "main/commands/command_join.h"
 
 #include <memory>
@@ -44,7 +44,7 @@ int join_command(const JoinOptions& options) {
         header.part = first.part;
         if (const std::string key = header.difference(first); !key.empty())
             throw FileError("'" + path + "' and '" + options.parts[0] +
-                            "' are no parts of one picture: they differ in the " +
+                            "' are not parts of one picture: they differ in the " +
                             (key == "part" ? "number of parts" : key == "file" ? "kind or size of file" : key));
         writer->take(file);
     }
@@ -52,7 +52,7 @@ int join_command(const JoinOptions& options) {
     for (int band = 0; band < writer->count(); ++band)
         if (!writer->finished(band)) missing.insert(band % first.parts + 1);
     if (!missing.empty())
-        throw FileError("not all of the picture is there: of these parts bands are missing: " +
+        throw FileError("the picture is incomplete; parts whose bands are missing: " +
                         in_words(missing, first.parts));
     writer->write(options.output);
     return exit_status::done;

@@ -1,4 +1,4 @@
-// strahl join: the parts of one picture become that picture.
+// strahl join: puts the parts of a picture together.
 #pragma once
 #include <string>
 #include <vector>

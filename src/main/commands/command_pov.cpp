@@ -5,20 +5,19 @@
 #include <iostream>
 
 #include "files/output_file.h"
-#include "files/read_file.h"
 #include "files/utf8.h"
-#include "image/pixels.h"
+#include "main/commands/scene_file.h"
 #include "povref/convert/pov_scene.h"
 #include "scene/moving_scene.h"
-#include "text/parse.h"
 
 namespace strahl {
 namespace {
 
-/// Frame n is the view at n / fps seconds; a path that loops ends one frame before it would repeat its first.
+/// Returns the cameras of all frames. Frame n is the view at n / fps seconds; a path that loops ends one frame before
+/// it would repeat its first.
 std::vector<Camera> frames(const Scene& scene, const Flythrough& path, double fps) {
     const double last = path.duration * fps;
-    if (!(last < 1e5)) throw UsageError("these are more than 100000 frames; choose a smaller --fps");
+    if (!(last < 1e5)) throw UsageError("the animation would have more than 100000 frames; choose a smaller --fps");
     std::vector<Camera> cameras;
     for (int n = 0; path.loop ? n < last - 1e-9 : n <= last + 1e-9; ++n)
         cameras.push_back(camera_at(scene, n / fps));
@@ -43,9 +42,8 @@ void check(const PovOptions& options) {
 int pov_command(const PovOptions& options) {
     namespace fs = std::filesystem;
     check(options);
-    const bool piped = options.scene == "-";
-    Scene scene = parse_scene(read_text(options.scene), piped ? "standard input" : options.scene, {}, read_pixels);
-    PovRequest request{.title = piped ? "A scene" : fs::path(options.scene).filename().string(),
+    Scene scene = read_scene(options.scene);
+    PovRequest request{.title = options.scene == "-" ? "A scene" : fs::path(options.scene).filename().string(),
                        .pov_path = options.output,
                        .picture_path = fs::path(options.output).replace_extension(".png").string(),
                        .width = options.width,
@@ -54,7 +52,7 @@ int pov_command(const PovOptions& options) {
                        .bits = options.bits};
     if (options.animation) {
         if (!followed_tracks(scene).empty())
-            throw UsageError("--animation can't follow the tracks of " + options.scene +
+            throw UsageError("--animation cannot follow the tracks of " + options.scene +
                              "; --time writes what they are at a moment");
         request.cameras = frames(scene, flight_for("--animation", scene, options.scene), options.fps);
         request.fps = options.fps;

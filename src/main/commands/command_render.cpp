@@ -13,6 +13,7 @@
 #include "files/read_file.h"
 #include "files/utf8.h"
 #include "image/pixels.h"
+#include "main/commands/scene_file.h"
 #include "main/process/exit_status.h"
 #include "main/render/checkpoint.h"
 #include "main/render/renderer.h"
@@ -23,8 +24,9 @@
 namespace strahl {
 namespace {
 
-/// Is there a file that holds the whole picture? One that was cut off is told and made again; one of another film is
-/// not ours to overwrite. It needs no checkpoint any more, which stays if a run was killed after writing the picture.
+/// Returns whether a file holds the whole picture, and then removes its checkpoint, which stays if a run was killed after
+/// writing the picture. A file that was cut off is reported, and made again. Throws UsageError for a picture of another
+/// size, which belongs to another film.
 bool is_finished(const std::string& path, const Lattice& part) {
     if (!std::filesystem::exists(path)) return false;
     try {
@@ -33,9 +35,8 @@ bool is_finished(const std::string& path, const Lattice& part) {
             remove_checkpoint(path);
             return true;
         }
-        const auto size = [](int width, int height) { return std::to_string(width) + "x" + std::to_string(height); };
-        throw UsageError("'" + path + "' is a picture of " + size(picture.width, picture.height) + " pixels and not " +
-                         size(part.columns, part.rows) +
+        throw UsageError("'" + path + "' is a picture of " + size_text(picture.width, picture.height) + " pixels and not " +
+                         size_text(part.columns, part.rows) +
                          "; give --resume the size that the film was begun with, or another -o");
     } catch (const FileError& error) {
         std::cerr << "strahl: " << printable(error.what()) << "; this frame is made again\n";
@@ -43,7 +44,7 @@ bool is_finished(const std::string& path, const Lattice& part) {
     }
 }
 
-/// Those of the share, if there is one. To files of their own, or to a stream.
+/// Renders the frames, or those of the share, to a file each or to a stream. Returns whether all are finished.
 bool render_frames(const RenderOptions& options, const Lattice& part, Renderer& renderer, const std::string& ending,
                    const Encoder::Append& stream = {}) {
     const Share share = options.share.value_or(Share{});
@@ -51,15 +52,15 @@ bool render_frames(const RenderOptions& options, const Lattice& part, Renderer& 
     int count = 0;
     return options.frames->each([&](int frame) {
         if (count++ % share.parts != share.part - 1) return true;
-        const Target target{stream ? options.output : numbered(options.output, frame), ending, stream};
-        if (options.resume && !renderer.interrupted() && is_finished(target.path, part)) return true;
+        const Destination destination{stream ? options.output : numbered(options.output, frame), ending, stream};
+        if (options.resume && !renderer.interrupted() && is_finished(destination.path, part)) return true;
         const std::string last = std::to_string(options.frames->last());
         const std::string label = "frame " + std::to_string(frame) + " of " + last + " ";
-        return renderer.render(shot_of(renderer.scene(), frame / options.fps), target, label);
+        return renderer.render(shot_of(renderer.scene(), frame / options.fps), destination, label);
     });
 }
 
-/// Of a film whose frames follow each other.
+/// Returns the scene's sound for a film whose frames follow each other; for others a message says that there is none.
 std::optional<FilmSound> sound_of(const RenderOptions& options, const Scene& scene) {
     if (scene.music.sound.empty()) return std::nullopt;
     const FrameList& frames = *options.frames;
@@ -69,7 +70,8 @@ std::optional<FilmSound> sound_of(const RenderOptions& options, const Scene& sce
     return std::nullopt;
 }
 
-/// Frames one after the other, to standard output or a film; of these `stats` counts the finished ones.
+/// Renders frames one after the other, to standard output or a film. `stats` counts the finished ones. Returns whether
+/// that is all of them.
 bool render_stream(const RenderOptions& options, const Lattice& part, Renderer& renderer, const std::string& ending,
                    const std::string& ffmpeg, const Stats& stats) {
     OutputFile standard_output("-");
@@ -91,15 +93,15 @@ bool render_stream(const RenderOptions& options, const Lattice& part, Renderer& 
     return false;
 }
 
-/// All frames of a flight.
+/// Returns all frames of a flight.
 FrameList frames_of(const Flythrough& flight, double fps) {
     const double count = std::max(std::ceil(flight.duration * fps - 1e-6), 1.);
     if (count > 1e9) throw UsageError("the flight has more than a billion frames; choose some with --frames");
     return {{{0, static_cast<int>(count) - 1, 1}}};
 }
 
-/// A scene, and a hash of its text, its pictures and its tracks.
-std::pair<Scene, std::string> read_scene(const std::string& path) {
+/// Reads a scene, and returns it with a hash of its text, its pictures and its tracks.
+std::pair<Scene, std::string> read_and_hash(const std::string& path) {
     const std::hash<std::string_view> hash_of;
     std::size_t hash = 0;
     const auto read = [&](const std::string& file) {
@@ -110,7 +112,7 @@ std::pair<Scene, std::string> read_scene(const std::string& path) {
         return pixels;
     };
     const std::string text = read_text(path);
-    Scene scene = parse_scene(text, path == "-" ? "standard input" : path, {}, read);
+    Scene scene = parse_scene(text, shown_name(path), {}, read);
     if (!scene.tracks.empty()) hash = 31 * hash + hash_of(write_tracks(scene.tracks));
     return {std::move(scene), std::to_string(31 * hash + hash_of(text))};
 }
@@ -134,7 +136,7 @@ int render_command(const RenderOptions& asked) {
     stats.size = options.size;
     stats.crop = options.crop;
     Stopwatch watch;
-    auto [scene, hash] = read_scene(options.scene);
+    auto [scene, hash] = read_and_hash(options.scene);
     stats.parse_seconds = watch.lap();
     if (options.time || options.frames || !ffmpeg.empty()) {
         const char* const option = options.time ? "--time" : options.frames ? "--frames" : "a film";
@@ -145,7 +147,7 @@ int render_command(const RenderOptions& asked) {
     const FileFormat format{bits_of(ending_of(ending), options.bits), scene.settings.linear, options.compression};
     const Shot first =
         shot_of(scene, options.frames ? std::optional(options.frames->first() / options.fps) : options.time);
-    if (!options.prove.empty() && !options.time) scene = at(scene, 0);  // proofs want all numbers as they are then
+    if (!options.prove.empty() && !options.time) scene = at(scene, 0);  // proofs need a scene in which nothing moves
     Renderer renderer(options, std::move(scene), std::move(hash), first, part, format, stats);
     stats.finished = options.numbered() ? render_frames(options, part, renderer, ending)
                      : options.frames   ? render_stream(options, part, renderer, ending, ffmpeg, stats)

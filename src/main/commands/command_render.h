@@ -1,4 +1,4 @@
-// strahl render: a scene becomes a picture file, a flythrough a sequence of them.
+// strahl render: renders a scene to a picture file, or a flythrough to many or to a film.
 #pragma once
 #include "main/render/render_options.h"
 

@@ -9,20 +9,18 @@
 #include <vector>
 
 #include "files/output_file.h"
-#include "files/read_file.h"
 #include "image/picture.h"
-#include "image/pixels.h"
 #include "image/transfer.h"
+#include "main/commands/scene_file.h"
 #include "main/process/exit_status.h"
-#include "text/parse.h"
 #include "trace/measure/precision_agreement.h"
 
 namespace strahl {
 namespace {
 
-constexpr int float_differs = 1, double_differs = 2;  // of Agreement
+constexpr int float_differs = 1, double_differs = 2;  // values of Agreement
 
-// None (grey is used), orange, and red.
+// The colours of the map by Agreement: none, since grey is used; orange; red.
 constexpr std::array<std::array<double, 3>, 3> colors{{{}, {1, .6, 0}, {1, 0, .1}}};
 
 void write_map(const std::string& path, const View& view, const std::vector<double>& shown,
@@ -59,8 +57,7 @@ int stability_command(const StabilityOptions& options) {
     if (!options.output.empty())
         if (const std::string fault = format_fault(options.output, 0); !fault.empty()) throw UsageError(fault);
     refuse_overwriting("-o", options.output, "the scene", options.scene);
-    const Scene scene = parse_scene(read_text(options.scene), options.scene == "-" ? "standard input" : options.scene,
-                                    {}, read_pixels);
+    const Scene scene = read_scene(options.scene);
     const View view{.camera = scene.camera,
                     .width = options.size.width,
                     .height = options.size.height,
@@ -80,8 +77,8 @@ int stability_command(const StabilityOptions& options) {
                     percent * static_cast<double>(count[double_differs]));
     };
     std::printf(
-        "Pixels, of %zu, whose 8-bit colour is not that of long double, and not for a rounding tie alone, by the depth "
-        "of rays at which that is so first.\n\n"
+        "Pixels (of %zu) whose 8-bit colour differs from long double, rounding ties excluded, by the first generation of "
+        "rays with which it does.\n\n"
         "| depth | float only |            | double too |            |\n"
         "|------:|----------:|-----------:|-----------:|-----------:|\n",
         map.size());

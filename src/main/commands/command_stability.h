@@ -1,4 +1,4 @@
-// strahl stability: where a picture depends on the precision it is rendered in.
+// strahl stability: shows where a picture depends on the precision it is rendered in.
 #pragma once
 #include <optional>
 #include <string>

@@ -1,8 +1,7 @@
-// Helpers that add options, so that main.cpp reads as a list of them. Only main.cpp may include this: CLI11 compiles
-// slowly.
+// Helpers that add options, so that commands.cpp reads as a list of them. CLI11 compiles slowly: only the files of this
+// folder include it, and they are compiled as one.
 #pragma once
 #include <CLI/CLI.hpp>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,15 +9,13 @@
 #include <utility>
 #include <vector>
 
+#include "main/options/commands.h"
 #include "main/render/values.h"
 #include "text/reading/messages.h"
 
 namespace strahl {
 
-/// What the command line asks for; empty until a command has been parsed.
-using Action = std::function<int()>;
-
-/// A command: a struct of options, and the function that does the work.
+/// Adds a command: a struct of options, and the function that does the work.
 template <class Options>
 std::pair<CLI::App*, std::shared_ptr<Options>> add_command(CLI::App& app, Action& action, const char* name,
                                                            const char* help, int (*work)(const Options&)) {
@@ -30,13 +27,13 @@ std::pair<CLI::App*, std::shared_ptr<Options>> add_command(CLI::App& app, Action
     return {command, options};
 }
 
-/// A required argument.
+/// Adds a required argument.
 template <class Value>
 CLI::Option* add_argument(CLI::App* command, const char* name, Value& value, const char* help) {
     return command->add_option(name, value, help)->required()->type_name(" ");
 }
 
-/// An option whose value is read by `parse`, which throws UsageError.
+/// Adds an option whose value is read by `parse`, which throws UsageError.
 template <class Value, class Parsed>
 CLI::Option* add_parsed(CLI::App* command, const char* name, Value& value, Parsed (*parse)(std::string_view),
                         const char* help, const char* form) {
@@ -46,13 +43,13 @@ CLI::Option* add_parsed(CLI::App* command, const char* name, Value& value, Parse
         ->type_name(form);
 }
 
-/// One of these words; they are its name too, for `words_of`.
+/// Accepts only these words. Their list is also the validator's name, from which `words_of` takes it.
 inline CLI::Validator one_of(const std::vector<std::string>& words) {
     std::string name;
     for (const std::string& word : words) name += (name.empty() ? "" : "|") + word;
     return CLI::IsMember(words).description("").name(name);
 }
-/// The words that an option's value is one of, if it is.
+/// Returns the words that an option accepts, if it has a list of them.
 inline std::optional<std::vector<std::string>> words_of(const CLI::Option& option) try {
     const std::string& name = const_cast<CLI::Option&>(option).get_validator(0)->get_name();
     if (name.empty()) return std::nullopt;
@@ -61,7 +58,7 @@ inline std::optional<std::vector<std::string>> words_of(const CLI::Option& optio
     return std::nullopt;
 }
 
-/// An option whose value is one of some words.
+/// Adds an option whose value is one of some words.
 template <class Value>
 CLI::Option* add_choice(CLI::App* command, const char* name, Value& value,
                         std::vector<std::pair<std::string, Value>> words, const char* help, const char* form) {
@@ -79,7 +76,7 @@ CLI::Option* add_choice(CLI::App* command, const char* name, Value& value,
         ->type_name(form);
 }
 
-/// Real numbers from `low` to `high`; unlike CLI11's Range it also rejects NaN.
+/// Accepts real numbers from `low` to `high`; unlike CLI11's Range it also rejects NaN.
 inline CLI::Validator numbers(double low, double high) {
     return CLI::Validator(
         [=](std::string& text) {

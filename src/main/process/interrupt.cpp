@@ -17,7 +17,7 @@ extern "C" void strahl_interrupted(int) {
 void handle(int signal, struct sigaction& old) {
     struct sigaction action {};
     action.sa_handler = strahl_interrupted;
-    action.sa_flags = 0;  // not SA_RESTART: a pipe that nobody reads must not be waited for any longer
+    action.sa_flags = 0;  // not SA_RESTART: a write to a pipe that nobody reads must end
     sigaction(signal, nullptr, &old);
     if (old.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr);
 }

@@ -1,4 +1,4 @@
-// Ctrl-C while a picture is traced: the program saves what is finished; a second one ends it at once.
+// Handles Ctrl-C while a picture is traced: the program saves what is finished; a second Ctrl-C ends it at once.
 #pragma once
 #include <atomic>
 #include <csignal>
@@ -17,7 +17,7 @@ class Interrupt {
 
     const std::atomic<bool>* flag() const;
 
-    /// Sets the flag as a signal would, for whoever finds out that going on makes no sense.
+    /// Sets the flag as a signal would. For code that finds that going on makes no sense.
     static void ask();
 
   private:

@@ -26,13 +26,14 @@ std::string progress_text(double share, double seconds) {
     return {text.data(), static_cast<std::size_t>(length)};
 }
 
-Progress::Progress(bool quiet, std::string label) : shown(!quiet && ::isatty(STDERR_FILENO)), label(std::move(label)) {}
+ProgressLine::ProgressLine(bool quiet, std::string label)
+    : shown(!quiet && ::isatty(STDERR_FILENO)), label(std::move(label)) {}
 
-Progress::~Progress() {
+ProgressLine::~ProgressLine() {
     if (written) std::fputs("\r\033[K", stderr);
 }
 
-void Progress::advance(std::uint64_t done, std::uint64_t total) {
+void ProgressLine::advance(std::uint64_t done, std::uint64_t total) {
     if (!shown) return;
     // Workers never wait for the terminal: while one writes, the others skip it.
     const std::unique_lock lock(mutex, std::try_to_lock);

@@ -12,13 +12,13 @@ std::string progress_text(double share, double seconds);
 
 /// A line on standard error that is rewritten in place, at most ten times a second, and erased at the end. Nothing is
 /// written if `quiet`, or if standard error is not a terminal.
-class Progress {
+class ProgressLine {
   public:
     /// `label` precedes the percentage, such as "frame 3 of 90 ".
-    explicit Progress(bool quiet, std::string label = "");
-    ~Progress();
-    Progress(const Progress&) = delete;
-    Progress& operator=(const Progress&) = delete;
+    explicit ProgressLine(bool quiet, std::string label = "");
+    ~ProgressLine();
+    ProgressLine(const ProgressLine&) = delete;
+    ProgressLine& operator=(const ProgressLine&) = delete;
 
     /// May be called from any thread; `total` is above 0.
     void advance(std::uint64_t done, std::uint64_t total);

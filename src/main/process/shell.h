@@ -1,10 +1,11 @@
-// Words of shell scripts.
+// Quotes words for shell scripts.
 #pragma once
 #include <string>
 
 namespace strahl {
 
-/// In single quotes. A quote inside is written as POSIX shells and zsh read it, or as another one does (fish: \').
+/// Returns the text in single quotes. A quote inside is written as POSIX shells and zsh read it, or as `quote_inside`
+/// (fish: \').
 inline std::string in_shell_quotes(const std::string& text, const char* quote_inside = "'\\''") {
     std::string all = "'";
     for (const char c : text) c == '\'' ? all += quote_inside : all += c;

@@ -1,11 +1,11 @@
-// The manual page, in roff.
+// Writes the manual page in roff.
 #include "files/streams.h"
 #include "main/reference/reference.h"
 
 namespace strahl {
 namespace {
 
-/// Text as roff takes it: no sign steers, and no line begins with a request.
+/// Escapes text for roff: no character has a special meaning, and no line begins with a request.
 std::string roff(const std::string& text) {
     std::string result;
     for (const char c : text) {

@@ -1,4 +1,4 @@
-// The reference of the program for other programs: a manual page, and completions for shells.
+// Describes the program to other programs: a manual page, and completions for shells.
 #pragma once
 #include <string>
 #include <vector>
@@ -6,10 +6,10 @@
 namespace strahl {
 
 struct OptionText {
-    std::vector<std::string> names;  // "-o", "--output"; or of an argument its name
-    std::string form;                // of its value, "FILE"; empty if it has none
+    std::vector<std::string> names;  // "-o", "--output"; of an argument, its name
+    std::string form;                // of its value: "FILE"; empty if it has none
     std::string help;
-    std::vector<std::string> words{};  // the values that it takes, if they can be listed
+    std::vector<std::string> words{};  // the values that it accepts, if there is a list of them
 };
 
 struct CommandText {
@@ -19,14 +19,14 @@ struct CommandText {
 
 struct ProgramText {
     std::string version;  // "0.1.0"
-    CommandText self;     // what it is, and the options before any command
+    CommandText self;     // its description, and the options before any command
     std::vector<CommandText> commands;
 };
 
-/// In the language of man (see man-pages(7)), section 1.
+/// Returns the page in the language of man (see man-pages(7)), section 1.
 std::string manual_page(const ProgramText& program);
 
-/// Scripts that complete commands, options, their values and file names.
+/// Return scripts that complete commands, options, their values and file names.
 std::string bash_completion(const ProgramText& program);
 std::string zsh_completion(const ProgramText& program);
 std::string fish_completion(const ProgramText& program);

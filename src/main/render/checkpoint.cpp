@@ -16,7 +16,7 @@
 namespace strahl {
 namespace {
 
-/// So much may wait in memory.
+/// The largest number of bytes that wait in memory.
 constexpr std::size_t most_held = std::size_t(64) << 20;
 
 std::string in_hexadecimal(std::size_t hash) {
@@ -61,7 +61,7 @@ void require_same(const BandFile& file, const BandHeader& header) {
                              : key == "file"    ? "for another kind or size of file"
                                                 : "for another part";
     throw UsageError("'" + file.path() + "' was begun " + what +
-                     ", and can't be continued; remove it, or leave out --resume");
+                     ", and cannot be continued; remove it, or leave out --resume");
 }
 
 std::string checkpoint_of(const std::string& picture) { return picture + ".checkpoint"; }

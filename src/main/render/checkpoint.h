@@ -1,4 +1,4 @@
-// What is kept of a picture while it is traced: its finished bands, in a file beside it.
+// Saves the finished bands of a picture in a file beside it while it is traced.
 #pragma once
 #include <chrono>
 #include <functional>
@@ -12,27 +12,27 @@
 
 namespace strahl {
 
-/// A hash of the running program, and one of the files of meshes that a scene names.
+/// Return a hash of the running program, and one of the mesh files that a scene names.
 std::string hash_of_program();
 std::string hash_of_meshes(const Scene& scene);
 
-/// The file beside a picture in which its bands are kept, and its removal, if it is there.
+/// Returns the file beside a picture in which its bands are saved; removes it, if it is there.
 std::string checkpoint_of(const std::string& picture);
 void remove_checkpoint(const std::string& picture);
 
 class Checkpoint {
   public:
-    /// `path` is empty for pictures that go to a pipe: of these nothing is kept. `header` is asked for when it is
-    /// needed. Bands are kept every `interval` seconds, and when those in memory have become many.
+    /// `path` is empty for pictures that go to a pipe, which have no checkpoint. `header` is called when it is first
+    /// needed. Bands are saved every `interval` seconds, and when many are in memory.
     Checkpoint(PictureWriter& writer, std::string path, std::function<BandHeader()> header, double interval);
 
-    /// Goes on from the file, if it is there. Throws UsageError if that is of another picture.
+    /// Continues from the file, if it is there. Throws UsageError if it belongs to another picture.
     void resume();
-    /// Keeps what is finished, if it is time for that. From any thread.
+    /// Saves the finished bands, if that is due. May be called from any thread.
     void save_if_due();
-    /// Keeps what is finished. Returns whether there is a file.
+    /// Saves the finished bands. Returns whether there is a file.
     bool save();
-    /// The file becomes that of a finished part.
+    /// Renames the file to that of a finished part.
     void become(const std::string& part);
 
   private:
@@ -44,12 +44,12 @@ class Checkpoint {
     const std::string own_path;
     const std::function<BandHeader()> header;
     const Clock::duration interval;
-    std::mutex mutex;  // of all that follows
+    std::mutex mutex;  // guards the following members
     Clock::time_point last = Clock::now();
     std::shared_ptr<BandFile> file;
 };
 
-/// Throws UsageError, which names `path`, if the file is of another picture than `header` says.
+/// Throws UsageError with the file's path if it belongs to another picture than `header`.
 void require_same(const BandFile& file, const BandHeader& header);
 
 }  // namespace strahl

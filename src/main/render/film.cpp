@@ -1,4 +1,4 @@
-// ffmpeg as a child: its input is a socket, and what it says goes to a file in memory.
+// Runs ffmpeg as a child process: its input is a socket, and its messages go to a file in memory.
 #include "main/render/film.h"
 
 #include <fcntl.h>
@@ -27,13 +27,13 @@ extern char** environ;
 namespace strahl {
 namespace {
 
-/// ffmpeg's name of the format, or "".
+/// Returns ffmpeg's name of the format, or "".
 std::string format_of(const std::string& path) {
     const std::string ending = ending_of(path);
     return ending == ".mp4" ? "mp4" : ending == ".mkv" ? "matroska" : ending == ".webm" ? "webm" : "";
 }
 
-/// Colours are declared as what the stream has, BT.709, and every player can show 4:2:0. CRF 18 makes files twice as
+/// Returns the command line. Colours are declared as those of the stream, BT.709; every player can show 4:2:0. CRF 18 makes files twice as
 /// large as ffmpeg's default, 43 dB instead of 41.5 from the stream (scenes/flythrough.rt, 640x360, H.264).
 std::vector<std::string> command_of(const std::string& ffmpeg, const std::string& format, const std::string& file,
                                     const std::optional<FilmSound>& sound) {
@@ -93,7 +93,7 @@ void Film::start(const std::string& ffmpeg, const std::optional<FilmSound>& soun
     arguments.push_back(nullptr);
     posix_spawn_file_actions_t files;
     posix_spawn_file_actions_init(&files);
-    // They take memory, and without the first one ffmpeg would wait for what the user types.
+    // These calls can run out of memory, and without the first one ffmpeg would read what the user types.
     const bool ready = posix_spawn_file_actions_adddup2(&files, pair[1], STDIN_FILENO) == 0 &&
                        posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0) == 0 &&
                        posix_spawn_file_actions_adddup2(&files, messages, STDERR_FILENO) == 0;
@@ -137,8 +137,8 @@ void Film::fail() {
         said = WIFSIGNALED(status) ? "it was ended by signal " + std::to_string(WTERMSIG(status))
                                    : "its exit status is " + std::to_string(WEXITSTATUS(status));
     try {
-        if (std::filesystem::file_size(file.name()) > 0) said += "\nwhat it wrote until then is in '" + keep() + "'";
-    } catch (const std::exception&) {  // its failure is what has to be told
+        if (std::filesystem::file_size(file.name()) > 0) said += "\nthe film so far is in '" + keep() + "'";
+    } catch (const std::exception&) {  // the failure of ffmpeg is the one to report
     }
     throw OutputError("cannot write '" + path + "': ffmpeg failed: " + said);
 }

@@ -10,32 +10,33 @@
 
 namespace strahl {
 
-/// Does the ending say so: .mp4, .mkv or .webm?
+/// Returns whether the ending is that of a film: .mp4, .mkv or .webm.
 bool is_film(const std::string& path);
 
-/// The program `ffmpeg` in PATH. Throws FileError if there is none.
+/// Returns the path of the program `ffmpeg` in PATH. Throws FileError if there is none.
 std::string find_ffmpeg(const std::string& film);
 
-/// What is heard: a file, from a moment in seconds on.
+/// The sound of a film: a file, from a moment in seconds on.
 struct FilmSound {
     std::string file;
     double from = 0;
 };
 
-/// The file is written as any other: an older one stays until finish(). ffmpeg has a session of its own, so that Ctrl-C
-/// in a terminal does not reach it. If this program is killed it finishes what it was sent, in the temporary file.
+/// A film that ffmpeg encodes. An older file stays until finish(), as with any other output. ffmpeg has a session of its
+/// own, so that Ctrl-C in a terminal does not reach it. If this program is killed, ffmpeg finishes the frames that it
+/// was sent, in the temporary file.
 class Film {
   public:
-    /// Starts ffmpeg for a stream of Y4M. A sound is cut where the frames end, or goes on as silence until there.
+    /// Starts ffmpeg for a stream of Y4M. A sound is cut, or continued by silence, to end with the frames.
     Film(const std::string& ffmpeg, const std::string& path, const std::optional<FilmSound>& sound);
     ~Film();
     Film(const Film&) = delete;
 
-    /// Part of the stream. Is not interrupted by signals, because ffmpeg would get half of a frame. This and the
-    /// following functions throw OutputError with what ffmpeg said, if it failed.
+    /// Sends the next bytes of the stream. Signals do not interrupt it, because ffmpeg would get half of a frame. This and
+    /// the following functions throw OutputError with ffmpeg's message if it failed.
     void append(std::string_view bytes);
     void finish();
-    /// What came until now becomes film.part.mp4. Returns that name.
+    /// Finishes the frames so far as film.part.mp4. Returns that name.
     std::string finish_part();
 
   private:

@@ -17,7 +17,7 @@ const double* values_of(const Tile& tile) { return std::get<std::span<const doub
 Proof::Proof(const Lattice& own_part, const FileFormat& own_format)
     : part(own_part), format(own_format), bounds(std::size_t(part.columns) * part.rows), proved(bounds.size()) {}
 
-/// Would the file hold the same for all values that are no further than the bound from those of pixel i?
+/// Returns whether the file would be the same for all values within the bound of those of pixel i.
 bool Proof::decided(const Tile& tile, int i) const {
     const double* const rgb = values_of(tile) + 3 * i;
     const int steps = (1 << format.bits) - 1;
@@ -86,7 +86,7 @@ ProofCounts Proof::counts() const {
 
 void Proof::write(const std::string& path) const {
     PictureWriter writer(part.columns, part.rows, 3, path, {.bits = 8});
-    std::vector<double> row(3 * std::size_t(part.columns));  // no more of the picture at once: memory is slow at first
+    std::vector<double> row(3 * std::size_t(part.columns));  // not the whole picture: memory is slow when first used
     for (int y = 0; y < part.rows; ++y) {
         for (int x = 0; x < part.columns; ++x) {
             const std::size_t i = std::size_t(y) * part.columns + x;

@@ -1,4 +1,4 @@
-// Which pixels of a picture are proved: whether all values within their bounds are the same in the file.
+// Finds the pixels of a picture that are proved: all values within their bounds are the same in the file.
 #pragma once
 #include <array>
 #include <mutex>
@@ -13,22 +13,22 @@ namespace strahl {
 
 class Proof {
   public:
-    /// Of this part of a picture, as files of this format hold it.
+    /// Proves this part of a picture for files of this format.
     Proof(const Lattice& part, const FileFormat& format);
 
     enum class By : unsigned char { nothing, in_double, in_extended };
 
-    /// Puts a tile of double but for what is undecided, which stays open. From any thread.
+    /// Writes the pixels of a tile in double, except undecided ones, which stay open. May be called from any thread.
     void keep(const Tile& tile, PictureWriter& writer);
     std::vector<Pixel> open() const;
-    /// Puts a pixel that was traced again, if that decides it, which is the answer. From any thread.
+    /// Writes a pixel that was traced again, if that decides it. Returns whether it does. May be called from any thread.
     bool settle(const Tile& pixel, By by, PictureWriter& writer);
-    /// Puts all that is still open, as it is in double.
+    /// Writes the pixels that are still open, as they are in double.
     void close(PictureWriter& writer);
 
     ProofCounts counts() const;
-    /// A map: green where double proves a pixel, blue where extended precision does, the darker the larger the bound;
-    /// undecided ones red.
+    /// Writes a map: green where double proves a pixel, blue where extended precision does, darker the larger the bound is,
+    /// and red where it is undecided.
     void write(const std::string& path) const;
 
   private:
@@ -43,8 +43,8 @@ class Proof {
     const Lattice part;
     const FileFormat format;
     std::vector<double> bounds;  // by pixel
-    std::vector<By> proved;      // likewise
-    std::mutex mutex;            // of these:
+    std::vector<By> proved;      // by pixel
+    std::mutex mutex;            // guards `undecided`
     std::vector<Open> undecided;
 };
 

@@ -1,4 +1,4 @@
-// What is wrong with the options of `render`, found before anything is traced.
+// Checks the options of `render` before anything is traced.
 #include "main/render/render_options.h"
 
 #include <unistd.h>
@@ -14,11 +14,11 @@
 namespace strahl {
 namespace {
 
-/// Would `path` be overwritten by one of the pictures?
+/// Returns whether one of the pictures would overwrite `path`.
 bool is_picture(const RenderOptions& options, const std::string& path) {
     if (!options.numbered()) return same_file(options.output, path);
     const auto digit = [&](std::size_t i) { return path[i] >= '0' && path[i] <= '9'; };
-    // Only a number that is in the name can be its frame's.
+    // Only the numbers in the name can be frames that have this name.
     for (std::size_t start = 0; start < path.size(); ++start) {
         std::int64_t frame = 0;
         for (std::size_t i = start; i < path.size() && digit(i) && frame < 1'000'000'000; ++i) {
@@ -33,28 +33,27 @@ bool is_picture(const RenderOptions& options, const std::string& path) {
 
 void check_film(const RenderOptions& options) {
     if (options.resume || options.share)
-        throw UsageError("--resume and --part need a file for each frame, of which ffmpeg makes a film later: -o '" +
+        throw UsageError("--resume and --part need a file for each frame; ffmpeg makes a film of them later: -o '" +
                          std::filesystem::path(options.output).replace_extension().string() +
                          "-%04d.png' --frames LIST");
     if (options.time) throw UsageError("a film shows many moments, and --time is one");
     if (options.bits != 0 && options.bits != 8) throw UsageError("a film has 8 bits per channel");
     const Lattice part = options.crop.value_or(Lattice{0, 0, options.size.width, options.size.height});
     if (part.columns % 2 || part.rows % 2)
-        throw UsageError("width and height of a film are even, and not " + std::to_string(part.columns) + "x" +
-                         std::to_string(part.rows) + "; choose another --size or --crop");
+        throw UsageError("width and height of a film must be even, and not " + size_text(part.columns, part.rows) +
+                         "; choose another --size or --crop");
 }
 
 void check_proof(const RenderOptions& options) {
     if (options.precision && *options.precision != Precision::float64)
         throw UsageError(
-            "--prove traces in double, and again in extended precision what that leaves undecided; leave "
-            "--precision out");
+            "--prove traces in double, and undecided pixels again in extended precision; leave --precision out");
     const Sampling& asked = options.sampling;
     if (asked.grid > 1 || asked.centre)
         throw UsageError("--prove traces one ray in each pixel; leave --samples out, or give it 1");
     if (options.frames || options.share || options.resume || is_film(options.output))
         throw UsageError(
-            "--prove proves one picture at once, without --frames, --part and --resume; a moment is --time");
+            "--prove proves one picture, without --frames, --part and --resume; --time chooses its moment");
     const std::string ending = ending_of(options.prove);
     if (ending != ".png" && ending != ".bmp")
         throw UsageError("the map of --prove is a .png or .bmp file, and not '" + options.prove + "'");
@@ -75,7 +74,7 @@ std::string check(const RenderOptions& options) {
             "--frames writes numbered files, for which -o needs a name such as film-%04d.png, or a stream to standard "
             "output: -o - --format ppm or y4m");
     if (to_stdout && options.stats == "-")
-        throw UsageError("picture and statistics can't both go to standard output; write one of them to a file");
+        throw UsageError("picture and statistics cannot both go to standard output; write one of them to a file");
     if (options.frames && options.time) throw UsageError("--frames and --time exclude each other");
     if (to_stdout && (options.resume || options.share))
         throw UsageError("--resume and --part need a file; standard output keeps nothing");
@@ -86,7 +85,7 @@ std::string check(const RenderOptions& options) {
     if (to_film)
         check_film(options);
     else if (!to_stdout && (ending_of(ending) == ".ppm" || ending_of(ending) == ".y4m"))
-        throw UsageError("a " + ending + " goes to standard output alone: -o - --format " + ending.substr(1));
+        throw UsageError("a " + ending + " can only go to standard output: -o - --format " + ending.substr(1));
     else if (const std::string fault = format_fault(to_stdout ? ending : options.output, options.bits); !fault.empty())
         throw UsageError(format_fault(ending, 0).empty() ? fault : fault + ", or films one of .mp4, .mkv and .webm");
     if (!options.prove.empty()) check_proof(options);
@@ -98,11 +97,11 @@ std::string check(const RenderOptions& options) {
 }
 
 void check_size(const Lattice& part, const std::string& ending, bool to_pipe) {
-    const std::string size = std::to_string(part.columns) + "x" + std::to_string(part.rows);
+    const std::string size = size_text(part.columns, part.rows);
     const double pixels = double(part.columns) * part.rows;
     if (ending == ".bmp" && 3 * pixels + 4. * part.rows > 2e9)
         throw UsageError(size + " pixels are too many for a .bmp file (2 GB); choose .png or .exr");
-    // Some bands at once, each as it comes, filtered and packed; the whole file if it goes to a pipe.
+    // In memory are some bands, each as traced, filtered and packed, and the whole file if it goes to a pipe.
     const double row = (ending == ".exr" ? 12. : 6.) * part.columns, band = row * std::min(part.rows, band_rows);
     const double needed = 12 * band + (to_pipe ? row * part.rows : 0), available = available_memory();
     if (needed > available)

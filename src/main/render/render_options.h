@@ -28,13 +28,13 @@ struct RenderOptions {
     std::optional<FrameList> frames;
     double fps = 25;
     std::optional<Share> share;  // of the frames, or of the bands of one picture
-    bool resume = false;         // skips frames whose files exist, and whole; goes on with an interrupted picture
-    double checkpoint = 10;      // seconds after which finished bands are kept
+    bool resume = false;         // skips frames whose files are complete; continues an interrupted picture
+    double checkpoint = 10;      // seconds between checkpoints
     std::string prove;    // a map of what is proved, .bmp or .png, or empty
     std::string stats;    // a JSON file, or empty
     bool quiet = false;
 
-    /// Has each frame a file of its own?
+    /// Returns whether each frame has a file of its own.
     bool numbered() const { return frames && output != "-" && !is_film(output); }
 };
 
@@ -42,13 +42,13 @@ struct RenderOptions {
 /// following functions throw UsageError.
 std::string check(const RenderOptions& options);
 
-/// Refuses pictures that the format or the memory of this machine can't hold.
+/// Refuses pictures that the format or the memory of this machine cannot hold.
 void check_size(const Lattice& part, const std::string& ending, bool to_pipe);
 
-/// Nothing that was asked for, and not the scene, may be overwritten by something else.
+/// Refuses options by which one output would overwrite another, or the scene.
 void require_different_files(const RenderOptions& options);
 
-/// Fails before tracing rather than after hours of it. Throws OutputError.
+/// Throws OutputError if the file cannot be written, before hours of tracing rather than after them.
 void require_writable(const std::string& path);
 
 }  // namespace strahl

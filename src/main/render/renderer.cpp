@@ -24,7 +24,7 @@ std::uint64_t pixels(const std::vector<Lattice>& regions) {
     return sum;
 }
 
-/// Not standard output, a pipe or a device.
+/// Returns whether the path is a regular file, or free for one: not standard output, a pipe or a device.
 bool is_file(const std::string& path) {
     std::error_code error;
     return path != "-" && (!std::filesystem::exists(path, error) || std::filesystem::is_regular_file(path, error));
@@ -50,8 +50,8 @@ Renderer::Renderer(const RenderOptions& o, Scene scene, std::string own_scene_ha
     stats.build_seconds = watch.lap();
 }
 
-bool Renderer::render(const Shot& shot, const Target& target, const std::string& label, std::optional<Share> shared) {
-    const auto& [path, ending, stream] = target;
+bool Renderer::render(const Shot& shot, const Destination& destination, const std::string& label, std::optional<Share> shared) {
+    const auto& [path, ending, stream] = destination;
     const Share share = shared.value_or(Share{});
     const std::string file = shared ? part_path(path, share) : path;
     PictureWriter writer(part.columns, part.rows, 3, ending, format);
@@ -92,7 +92,7 @@ bool Renderer::render(const Shot& shot, const Target& target, const std::string&
     return whole;
 }
 
-/// `done` is the share that is finished, in words; empty if nothing is.
+/// Saves and reports what is finished. `done` is its share in words, or empty if nothing is finished.
 void Renderer::tell_interrupted(const std::string& done, const std::string& path, bool shared, PictureWriter& writer,
                                 Checkpoint& checkpoint) {
     const bool kept = checkpoint.save();
@@ -111,10 +111,11 @@ void Renderer::tell_interrupted(const std::string& done, const std::string& path
     std::cerr << "strahl: " << said << '\n';
 }
 
-/// What a picture depends on, but for the number of threads, SIMD levels that give the same picture, and the like.
+/// Returns all that the picture depends on. The number of threads, and SIMD levels that give the same picture, are not
+/// in it.
 BandHeader Renderer::header(const Shot& shot, const PictureWriter& writer, const std::string& ending,
                             Share share) const {
-    std::string words = "size " + std::to_string(options.size.width) + "x" + std::to_string(options.size.height);
+    std::string words = "size " + size_text(options.size.width, options.size.height);
     const auto add = [&](const char* key, double value) {
         (words += " ").append(key).append(" ").append(text_of(value));
     };
@@ -132,8 +133,8 @@ BandHeader Renderer::header(const Shot& shot, const PictureWriter& writer, const
             share.parts};
 }
 
-/// What is not finished of the share's bands, in regions of consecutive bands that have not too many tiles to be
-/// listed.
+/// Returns the unfinished bands of the share, joined to regions of consecutive bands, each small enough for a list of its
+/// tiles.
 std::vector<Lattice> Renderer::missing(const PictureWriter& writer, Share share) const {
     constexpr std::uint64_t most_pixels = std::uint64_t(1) << 30;
     std::vector<Lattice> regions;
@@ -155,12 +156,13 @@ std::vector<Lattice> Renderer::missing(const PictureWriter& writer, Share share)
     return regions;
 }
 
-/// Without --error only light that the file can't show is pruned, and depth and precision are the defaults.
+/// Chooses depth, precision and pruning. Without --error only light that the file cannot show is pruned, and depth and
+/// precision are the defaults.
 Accuracy Renderer::choose(const Scene& scene, const Shot& shot) {
     const double unseen = half_step(format);
     // The curve that encodes linear light enlarges errors where it is steep.
     const double steepest = format.linear && format.bits != 32 ? steepest_srgb : 1;
-    if (!options.prove.empty()) {  // what is left out is in the bounds
+    if (!options.prove.empty()) {  // pruned light is part of the bounds
         constexpr double share = 1e-2;
         stats.error = options.error.value_or(share * unseen * steepest);
         return {.precision = Precision::float64,
@@ -188,10 +190,10 @@ View Renderer::view(const Shot& shot, int depth, double dropped) const {
             .prove = !options.prove.empty()};
 }
 
-/// Returns the number of finished pixels; `all` are those of the picture or the share.
+/// Traces the regions. Returns the number of finished pixels, of `all` in the picture or the share.
 std::uint64_t Renderer::trace(const Shot& shot, const std::vector<Lattice>& regions, std::uint64_t all,
                               PictureWriter& writer, Checkpoint& checkpoint, const std::string& label) {
-    Progress progress(options.quiet, label);
+    ProgressLine progress(options.quiet, label);
     std::atomic<std::uint64_t> done = all - pixels(regions);
     const auto keep = [&](const Tile& tile) {
         const Lattice& own = tile.lattice;
@@ -217,13 +219,13 @@ std::uint64_t Renderer::trace(const Shot& shot, const std::vector<Lattice>& regi
     return done;
 }
 
-/// What is undecided: with a thousandth of the light left out in double, then in extended precision.
+/// Traces undecided pixels again: in double, pruning a thousandth of the light, then in extended precision.
 void Renderer::prove_again(const Shot& shot, PictureWriter& writer, const std::string& label) {
     const View closer = view(shot, accuracy.depth, accuracy.dropped / 1000);
     const auto again = [&](Tracer& own, Proof::By by, const std::string& how) {
         const std::vector<Pixel> open = proof->open();
         if (open.empty() || interrupted()) return;
-        Progress progress(options.quiet, label + how);
+        ProgressLine progress(options.quiet, label + how);
         std::atomic<std::uint64_t> done = 0;
         const auto decides = [&](const Tile& tile) {
             progress.advance(++done, open.size());
@@ -236,7 +238,7 @@ void Renderer::prove_again(const Shot& shot, PictureWriter& writer, const std::s
         Tracer extended(tracer.scene(), Precision::extended);
         again(extended, Proof::By::in_extended, "in extended precision ");
         if (interrupted())
-            std::cerr << "strahl: interrupted; what was not traced in extended precision yet stays undecided\n";
+            std::cerr << "strahl: interrupted; pixels that were not yet traced in extended precision stay undecided\n";
     }
     proof->close(writer);
 }

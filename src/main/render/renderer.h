@@ -19,7 +19,7 @@
 
 namespace strahl {
 
-/// A moment of the scene.
+/// A moment of the scene as its camera sees it.
 struct Shot {
     Camera camera;
     double time;
@@ -28,15 +28,15 @@ inline Shot shot_of(const Scene& scene, std::optional<double> time) {
     return {camera_at(scene, time), time.value_or(0)};
 }
 
-/// Where a picture goes: to a file, or to a stream of which nothing is kept and that has no names.
-struct Target {
+/// The destination of a picture: a file, or a stream, for which there are no checkpoints.
+struct Destination {
     std::string path, ending;
     Encoder::Append stream;
 };
 
 class Renderer {
   public:
-    /// `scene_hash` is of the text and the pictures. `first` is the moment by which precision and pruning are chosen;
+    /// `scene_hash` identifies the text and the pictures. Precision and pruning are chosen for the moment `first`;
     /// `part` is the part of the picture that is traced. Times and rays are added to `sums`.
     Renderer(const RenderOptions& options, Scene scene, std::string scene_hash, const Shot& first, const Lattice& part,
              FileFormat format, Stats& sums);
@@ -44,9 +44,9 @@ class Renderer {
     const Scene& scene() const { return tracer.scene(); }
     bool interrupted() const { return *interrupt.flag(); }
 
-    /// Traces and writes one picture, or the bands of a share. If interrupted, keeps the finished part in files of its
-    /// own, but nothing in a stream, and returns false.
-    bool render(const Shot& shot, const Target& target, const std::string& label, std::optional<Share> share = {});
+    /// Traces and writes one picture, or the bands of a share. If interrupted, saves the finished part to a file of its
+    /// own (but not of a stream) and returns false.
+    bool render(const Shot& shot, const Destination& destination, const std::string& label, std::optional<Share> share = {});
 
   private:
     Accuracy choose(const Scene& scene, const Shot& shot);

@@ -1,4 +1,4 @@
-// Statistics as JSON. No string needs escaping: all are our own words.
+// Writes statistics as JSON. No string needs escaping: all are constants of the program.
 #include "main/render/stats.h"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ std::string number(double value) {
     return text.str();
 }
 
-/// What is said of the averages over pixels is aimed at and estimated; the "error" of the rays is bounded.
+/// Returns the figures of the averages over pixels. Their error is a target and an estimate; that of pruning is bounded.
 std::string samples(const Stats& stats) {
     const auto& [grid, centre, error] = stats.sampling;
     if (grid > 0) return "{ \"in_each_pixel\": " + std::to_string(grid * grid + centre) + " }";

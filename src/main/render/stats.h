@@ -10,7 +10,7 @@
 
 namespace strahl {
 
-/// Seconds are wall time. For several frames, times and rays are sums; skipped frames don't count.
+/// Seconds are wall time. For several frames, times and rays are sums; skipped frames do not count.
 struct Stats {
     double parse_seconds = 0;  // reading and parsing the scene
     double build_seconds = 0;  // building worlds

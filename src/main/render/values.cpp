@@ -19,7 +19,7 @@ constexpr int largest_grid = 256;
 constexpr int last_frame = 999'999'999;
 constexpr int most_shares = 1'000'000;
 
-/// Whole numbers with one separator between them and nothing else.
+/// Reads whole numbers with one separator between them and nothing else.
 template <std::size_t count>
 std::optional<std::array<int, count>> numbers(std::string_view text, char separator) {
     std::array<int, count> values{};
@@ -43,7 +43,7 @@ std::string padded(int number, std::size_t digits) {
     return text.size() < digits ? std::string(digits - text.size(), '0') + text : text;
 }
 
-/// One of the ranges of a list.
+/// Reads one of the ranges of a list.
 std::optional<FrameRange> parse_range(std::string_view text) {
     FrameRange range;
     const std::size_t mark = text.find_first_of(":x");
@@ -93,8 +93,7 @@ Sampling parse_samples(std::string_view text) {
     if (!n || (*n)[0] != (*n)[1])
         throw UsageError("--samples is 1, or a square grid such as 4x4, not " + quoted(text));
     if ((*n)[0] < 1 || (*n)[0] > largest_grid)
-        throw UsageError("--samples " + std::string(text) + ": grids are 1x1 to " + std::to_string(largest_grid) + "x" +
-                         std::to_string(largest_grid));
+        throw UsageError("--samples " + std::string(text) + ": grids are 1x1 to " + size_text(largest_grid, largest_grid));
     return {.grid = (*n)[0], .centre = centre};
 }
 
@@ -137,10 +136,9 @@ bool FrameList::each(const std::function<bool(int)>& visit) const {
 
 void require_within(const Lattice& crop, Size picture) {
     if (crop.x <= picture.width - crop.columns && crop.y <= picture.height - crop.rows) return;
-    const auto size = [](int width, int height) { return std::to_string(width) + "x" + std::to_string(height); };
-    throw UsageError("--crop asks for " + size(crop.columns, crop.rows) + " pixels from column " +
+    throw UsageError("--crop asks for " + size_text(crop.columns, crop.rows) + " pixels from column " +
                      std::to_string(crop.x) + " and row " + std::to_string(crop.y) + " of a picture that is only " +
-                     size(picture.width, picture.height) + "; its size is set with --size");
+                     size_text(picture.width, picture.height) + "; its size is set with --size");
 }
 
 std::string before_ending(const std::string& path, std::string_view insertion) {
@@ -163,6 +161,8 @@ std::string numbered(const std::string& path, int frame) {
     }
     return before_ending(path, std::string("-").append(padded(frame, 4)));
 }
+
+std::string size_text(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
 
 std::string bytes_in_words(double bytes) {
     constexpr std::array units{"bytes", "kB", "MB", "GB", "TB", "PB", "EB"};

@@ -21,7 +21,7 @@ struct FrameRange {
     int first = 0, last = 0, step = 1;
     bool has(int frame) const { return frame >= first && frame <= last && (frame - first) % step == 0; }
 };
-/// Frames in their order; those that are in several ranges belong to the first of these.
+/// Frames in their order. A frame that is in several ranges counts in the first of them.
 struct FrameList {
     std::vector<FrameRange> ranges;
     bool has(int frame) const;
@@ -45,17 +45,20 @@ FrameList parse_frames(std::string_view text);
 /// Throws UsageError unless all of `crop` lies in the picture.
 void require_within(const Lattice& crop, Size picture);
 
-/// The file of a frame: `path` with its "%d", "%4d" or "%04d" replaced by the number (padded with zeros), or, if it has
+/// Returns the file of a frame: `path` with its "%d", "%4d" or "%04d" replaced by the number (padded with zeros), or, if it has
 /// none, with "-0042" inserted before the ending.
 std::string numbered(const std::string& path, int frame);
 
-/// The file of a share of one picture: "a.png.part-3-of-16".
+/// Returns the file of a share of one picture: "a.png.part-3-of-16".
 std::string part_path(const std::string& path, Share share);
 
-/// `path` with `insertion` inserted before its ending.
+/// Returns `path` with `insertion` inserted before its ending.
 std::string before_ending(const std::string& path, std::string_view insertion);
 
-/// A number of bytes for messages: "1.5 GB".
+/// Returns "640x480".
+std::string size_text(int width, int height);
+
+/// Returns a number of bytes for messages: "1.5 GB".
 std::string bytes_in_words(double bytes);
 
 }  // namespace strahl

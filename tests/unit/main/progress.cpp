@@ -48,7 +48,7 @@ std::string on_terminal(Act act) {
 }
 
 void work(bool quiet) {
-    Progress progress(quiet, "frame 2 ");
+    ProgressLine progress(quiet, "frame 2 ");
     std::vector<std::jthread> threads;
     for (int t = 0; t < 4; ++t)
         threads.emplace_back([&] {

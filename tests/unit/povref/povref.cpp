@@ -6,7 +6,7 @@
 #include "files/output_file.h"
 #include "povref/convert/material_names.h"
 #include "povref/convert/pov_scene.h"
-#include "povref/convert/unit.h"
+#include "povref/convert/scale.h"
 #include "tests/unit/povref/agreement.h"
 #include "tests/unit/scratch.h"
 
@@ -185,23 +185,23 @@ TEST_CASE("with the camera in glass, bodies are listed in the file's order") {
 }
 
 TEST_CASE("small and large scenes are scaled") {
-    const auto unit = [](double size) {
+    const auto scale = [](double size) {
         Scene scene;
         scene.camera.position = {0, -9 * size, 3 * size};
         scene.materials.emplace_back();
         scene.primitives.push_back({Sphere{{0, 0, size}, size}, 0, {}});
         scene.primitives.push_back({Plane{}, 0, {}});
-        return unit_for(scene, {scene.camera});
+        return scale_for(scene, {scene.camera});
     };
-    // Farthest point and POV-Ray's tolerances and horizon: see povref/convert/unit.h.
+    // Farthest point and POV-Ray's tolerances and horizon: see povref/convert/scale.h.
     for (const double size : {1e-12, 1e-3, 1., 1e4, 1e9}) {
         CAPTURE(size);
-        const Unit u = unit(size);
-        CHECK(u.fault.empty());
-        CHECK(u.unit * 11 * size > 100);
-        CHECK(u.unit * 11 * size < 1e4);
+        const PovScale own = scale(size);
+        CHECK(own.fault.empty());
+        CHECK(own.factor * 11 * size > 100);
+        CHECK(own.factor * 11 * size < 1e4);
     }
-    CHECK(unit(100).unit == 1);
+    CHECK(scale(100).factor == 1);
     CHECK_FALSE(has(convert("camera { position <0, -900, 300> look_at <0, 0, 1> sky <0, 0, 1> fov 20 }\n"
                             "plane { <0, 0, 0>, <1, 0, 0>, <0, 1, 0> } sphere { <0, 0, 100>, 100 }")
                         .pov,
@@ -210,7 +210,7 @@ TEST_CASE("small and large scenes are scaled") {
     wide.camera.position = {0, -1e6, 0};
     wide.materials.emplace_back();
     wide.primitives.push_back({Sphere{{0, 0, 0}, 1e-6}, 0, {}});
-    CHECK(unit_for(wide, {wide.camera}).fault != "");
+    CHECK(scale_for(wide, {wide.camera}).fault != "");
 }
 
 TEST_CASE("materials get different, descriptive names") {

@@ -1,4 +1,4 @@
-#include "povref/convert/unit.h"
+#include "povref/convert/scale.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@ double reach(const Box& box, const DVec3& eye) {
                    std::max(eye.z - box.low.z, box.high.z - eye.z)});
 }
 
-/// The distance from `eye` of the farthest point of a body that must be within reach; of a half-space a point of it.
+/// Returns the distance from `eye` of the farthest point of a body, or of one point of a half-space.
 double reach(const Primitive& primitive, const DVec3& eye) {
     if (const Box box = world_bounds(primitive); box.finite()) return reach(box, eye);
     double farthest = 0;
@@ -31,7 +31,7 @@ double reach(const Primitive& primitive, const DVec3& eye) {
     return farthest;
 }
 
-/// The next of ... 1, 2, 5, 10, 20, 50 ... that is not smaller.
+/// Returns the smallest of ... 1, 2, 5, 10, 20, 50 ... that is not below v.
 double round_up(double v) {
     const double power = std::pow(10., std::floor(std::log10(v)));
     for (const double digit : {1., 2., 5.})
@@ -46,7 +46,7 @@ bool has_horizon(const Scene& scene) {
 
 }  // namespace
 
-void Sizes::add(const Scene& scene, const std::vector<Camera>& cameras) {
+void Extents::add(const Scene& scene, const std::vector<Camera>& cameras) {
     for (const Camera& camera : cameras) {
         for (const Primitive& primitive : scene.primitives)
             farthest = std::max(farthest, reach(primitive, camera.position));
@@ -60,14 +60,14 @@ void Sizes::add(const Scene& scene, const std::vector<Camera>& cameras) {
     horizon |= has_horizon(scene);
 }
 
-Unit unit_for(const Sizes& sizes) {
-    const auto [farthest, smallest, horizon] = sizes;
+PovScale scale_for(const Extents& extents) {
+    const auto [farthest, smallest, horizon] = extents;
     if (farthest == 0) return {};
     const double least = std::max((horizon ? 150 : 3e4) / farthest, 1 / smallest), most = 1e6 / farthest;
     const bool good = least <= 1 && farthest <= (horizon ? 1e4 : 1e6);
-    const double unit = good ? 1 : std::min(round_up(least), round_up(most));
-    Unit result{unit, ""};
-    if (smallest * unit < 0.1)
+    const double factor = good ? 1 : std::min(round_up(least), round_up(most));
+    PovScale result{factor, ""};
+    if (smallest * factor < 0.1)
         result.fault =
             "bodies differ so much in size that POV-Ray, which counts nothing nearer than 1e-3 as a shadow caster, may "
             "lose shadows and inner faces of the smallest";

@@ -1,0 +1,151 @@
+// Parses the command line with CLI11; explains wrong ones; prints the reference that other programs read.
+#include "main/options/command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "files/streams.h"
+#include "main/options/commands.h"
+#include "main/options/options.h"
+#include "main/reference/reference.h"
+#include "scene/error.h"
+#include "text/manual/syntax.h"
+#include "text/reading/messages.h"
+#include "trace/tracer.h"
+
+namespace strahl {
+namespace {
+
+/// "strahl 0.1.0 (x86-64-v4, 16 float lanes, 8 double)"
+std::string version() {
+    const Simd simd = best_simd();
+    TextStream text;
+    text << "strahl " STRAHL_VERSION " (" << name(simd) << ", " << lanes(Precision::float32, simd) << " float lanes, "
+         << lanes(Precision::float64, simd) << " double)";
+    return text.str();
+}
+
+std::vector<const CLI::App*> commands_of(const CLI::App& app) {
+    return app.get_subcommands([](const CLI::App*) { return true; });
+}
+
+CommandText described(const CLI::App& command) {
+    CommandText text{command.get_name(), command.get_description(), command.get_footer()};
+    for (const CLI::Option* option : command.get_options()) {
+        OptionText own{{}, option->get_type_name(), option->get_description()};
+        if (option->get_items_expected_max() == 0 || own.form == " ") own.form.clear();
+        if (option->get_positional()) {
+            own.names = {option->get_name(true)};
+            text.arguments.push_back(own);
+            continue;
+        }
+        for (const std::string& name : option->get_snames()) own.names.push_back("-" + name);
+        for (const std::string& name : option->get_lnames()) own.names.push_back("--" + name);
+        if (const auto words = words_of(*option)) own.words = *words;
+        text.options.push_back(own);
+    }
+    return text;
+}
+
+/// `--reference KIND`: prints a text for other programs, and ends.
+void add_reference(CLI::App& app) {
+    const auto print = [&app](const std::string& kind) {
+        ProgramText program{STRAHL_VERSION, described(app), {}};
+        for (const CLI::App* command : commands_of(app)) program.commands.push_back(described(*command));
+        const std::string text = kind == "man"    ? manual_page(program)
+                                 : kind == "bash" ? bash_completion(program)
+                                 : kind == "zsh"  ? zsh_completion(program)
+                                 : kind == "fish" ? fish_completion(program)
+                                 : kind == "vim"  ? vim_syntax()
+                                                  : textmate_grammar();
+        std::fputs(text.c_str(), stdout);
+        throw CLI::Success();
+    };
+    app.add_option_function<std::string>(
+           "--reference", print,
+           "Print the manual page (man), completions (bash, zsh, fish) or syntax highlighting (vim, textmate)")
+        ->check(one_of({"man", "bash", "zsh", "fish", "vim", "textmate"}))
+        ->type_name("KIND")
+        ->trigger_on_parse();
+}
+
+/// Makes `strahl SCENE` mean `strahl view SCENE`.
+std::vector<char*> with_command(const CLI::App& app, int argc, char** argv) {
+    static char view[] = "view";
+    std::vector<char*> arguments(argv, argv + argc);
+    const std::string_view first = argc < 2 ? "" : argv[1];
+    const auto commands = commands_of(app);
+    const bool known = std::ranges::any_of(commands, [&](auto* command) { return command->get_name() == first; });
+    const bool scene = first.ends_with(".rt") || (!first.starts_with('-') && std::filesystem::is_regular_file(first));
+    if (!known && scene) arguments.insert(arguments.begin() + 1, view);
+    return arguments;
+}
+
+/// Replaces CLI11's message about unexpected arguments by one with advice.
+void require_known_command(const CLI::App& app, std::string_view word) {
+    if (word.starts_with('-')) return;
+    std::vector<std::string_view> known;
+    for (const CLI::App* command : commands_of(app)) known.push_back(command->get_name());
+    if (std::ranges::find(known, word) != known.end()) return;
+    std::string advice;
+    if (const std::string_view meant = nearest(word, known); !meant.empty())
+        advice = "; did you mean '" + std::string(meant) + "'?";
+    else
+        for (const auto name : known) (advice += advice.empty() ? "; the commands are " : ", ") += name;
+    throw UsageError("there is no command " + strahl::quoted(word) + advice +
+                     "\nTo render a scene: strahl render SCENE -o FILE");
+}
+
+/// Returns "; did you mean '--size'?" for an argument that looks like an option of the command, or nothing.
+std::string nearest_option(const CLI::App& command, const std::string& argument) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : command.get_options()) names.push_back(option->get_name());
+    const std::vector<std::string_view> known(names.begin(), names.end());
+    const std::string meant(argument.starts_with('-') ? nearest(argument, known) : "");
+    return meant.empty() ? "" : "; did you mean '" + meant + "'?";
+}
+
+[[noreturn]] void report_usage(const CLI::App& app, const CLI::ParseError& error) {
+    const auto chosen = app.get_subcommands();
+    const CLI::App& command = chosen.empty() ? app : *chosen[0];
+    std::string message = error.what();
+    // CLI11 leaves over both words of `--sizes 640x480`, in any order; the option is the wrong one.
+    auto left = command.remaining();
+    std::ranges::stable_partition(left, [](const std::string& argument) { return argument.starts_with('-'); });
+    if (!left.empty()) message = strahl::quoted(left[0]) + " is not expected here" + nearest_option(command, left[0]);
+    throw UsageError(message + "\nSee: strahl " + (chosen.empty() ? "" : command.get_name() + " ") + "--help");
+}
+
+}  // namespace
+
+int run_command_line(int argc, char** argv) {
+    CLI::App app{"Strahl, a fast and exact ray tracer.", "strahl"};
+    app.set_version_flag("--version", version, "Print the version and the SIMD level in use");
+    app.set_help_flag("-h,--help", "Print this help; strahl COMMAND --help describes a command");
+    add_reference(app);
+    app.require_subcommand(1);
+    app.get_formatter()->column_width(26);
+    Action action;
+    add_commands(app, action);
+    app.footer(
+        "Exit status: 0 done, 1 failed, 2 wrong usage, 3 error in a file, 130 interrupted.\n"
+        "Example: strahl render scenes/article.rt -o article.bmp");
+    if (argc < 2) throw UsageError("no command given\n" + app.help());
+    std::vector<char*> arguments = with_command(app, argc, argv);
+    require_known_command(app, arguments[1]);
+    try {
+        app.parse(static_cast<int>(arguments.size()), arguments.data());
+    } catch (const CLI::Success& wanted) {  // --help and --version
+        return app.exit(wanted);
+    } catch (const CLI::ParseError& error) {
+        report_usage(app, error);
+    }
+    return action();
+}
+
+}  // namespace strahl

@@ -1,0 +1,279 @@
+// The commands of the program, each with its options and what --help and the manual page say about them.
+#include "main/options/commands.h"
+
+#include "main/commands/command_bundle.h"
+#include "main/commands/command_check.h"
+#include "main/commands/command_compare.h"
+#include "main/commands/command_crosscheck.h"
+#include "main/commands/command_import.h"
+#include "main/commands/command_join.h"
+#include "main/commands/command_pov.h"
+#include "main/commands/command_render.h"
+#include "main/commands/command_stability.h"
+#include "main/commands/command_view.h"
+#include "main/options/options.h"
+#include "main/process/exit_status.h"
+#include "main/process/interrupt.h"
+#include "scene/error.h"
+
+namespace strahl {
+namespace {
+
+void add_render(CLI::App& app, Action& action) {
+    auto [command, o] = add_command(app, action, "render", "Render a scene to a picture file", render_command);
+    add_scene(command, o->scene);
+    add_file(command, "-o,--output", o->output,
+             "The picture: .bmp, .png or .exr; or a film: .mp4, .mkv or .webm, which needs ffmpeg; - is standard output");
+    add_parsed(command, "--size", o->size, parse_size, "Size of the picture in pixels, 640x480 by default", "WxH");
+    add_parsed(command, "--crop", o->crop, parse_crop,
+               "Render only this part of it; X and Y count from its top left corner", "X,Y,W,H");
+    add_depth(command, o->depth);
+    command
+        ->add_option(
+            "--error", o->error,
+            "Largest error in each channel, whose values are from 0 to 1: a hard bound on the light that is pruned, "
+            "and the target RMS error of anti-aliasing. Precision and rays are chosen to match; --stats reports them. "
+            "With 0 nothing is pruned. By default light is pruned only if it cannot change the file by half a step, "
+            "and the target is 1/510")
+        ->check(numbers(0, 1e9))
+        ->type_name("E");
+    add_parsed(command, "--samples", o->sampling, parse_samples,
+               "Rays in each pixel: 1, through its middle, or NxN, a grid. By default as many as the picture needs",
+               "N");
+    add_choice<std::optional<Precision>>(
+        command, "--precision", o->precision,
+        {{"float", Precision::float32}, {"double", Precision::float64}, {"extended", Precision::extended}},
+        "float, double or extended; by default double, or what --error needs", "KIND");
+    add_choice<Simd>(command, "--simd", o->simd,
+                     {{"auto", Simd::automatic},
+                      {"scalar", Simd::scalar},
+                      {"v2", Simd::v2},
+                      {"v3", Simd::v3},
+                      {"v4", Simd::v4},
+                      {"neon", Simd::neon}},
+                     "Vector instructions: auto (default), scalar, v2, v3 or v4 for the levels of x86-64, or neon",
+                     "LEVEL");
+    add_threads(command, o->threads);
+    add_bits(command, o->bits, {8, 16, 32}, "Bits per channel: 8, or 16 for .png (.exr always holds 32-bit floats)");
+    add_choice<Compression>(command, "--compression", o->compression,
+                            {{"fast", Compression::fast}, {"small", Compression::small}},
+                            "Compression of .png: fast (default), or small, which takes about a second per megapixel",
+                            "KIND");
+    add_choice<std::string>(
+        command, "--format", o->format,
+        {{"bmp", "bmp"}, {"png", "png"}, {"exr", "exr"}, {"ppm", "ppm"}, {"y4m", "y4m"}},
+        "Format for standard output: bmp, png or exr; or ppm or y4m, which with --frames are streams", "KIND");
+    add_time(command, o->time);
+    add_parsed(command, "--frames", o->frames, parse_frames,
+               "Frames of the flythrough, 0-99 or 1-3,5,7-20:2, as numbered files: their number replaces %04d in FILE, "
+               "or else precedes the ending. By default a film has all frames",
+               "LIST");
+    add_fps(command, o->fps, "Frames per second of the flythrough, 25 by default; frame N is at N/F seconds");
+    add_parsed(command, "--part", o->share, parse_share,
+               "Part K of N: every Nth frame, or bands of one picture, which strahl join puts together", "K/N");
+    command->add_flag("--resume", o->resume,
+                      "Continue an interrupted picture from its checkpoint; skip frames whose files are complete");
+    command
+        ->add_option("--checkpoint", o->checkpoint,
+                     "Seconds between checkpoints: the finished bands of a picture are saved in FILE.checkpoint; 10 by "
+                     "default")
+        ->check(numbers(0, 1e9))
+        ->type_name("S");
+    add_file(command, "--prove", o->prove,
+             "Bound the rounding error of every pixel, and write a map of the pixels that are proved to equal those of "
+             "exact arithmetic, .png or .bmp. Traces one ray per pixel, in double, and prunes a hundredth of the light "
+             "that it would prune otherwise");
+    add_file(command, "--stats", o->stats, "Write times, rays and errors to this JSON file");
+    command->add_flag("--quiet", o->quiet, "Show no progress");
+    command->footer(
+        "A still:           strahl render scenes/article.rt -o article.png --size 1920x1080\n"
+        "A film:            strahl render SCENE -o film.mp4 --size 1280x720\n"
+        "Its frames:        strahl render SCENE -o film-%04d.png --frames 0-99 --fps 25\n"
+        "From and to pipes: strahl render - -o - --format png < SCENE | ...\n"
+        "Ctrl-C saves the finished part as NAME.part.ENDING; a second Ctrl-C stops at once.");
+}
+
+void add_join(CLI::App& app, Action& action) {
+    auto [command, o] = add_command(app, action, "join", "Put the parts of a picture together", join_command);
+    add_argument(command, "PART", o->parts, "All files that strahl render --part wrote for it")
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    add_file(command, "-o,--output", o->output, "The picture; - is standard output");
+    command->footer("Example: strahl join big.png.part-* -o big.png");
+}
+
+PixelSize parse_window_size(std::string_view text) {
+    const Size size = parse_size(text);
+    if (size.width > 16384 || size.height > 16384) throw UsageError("each side of the window is 1 to 16384 pixels");
+    return {size.width, size.height};
+}
+
+int view_until_interrupted(const ViewOptions& options) {
+    const Interrupt interrupt;
+    const int status = view_command(options, interrupt.flag());
+    return *interrupt.flag() ? exit_status::interrupted : status;
+}
+
+/// The options that `view` and `play` share.
+void add_window_options(CLI::App* command, ViewOptions& options) {
+    add_time(command, options.time);
+    add_fps(command, options.fps, "Pictures per second in motion, 60 by default; the resolution adapts to it")
+        ->check(numbers(1, 1000));
+    add_depth(command, options.depth);
+    add_threads(command, options.threads);
+    std::optional<int>& port = options.rocket;
+    CLI::Option* const flag = command->add_flag_callback(
+        "--rocket", [&port] { port = port.value_or(1338); },
+        "Let a GNU Rocket editor on this machine set the tracks and the moment");
+    command->add_option_function<int>("--rocket-port", [&port](int given) { port = given; },
+                                      "Its port, 1338 by default")
+        ->check(numbers(1, 65535))
+        ->type_name("PORT")
+        ->needs(flag);
+    command->add_flag("--verbose", options.verbose, "Log events to standard output");
+}
+
+void add_view(CLI::App& app, Action& action) {
+    auto [command, o] = add_command(app, action, "view", "Fly through a scene in a window", view_until_interrupted);
+    add_scene(command, o->scene);
+    add_parsed(command, "--size", o->size, parse_window_size, "Size of the window in pixels", "WxH");
+    command->add_flag("--fullscreen", o->full_screen, "Start in full screen (F11)");
+    command->add_flag("--fly", o->fly, "Start flying along the scene's flythrough, or around the scene if it has none; motions play");
+    add_parsed(command, "--still-size", o->still_size, parse_window_size,
+               "Size of stills (F12); by default that of the picture in the window", "WxH");
+    command->add_option("--still-folder", o->still_folder, "Folder for stills; by default the current one")
+        ->type_name("DIR");
+    add_choice<std::string>(command, "--still-format", o->still_ending, {{"bmp", ".bmp"}, {"png", ".png"}},
+                            "Format of stills: bmp (default) or png", "KIND");
+    add_window_options(command, *o);
+    command->footer(
+        "H lists the keys. When the scene file changes it is read again; while it has an error, the window shows the\n"
+        "last scene that had none. Drop another file on the window to open it.\n"
+        "The word view may be omitted: strahl scenes/article.rt --fly");
+}
+
+void add_play(CLI::App& app, Action& action) {
+    auto [command, o] =
+        add_command(app, action, "play", "Play a scene's flight in full screen", view_until_interrupted);
+    o->play = o->full_screen = true;
+    add_scene(command, o->scene);
+    command
+        ->add_option_function<std::string>(
+            "--size",
+            [o = o](const std::string& text) { o->size = parse_window_size(text), o->full_screen = false; },
+            "Play in a window of this size in pixels instead")
+        ->type_name("WxH");
+    command->add_flag("--loop", o->loop, "Start again at the end");
+    CLI::Option* const benchmark = command->add_flag(
+        "--benchmark", o->benchmark, "Report the times between pictures, their resolutions and pixels per second");
+    add_file(command, "--stats", o->stats, "Write what --benchmark reports to this JSON file")->needs(benchmark);
+    add_window_options(command, *o);
+    benchmark->excludes("--rocket");
+    command->footer(
+        "Esc ends it, Space pauses. Bodies are where they belong at each moment, whatever the frame rate.");
+}
+
+void add_check(CLI::App& app, Action& action) {
+    auto [command, o] =
+        add_command(app, action, "check", "Report errors in a scene, or list what is in it", check_command);
+    add_scene(command, o->scene);
+    command->add_flag("--print", o->print, "Print the scene as text instead");
+}
+
+void add_compare(CLI::App& app, Action& action) {
+    auto [command, o] =
+        add_command(app, action, "compare", "Report how much two pictures differ; exit status 0 or 1", compare_command);
+    add_argument(command, "A", o->a, "A picture file: .bmp, .png, .exr, .ppm, .pgm or .pfm");
+    add_argument(command, "B", o->b, "Another picture of the same size");
+    command->add_option("--tolerance", o->tolerance, "Largest difference per channel that counts as equal, 0 by default")
+        ->check(numbers(0, 1e9))
+        ->type_name("T");
+    add_file(command, "--heatmap", o->heatmap, "Write a picture of the differences");
+}
+
+void add_bundle(CLI::App& app, Action& action) {
+    auto [command, o] = add_command(app, action, "bundle",
+                                    "Make a folder that plays a scene on machines without Strahl", bundle_command);
+    o->version = STRAHL_VERSION;
+    add_argument(command, "SCENE", o->scene, "The scene, an .rt file");
+    command->add_option("-o,--output", o->output, "The folder; an older bundle is replaced")
+        ->required()
+        ->type_name("DIR");
+    command->footer("FOLDER/play plays it, with the options of strahl play.");
+}
+
+void add_import(CLI::App& app, Action& action) {
+    auto [command, o] =
+        add_command(app, action, "import", "Convert a scene of another program: NFF or Tachyon's", import_command);
+    add_argument(command, "FILE", o->file, "The scene, an .nff or .dat file; - is standard input");
+    add_file(command, "-o,--output", o->output, "The .rt file; by default -, standard output");
+    command->footer(
+        "Unsupported features are reported with their line and substitute; the rest is converted.\n"
+        "See src/import/README.md.");
+}
+
+void add_pov(CLI::App& app, Action& action) {
+    auto [command, o] = add_command(app, action, "pov", "Convert a scene for POV-Ray", pov_command);
+    add_scene(command, o->scene);
+    add_file(command, "-o,--output", o->output, "The .pov file; an .ini file to render it is written beside it");
+    add_size(command, o->width, o->height);
+    add_depth(command, o->depth);
+    add_bits(command, o->bits, {8, 16}, "Bits per channel of POV-Ray's picture: 8, or 16 (default)");
+    add_time(command, o->time);
+    command->add_flag("--animation", o->animation, "Convert the whole flythrough, driven by POV-Ray's frame_number");
+    add_fps(command, o->fps, "Frames per second of the animation, 25 by default");
+}
+
+int crosscheck_until_interrupted(const CrosscheckOptions& options) {
+    const Interrupt interrupt;
+    return crosscheck_command(options, interrupt.flag());
+}
+
+void add_crosscheck(CLI::App& app, Action& action) {
+    auto [command, o] =
+        add_command(app, action, "crosscheck", "Render scenes with Strahl and POV-Ray and compare; exit status 0 or 1",
+                    crosscheck_until_interrupted);
+    add_argument(command, "SCENE", o->scenes, "The scenes, .rt files")
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    add_size(command, o->width, o->height);
+    add_time(command, o->time);
+    add_depth(command, o->depth);
+    add_threads(command, o->threads);
+    add_file(command, "--sheet", o->sheet, "Write both pictures and their difference side by side");
+    command->footer(
+        "Worst off: largest difference, in steps of 1/65535, of pixels that are not on an edge.\n"
+        "Beyond off, on edges: number of pixels that differ by more than one step, off and on edges.\n"
+        "Needs povray. See povref/README.md.");
+}
+
+void add_stability(CLI::App& app, Action& action) {
+    auto [command, o] =
+        add_command(app, action, "stability",
+                    "Render a scene in float, double and long double; show where they disagree", stability_command);
+    add_scene(command, o->scene);
+    add_file(command, "-o,--output", o->output,
+             "A map: grey where all agree, orange where float differs, red where double does too");
+    add_parsed(command, "--size", o->size, parse_size, "Size of the picture in pixels, 640x480 by default", "WxH");
+    add_depth(command, o->depth);
+    add_threads(command, o->threads);
+    command->footer(
+        "Counts pixels whose 8-bit colours differ for another reason than a rounding tie. Long double has no SIMD,\n"
+        "so this takes a while.");
+}
+
+}  // namespace
+
+void add_commands(CLI::App& app, Action& action) {
+    add_view(app, action);
+    add_play(app, action);
+    add_render(app, action);
+    add_join(app, action);
+    add_check(app, action);
+    add_compare(app, action);
+    add_bundle(app, action);
+    add_import(app, action);
+    add_pov(app, action);
+    add_crosscheck(app, action);
+    add_stability(app, action);
+}
+
+}  // namespace strahl
