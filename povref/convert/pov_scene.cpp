@@ -42,9 +42,9 @@ struct Plan {
 
 Plan plan_for(const Scene& scene, const PovRequest& request) {
     Plan plan{.materials = pov_materials(scene, request.depth)};
-    Extents extents;
+    SceneSizes sizes;
     const auto look = [&](const Scene& moment, const std::vector<Camera>& cameras) {
-        extents.add(moment, cameras);
+        sizes.add(moment, cameras);
         plan.bodies_overlap |= transparent_bodies_overlap(moment);
         for (const Primitive& primitive : moment.primitives)
             if (transparent(moment, primitive)) {
@@ -56,7 +56,7 @@ Plan plan_for(const Scene& scene, const PovRequest& request) {
     for (std::size_t n = 0; plan.moves && n < request.cameras.size(); ++n)
         look(at(scene, static_cast<double>(n) / request.fps), {request.cameras[n]});
     if (!plan.moves) look(scene, request.cameras);
-    plan.scale = scale_for(extents);
+    plan.scale = scale_for(sizes);
     plan.scaled = plan.scale.factor != 1;
     for (const PovMaterial& material : plan.materials) {
         plan.keyword |= material.keyword;

@@ -46,7 +46,7 @@ bool has_horizon(const Scene& scene) {
 
 }  // namespace
 
-void Extents::add(const Scene& scene, const std::vector<Camera>& cameras) {
+void SceneSizes::add(const Scene& scene, const std::vector<Camera>& cameras) {
     for (const Camera& camera : cameras) {
         for (const Primitive& primitive : scene.primitives)
             farthest = std::max(farthest, reach(primitive, camera.position));
@@ -60,8 +60,8 @@ void Extents::add(const Scene& scene, const std::vector<Camera>& cameras) {
     horizon |= has_horizon(scene);
 }
 
-PovScale scale_for(const Extents& extents) {
-    const auto [farthest, smallest, horizon] = extents;
+PovScale scale_for(const SceneSizes& sizes) {
+    const auto [farthest, smallest, horizon] = sizes;
     if (farthest == 0) return {};
     const double least = std::max((horizon ? 150 : 3e4) / farthest, 1 / smallest), most = 1e6 / farthest;
     const bool good = least <= 1 && farthest <= (horizon ? 1e4 : 1e6);

@@ -16,7 +16,7 @@ struct PovScale {
 };
 
 /// How far apart and how large bodies are, over all cameras and moments added.
-struct Extents {
+struct SceneSizes {
     double farthest = 0;  // point of a body or light, from a camera
     double smallest = std::numeric_limits<double>::infinity();  // side of a body's box
     bool horizon = false;                                       // some body is endless
@@ -26,11 +26,11 @@ struct Extents {
 /// Returns the smallest factor with which the farthest point is at least 3e4 away from the camera (150 in a scene with planes,
 /// whose horizon is at 1e7) and the smallest body has a size of at least 1, unless the farthest would be beyond 1e6.
 /// Scenes that fulfil this already, and are not far larger, keep factor 1. `cameras` are all cameras of the scene.
-PovScale scale_for(const Extents& extents);
+PovScale scale_for(const SceneSizes& sizes);
 inline PovScale scale_for(const Scene& scene, const std::vector<Camera>& cameras) {
-    Extents extents;
-    extents.add(scene, cameras);
-    return scale_for(extents);
+    SceneSizes sizes;
+    sizes.add(scene, cameras);
+    return scale_for(sizes);
 }
 
 }  // namespace strahl

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -211,8 +212,28 @@ std::string type_defined_in(const std::string& line) {
     return std::regex_match(line, match, definition) ? match[1].str() : "";
 }
 
-/// Types whose names other types have, which is allowed for the reason given.
+/// Names of several types, which no file sees together, and what these are.
 const std::map<std::string, std::string> names_of_several_types{
+    {"Band", "rows of a picture file; directions of a light buffer"},
+    {"Body", "the elements of a PLY file; a body with its box; a defined body; an item of a world"},
+    {"Bounds", "the range of a parameter; the boxes of a range of items"},
+    {"Builder", "of a hierarchy; of an imported scene"},
+    {"Cell", "of a grid of boxes; of a picture; of a lattice"},
+    {"Corner", "of a face in a file; of a cell of a picture"},
+    {"Entry", "of the stacks of two walks through the hierarchy, local to these functions"},
+    {"Held", "a key held down; the arrays that a workspace holds"},
+    {"Image", "a picture at its smaller sizes; the picture on the screen"},
+    {"KeyPlace", "in the blocks of a flythrough and of a motion"},
+    {"Kind", "of a file of meshes; of a message of GNU Rocket"},
+    {"Node", "of a tree; each tree has its own"},
+    {"Part", "of a hierarchy that a thread builds; of a union"},
+    {"Parts", "of a cell on both sides of a chord; of a bound"},
+    {"Place", "on a surface; in a file of bands"},
+    {"Range", "of the values of a parameter; of parts of a union"},
+    {"Reader", "of scene text; of a file of a picture; of a scene of Tachyon's"},
+    {"Side", "of a mesh's edge; of a composite's bound"},
+    {"Spot", "the cone of a light; a place of a lattice"},
+    {"Stage", "a scene in time; of a cell's work"},
 };
 
 TEST_CASE("one word, one meaning: no two types share a name") {
@@ -240,9 +261,18 @@ TEST_CASE("one word, one meaning: no two types share a name") {
         CHECK_MESSAGE(places[name].size() > 1, name << " is in the list of exceptions without need");
 }
 
+bool has_word(const std::string& text, const std::string& word) {
+    const auto part_of_word = [&](std::size_t i) { return i < text.size() && (std::isalnum(text[i]) || text[i] == '_'); };
+    for (std::size_t at = text.find(word); at != text.npos; at = text.find(word, at + 1))
+        if (!part_of_word(at - 1) && !part_of_word(at + word.size())) return true;
+    return false;
+}
+
 TEST_CASE("the page on the source names only what there is") {
     std::string code;
+    std::set<std::string> files;
     for (const auto& [file, path] : module_files()) {
+        files.insert(path.filename().string());
         std::ostringstream text;
         text << std::ifstream(path).rdbuf();
         code += text.str();
@@ -256,13 +286,13 @@ TEST_CASE("the page on the source names only what there is") {
         const std::string word = (*at)[1];
         if (std::regex_match(word, own)) {
             const auto is = [&](const char* folder) { return fs::exists(fs::path(STRAHL_SOURCE) / folder / word); };
-            if (word.find("NAME") != word.npos || word.find("X") == 0) continue;
+            if (word.find("NAME") != word.npos || word.starts_with("X")) continue;
             ++names;
-            CHECK_MESSAGE((is("") || is("src")), "src/README.md names the file " << word << ", which is not there");
+            CHECK_MESSAGE((files.contains(word) || is("") || is("src")), "src/README.md names the file " << word << ", which is not there");
         } else if (std::regex_match(word, name) || word.ends_with("()")) {
             ++names;
-            const std::regex whole("\\b" + word.substr(0, word.find('(')) + "\\b");
-            CHECK_MESSAGE(std::regex_search(code, whole), "src/README.md speaks of " << word << ", which is not there");
+            CHECK_MESSAGE(has_word(code, word.substr(0, word.find('('))),
+                          "src/README.md speaks of " << word << ", which is not there");
         }
     }
     CHECK(names > 40);
