@@ -115,7 +115,7 @@ std::string summary(const Scene& scene) {
 }  // namespace
 
 int check_command(const CheckOptions& options) {
-    const Scene scene = read_scene(options.scene);
+    const Scene scene = load_scene(options.scene);
     const std::string file = show(shown_name(options.scene)).text;
     write_file("-", options.print ? write_scene(scene) : file + ": no errors\n" + summary(scene));
     return exit_status::done;

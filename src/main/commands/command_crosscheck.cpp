@@ -72,7 +72,7 @@ void print_row(const std::string& path, const Verdict& verdict, double ours, dou
 
 /// Returns whether the two pictures agree.
 bool check(const CrosscheckOptions& options, const std::string& path, const std::atomic<bool>* stop) {
-    const Scene scene = read_scene(path);
+    const Scene scene = load_scene(path);
     if (options.time) flight_for("--time", scene, path);
     const View view{.camera = camera_at(scene, options.time),
                     .width = options.width,

@@ -6,6 +6,6 @@
 
 namespace strahl {
 
-Scene read_scene(const std::string& path) { return parse_scene(read_text(path), shown_name(path), {}, read_pixels); }
+Scene load_scene(const std::string& path) { return parse_scene(read_text(path), shown_name(path), {}, read_pixels); }
 
 }  // namespace strahl

@@ -10,6 +10,6 @@ namespace strahl {
 inline std::string shown_name(const std::string& path) { return path == "-" ? "standard input" : path; }
 
 /// Reads a scene and its pictures from a file, or from standard input for "-". Throws FileError.
-Scene read_scene(const std::string& path);
+Scene load_scene(const std::string& path);
 
 }  // namespace strahl
