@@ -47,7 +47,7 @@ install_packages() {
         su=(sudo)
     fi
     say "installing the Debian packages that are missing here${su[*]:+ (with sudo)}: ${missing[*]}"
-    say "with what they need this is up to 250 MB and takes half a minute to a few minutes"
+    say "with what they need this is up to 1000 MB on the disk and takes minutes"
     mkdir -p "$root/build"
     # A stale package list is no reason to stop: what is missing may still be had.
     logged "$root/build/apt-update.log" "${su[@]}" "${apt[@]}" update || true
@@ -55,7 +55,7 @@ install_packages() {
         die "could not install them; try it by hand: ${su[*]} apt-get install --no-install-recommends ${missing[*]}"
 }
 
-# A tree that was copied or moved with its build folder can't go on with it.
+# Removes the build folder of a tree that was copied or moved with it: CMake cannot use it there.
 drop_moved_build() {
     local root=$1 cache="$1/build/$2/CMakeCache.txt"
     [[ ! -f $cache ]] || grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$cache" || rm -rf "$root/build/$2"
@@ -70,7 +70,7 @@ build_preset() {
         logged "$folder/configure.log" cmake -S "$root" --preset "$preset" "$@"
     fi
     run_build "$folder" "$target" && return
-    # What keeps ninja from even planning is no fault of the sources: a build.ninja that was cut off, say.
+    # If ninja cannot even plan, the sources are not at fault: build.ninja may be cut off, for example.
     cmake --build "$folder" --target "$target" -- -n >/dev/null 2>&1 </dev/null && return 1
     say "the build folder is damaged; configuring it anew"
     rm -f "$folder/build.ninja" "$folder/.ninja_deps" "$folder/.ninja_log"

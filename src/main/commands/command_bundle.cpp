@@ -269,7 +269,7 @@ int bundle_command(const BundleOptions& options) try {
               << printable(target.string()) << "/play plays it\n";
     if (!for_other_processors())
         std::cerr << "strahl: this strahl was built for processors like this one; on others it plays slowly. "
-                     "cmake --preset release builds one for all\n";
+                     "cmake --preset release -D STRAHL_LEVELS=all builds one for all\n";
     return exit_status::done;
 } catch (const fs::filesystem_error& error) {
     throw OutputError("cannot make the bundle: " + error.path1().string() + ": " + error.code().message());

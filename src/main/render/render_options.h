@@ -18,7 +18,7 @@ struct RenderOptions {
     Compression compression = Compression::fast;
     Size size;           // of the whole picture, even if only a crop of it is rendered
     std::optional<Lattice> crop;
-    std::optional<int> depth;            // 1 to 256; by default the scene's max_trace_level, or what `error` needs
+    std::optional<int> depth;            // 1 to 256; by default the scene's max_trace_level
     std::optional<Precision> precision;  // by default double, or what `error` needs
     std::optional<double> error;         // largest error of the file's values; see --error
     Sampling sampling;                   // its error is `error`, if that is given
