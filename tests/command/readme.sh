@@ -20,8 +20,8 @@ while read -r page; do
     done < <(grep -oP '\]\(\K[^)]+' "$page" | grep -v '^https:')
 done < <(find "$source_folder" -name '*.md' -not -path '*/build/*')
 while read -r scene; do
-    [[ -e $source_folder/$scene ]] || fault "the README renders $scene, which is not there"
-done < <(grep -oP '\./strahl (render )?\Kscenes/[a-z_]+\.rt' "$source_folder/README.md")
+    [[ -e $source_folder/$scene ]] || fault "the README names $scene, which is not there"
+done < <(grep -oP '\./strahl ([a-z]+ )?\Kscenes/[a-z_]+\.rt' "$source_folder/README.md")
 
 # The tables of commands and options, and the defaults that they state, agree with --help.
 readme=$source_folder/README.md
