@@ -57,7 +57,7 @@ class MemoryFile {
     /// Can it be read by one of its names?
     bool read(const std::string& bytes) const {
         if (::ftruncate(file, 0) != 0 || ::pwrite(file, bytes.data(), bytes.size(), 0) != ssize_t(bytes.size()))
-            throw std::runtime_error("the file in memory can't be written");
+            throw std::runtime_error("the file in memory cannot be written");
         bool is_read = false;
         for (const char* ending : attack.endings) try {
                 attack.read(name + ending);

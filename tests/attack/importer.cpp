@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "import/import.h"
 #include "text/parse.h"
@@ -29,6 +30,8 @@ void check(const strahl::Imported& imported) {
 }
 
 }  // namespace
+
+std::vector<std::string> attacked_words() { return {}; }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     strahl::ImportLimits limits;

@@ -2,6 +2,7 @@
 // number.
 //
 // attack_parser|attack_importer [--seconds S] [--seed N] DICTIONARY.dict SEEDS...
+// attack_parser --words    prints the words of the language as lines of a dictionary
 // While it runs, and after a crash, the file attack-parser-seed in the working directory holds the number of the input:
 // pass it as --seed to reproduce the crash.
 #include <algorithm>
@@ -17,6 +18,8 @@
 #include "tests/attack/options.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+/// Words that the attacked reader itself knows.
+std::vector<std::string> attacked_words();
 
 namespace {
 
@@ -54,6 +57,7 @@ void read_dictionary(const fs::path& path, Ingredients& ingredients) {
 
 Ingredients read_ingredients(const std::vector<fs::path>& paths) {
     Ingredients ingredients;
+    ingredients.words = attacked_words();
     const auto read = [&](const fs::path& path) {
         if (path.extension() == ".dict") return read_dictionary(path, ingredients);
         std::ifstream file(path, std::ios::binary);
@@ -137,7 +141,11 @@ class Mutator {
 }  // namespace
 
 int main(int count, char** arguments) {
-    const attack::Options options(count, arguments);
+    attack::Options options(count, arguments);
+    if (options.take("--words")) {  // as lines of a dictionary
+        for (const std::string& word : attacked_words()) std::printf("\"%s\"\n", word.c_str());
+        return 0;
+    }
     const std::vector<fs::path> paths(options.words.begin(), options.words.end());
     const Ingredients ingredients = read_ingredients(paths);
     if (ingredients.seeds.empty() || ingredients.words.empty() || ingredients.numbers.empty() ||

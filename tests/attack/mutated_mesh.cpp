@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include "tests/attack/mutator.h"
 #include "tests/unit/mesh/mesh_text.h"
@@ -12,106 +15,18 @@ namespace strahl {
 namespace {
 
 /// Numbers at the ends of their ranges, and words that mean something to one of the readers.
-constexpr std::array words{"0",
-                           "-0",
-                           "1",
-                           "2",
-                           "3",
-                           "4",
-                           "5",
-                           "8",
-                           "9",
-                           "100",
-                           "-1",
-                           "-2",
-                           "-5",
-                           "-9",
-                           "127",
-                           "128",
-                           "255",
-                           "256",
-                           "32768",
-                           "65536",
-                           "2147483647",
-                           "-2147483648",
-                           "4294967295",
-                           "4294967296",
-                           "4294967299",
-                           "9223372036854775807",
-                           "18446744073709551615",
-                           "18446744073709551616",
-                           "1000000000",
-                           "1e9",
-                           "-1e9",
-                           "1.0000001e9",
-                           "1e16",
-                           "1e300",
-                           "1e309",
-                           "1e-300",
-                           "1e-310",
-                           "5e-324",
-                           "1e-400",
-                           ".5",
-                           "-.5",
-                           "+1",
-                           "nan",
-                           "-nan",
-                           "inf",
-                           "-inf",
-                           "0x10",
-                           "1/1",
-                           "1//1",
-                           "1/1/1",
-                           "-1//-1",
-                           "1/",
-                           "//",
-                           "f",
-                           "v",
-                           "vn",
-                           "vt",
-                           "#",
-                           "\\",
-                           "\\\n",
-                           "\n",
-                           "\r",
-                           "\r\n",
-                           "ply",
-                           "format",
-                           "ascii",
-                           "binary_little_endian",
-                           "binary_big_endian",
-                           "element",
-                           "vertex",
-                           "face",
-                           "property",
-                           "list",
-                           "char",
-                           "uchar",
-                           "short",
-                           "ushort",
-                           "int",
-                           "uint",
-                           "float",
-                           "double",
-                           "x",
-                           "y",
-                           "z",
-                           "nx",
-                           "ny",
-                           "nz",
-                           "vertex_index",
-                           "vertex_indices",
-                           "other",
-                           "end_header",
-                           "comment",
-                           "solid",
-                           "facet",
-                           "normal",
-                           "outer",
-                           "loop",
-                           "endloop",
-                           "endfacet",
-                           "endsolid"};
+const std::vector<std::string> words = [] {
+    std::istringstream text(
+        "0 -0 1 2 3 4 5 8 9 100 -1 -2 -5 -9 127 128 255 256 32768 65536 2147483647 -2147483648 4294967295 "
+        "4294967296 4294967299 9223372036854775807 18446744073709551615 18446744073709551616 1000000000 1e9 -1e9 "
+        "1.0000001e9 1e16 1e300 1e309 1e-300 1e-310 5e-324 1e-400 .5 -.5 +1 nan -nan inf -inf 0x10 1/1 1//1 1/1/1 "
+        "-1//-1 1/ // f v vn vt # ply format ascii binary_little_endian binary_big_endian element vertex face "
+        "property list char uchar short ushort int uint float double x y z nx ny nz vertex_index vertex_indices "
+        "other end_header comment solid facet normal outer loop endloop endfacet endsolid");
+    std::vector<std::string> list{"\\", "\\\n", "\n", "\r", "\r\n"};
+    for (std::string word; text >> word;) list.push_back(word);
+    return list;
+}();
 
 class MeshMutator : Mutator {
   public:

@@ -8,6 +8,7 @@
 
 #include "image/picture.h"
 #include "tests/attack/mutator.h"
+#include "tests/unit/image/exr_bytes.h"
 #include "tests/unit/scratch.h"
 
 namespace strahl {
@@ -18,12 +19,6 @@ const std::string png_start = "\x89PNG\r\n\x1a\n";
 std::string big_endian(std::uint32_t value) {
     std::string bytes;
     for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(value >> shift);
-    return bytes;
-}
-template <class... Values>
-std::string little_endian(Values... values) {
-    std::string bytes;
-    ((bytes += std::string(reinterpret_cast<const char*>(&values), sizeof values)), ...);
     return bytes;
 }
 
@@ -76,27 +71,6 @@ std::string bmp(std::uint16_t bits, std::int32_t compression) {
            little_endian(std::int32_t(start + pixels.size()), 0, start, 40, 8, 8, std::uint16_t(1), bits, compression,
                          std::int32_t(pixels.size()), 0, 0, 1 << bits, 0) +
            palette + pixels;
-}
-
-/// A tiled .exr file of three float channels without its tiles' values.
-std::string tiled_exr() {
-    std::string bytes = little_endian(20000630, 2 | 0x200);
-    const auto add = [&](const char* name, const char* type, const std::string& value) {
-        bytes += std::string(name) + '\0' + type + '\0' + little_endian(int(value.size())) + value;
-    };
-    std::string channels;
-    for (const char* channel : {"B", "G", "R"}) channels += std::string(channel) + '\0' + little_endian(2, 0, 1, 1);
-    add("channels", "chlist", channels + '\0');
-    add("compression", "compression", std::string(1, '\0'));
-    for (const char* window : {"dataWindow", "displayWindow"}) add(window, "box2i", little_endian(0, 0, 3, 3));
-    add("lineOrder", "lineOrder", std::string(1, '\0'));
-    add("pixelAspectRatio", "float", little_endian(1.f));
-    add("screenWindowCenter", "v2f", little_endian(0.f, 0.f));
-    add("screenWindowWidth", "float", little_endian(1.f));
-    add("tiles", "tiledesc", little_endian(4, 4) + '\0');
-    bytes += '\0';
-    bytes += little_endian(std::uint64_t(bytes.size() + 8));
-    return bytes + little_endian(0, 0, 0, 0, 192) + std::string(192, '\x3c');
 }
 
 class PictureMutator : Mutator {
@@ -188,7 +162,7 @@ std::vector<std::string> valid_pictures() {
     for (const std::uint16_t bits : {1, 4, 8}) files.push_back(bmp(bits, 0));
     files.push_back(bmp(8, 1));
     files.push_back(bmp(4, 2));
-    files.push_back(tiled_exr());
+    files.push_back(tiled_exr(4, 4, 4, '\0') + little_endian(0, 0, 0, 0, 192) + std::string(192, '\x3c'));
     return files;
 }
 

@@ -6,9 +6,11 @@
 #include <cstdlib>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "scene/moving_scene.h"
 #include "tests/referee/random_pattern.h"
+#include "text/manual/syntax.h"
 #include "text/parse.h"
 #include "text/write.h"
 
@@ -49,6 +51,14 @@ void check(const strahl::Scene& scene) {
 }
 
 }  // namespace
+
+std::vector<std::string> attacked_words() {
+    const strahl::LanguageWords language = strahl::words_of_language();
+    std::vector<std::string> words;
+    for (const auto* some : {&language.blocks, &language.patterns, &language.others})
+        words.insert(words.end(), some->begin(), some->end());
+    return words;
+}
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string_view text(reinterpret_cast<const char*>(data), size);

@@ -28,7 +28,7 @@ inline FlatScene flatten(const Scene& scene) {
     for (const Primitive& primitive : scene.primitives) {
         const glm::dmat4 m = matrix(primitive.transformations);
         const double factor = similarity(primitive.transformations);
-        if (factor == 0) throw std::invalid_argument("a body is stretched: the other programs can't show that");
+        if (factor == 0) throw std::invalid_argument("a body is stretched: the other programs cannot show that");
         const auto moved = [&](const DVec3& p) { return transform_point(m, p); };
         const int material = primitive.material;
         if (const auto* s = std::get_if<Sphere>(&primitive.shape))

@@ -129,7 +129,7 @@ if command -v ffmpeg >/dev/null; then
     for ending in mp4 mkv webm; do
         expect 0 "" render scene.rt -o "real.$ending" --size 96x72 --fps 3
         rm -f ./*.png
-        ffmpeg -v error -i "real.$ending" frame-%02d.png || fault "ffmpeg can't read real.$ending"
+        ffmpeg -v error -i "real.$ending" frame-%02d.png || fault "ffmpeg cannot read real.$ending"
         [[ $(echo frame-*.png) == *frame-12.png ]] || fault "real.$ending has the frames $(echo frame-*.png)"
         expect 0 "" render scene.rt -o still.png --size 96x72 --time 3
         error=$(compare -metric RMSE frame-10.png still.png null: 2>&1 | sed 's/.*(\(.*\))/\1/')

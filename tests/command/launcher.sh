@@ -127,7 +127,7 @@ root="$work/copy" launch 7 "configure --preset release -DSTRAHL_TESTS=OFF -DSTRA
 build $work/copy/build/release --target strahl*"
 rm -r "$work/copy"
 
-# Missing packages are named, then installed, even if the package list can't be updated.
+# Missing packages are named, then installed, even if the package list cannot be updated.
 rm -r "$root/build"
 packages="apt-get -q -y * update
 apt-get -q -y * install --no-install-recommends cmake libimgui-dev"

@@ -1,5 +1,5 @@
 // The structure of the source tree: which module may include which, where each library is used, and that the linker
-// can't confuse the kernels of different SIMD levels.
+// cannot confuse the kernels of different SIMD levels.
 #include <doctest/doctest.h>
 
 #include <algorithm>

@@ -51,7 +51,7 @@ xdotool key x
 await 'X marks a picture at rest'
 xdotool key f
 
-echo "-- a signal waits for stills, as Esc does; one that can't be written is told at once"
+echo "-- a signal waits for stills, as Esc does; one that cannot be written is told at once"
 xdotool key F12
 await 'still queued'
 kill -TERM "$pid"

@@ -207,7 +207,7 @@ World::World(const Scene& from, int threads) : background(to_float(from.backgrou
         attach_meshes(*this, flat.meshes, clear);
     }
     rtcCommitScene(scene);
-    if (rtcGetDeviceError(device) != RTC_ERROR_NONE) throw std::runtime_error("Embree can't build the scene");
+    if (rtcGetDeviceError(device) != RTC_ERROR_NONE) throw std::runtime_error("Embree cannot build the scene");
 }
 
 World::~World() {

@@ -12,6 +12,7 @@
 #include "files/output_file.h"
 #include "image/picture.h"
 #include "tests/unit/faults.h"
+#include "tests/unit/image/exr_bytes.h"
 #include "tests/unit/scratch.h"
 
 namespace strahl {
@@ -23,34 +24,6 @@ Picture picture(int width, int height) {
 
 std::string fault_in(const std::string& path, std::uint64_t most = most_values_read) {
     return fault_of([&] { read_picture(path, most); });
-}
-
-template <class... Values>
-std::string bytes_of_values(Values... values) {
-    std::string bytes;
-    ((bytes += std::string(reinterpret_cast<const char*>(&values), sizeof values)), ...);
-    return bytes;
-}
-
-/// A tiled .exr file of three float channels that ends after the place of its first tile.
-std::string forged_exr(int width, int height, int tile) {
-    std::string bytes = bytes_of_values(20000630, 2 | 0x200);
-    const auto add = [&](const char* name, const char* type, const std::string& value) {
-        bytes += std::string(name) + '\0' + type + '\0' + bytes_of_values(int(value.size())) + value;
-    };
-    std::string channels;
-    for (const char* channel : {"B", "G", "R"}) channels += std::string(channel) + '\0' + bytes_of_values(2, 0, 1, 1);
-    add("channels", "chlist", channels + '\0');
-    add("compression", "compression", std::string(1, '\3'));
-    add("dataWindow", "box2i", bytes_of_values(0, 0, width - 1, height - 1));
-    add("displayWindow", "box2i", bytes_of_values(0, 0, width - 1, height - 1));
-    add("lineOrder", "lineOrder", std::string(1, '\0'));
-    add("pixelAspectRatio", "float", bytes_of_values(1.f));
-    add("screenWindowCenter", "v2f", bytes_of_values(0.f, 0.f));
-    add("screenWindowWidth", "float", bytes_of_values(1.f));
-    add("tiles", "tiledesc", bytes_of_values(tile, tile) + '\0');
-    bytes += '\0';
-    return bytes + bytes_of_values(std::uint64_t(bytes.size() + 8));
 }
 
 TEST_CASE("only .bmp, .png, .exr, .ppm, .pgm and .pfm are read, recognised by their contents") {
@@ -95,7 +68,7 @@ TEST_CASE("pictures without compression: headers that are forged, and files that
 TEST_CASE("BMP headers that are forged, and files that are cut off") {
     const Scratch folder;
     const auto reading = [&](std::int32_t start, std::int32_t width, std::int32_t height, std::size_t size) {
-        std::string bytes = "BM" + bytes_of_values(0, 0, start, 40, width, height, std::uint16_t(1), std::uint16_t(24),
+        std::string bytes = "BM" + little_endian(0, 0, start, 40, width, height, std::uint16_t(1), std::uint16_t(24),
                                                    0, 0, 0, 0, 0, 0);
         bytes.resize(size, '\7');
         write_file(folder / "a.bmp", bytes);
@@ -146,7 +119,7 @@ TEST_CASE("a forged header costs no memory, and a large picture no more than was
     for (const auto& [width, height, tile] : {Forgery{9000, 9000, 9000}, {8, 6, 8000}}) {
         CAPTURE(width);
         CAPTURE(tile);
-        write_file(folder / "a.exr", forged_exr(width, height, tile));
+        write_file(folder / "a.exr", tiled_exr(width, height, tile, '\3'));
         CHECK(says(reading("a.exr"), "than fit into such a file"));
     }
     std::string bmp(1100, '\0');  // run-length encoded, with the end right after the palette
@@ -192,7 +165,7 @@ TEST_CASE("rows that a file promises and does not have cost no memory") {
     for (const std::string window : {"dataWindow", "displayWindow"}) {
         const std::size_t at = bytes.find(window + std::string("\0box2i\0\x10\0\0\0", 11));
         REQUIRE(at != bytes.npos);
-        bytes.replace(at + window.size() + 11, 16, bytes_of_values(0, 0, 7999, 7999));
+        bytes.replace(at + window.size() + 11, 16, little_endian(0, 0, 7999, 7999));
     }
     bytes.resize(std::max<std::size_t>(bytes.size(), 8000));
     write_file(folder / "a.exr", bytes);
@@ -216,7 +189,7 @@ TEST_CASE("run lengths of other bits than the pixels are refused") {
     const Scratch folder;
     const auto fault = [&](std::uint16_t bits, std::int32_t compression) {
         std::string bytes =
-            "BM" + bytes_of_values(1110, 0, 1078, 40, 8, 8, std::uint16_t(1), bits, compression, 32, 0, 0, 256, 0);
+            "BM" + little_endian(1110, 0, 1078, 40, 8, 8, std::uint16_t(1), bits, compression, 32, 0, 0, 256, 0);
         bytes += std::string(1024, '\x40');
         for (int row = 0; row < 8; ++row) bytes += std::string("\x08\x01\0", 3) + (row < 7 ? '\0' : '\1');
         write_file(folder / "a.bmp", bytes);

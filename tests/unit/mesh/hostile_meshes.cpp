@@ -44,7 +44,7 @@ std::string changed(const std::string& piece, const std::string& replacement) {
     return bytes.replace(at, piece.size(), replacement);
 }
 
-TEST_CASE("what can't be opened, is no file or is no mesh") {
+TEST_CASE("what cannot be opened, is not a file or is not a mesh") {
     const Scratch folder;
     CHECK(fault_at(folder / "none.ply") == Says{"there is no such file"});
     CHECK(fault_at(folder / "") == Says{"it is a folder"});

@@ -17,7 +17,7 @@ inline constexpr int picture_width = 80, picture_height = 60;
 struct Allowed {
     int steps = 1;
     double share = 0;
-    bool comparable() const { return share < 1; }  // or POV-Ray can't show it
+    bool comparable() const { return share < 1; }  // or POV-Ray cannot show it
 };
 
 /// povref/allowed.txt.

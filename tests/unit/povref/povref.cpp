@@ -262,7 +262,7 @@ TEST_CASE("every scene has a current reference picture") {
     CHECK_MESSAGE(sums.empty(), "references without a scene, run povref/make_references");
 }
 
-TEST_CASE("a scene's file name can't put lines into the files, nor can a path") {
+TEST_CASE("a scene's file name cannot put lines into the files, nor can a path") {
     const Scene scene = parse_scene(camera + light, "test");
     PovRequest request = request_for("test", scene);
     const PovFiles plain = write_pov(scene, request);

@@ -74,7 +74,7 @@ TEST_CASE("unfinished stills are dropped by name and leave no file") {
     CHECK(folder.files() == 0);
 }
 
-TEST_CASE("a still that can't be written reports the reason") {
+TEST_CASE("a still that cannot be written reports the reason") {
     const Scratch folder;
     const auto scene = shown_scene();
     Stills stills(1, [] {});

@@ -73,7 +73,7 @@ TEST_CASE("parts start from the material of the composite around them, wherever 
     CHECK(scene.primitives[1].material == 4);
 }
 
-TEST_CASE("composites that can't be") {
+TEST_CASE("composites that are not allowed") {
     check_fault("union { }", "2:1: this union is none: it has no parts");
     check_fault("union { " + ball + "\ndifference { } }", "3:1: this difference is none: it has no parts");
     check_fault("intersection { " + ball + "\ndisc { <0,0,0>, <0,0,1>, 1 } }",

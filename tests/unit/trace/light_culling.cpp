@@ -1,4 +1,4 @@
-// Culling of bodies that can't be hit never changes a picture.
+// Culling of bodies that cannot be hit never changes a picture.
 #include "trace/world/light_culling.h"
 
 #include <doctest/doctest.h>
