@@ -1,4 +1,4 @@
-// What random worlds for proofs have besides balls and rods.
+// Bodies of random worlds for proofs besides balls and rods.
 #pragma once
 #include <cmath>
 #include <memory>
@@ -182,7 +182,7 @@ struct Transformed {
     Shape shape;
     std::vector<Transformation> steps;
 };
-/// The same, scaled unevenly and turned, balls and rods as well: what meets an edge does so however space is stretched.
+/// Returns such bodies, and balls and rods, scaled unevenly and turned: a ray that meets an edge still does so.
 inline std::vector<Transformed> uneven_edge_bodies(Dice& dice, const DVec3& target, const DVec3& way, double size) {
     const Scale scale{dice.vector(.4, 2.5)};
     const Rotate rotate{{0, 0, dice.chance(.5) ? 0 : dice.in(-180, 180)}};

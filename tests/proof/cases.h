@@ -16,9 +16,9 @@ struct Case<Sphere> {
         slack.share = 1.0000001 * above(wrong / (R(norm1(kernel.centre)) + R(kernel.radius)));
     }
     double scale() const { return shape.radius; }
-    /// How far a point is from a face.
+    /// Returns the distance of a point from a face.
     R off(const Vector& p, int) const { return size(length(p - Vector(shape.centre)) - R(shape.radius)); }
-    /// Some point of the surface, and the normal there.
+    /// Returns a random point of the surface, and the normal there.
     std::pair<Vector, Vector> point(Dice& dice) const {
         const Vector n = unit(Vector(dice.direction()));
         return {Vector(shape.centre) + R(shape.radius) * n, n};
@@ -153,7 +153,7 @@ struct Case<Disc> {
     }
     double scale() const { return shape.radius; }
     R off(const Vector& p, int) const { return size(dot(normal, p - Vector(shape.centre))); }
-    /// Two thirds of them near a rim, on either side of it.
+    /// Returns a random point of the surface, two times in three near a rim, on either side of it.
     std::pair<Vector, Vector> point(Dice& dice) const {
         const int which = dice.upto(2);
         const R near = std::pow(10, dice.in(-15, -1)) * (dice.chance(.7) ? 1 : -1);

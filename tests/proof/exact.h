@@ -47,7 +47,7 @@ class Tracer {
         return see(eye.ray(x, y), 1, inside);
     }
 
-    /// What a spot sends along -l.
+    /// Returns the share of its light that a spot sends along -l.
     static R share_of_spot(const Light& light, const Vector& l) {
         if (!light.spot) return 1;
         const auto less_cosine = [](double degrees) {

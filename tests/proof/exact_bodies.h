@@ -91,7 +91,7 @@ struct Paint {
         return steps;
     }
 };
-/// What bends normals, in a space of its own.
+/// A bump or normal map in its own space.
 template <class R, class Relief>
 struct Bender {
     Relief relief;
@@ -157,7 +157,7 @@ struct Leaf {
         return normal;
     }
     bool owns(int face) const { return face >= first_face && face < first_face + faces; }
-    /// Is the line inside at t, all of whose crossings but the one it starts with are given? Bodies are convex.
+    /// Is the line inside at t? Given are all its crossings except the one that it starts with. Bodies are convex.
     bool inside(const Line<R>& line, int source, const std::vector<Crossing<R>>& all, R t) const {
         const Crossing<R>*before = nullptr, *after = nullptr;
         for (const auto& own : all) {

@@ -1,5 +1,5 @@
-// Rays that go round in balls and cylinders, mirrored by the round side time and again: their bounds against numbers of
-// 113 bits, as formulas_of_bodies.cpp has those of one hit.
+// Compares bounds of rays that are reflected inside balls and cylinders time and again with numbers of 113 bits, as
+// formulas_of_bodies.cpp does for one hit.
 #include "tests/proof/cases.h"
 
 using namespace strahl;
@@ -7,8 +7,8 @@ using namespace strahl::trial;
 
 namespace {
 
-/// What mirrors keep of a line about a body, as bound_inside has it: the way between them grows with how far the two
-/// are apart.
+/// Returns what mirrors in a body keep of a line, as in bound_inside: its spin about the centre. The way between two lines
+/// grows with the difference of their spins.
 Vector spin_of(const Line<R>& line, const Vector& centre) { return cross(line.origin - centre, line.direction); }
 R spin_error(const Case<Sphere>& ball, const Line<R>& exact, const Line<R>& computed) {
     return length(spin_of(exact, Vector(ball.shape.centre)) - spin_of(computed, vector(ball.kernel.centre))) /
@@ -64,7 +64,7 @@ void try_insides(std::uint64_t seed) {
         const Span<double> span = body.kernel.span(back, -1.);
         if (!span.hit || span.far_face != 0 || !(span.far > 0)) continue;
         const SurfacePoint<double> start = body.kernel.at(back, span.far, 0.);
-        // Where the exact one starts: a point of the exact side near that.
+        // The exact ray starts at a point of the exact side near the computed one.
         OffRay off = off_ray(dice, start.position, towards, any_of(dice, normal), any_of(dice, normal));
         const Line<R> out{off.line.origin - R(.01) * normal, normal};
         auto list = crossings(body.shape, out, -1).list;

@@ -1,4 +1,4 @@
-// How far colours of patterns may be off, by the formulas of pattern_bounds_kernel.h and with the numbers that worlds
+// Compares errors of patterns' colours with the formulas of pattern_bounds_kernel.h, with the numbers that worlds
 // have: at places that are off, near the borders of pieces and in them, against numbers of 113 bits.
 #include "num/thread_pool.h"
 #include "tests/proof/painted.h"
@@ -12,7 +12,7 @@ using namespace strahl::trial;
 
 namespace {
 
-/// A place of the pattern's space that is often near a border of its pieces.
+/// Returns a place of the pattern's space, often near a border of its pieces.
 Vector any_place(Dice& dice, const Pattern& pattern) {
     constexpr double border = 1e-10;
     const double far = std::pow(10, dice.in(-1, dice.chance(.1) ? 9 : 3));
@@ -37,7 +37,7 @@ Vector any_place(Dice& dice, const Pattern& pattern) {
     return place;
 }
 
-/// Of worlds in T.
+/// Errors of colours in worlds of T, and their bounds.
 template <class T>
 struct ColorDifferences {
     Closest kinds[7] = {{"checker"}, {"gradient"}, {"brick"}, {"noise"}, {"marble"}, {"wood"}, {"image"}};
@@ -81,7 +81,7 @@ struct ColorDifferences {
     }
 };
 
-/// By uv, at a point of a triangle with these weights of its first two corners.
+/// Errors of colours by uv, at a point of a triangle with given weights of its first two corners.
 template <class T>
 struct DifferencesByUv {
     Closest place{"places by uv"}, colors{"colours by uv"}, untold{"any colour by uv"};

@@ -63,7 +63,7 @@ TEST_CASE("formulas of mirrors and glass") {
         if (!off.ahead()) continue;
         mirror.take(length(off.mirrored() - direction_of(off, reflect(off.hit))), turn_reflected(off.known));
         mirrored_line.take(length(cross(off.apart(), off.mirrored())), side_reflected(off.known));
-        // As scatter() has it.
+        // As in scatter().
         const bool in = dice.chance(.5);
         const double b = in ? 1 / off.material.ior : off.material.ior, s = -dot(off.hit.direction, off.hit.normal);
         const double k = fma(b * b, fma(s, s, -1.), 1.);

@@ -1,5 +1,5 @@
-// How far normals that reliefs bend may be off, by the formulas of relief_bounds_kernel.h and with the numbers that
-// worlds have: at places and of normals that are off, against numbers of 113 bits.
+// Compares errors of bent normals with the formulas of relief_bounds_kernel.h, with the numbers that
+// worlds have: at places and for normals that are off, against numbers of 113 bits.
 #include "num/thread_pool.h"
 #include "tests/proof/painted.h"
 #include "tests/proof/trial.h"
@@ -12,7 +12,7 @@ using namespace strahl::trial;
 
 namespace {
 
-/// Of worlds in T.
+/// Errors of bent normals in worlds of T, and their bounds.
 template <class T>
 struct NormalDifferences {
     Closest map{"normal maps"}, bump{"bumps"}, both{"bumps on normal maps"}, untold{"any normal"};
@@ -69,7 +69,7 @@ Scene bent_ball(Dice& dice, Vector& point) {
     point = (by_bump ? leaf.bump.whole() : leaf.map.whole()).point(own);
     return scene;
 }
-/// By uv. The normal is often that of the triangle.
+/// A world of one triangle with a material bent by uv, and a point of it. The normal is often that of the triangle.
 Scene bent_triangle(Dice& dice, Vector& point, Vector& n) {
     Scene scene;
     scene.materials.emplace_back();

@@ -83,7 +83,7 @@ struct trial::Case<Uneven<Shape>> {
             std::max(inner.slack.share, 1.0000001 * above(length(vector(kernel.centre) - shape.centre) / sizes));
     }
     double scale() const { return size * inner.scale(); }
-    /// How far a point is from a face: how far it is in the body's own space over how fast that grows.
+    /// Returns the distance of a point from a face: that in the body's own space, divided by how fast it grows.
     R off(const Vector& p, int face) const {
         const Vector own = shape.turned(p - shape.centre);
         const Ray<double> from{rounded(own), DVec3(1, 0, 0), -1};
@@ -114,7 +114,7 @@ TEST_CASE("formulas of uneven cones") { try_body<Uneven<Cone>>(17); }
 TEST_CASE("formulas of uneven discs") { try_body<Uneven<Disc>>(18); }
 TEST_CASE("formulas of uneven tori") { try_tori<Uneven<Torus>>(22); }
 
-/// What is known of a space: the most that lengths grow there, and along a surface.
+/// Bounds of a space: the most that lengths grow there, and along a surface.
 TEST_CASE("formulas of uneven spaces") {
     Closest any{"the most a length grows"}, along{"along a surface"};
     Dice dice(19);

@@ -1,4 +1,4 @@
-// How far worlds and camera rays are off, by the formulas of slack.cpp and against numbers of 113 bits.
+// Compares errors of worlds and camera rays with the formulas of slack.cpp and eye_bounds.h, by numbers of 113 bits.
 #include "tests/proof/trial.h"
 #include "trace/proof/eye_bounds.h"
 #include "trace/proof/slack.h"
@@ -34,7 +34,7 @@ struct ExactWay {
     R length(R own) const { return scale * trial::length(space.columns[0]) * own; }
 };
 
-/// Of worlds in T.
+/// Errors of bodies' numbers in worlds of T, and their bounds.
 template <class T>
 struct Differences {
     Closest share{"place and size of a body"}, turn{"axis or normal"}, plane{"distance of a plane"};
@@ -124,7 +124,7 @@ struct Differences {
         }
         for (int i : {0, 1, 2}) turn.take(length(made[i] - rows[i]) / length(made[i]), slack.turn);
     }
-    /// Where the space of its own stands in which a body is round, its rows, and the body there.
+    /// Compares the space in which a body is round: its place, its rows, and the body there.
     template <class Shape, class K>
         requires(!std::is_same_v<Shape, Torus>)
     void compare(const Shape& shape, const AffineKernel<K, T>& kernel, const ExactWay& way, const Slack<T>& slack) {
@@ -182,7 +182,7 @@ struct Differences {
         turn.take(off(own.normal, unit(Vector(shape.normal))), slack.turn);
     }
 
-    /// Of a shape under these transformations, some of them uneven.
+    /// Compares the kernels of a shape under these transformations, some of them uneven.
     template <class Shape>
     void take(const Shape& shape, std::vector<Transformation> steps, const std::vector<Transformation>& uneven,
               const Placement& placement) {
@@ -198,7 +198,7 @@ struct Differences {
     }
 };
 
-/// Of camera rays in T.
+/// Errors of camera rays in T, and their bounds.
 template <class T>
 struct RayDifferences {
     Closest start{"start"}, turn{"direction"};
@@ -208,7 +208,7 @@ struct RayDifferences {
         add_eye(slack, view, placement);
         const Eye<T> eye = eye_of<T>(view, placement);
         const exact::Eye exact(view);
-        // As the kernel has it.
+        // As in the kernel.
         const T u = fma(T(x), eye.scale_x, eye.bias_x), v = fma(T(y), eye.scale_y, eye.bias_y);
         const Vec3<T> d = fma(u, eye.right, fma(v, eye.down, eye.forward));
         const Vec3<T> direction = scale(1 / std::sqrt(dot(d, d)), d);

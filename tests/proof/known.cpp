@@ -1,4 +1,4 @@
-// What proofs know, and what they do not.
+// Scenes that proofs decide, and scenes that they leave undecided.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -29,7 +29,7 @@ Scene ball_on_floor() {
     scene.primitives.push_back({Plane{{0, 0, -1}, {1, 0, -1}, {0, 1, -1}}, 0, {}});
     return scene;
 }
-/// How many of its pixels have a bound below 1e-9.
+/// Returns the share of pixels with a bound below 1e-9.
 double share_bounded(const Scene& scene) {
     const Proved proved = prove(scene, view_of(scene, 64, 48));
     return static_cast<double>(std::ranges::count_if(proved.bounds, [](double b) { return b < 1e-9; })) /

@@ -14,7 +14,7 @@ namespace strahl::proof {
 /// Decides about colours: bodies stay what they are without.
 inline Dice dice_of_paint(std::uint64_t seed) { return Dice(seed ^ 0x2545f4914f6cdd1dull); }
 
-/// Any pattern, in a space of this size around a place.
+/// Returns any pattern, in a space of this size around a place.
 inline Pigment random_paint(Dice& dice, double size, const DVec3& at) {
     Pattern pattern = random_pattern(dice);
     pattern.transformations.push_back(Scale{DVec3(size)});
@@ -104,7 +104,7 @@ inline Pigment edge_paint(Dice& dice, double size, const DVec3& at) {
                                Rotate{dice.vector(-180, 180)}, Translate{at}};
     return Pigment(std::move(pattern));
 }
-/// The same by uv, and a mesh of one triangle in whose middle the place is.
+/// Returns such a pattern by uv, and a mesh of one triangle in whose middle the place is.
 inline std::pair<Mesh, Pigment> edge_paint_by_uv(Dice& dice, double size, const DVec3& at) {
     constexpr double border = 1e-10;
     Pattern pattern{Checker{}, {{0, dice.vector(0, 1)}, {1, dice.vector(0, 1)}}, {}, true};

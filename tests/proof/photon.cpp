@@ -17,7 +17,7 @@ constexpr int bounces = 14;
 constexpr double flight = 10;
 const char* const published = "0.9952629194433541608903118094267216210294669227341543498032088580729861796";
 
-/// Where the photon is on its way, and its direction.
+/// The photon's places and directions on its way.
 template <class R>
 struct Way {
     std::array<referee::Vector<R>, bounces> points;

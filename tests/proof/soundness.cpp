@@ -31,7 +31,7 @@ using proof::prove, proof::Proved, proof::view_of;
 
 namespace {
 
-/// What was found in one set of pictures.
+/// Counts of one set of pictures.
 struct Tally {
     std::int64_t values = 0, certain[2] = {}, lies[2] = {}, violated = 0, judged_twice = 0;
     std::array<std::int64_t, 4096> slack{};  // bounds over errors, where the bound is small, by 32 log2

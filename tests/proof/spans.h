@@ -9,7 +9,7 @@ namespace strahl::trial {
 /// A body, and as the kernel has it, whose numbers are off by some share.
 template <class Shape>
 struct Case;
-/// Of bodies that a ray crosses.
+/// Trials of the formulas of bodies that a ray crosses.
 template <class Shape>
 struct Spans {
     // A ray enters planes and leaves open bodies, no more.
@@ -60,7 +60,7 @@ struct Spans {
         side.take(length(cross(apart, off.line.direction)), known.side);
         height.take(size(dot(apart, unit(met->normal))), known.height);
         Vector towards = any_of(dice, vector(point.normal)) + R(.9) * Vector(dice.direction());
-        // Of rays along a cone's side a formula of its own knows.
+        // Rays along a cone's side have a formula of their own.
         if (std::string_view(Shape::name) == Cone::name && dice.chance(.3))
             towards = perpendicular(dice, vector(point.normal)) + R(any_size(dice)) * vector(point.normal);
         OffRay on = off_ray(dice, point.position, towards, Vector(), any_of(dice, vector(point.normal)));

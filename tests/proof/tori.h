@@ -1,4 +1,4 @@
-// Tori to try the formulas of, and what they are tried by.
+// Random tori, and trials of their formulas.
 #pragma once
 #include "tests/proof/spans.h"
 #include "tests/referee/torus.h"
@@ -34,7 +34,7 @@ struct Case<Torus> {
         const R out = length(across) - R(shape.major), along = dot(f, axis);
         return size(root(out * out + along * along) - R(shape.minor));
     }
-    /// Some point of the surface, and the normal there.
+    /// Returns a random point of the surface, and the normal there.
     std::pair<Vector, Vector> point(Dice& dice) const {
         const Vector out = perpendicular(dice, axis);
         for (;;) {

@@ -1,4 +1,4 @@
-// What the trials of formulas share: numbers of any size, and rays that are off by them.
+// Shared by the trials of formulas: errors of any size, and rays that are off by them.
 #pragma once
 #define STRAHL_LEVEL formulas
 #define STRAHL_SCALAR
@@ -34,13 +34,13 @@ Vector vector(const Vec3<T>& v) {
 inline DVec3 rounded(const Vector& v) {
     return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
 }
-/// The least double that is not below.
+/// Returns the least double that is not below x.
 inline double above(R x) {
     const double nearest = static_cast<double>(x);
     return nearest < x ? std::nextafter(nearest, inf) : nearest;
 }
 
-/// How near errors of one kind come to their bounds.
+/// Records how near errors of one kind come to their bounds, and fails if one is above.
 struct Closest {
     const char* name;
     bool expected = true;
@@ -66,7 +66,7 @@ inline int trials() {
     return text ? std::atoi(text) : 20000;
 }
 
-/// A share of 1 that has any size, or is 0.
+/// Returns an error relative to 1, of any size, or 0.
 inline double any_size(Dice& dice, double most = -4) { return dice.chance(.4) ? 0 : std::pow(10, dice.in(-15, most)); }
 inline Vector perpendicular(Dice& dice, const Vector& to) { return unit(cross(to, Vector(dice.direction()))); }
 
@@ -76,7 +76,7 @@ struct OffRay {
     Doubt<double> doubt;
     Line<R> line;
 };
-/// How far a direction is from one that is brought to length 1.
+/// Returns the distance of a direction from a computed one, brought to length 1.
 inline double turn_from(const Vector& exact, const DVec3& computed) {
     return above(length(exact - unit(vector(computed))));
 }

@@ -23,10 +23,10 @@ inline Material random_material(Dice& dice, bool glass) {
     return m;
 }
 
-/// Decides what takes the place of balls and rods: these are the same in all worlds whose others are added to.
+/// Random numbers for bodies that replace balls and rods. With dice of their own the other bodies stay the same.
 inline Dice dice_of_others(std::uint64_t seed) { return Dice(seed ^ 0x5deece66dull); }
 
-/// The same world of scale 1 around 0, scaled and moved. `hard` ones have glass, contacts and transformations.
+/// Returns a random world of scale 1 around 0, scaled and moved. Some have glass, contacts and transformations.
 inline Scene random_world(std::uint64_t seed) {
     Dice dice(seed);
     const double size = dice.chance(.5) ? 1 : std::pow(10, dice.in(-3, 4));
@@ -109,7 +109,7 @@ inline Scene random_world(std::uint64_t seed) {
     return scene;
 }
 
-/// A world of so many dull and mirroring balls and rods, some of which touch, that light buffers pay.
+/// Returns a world of dull and mirroring balls and rods, some of which touch, so many that light buffers pay.
 inline Scene random_crowd(std::uint64_t seed) {
     Dice dice(seed ^ 0xc0ffee);
     const double size = dice.chance(.5) ? 1 : std::pow(10, dice.in(-3, 4));
