@@ -1,4 +1,4 @@
-// What rays lose to the fog on their way.
+// Attenuation of rays by fog.
 #pragma once
 #include <cmath>
 
@@ -7,7 +7,9 @@
 
 namespace strahl::inline STRAHL_LEVEL {
 
-/// What fog leaves of the weights of rays that went as far as `t`. Its light has the weight that they lost.
+/// Returns the weights of rays that fog leaves after a distance `t`: weight * exp(-t / the fog's distance). In nested
+/// worlds only rays outside all transparent bodies (medium 0) are dimmed. The fog's own light gets the weight that they
+/// lose.
 template <class S>
 [[gnu::noinline]] S left_by_fog(const World<Element<S>>& world, const S& weight, const S& medium, const S& t) {
     alignas(64) Element<S> share[width<S>];

@@ -1,11 +1,11 @@
-// Footprints of samples, by which images are filtered: only where a batch asks for them.
+// Footprints of samples, by which images are filtered. Computed only if a batch has `footprints`.
 #pragma once
 #include "trace/kernel/ray_cone.h"
 
 namespace strahl::inline STRAHL_LEVEL {
 
-/// Of camera rays, as far as t, to surfaces with these normals. With D the direction before its length became 1, which
-/// has length 1 along `forward`, the ray of the next pixel goes along D + right.
+/// Returns the footprints of camera rays that meet surfaces with these normals at distance `t`. Let D be the direction
+/// before it is normalised, of length 1 along `forward`: the ray of the next pixel goes along D + right.
 template <class S, class P>
 Footprint<S> footprint_of(const Shading<S, P>& shading, const S& pixel, const Vec3<S>& direction, const S& t,
                           const Vec3<S>& normal) {
@@ -14,8 +14,9 @@ Footprint<S> footprint_of(const Shading<S, P>& shading, const S& pixel, const Ve
     return {direction, normal, scale(size, splat<S>(all.right)), scale(size, splat<S>(all.down))};
 }
 
-/// Of rays whose cones are so wide there: two ways across them (T. Duff et al., "Building an Orthonormal Basis,
-/// Revisited", 2017), since a square's ellipse does not depend on how it is turned.
+/// Returns the footprints of rays whose cones are `size` wide there: two axes perpendicular to the direction (T. Duff
+/// et al., "Building an Orthonormal Basis, Revisited", 2017). Any two will do: the ellipse of a square does not depend
+/// on how it is turned.
 template <class S>
 Footprint<S> footprint_of(const Vec3<S>& d, const S& size, const Vec3<S>& normal) {
     const S sign = select(d.z >= S(0), S(1), S(-1)), a = S(-1) / (sign + d.z), b = d.x * d.y * a;
@@ -23,11 +24,13 @@ Footprint<S> footprint_of(const Vec3<S>& d, const S& size, const Vec3<S>& normal
             scale(size, {b, fma(d.y, d.y * a, sign), -d.y})};
 }
 
-/// From this share of an image's pixel on, a pixel of the view may hide some of the image from the pixels around.
+/// Pixels of an image above which a pixel of the view may show parts of the image that the pixels around it do not
+/// show.
 inline constexpr float coarse_pixel = .25f;
 
-/// Notes the colours of samples whose footprints are that long, in pixels of an image: of all surfaces that a sample
-/// sees, as far as they reach it. What can hardly be seen does not count.
+/// Adds the colours of surfaces to `Footprints::colors` where footprints, `longer` pixels of an image long, exceed that
+/// limit: over all surfaces that a sample sees, each by the share of its light that reaches the sample. Weights up to
+/// `Limits::noticed` do not count.
 template <class S, class P>
 STRAHL_INLINE void note_colors(const Shading<S, P>& shading, const S& longer, const Vec3<S>& color, const S& pixel,
                                const S& weight, int lanes) {
@@ -44,7 +47,7 @@ STRAHL_INLINE void note_colors(const Shading<S, P>& shading, const S& longer, co
     }
 }
 
-/// Gives materials the colours of their patterns, images filtered.
+/// Sets the colours of patterned materials, images filtered.
 template <class S, class P>
 [[gnu::noinline]] void paint_filtered(const Shading<S, P>& shading, const int* materials, const SurfaceHit<S>& hit,
                                       const RayQueue<Element<S>>& from, const LaneIndices<S>& pick, const S& t,
@@ -60,7 +63,7 @@ template <class S, class P>
     note_colors(shading, longer, values.ambient + values.diffuse, pixel, pick(from.weight), pick.lanes);
 }
 
-/// The background, images filtered.
+/// Returns the background, images filtered.
 template <class S, class P>
 [[gnu::noinline]] Vec3<S> filtered_sky(const Shading<S, P>& shading, const LaneIndices<S>& pick) {
     const RayQueue<Element<S>>& from = shading.rays.open;

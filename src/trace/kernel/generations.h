@@ -7,7 +7,7 @@
 namespace strahl::inline STRAHL_LEVEL {
 namespace {  // a copy for each kernel, so that functions which are called once are inlined
 
-/// Camera rays of a batch.
+/// Generates the camera rays of a batch, one through each of its places (x, y).
 template <class S, class T>
 void generate_camera_rays(const Eye<T>& eye, const PixelBatch<T>& batch, RayQueue<T>& rays) {
     for (int i = 0; i < batch.count; i += width<S>) {
@@ -27,8 +27,9 @@ void generate_camera_rays(const Eye<T>& eye, const PixelBatch<T>& batch, RayQueu
     rays.count = batch.count;
 }
 
-/// The bodies that rays of a pack can meet: the rays start in a ball around the first one's origin and leave within a
-/// cone around its direction, both widened by the policy. The bodies are tested side by side.
+/// Returns the bodies that rays of a pack can meet, and perhaps more: the rays start in a ball around the first one's
+/// origin and leave within a cone around its direction, both widened by the policy. All bodies if that cone is 60
+/// degrees or wider on each side of its axis. Bodies are tested side by side.
 template <class S, class T, class Widening>
 STRAHL_INLINE BodySet cull_packet(const World<T>& world, const Ray<S>& ray, Mask<S> active, const Widening& widening) {
     const auto first_of = [](const Vec3<S>& v) { return Vec3<S>(S(lane(v.x, 0)), S(lane(v.y, 0)), S(lane(v.z, 0))); };
@@ -51,7 +52,7 @@ STRAHL_INLINE BodySet cull_packet(const World<T>& world, const Ray<S>& ray, Mask
     return set;
 }
 
-/// Calls visit(bin, lanes) for the different bins of a pack.
+/// Calls visit(bin, lanes) for each different bin of a pack.
 template <class S, class Visit>
 STRAHL_INLINE void each_bin(const S& bins, Mask<S> active, const Visit& visit) {
     while (any(active)) {
@@ -62,7 +63,8 @@ STRAHL_INLINE void each_bin(const S& bins, Mask<S> active, const Visit& visit) {
     }
 }
 
-/// The nearest surfaces in a world with a hierarchy, of rays from `first` on: `packs` packs, or as many as there are.
+/// Finds the nearest surfaces in a world with a hierarchy, for the rays from `first` on: `packs` packs, or as many as
+/// there are.
 template <class S, int packs, class PackOf>
 [[gnu::noinline]] void nearest_of_many(const World<Element<S>>& world, const PackOf& pack_of, int first, int rays,
                                        Nearest<S> (&found)[packs]) {
@@ -82,7 +84,7 @@ template <class S, int packs, class PackOf>
     }
 }
 
-/// Finds the nearest surfaces, and sorts the rays by the bins of these, stably.
+/// Finds the nearest surfaces that rays meet, and sorts the rays stably by the bins of these.
 template <class P, class S, class T>
 void intersect(const World<T>& world, const RayQueue<T>& rays, HitList<T>& hits, const Limits<T>& limits, int depth,
                const PixelBatch<T>& batch) {
@@ -93,7 +95,7 @@ void intersect(const World<T>& world, const RayQueue<T>& rays, HitList<T>& hits,
                       {at(rays.direction.x), at(rays.direction.y), at(rays.direction.z)},
                       at(rays.source)};
     };
-    constexpr int packs = 8;  // culled together: what one waits for does not hold up the next
+    constexpr int packs = 8;  // culled before any is traced: the stalls of one do not hold up the next
     for (int first = 0; first < rays.count; first += packs * width<S>) {
         const int last = std::min(rays.count, first + packs * width<S>);
         BodySet sets[packs];
@@ -127,7 +129,7 @@ void intersect(const World<T>& world, const RayQueue<T>& rays, HitList<T>& hits,
     }
 }
 
-/// Appends open rays to open rays.
+/// Appends the open rays of one queue to those of another.
 template <class T>
 void append(RayQueue<T>& to, const RayQueue<T>& from) {
     each_array(
@@ -138,9 +140,9 @@ void append(RayQueue<T>& to, const RayQueue<T>& from) {
     to.count += from.count;
 }
 
-/// One generation: its light is added to the pixels; its reflected and then its refracted rays are the next, those
-/// inside enclosed bodies apart. The order of a pixel's rays, and so its sum, depends on that pixel alone. False if the
-/// next generation does not fit.
+/// Traces one generation: adds its light to the pixels and makes the next one, of its reflected and then its refracted
+/// rays, those inside enclosed bodies apart. The order of a pixel's rays, and so its sum, depends on that pixel alone.
+/// Returns false if the next generation does not fit.
 template <class P, class S, class T>
 bool trace_generation(const World<T>& world, const Limits<T>& limits, const Generation<T>& rays, Generation<T>& next,
                       int depth, const PixelBatch<T>& batch, Workspace<T>& workspace, Counts& counts) {
@@ -168,7 +170,7 @@ bool trace_generation(const World<T>& world, const Limits<T>& limits, const Gene
     return true;
 }
 
-/// Rays [begin, begin + count) of a queue.
+/// Returns rays [begin, begin + count) of a queue.
 template <class T>
 RayQueue<T> part_of(RayQueue<T> rays, int begin, int count) {
     each_array(
@@ -180,7 +182,7 @@ RayQueue<T> part_of(RayQueue<T> rays, int begin, int count) {
     return rays;
 }
 
-/// Generations of one pixel that are too large to hold, a part at a time. Parts are the same on any machine.
+/// Traces the generations of one pixel that are too large to hold, a part at a time. Parts are the same on any machine.
 template <class P, class S, class T>
 void trace_in_parts(const World<T>& world, const Limits<T>& limits, int slot, int depth, const PixelBatch<T>& batch,
                     Workspace<T>& workspace, Counts& counts) {

@@ -19,18 +19,19 @@ template <class T>
 struct RayQueue {
     Vec3<T*> origin, direction;
     T* source;  // surface on which the ray starts, -1 for none
-    T* pixel;   // of the tile
+    T* pixel;   // its number in the batch
     T* weight;  // share of this ray's light that reaches the pixel
-    T* medium;  // list of bodies entered; only in nested worlds
-    T* t;       // where the ray meets its body again; only of rays inside
+    T* medium;  // number of its medium stack; only in nested worlds
+    T* t;       // where it leaves its body; only of rays inside an enclosed one
     int count = 0;
-    T* extra[4] = {};                       // numbers of the kernel's policy, see plain.h
+    T* extra[4] = {};                       // values that the kernel's policy keeps, see plain.h
     T *width = nullptr, *spread = nullptr;  // see RayCone; only where images are filtered
 };
 
-/// Which rays have an array: all, those inside an enclosed body, those of a policy that keeps more, those with cones.
+/// Says which rays have an array: all; those inside an enclosed body; those of a policy that keeps more; those with
+/// cones.
 enum class RayPart { all, inside, extra, cone };
-inline constexpr int ray_arrays = 11;  // of the first two parts
+inline constexpr int ray_arrays = 11;  // number of those of the first two parts
 
 /// Calls visit(part, arrays...) for each array of a queue, or of several queues side by side.
 template <class Visit, class... Queues>
@@ -43,8 +44,8 @@ void each_array(const Visit& visit, Queues&... queues) {
     visit(RayPart::cone, queues.width...), visit(RayPart::cone, queues.spread...);
 }
 
-/// The rays of a generation: those whose hits are searched, and those inside an enclosed body (see World), which meet
-/// nothing else: ranges by the body's bin.
+/// The rays of a generation: open ones, whose hits are searched, and those inside an enclosed body (see World), which
+/// can only meet that body again. The latter are sorted by the body's bin, [inside_begin, inside_end) each.
 template <class T>
 struct Generation {
     RayQueue<T> open, inside;
@@ -52,32 +53,32 @@ struct Generation {
     int rays() const { return open.count + inside.count; }
 };
 
-/// What a generation met.
+/// The hits of a generation's open rays.
 template <class T>
 struct HitList {
     T *t, *surface;       // by ray
-    T* order;             // numbers of rays by the bin of what they hit, see of(); of misses the bin is World::bins
+    T* order;             // numbers of the rays, by the bin of their hit, see of(); misses have the bin World::bins
     std::int32_t* count;  // by bin
     T* of(int bin) const { return order + std::size_t(bin) * capacity; }
-    static constexpr std::size_t capacity = batch_rays + 80;  // packs are stored whole; no power of two, or caches
-                                                              // would fill one place only
+    static constexpr std::size_t capacity = batch_rays + 80;  // packs are stored whole; not a power of two, or bins
+                                                              // would compete for the same lines of caches
 };
 
-/// Stacks of transparent bodies entered, as POV-Ray keeps them: numbered, each a shorter stack and one body more.
-/// Stack 0 is empty. Not for two threads at once.
+/// Numbered stacks of the transparent bodies that rays have entered, as POV-Ray keeps them: each is a shorter stack and
+/// one body on top. Stack 0 is empty. Not thread-safe.
 class MediumStacks;
-int push(MediumStacks& stacks, int stack, int body);    // the stack with the body on top
-int remove(MediumStacks& stacks, int stack, int body);  // ... without it, wherever it is
+int push(MediumStacks& stacks, int stack, int body);    // returns the stack with the body on top
+int remove(MediumStacks& stacks, int stack, int body);  // returns the stack without it, wherever it is
 bool contains(const MediumStacks& stacks, int stack, int body);
 int top(const MediumStacks& stacks, int stack);  // the body entered last, -1 for none
 
-/// Memory of one thread, reused from tile to tile.
+/// The memory of one thread, reused from tile to tile.
 template <class T>
 class Workspace;
-/// Generation number `slot`, made when first asked for; it keeps its address.
+/// Returns generation number `slot`, made at the first call; it keeps its address.
 template <class T>
 Generation<T>& generation(Workspace<T>& workspace, int slot);
-/// A queue for refracted rays until they join the reflected ones.
+/// Returns the queue that holds refracted rays until they join the reflected ones.
 template <class T>
 RayQueue<T>& refracted_queue(Workspace<T>& workspace);
 template <class T>
@@ -85,64 +86,64 @@ HitList<T>& hits(Workspace<T>& workspace);
 template <class T>
 MediumStacks& mediums(Workspace<T>& workspace);
 
-/// What a sample saw besides its light. Samples of equal signature saw the same surfaces from the same sides, in the
-/// light of the same lamps, directly and by the same reflections and refractions.
+/// Describes what a sample saw besides its light. Samples of equal signature saw the same surfaces from the same sides,
+/// lit by the same lights, directly and by the same reflections and refractions.
 template <class T>
 struct Sight {
     std::uint32_t signature = 0;
-    T glint = 0;                                      // what blunt highlights, of exponent 4, would bring
+    T glint = 0;                                      // light that highlights of exponent 4 would bring
     T distance = std::numeric_limits<T>::infinity();  // of the camera ray's hit
     std::int32_t surface = -1;                        // of that hit
     std::uint32_t lit = 0;                            // bit i: light i reaches that hit, see most_lit
     T reflected[3] = {}, reflection = 0;              // direction and weight of the ray reflected there
-    T further = 0;                                    // the longest way that rays went from there
+    T further = 0;                                    // the longest distance of the rays that leave that hit
     bool uneven = false;                              // a pattern was seen that varies within its pieces
 };
 
-/// The last bit of Sight::lit, which counts for all lights from this number on.
+/// The last bit of Sight::lit, which stands for all lights from this number on.
 inline constexpr int most_lit = 31;
 
-/// How far rays are followed.
+/// Limits to how far rays are followed.
 template <class T>
 struct Limits {
     int depth = 20;                           // generations
-    T error = 0;                              // light that a pixel may lack by pruned rays
+    T error = 0;                              // most light that pruned rays may take from a pixel
     const T* brightest = nullptr;             // [n]: with n generations to come, the next one's rays are no brighter
-    T noticed = 0;                            // hits of no more weight do not count in signatures
-    T brightest_limit = 0;                    // nor with any number of generations; infinite if there is no bound
+    T noticed = 0;                            // hits of at most this weight do not count in signatures
+    T brightest_limit = 0;                    // the same for any number of generations; infinite if there is no bound
     const std::atomic<bool>* stop = nullptr;  // if it becomes true the picture is no longer wanted
     bool stopped() const { return stop && stop->load(std::memory_order_relaxed); }
 };
 
-/// The light of a pixel, and what it lacks at most by rays pruned as too weak: four numbers, added to at once.
+/// The light of a pixel, and an upper bound of what it lacks by pruned rays: four numbers, which are added to at once.
 template <class T>
 struct PixelSum {
     T rgb[3], pruned;
 };
 
-/// What images are filtered by, where that is wanted: squares of the view around the places of samples.
+/// The squares of the view around samples, by which images are filtered.
 template <class T>
 struct Footprints {
-    Vec3<T> forward, right, down;  // in the plane at distance 1: its middle, and from a pixel to the next ones
+    Vec3<T> forward, right, down;  // in the plane at distance 1: to its middle, and from one pixel to the next ones
     const T* sides;                // of the samples' squares, in pixels
-    /// Three values for each sample: what the light that its camera ray meets is multiplied by where that comes from an
-    /// image that is not seen much larger than it is, else as they were.
+    /// Three values for each sample: the colours of the images that it sees, see note_colors; unchanged if it sees
+    /// none, or only much enlarged ones.
     T* colors;
 };
 
-/// Pixels to trace.
+/// The pixels that are traced at once.
 template <class T>
 struct PixelBatch {
     const T *x, *y;
     PixelSum<T>* sums;
-    T* past;  // what each pixel lacks at most by generations past the last
+    T* past;  // most light that each pixel lacks by generations past the last
     int count;
     Sight<T>* sights = nullptr;                 // of each pixel, if that is wanted
     const Footprints<T>* footprints = nullptr;  // of each pixel, if that is wanted
 };
 
-/// Traces a batch. False if some generation has more rays than fit: the batch must be split, its sums thrown away. A
-/// batch of one pixel always succeeds. Stopped batches are incomplete.
+/// Traces a batch. Returns false if some generation has more rays than fit: then the batch must be split and its sums
+/// thrown away. A batch of one pixel always succeeds. Stopped batches are incomplete.
 template <class T>
 using TraceBatch = bool (*)(const World<T>&, const Eye<T>&, const Limits<T>&, const PixelBatch<T>&, Workspace<T>&,
                             Counts&);
@@ -153,7 +154,7 @@ struct Kernel {
     int lanes = 1;
 };
 
-/// The purpose of the plain kernel.
+/// Tag of the plain kernel, which traces pictures.
 struct ForPictures;
 
 // One inline namespace for each SIMD level; the kernel's own code lives in them, so that nothing merges when linked.

@@ -56,7 +56,7 @@ function(strahl_kernel level elements)
   list(APPEND sources ${folder}/pattern_bounds.cpp)
   target_compile_definitions(strahl_trace PRIVATE STRAHL_KERNEL_${level})
   if(STRAHL_KERNELS AND NOT level STREQUAL scalar)
-    # The same text, compiled the same way.
+    # The sources are the same, compiled the same way.
     list(TRANSFORM sources REPLACE "^${CMAKE_BINARY_DIR}/(.*)$" "${STRAHL_KERNELS}/CMakeFiles/kernel_${level}.dir/\\1.o")
     set_source_files_properties(${sources} PROPERTIES EXTERNAL_OBJECT ON GENERATED ON)
     target_sources(strahl_trace PRIVATE ${sources})
@@ -65,13 +65,13 @@ function(strahl_kernel level elements)
   add_library(kernel_${level} OBJECT ${sources})
   target_link_libraries(kernel_${level} PRIVATE strahl_flags)
   target_compile_definitions(kernel_${level} PRIVATE STRAHL_LEVEL=${level})
-  # Points-to analysis takes g++ 12 a third of its time here and finds nothing that makes the code faster; ordering
-  # instructions before registers are shared out, which x86 does without by default, makes it 3 % faster.
-  # Functions begin with a line of the cache, or what else is linked decides about 5 % of the speed.
+  # Points-to analysis takes a third of g++ 12's time here and makes nothing faster; scheduling instructions before
+  # register allocation, which is off on x86 by default, makes the code 3 % faster. Functions begin at a cache line, or
+  # what else is linked changes the speed by about 5 %.
   target_compile_options(kernel_${level} PRIVATE -O3 -falign-functions=64
     $<$<CXX_COMPILER_ID:GNU>:-fno-tree-pta$<SEMICOLON>-fschedule-insns$<SEMICOLON>-fsched-pressure> ${ARGN})
   if(STRAHL_SANITIZE AND NOT level STREQUAL scalar)
-    # Instrumented packs take g++ a quarter of an hour to compile. The scalar instance is the same text.
+    # Instrumented packs take g++ a quarter of an hour to compile. The scalar level is compiled from the same sources.
     set_target_properties(kernel_${level} PROPERTIES UNSANITIZED ON)
   elseif(STRAHL_SANITIZE)
     target_compile_options(kernel_${level} PRIVATE -O1)
@@ -80,7 +80,7 @@ function(strahl_kernel level elements)
 endfunction()
 
 # The levels to build: all that the compiler can; those that this machine can run; or its best, in a third of the time.
-# The scalar one, which traces in extended precision and for want of any other, is always built.
+# The scalar level is always built: it traces in extended precision, and where no other level runs.
 set(STRAHL_LEVELS all CACHE STRING "SIMD levels to build: all, runnable for those of this machine, or host for its best")
 set(strahl_levels v2 v3 v4 neon)
 if(NOT STRAHL_LEVELS STREQUAL all AND EXISTS /proc/cpuinfo)

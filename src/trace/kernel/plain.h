@@ -1,20 +1,20 @@
 // The policy of the plain kernel, which traces and does nothing besides.
 //
-// A policy is the last template argument of a kernel's stages. They call its members where another kernel wants to know
-// more, or to decide otherwise. Those of this one are empty, or do what tracing alone needs, so that nothing of them is
-// left in the machine code.
+// A policy is the last template argument of a kernel's stages. They call its members where another kernel computes more
+// or decides otherwise. The members of this one are empty, or do what tracing alone needs, so that they leave nothing
+// in the machine code.
 #pragma once
 #include "trace/kernel/shading.h"
 
 namespace strahl::inline STRAHL_LEVEL {
 
 struct Plain {
-    /// Signatures and footprints are noted, where a batch wants them.
+    /// Signatures and footprints are computed if a batch wants them.
     static constexpr bool notes = true;
-    /// Several packs go through the hierarchy together.
+    /// Several packs traverse the hierarchy together.
     static constexpr bool joins = true;
 
-    /// What it keeps besides of rays, hits, and the light of a light at a hit.
+    /// Data that the policy adds to rays, to hits, and to each light at a hit: none.
     template <class S>
     struct OfRay {};
     template <class S>
@@ -22,7 +22,8 @@ struct Plain {
     template <class S>
     struct OfLight {};
 
-    /// By how much the rays of a pack may be others than those that culling is given: turned, and moved.
+    /// Widens what encloses the rays of a pack for culling: the cosine of the cone's angle, and the radius of the ball
+    /// around the origins.
     template <class T>
     struct Widening {
         STRAHL_INLINE static T turned(T cosine) { return cosine; }
@@ -36,7 +37,7 @@ struct Plain {
     STRAHL_INLINE static bool culls(const Limits<T>&) {
         return true;
     }
-    /// Finds the nearest surfaces that rays meet, those of a queue from number `i` on.
+    /// Finds the nearest surfaces that a pack of rays meets, those of a queue from number `i` on.
     template <class S, class T>
     STRAHL_INLINE static Nearest<S> nearest(const World<T>& world, const Limits<T>&, const RayQueue<T>&, int,
                                             const Ray<S>& ray, Mask<S> active, BodySet set, int,
@@ -45,25 +46,26 @@ struct Plain {
     }
 
     static constexpr auto nothing = [](const auto&...) __attribute__((always_inline)) {};
-    /// At camera rays; at rays that miss; at hits, once their material, their bent normals and their light are known.
+    /// Called for camera rays; for rays that miss; for hits, once their material, their bent normals or their light is
+    /// known.
     static constexpr auto start = nothing, miss = nothing, meet = nothing, bend = nothing, shade = nothing;
-    /// At reflected and refracted rays, and when rays are put into a queue.
+    /// Called for reflected and for refracted rays, and when rays are put into a queue.
     static constexpr auto reflect = nothing, refract = nothing, put = nothing;
-    /// At an area light; at lights, once it is known on which side of the surface before bending they are, and whether
-    /// hits are in their cones.
+    /// Called for area lights; for lights where normals are bent, to find those behind the surface itself; and
+    /// for spotlights, once hits outside their cones are known.
     static constexpr auto area = nothing, side = nothing, spot = nothing;
 
-    /// Chooses, lane by lane, of what it keeps of two rays.
+    /// Selects, lane by lane, between the data of two rays.
     template <class S>
     STRAHL_INLINE static OfRay<S> either(Mask<S>, const OfRay<S>&, const OfRay<S>&) {
         return {};
     }
-    /// The largest diffuse coefficient that a hit may have.
+    /// Returns the largest diffuse coefficient that a hit may have.
     template <class S>
     STRAHL_INLINE static S diffuse(const OfHit<S>&, const S& computed) {
         return computed;
     }
-    /// The hits that may be turned to a light.
+    /// Returns the hits that may face a light.
     template <class S>
     STRAHL_INLINE static Mask<S> may_face(const OfHit<S>&, const Hit<S>& hit, const LightKernel<Element<S>>&,
                                           const Vec3<S>&, const S& facing) {
@@ -74,12 +76,12 @@ struct Plain {
                                           const S&, const S&, const S&) {
         return {};
     }
-    /// The hits whose light must be looked at, those in the lanes of `faces` and perhaps others.
+    /// Returns the hits for which a light must be looked at: those of `faces`, and in other policies more.
     template <class S>
     STRAHL_INLINE static Mask<S> lit(Mask<S> faces, const Hit<S>&, const OfLight<S>&) {
         return faces;
     }
-    /// The share of a light that comes through to hits.
+    /// Returns the share of a light that reaches hits, per channel.
     template <class S>
     STRAHL_INLINE static Vec3<S> arriving(const Shading<S, Plain>& shading, const Hit<S>& hit, const OfLight<S>&,
                                           const Vec3<S>& l, const S& distance, Mask<S> faces, const S&, const S&,

@@ -1,4 +1,4 @@
-// Light that need not be traced: a pixel's weakest rays, as long as they add up to less than the error asked for.
+// Pruning: leaves out a pixel's weakest rays, as long as their light adds up to less than the error asked for.
 #pragma once
 #include <bit>
 
@@ -6,12 +6,12 @@
 
 namespace strahl::inline STRAHL_LEVEL {
 
-/// What is pruned at once is no more than this share of what a pixel may still lack: later and weaker rays, of which
-/// there are more, want some of it too.
+/// A contribution is pruned only if it is at most this share of what a pixel may still lack: later and weaker rays, of
+/// which there are more, need some of that too.
 inline constexpr float weak_share = .25f;
 
-/// Something that a hit need not do if its pixel can do without the light: at most so much, in the lanes that have it
-/// at all.
+/// A contribution that may be pruned: an upper bound of its light, and the lanes that have it at all. prune() sets
+/// `pruned`.
 template <class S>
 struct Contribution {
     S most;
@@ -20,7 +20,7 @@ struct Contribution {
     STRAHL_INLINE Contribution(S light, Mask<S> mask) : most(light), lanes(mask), pruned(first_lanes<S>(0)) {}
 };
 
-/// Prunes contributions that are weak beside what the pixel may still lack, and adds them to what it does. One lane
+/// Prunes contributions that are weak beside what the pixel may still lack, and adds them to what it lacks. One lane
 /// after the other, so that what happens to a pixel depends on its own rays alone.
 template <class S, class P, class... Contributions>
 STRAHL_INLINE void prune(const Shading<S, P>& shading, const S& pixel, Contributions&... parts) {
@@ -50,7 +50,7 @@ STRAHL_INLINE void prune(const Shading<S, P>& shading, const S& pixel, Contribut
     ((parts.pruned = load_lanes<S>(parts.pruned_lanes) > S(0)), ...);
 }
 
-/// In the last generation: what further ones could bring.
+/// Bounds the light that generations past the last could bring, and adds that to `PixelBatch::past`.
 template <class S, class P>
 STRAHL_INLINE void truncate(const Shading<S, P>& shading, const Hit<S>& hit) {
     using T = Element<S>;

@@ -1,4 +1,4 @@
-// The two questions asked of geometry: which surface is nearest, and what light comes through.
+// Ray queries on the whole world: nearest hit and transmitted light.
 #pragma once
 #include "trace/forms/form_kernel.h"
 #include "trace/hierarchy/traverse.h"
@@ -11,15 +11,15 @@ namespace strahl::inline STRAHL_LEVEL {
 template <class Group>
 using FormOf = typename std::remove_cvref_t<Group>::Form;
 
-/// The ray of one lane in all lanes.
+/// Returns the ray of one lane in all lanes.
 template <class S>
 STRAHL_INLINE Ray<S> lane_of(const Ray<S>& ray, int k) {
     const auto pick = [k](const Vec3<S>& v) { return Vec3<S>(S(lane(v.x, k)), S(lane(v.y, k)), S(lane(v.z, k))); };
     return {pick(ray.origin), pick(ray.direction), S(lane(ray.source, k))};
 }
 
-/// Calls look(group, item) for the items of the hot forms that are not in the hierarchy, those of the set if there is a
-/// bin for each, until that returns true.
+/// Calls look(group, item) for the items of hot forms outside the hierarchy, until it returns true; if each item has a
+/// bin, only for the items in the set.
 template <class T, class Look>
 STRAHL_INLINE void each_hot_item(const World<T>& world, BodySet set, const Look& look) {
     bool done = false;
@@ -38,7 +38,7 @@ STRAHL_INLINE void each_hot_item(const World<T>& world, BodySet set, const Look&
     });
 }
 
-/// Calls look(items) for the items of other forms that are not in the hierarchy.
+/// Calls look(items, bin) for ranges of items of other forms outside the hierarchy, until it returns true.
 template <class T, class Look>
 STRAHL_INLINE void each_cold_range(const World<T>& world, BodySet set, const Look& look) {
     for (BodySet left = set & world.cold; left; left &= left - 1) {
@@ -49,7 +49,7 @@ STRAHL_INLINE void each_cold_range(const World<T>& world, BodySet set, const Loo
         if (look(world.loops[i], 0)) return;
 }
 
-/// The nearest surfaces of the hierarchy, of packs that go through it together.
+/// Finds the nearest surfaces in the hierarchy, for packs that traverse it together.
 template <class S>
 STRAHL_INLINE void nearest_in_hierarchy(const World<Element<S>>& world, const Ray<S> (&rays)[together<S>],
                                         const Mask<S> (&active)[together<S>], Nearest<S> (&best)[together<S>]) {
@@ -89,7 +89,7 @@ STRAHL_INLINE void nearest_in_hierarchy(const World<Element<S>>& world, const Ra
     });
 }
 
-/// The bins of what was met beyond the hot loops.
+/// Returns the bins of surfaces that were met outside the hot loops.
 template <class S>
 STRAHL_INLINE S bins_of(const World<Element<S>>& world, const S& surface) {
     using T = Element<S>;
@@ -100,8 +100,8 @@ STRAHL_INLINE S bins_of(const World<Element<S>>& world, const S& surface) {
     return load_lanes<S>(bins);
 }
 
-/// The nearest surfaces of what the hot loops leave out, of packs that go through the hierarchy together. Not inline: of
-/// small worlds it would be a burden.
+/// Finds the nearest surfaces of all bodies outside the hot loops, for packs that traverse the hierarchy together. Kept
+/// out of line: inlined, it would slow down small worlds.
 template <class S>
 [[gnu::noinline]] void nearest_beyond_loops(const World<Element<S>>& world, const Ray<S> (&rays)[together<S>],
                                             const Mask<S> (&active)[together<S>], BodySet set,
@@ -119,7 +119,8 @@ template <class S>
         best[h].bin = select(best[h].surface == before[h], best[h].bin, bins_of(world, best[h].surface));
 }
 
-/// The hot loops only note the rays that seem to start in an opaque body. They look again, more closely.
+/// Searches the hot items again, more closely, for rays that seem to start in an opaque body: the hot loops themselves
+/// only note these (`suspects`).
 template <class S>
 [[gnu::noinline]] void nearest_again(const World<Element<S>>& world, const Ray<S>& ray, Mask<S> suspects, BodySet set,
                                      Nearest<S>& best) {
@@ -138,7 +139,7 @@ template <class S>
     best.bin = select(suspects, found.bin, best.bin);
 }
 
-/// The nearest surfaces of the hot loops; where there is a bin for each item, among the bodies of the set.
+/// Finds the nearest surfaces of hot items; if each item has a bin, among the bodies of the set.
 template <class S>
 STRAHL_INLINE Nearest<S> nearest_in_loops(const World<Element<S>>& world, const Ray<S>& ray, Mask<S> active,
                                           BodySet set) {
@@ -166,7 +167,7 @@ STRAHL_INLINE Nearest<S> nearest_in_loops(const World<Element<S>>& world, const 
     return best;
 }
 
-/// The nearest surfaces.
+/// Finds the nearest surfaces.
 template <class S>
 STRAHL_INLINE Nearest<S> nearest(const World<Element<S>>& world, const Ray<S>& ray, Mask<S> active, BodySet set) {
     Nearest<S> best = nearest_in_loops(world, ray, active, set);
@@ -182,7 +183,7 @@ STRAHL_INLINE Nearest<S> nearest(const World<Element<S>>& world, const Ray<S>& r
     return best;
 }
 
-/// What the hierarchy takes from the light.
+/// Attenuates light by the bodies in the hierarchy.
 template <class S>
 STRAHL_INLINE void occlude_in_hierarchy(const World<Element<S>>& world, const Ray<S>& ray, const S& distance,
                                         Mask<S> active, Transmission<S>& light) {
@@ -211,7 +212,7 @@ STRAHL_INLINE void occlude_in_hierarchy(const World<Element<S>>& world, const Ra
     traverse<false>(world.nodes, line, active, light.limit, look, single);
 }
 
-/// Rays that a body, by its bin, can be in the way of.
+/// Returns the rays in whose way the body of a bin can be.
 template <class S>
 STRAHL_INLINE Mask<S> reached(const World<Element<S>>& world, int bin, const Ray<S>& ray, const S& distance,
                               Mask<S> active, const Start<S>& start) {
@@ -222,7 +223,7 @@ STRAHL_INLINE Mask<S> reached(const World<Element<S>>& world, int bin, const Ray
     return mask;
 }
 
-/// What the light loses to what the hot loops leave out.
+/// Attenuates light by all bodies outside the hot loops.
 template <class S>
 [[gnu::noinline]] void occlude_beyond_loops(const World<Element<S>>& world, const Ray<S>& ray, const S& distance,
                                             Mask<S> active, const Start<S>& start, BodySet set,
@@ -242,7 +243,7 @@ template <class S>
     occlude_in_hierarchy(world, ray, distance, left, light);
 }
 
-/// What rays that seem to start in an opaque body lose to the items of the hot loops, looked at more closely.
+/// Attenuates the light of rays that seem to start in an opaque body by the hot items, which are tested more closely.
 template <class S>
 [[gnu::noinline]] void occlude_again(const World<Element<S>>& world, const Ray<S>& ray, const S& distance,
                                      Mask<S> suspects, const Start<S>& start, BodySet set, Transmission<S>& light) {
@@ -256,7 +257,7 @@ template <class S>
     light = {select(suspects, left.share, light.share), select(suspects, left.limit, light.limit)};
 }
 
-/// See Visibility.
+/// Returns the share of light that is transmitted, see Visibility.
 template <class S>
 [[gnu::noinline]] Vec3<S> visibility(const World<Element<S>>& world, const Ray<S>& ray, const S& distance,
                                      Mask<S> active, const Start<S>& start) {

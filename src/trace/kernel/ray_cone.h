@@ -1,6 +1,6 @@
-// Cones around rays, which tell how much of an image a sample sees in mirrors and behind glass: only where images are
-// filtered. They count as narrow where it is not known how wide they are, since what is filtered too much is lost, and
-// what is filtered too little only wants more samples.
+// Cones around rays: how much of an image a sample sees in mirrors and behind glass. Computed only where images are
+// filtered. Where the width of a cone is not known it counts as narrow: too much filtering loses detail, too little
+// only needs more samples.
 #pragma once
 #include <type_traits>
 
@@ -8,19 +8,19 @@
 
 namespace strahl::inline STRAHL_LEVEL {
 
-/// Are signatures noted?
+/// Returns true if signatures are noted.
 template <class S, class P>
 STRAHL_INLINE bool notes(const Shading<S, P>& shading) {
     return P::notes && shading.batch.sights;
 }
 
-/// Are images filtered?
+/// Returns true if images are filtered.
 template <class S, class P>
 STRAHL_INLINE bool filters(const Shading<S, P>& shading) {
     return P::notes && shading.batch.footprints;
 }
 
-/// The sides of samples' squares, in pixels.
+/// Returns the sides of samples' squares, in pixels.
 template <class S>
 STRAHL_INLINE S sides_of(const Footprints<Element<S>>& footprints, const S& pixel) {
     alignas(64) Element<S> sides[width<S>];
@@ -29,7 +29,8 @@ STRAHL_INLINE S sides_of(const Footprints<Element<S>>& footprints, const S& pixe
     return load_lanes<S>(sides);
 }
 
-/// The cones of rays where these end, `t` away. Off the middle of the view a square is narrower along the radius.
+/// Returns the cones of rays at their ends, at distance `t`. Away from the middle of the view a square looks narrower,
+/// most along the radius: by the square of the cosine.
 template <class S, class P>
 RayCone<S> cone_at(const Shading<S, P>& shading, const RayQueue<Element<S>>& from, const LaneIndices<S>& pick,
                    const Vec3<S>& direction, const S& t) {
@@ -44,12 +45,12 @@ RayCone<S> cone_at(const Shading<S, P>& shading, const RayQueue<Element<S>>& fro
     return {t * spread, spread};
 }
 
-/// How the surfaces of a form part the rays that they mirror.
+/// Describes how surfaces of a form spread the rays that they mirror.
 template <class S>
 struct Bending {
-    bool flat = false;    // as planes do, from either side
-    bool convex = false;  // at least as planes do, those from outside
-    S curvature{0};       // the least one
+    bool flat = false;    // as planes do, on both sides
+    bool convex = false;  // at least as planes do, on the outside
+    S curvature{0};       // the smallest one; 0 if not known
 };
 template <class S>
 Bending<S> bending_of(const World<Element<S>>& world, int form, const S& surface) {
@@ -72,23 +73,24 @@ Bending<S> bending_of(const World<Element<S>>& world, int form, const S& surface
     return bending;
 }
 
-/// Puts the cones of rays that go on from hits into a queue, behind its last ones. A mirror of curvature c adds
-/// 2 c cos(incidence) to the spread across the plane of incidence, and more in it. A flat surface between two media
-/// multiplies spreads by the ratio of indices and, in that plane, by that of the cosines, too; widths there by its
-/// inverse (both Igehy 1999). Bumps, and what is hollow or bent otherwise, leave nothing known.
+/// Appends the cones of rays that go on from hits to those of a queue. A mirror of curvature c adds 2 c cos(incidence)
+/// times the width to the spread across the plane of incidence, and more in it. A flat surface between two media
+/// multiplies spreads by the ratio of indices and, in that plane, also by the ratio of the cosines; widths in that
+/// plane are multiplied by the inverse of the latter (both Igehy 1999). After bumps, concave mirrors and curved or
+/// nested glass the width is not known, and 0.
 template <class S, class P>
 [[gnu::noinline, gnu::cold]] void put_cones(const Shading<S, P>& shading, RayQueue<Element<S>>& to, const Hit<S>& hit,
-                                            const Vec3<S>& direction, Mask<S> lanes, const HitNotes<S, P>& known) {
+                                            const Vec3<S>& direction, Mask<S> lanes, const HitNotes<S, P>& notes) {
     const auto& world = shading.world;
     const Bending<S> bending = bending_of(world, world.sort_bins[hit.bin].form, hit.surface);
-    const S zero(0), one(1), cosine = -dot(hit.direction, known.flat), along = dot(direction, known.flat);
+    const S zero(0), one(1), cosine = -dot(hit.direction, notes.flat), along = dot(direction, notes.flat);
     const auto all_if = [](bool yes) { return first_lanes<S>(yes ? width<S> : 0); };
     const Mask<S> mirrored = along > zero, flat = all_if(bending.flat);
     const Mask<S> parted = flat | (hit.outside & all_if(bending.convex));
     const Mask<S> even =
-        (hit.normal.x == known.flat.x) & (hit.normal.y == known.flat.y) & (hit.normal.z == known.flat.z);
+        (hit.normal.x == notes.flat.x) & (hit.normal.y == notes.flat.y) & (hit.normal.z == notes.flat.z);
     const S ratio = select(hit.outside, one / hit.material.ior, hit.material.ior), narrower = -along / cosine;
-    RayCone<S> cone = known.cone;
+    RayCone<S> cone = notes.cone;
     cone.spread = select(mirrored, fma(S(2) * bending.curvature * cosine, cone.width, cone.spread),
                          ratio * min(one, one / narrower) * cone.spread);
     cone.width = select(mirrored, cone.width, min(one, narrower) * cone.width);

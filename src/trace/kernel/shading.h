@@ -1,4 +1,4 @@
-// What the stages of a generation share: its rays, hits and queues, and a pack of hits.
+// Data that the stages of a generation share: its rays, hits and queues, and a pack of hits.
 #pragma once
 #include "num/lane_math.h"
 #include "trace/kernel/kernel.h"
@@ -6,7 +6,7 @@
 
 namespace strahl::inline STRAHL_LEVEL {
 
-/// The shading of one generation, by a kernel of policy P (see plain.h).
+/// The inputs and outputs of shading one generation, by a kernel of policy P (see plain.h).
 template <class S, class P>
 struct Shading {
     using T = Element<S>;
@@ -20,12 +20,12 @@ struct Shading {
     Workspace<T>& workspace;
     Counts& counts;
     int depth;
-    bool rare;  // sights are noted, or normals are bent
+    bool rare;  // hits have HitNotes: sights are noted, or normals are bent
 
     bool full() const { return next.open.count + refracted.count > batch_rays || next.inside.count > batch_rays; }
 };
 
-/// A pack's part of values by ray: up to `lanes` rays, in the lanes left over any others.
+/// Picks the values of up to `lanes` rays from arrays by ray; lanes left over get those of any ray.
 template <class S>
 struct LaneIndices {
     using T = Element<S>;
@@ -42,31 +42,31 @@ struct LaneIndices {
     }
 };
 
-/// What is known of a pack of hits.
+/// A pack of hits.
 template <class S>
 struct Hit {
     Mask<S> active;
-    Vec3<S> direction, position, normal;  // the normal is turned towards the incoming ray
-    Mask<S> outside;                      // it comes from the side the surface faces
+    Vec3<S> direction, position, normal;  // the normal is turned towards the incident ray
+    Mask<S> outside;                      // that ray comes from the side that the surface faces
     S surface, body, pixel, weight, medium;
     const MaterialKernel<S>& material;
     bool uniform;  // all lanes have the same material
     int bin;
 };
 
-/// What a sample's square of the view becomes along its rays, nowhere wider than it is: a cone (J. Amanatides, "Ray
-/// Tracing with Cones", 1984).
+/// A cone around a ray, which stands for the square of the view around a sample and is nowhere wider than what becomes
+/// of that along the ray (J. Amanatides, "Ray Tracing with Cones", 1984).
 template <class S>
 struct RayCone {
-    S width;   // where the ray starts or, of hits, ends; 0 if nothing is known
-    S spread;  // by which it grows along the ray, for each length of this
+    S width;   // where the ray starts or, of hits, ends; 0 if not known
+    S spread;  // growth of the width per length along the ray
 };
 
-/// What some worlds, batches and policies know of a pack of hits besides.
+/// Data of a pack of hits that only some worlds, batches and policies need.
 template <class S, class P>
 struct HitNotes {
-    std::uint32_t words[width<S>];  // of the samples' signatures, which tell where the light went from here
-    Vec3<S> flat;                   // the normals before they were bent
+    std::uint32_t words[width<S>];  // hashes of these hits for their samples' signatures; 0 if too faint
+    Vec3<S> flat;                   // normals before they were bent
     RayCone<S> cone;                // only set where images are filtered
     [[no_unique_address]] typename P::template OfHit<S> own;
 };

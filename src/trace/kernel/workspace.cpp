@@ -31,7 +31,8 @@ bool contains(const MediumStacks& all, int list, int body) {
 int top(const MediumStacks& all, int list) { return all.lists[list].body; }
 
 namespace {
-/// Zeros on large pages of their own: the arrays of a queue are on more small ones than the processor keeps in mind.
+/// Returns zeros on large pages of their own: the arrays of a queue span more small pages than the processor's cache of
+/// page addresses holds.
 template <class T>
 Buffer<T> zeros(std::size_t count) {
     constexpr std::size_t page = std::size_t(1) << 21;
@@ -39,7 +40,7 @@ Buffer<T> zeros(std::size_t count) {
     std::fill_n(values.get(), count, T(0));
     return values;
 }
-/// A queue in memory for ray_arrays * queue_capacity values.
+/// Returns a queue with its arrays in memory for ray_arrays * queue_capacity values.
 template <class T>
 RayQueue<T> queue_in(T* next) {
     RayQueue<T> queue;
@@ -67,7 +68,7 @@ Workspace<T>::Workspace() {
     sides.resize(scattered_pixels), colors.resize(3 * scattered_pixels);
 }
 
-/// Arrays share large pages: to clear one takes longer than a batch.
+/// Gives an array its memory. Arrays share large pages: clearing one takes longer than tracing a batch.
 template <class T>
 void Workspace<T>::hold(T*& array) {
     if (array) return;

@@ -1,4 +1,4 @@
-// What one thread keeps from tile to tile: queues of rays, hits, and lists of bodies entered.
+// The memory that one thread keeps from tile to tile: queues of rays, hits, and medium stacks.
 #pragma once
 #include <memory>
 #include <unordered_map>
@@ -18,7 +18,7 @@ class MediumStacks {
     std::unordered_map<std::uint64_t, int> known;
 };
 
-/// Most pixels in a batch of scattered ones, in which each body is seen by few.
+/// Most pixels in a batch of scattered ones: more than batch_pixels, since each body is seen by few.
 inline constexpr int scattered_pixels = 1024;
 
 template <class T>
@@ -30,21 +30,21 @@ class Workspace {
     HitList<T> hits;
     MediumStacks mediums;
     std::vector<T> pixels_x, pixels_y;
-    std::vector<int> order;  // of the tile's pixels, row by row: their numbers in the batch
+    std::vector<int> order;  // numbers in the batch of the tile's pixels, row by row
     std::vector<PixelSum<T>> sums;
     std::vector<T> past;
     std::vector<Sight<T>> sights;
     std::vector<T> sides, colors;  // see Footprints
-    int batch = scattered_pixels;  // pixels that last fitted
-    /// Makes room for what a policy keeps of rays.
+    int batch = scattered_pixels;  // number of pixels that fitted last time
+    /// Allocates the arrays of a policy's data of rays.
     void hold_extra();
-    /// Makes room for what rays carry where images are filtered.
+    /// Allocates the arrays of ray cones, for filtering images.
     void hold_cones();
 
   private:
     Buffer<T> values, order_by_bin;
-    std::vector<Buffer<T>> more;  // arrays that queues have besides `values`
-    std::size_t used = 0;         // of these in the last buffer
+    std::vector<Buffer<T>> more;  // memory of arrays that queues have besides those in `values`
+    std::size_t used = 0;         // arrays taken from the last of these
     bool with_extra = false, with_cones = false;
     void hold(T*& array);
     void hold_more(RayQueue<T>& queue);
