@@ -1,4 +1,4 @@
-// Faces of a grid of directions, and what a ball covers of them.
+// Faces of a grid of directions, and the parts of them that balls cover.
 #pragma once
 #include <vector>
 
@@ -9,17 +9,17 @@ namespace strahl {
 struct Slopes {
     double low, high;
 };
-/// Perpendicular to each other and of length 1; a face is around its axis.
+/// Three perpendicular vectors of length 1; a face is around its axis.
 struct Basis {
     DVec3 right, up, axis;
 };
 Basis basis_around(const DVec3& axis);
-/// The faces of a cube, the first around the axis of the basis.
+/// Returns the faces of a cube, the first around the axis of the basis.
 std::vector<Basis> cube_around(const Basis& basis);
 
-/// The slopes x / z of a disc as seen from the origin, where they are within +-limit; none if low > high.
+/// Returns the range of slopes x / z of a disc as seen from the origin, limited to +-limit; empty if low > high.
 Slopes slopes_of(double x, double z, double radius, double limit);
-/// The steepest slope of a ball against the axis; infinite if the ball may reach behind the origin.
+/// Returns the steepest slope of a ball against the axis; infinite if the ball may reach behind the origin.
 double steepest_slope(const DVec3& centre, double radius, const DVec3& axis);
 
 }  // namespace strahl

@@ -1,5 +1,5 @@
-// Between which numbers exact arithmetic has the crossings of a ray with a body that is scaled unevenly, and where: by
-// what is known of the body in a space of its own, in which it is round.
+// Error bounds for bodies that are scaled unevenly: of a ray's crossings with them, and of the points there. They
+// follow from the bounds of the body in a space of its own, in which it is round.
 #pragma once
 #include "num/memory.h"
 #include "trace/proof/cone_bounds.h"
@@ -9,7 +9,7 @@
 
 namespace strahl::inline STRAHL_LEVEL {
 
-/// Are the bounds of K known in its own space?
+/// Requires that error bounds of K are known in its own space.
 template <class K, class S>
 concept KnownInOwnSpace = requires(const K& shape, const Vec3<S>& p, const S& s, const Slack<Element<S>>& slack) {
     off_surface(shape, p, slack);
@@ -17,9 +17,10 @@ concept KnownInOwnSpace = requires(const K& shape, const Vec3<S>& p, const S& s,
     on_face(shape, p, s, s);
 };
 
-/// The most that a length grows on the way into the body's own space: the largest singular value of the rows' matrix R.
-/// The sums of the sizes in each row of R R^T bound its square, and so do those of R^T R. The first are exact where
-/// rows are at right angles, as of what was scaled first, the others where columns are, as of what was turned first.
+/// Bounds the factor by which lengths grow on the way into the body's own space: the largest singular value of the
+/// rows' matrix R. Its square is at most the largest sum of the sizes in a row of R R^T, and of R^T R. The first is
+/// exact where rows are perpendicular, as of a body that was scaled first, the second where columns are, as of one that
+/// was turned first.
 template <class K, class S>
 STRAHL_INLINE S most_stretch(const AffineKernel<K, S>& body) {
     const auto bound = [](const Vec3<S>& x, const Vec3<S>& y, const Vec3<S>& z) {
@@ -30,18 +31,18 @@ STRAHL_INLINE S most_stretch(const AffineKernel<K, S>& body) {
     return S(1.001) * sqrt(min(bound(x, y, z), bound({x.x, y.x, z.x}, {x.y, y.y, z.y}, {x.z, y.z, z.z})));
 }
 
-/// Exact rows are R (1 + E) with E no larger than slack.turn: they have a point where R has one that is moved by E of
-/// its distance from the centre. So points count as off in the world by that and by what the centre is.
+/// Bounds the errors of a body's centre and space, as errors of positions in the world. Exact rows are R (1 + E) with E
+/// no larger than slack.turn: they map a point to where R maps one that is moved by E of its distance from the centre.
 template <class S, class K>
 STRAHL_INLINE S own_error(const AffineKernel<K, S>& body, const Vec3<S>& from_centre, const Slack<Element<S>>& slack) {
     return S(slack.share) * (norm1(body.centre) + norm1(body.box.half)) +
            S(slack.turn) * sqrt(dot(from_centre, from_centre));
 }
 
-/// As K has it in its own space. What is off in the world is off there by no more than the largest stretch times that:
-/// of the direction, as a share of its length s there. Roundings: of R f, f has 1/2 unit and each row's product 3/2, in
-/// all 3.1 of the largest stretch; the direction 2.6, 3 by its length and 1/2 where it is divided by s. Distances there
-/// are s times those in the world; s is off by the same share as the direction and by 5/4 units.
+/// Bounds the span by that of K in its own space. Errors there are at most the largest stretch times those in the
+/// world; that of the direction is relative to its length s there. Roundings: of R f, f has 1/2 unit and each row's
+/// product 3/2, in all 3.1 of the largest stretch; the direction 2.6, 3 by its length and 1/2 where it is divided by s.
+/// Distances there are s times those in the world; s has the relative error of the direction and 5/4 units.
 template <class S, class K>
     requires KnownInOwnSpace<K, S>
 [[gnu::noinline]] auto span_bounds(const AffineKernel<K, S>& body, const Ray<S>& ray, const Doubt<S>& doubt,
@@ -67,7 +68,8 @@ template <class S, class K>
         return own;
 }
 
-/// Of one body: by the code above, which is long.
+/// Bounds the span in one body, the same in all lanes, by the function above: its code is too long to be compiled for
+/// that once more.
 template <class S, template <class> class K>
     requires(!std::is_same_v<S, Element<S>>)
 STRAHL_INLINE auto span_bounds(const AffineKernel<K<Element<S>>, Element<S>>& body, const Ray<S>& ray,
@@ -75,11 +77,12 @@ STRAHL_INLINE auto span_bounds(const AffineKernel<K<Element<S>>, Element<S>>& bo
     return span_bounds(splat_item<AffineKernel<K<S>, S>, S>(body), ray, doubt, start, slack);
 }
 
-/// A point p as the body's own space has it, put onto the surface there.
+/// A point p in the body's own space, and the point found for it on the surface there.
 ///
-/// The surface there is no further from p than `residual`, what p was moved by, what the point that it was moved to is
-/// off, and rounding. The distance there grows by |R^T n| for each length along the normal in the world, n being the
-/// normal there: `steep`.
+/// The exact surface is no further from p there than `residual`, by which p was moved, with its rounding error, and
+/// `off_found`, the error of the point that it was moved to. Distances there grow by `steep` = |R^T n| for each length
+/// along the normal in the world, n being the normal there. `moved` is the error of the space, and `off` bounds how far
+/// p is from the exact surface in the world.
 template <class K, class S>
 struct OwnPoint {
     SurfacePoint<S> found;
@@ -99,8 +102,9 @@ struct OwnPoint {
         residual = sqrt(dot(way, way)) + S(3.5 * unit_error<S>) * most * sqrt(dot(f, f));
         off = moved + S(1.02) * (residual + off_found) / steep;
     }
-    /// The square of the most that a length along the surface grows, the larger singular value of R there: the sum of
-    /// the two's squares is known, and their product is |det R| / |R^T n|. Of narrow spaces det R is hardly known.
+    /// Bounds the square of the factor by which lengths along the surface grow, the larger singular value of R there:
+    /// the sum of both squares is known, and the product of both values is |det R| / |R^T n|. In narrow spaces det R is
+    /// hardly known, and counts as 0.
     STRAHL_INLINE S most_along(const AffineKernel<K, S>& body) const {
         const Vec3<S>&x = body.row_x, &y = body.row_y, &z = body.row_z;
         const S xx = dot(x, x), yy = dot(y, y), zz = dot(z, z), all = xx + yy + zz;
@@ -117,12 +121,13 @@ STRAHL_INLINE S off_surface(const AffineKernel<K, S>& body, const Vec3<S>& p, co
     return OwnPoint<K, S>(body, p, face, slack).off;
 }
 
-/// The point is not put onto the surface, so how far it is off that is measured in the body's own space.
+/// Bounds the errors of a point. The kernel does not put it onto the surface, so its distance from that is measured in
+/// the body's own space.
 ///
 /// A curvature k there is one of k |R v|^2 / |R^T n| along a unit vector v here, a twentieth more nearby, since R^T n
-/// changes as the normal does. A turn of the normal there is one of at most |R| / |R^T n| times that here. What the
-/// surface's nearest point is off counts in all directions, not only along the surface. Roundings: 3 units each of the
-/// normal there, which is off in length too, and here.
+/// changes as the normal does. A turn of the normal there is one of at most |R| / |R^T n| times that here. The error of
+/// the surface's nearest point counts in all directions, not only along the surface. Roundings: 3 units each of the
+/// normal there, whose length is off too, and of the normal here.
 template <class S, class K>
     requires KnownInOwnSpace<K, S>
 [[gnu::noinline]] PointBounds<S> point_bounds(const AffineKernel<K, S>& body, const Ray<S>& ray, const Doubt<S>& doubt,

@@ -1,4 +1,4 @@
-// What exact arithmetic may meet of bodies made of bodies.
+// Queries with error bounds on composites: what rays may meet of them, and what light they transmit.
 #pragma once
 #include "num/uninitialized.h"
 #include "trace/proof/item_bounds.h"
@@ -8,16 +8,16 @@ namespace strahl::inline STRAHL_LEVEL {
 
 inline constexpr int composite_form = place_of<CompositeForm>(Forms{});
 
-/// A part of a composite along a pack of rays: between which numbers they enter and leave it, where they do as
-/// computed, and on which surfaces.
+/// A leaf of a composite along a pack of rays: bounds of where they enter and leave it, where they do as computed, and
+/// on which surfaces.
 template <class S>
 struct KnownLeaf {
     SpanBounds<S> span;
     S t[2], surface[2];
 };
 
-/// A half-space as a body with one face, which rays enter or leave. One that is all but parallel to the plane does so
-/// far away, if at all, and is on one side until then.
+/// Bounds the span in a half-space, a body with one face, which rays enter or leave. A ray nearly parallel to the plane
+/// does so far away, if at all, and is on one side until then.
 template <class S, class K>
 STRAHL_INLINE void cross_leaf(const PlaneKernel<K>& plane, const Ray<S>& ray, const Doubt<S>& doubt, const S& start,
                               const Slack<Element<S>>& slack, KnownLeaf<S>& leaf) {
@@ -48,7 +48,7 @@ STRAHL_INLINE void cross_leaf(const K& kernel, const Ray<S>& ray, const Doubt<S>
     leaf.t[0] = crossed.near, leaf.t[1] = crossed.far;
     leaf.surface[0] = leaf.surface[0] + crossed.near_face, leaf.surface[1] = leaf.surface[1] + crossed.far_face;
 }
-/// Of rays that start in a torus nothing is known, since they may come back.
+/// Bounds the first span in a torus. Nothing is known of rays that start inside, since they may come back.
 template <class S, class K>
     requires requires(const K& torus, const Ray<S>& ray) { torus.crossings(ray, S(0)); }
 STRAHL_INLINE void cross_leaf(const K& torus, const Ray<S>& ray, const Doubt<S>& doubt, const S& start,
@@ -71,8 +71,9 @@ template <class S, class Item>
     cross_leaf(item.shape, own.ray, own.doubt, S(own.ray.source - surface), slack, leaf);
 }
 
-/// A composite whose parts are all known. Where parts end it begins or ends, or goes on, or that can't be told. Rays
-/// that start on a part start on no other, so that the other's end is in doubt where it has a face in the same place.
+/// A composite of leaves whose errors are known, along a pack of rays. Where a leaf ends, the composite certainly
+/// begins or ends, certainly goes on, or is undecided. A ray that starts on one leaf does not count as starting on
+/// another: if that has a face in the same place, its end there is undecided.
 template <class S>
 class KnownComposite {
     using T = Element<S>;
@@ -90,8 +91,8 @@ class KnownComposite {
         }
     }
 
-    /// Calls visit(leaf, lanes, low, high, t, surface, certain) where the composite may begin or end ahead, in these
-    /// lanes, and certainly does in those of `certain`, if there the leaf does.
+    /// Calls visit(leaf, lanes, low, high, t, surface, certain) for each end of a leaf ahead where the composite may
+    /// begin or end: in `lanes`, between `low` and `high`. In the lanes of `certain` it certainly does.
     template <class Visit>
     void each_end(Mask<S> active, const Visit& visit) const {
         for (int i = 0; i < composite.leaves; ++i) {
@@ -114,7 +115,7 @@ class KnownComposite {
   private:
     const CompositeLeaf& leaf(int i) const { return world.leaves[composite.first_leaf + i]; }
 
-    /// Of a place: certainly inside, certainly outside, or neither.
+    /// Says on which side of a body a place is: certainly inside, certainly outside, or undecided.
     struct Side {
         Mask<S> in, out;
     };
@@ -128,8 +129,10 @@ class KnownComposite {
         if (step == CompositeStep::intersect) return {Mask<S>(a.in & b.in), Mask<S>(a.out | b.out)};
         return {Mask<S>(a.in & b.out), Mask<S>(a.out | b.in)};
     }
-    /// Between `low` and `high` leaf i ends, others may. The whole is looked at with the leaf and without it: if it is
-    /// the same it goes on there, in lanes that are taken away; if not it ends, whatever else does.
+    /// Decides whether the composite begins or ends where leaf i does, between `low` and `high`; other leaves may end
+    /// there too. The whole is evaluated with the leaf and without it. If it is certainly the same the composite goes
+    /// on, and the lane is taken from `lanes`; if it certainly differs the composite begins or ends, whatever other
+    /// leaves do: `certain`.
     [[gnu::noinline]] void find_change(int i, const S& low, const S& high, Mask<S>& lanes, Mask<S>& certain) const {
         const Mask<S> nowhere = first_lanes<S>(0), everywhere = first_lanes<S>(width<S>);
         Room<Side, most_leaves> with, without;
@@ -155,7 +158,7 @@ class KnownComposite {
     Room<KnownLeaf<S>, most_leaves> leaves;
 };
 
-/// What may be met of items, if they are composites of which all is known; else false.
+/// Adds what may be met of these items, if they are composites of known leaves. Returns false if they are not.
 template <class S>
 [[gnu::noinline]] bool add_composites(const World<Element<S>>& world, int form, int first, int count,
                                       const DoubtfulRay<S>& own, Mask<S> mask, const Slack<Element<S>>& slack,
@@ -172,7 +175,7 @@ template <class S>
     return true;
 }
 
-/// What such items take from the light.
+/// Attenuates light by such items. Returns false if they are not known, as above.
 template <class S>
 [[gnu::noinline]] bool pass_composites(const World<Element<S>>& world, int form, int first, int count,
                                        const DoubtfulRay<S>& own, Mask<S> mask, const S& distance, const S& off,

@@ -1,20 +1,20 @@
-// Between which numbers exact arithmetic has the crossings of a ray with a cone.
+// Error bounds of a ray's crossings with a cone, and of the points there.
 #pragma once
 #include "trace/proof/point_bounds.h"
 
 namespace strahl::inline STRAHL_LEVEL {
 
-/// By how much a cone's places and lengths are off.
+/// Bounds the errors of a cone's positions and lengths.
 template <class S, class K>
 STRAHL_INLINE S own_error(const ConeKernel<K>& cone, const Slack<Element<S>>& slack) {
     return S(slack.share) * (norm1(splat<S>(cone.base)) + S(cone.widest) + S(cone.height));
 }
 
-/// A ray and the side of a cone that goes on beyond its ends but ends at the apex. How far points are from it, below 0
-/// inside, is F = c (|u| - r) - s a, for a point that is `a` along the axis and u across it: along a line a convex
-/// function. Its gradient is of length 1, so at t it is off by what the ray is, by what the cone is, and by 10 units of
-/// |f| and t for rounding and 3 for the direction's length: `off`. Axis and angle are off by slack.turn each, which F
-/// is by no more than 2.5 times the distance from the base and the radius.
+/// A ray and the side of a cone, which goes on beyond its ends but ends at the apex. The distance of a point from the
+/// side, below 0 inside, is F = c (|u| - r) - s a, where the point is `a` along the axis and u across it: along a line
+/// a convex function. Its gradient has length 1, so at t it is off by the errors of the ray and of the cone, by 10
+/// units of |f| and t for rounding and by 3 for the direction's length: `off`. Axis and angle are off by slack.turn
+/// each, by which F changes by at most 2.5 times the distance from the base and the radius.
 template <class S>
 struct ConeSide {
     Vec3<S> f, d, axis;
@@ -54,13 +54,14 @@ struct ConeSide {
         const Place place = at(t);
         return beyond(place.distance, place.along) > off(t);
     }
-    /// How fast F grows there.
+    /// Returns how fast F grows along the ray there.
     STRAHL_INLINE S growth(const Place& place) const {
         const Vec3<S> across = fma(-along_d, axis, d);
         return cosine * dot(place.across, across) / place.distance - sine * along_d;
     }
-    /// In front of and behind where the line crosses the side near t. Whatever found that, F is convex: it is crossed
-    /// once on the way in and once on the way out, in between if one end is inside and the other outside for certain.
+    /// Finds an interval around the line's crossing of the side near t. Returns the lanes in which the exact crossing
+    /// certainly is in it: F is convex, so the side is crossed once on the way in and once on the way out, and in
+    /// between if one end is inside and the other outside for certain, however t was found.
     STRAHL_INLINE Mask<S> enclose(const S& t, bool enters, S& low, S& high) const {
         const Place place = at(t);
         const S grows = growth(place), crossing = t - beyond(place.distance, place.along) / grows;
@@ -68,8 +69,9 @@ struct ConeSide {
         low = crossing - reach, high = crossing + reach;
         return enters ? outside(low) & inside(high) : inside(low) & outside(high);
     }
-    /// Is all of the line from `from` to `to` outside? Where it is nearest to the side it is beyond a plane along the
-    /// axis that touches the cone or is nearly that: |u| is at least w u, for any w of length 1.
+    /// Returns the lanes in which all of the line from `from` to `to` is certainly outside. This is shown by a plane
+    /// that touches the cone, or nearly, where the line is nearest: |u| is at least w u for any w of length 1, so F is
+    /// at least a linear function of t, which exceeds the error at both ends.
     STRAHL_INLINE Mask<S> passes(const S& from, const S& to) const {
         const Vec3<S> across_f = fma(-along_f, axis, f), across_d = fma(-along_d, axis, d);
         const S square = dot(across_d, across_d), middle = -dot(across_f, across_d) / square;
@@ -83,16 +85,16 @@ struct ConeSide {
             min(beyond(dot(w, first.across), first.along), beyond(dot(w, last.across), last.along));
         return beyond_plane > max(off(from), off(to));
     }
-    /// Does a ray that starts on the side certainly leave it outwards? The normal there turns by what the start is off,
-    /// as seen from the axis.
+    /// Returns the lanes in which a ray that starts on the side certainly leaves it outwards. The normal there turns by
+    /// the error of the start, as seen from the axis.
     STRAHL_INLINE Mask<S> leaves_outwards() const {
         const Place here = at(S(0));
         return growth(here) > S(2) * off_here / here.distance + off_per;
     }
 };
 
-/// The side is crossed where its sign changes. Where that can't be told it still is entered before the ends are and
-/// left after them if the line is inside there.
+/// Bounds the span in a cone. The side is crossed where F changes its sign. Where that is undecided the side is still
+/// entered before the ends are, and left after them, if the line is inside there.
 template <class S, class K>
 STRAHL_INLINE SpanBounds<S> span_bounds(const ConeKernel<K>& cone, const Ray<S>& ray, const Doubt<S>& doubt,
                                         const S& start, const Slack<Element<S>>& slack) {
@@ -128,20 +130,22 @@ STRAHL_INLINE SpanBounds<S> span_bounds(const ConeKernel<K>& cone, const Ray<S>&
     return span;
 }
 
-/// Of sums and products of lengths in the cone 7 units, as of cylinders, and of two sums.
+/// Bounds how far a point p found on the cone is off the exact surface. Roundings: 7 units of sums and products of
+/// lengths in the cone, as of cylinders, and those of two sums.
 template <class S>
 STRAHL_INLINE S off_surface(const ConeKernel<S>& cone, const Vec3<S>& p, const Slack<Element<S>>& slack) {
     constexpr auto u = unit_error<S>;
     const S size = cone.widest + cone.height;
     return own_error<S>(cone, slack) + fma(S(Element<S>(2.5f) * slack.turn + 7 * u), size, S(.51 * u) * norm1(p));
 }
-/// How far a point is from the axis.
+/// Returns a point's distance from the axis.
 template <class S>
 STRAHL_INLINE S distance_from_axis(const ConeKernel<S>& cone, const Vec3<S>& p) {
     const Vec3<S> f = p - cone.base, across = fma(-dot(f, cone.axis), cone.axis, f);
     return sqrt(dot(across, across));
 }
-/// The side's curvature across its lines is that of a circle of radius |u| / c, which counts a twentieth more nearby.
+/// Returns the curvature of the side, across its lines that of a circle of radius |u| / c, a twentieth more for points
+/// nearby; and how far the normal is turned.
 template <class S>
 STRAHL_INLINE Bend<S> bend_of(const ConeKernel<S>& cone, const Vec3<S>& p, const S& face, const S& off,
                               const Slack<Element<S>>& slack) {

@@ -1,4 +1,4 @@
-// By how much camera rays are turned against those of exact arithmetic: measured where other bounds count roundings.
+// Error bounds of the directions of camera rays: measured, where other bounds count roundings.
 #pragma once
 #include <limits>
 
@@ -7,8 +7,8 @@
 
 namespace strahl::inline STRAHL_LEVEL {
 
-/// a * b - product, of a product that was rounded: by one instruction, or by halves of a and b, whose products are
-/// exact (T. J. Dekker, A floating-point technique for extending the available precision, 1971).
+/// Returns a * b - product, the rounding error of a product: by one instruction, or by halves of a and b, whose
+/// products are exact (T. J. Dekker, A floating-point technique for extending the available precision, 1971).
 template <class S>
 STRAHL_INLINE S product_lacks(const S& a, const S& b, const S& product) {
     if constexpr (fuses<S>) return fma(a, b, -product);
@@ -20,18 +20,18 @@ STRAHL_INLINE S product_lacks(const S& a, const S& b, const S& product) {
     const S p = high(a), q = high(b), p_rest = a - p, q_rest = b - q;
     return ((p * q - product) + p * q_rest + p_rest * q) + p_rest * q_rest;
 }
-/// a * b + c - sum, of a sum that was rounded once, by a fused multiply-add, or twice.
+/// Returns a * b + c - sum, the error of a sum that was rounded once, by a fused multiply-add, or twice.
 template <class S>
 STRAHL_INLINE S sum_lacks(const S& a, const S& b, const S& c, const S& sum) {
     const S product = a * b, twice = product + c, part = twice - product;
     return ((twice - sum) + ((product - (twice - part)) + (c - part))) + product_lacks(a, b, product);
 }
 
-/// The angle between the camera ray through pixel (x, y) that the kernel computes and the exact one.
+/// Bounds the angle between the camera ray through pixel (x, y) that the kernel computes and the exact one.
 ///
-/// The exact ray goes along the sum of the computed direction and what that lacks: by rounding, and by what the eye's
-/// numbers lack. Across the ray this is the angle but for its cube. Products of two such errors, below 1e-9 of it where
-/// rays are shifted by 1e-7 pixels on purpose, are in the factor of 1.001.
+/// The exact ray goes along the sum of the computed direction and what that lacks: by rounding, and by errors of the
+/// eye's numbers. The part of that across the ray is the angle but for its cube. Products of two such errors, below
+/// 1e-9 of it where rays are shifted by 1e-7 pixels on purpose, are in the factor of 1.001.
 template <class S>
 STRAHL_INLINE S camera_turn(const Eye<Element<S>>& eye, const Slack<Element<S>>& slack, const S& x, const S& y) {
     const Eye<Element<S>>& rest = slack.eye_lacks;

@@ -1,12 +1,13 @@
-// Between which numbers exact arithmetic has the crossings of a ray with a disc or a box, as span_bounds.h has it of
-// round bodies.
+// Error bounds of a ray's crossings with a disc or a box, and of the points there; span_bounds.h has those of round
+// bodies.
 #pragma once
 #include "trace/proof/point_bounds.h"
 
 namespace strahl::inline STRAHL_LEVEL {
 
-/// The plane is met as any is, see above. The exact ray meets it no further than `off` from the computed point: what
-/// they are apart, seen along the ray on the plane, is no longer than that over the slope. Open bodies are left only.
+/// Bounds the crossing with a disc, as `far`: open bodies are left only. The plane is met as in span_bounds of a plane.
+/// The exact ray meets it no further than `off` from the computed point: the distance between the two rays, seen along
+/// the ray on the plane, is no longer than that over the slope.
 template <class S, class K>
 STRAHL_INLINE SpanBounds<S> span_bounds(const DiscKernel<K>& disc, const Ray<S>& ray, const Doubt<S>& doubt,
                                         const S& start, const Slack<Element<S>>& slack) {
@@ -22,15 +23,15 @@ STRAHL_INLINE SpanBounds<S> span_bounds(const DiscKernel<K>& disc, const Ray<S>&
     const Mask<S> slanted = left > S(0), elsewhere = !(start == S(0));
     const Mask<S> beside = (out - off > r) | (out + off < hole);
     const Mask<S> within = (out + off < r) & ((hole == S(0)) | (out - off > hole));
-    // A parallel disc is met far away, if at all.
+    // A disc nearly parallel to the ray is met far away, if at all.
     const S nearest = (abs(over) - over_error) / (abs(slope) + slope_error);
     return {S(-inf), S(-inf), select(slanted, t - off, select(nearest > S(0), nearest, S(-inf))),
             select(slanted, t + off, S(inf)), Mask<S>(elsewhere & !(slanted & beside)),
             Mask<S>(elsewhere & slanted & within)};
 }
 
-/// p is put onto the plane: as far from the centre as that is, (3/2 + 1/2) u by the scalar product and what is taken
-/// from it.
+/// Bounds how far a point p found on the disc is off the exact surface. It is put onto the plane: off by the error of
+/// the centre, by (3/2 + 1/2) u of the radius for the scalar product and what is taken from it, and by rounding.
 template <class S>
 STRAHL_INLINE S off_surface(const DiscKernel<S>& disc, const Vec3<S>& p, const Slack<Element<S>>& slack) {
     constexpr auto u = unit_error<S>;
@@ -49,14 +50,15 @@ STRAHL_INLINE Mask<S> on_face(const DiscKernel<S>& disc, const Vec3<S>& p, const
     return (out + edge < disc.radius) & ((disc.hole == S(0)) | (out - edge > disc.hole));
 }
 
-/// By how much a box's centre and its corners are off.
+/// Bounds the errors of a box's centre and of its corners.
 template <class S, class K>
 STRAHL_INLINE S own_error(const BoxKernel<K>& box, const Slack<Element<S>>& slack) {
     return S(slack.share) * (norm1(splat<S>(box.centre)) + norm1(splat<S>(box.box.half)));
 }
-/// A box is what is between three pairs of planes, as a cylinder is between its ends. Of row * (x - centre), as long as
-/// the row, is off what x is off, the row by slack.turn, and 2 units by rounding: f has 1/2, the product 3/2. The slope
-/// has another 3 by the direction's length. Faces are 1 and -1 by definition.
+/// Bounds the span in a box, which is what lies between three pairs of planes, as a cylinder between its ends.
+/// Row * (x - centre) is off, relative to the row's length, by the error of x, by slack.turn for the row, and by 2
+/// units of rounding: f has 1/2, the product 3/2. The slope has another 3 by the direction's length. Faces are at 1 and
+/// -1 by definition.
 template <class S, class K>
 STRAHL_INLINE SpanBounds<S> span_bounds(const BoxKernel<K>& box, const Ray<S>& ray, const Doubt<S>& doubt,
                                         const S& start, const Slack<Element<S>>& slack) {
@@ -80,7 +82,8 @@ STRAHL_INLINE SpanBounds<S> span_bounds(const BoxKernel<K>& box, const Ray<S>& r
     return span;
 }
 
-/// p is put onto the plane of its face: off by what row * f is there, 2 units, and by its sums.
+/// Bounds how far a point p found on the box is off the exact surface. It is put onto the plane of its face: off by the
+/// rounding of row * f there, 2 units, and by that of its sums.
 template <class S>
 STRAHL_INLINE S off_surface(const BoxKernel<S>& box, const Vec3<S>& p, const Slack<Element<S>>& slack) {
     constexpr auto u = unit_error<S>;

@@ -1,4 +1,4 @@
-// How bounds travel with rays: what hits do to them, and what pixels get of them.
+// How error bounds travel with rays: what hits do to them, and what they add to the bounds of pixels.
 #pragma once
 #include <algorithm>
 #include <limits>
@@ -15,7 +15,7 @@ struct Proving;
 template <class S>
 using ProvedShading = Shading<S, Proving>;
 
-/// The limits and the pixels that a proving kernel was given.
+/// Return the limits and the pixels that a proving kernel was given.
 template <class T>
 STRAHL_INLINE const ProvingLimits<T>& proving(const Limits<T>& limits) {
     return static_cast<const ProvingLimits<T>&>(limits);
@@ -33,19 +33,19 @@ struct DoubtArrays {
         : away(rays.extra[0]), turn(rays.extra[1]), side(rays.extra[2]), spin(rays.extra[3]) {}
 };
 
-/// The bounds of a pack of hits.
+/// The error bounds of a pack of hits.
 template <class S>
 struct HitBounds {
     S away{0}, normal{0}, mirrored{0}, side{0}, height{0};  // see PointBounds
     S spin{std::numeric_limits<Element<S>>::infinity()};
-    S flat{-1};        // of bent normals: by how much these were off before. Of others -1
-    S turn{0};         // of the rays that came
+    S flat{-1};        // error of bent normals before they were bent; -1 of others
+    S turn{0};         // of the incident rays
     S off{0};          // bound of the error of the light that the hit sends back, before its weight
-    S diffuse{0};      // by how much the largest channel of the diffuse colour may be off
-    Mask<S> followed;  // lanes whose errors are bounded; those of all others are in their pixels' bounds
+    S diffuse{0};      // error bound of the largest channel of the diffuse colour
+    Mask<S> followed;  // lanes whose errors are bounded; all light of the others is in their pixels' bounds
 };
 
-/// Adds to the bounds of a pack's pixels, and for what follows the rounding of their sums.
+/// Adds error bounds to those of a pack's pixels, and the rounding error of one addition to their sums.
 template <class S>
 STRAHL_INLINE void add_bounds(const PixelBatch<Element<S>>& batch, const S& pixel, int lanes, const S& bound) {
     using T = Element<S>;
@@ -58,24 +58,26 @@ STRAHL_INLINE void add_bounds(const PixelBatch<Element<S>>& batch, const S& pixe
     }
 }
 
-/// The most that rays of a generation bring back, of all that is decided at random from here on.
+/// Returns the most light that a ray of this generation can bring back: its error if anything is decided wrongly from
+/// here on.
 template <class T>
 STRAHL_INLINE T brightest_of(const Limits<T>& limits, int depth) {
     return limits.brightest[limits.depth - depth + 1];
 }
 
-/// Rounding of a hit's light: of its colours, products and sums, 6 and one for each light, and of its weight, two for
-/// each generation but the first. What is rounded in the share of a light that comes through, share_proved knows.
+/// Bounds the rounding error of a hit's light: of its colours, products and sums, 6 roundings and one for each light,
+/// and of its weight, two for each generation but the first. share_proved bounds that of the share of a light that
+/// comes through.
 template <class S>
 STRAHL_INLINE S rounding_of(const Vec3<S>& light, int depth, int lights) {
     using T = Element<S>;
     return S((T(2) + T(depth) + T(.5) * T(lights)) * unit_error<S>) * largest(light);
 }
 
-/// Rays that may be turned by more than this are not followed.
+/// Rays whose direction may be off by more than this are not followed.
 inline constexpr float most_turn = 1e-3f;
 
-/// The largest doubts of a pack.
+/// Returns the largest `away` and `turn` of a pack.
 template <class S, class T>
 STRAHL_INLINE Doubt<T> most_doubt(const RayQueue<T>& rays, int i, Mask<S> active) {
     const auto most = [&](const T* values) {
@@ -85,8 +87,8 @@ STRAHL_INLINE Doubt<T> most_doubt(const RayQueue<T>& rays, int i, Mask<S> active
     return {most(doubts.away), most(doubts.turn)};
 }
 
-/// Finds what a generation's rays meet. Where that can't be told the plain kernel decides, the pixel's bound grows by
-/// all that the ray may bring, and it is not followed any more.
+/// Finds what a generation's rays meet. Where that is undecided the plain kernel decides, the pixel's bound grows by
+/// all light that the ray may bring, and the ray is not followed any more.
 template <class S, class T>
 STRAHL_INLINE Nearest<S> nearest_proved(const World<T>& world, const Limits<T>& limits, const RayQueue<T>& rays, int i,
                                         const Ray<S>& ray, Mask<S> active, BodySet set, int depth,
@@ -112,7 +114,8 @@ STRAHL_INLINE Nearest<S> nearest_proved(const World<T>& world, const Limits<T>& 
     return best;
 }
 
-/// What is known of hits of one bin, found at `t`. Those of which nothing is are left, with all that they may bring.
+/// Bounds the errors of the hits of one bin, found at `t`. Hits that have no bounds, among them those not in `known`,
+/// are not followed any more: their pixels' bounds grow by all light that they may bring.
 template <class S>
 STRAHL_INLINE HitBounds<S> bound_hits(const ProvedShading<S>& shading, const Hit<S>& hit, const Ray<S>& ray,
                                       const Doubt<S>& doubt, const S& t, const S& weight, int lanes, Mask<S> known) {
@@ -148,11 +151,11 @@ STRAHL_INLINE HitBounds<S> bound_hits(const ProvedShading<S>& shading, const Hit
     return bounds;
 }
 
-/// By how much fog makes the light off that comes by way of hits at `t`: `left` of the rays' weight is left there. All
-/// of that light is as far off as the weight, by what the way is off, which is what its ends are and `t` misses between
-/// them. Roundings: the distance has 3 u, 1 over the fog's distance 1, the product with the way 1/2, the exponential 2,
-/// the weight 1/2. Rays in glass lose nothing. Which those are is certain as long as hits are, see bound_refraction, if
-/// it is for the eye.
+/// Bounds the error by fog of light that comes by way of hits at `t`, where `left` of the rays' weight is left. All of
+/// that light has the relative error of the weight, which follows from that of the distance: from the errors of its
+/// ends and the difference between `t` and the distance between them. Roundings: the distance has 3 u, 1 over the fog's
+/// distance 1, their product 1/2, the exponential 2, the weight 1/2. Rays in glass lose nothing. Which rays are in
+/// glass is certain as long as hits are, see bound_refraction, if it is certain for the eye.
 template <class S>
 [[gnu::noinline]] S fog_error(const ProvedShading<S>& shading, const Vec3<S>& way, const S& away, const S& t,
                               const S& weight, const S& left) {
@@ -160,13 +163,13 @@ template <class S>
     const auto& world = shading.world;
     const S distance = sqrt(dot(way, way)), off = away + abs(t - distance) + S(4 * u) * (t + distance);
     const S share = fma(S(Element<S>(1.01) * world.fog_per), off, S(2 * u * world.fog_per) * t + S(4 * u));
-    const S least(std::numeric_limits<Element<S>>::min());  // of what underflows
+    const S least(std::numeric_limits<Element<S>>::min());  // for weights that underflow
     const S lost = select(share < S(.01f), fma(left, share, least), weight);
     return lost * (S(brightest_of(shading.limits, shading.depth)) + largest(splat<S>(world.fog_color)));
 }
 
-/// What is known of hits whose normals materials bend. What bends them makes them steeper than what is known of the
-/// surface, so `height` is as for any direction. Those of which nothing is known are left.
+/// Bounds the errors of normals that materials bend. Bends make normals steeper than what is known of the surface, so
+/// `height` is as for any direction. Hits whose normals have no bound are not followed any more.
 template <class S>
 [[gnu::noinline]] void bound_bent(const ProvedShading<S>& shading, const int* materials, const Hit<S>& hit,
                                   const Vec3<S>& flat, const S& weight, int lanes, HitBounds<S>& known) {
@@ -185,8 +188,8 @@ template <class S>
     add_bounds(shading.batch, hit.pixel, lanes, select(lost, most, S(0)));
 }
 
-/// What is known of hits, but for fog where it is not certain whether the eye is in glass, and insides that are only
-/// nearly known.
+/// Bounds the errors of hits; except in fog if it is not certain whether the eye is in glass, and inside enclosed
+/// bodies if slack exceeds the margins of culling.
 template <class S>
 STRAHL_INLINE void bound_hit(const ProvedShading<S>& shading, const Hit<S>& hit, const RayQueue<Element<S>>& from,
                              const LaneIndices<S>& pick, const Element<S>* t, bool within,
@@ -207,7 +210,7 @@ STRAHL_INLINE void bound_hit(const ProvedShading<S>& shading, const Hit<S>& hit,
     }
 }
 
-/// Bounds the background that rays which hit nothing bring back.
+/// Bounds the error of the background, which rays that hit nothing bring back.
 template <class S>
 STRAHL_INLINE void bound_miss(const ProvedShading<S>& shading, const LaneIndices<S>& pick, const S& weight,
                               const S& pixel, const Vec3<S>& color) {
@@ -221,7 +224,7 @@ STRAHL_INLINE void bound_miss(const ProvedShading<S>& shading, const LaneIndices
     add_bounds(shading.batch, pixel, pick.lanes, select(followed, off, S(0)));
 }
 
-/// Adds to the bounds of pixels by how much the light of hits may be off.
+/// Adds the error of hits' light to the bounds of their pixels.
 template <class S>
 STRAHL_INLINE void bound_light(const ProvedShading<S>& shading, const Hit<S>& hit, const RayQueue<Element<S>>& from,
                                const LaneIndices<S>& pick, const Element<S>* t, const Vec3<S>& light,

@@ -1,4 +1,4 @@
-// What a ray may meet, and what becomes of light, as exact arithmetic would have it, of items that proofs know.
+// Queries with error bounds on single items: candidates for the nearest hit, and transmitted light.
 #pragma once
 #include "trace/kernel/query.h"
 #include "trace/proof/known_forms.h"
@@ -6,8 +6,8 @@
 
 namespace strahl::inline STRAHL_LEVEL {
 
-/// What a ray may meet first. No crossing is before `low`, none but one before `second`, and some is certain to be
-/// before `high`.
+/// The crossings that may be a ray's first one in exact arithmetic. None is before `low`, at most one is before
+/// `second`, and some crossing is certainly before `high`: so the hit is certain if `second` is beyond `high`.
 template <class S>
 struct Candidates {
     static constexpr Element<S> inf = std::numeric_limits<Element<S>>::infinity();
@@ -21,13 +21,13 @@ struct Candidates {
         low = min(low, least), high = select(lanes, min(high, to), high);
         t = select(first, own_t, t), surface = select(first, own_surface, surface), bin = select(first, own_bin, bin);
     }
-    /// A body of which nothing is known but that it may be in the way, from `from` on.
+    /// Adds a body of which nothing is known but that it may be in the way, from `from` on.
     STRAHL_INLINE void add_unknown(Mask<S> lanes, const S& from) { add(lanes, from, S(inf), S(inf), S(-1), S(-1)); }
     STRAHL_INLINE Mask<S> hits() const { return second > high; }
     STRAHL_INLINE Mask<S> misses() const { return low == S(inf); }
 };
 
-/// A ray as the proving queries see it.
+/// A ray with its error bounds, as proving queries take it.
 template <class S>
 struct DoubtfulRay {
     Ray<S> ray;
@@ -38,7 +38,7 @@ STRAHL_INLINE DoubtfulRay<S> lane_of(const DoubtfulRay<S>& own, int k) {
     return {lane_of(own.ray, k), {S(lane(own.doubt.away, k)), S(lane(own.doubt.turn, k))}};
 }
 
-/// The computed crossings that the bounds are of.
+/// Returns the computed crossings that the bounds are for.
 template <class S>
 STRAHL_INLINE std::array<S, 2> ends_of(const Span<S>& span) {
     return {span.near, span.far};
@@ -66,15 +66,16 @@ template <class S, class Item, class Bin>
     found.add(mask, span.far_low, select(leaves, span.far_high, S(inf)), far, surface, S(bin));
 }
 
-/// What certainly becomes of light: `dark` where none comes through; else what is left of it, if that is not in doubt.
+/// Bounds transmitted light. Lanes are certainly `dark` if none comes through, else undecided if in `doubt`; else
+/// `share` comes through.
 template <class S>
 struct LightBounds {
     Vec3<S> share{S(1), S(1), S(1)};
-    S crossings{0}, off{0};  // how often it was rounded, and what colours of patterns may be off beside that
+    S crossings{0}, off{0};  // number of its roundings, and its error by colours of patterns
     Mask<S> dark, doubt;
 };
-/// The lanes in which a crossing certainly is between the start and a distance that is off by at most `off`, and those
-/// in which it may be.
+/// Finds the lanes in which a crossing certainly is between the start and a distance that is off by at most `off`, and
+/// those in which it may be.
 template <class S>
 STRAHL_INLINE void pass_crossing(const S& low, const S& high, const SpanBounds<S>& span, Mask<S> mask,
                                  const S& distance, const S& off, Mask<S>& certain, Mask<S>& possible) {
@@ -82,7 +83,7 @@ STRAHL_INLINE void pass_crossing(const S& low, const S& high, const SpanBounds<S
     certain = maybe & span.sure & (low > S(0)) & (high < distance - off);
     possible = maybe & !certain;
 }
-/// What a surface takes from the light that certainly crosses it, and from what may.
+/// Attenuates light by a surface that it certainly crosses in some lanes, and possibly in others.
 template <class S>
 STRAHL_INLINE void lose_light(const World<Element<S>>& world, int material, Mask<S> certain, Mask<S> possible,
                               LightBounds<S>& light) {
@@ -101,8 +102,8 @@ STRAHL_INLINE void lose_light(const World<Element<S>>& world, int material, Mask
     for (int c = 0; c < 3; ++c)
         light.share[c] = min(light.share[c] * select(certain, S(own.filter[c]), S(1)), S(largest_gain));
 }
-/// What is left of light by patterned glass, at the middle of where it may be crossed. Products of two factors are off
-/// by the error of each times the most that the other may be.
+/// Attenuates light by patterned glass, with the colour in the middle of where it may be crossed. A product of two
+/// factors is off by the error of each times the most that the other may be.
 template <class S>
 [[gnu::noinline]] void pass_pattern(const World<Element<S>>& world, int material, const S& surface,
                                     const DoubtfulRay<S>& own, const S& low, const S& high, Mask<S> crossed,
@@ -117,7 +118,7 @@ template <class S>
     const S error = PatternBounds<S>::of_filter(world, material, place, surface, away, slack);
     const S before = max(light.share.x, max(light.share.y, light.share.z));
     light.off = select(crossed, fma(light.off, most, before * error), light.off);
-    light.doubt = light.doubt | (crossed & !(error < S(T(1e-5))));  // in these the plain kernel decides
+    light.doubt = light.doubt | (crossed & !(error < S(T(1e-5))));  // here the plain kernel decides
     light.crossings = light.crossings + select(crossed, S(2), S(0));
     PatternCalls<S>::filter(world, material, surface, own.ray, t, crossed, light.share);
 }
@@ -144,7 +145,7 @@ template <class S, class Item>
     for (int k = 0; k < 2; ++k) lose_light(world, static_cast<int>(item.material), certain[k], possible[k], light);
 }
 
-/// What items that let no light through take from it, in each lane one of its own.
+/// Attenuates light by opaque items, a different one in each lane.
 template <class S, class Item>
 STRAHL_INLINE void pass_opaque_items(const Item& items, const DoubtfulRay<S>& own, Mask<S> mask, const S& distance,
                                      const S& off, const Slack<Element<S>>& slack, LightBounds<S>& light) {

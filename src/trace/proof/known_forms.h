@@ -10,13 +10,13 @@
 
 namespace strahl::inline STRAHL_LEVEL {
 
-/// Is there a span_bounds() for the form's kernel?
+/// True if there is a span_bounds() for the form's kernel.
 template <class Form>
 inline constexpr bool is_known = requires(const typename Form::template Kernel<double>& kernel, const Ray<double>& ray,
                                        const Doubt<double>& doubt, const Slack<double>& slack) {
     span_bounds(kernel, ray, doubt, 0., slack);
 };
-/// Calls visit(group) if the form is known.
+/// Calls visit(group) if the form is known. Returns true if it is.
 template <class T, class Visit>
 STRAHL_INLINE bool if_known(const World<T>& world, int form, const Visit& visit) {
     int number = 0;

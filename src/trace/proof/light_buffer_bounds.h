@@ -1,18 +1,18 @@
-// What bodies in the cells of a light buffer take from the light, as exact arithmetic would have it.
+// Transmitted light with error bounds, by a light buffer: past the bodies in the cells of rays.
 #pragma once
 #include "trace/lights/light_buffer_cells_kernel.h"
 #include "trace/proof/item_bounds.h"
 
 namespace strahl::inline STRAHL_LEVEL {
 
-/// Finds what the items of the hierarchy take from a light that has a buffer. Returns the lanes that are left to the
-/// hierarchy. Not inline: of small worlds its stack would be a burden.
+/// Attenuates a light that has a buffer by the items of the hierarchy. Returns the lanes that are left to the hierarchy
+/// itself. Kept out of line: inlined, its stack frame would slow down small worlds.
 ///
-/// Where the exact ray from x to the light L meets a body, at x + s (L - x) with s from 0 to 1, the computed way from p
-/// to M passes at p + s (M - p), no further from there than the larger of |x - p| and |L - M|; that point is in the
-/// cell, and no further from M than p is. So the cell has the body if balls were taken to be larger by that and by what
-/// the body itself is off. Parallel light comes from no further than the world is wide, where its direction counts less
-/// than the half of the margin that is left.
+/// If the exact ray from x to the light L meets a body, at x + s (L - x) with s from 0 to 1, the computed ray from p to
+/// M passes at p + s (M - p), no further from there than the larger of |x - p| and |L - M|; that point is in the cell,
+/// and no further from M than p is. So the cell has the body if balls were enlarged by that distance and by the error
+/// of the body itself. Parallel light comes from no further than the world is wide, where the error of its direction is
+/// less than the half of the margin that is left.
 template <class S>
 [[gnu::noinline]] Mask<S> light_bounds_in_buffer(const World<Element<S>>& world, int number, const DoubtfulRay<S>& own,
                                                  const S& distance, const S& off, Mask<S> active,

@@ -1,34 +1,35 @@
-// By how much the light of lights at hits may be off: its angle, its highlight, whether it comes, and how much of it.
+// Error bounds of the light of lights at hits: of its angle and its highlight, of whether it arrives, and of how much
+// of it.
 #pragma once
 #include "trace/kernel/illuminate.h"
 #include "trace/proof/ray_bounds.h"
 
 namespace strahl::inline STRAHL_LEVEL {
 
-/// How far the cosine of an angle is off that is off by a: cos(x + a) - cos x is at most a sin x + a^2 / 2. The cosine
-/// that is known may have 16 units of rounding.
+/// Bounds the error of the cosine of an angle that is off by a: cos(x + a) - cos x is at most a sin x + a^2 / 2. The
+/// given cosine may have 16 units of rounding.
 template <class S>
 STRAHL_INLINE S cosine_error(const S& a, const S& cosine) {
     return S(1.001) * a * (sqrt(max(fma(-cosine, cosine, S(1)), S(0)) + S(32 * unit_error<S>)) + a);
 }
 
-/// What a light may add to a hit's light in exact arithmetic other than in computed: by the angle at which it comes, by
-/// its highlight, and by whether it comes at all.
+/// Bounds how far the light that a light adds to a hit's light is off: by the angle at which it arrives, by its
+/// highlight, and by whether it arrives at all.
 ///
-/// The light's place was rounded once. The way to it has 2 roundings in direction and, in length, of its square's sum
-/// and root 7/4 u, its inverse and the product with it 1 u; with 9/4 by the normal's length the cosine has 5 u as a
-/// share, and 3/2 u by the scalar product. A mirrored direction is not brought to length 1 here: 16 u. Of (s + d)^p -
-/// s^p with x = p d / s no more than s^p (e^x - 1) is left, e^x - 1 <= x + x^2 up to x = 1.79 (a p below 1 counts as
-/// 1); powers have p roundings. Below `shines_from` all is less than u / 64.
+/// The light's position was rounded once. The vector to it has 2 roundings in direction and, in length, 7/4 u of its
+/// square's sum and root, 1 u of its inverse and the product with that; with 9/4 by the normal's length the cosine has
+/// a relative error of 5 u, and 3/2 u by the scalar product. A mirrored direction is not brought to length 1 here: 16
+/// u. (s + d)^p - s^p is at most s^p (e^x - 1) with x = p d / s, and e^x - 1 <= x + x^2 up to x = 1.79 (a p below 1
+/// counts as 1); powers have p roundings. Below `shines_from` all is less than u / 64.
 template <class S>
 struct LitBounds {
-    S cosine, highlight;  // how far these are off
-    S distance;           // likewise
+    S cosine, highlight;  // errors of these
+    S distance;           // error of this
     Doubt<S> ray;         // of the shadow ray
-    Mask<S> doubt;        // lanes in which it can't be told whether it is on the normal's side
+    Mask<S> doubt;        // lanes in which it is undecided whether the light is on the normal's side
 };
-/// The hits that may be on the side of their surface that a light is on: all but those whose cosine is below -1e-3,
-/// where normal and light are better known than that.
+/// Returns the hits that may be on the side of their surface that a light is on: all but those whose cosine is below
+/// -1e-3, where normal and direction are known better than that.
 template <class S>
 STRAHL_INLINE Mask<S> may_face(const HitBounds<S>& known, const Hit<S>& hit, const LightKernel<Element<S>>& light,
                                const Vec3<S>& to_light, const S& facing) {
@@ -52,7 +53,7 @@ STRAHL_INLINE LitBounds<S> bound_lit(const HitBounds<S>& known, const Hit<S>& hi
     lit.doubt = near | !(abs(cosine) > lit.cosine);
     lit.highlight = S(0);
     if (none(hit.active & (material.specular > S(0)))) return lit;
-    // Nowhere near a highlight x is below .5, for an angle's cosine is off by less than the angle.
+    // Far from a highlight x is below .5, for the error of a cosine is less than that of the angle.
     const S angle = turn_reflected(known) + turn;
     const Mask<S> off_it =
         (highlight == S(0)) &
@@ -68,8 +69,8 @@ STRAHL_INLINE LitBounds<S> bound_lit(const HitBounds<S>& known, const Hit<S>& hi
     return lit;
 }
 
-/// Behind a surface there is no light, whatever the bent normal faces. Where it can't be told on which side it is, it
-/// is in doubt.
+/// Takes lights behind the surface itself out of `faces`, whatever the bent normal faces. Where the light's side is not
+/// certain it is undecided (`lit.doubt`).
 template <class S>
 [[gnu::noinline]] void bound_side_of_light(const HitBounds<S>& known, const Vec3<S>& flat, const Vec3<S>& l,
                                            LitBounds<S>& lit, Mask<S>& faces) {
@@ -80,7 +81,7 @@ template <class S>
     lit.doubt = (lit.doubt | (bent & !told)) & !behind;
 }
 
-/// Adds a light of which nothing is known to the errors of hits.
+/// Adds all light of a light of which nothing is known to the errors of hits.
 template <class S>
 STRAHL_INLINE void add_unknown_light(const ProvedShading<S>& shading, const Hit<S>& hit,
                                      const LightKernel<Element<S>>& light, HitBounds<S>& known) {
@@ -89,19 +90,19 @@ STRAHL_INLINE void add_unknown_light(const ProvedShading<S>& shading, const Hit<
                     largest(hit.material.diffuse) + known.diffuse + hit.material.specular, known.off);
 }
 
-/// How far what a hit sends back of a light is off by its angles and its colours, as a share of the light.
+/// Bounds the error of what a hit sends back of a light, as a share of the light: by its angles and its colours.
 template <class S>
 STRAHL_INLINE S light_error(const Hit<S>& hit, const LitBounds<S>& lit, const S& cosine, const HitBounds<S>& known) {
     const S most = largest(hit.material.diffuse) + known.diffuse;
     return fma(most, lit.cosine, fma(known.diffuse, abs(cosine), lit.highlight));
 }
 
-/// By how much the share of its light that a spot sends along -l may be off, between 0 and 1.
+/// Bounds the error of the share of its light that a spotlight sends along -l, between 0 and 1.
 ///
-/// x = |l + a|^2 / 2, if l and the axis are off by q, is by q |l + a| + q^2 / 2. The axis has 7/2 u; the cosines of the
-/// cone's angles, less 1, 4 u; what x has of them, and its own, counts 8 u. Between the angles the share grows with
-/// their way to x, so it is between what it is at the ends of that, and exactly 0 beyond the larger. The exponent
-/// counts as a highlight's does.
+/// If l and the axis a are off by q, x = |l + a|^2 / 2 is off by q |l + a| + q^2 / 2. The axis has 7/2 u; the cosines
+/// of the cone's angles, less 1, 4 u; what x has of them, and its own, counts 8 u. Between the angles the share changes
+/// monotonically with x, so it is between its values at the ends of x's interval, and exactly 0 beyond the larger
+/// angle. The exponent counts as a highlight's does.
 template <class S>
 [[gnu::noinline]] S spot_error(const LightKernel<Element<S>>& light, const Vec3<S>& l, const S& turn) {
     using T = Element<S>;
@@ -123,7 +124,7 @@ template <class S>
     }
     return select(way + wrong < S(0), S(0), select(error < S(1), error, S(1)));
 }
-/// Adds it to the errors of hits, as far as they may be lit.
+/// Adds the error of a spotlight's share to the errors of hits, times the most light that they may send back of it.
 template <class S>
 STRAHL_INLINE void add_spot_error(const ProvedShading<S>& shading, const Hit<S>& hit,
                                   const LightKernel<Element<S>>& light, const LitBounds<S>& lit, const Vec3<S>& l,
@@ -135,7 +136,8 @@ STRAHL_INLINE void add_spot_error(const ProvedShading<S>& shading, const Hit<S>&
                     select(told, spot_error(light, l, lit.ray.turn), S(1)), known.off);
 }
 
-/// The share of a light that reaches hits, in the lanes of `faces`. Adds the light's error to that of the hits.
+/// Returns the share of a light that reaches hits, in the lanes of `faces`. Adds the error of the light to those of the
+/// hits.
 template <class S>
 STRAHL_INLINE Vec3<S> share_proved(const ProvedShading<S>& shading, const Hit<S>& hit, const LitBounds<S>& lit,
                                    const Vec3<S>& l, const S& distance, Mask<S> faces, const S& cosine,

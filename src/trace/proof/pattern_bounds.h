@@ -1,5 +1,5 @@
-// By how much colours of patterns, and normals that reliefs bend, may be off where places are: for proofs, compiled
-// once per precision and instruction set, in a file of its own.
+// Error bounds of patterns' colours and of normals that reliefs bend, at places that are off: for proofs, compiled once
+// per precision and instruction set, in a file of its own.
 #pragma once
 #include "num/memory.h"
 #include "num/ray.h"
@@ -8,13 +8,13 @@
 
 namespace strahl::inline STRAHL_LEVEL {
 
-/// By how much the coefficients of hits may be off, in their largest channel.
+/// Error bounds of hits' coefficients, in their largest channel.
 template <class S>
 struct ColorErrors {
     S ambient{0}, diffuse{0};
 };
 
-/// By how much normals may be off, in what lanes they are bent, and in which of these that is known.
+/// Error bounds of normals, with the lanes in which they are bent, and those of these in which a bound is known.
 template <class S>
 struct BentBounds {
     S off;
@@ -24,17 +24,17 @@ struct BentBounds {
 template <class S>
 struct PatternBounds {
     using T = Element<S>;
-    /// Of materials, known by their numbers, that have the colours of their patterns at these positions, which may be
-    /// off by `away`.
+    /// Bounds the errors of materials, known by their numbers, that have the colours of their patterns at these
+    /// positions, which may be off by `away`.
     static ColorErrors<S> of_hits(const World<T>& world, const int* materials, const Vec3<S>& position,
                                   const S& surface, const S& away, const Slack<T>& slack);
-    /// Of the background in directions that are off by `turn`.
+    /// Bounds the error of the background in directions that are off by `turn`.
     static S of_sky(const World<T>& world, const Vec3<S>& direction, const S& turn);
-    /// Of normals as materials bend these, which are off by `normal_off`.
+    /// Bounds the errors of normals that materials bend; unbent they are off by `normal_off`.
     static BentBounds<S> of_normals(const World<T>& world, const int* materials, const Vec3<S>& position,
                                     const S& surface, const Vec3<S>& normal, const S& normal_off, const S& away,
                                     const Slack<T>& slack);
-    /// Of what a transparent material leaves of light at these positions.
+    /// Bounds the error of the light that a transparent material transmits at these positions.
     static S of_filter(const World<T>& world, int material, const Vec3<S>& position, const S& surface, const S& away,
                        const Slack<T>& slack);
 };

@@ -1,4 +1,4 @@
-// Between which colours exact arithmetic has those of patterns. scene/pattern.h says what they are.
+// The code of error bounds of patterns' colours. scene/pattern.h defines the patterns.
 #pragma once
 #include "trace/patterns/pattern_kernel.h"
 #include "trace/proof/pattern_bounds.h"
@@ -6,13 +6,13 @@
 
 namespace strahl::inline STRAHL_LEVEL {
 
-/// A place in a pattern's space, and by how much each coordinate may be off.
+/// A place in a pattern's space, and an error bound of each coordinate.
 template <class S>
 struct OffPlace {
     Vec3<S> p, off;
 };
-/// The row's length carries what the position is off. Roundings: three products and two sums count 3/2 u, and the
-/// offset's sum 1/2.
+/// Finds the place of a position. A row's length carries over the error of the position. Roundings: three products and
+/// two sums count 3/2 u, and the offset's sum 1/2.
 template <class S>
 STRAHL_INLINE OffPlace<S> off_place(const PatternKernel<Element<S>>& pattern, const Vec3<S>& position, const S& away) {
     using T = Element<S>;
@@ -28,10 +28,11 @@ STRAHL_INLINE OffPlace<S> off_place(const PatternKernel<Element<S>>& pattern, co
     return own;
 }
 
-/// The same by uv. Weights carry a point of the exact triangle to one of the computed triangle no further off than its
-/// corners are, so the place is off by what the weights are. A corner's weight grows by the length of the side across
-/// it over twice the area. Roundings: as shares of the way q from a corner the vector across a side has 9/2 u and 2 u
-/// times how narrow the triangle is, the division 3 u and 4 times that; the mean 3/2 u of what is summed.
+/// Finds the place of a position by uv. The same weights carry a point of the exact triangle to one of the computed
+/// triangle no further off than its corners are, so the place is off by the errors of the weights. A corner's weight
+/// grows by the length of the side across it over twice the area. Roundings: relative to the vector q from a corner,
+/// the vector across a side has 9/2 u and 2 u times how narrow the triangle is, the division 3 u and 4 times that; the
+/// mean 3/2 u of what is summed.
 template <class S>
 [[gnu::noinline]] OffPlace<S> off_place_by_uv(const World<Element<S>>& world, const PatternKernel<Element<S>>& pattern,
                                               const Vec3<S>& position, const S& surface, const S& away,
@@ -63,7 +64,7 @@ template <class S>
     }
     return own_place;
 }
-/// The place of a surface's position that is off by `away`.
+/// Finds the place of a surface's position that is off by `away`.
 template <class S>
 STRAHL_INLINE OffPlace<S> off_place(const World<Element<S>>& world, const PatternKernel<Element<S>>& pattern,
                                     const Vec3<S>& position, const S& surface, const S& away,
@@ -73,15 +74,15 @@ STRAHL_INLINE OffPlace<S> off_place(const World<Element<S>>& world, const Patter
     return off_place(pattern, position, away);
 }
 
-/// May a coordinate be on the other side of a whole number?
+/// Returns the lanes in which a coordinate may be on the other side of a whole number.
 template <class S>
 STRAHL_INLINE Mask<S> near_whole(const S& x, const S& off) {
     const S from = fraction(x);
     return !(min(from, S(1) - from) > off);
 }
 
-/// Whether a place is in a brick or in the mortar can only be told where its row is, or where its height is in the
-/// mortar. The mortar's share is rounded once, sums with the shift too.
+/// Returns the lanes in which it is certain whether a place is in a brick or in the mortar: that is where its row is
+/// certain, or where its height is in the mortar. The mortar's share is rounded once, sums with the shift too.
 template <class S>
 STRAHL_INLINE Mask<S> brick_told(const Vec3<Element<S>>& mortar, const OffPlace<S>& place) {
     using T = Element<S>;
@@ -99,13 +100,13 @@ STRAHL_INLINE Mask<S> brick_told(const Vec3<Element<S>>& mortar, const OffPlace<
     return (in_row & in[0] & in[1] & in[2]) | out[1] | (in_row & (out[0] | out[2]));
 }
 
-/// By how much a sum of octaves may be off.
+/// Bounds the error of a sum of octaves of noise.
 ///
-/// Noise changes by no more than 2.32 along each axis: of a corner's slopes, each at most 1, half the mean along the
-/// axis, .4375, and the change of the weights, 15/8 at most, times half the difference of what the two sides have,
-/// which is at most 1 along the axis and 1 across. It is itself no more than .75. Roundings: weights of corners have
+/// Noise changes by at most 2.32 per length along each axis: half the mean of the corners' slopes along it, each at
+/// most 1, makes .4375; the change of the weights, at most 15/8, counts times half the difference between both sides,
+/// which is at most 1 along the axis and 1 across. The value itself is at most .75. Roundings: weights of corners have
 /// 17 u at most and count up to 15 times at each of three steps, slopes and means 25 u; of that a sixth. Places have 1
-/// for each octave before. Beyond 2^40 cells have not the digits for their hashes.
+/// for each octave before. Beyond 2^40 cells lack the digits for their hashes.
 template <class S>
 [[gnu::noinline]] S octaves_error(const PatternKernel<Element<S>>& pattern, const OffPlace<S>& place) {
     using T = Element<S>;
@@ -123,7 +124,8 @@ template <class S>
     return select(known, error, S(std::numeric_limits<T>::infinity()));
 }
 
-/// By how much a pattern's value may be off; infinite where it may be any. Waves rise and fall by 2, and have 4 u.
+/// Bounds the error of a pattern's value; infinite where it may have any. The slopes of waves are 2 and -2; waves have
+/// 4 u.
 template <class S>
 [[gnu::noinline]] S value_error(const PatternKernel<Element<S>>& pattern, const OffPlace<S>& place) {
     using T = Element<S>;
@@ -157,8 +159,8 @@ template <class S>
     return any;
 }
 
-/// By how much the colour of an image may be off: its pixels next to each other differ by no more than any two colours.
-/// Across a radius, less than a quarter of it, an angle is off by no more than 1.02 times what its place is, over the
+/// Bounds the error of an image's colour: pixels next to each other differ by no more than any two colours. An angle is
+/// off by at most 1.02 times the error of its place over the radius, if that error is less than a quarter of the
 /// radius. Roundings: angles have 8 u, places in pixels 2 u of the image's size, and means of colours 6. An image that
 /// is there once may begin or end where its place is within twice its border.
 template <class S>
@@ -188,9 +190,9 @@ template <class S>
     return select(ends(x, off_u) | ends(y, off_v), S(std::numeric_limits<T>::infinity()), error);
 }
 
-/// By how much the colour of a pattern may be off at places. A value that is off by e makes colours that are off by e
-/// times the steepest way between stops that it may be on. Roundings: the share of a stop has 2 u, what it takes and
-/// leaves 3/2.
+/// Bounds the error of a pattern's colour at places. A value that is off by e makes colours that are off by e times the
+/// steepest slope between stops that it may be on. Roundings: the share of a stop has 2 u, the products and the sum
+/// with it 3/2.
 template <class S>
 [[gnu::noinline]] S color_error(const World<Element<S>>& world, const PatternKernel<Element<S>>& pattern,
                                 const OffPlace<S>& place) {
@@ -237,7 +239,7 @@ ColorErrors<S> PatternBounds<S>::of_hits(const World<T>& world, const int* mater
     return errors;
 }
 
-/// Directions may be 3 u longer or shorter than 1.
+/// Directions may be 3 u longer or shorter than 1, which counts as an error of the place.
 template <class S>
 S PatternBounds<S>::of_sky(const World<T>& world, const Vec3<S>& direction, const S& turn) {
     return color_error(world, *world.sky, off_place(*world.sky, direction, turn + S(3 * unit_error<S>)));

@@ -1,13 +1,17 @@
-// How far the point where a ray meets a surface, and what goes on from there, are from where exact arithmetic has them.
+// Error bounds of the point where a ray meets a surface, and of what goes on from there.
 #pragma once
 #include "trace/proof/span_bounds.h"
 
 namespace strahl::inline STRAHL_LEVEL {
 
-/// What is known of a point where a ray meets a surface: how far the exact point may be, by how much its normal may be
-/// turned, and half of what a mirrored ray is turned by that; how far the exact ray's line passes the point, and how
-/// high the point is above the plane that touches the exact surface at the exact point. `sure` if the exact ray meets
-/// the same face there. `spin` is that of the mirrored ray.
+/// Error bounds of a point where a ray meets a surface:
+/// - `away`: the distance to the exact point.
+/// - `normal`: how far the normal may be turned.
+/// - `mirrored`: half of how far that turns a mirrored ray.
+/// - `side`: the distance at which the exact ray's line passes the point.
+/// - `height`: the distance of the point from the plane that touches the exact surface at the exact point.
+/// - `sure`: the exact ray meets the same face there.
+/// - `spin`: that of the mirrored ray, see Doubt.
 template <class S>
 struct PointBounds {
     S away, normal, mirrored, side, height;
@@ -15,19 +19,20 @@ struct PointBounds {
     S spin{std::numeric_limits<Element<S>>::infinity()};
 };
 
-/// Of a point p whose distance from its own exact surface is at most `off`, on a surface of curvature k, by how far the
-/// ray misses it: whatever found it. `turned`: by how much the normal there differs from that of the exact surface.
+/// Bounds the errors of a point p on a surface of curvature k, whose distance from its own exact surface is at most
+/// `off`: by how far the computed ray misses it, however it was found. `turned` bounds the angle between the normal
+/// there and that of the exact surface.
 ///
-/// The exact ray's line passes p at a distance of at most g; what this misses is rounded by (t + |p|) u / 2. It meets
-/// the plane that touches the surface no further than g / c from p, c being the cosine, and there the surface is within
-/// off + k X^2 / 2 of that plane, where X is how far the exact point is: c X <= g + off + k X^2 / 2, of which the
-/// smaller root is 2 d / (c + sqrt(c^2 - 2 k d)) with d = g + off. Factors of 1.1 in k and 1.001 are for k d < .001 and
-/// for rounding.
+/// The exact ray's line passes p at a distance of at most g; what the computed one misses is rounded by
+/// (t + |p|) u / 2. It meets the plane that touches the surface no further than g / c from p, c being the cosine, and
+/// there the surface is within off + k X^2 / 2 of that plane, where X is the distance of the exact point:
+/// c X <= g + off + k X^2 / 2, of which the smaller root is 2 d / (c + sqrt(c^2 - 2 k d)) with d = g + off. Factors of
+/// 1.1 in k and 1.001 are for k d < .001 and for rounding.
 ///
-/// Of a surface that is bent across an axis only, m is the length of the ray's part across that axis. Along s, at right
-/// angles to the axis and the normal n, the exact point is no further than m X: of g the vector s - n (d s) / (d n)
-/// counts, which is m / c long, of the height (d s) / (d n). So the normal is turned by k m X, across the axis, and of
-/// the ray only what is across it is mirrored elsewhere, by twice that.
+/// On a surface that is bent across an axis only, let m be the length of the ray's part across that axis. Along s,
+/// perpendicular to the axis and to the normal n, the exact point is no further than m X: of g the vector
+/// s - n (d s) / (d n) counts, which is m / c long, of the height (d s) / (d n). So the normal is turned by k m X,
+/// across the axis, and of the ray only what is across it is mirrored elsewhere, by twice that.
 template <class S>
 STRAHL_INLINE PointBounds<S> point_bounds(const Ray<S>& ray, const Doubt<S>& doubt, const S& t,
                                           const SurfacePoint<S>& point, const S& off, const S& k, const S& turned,
@@ -45,19 +50,19 @@ STRAHL_INLINE PointBounds<S> point_bounds(const Ray<S>& ray, const Doubt<S>& dou
     return {away, bent + turned, fma(across, bent, turned), side, fma(S(.55) * k * away, away, off), sure};
 }
 
-/// How far a point p that was found on a body may be off the exact one's surface. p = c + r n: by the rounding of this,
-/// (r + |p|) u / 2, and by r times what n is too long, 9/4 u.
+/// Bounds how far a point p that was found on a body is off the exact one's surface. On a ball p = c + r n: by the
+/// rounding of this, (r + |p|) u / 2, and by r times the error of n's length, 9/4 u.
 template <class S>
 STRAHL_INLINE S off_surface(const SphereKernel<S>& ball, const Vec3<S>& p, const Slack<Element<S>>& slack) {
     return S(slack.share) * (norm1(ball.centre) + ball.radius) +
            S(unit_error<S>) * fma(S(2.8), ball.radius, S(.51) * norm1(p));
 }
-/// p is put onto the plane: off by the rounding of n p, 3/2 |p| u, and of this.
+/// The point is put onto the plane: off by the rounding of n p, 3/2 |p| u, and of this.
 template <class S>
 STRAHL_INLINE S off_surface(const PlaneKernel<S>&, const Vec3<S>& p, const Slack<Element<S>>& slack) {
     return fma(S(slack.turn + Element<S>(2.1) * unit_error<S>), norm1(p), S(slack.plane));
 }
-/// With f, no longer than r + height, from the base to p: what is across the axis is off by at most 4 |f| u along it,
+/// With f, no longer than r + height, from the base to p: the part across the axis is off by at most 4 |f| u along it,
 /// the end's height by 5/4 u, the radius by 11/4 u, and all of it by the rounding of two sums.
 template <class S>
 STRAHL_INLINE S off_surface(const CylinderKernel<S>& cylinder, const Vec3<S>& p, const Slack<Element<S>>& slack) {
@@ -66,13 +71,13 @@ STRAHL_INLINE S off_surface(const CylinderKernel<S>& cylinder, const Vec3<S>& p,
     return own + fma(S(slack.turn), cylinder.height, S(unit_error<S>) * rounding);
 }
 
-/// Of a face near a point that was found on it: its curvature, and by how much the normal there differs from that of
-/// the exact surface.
+/// A face near a point that was found on it: its curvature, and a bound of the angle between the normal there and that
+/// of the exact surface.
 template <class S>
 struct Bend {
     S curvature, turned;
 };
-/// The exact normal at x is (x - c) / r, that is n, (x - p) / r and by what n is too long. Slack counts in both.
+/// The exact normal at x is (x - c) / r, the sum of n, (x - p) / r and the error of n's length. Slack counts in both.
 template <class S>
 STRAHL_INLINE Bend<S> bend_of(const SphereKernel<S>& ball, const Vec3<S>&, const S&, const S& off,
                               const Slack<Element<S>>&) {
@@ -91,8 +96,8 @@ STRAHL_INLINE Bend<S> bend_of(const CylinderKernel<S>& cylinder, const Vec3<S>&,
     return {k, fma(S(2) * k, off, S(slack.turn))};
 }
 
-/// The lengths of the parts across and along its axis of a ray of length 1, of surfaces that are bent across an axis
-/// only.
+/// The lengths of the parts of a unit vector across and along the axis of a surface that is bent across that only. For
+/// other surfaces 1 and 0.
 template <class S>
 struct Parts {
     S across, along;
@@ -107,7 +112,7 @@ STRAHL_INLINE Parts<S> parts_of(const CylinderKernel<S>& cylinder, const Vec3<S>
     return {sqrt(dot(across, across)), abs(dot(cylinder.axis, direction))};
 }
 
-/// Is the face certainly all there is of the surface within `edge` of a point of it?
+/// Returns the lanes in which the face is certainly all there is of the surface within `edge` of a point of it.
 template <class S>
 STRAHL_INLINE Mask<S> on_face(const SphereKernel<S>&, const Vec3<S>&, const S&, const S&) {
     return first_lanes<S>(width<S>);
@@ -126,7 +131,8 @@ STRAHL_INLINE Mask<S> on_face(const CylinderKernel<S>& cylinder, const Vec3<S>& 
     return (side & between) | ((!side) & inside);
 }
 
-/// Bodies in which rays that are mirrored by their side go round without their bounds growing, see bound_inside.
+/// True for bodies in which rays that are mirrored by their side go round without their bounds growing, see
+/// bound_inside.
 template <class K>
 inline constexpr bool round_inside = false;
 template <class S>
@@ -134,18 +140,19 @@ inline constexpr bool round_inside<SphereKernel<S>> = true;
 template <class S>
 inline constexpr bool round_inside<CylinderKernel<S>> = true;
 
-/// Of rays that meet from inside the round side, of curvature k = 1 / r, on which they start.
+/// Bounds how far mirrors turn rays that go round inside a body: they meet, from inside, the round side of curvature
+/// k = 1 / r on which they start.
 ///
-/// With f from the centre to any point of a ray, mirrors there keep h = f x d, and of a cylinder its part along the
-/// axis and that of d: by no more than `spin` are these off, h as a share of r. Seen along the axis, in which d is m
-/// long, the side is met at an angle whose sine is s = |h| / (r m) and whose cosine C is c / m. There d is turned by
-/// twice the angle whose sine is C; what s is off by e, turns it by 2 e / C more, while what d was off stays as it is.
-/// h is off by the spin, m by that times a / m, a being d's part along the axis: e = spin (1 + s a / m) / m. So half of
-/// what a mirrored ray is turned is m e / C = spin (m + s a) / c. A factor of 1.01 is for what the squares of e and of
-/// the spin do where they are below a thousandth of those of C and of m.
+/// Let f be the vector from the centre to any point of a ray. Mirrors there keep h = f x d, and of a cylinder its part
+/// along the axis and that of d: these are off by at most `spin`, h as a share of r. Seen along the axis, in which d is
+/// m long, the side is met at an angle whose sine is s = |h| / (r m) and whose cosine C is c / m. There d is turned by
+/// twice the angle whose sine is C; an error e of s turns it by 2 e / C more, while the error of d itself stays as it
+/// is. h is off by the spin, m by that times a / m, a being d's part along the axis: e = spin (1 + s a / m) / m. So
+/// half of what a mirrored ray is turned is m e / C = spin (m + s a) / c. A factor of 1.01 is for the squares of e and
+/// of the spin, where they are below a thousandth of those of C and of m.
 ///
-/// The computed ray misses the point by `missed`, and that is up to `off` beside the surface; the normal is `turned`.
-/// This moves what is mirrored, and changes the spin as often as that happens. Roundings: 10 units of the direction.
+/// The computed ray misses the point by `missed`, and that is up to `off` beside the surface; the normal is off by
+/// `turned`. This moves the mirrored ray, and changes the spin each time. Roundings: 10 units of the direction.
 template <class S>
 STRAHL_INLINE void bound_inside(const S& k, const Ray<S>& ray, const Doubt<S>& doubt, const S& t,
                                 const SurfacePoint<S>& point, const S& off, const S& turned, const Parts<S>& parts,
@@ -160,7 +167,8 @@ STRAHL_INLINE void bound_inside(const S& k, const Ray<S>& ray, const Doubt<S>& d
     known.spin = select(inside, spin, known.spin);
 }
 
-/// Of a point that was put onto a body's surface. The ray's source is the face of the body on which it starts.
+/// Bounds the errors of a point that was put onto a body's surface. The ray's source is the face of the body on which
+/// it starts.
 template <class S, class K>
 STRAHL_INLINE PointBounds<S> point_bounds(const K& body, const Ray<S>& ray, const Doubt<S>& doubt, const S& t,
                                           const SurfacePoint<S>& point, const S& face, const Slack<Element<S>>& slack)

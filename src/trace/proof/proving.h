@@ -1,4 +1,4 @@
-// The policy of proving kernels: bounds of errors travel with rays, and add up in their pixels.
+// The policy of proving kernels: error bounds travel with rays, and add up in their pixels.
 #pragma once
 #include <algorithm>
 
@@ -7,7 +7,7 @@
 
 namespace strahl::inline STRAHL_LEVEL {
 
-/// See Plain for what these members are.
+/// Plain explains these members.
 struct Proving {
     static constexpr bool notes = false, joins = false;
     template <class S>
@@ -17,7 +17,7 @@ struct Proving {
     template <class S>
     using OfLight = LitBounds<S>;
 
-    /// By the largest doubts of a pack.
+    /// Widens by the largest doubts of a pack.
     template <class T>
     struct Widening {
         Doubt<T> most;

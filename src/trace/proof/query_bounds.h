@@ -1,11 +1,13 @@
-// The two questions asked of geometry, as exact arithmetic would answer them: certainly so, or it can't be told.
+// Ray queries on the whole world with error bounds, nearest hit and transmitted light: each lane is certain or
+// undecided.
 #pragma once
 #include "trace/proof/composite_bounds.h"
 #include "trace/proof/light_buffer_bounds.h"
 
 namespace strahl::inline STRAHL_LEVEL {
 
-/// Boxes are as far off as bodies, and as the exact ray is from the computed one anywhere in the hierarchy.
+/// Returns a ray for traversing the hierarchy, widened by the errors of bodies, which boxes have too, and by how far
+/// the exact ray is from the computed one anywhere in the hierarchy.
 template <class S>
 STRAHL_INLINE RoundedTraversalRay<S> traversal_ray(const DoubtfulRay<S>& own, const Slack<Element<S>>& slack) {
     const S way = norm1(own.ray.origin) + S(2 * slack.reach);
@@ -14,7 +16,7 @@ STRAHL_INLINE RoundedTraversalRay<S> traversal_ray(const DoubtfulRay<S>& own, co
     return {own.ray.origin - offs, own.ray.origin + offs, traversal_ray(own.ray).inverse};
 }
 
-/// What may be met in the hierarchy. Not inline: of small worlds its stack would be a burden.
+/// Finds what rays may meet in the hierarchy. Kept out of line: inlined, its stack frame would slow down small worlds.
 template <class S>
 [[gnu::noinline]] void candidates_in_hierarchy(const World<Element<S>>& world, const DoubtfulRay<S>& own,
                                               Mask<S> active, const Slack<Element<S>>& slack, Candidates<S>& found) {
@@ -60,7 +62,7 @@ template <class S>
     });
 }
 
-/// Where rays are in the ball around a body of which nothing else is known, of those that have a bin each.
+/// Bounds the span in the ball around a body of which nothing else is known. For worlds where each item has a bin.
 template <class S>
 [[gnu::noinline]] SpanBounds<S> span_around(const World<Element<S>>& world, int bin, const DoubtfulRay<S>& own,
                                             const Slack<Element<S>>& slack) {
@@ -69,8 +71,8 @@ template <class S>
     return span_bounds(ball, own.ray, own.doubt, S(-1), slack);
 }
 
-/// More than what rays, and bodies that they pass within the world, may be off where they come near to each other. The
-/// balls around bodies with a bin each are no further off.
+/// Returns more than the errors of rays and of bodies where they come near to each other within the world. The balls
+/// around bodies with a bin each are no further off.
 template <class S>
 STRAHL_INLINE S off_nearby(const DoubtfulRay<S>& own, const Slack<Element<S>>& slack) {
     const S way = norm1(own.ray.origin) + S(8 * slack.reach);
@@ -78,7 +80,7 @@ STRAHL_INLINE S off_nearby(const DoubtfulRay<S>& own, const Slack<Element<S>>& s
     return S(4) * (own.doubt.away + S(bodies) + way * (own.doubt.turn + S(16 * unit_error<S>)));
 }
 
-/// Those bodies of a set that rays may meet, by the balls around them.
+/// Returns the bodies of a set that rays may meet, by the balls around them.
 template <class S>
 STRAHL_INLINE BodySet met_bodies(const World<Element<S>>& world, const DoubtfulRay<S>& own, Mask<S> active, BodySet set,
                                  const Slack<Element<S>>& slack) {
@@ -95,7 +97,7 @@ STRAHL_INLINE BodySet met_bodies(const World<Element<S>>& world, const DoubtfulR
     return met;
 }
 
-/// What rays may meet first, of the bodies of the set if there is a bin for each.
+/// Finds what rays may meet first; if each item has a bin, of the bodies of the set.
 template <class S>
 [[gnu::noinline]] Candidates<S> candidates(const World<Element<S>>& world, const DoubtfulRay<S>& own, Mask<S> active,
                                            BodySet set, const Slack<Element<S>>& slack) {
@@ -130,7 +132,8 @@ template <class S>
     return found;
 }
 
-/// What the hierarchy takes from the light. Not inline: of small worlds its stack would be a burden.
+/// Attenuates light by the bodies in the hierarchy. Kept out of line: inlined, its stack frame would slow down small
+/// worlds.
 template <class S>
 [[gnu::noinline]] void light_bounds_in_hierarchy(const World<Element<S>>& world, const DoubtfulRay<S>& own,
                                                  const S& distance, const S& off, Mask<S> active,
@@ -160,7 +163,8 @@ template <class S>
     });
 }
 
-/// Those bodies of a set whose cones some rays to a light can be in, width<S> of the bodies side by side.
+/// Returns the bodies of a set whose cones, as seen from a light, some rays to it can be in. Tests width<S> bodies side
+/// by side.
 template <class S>
 STRAHL_INLINE BodySet bodies_in_cones(const World<Element<S>>& world, int light, const DoubtfulRay<S>& own,
                                       const S& furthest, Mask<S> active, BodySet set) {
@@ -186,8 +190,8 @@ STRAHL_INLINE BodySet bodies_in_cones(const World<Element<S>>& world, int light,
     return set & met;
 }
 
-/// The bodies, by their bins, that can be in the way of some rays, and of which ones. Only for worlds with a bin for
-/// each, and where slack fits into the margins of cones.
+/// Returns the bodies, by their bins, that can be in the way of some rays, and in `reached` of which ones. For worlds
+/// where each item has a bin, and slack that fits into the margins of cones.
 template <class S>
 STRAHL_INLINE BodySet reached_bodies(const World<Element<S>>& world, const DoubtfulRay<S>& own, const S& furthest,
                                      Mask<S> active, const Start<S>& start, Mask<S>* reached) {
@@ -210,7 +214,7 @@ STRAHL_INLINE BodySet reached_bodies(const World<Element<S>>& world, const Doubt
     return set;
 }
 
-/// What light of a light certainly reaches hits.
+/// Bounds the share of a light's light that reaches hits.
 template <class S>
 [[gnu::noinline]] LightBounds<S> light_bounds(const World<Element<S>>& world, const DoubtfulRay<S>& own,
                                               const S& distance, const S& off, Mask<S> active, const Start<S>& start,

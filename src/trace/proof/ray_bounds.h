@@ -1,28 +1,30 @@
-// How far reflected and refracted rays may be off the exact ones.
+// Error bounds of reflected and refracted rays.
 #pragma once
 #include "trace/kernel/scatter.h"
 #include "trace/proof/hit_bounds.h"
 
 namespace strahl::inline STRAHL_LEVEL {
 
-/// By how much a mirrored or a refracted direction may be turned; b is the ratio of indices, c and k the cosine before
-/// and the squared cosine beyond the surface, which is off by no more than `k_error`.
+/// Bounds the angle by which a mirrored direction is off. Here and below b is the ratio of indices, c the cosine before
+/// the surface, and k the squared cosine beyond it, which is off by at most `k_error`.
 ///
-/// Mirrors turn by twice what the normal is turned, or less, see point_bounds. Roundings: e n is off by 3/2 u, which
+/// Mirrors turn rays by twice the turn of the normal, or less, see point_bounds. Roundings: e n is off by 3/2 u, which
 /// counts twice, the normal's length by 9/4 u, also twice; two products and sums.
 template <class S>
 STRAHL_INLINE S turn_reflected(const HitBounds<S>& known) {
     return fma(S(2.002), known.mirrored, known.turn) + S(10 * unit_error<S>);
 }
-/// k = 1 - b^2 (1 - c^2). Roundings: c is off by 3/2 u, so c^2 by 3; b twice by 1/2, sums and products by 2.
+/// Bounds the error of k = 1 - b^2 (1 - c^2). Roundings: c is off by 3/2 u, so c^2 by 3; b twice by 1/2, sums and
+/// products by 2.
 template <class S>
 STRAHL_INLINE S error_beyond(const HitBounds<S>& known, const S& b, const S& c) {
     const S off = known.turn + known.normal;
     return S(1.001) * b * b * off * fma(S(2), abs(c), off) + S(8 * unit_error<S>) * fma(b, b, S(1));
 }
-/// In the plane of incidence a turn by q becomes one by A q, where A = b c / sqrt(k) by Snell's law, across it by b q.
-/// A turn of the normal by N becomes one by |1 - A| N or |b c - sqrt(k)| N. All within what c and k may be. Roundings:
-/// lengths of directions, c and k itself count b^2 / sqrt(k) times.
+/// Bounds the angle by which a refracted direction is off. In the plane of incidence a turn by q becomes one by A q,
+/// where A = b c / sqrt(k) by Snell's law, across it by b q. A turn of the normal by N becomes one by |1 - A| N or
+/// |b c - sqrt(k)| N. All for any c and k within their errors. Roundings: lengths of directions, c and k itself count
+/// b^2 / sqrt(k) times.
 template <class S>
 STRAHL_INLINE S turn_refracted(const HitBounds<S>& known, const S& b, const S& c, const S& k, const S& k_error) {
     const S off = known.turn + known.normal, least = sqrt(max(k - k_error, S(0))), most = sqrt(max(k, S(0)) + k_error);
@@ -32,15 +34,16 @@ STRAHL_INLINE S turn_refracted(const HitBounds<S>& known, const S& b, const S& c
            S(8 * unit_error<S>) * (S(1) + b + fma(b, b, S(1)) / least);
 }
 
-/// How far the exact ray's line passes the computed one's origin p, from where x is the exact one. Mirrored by the
-/// plane that touches the surface at x the way from x to p changes by twice its height, and so does its part across the
-/// ray.
+/// Bounds the distance at which the exact mirrored ray's line passes the computed one's origin p; let x be the exact
+/// origin. Mirroring by the plane that touches the surface at x changes the vector from x to p by twice the height of
+/// p, and its part across the ray by no more.
 template <class S>
 STRAHL_INLINE S side_reflected(const HitBounds<S>& known) {
     return min(S(1.001) * fma(S(2), known.height, known.side), known.away);
 }
-/// In the plane of incidence the way along the surface is the way across the ray divided by its cosine c before it, and
-/// this multiplied by that of the cosine beyond is the way across the refracted ray; k is the square of the latter.
+/// Bounds the same for refracted rays. In the plane of incidence the offset across the ray, divided by its cosine c
+/// before the surface, is the offset along the surface; this times the cosine beyond is the offset across the refracted
+/// ray. k is the square of the latter.
 template <class S>
 STRAHL_INLINE S side_refracted(const HitBounds<S>& known, const S& c, const S& k, const S& k_error) {
     const S least = max(abs(c) - known.turn - known.normal - S(8 * unit_error<S>), S(0));
@@ -49,29 +52,30 @@ STRAHL_INLINE S side_refracted(const HitBounds<S>& known, const S& c, const S& k
     return select(least > S(0), side, known.away);
 }
 
-/// Can it not be told on which side of a bent normal a ray comes, whose cosine is c?
+/// Returns the lanes in which it is undecided on which side of a bent normal a ray comes, whose cosine is c.
 template <class S>
 STRAHL_INLINE Mask<S> bent_side_in_doubt(const HitBounds<S>& known, const S& c) {
     return (known.flat >= S(0)) & !(abs(c) > known.turn + known.normal + S(8 * unit_error<S>));
 }
 
-/// What is known of mirrored rays.
+/// Bounds the errors of mirrored rays.
 template <class S>
 STRAHL_INLINE Doubt<S> bound_reflection(const HitBounds<S>& known) {
     return {select(known.followed, known.away, S(-1)), select(known.followed, turn_reflected(known), S(0)),
             side_reflected(known), known.spin};
 }
 
-/// What is known of mirrored rays where normals may be bent, by which the mirrored direction is made twice: on which
-/// side of the surface it is must be certain, and where it is under it how the bent normal faces the ray.
+/// Bounds the errors of mirrored rays where normals may be bent, so that reflect_bent may have mirrored them twice: it
+/// must be certain on which side of the surface the mirrored direction is and, if it is under it, how the bent normal
+/// faces that direction.
 template <class S>
 [[gnu::noinline]] void bound_bent_reflection(const ProvedShading<S>& shading, const Hit<S>& hit,
-                                             const HitNotes<S, Proving>& rare, const S& share,
+                                             const HitNotes<S, Proving>& notes, const S& share,
                                              Branch<S, Proving>& reflected) {
     constexpr auto u = unit_error<S>;
-    const HitBounds<S>& known = rare.own;
+    const HitBounds<S>& known = notes.own;
     const Vec3<S> mirrored = reflect(hit);
-    const S over = dot(mirrored, rare.flat), back = dot(mirrored, hit.normal), turn = turn_reflected(known);
+    const S over = dot(mirrored, notes.flat), back = dot(mirrored, hit.normal), turn = turn_reflected(known);
     const Mask<S> bent = known.followed & (known.flat >= S(0)), above = over > turn + known.flat + S(16 * u);
     const Mask<S> under =
         (over < -(turn + known.flat + S(16 * u))) & (abs(back) > known.turn + known.normal + S(16 * u));
@@ -85,11 +89,10 @@ template <class S>
     add_bounds(shading.batch, hit.pixel, count(hit.active), select(doubt, hit.weight * share * most, S(0)));
 }
 
-/// What is known of refracted rays; c is the cosine before the surface, k its square beyond it and b the
-/// ratio of indices. Where it can't be told whether the reflection is total, the pixel's bound grows by all that the
-/// refracted light may be. Bent normals are turned to the side that the ray comes from, which must be certain. Medium
-/// stacks are those of exact arithmetic if the camera's rays begin with its own: each
-/// hit that is certain is one on the same body.
+/// Bounds the errors of refracted rays; c is the cosine before the surface, k its square beyond it and b the ratio of
+/// indices. Where it is undecided whether the reflection is total, the pixel's bound grows by all that the refracted
+/// light may be. Bent normals are turned to the side that the ray comes from, which must be certain. Medium stacks are
+/// those of exact arithmetic if the camera's rays begin with its own: each hit that is certain is one on the same body.
 template <class S>
 STRAHL_INLINE void bound_refraction(const ProvedShading<S>& shading, const Hit<S>& hit, const HitBounds<S>& known,
                                     Mask<S> glass, Mask<S> far, const S& b, const S& c, const S& k,

@@ -1,11 +1,11 @@
-// By how much normals that reliefs bend may be off. scene/pattern.h says how they bend them.
+// The code of error bounds of normals that reliefs bend. scene/pattern.h defines the reliefs.
 #pragma once
 #include "trace/proof/pattern_bounds_kernel.h"
 
 namespace strahl::inline STRAHL_LEVEL {
 
-/// What a vector v that is off by `off` makes of length 1 is off by no more than twice `off` over the sum of both
-/// lengths; where that is not small it may be off by anything.
+/// Bounds the error of v brought to length 1, of a v that is off by `off`: at most twice `off` over the sum of both
+/// lengths. Infinite where that is not small.
 template <class S>
 STRAHL_INLINE S unit_error_of(const Vec3<S>& v, const S& off) {
     const S length = sqrt(dot(v, v));
@@ -13,10 +13,11 @@ STRAHL_INLINE S unit_error_of(const Vec3<S>& v, const S& off) {
     return select(off < S(Element<S>(.01)) * length, error, S(std::numeric_limits<Element<S>>::infinity()));
 }
 
-/// With L = |C^T n|, what the columns C of the pattern's space make of the normal, the bent normal is n + L sum v_i b_i
-/// before it is brought to length 1. As the longest column has a length of 1, L is off by no more than sqrt(3) times
-/// the normal and by the columns. A value v_i is off by what its place is and how steep values are there. Roundings: L
-/// has 3 u, each sum and product 1/2 of what there is, of v_i b_i at most.
+/// Bounds the error of a normal that a bump bends. With L = |C^T n|, C being the columns of the pattern's space, the
+/// bent normal is n + L sum v_i b_i before it is brought to length 1. As the longest column has a length of 1, L is off
+/// by at most sqrt(3) times the error of the normal, and by the errors of the columns. A value v_i is off by the error
+/// of its place times how steep values are there. Roundings: L has 3 u, each sum and product 1/2 of what there is, of
+/// v_i b_i at most.
 template <class S>
 [[gnu::noinline]] S bent_error(const BumpKernel<Element<S>>& bump, const OffPlace<S>& place, const Vec3<S>& normal,
                                const S& normal_off) {
@@ -24,7 +25,7 @@ template <class S>
     constexpr T u = unit_error<S>;
     Vec3<S> own, sum = splat<S>(Vec3<T>(0));
     for (int c = 0; c < 3; ++c) own[c] = dot(splat<S>(bump.columns[c]), normal);
-    S values(0), values_off(0), bends(0), bends_off(0);  // sums, without and with how long the bends are
+    S values(0), values_off(0), bends(0), bends_off(0);  // sums, plain and weighted by the lengths of bends
     for (int i = 0; i < 4; ++i) {
         OffPlace<S> corner{place.p + splat<S>(bump.steps[i]), {}};
         for (int c = 0; c < 3; ++c) corner.off[c] = place.off[c] + fma(S(u), abs(corner.p[c]), S(bump.slack.steps));
@@ -43,15 +44,15 @@ template <class S>
     return unit_error_of(fma(length, sum, normal), off + S(8 * u) * fma(length, bends, S(1)));
 }
 
-/// The ways along which u and v grow, and how far they may be off. Not `told` where it is not certain whether the
-/// picture is mirrored.
+/// The directions along which u and v grow, and their error bounds. `told` where it is certain whether the picture is
+/// mirrored.
 template <class S>
 struct OffTangents {
     Tangents<S> along;
     S u_off, v_off;
     Mask<S> told;
 };
-/// The columns they are made of have lengths of at most 1.
+/// Bounds the errors of a map's directions in space. The columns they are made of have lengths of at most 1.
 template <class S>
 STRAHL_INLINE OffTangents<S> off_tangents(const NormalMapKernel<Element<S>>& map, const OffPlace<S>& place) {
     using T = Element<S>;
@@ -67,9 +68,9 @@ STRAHL_INLINE OffTangents<S> off_tangents(const NormalMapKernel<Element<S>>& map
                                     columns * (squared + up * across));
     return {tangents(map, p), around, upwards, told};
 }
-/// By uv, without what they have of the normal: sides of a triangle, both of whose ends are off by what corners are,
-/// times how much further they are in the picture. Roundings: sides and what is further 1/2 u each, products and sums
-/// 2, the part without the normal 6.
+/// Bounds the errors of directions by uv, whose parts along the normal are removed: they consist of sides of a
+/// triangle, both of whose ends have the errors of corners, times how much further they are in the picture. Roundings:
+/// sides and what is further 1/2 u each, products and sums 2, the part without the normal 6.
 template <class S>
 [[gnu::noinline]] OffTangents<S> off_tangents(const PlacedTriangles<S>& t, const Vec3<S>& normal, const S& normal_off,
                                               const Slack<Element<S>>& slack) {
@@ -84,7 +85,7 @@ template <class S>
     const S one = t.on_e[0] * t.on_f[1], other = t.on_e[1] * t.on_f[0];
     return {tangents(t, normal), off(1), off(0), Mask<S>(abs(one - other) > S(4 * u) * (abs(one) + abs(other)))};
 }
-/// Those of a map by uv, whose columns have nothing of the normal.
+/// Bounds the errors of a map's directions by uv. Its columns must have no part along the normal.
 template <class S>
 STRAHL_INLINE OffTangents<S> off_tangents(const NormalMapKernel<Element<S>>& map, const OffTangents<S>& own) {
     using T = Element<S>;
@@ -99,9 +100,10 @@ STRAHL_INLINE OffTangents<S> off_tangents(const NormalMapKernel<Element<S>>& map
     const bool flat = x.z == 0 && y.z == 0;
     return {{way(x), way(y)}, off(x), off(y), Mask<S>(own.told & first_lanes<S>(flat ? width<S> : 0))};
 }
-/// x is the direction of u without what it has of the normal, y = n x x, on the side where v grows, and n stays.
-/// Whether u grows along the surface, and on which side v does if it does, must be certain. Roundings: u has 6 of its
-/// length without the normal, x 4 u, y 2 u, products and sums of the colours 6 of the largest.
+/// Bounds the error of a normal that a map bends. x is the direction of u without its part along the normal, y = n x x,
+/// on the side where v grows, and n stays. It must be certain whether u grows along the surface, and on which side v
+/// does if it does. Roundings: u has 6 of its length without the normal, x 4 u, y 2 u, products and sums of the colours
+/// 6 of the largest.
 template <class S>
 [[gnu::noinline]] S bent_error(const NormalMapKernel<Element<S>>& map, const OffPlace<S>& place,
                                const OffTangents<S>& off_along, const Vec3<S>& normal, const S& normal_off) {
@@ -133,9 +135,9 @@ template <class S>
     return select(told, error, S(std::numeric_limits<T>::infinity()));
 }
 
-/// By uv the bent normal of a bump is made in the space of u, v and the surface's normal, and from its axes x and y,
-/// across v and across u, both over the square root of the area that they span, and the normal bent before. Roundings:
-/// each of the axes has 6 u, the sum 8 u of what is summed.
+/// Bounds the error of a normal that a bump by uv bends. It is made in the space of u, v and the surface's normal, and
+/// from its axes x and y, across v and across u, both over the square root of the area that they span, and the normal
+/// bent before. Roundings: each of the axes has 6 u, the sum 8 u of what is summed.
 template <class S>
 [[gnu::noinline]] S bent_error(const BumpKernel<Element<S>>& bump, const OffPlace<S>& place,
                                const OffTangents<S>& off_along, const Vec3<S>& flat, const S& flat_off,
@@ -161,7 +163,7 @@ template <class S>
     return select(told & (area_off < S(T(.01)) * size), error, S(std::numeric_limits<T>::infinity()));
 }
 
-/// Where normals are off by as much as a thousandth nothing is known.
+/// A normal that is off by a thousandth or more counts as unknown.
 template <class S>
 BentBounds<S> PatternBounds<S>::of_normals(const World<T>& world, const int* materials, const Vec3<S>& position,
                                            const S& surface, const Vec3<S>& normal, const S& normal_off, const S& away,

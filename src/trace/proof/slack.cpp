@@ -11,7 +11,7 @@
 namespace strahl {
 namespace {
 
-/// Compares what a shape emits with what it should.
+/// Compares the kernels that a shape emits with those made in long double, and raises slack by the differences.
 template <class T>
 struct Comparison {
     const ExtendedTransform& to_world;
@@ -50,7 +50,8 @@ struct Comparison {
     void operator()(const Disc& disc, const DiscKernel<T>& kernel) const {
         compare(kernel, extended_kernel(disc, to_world), to_world.rounding(disc.centre), to_world.rounding());
     }
-    /// What long double rounds itself is `place` for places and, as a share, `rounding` for lengths and directions.
+    /// Compares kernels, of which long double's own positions are off by `place` and its lengths and directions by the
+    /// share `rounding`.
     void compare(const CylinderKernel<T>& kernel, const CylinderKernel<Extended>& own, Extended place,
                  Extended rounding) const {
         const Extended off = apart(kernel.base, own.base) + place + std::abs(kernel.radius - own.radius) +
@@ -85,8 +86,9 @@ struct Comparison {
     }
     /// In its own space a ball is exact.
     void compare(const SphereKernel<T>&, const SphereKernel<Extended>&, Extended, Extended) const {}
-    /// Of exact rows R (1 + E) the size of E; columns are those of the inverse of R. Long double's own columns are off
-    /// by `rounding` as a share of each, its rows by a few units of the products of three of their lengths as well.
+    /// Finds the size of E, of exact rows R (1 + E); columns are those of the inverse of R. Long double's own columns
+    /// are off by `rounding` as a share of each, its rows by a few units of the products of three of their lengths as
+    /// well.
     template <class Shape, class K>
         requires requires(const Shape& shape) { in_own_space(shape); }
     void operator()(const Shape& shape, const AffineKernel<K, T>& kernel) const {
@@ -108,7 +110,7 @@ struct Comparison {
         raise(slack.turn, size + to_world.rounding() * condition + few * narrow);
         compare(kernel.shape, own.shape, 0, few);
     }
-    /// Places are those of the corners, directions the rows as shares of their lengths.
+    /// Positions are those of the corners, directions the rows as shares of their lengths.
     void operator()(const Cuboid& box, const BoxKernel<T>& kernel) const {
         const BoxKernel<Extended> own = extended_kernel(box, to_world);
         const std::array rows{own.row_x, own.row_y, own.row_z};
@@ -152,12 +154,13 @@ struct Comparison {
     void operator()(const Mesh& mesh, const SmoothTriangleKernel<T>& kernel) const {
         (*this)(smooth_triangle_of(mesh, triangles++), kernel);
     }
-    /// Kernels that proofs do not know.
+    /// Skips kernels that proofs do not know.
     template <class Kind, class Kernel>
     void operator()(const Kind&, const Kernel&) const {}
 };
 
-/// Here, because g++ warns of lambdas of other functions that hold what this namespace hides.
+/// Compares all shapes of a scene. A function in this namespace, because g++ warns of lambdas of other functions that
+/// hold what the namespace hides.
 template <class T>
 void compare_all(const Scene& scene, const Placement& placement, Slack<T>& slack) {
     const auto compare_shape = [&](const Primitive& part, const WorldTransform& to_world,
@@ -216,7 +219,7 @@ void add_eye(Slack<T>& slack, const View& view, const Placement& placement) {
 
 namespace {
 
-/// How far a body's box, its plane and what is inside may be off, generously.
+/// Returns a generous bound of the errors of a body's box, of its plane and of the test for its inside.
 double margin_of(const Primitive& body, const Box& box, const DVec3& eye) {
     double margin = 1e-9 * static_cast<double>(sum_of(extended(eye)));
     for (int c = 0; c < 3; ++c)
@@ -233,7 +236,8 @@ double margin_of(const Primitive& body, const Box& box, const DVec3& eye) {
     return margin;
 }
 
-/// Is an eye certainly outside of a body, or inside a convex one? Of that an octahedron around the eye tells.
+/// Returns true if an eye is certainly outside of a body, or certainly inside a convex one: then all corners of an
+/// octahedron around it are inside.
 bool certain_side(const Primitive& body, const DVec3& eye) {
     const Box box = world_bounds(body);
     const double margin = margin_of(body, box, eye);

@@ -1,4 +1,4 @@
-// By how much a world in double or in extended precision differs from the scene that it is made of.
+// Bounds of the differences between a world, in double or in extended precision, and the scene that it is made of.
 #pragma once
 #include "trace/proof/proving_kernel.h"
 #include "trace/world/build_world.h"
@@ -6,17 +6,17 @@
 
 namespace strahl {
 
-/// Of the bodies that proofs know: those for whose kernels there is a span_bounds(). Found by making their numbers once
-/// more in long double. Infinite where a body has motions.
+/// Bounds the errors of the bodies that proofs know, those for whose kernels there is a span_bounds(), by making their
+/// numbers once more in long double. Infinite where a body has motions.
 template <class T>
 Slack<T> slack_of(const Scene& scene, const Placement& placement);
 
-/// Adds that of the camera's rays, which should go through the middles of pixels: a shift is an error as well.
+/// Adds the errors of the camera's rays, which should go through the middles of pixels: a shift is an error as well.
 template <class T>
 void add_eye(Slack<T>& slack, const View& view, const Placement& placement);
 
-/// Is it certain which transparent bodies a camera is in? Not near their surfaces, nor, of those that are not convex,
-/// in their boxes.
+/// Returns true if it is certain which transparent bodies a camera is in. It is not near their surfaces nor, if they
+/// are not convex, in their boxes.
 bool knows_medium(const Scene& scene, const DVec3& eye);
 
 }  // namespace strahl

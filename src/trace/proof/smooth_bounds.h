@@ -1,10 +1,10 @@
-// Where exact arithmetic has the crossing of a ray with a smooth triangle, and the normal there.
+// Error bounds of a ray's crossing with a smooth triangle, and of the normal there.
 #pragma once
 #include "trace/proof/triangle_bounds.h"
 
 namespace strahl::inline STRAHL_LEVEL {
 
-/// The flat triangle is what is met.
+/// Bounds the crossing, which is that of the flat triangle.
 template <class S, class K>
 STRAHL_INLINE SpanBounds<S> span_bounds(const SmoothTriangleKernel<K>& triangle, const Ray<S>& ray,
                                         const Doubt<S>& doubt, const S& start, const Slack<Element<S>>& slack) {
@@ -15,11 +15,12 @@ STRAHL_INLINE S off_surface(const SmoothTriangleKernel<S>& triangle, const Vec3<
     return off_surface(triangle.flat, p, slack);
 }
 
-/// The sum of the corners' normals, of which the longest is 1, by the weights of p. What has the exact point's weights
-/// between the corners here is no further from p than that is and the corners are off, and edge() knows how well p's
-/// weights are known: per length the sum changes by no more than `slope`. It has slack.turn of the normals, 4 units of
-/// each and of its own. The normal that is told is compared with it. On which side of that the ray comes from must be
-/// certain, for it is turned to that side.
+/// Bounds the errors of a point and of its normal. The normal is computed once more: the sum of the corners' normals,
+/// of which the longest is 1, by the weights of p. The point with the exact point's weights between the corners here is
+/// no further from p than the exact point is and the corners are off, and edge() bounds the errors of p's weights: per
+/// length the sum changes by at most `slope`. Its error has slack.turn of the normals, 4 units of each and of its own.
+/// The kernel's normal is compared with it. On which side of that normal the ray comes must be certain, for it is
+/// turned to that side.
 template <class S>
 [[gnu::noinline]] PointBounds<S> point_bounds(const SmoothTriangleKernel<S>& kernel, const Ray<S>& ray,
                                               const Doubt<S>& doubt, const S& t, const SurfacePoint<S>& point,
@@ -41,7 +42,7 @@ template <class S>
     const S side = select(dot(bent, point.normal) < S(0), S(-1), S(1));
     const S wrong = norm1(fma(side, point.normal, scale(S(-1) / length, bent)));
     known.normal = known.mirrored = S(1.02) * off / length + wrong + S(4 * u);
-    known.height = known.away;  // along a normal that is not the plane's
+    known.height = known.away;  // measured along a normal that is not the plane's
     known.sure = known.sure & (off < S(.01f) * length) &
                  (abs(dot(ray.direction, point.normal)) > known.normal + doubt.turn + S(8 * u));
     return known;

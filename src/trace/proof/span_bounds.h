@@ -1,23 +1,34 @@
-// Between which numbers exact arithmetic has the crossings of a ray with a ball, a plane or a cylinder.
+// Errors of rays, and bounds between which exact arithmetic has their crossings with a ball, a plane or a cylinder.
+//
+// Each formula takes a computed ray and what is known of its error (Doubt), adds the error of the body's own numbers
+// (Slack) and the rounding errors of its own operations, and returns intervals that contain the exact crossings.
 #pragma once
 #include "trace/forms/items_kernel.h"
 #include "trace/proof/proving_kernel.h"
 
 namespace strahl::inline STRAHL_LEVEL {
 
-/// Of a ray: the exact one starts no further than `away` from the computed origin, and its direction, of length 1, is
-/// no further than `turn` from the computed one brought to length 1; that of the latter is off by at most 3 units. Its
-/// line passes the computed origin no further than `side`, which is less where rays leave surfaces at an angle. `spin`
-/// is for rays that stay in the body on which they start, see bound_inside. Rays that are not followed have nothing of
-/// the kind, `away` is below 0: all light that they may bring is in the bound of their pixel already.
+/// Bounds how far a computed ray may be from the exact one, the ray that exact arithmetic would trace in its place:
+/// - `away`: the distance between the two origins.
+/// - `turn`: the length of the difference between the two directions, both brought to length 1: as good as the angle
+///   between them, in radians. (The kernel's direction itself is at most 3 units longer or shorter than 1.) At distance
+///   t, the exact ray is no further than away + t turn from the computed one.
+/// - `side`: the distance at which the exact ray's line passes the computed origin. It is at most `away`, and less
+///   where rays leave surfaces at a slant, since an error of the origin along the ray does not move the line.
+/// - `spin`: of rays that go round inside a ball or a cylinder: the error of what mirrors there keep, f x d of the
+///   vector f from the centre and the direction d, as a share of the radius. See bound_inside; infinite if not known.
+///
+/// A ray is followed as long as these are known. One that is not followed has an `away` below 0 and nothing else: all
+/// light that it may bring has been added to its pixel's bound.
 template <class S>
 struct Doubt {
     S away, turn, side = away, spin{std::numeric_limits<Element<S>>::infinity()};
 };
 
-/// A unit: twice the rounding of an operation, as a share of its result. Formulas count roundings, without fma, and so
-/// halves of it. A vector's are no longer than a share of the vector; a scalar product of unit vectors is off by 3/2
-/// units, a vector divided by its length by 9/4 in length and by 1/2 in direction.
+/// One unit: the rounding error of an operation is at most half of it, as a share of the result. Formulas count
+/// roundings, as if nothing were fused, and so halves of a unit. The rounding error of a vector is no longer than such
+/// a share of the vector. A scalar product of unit vectors is off by 3/2 units, a vector divided by its length by 9/4
+/// in length and by 1/2 in direction.
 template <class S>
 inline constexpr Element<S> unit_error = std::numeric_limits<Element<S>>::epsilon();
 
@@ -26,8 +37,9 @@ STRAHL_INLINE S norm1(const Vec3<S>& v) {
     return abs(v.x) + abs(v.y) + abs(v.z);
 }
 
-/// Where the exact ray enters and leaves a convex body, if it does: certainly where `sure`, certainly not where not
-/// `maybe`. What of that is behind the ray's start, or is the start, may be told as -infinity.
+/// Bounds where the exact ray enters and leaves a convex body, as distances along it: within [near_low, near_high] and
+/// [far_low, far_high]. It certainly meets the body where `sure`, and certainly does not where not `maybe`. Crossings
+/// behind the ray's start, or at it, may be given as -infinity.
 template <class S>
 struct SpanBounds {
     static constexpr Element<S> inf = std::numeric_limits<Element<S>>::infinity();
@@ -35,7 +47,8 @@ struct SpanBounds {
     Mask<S> maybe, sure;
 };
 
-/// The line passes the centre at a distance that is off by at most d; b is off by no more, nor is the radius.
+/// Bounds the span in a ball. The line's distance from the centre is off by at most d; b is off by no more, nor is the
+/// radius.
 template <class S, class K>
 STRAHL_INLINE SpanBounds<S> span_bounds(const SphereKernel<K>& ball, const Ray<S>& ray, const Doubt<S>& doubt,
                                         const S& start, const Slack<Element<S>>& slack) {
@@ -70,14 +83,15 @@ STRAHL_INLINE SpanBounds<S> span_bounds(const PlaneKernel<K>& plane, const Ray<S
     const S towards_error = doubt.turn + S(slack.turn + 8 * u), left = abs(towards) - towards_error;
     const S t = over / towards, off = (over_error + abs(t) * towards_error) / left + S(4 * u) * abs(t);
     const Mask<S> slanted = left > S(0), elsewhere = !(start == S(0));
-    // A parallel plane is met far away, if at all.
+    // A plane nearly parallel to the ray is met far away, if at all.
     const S nearest = (abs(over) - over_error) / (abs(towards) + towards_error);
     return {select(slanted, t - off, nearest), select(slanted, t + off, S(inf)), S(-inf), S(-inf), elsewhere,
             Mask<S>(elsewhere & slanted)};
 }
 
-/// Between the planes of a cylinder's ends; rays may start on one. The errors of `along` and of the slope hold 9 units
-/// more than their own roundings, as shares of |along| and of 1: these are for roundings here.
+/// Bounds the span between the planes of a cylinder's ends; rays may start on one of them. The errors of `along` and of
+/// the slope include 9 units more than their own roundings, as shares of |along| and of 1: these are for the roundings
+/// here.
 template <class S>
 STRAHL_INLINE SpanBounds<S> between_ends(const S& along, const S& slope, const S& height, const S& error,
                                          const S& slope_error, const S& start) {
@@ -89,7 +103,8 @@ STRAHL_INLINE SpanBounds<S> between_ends(const S& along, const S& slope, const S
     const S off_base = select(at_base, S(0), (error + abs(to_base) * slope_error) / left + S(4 * u) * abs(to_base));
     const S off_cap = select(at_cap, S(0), (error + abs(to_cap) * slope_error) / left + S(4 * u) * abs(to_cap));
     const Mask<S> slanted = left > S(0);
-    // Of a ray across the axis that starts between the ends, both are far away; so is the way in from beyond them.
+    // If a ray nearly perpendicular to the axis starts between the ends, both are far away; if it starts beyond them,
+    // so is the way in.
     const S room = (min(along, height - along) - error) / (abs(slope) + slope_error);
     const S gap = (max(-along, along - height) - error) / (abs(slope) + slope_error);
     const Mask<S> within = room > S(0), beyond = gap > S(0);
@@ -102,7 +117,7 @@ STRAHL_INLINE SpanBounds<S> between_ends(const S& along, const S& slope, const S
     return span;
 }
 
-/// As for the ball, seen along the axis, where the ray is only m long.
+/// Bounds the span in a cylinder: as for the ball, seen along the axis, where the ray's direction is only m long.
 template <class S, class K>
 STRAHL_INLINE SpanBounds<S> span_bounds(const CylinderKernel<K>& cylinder, const Ray<S>& ray, const Doubt<S>& doubt,
                                         const S& start, const Slack<Element<S>>& slack) {

@@ -1,27 +1,27 @@
-// Between which numbers exact arithmetic has the first crossing of a ray with a torus.
+// Error bounds of a ray's first crossing with a torus, and of the point there.
 #pragma once
 #include "trace/proof/point_bounds.h"
 
 namespace strahl::inline STRAHL_LEVEL {
 
-/// Of a body that is not convex the first crossing ahead is known: `near` of rays that start outside, `far` of those
-/// that start inside. There may be more from `later` on.
+/// Bounds the first crossing ahead of a body that is not convex: `near` of rays that start outside, `far` of those that
+/// start inside. There may be more from `later` on.
 template <class S>
 struct FirstBounds : SpanBounds<S> {
     S later;
 };
 
-/// By how much a torus' places and lengths are off. If its axis turns its circle moves by no more than the major radius
-/// times that.
+/// Bounds the errors of a torus' positions and lengths. If its axis turns its circle moves by no more than the major
+/// radius times that.
 template <class S, class K>
 STRAHL_INLINE S own_error(const TorusKernel<K>& torus, const Slack<Element<S>>& slack) {
     const S major(torus.major);
     return S(slack.share) * (norm1(splat<S>(torus.centre)) + major + S(torus.minor)) + S(slack.turn) * major;
 }
 
-/// How far points of a ray are from a torus: from its circle, less the minor radius; below 0 inside. Along the ray this
-/// changes by no more than the way, and is off by what ray and torus are, by 10 units of |f| and t for rounding and 3
-/// for the direction's length: `off`.
+/// Finds how far points of a ray are from a torus: from its circle, less the minor radius; below 0 inside. Along the
+/// ray this distance changes by no more than t does, and is off by the errors of ray and torus, by 10 units of |f| and
+/// t for rounding and 3 for the direction's length: `off`.
 template <class S>
 struct TorusDistance {
     Vec3<S> f, d, axis;
@@ -52,13 +52,14 @@ struct TorusDistance {
         const S out = sqrt(dot(across, across)), q = out - major;
         return {across, out, along, sqrt(fma(q, q, along * along)) - minor};
     }
-    /// How fast the distance grows there.
+    /// Returns how fast the distance grows along the ray there.
     STRAHL_INLINE S growth(const Place& place) const {
         const S across = dot(place.across, d) / place.out;
         return fma(place.out - major, across, place.along * dot(axis, d)) / (place.distance + minor);
     }
-    /// How much that changes on the way, at most, as long as neither the tube's middle nor the axis come nearer by more
-    /// than a quarter: on the next `room`, from where the surface is no further away than a hundredth of these.
+    /// `bend` bounds how fast that growth changes, as long as neither the tube's middle nor the axis come nearer by
+    /// more than a quarter: on the next `room` of the ray, from where the surface is no further away than a hundredth
+    /// of these (`close`).
     STRAHL_INLINE S bend(const Place& place) const { return S(1.4) * (S(1) / minor + S(1) / place.out); }
     STRAHL_INLINE S room(const Place& place) const { return S(.23) * min(minor, place.out); }
     STRAHL_INLINE Mask<S> close(const S& way, const Place& place) const {
@@ -66,9 +67,10 @@ struct TorusDistance {
     }
 };
 
-/// The first crossing is where the computed one is, if the distance has a sign before it and another behind it, changes
-/// steadily in between, and no crossing comes earlier. That is looked for by steps as long as the distance is (J. Hart,
-/// "Sphere Tracing", 1996), up to where it changes steadily. A ray that starts on the torus first leaves it steadily.
+/// Bounds the first crossing. It is where the computed one is, if the distance has a sign before it and the other
+/// behind it, is monotonic in between, and no crossing comes earlier. The last is shown by steps as long as the
+/// distance is (J. Hart, "Sphere Tracing", 1996), up to where it is monotonic. A ray that starts on the torus first
+/// leaves it monotonically.
 template <class S, class K>
 [[gnu::noinline]] FirstBounds<S> span_bounds(const TorusKernel<K>& torus, const Ray<S>& ray, const Doubt<S>& doubt,
                                              const S& start, const Slack<Element<S>>& slack) {
@@ -126,13 +128,15 @@ template <class S, class K>
     return span;
 }
 
-/// Of sums and products of lengths in the torus 10 units, and of two sums.
+/// Bounds how far a point p found on the torus is off the exact surface. Roundings: 10 units of sums and products of
+/// lengths in the torus, and those of two sums.
 template <class S>
 STRAHL_INLINE S off_surface(const TorusKernel<S>& torus, const Vec3<S>& p, const Slack<Element<S>>& slack) {
     return own_error<S>(torus, slack) + S(unit_error<S>) * fma(S(10), torus.major + torus.minor, S(.51) * norm1(p));
 }
-/// The tube and the circles around the axis bend lines on the surface most, which counts a twentieth more nearby. The
-/// way out from the axis is turned by what rounds its part across the axis.
+/// Returns the largest curvature, that of the tube or of the circles around the axis, a twentieth more for points
+/// nearby; and how far the normal is turned. The direction out from the axis is turned by the rounding of its part
+/// across the axis.
 template <class S>
 STRAHL_INLINE Bend<S> bend_of(const TorusKernel<S>& torus, const Vec3<S>& p, const S&, const S& off,
                               const Slack<Element<S>>& slack) {

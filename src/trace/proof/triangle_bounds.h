@@ -1,20 +1,21 @@
-// Between which numbers exact arithmetic has the crossing of a ray with a triangle, and where.
+// Error bounds of a ray's crossing with a triangle, and of the point there.
 #pragma once
 #include "trace/proof/point_bounds.h"
 
 namespace strahl::inline STRAHL_LEVEL {
 
-/// A triangle's plane and sides. Exact corners are no further than `own` from these. To each point of the triangle
-/// belongs the one between the exact corners with the same weights, so that is no further off either. Let p be further
-/// than E + 3 own within the sides and x, a point of the exact plane, no further than E from p: then x is in the exact
-/// triangle. For else on the way to x from what belongs to p, no longer than E + own, lies a point of an exact side,
-/// and what belongs to that on a side here is nearer to p than own + E + own + own. Likewise outside.
+/// A triangle's plane and sides. Exact corners are no further than `own` from the computed ones. To each point of the
+/// triangle corresponds the one between the exact corners with the same weights, which is no further off either. Let p
+/// be inside the sides by more than E + 3 own, and x a point of the exact plane no further than E from p: then x is in
+/// the exact triangle. Otherwise there is a point of an exact side on the way to x from what corresponds to p, which is
+/// no longer than E + own, and what corresponds to that point on a side here is nearer to p than own + E + own + own.
+/// The same holds outside.
 ///
 /// Roundings: n = e x f is off by 2 units of |e| |f|, which is `narrow` times its length, and by 1/2 of this.
 template <class S>
 struct KnownTriangle {
     Vec3<S> e, f, n;
-    S own, width, tall, narrow, tilt;  // tilt: by how much the exact normal may be turned
+    S own, width, tall, narrow, tilt;  // tilt: the angle by which the exact normal may be turned
     Mask<S> clear;                     // it is neither so small nor so narrow that its normal is hardly known
 
     template <class K>
@@ -28,23 +29,23 @@ struct KnownTriangle {
         tilt = S(2.1) * own * width / tall + S(2 * u) * narrow + S(4 * u);
         clear = (dot(n, n) > S(std::numeric_limits<Element<S>>::min() / u)) & (tilt < S(.01));
     }
-    /// How far corner + q is from the nearest side, less what this is off: below 0 outside.
+    /// Returns how far corner + q is from the nearest side, as computed; below 0 outside.
     STRAHL_INLINE S within(const Vec3<S>& q) const {
         const auto from = [&](const Vec3<S>& side, const Vec3<S>& way) {
             return dot(n, cross(side, way)) / (tall * sqrt(dot(side, side)));
         };
         return min(from(e, q), min(from(-f, q - f), from(f - e, q - e)));
     }
-    /// By how much within() is off, and the corners.
+    /// Bounds the errors of within() and of the corners.
     STRAHL_INLINE S edge(const Vec3<S>& q) const {
         return S(3) * own + S(unit_error<S>) * (S(5) + S(3) * narrow) * (norm1(q) + width);
     }
 };
 
-/// The plane is met at p = o + t d. The exact ray passes p, and any point of the triangle that it meets, at a distance
-/// of no more than `off`, on a way no longer than `way`; the plane is met no further than that over the slope from
-/// there. A ray all but in the plane meets the triangle if at all between its corners; `off` further away than what it
-/// may lean on that way it meets nothing.
+/// Bounds the crossing with a triangle. The plane is met at p = o + t d. The exact ray passes p, and any point of the
+/// triangle that it meets, at a distance of at most `off`, on a way no longer than `way`; the plane is met no further
+/// than that over the slope from there. A ray nearly in the plane meets the triangle, if at all, between its corners;
+/// if the plane is further away than `off` and than it may lean towards it on that way, it meets nothing.
 template <class S, class K>
 STRAHL_INLINE SpanBounds<S> span_bounds(const TriangleKernel<K>& kernel, const Ray<S>& ray, const Doubt<S>& doubt,
                                         const S& start, const Slack<Element<S>>& slack) {
@@ -70,7 +71,8 @@ STRAHL_INLINE SpanBounds<S> span_bounds(const TriangleKernel<K>& kernel, const R
             Mask<S>(elsewhere & slanted & (within > edge))};
 }
 
-/// p = a + v e + w f is in the plane of the computed corners but for the roundings of e and f, products and sums.
+/// Bounds how far a point p found on the triangle is off the exact plane. p = a + v e + w f is in the plane of the
+/// computed corners but for the roundings of e and f, products and sums.
 template <class S>
 STRAHL_INLINE S off_surface(const TriangleKernel<S>& kernel, const Vec3<S>& p, const Slack<Element<S>>& slack) {
     const Vec3<S> e = kernel.b - kernel.a, f = kernel.c - kernel.a;
