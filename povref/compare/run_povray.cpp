@@ -34,7 +34,8 @@ class Scratch {
     Scratch() : folder((fs::temp_directory_path() / "strahl-povray-XXXXXX").string()) {
         if (!::mkdtemp(folder.data())) throw std::runtime_error("cannot make a folder in " + folder);
     }
-    /// Removes the files that are always there without needing memory, or a folder that can be listed; others need both.
+    /// Removes the files that are always there without needing memory, or a folder that can be listed; others need
+    /// both.
     ~Scratch() {
         const int opened = ::open(folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC);
         for (const char* const file : {"scene.pov", "scene.ini", "scene.png", "log"}) ::unlinkat(opened, file, 0);

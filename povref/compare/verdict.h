@@ -21,8 +21,8 @@ struct Verdict {
 /// A pixel this near to an edge, in pixels, may differ, because POV-Ray ignores lengths below 1e-4 and 1e-3.
 inline constexpr double edge_radius = 0.01;
 
-/// Compares POV-Ray's picture of a view, `theirs`, with the tracer's, `ours`. Searches for edges where they differ, which
-/// takes minutes if they differ nearly everywhere. Throws Stopped once `stop` is true.
+/// Compares POV-Ray's picture of a view, `theirs`, with the tracer's, `ours`. Searches for edges where they differ,
+/// which takes minutes if they differ nearly everywhere. Throws Stopped once `stop` is true.
 Verdict judge(Tracer& tracer, const View& view, const Frame& ours, const Picture& theirs,
               const std::atomic<bool>* stop = nullptr);
 

@@ -130,7 +130,7 @@ std::string BodyWriter::text() const {
     if (!seen.empty())
         text += heading("Transparent bodies") + declared + "\n" +
                 comment(
-                    "What is seen through a body keeps its colour, its shadow takes the body's. POV-Ray has one "
+                    "Light seen through a body keeps its colour, and its shadow has the body's colour. POV-Ray has one "
                     "pigment for both, so invisible copies cast the shadows.") +
                 shadows + "\n" + seen;
     return text;

@@ -20,8 +20,8 @@ struct PovBodies {
 /// Returns whether a composite has parts of several materials, or of one with another ior than its own.
 bool mixed(const Scene& scene, const Primitive& primitive);
 
-/// Returns all bodies. Opaque ones come first: POV-Ray lists the bodies around the camera in this order, and rays start in the
-/// last one listed.
+/// Returns all bodies. Opaque ones come first: POV-Ray lists the bodies around the camera in this order, and rays start
+/// in the last one listed.
 std::string body_sections(const Scene& scene, const PovBodies& how);
 
 }  // namespace strahl

@@ -5,8 +5,8 @@
 
 namespace strahl {
 
-/// Returns "HEAD item item }" on one line if that fits into 100 columns and HEAD is one line, else with one item a line.
-/// Further lines begin with `indent`.
+/// Returns "HEAD item item }" on one line if that fits into 100 columns and HEAD is one line, else with one item a
+/// line. Further lines begin with `indent`.
 std::string block(const std::string& head, const std::vector<std::string>& items, const std::string& indent = "");
 
 /// Returns `words` as comment lines that begin with `mark`. A line break in `words` does not end the comment.

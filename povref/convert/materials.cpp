@@ -36,8 +36,8 @@ std::string weight(const Material& m) {
     return {digits, std::to_chars(digits, digits + sizeof digits, static_cast<float>(m.reflection + m.refraction)).ptr};
 }
 
-/// Returns the terms of a finish. POV-Ray multiplies ambient and diffuse light by the opacity of the pigment, so they are
-/// divided by it. `opacity` is text, "" for 1.
+/// Returns the terms of a finish. POV-Ray multiplies ambient and diffuse light by the opacity of the pigment, so they
+/// are divided by it. `opacity` is text, "" for 1.
 std::vector<std::string> finish(const Material& m, const std::string& opacity, bool keyword) {
     const auto lit = [&](double k) { return text_of(k) + (k == 0 || opacity.empty() ? "" : "/" + opacity); };
     std::vector<std::string> terms{"ambient " + lit(m.ambient), "diffuse " + lit(m.diffuse)};
@@ -55,8 +55,8 @@ std::string texture(const std::string& pigment, const std::vector<std::string>& 
            "}";
 }
 
-/// Returns the transmitted share for the pigment. With the keyword, which also applies to total reflection, it is relative
-/// to Kr + Kt.
+/// Returns the transmitted share for the pigment. With the keyword, which also applies to total reflection, it is
+/// relative to Kr + Kt.
 double transmitted(const Material& m, bool keyword) {
     return keyword ? m.refraction / (m.reflection + m.refraction) : m.refraction;
 }

@@ -76,27 +76,27 @@ std::vector<std::string> warnings_of(const Plan& plan) {
     if (!plan.scale.fault.empty()) warnings.push_back(plan.scale.fault);
     if (plan.near_one)
         warnings.push_back(
-            "POV-Ray does not count a ray that goes on unbent as a generation; transparent bodies of ior 1 have an ior "
-            "of 1.00000012 instead, which bends by less than can be seen");
+            "POV-Ray does not count an unrefracted ray as a generation; transparent bodies of ior 1 get an ior of "
+            "1.00000012 instead, which refracts by less than can be seen");
     if (plan.mixed)
         warnings.push_back(
-            "in a transparent body made of bodies, each part has an interior of its own, whose ior bends rays; strahl "
-            "has the one of the whole body");
+            "in a transparent body made of bodies POV-Ray refracts by the ior of each part, and strahl by the ior of "
+            "the whole body");
     if (plan.rectangles)
         warnings.push_back(
-            "lights with an area are grids in POV-Ray, here of 16 by 16 points, and the mean of their light is "
-            "multiplied by that of their shadows; with `grid` each point becomes a light of its own, and the pictures "
+            "POV-Ray makes grids of lights with an area, here of 16 by 16 points, and multiplies the mean of their "
+            "light by the mean of their shadows; with `grid` each point becomes a light of its own, and the pictures "
             "are equal");
     if (plan.normal_maps)
-        warnings.push_back("POV-Ray knows no pictures of normals; what has a `normal` is smooth there");
+        warnings.push_back("POV-Ray has no pictures of normals; materials with a `normal` are smooth there");
     if (plan.bumps_by_uv)
         warnings.push_back(
-            "POV-Ray bends normals by uv as if u and v grew along x and y; that is so only of a mesh that lies like "
-            "that");
+            "POV-Ray bends normals by uv as if u and v grew along x and y; the picture is right only for meshes on "
+            "which they do");
     if (plan.bodies_overlap)
         warnings.push_back(
-            "transparent bodies may share space; where a ray leaves one that it did not enter last, it goes on unbent, "
-            "which POV-Ray does not count as a generation: only the depth limit can show that");
+            "transparent bodies may share space; where a ray leaves one that it did not enter last, it continues "
+            "unrefracted, which POV-Ray does not count as a generation: this shows only at the depth limit");
     return warnings;
 }
 
@@ -108,7 +108,7 @@ std::string padded(std::string text, std::size_t width) {
 }
 
 std::string top(const Scene& scene, const PovRequest& request, const Plan& plan) {
-    std::string text = comment(request.title + " for POV-Ray 3.7, as strahl sees it.");
+    std::string text = comment(request.title + " for POV-Ray 3.7, converted by strahl.");
     for (const std::string& warning : warnings_of(plan)) text += comment("Not exact: " + warning + ".");
     text +=
         std::string("\n#version 3.7;\n\nglobal_settings {\n") +
@@ -171,8 +171,8 @@ DVec3 place_of_parallel(const DVec3& direction, const Plan& plan) {
     return -far / plan.scale.factor * normalize(direction);
 }
 
-/// Writes the lights. Grids are written as single points: POV-Ray's own grids multiply the mean of the points' light by the mean of
-/// their shadows, even with area_illumination.
+/// Writes the lights. Grids are written as single points: POV-Ray's own grids multiply the mean of the points' light by
+/// the mean of their shadows, even with area_illumination.
 std::string light_section(const Scene& scene, const Plan& plan, PovMotions& motions) {
     if (scene.lights.empty()) return "";
     std::string text = heading("Lights");
@@ -212,8 +212,8 @@ std::string material_section(const Plan& plan) {
             "transmitted or totally reflected.");
     if (std::any_of(plan.materials.begin(), plan.materials.end(), [](const auto& m) { return m.layered; }))
         text += comment(
-            "A pigment that is wholly clear can't be lit; such a material has a clear layer that lets twice the light "
-            "through, and on it one that is half opaque.");
+            "POV-Ray does not light a pigment that is wholly clear; such a material has a clear layer that lets twice "
+            "the light through, and on it one that is half opaque.");
     for (const PovMaterial& material : plan.materials) text += "\n" + material.declaration;
     return text;
 }

@@ -23,9 +23,9 @@ struct SceneSizes {
     void add(const Scene& scene, const std::vector<Camera>& cameras);
 };
 
-/// Returns the smallest factor with which the farthest point is at least 3e4 away from the camera (150 in a scene with planes,
-/// whose horizon is at 1e7) and the smallest body has a size of at least 1, unless the farthest would be beyond 1e6.
-/// Scenes that fulfil this already, and are not far larger, keep factor 1. `cameras` are all cameras of the scene.
+/// Returns the smallest factor with which the farthest point is at least 3e4 away from the camera (150 in a scene with
+/// planes, whose horizon is at 1e7) and the smallest body has a size of at least 1, unless the farthest would be beyond
+/// 1e6. Scenes that fulfil this already, and are not far larger, keep factor 1. `cameras` are all cameras of the scene.
 PovScale scale_for(const SceneSizes& sizes);
 inline PovScale scale_for(const Scene& scene, const std::vector<Camera>& cameras) {
     SceneSizes sizes;

@@ -24,12 +24,13 @@ inline std::string step_text(const Transformation& step) {
                        ", 0, 0, 0>";
             return "scale " + (f.x == f.y && f.y == f.z ? text_of(f.x) : text_of(f));
         }
-        std::string operator()(const Motion&) const { return ""; }  // patterns have no motions; for bodies see motions.h
+        std::string operator()(const Motion&) const { return ""; }  // for those of bodies see motions.h
     } words;
     return std::visit(words, step);
 }
 
-/// Returns a mesh without its closing brace. A closed one gets a direction in which POV-Ray counts whether a point is inside.
+/// Returns a mesh without its closing brace. A closed one gets a direction in which POV-Ray counts whether a point is
+/// inside.
 inline std::string sentence(const Mesh& mesh) {
     const auto &points = mesh.data->points, &normals = mesh.data->normals;
     const auto &triangles = mesh.data->triangles, &corner_normals = mesh.data->corner_normals;

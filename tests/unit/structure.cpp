@@ -262,7 +262,9 @@ TEST_CASE("one word, one meaning: no two types share a name") {
 }
 
 bool has_word(const std::string& text, const std::string& word) {
-    const auto part_of_word = [&](std::size_t i) { return i < text.size() && (std::isalnum(text[i]) || text[i] == '_'); };
+    const auto part_of_word = [&](std::size_t i) {
+        return i < text.size() && (std::isalnum(text[i]) || text[i] == '_');
+    };
     for (std::size_t at = text.find(word); at != text.npos; at = text.find(word, at + 1))
         if (!part_of_word(at - 1) && !part_of_word(at + word.size())) return true;
     return false;
@@ -288,7 +290,8 @@ TEST_CASE("the page on the source names only what there is") {
             const auto is = [&](const char* folder) { return fs::exists(fs::path(STRAHL_SOURCE) / folder / word); };
             if (word.find("NAME") != word.npos || word.starts_with("X")) continue;
             ++names;
-            CHECK_MESSAGE((files.contains(word) || is("") || is("src")), "src/README.md names the file " << word << ", which is not there");
+            CHECK_MESSAGE((files.contains(word) || is("") || is("src")),
+                          "src/README.md names the file " << word << ", which is not there");
         } else if (std::regex_match(word, name) || word.ends_with("()")) {
             ++names;
             CHECK_MESSAGE(has_word(code, word.substr(0, word.find('('))),

@@ -24,9 +24,9 @@
 namespace strahl {
 namespace {
 
-/// Returns whether a file holds the whole picture, and then removes its checkpoint, which stays if a run was killed after
-/// writing the picture. A file that was cut off is reported, and made again. Throws UsageError for a picture of another
-/// size, which belongs to another film.
+/// Returns whether a file holds the whole picture, and then removes its checkpoint, which stays if a run was killed
+/// after writing the picture. A file that was cut off is reported, and made again. Throws UsageError for a picture of
+/// another size, which belongs to another film.
 bool is_finished(const std::string& path, const Lattice& part) {
     if (!std::filesystem::exists(path)) return false;
     try {
@@ -35,8 +35,8 @@ bool is_finished(const std::string& path, const Lattice& part) {
             remove_checkpoint(path);
             return true;
         }
-        throw UsageError("'" + path + "' is a picture of " + size_text(picture.width, picture.height) + " pixels and not " +
-                         size_text(part.columns, part.rows) +
+        throw UsageError("'" + path + "' is a picture of " + size_text(picture.width, picture.height) +
+                         " pixels and not " + size_text(part.columns, part.rows) +
                          "; give --resume the size that the film was begun with, or another -o");
     } catch (const FileError& error) {
         std::cerr << "strahl: " << printable(error.what()) << "; this frame is made again\n";

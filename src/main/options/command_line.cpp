@@ -130,8 +130,8 @@ int run_command_line(int argc, char** argv) {
     add_reference(app);
     app.require_subcommand(1);
     app.get_formatter()->column_width(26);
-    Action action;
-    add_commands(app, action);
+    ChosenCommand chosen;
+    add_commands(app, chosen);
     app.footer(
         "Exit status: 0 done, 1 failed, 2 wrong usage, 3 error in a file, 130 interrupted.\n"
         "Example: strahl render scenes/article.rt -o article.bmp");
@@ -145,7 +145,7 @@ int run_command_line(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         report_usage(app, error);
     }
-    return action();
+    return chosen();
 }
 
 }  // namespace strahl

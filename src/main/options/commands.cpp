@@ -19,11 +19,12 @@
 namespace strahl {
 namespace {
 
-void add_render(CLI::App& app, Action& action) {
-    auto [command, o] = add_command(app, action, "render", "Render a scene to a picture file", render_command);
+void add_render(CLI::App& app, ChosenCommand& chosen) {
+    auto [command, o] = add_command(app, chosen, "render", "Render a scene to a picture file", render_command);
     add_scene(command, o->scene);
     add_file(command, "-o,--output", o->output,
-             "The picture: .bmp, .png or .exr; or a film: .mp4, .mkv or .webm, which needs ffmpeg; - is standard output");
+             "The picture: .bmp, .png or .exr; or a film: .mp4, .mkv or .webm, which needs ffmpeg; - is standard "
+             "output");
     add_parsed(command, "--size", o->size, parse_size, "Size of the picture in pixels, 640x480 by default", "WxH");
     add_parsed(command, "--crop", o->crop, parse_crop,
                "Render only this part of it; X and Y count from its top left corner", "X,Y,W,H");
@@ -93,8 +94,8 @@ void add_render(CLI::App& app, Action& action) {
         "Ctrl-C saves the finished part as NAME.part.ENDING; a second Ctrl-C stops at once.");
 }
 
-void add_join(CLI::App& app, Action& action) {
-    auto [command, o] = add_command(app, action, "join", "Put the parts of a picture together", join_command);
+void add_join(CLI::App& app, ChosenCommand& chosen) {
+    auto [command, o] = add_command(app, chosen, "join", "Put the parts of a picture together", join_command);
     add_argument(command, "PART", o->parts, "All files that strahl render --part wrote for it")
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     add_file(command, "-o,--output", o->output, "The picture; - is standard output");
@@ -132,12 +133,13 @@ void add_window_options(CLI::App* command, ViewOptions& options) {
     command->add_flag("--verbose", options.verbose, "Log events to standard output");
 }
 
-void add_view(CLI::App& app, Action& action) {
-    auto [command, o] = add_command(app, action, "view", "Fly through a scene in a window", view_until_interrupted);
+void add_view(CLI::App& app, ChosenCommand& chosen) {
+    auto [command, o] = add_command(app, chosen, "view", "Fly through a scene in a window", view_until_interrupted);
     add_scene(command, o->scene);
     add_parsed(command, "--size", o->size, parse_window_size, "Size of the window in pixels", "WxH");
     command->add_flag("--fullscreen", o->full_screen, "Start in full screen (F11)");
-    command->add_flag("--fly", o->fly, "Start flying along the scene's flythrough, or around the scene if it has none; motions play");
+    command->add_flag("--fly", o->fly,
+                      "Start flying along the scene's flythrough, or around the scene if it has none; motions play");
     add_parsed(command, "--still-size", o->still_size, parse_window_size,
                "Size of stills (F12); by default that of the picture in the window", "WxH");
     command->add_option("--still-folder", o->still_folder, "Folder for stills; by default the current one")
@@ -151,9 +153,9 @@ void add_view(CLI::App& app, Action& action) {
         "The word view may be omitted: strahl scenes/article.rt --fly");
 }
 
-void add_play(CLI::App& app, Action& action) {
+void add_play(CLI::App& app, ChosenCommand& chosen) {
     auto [command, o] =
-        add_command(app, action, "play", "Play a scene's flight in full screen", view_until_interrupted);
+        add_command(app, chosen, "play", "Play a scene's flight in full screen", view_until_interrupted);
     o->play = o->full_screen = true;
     add_scene(command, o->scene);
     command
@@ -172,26 +174,27 @@ void add_play(CLI::App& app, Action& action) {
         "Esc ends it, Space pauses. Bodies are where they belong at each moment, whatever the frame rate.");
 }
 
-void add_check(CLI::App& app, Action& action) {
+void add_check(CLI::App& app, ChosenCommand& chosen) {
     auto [command, o] =
-        add_command(app, action, "check", "Report errors in a scene, or list what is in it", check_command);
+        add_command(app, chosen, "check", "Report errors in a scene, or list what is in it", check_command);
     add_scene(command, o->scene);
     command->add_flag("--print", o->print, "Print the scene as text instead");
 }
 
-void add_compare(CLI::App& app, Action& action) {
+void add_compare(CLI::App& app, ChosenCommand& chosen) {
     auto [command, o] =
-        add_command(app, action, "compare", "Report how much two pictures differ; exit status 0 or 1", compare_command);
+        add_command(app, chosen, "compare", "Report how much two pictures differ; exit status 0 or 1", compare_command);
     add_argument(command, "A", o->a, "A picture file: .bmp, .png, .exr, .ppm, .pgm or .pfm");
     add_argument(command, "B", o->b, "Another picture of the same size");
-    command->add_option("--tolerance", o->tolerance, "Largest difference per channel that counts as equal, 0 by default")
+    command
+        ->add_option("--tolerance", o->tolerance, "Largest difference per channel that counts as equal, 0 by default")
         ->check(numbers(0, 1e9))
         ->type_name("T");
     add_file(command, "--heatmap", o->heatmap, "Write a picture of the differences");
 }
 
-void add_bundle(CLI::App& app, Action& action) {
-    auto [command, o] = add_command(app, action, "bundle",
+void add_bundle(CLI::App& app, ChosenCommand& chosen) {
+    auto [command, o] = add_command(app, chosen, "bundle",
                                     "Make a folder that plays a scene on machines without Strahl", bundle_command);
     o->version = STRAHL_VERSION;
     add_argument(command, "SCENE", o->scene, "The scene, an .rt file");
@@ -201,9 +204,9 @@ void add_bundle(CLI::App& app, Action& action) {
     command->footer("FOLDER/play plays it, with the options of strahl play.");
 }
 
-void add_import(CLI::App& app, Action& action) {
+void add_import(CLI::App& app, ChosenCommand& chosen) {
     auto [command, o] =
-        add_command(app, action, "import", "Convert a scene of another program: NFF or Tachyon's", import_command);
+        add_command(app, chosen, "import", "Convert a scene of another program: NFF or Tachyon's", import_command);
     add_argument(command, "FILE", o->file, "The scene, an .nff or .dat file; - is standard input");
     add_file(command, "-o,--output", o->output, "The .rt file; by default -, standard output");
     command->footer(
@@ -211,8 +214,8 @@ void add_import(CLI::App& app, Action& action) {
         "See src/import/README.md.");
 }
 
-void add_pov(CLI::App& app, Action& action) {
-    auto [command, o] = add_command(app, action, "pov", "Convert a scene for POV-Ray", pov_command);
+void add_pov(CLI::App& app, ChosenCommand& chosen) {
+    auto [command, o] = add_command(app, chosen, "pov", "Convert a scene for POV-Ray", pov_command);
     add_scene(command, o->scene);
     add_file(command, "-o,--output", o->output, "The .pov file; an .ini file to render it is written beside it");
     add_size(command, o->width, o->height);
@@ -228,9 +231,9 @@ int crosscheck_until_interrupted(const CrosscheckOptions& options) {
     return crosscheck_command(options, interrupt.flag());
 }
 
-void add_crosscheck(CLI::App& app, Action& action) {
+void add_crosscheck(CLI::App& app, ChosenCommand& chosen) {
     auto [command, o] =
-        add_command(app, action, "crosscheck", "Render scenes with Strahl and POV-Ray and compare; exit status 0 or 1",
+        add_command(app, chosen, "crosscheck", "Render scenes with Strahl and POV-Ray and compare; exit status 0 or 1",
                     crosscheck_until_interrupted);
     add_argument(command, "SCENE", o->scenes, "The scenes, .rt files")
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
@@ -245,9 +248,9 @@ void add_crosscheck(CLI::App& app, Action& action) {
         "Needs povray. See povref/README.md.");
 }
 
-void add_stability(CLI::App& app, Action& action) {
+void add_stability(CLI::App& app, ChosenCommand& chosen) {
     auto [command, o] =
-        add_command(app, action, "stability",
+        add_command(app, chosen, "stability",
                     "Render a scene in float, double and long double; show where they disagree", stability_command);
     add_scene(command, o->scene);
     add_file(command, "-o,--output", o->output,
@@ -262,18 +265,18 @@ void add_stability(CLI::App& app, Action& action) {
 
 }  // namespace
 
-void add_commands(CLI::App& app, Action& action) {
-    add_view(app, action);
-    add_play(app, action);
-    add_render(app, action);
-    add_join(app, action);
-    add_check(app, action);
-    add_compare(app, action);
-    add_bundle(app, action);
-    add_import(app, action);
-    add_pov(app, action);
-    add_crosscheck(app, action);
-    add_stability(app, action);
+void add_commands(CLI::App& app, ChosenCommand& chosen) {
+    add_view(app, chosen);
+    add_play(app, chosen);
+    add_render(app, chosen);
+    add_join(app, chosen);
+    add_check(app, chosen);
+    add_compare(app, chosen);
+    add_bundle(app, chosen);
+    add_import(app, chosen);
+    add_pov(app, chosen);
+    add_crosscheck(app, chosen);
+    add_stability(app, chosen);
 }
 
 }  // namespace strahl

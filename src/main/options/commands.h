@@ -9,9 +9,9 @@ class App;
 namespace strahl {
 
 /// The work that a command line asks for; returns the exit status. Empty until a command has been parsed.
-using Action = std::function<int()>;
+using ChosenCommand = std::function<int()>;
 
-/// Adds all commands with their options to `app`. When one has been parsed, `action` is its work.
-void add_commands(CLI::App& app, Action& action);
+/// Adds all commands with their options to `app`. When one has been parsed, `chosen` is its work.
+void add_commands(CLI::App& app, ChosenCommand& chosen);
 
 }  // namespace strahl

@@ -17,13 +17,13 @@ namespace strahl {
 
 /// Adds a command: a struct of options, and the function that does the work.
 template <class Options>
-std::pair<CLI::App*, std::shared_ptr<Options>> add_command(CLI::App& app, Action& action, const char* name,
+std::pair<CLI::App*, std::shared_ptr<Options>> add_command(CLI::App& app, ChosenCommand& chosen, const char* name,
                                                            const char* help, int (*work)(const Options&)) {
     auto options = std::make_shared<Options>();
     CLI::App* const command = app.add_subcommand(name, help);
     command->set_help_flag("-h,--help", "Print this help");
     command->option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-    command->callback([&action, options, work] { action = [options, work] { return work(*options); }; });
+    command->callback([&chosen, options, work] { chosen = [options, work] { return work(*options); }; });
     return {command, options};
 }
 

@@ -33,8 +33,9 @@ std::string format_of(const std::string& path) {
     return ending == ".mp4" ? "mp4" : ending == ".mkv" ? "matroska" : ending == ".webm" ? "webm" : "";
 }
 
-/// Returns the command line. Colours are declared as those of the stream, BT.709; every player can show 4:2:0. CRF 18 makes files twice as
-/// large as ffmpeg's default, 43 dB instead of 41.5 from the stream (scenes/flythrough.rt, 640x360, H.264).
+/// Returns the command line. Colours are declared as those of the stream, BT.709; every player can show 4:2:0. CRF 18
+/// makes files twice as large as ffmpeg's default, 43 dB instead of 41.5 from the stream (scenes/flythrough.rt,
+/// 640x360, H.264).
 std::vector<std::string> command_of(const std::string& ffmpeg, const std::string& format, const std::string& file,
                                     const std::optional<FilmSound>& sound) {
     std::vector<std::string> words{ffmpeg};

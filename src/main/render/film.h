@@ -22,9 +22,9 @@ struct FilmSound {
     double from = 0;
 };
 
-/// A film that ffmpeg encodes. An older file stays until finish(), as with any other output. ffmpeg has a session of its
-/// own, so that Ctrl-C in a terminal does not reach it. If this program is killed, ffmpeg finishes the frames that it
-/// was sent, in the temporary file.
+/// A film that ffmpeg encodes. An older file stays until finish(), as with any other output. ffmpeg has a session of
+/// its own, so that Ctrl-C in a terminal does not reach it. If this program is killed, ffmpeg finishes the frames that
+/// it was sent, in the temporary file.
 class Film {
   public:
     /// Starts ffmpeg for a stream of Y4M. A sound is cut, or continued by silence, to end with the frames.
@@ -32,8 +32,8 @@ class Film {
     ~Film();
     Film(const Film&) = delete;
 
-    /// Sends the next bytes of the stream. Signals do not interrupt it, because ffmpeg would get half of a frame. This and
-    /// the following functions throw OutputError with ffmpeg's message if it failed.
+    /// Sends the next bytes of the stream. Signals do not interrupt it, because ffmpeg would get half of a frame. This
+    /// and the following functions throw OutputError with ffmpeg's message if it failed.
     void append(std::string_view bytes);
     void finish();
     /// Finishes the frames so far as film.part.mp4. Returns that name.

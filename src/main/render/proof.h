@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "image/picture_writer.h"
-#include "main/render/proof_counts.h"
+#include "main/render/stats.h"
 #include "trace/tracer.h"
 
 namespace strahl {
@@ -21,14 +21,15 @@ class Proof {
     /// Writes the pixels of a tile in double, except undecided ones, which stay open. May be called from any thread.
     void keep(const Tile& tile, PictureWriter& writer);
     std::vector<Pixel> open() const;
-    /// Writes a pixel that was traced again, if that decides it. Returns whether it does. May be called from any thread.
+    /// Writes a pixel that was traced again, if that decides it. Returns whether it does. May be called from any
+    /// thread.
     bool settle(const Tile& pixel, By by, PictureWriter& writer);
     /// Writes the pixels that are still open, as they are in double.
     void close(PictureWriter& writer);
 
     ProofCounts counts() const;
-    /// Writes a map: green where double proves a pixel, blue where extended precision does, darker the larger the bound is,
-    /// and red where it is undecided.
+    /// Writes a map: green where double proves a pixel, blue where extended precision does, darker the larger the bound
+    /// is, and red where it is undecided.
     void write(const std::string& path) const;
 
   private:

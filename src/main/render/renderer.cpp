@@ -50,7 +50,8 @@ Renderer::Renderer(const RenderOptions& o, Scene scene, std::string own_scene_ha
     stats.build_seconds = watch.lap();
 }
 
-bool Renderer::render(const Shot& shot, const Destination& destination, const std::string& label, std::optional<Share> shared) {
+bool Renderer::render(const Shot& shot, const Destination& destination, const std::string& label,
+                      std::optional<Share> shared) {
     const auto& [path, ending, stream] = destination;
     const Share share = shared.value_or(Share{});
     const std::string file = shared ? part_path(path, share) : path;
@@ -133,8 +134,8 @@ BandHeader Renderer::header(const Shot& shot, const PictureWriter& writer, const
             share.parts};
 }
 
-/// Returns the unfinished bands of the share, joined to regions of consecutive bands, each small enough for a list of its
-/// tiles.
+/// Returns the unfinished bands of the share, joined to regions of consecutive bands, each small enough for a list of
+/// its tiles.
 std::vector<Lattice> Renderer::missing(const PictureWriter& writer, Share share) const {
     constexpr std::uint64_t most_pixels = std::uint64_t(1) << 30;
     std::vector<Lattice> regions;

@@ -46,7 +46,8 @@ class Renderer {
 
     /// Traces and writes one picture, or the bands of a share. If interrupted, saves the finished part to a file of its
     /// own (but not of a stream) and returns false.
-    bool render(const Shot& shot, const Destination& destination, const std::string& label, std::optional<Share> share = {});
+    bool render(const Shot& shot, const Destination& destination, const std::string& label,
+                std::optional<Share> share = {});
 
   private:
     Accuracy choose(const Scene& scene, const Shot& shot);

@@ -21,7 +21,8 @@ std::string number(double value) {
     return text.str();
 }
 
-/// Returns the figures of the averages over pixels. Their error is a target and an estimate; that of pruning is bounded.
+/// Returns the figures of the averages over pixels. Their error is a target and an estimate; that of pruning is
+/// bounded.
 std::string samples(const Stats& stats) {
     const auto& [grid, centre, error] = stats.sampling;
     if (grid > 0) return "{ \"in_each_pixel\": " + std::to_string(grid * grid + centre) + " }";

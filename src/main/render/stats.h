@@ -1,14 +1,21 @@
 // Times, rays and errors of a rendering, as a JSON file.
 #pragma once
+#include <cstdint>
 #include <optional>
 #include <string>
 
-#include "main/render/proof_counts.h"
 #include "main/render/values.h"
 #include "trace/measure/picture_accuracy.h"
 #include "trace/tracer.h"
 
 namespace strahl {
+
+/// The number of pixels of a picture that are proved.
+struct ProofCounts {
+    int bits = 8;  // of each value in the file
+    std::int64_t proved = 0, in_extended = 0, undecided = 0;  // pixels; `in_extended` are among `proved`
+    double median = 0;  // of the bounds on the errors of pixels
+};
 
 /// Seconds are wall time. For several frames, times and rays are sums; skipped frames do not count.
 struct Stats {

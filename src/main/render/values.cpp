@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "scene/error.h"
+#include "text/reading/messages.h"
 
 namespace strahl {
 namespace {
@@ -35,8 +36,6 @@ std::optional<std::array<int, count>> numbers(std::string_view text, char separa
     if (at != end) return {};
     return values;
 }
-
-std::string quoted(std::string_view text) { return "'" + std::string(text) + "'"; }
 
 std::string padded(int number, std::size_t digits) {
     const std::string text = std::to_string(number);
@@ -93,7 +92,8 @@ Sampling parse_samples(std::string_view text) {
     if (!n || (*n)[0] != (*n)[1])
         throw UsageError("--samples is 1, or a square grid such as 4x4, not " + quoted(text));
     if ((*n)[0] < 1 || (*n)[0] > largest_grid)
-        throw UsageError("--samples " + std::string(text) + ": grids are 1x1 to " + size_text(largest_grid, largest_grid));
+        throw UsageError("--samples " + std::string(text) + ": grids are 1x1 to " +
+                         size_text(largest_grid, largest_grid));
     return {.grid = (*n)[0], .centre = centre};
 }
 

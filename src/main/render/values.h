@@ -45,8 +45,8 @@ FrameList parse_frames(std::string_view text);
 /// Throws UsageError unless all of `crop` lies in the picture.
 void require_within(const Lattice& crop, Size picture);
 
-/// Returns the file of a frame: `path` with its "%d", "%4d" or "%04d" replaced by the number (padded with zeros), or, if it has
-/// none, with "-0042" inserted before the ending.
+/// Returns the file of a frame: `path` with its "%d", "%4d" or "%04d" replaced by the number (padded with zeros), or,
+/// if it has none, with "-0042" inserted before the ending.
 std::string numbered(const std::string& path, int frame);
 
 /// Returns the file of a share of one picture: "a.png.part-3-of-16".

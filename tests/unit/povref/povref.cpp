@@ -145,7 +145,7 @@ TEST_CASE("bodies made of bodies: a material for each part, or one for all of a 
               "  sphere { <0, 0.5, 1>, 1 translate <0, 0, 0.5> }\n  scale 2\n  scale Unit\n}\n"));
     CHECK(count(clear.pov, "object { Intersection_1 ") == 2);
     const auto says = [](const PovFiles& files) {
-        return std::ranges::any_of(files.warnings, [](const auto& w) { return has(w, "an interior of its own"); });
+        return std::ranges::any_of(files.warnings, [](const auto& w) { return has(w, "the ior of each part"); });
     };
     CHECK_FALSE(says(clear));
     const PovFiles mixed = convert(lens("material { rgb <0, 1, 0> }", glass));
