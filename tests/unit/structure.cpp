@@ -234,6 +234,7 @@ const std::map<std::string, std::string> names_of_several_types{
     {"Side", "of a mesh's edge; of a composite's bound"},
     {"Spot", "the cone of a light; a place of a lattice"},
     {"Stage", "a scene in time; of a cell's work"},
+    {"Widening", "of both policies of kernels, whose members have the same names"},
 };
 
 TEST_CASE("one word, one meaning: no two types share a name") {
