@@ -1,5 +1,5 @@
 # shellcheck shell=bash
-# What the scripts `strahl`, `tests/run` and `tests/attack/run` share: Debian packages, and building a preset.
+# Functions that `strahl`, `tests/run` and `tests/attack/run` share: they install Debian packages and build a preset.
 # shellcheck disable=SC2034  # the lists are for those scripts
 
 build_packages=(g++ cmake ninja-build pkg-config libglfw3-dev libgl-dev libglm-dev libopenimageio-dev zlib1g-dev

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
 #include "files/output_file.h"
 #include "num/decimal.h"
@@ -72,31 +73,27 @@ Plan plan_for(const Scene& scene, const PovRequest& request) {
 }
 
 std::vector<std::string> warnings_of(const Plan& plan) {
+    const std::pair<bool, std::string> all[]{
+        {!plan.scale.fault.empty(), plan.scale.fault},
+        {plan.near_one,
+         "POV-Ray does not count an unrefracted ray as a generation; transparent bodies of ior 1 get an ior of "
+         "1.00000012 instead, which refracts by less than can be seen"},
+        {plan.mixed,
+         "in a transparent body made of bodies POV-Ray refracts by the ior of each part, and strahl by the ior of the "
+         "whole body"},
+        {plan.rectangles,
+         "POV-Ray makes grids of lights with an area, here of 16 by 16 points, and multiplies the mean of their light "
+         "by the mean of their shadows; with `grid` each point becomes a light of its own, and the pictures are equal"},
+        {plan.normal_maps, "POV-Ray has no pictures of normals; materials with a `normal` are smooth there"},
+        {plan.bumps_by_uv,
+         "POV-Ray bends normals by uv as if u and v grew along x and y; the picture is right only for meshes on which "
+         "they do"},
+        {plan.bodies_overlap,
+         "transparent bodies may share space; where a ray leaves one that it did not enter last, it continues "
+         "unrefracted, which POV-Ray does not count as a generation: this shows only at the depth limit"}};
     std::vector<std::string> warnings;
-    if (!plan.scale.fault.empty()) warnings.push_back(plan.scale.fault);
-    if (plan.near_one)
-        warnings.push_back(
-            "POV-Ray does not count an unrefracted ray as a generation; transparent bodies of ior 1 get an ior of "
-            "1.00000012 instead, which refracts by less than can be seen");
-    if (plan.mixed)
-        warnings.push_back(
-            "in a transparent body made of bodies POV-Ray refracts by the ior of each part, and strahl by the ior of "
-            "the whole body");
-    if (plan.rectangles)
-        warnings.push_back(
-            "POV-Ray makes grids of lights with an area, here of 16 by 16 points, and multiplies the mean of their "
-            "light by the mean of their shadows; with `grid` each point becomes a light of its own, and the pictures "
-            "are equal");
-    if (plan.normal_maps)
-        warnings.push_back("POV-Ray has no pictures of normals; materials with a `normal` are smooth there");
-    if (plan.bumps_by_uv)
-        warnings.push_back(
-            "POV-Ray bends normals by uv as if u and v grew along x and y; the picture is right only for meshes on "
-            "which they do");
-    if (plan.bodies_overlap)
-        warnings.push_back(
-            "transparent bodies may share space; where a ray leaves one that it did not enter last, it continues "
-            "unrefracted, which POV-Ray does not count as a generation: this shows only at the depth limit");
+    for (const auto& [applies, warning] : all)
+        if (applies) warnings.push_back(warning);
     return warnings;
 }
 

@@ -15,7 +15,7 @@ struct PovScale {
     std::string fault;  // why a tolerance remains visible even so, or empty
 };
 
-/// How far apart and how large bodies are, over all cameras and moments added.
+/// Distances and sizes of bodies over all cameras and moments added.
 struct SceneSizes {
     double farthest = 0;  // point of a body or light, from a camera
     double smallest = std::numeric_limits<double>::infinity();  // side of a body's box

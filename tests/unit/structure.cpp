@@ -258,8 +258,6 @@ TEST_CASE("one word, one meaning: no two types share a name") {
         const bool allowed = names_of_several_types.contains(name);
         if (!allowed) CHECK_MESSAGE(found.size() == 1, "several types are called " << name << ":" << list);
     }
-    for (const auto& [name, reason] : names_of_several_types)
-        CHECK_MESSAGE(places[name].size() > 1, name << " is in the list of exceptions without need");
 }
 
 bool has_word(const std::string& text, const std::string& word) {

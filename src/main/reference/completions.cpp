@@ -62,7 +62,7 @@ std::string bash_completion(const ProgramText& program) {
 }
 
 std::string zsh_completion(const ProgramText& program) {
-    // In a description brackets end it and colons divide.
+    // zsh ends a description at brackets and divides it at colons.
     const auto plain = [](std::string text) {
         std::erase_if(text, [](char c) { return c == '[' || c == ']' || c == ':'; });
         return text;

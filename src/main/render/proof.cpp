@@ -90,7 +90,7 @@ void Proof::write(const std::string& path) const {
     for (int y = 0; y < part.rows; ++y) {
         for (int x = 0; x < part.columns; ++x) {
             const std::size_t i = std::size_t(y) * part.columns + x;
-            // From 1 at a bound of 1e-16 to .25 at 1.
+            // The brightness falls from 1 for a bound of 1e-16 to .25 for 1.
             const double bright = std::clamp(.25 - std::log10(bounds[i] + 1e-16) * (.75 / 16), .25, 1.);
             constexpr double colors[3][3]{{1, 0, 0}, {.2, .8, .4}, {.2, .4, 1}};
             for (int c = 0; c < 3; ++c)

@@ -101,7 +101,7 @@ void check_size(const Lattice& part, const std::string& ending, bool to_pipe) {
     const double pixels = double(part.columns) * part.rows;
     if (ending == ".bmp" && 3 * pixels + 4. * part.rows > 2e9)
         throw UsageError(size + " pixels are too many for a .bmp file (2 GB); choose .png or .exr");
-    // In memory are some bands, each as traced, filtered and packed, and the whole file if it goes to a pipe.
+    // Memory holds some bands, each as traced, filtered and packed, and the whole file if it goes to a pipe.
     const double row = (ending == ".exr" ? 12. : 6.) * part.columns, band = row * std::min(part.rows, band_rows);
     const double needed = 12 * band + (to_pipe ? row * part.rows : 0), available = available_memory();
     if (needed > available)
