@@ -2,27 +2,28 @@
 
 #include <algorithm>
 #include <cmath>
-#include <compare>
 #include <cstddef>
 #include <glm/matrix.hpp>
 #include <optional>
+#include <utility>
 #include <vector>
 
+#include "scene/box_tree.h"
 #include "scene/leaves.h"
 
 namespace strahl {
 namespace {
 
 /// A transparent body: what of it is known exactly, and a box around it.
-struct Body {
+struct TransparentBody {
     Box box;
     std::optional<Ball> ball;        // if it is one
     std::optional<HalfSpace> space;  // likewise
     double distance = 0;             // of the half-space normal . x < distance
 };
 
-Body body_of(const Primitive& primitive) {
-    Body body;
+TransparentBody body_of(const Primitive& primitive) {
+    TransparentBody body;
     body.box = world_bounds(primitive);
     body.space = half_space(primitive);
     if (body.space) body.distance = dot_product(body.space->normal, body.space->point);
@@ -37,7 +38,13 @@ Body body_of(const Primitive& primitive) {
     return body;
 }
 
-bool may_overlap(const Body& a, const Body& b) {
+bool apart(const Box& a, const Box& b) {
+    for (int c = 0; c < 3; ++c)
+        if (a.high[c] <= b.low[c] || b.high[c] <= a.low[c]) return true;
+    return false;
+}
+
+bool may_overlap(const TransparentBody& a, const TransparentBody& b) {
     if (b.space && !a.space) return may_overlap(b, a);
     if (a.space && b.space) return !(dot_product(a.space->normal, b.space->normal) == -1 && a.distance <= -b.distance);
     if (a.space) {
@@ -47,8 +54,7 @@ bool may_overlap(const Body& a, const Body& b) {
         for (int c = 0; c < 3; ++c) deepest[c] = normal[c] > 0 ? b.box.low[c] : b.box.high[c];
         return dot_product(normal, deepest) < a.distance;
     }
-    for (int c = 0; c < 3; ++c)
-        if (a.box.high[c] <= b.box.low[c] || b.box.high[c] <= a.box.low[c]) return false;
+    if (apart(a.box, b.box)) return false;
     if (!a.ball || !b.ball) return true;
     const DVec3 d = a.ball->centre - b.ball->centre;
     return std::sqrt(dot_product(d, d)) < a.ball->radius + b.ball->radius;
@@ -106,64 +112,17 @@ bool contains(const Primitive& primitive, const DVec3& p) {
 
 namespace {
 
-bool apart(const Box& a, const Box& b) {
-    for (int c = 0; c < 3; ++c)
-        if (a.high[c] <= b.low[c] || b.high[c] <= a.low[c]) return true;
-    return false;
-}
+/// Looks for a pair of bodies that may overlap.
+struct OverlapSearch {
+    const std::vector<TransparentBody>& bodies;
+    const BoxTree& tree;
+    bool found = false;
 
-/// Bodies halved down to single ones, with a box around each half. Two halves are compared only where their boxes meet:
-/// where few do, n bodies take time n log n however they lie, and where many do, a pair that overlaps is soon found.
-class OverlapTree {
-  public:
-    explicit OverlapTree(std::vector<Body>& all) : bodies(all), boxes(4 * all.size() + 1) { build(root()); }
-    bool any() const { return within(root()); }
-
-  private:
-    struct Node {
-        std::size_t index, first, count;  // its box and its bodies
-        Node lower() const { return {2 * index + 1, first, count / 2}; }
-        Node upper() const { return {2 * index + 2, first + count / 2, count - count / 2}; }
-    };
-    Node root() const { return {0, 0, bodies.size()}; }
-
-    void build(const Node& node) {
-        Box& box = boxes[node.index];
-        if (node.count == 1) box = bodies[node.first].box;
-        if (node.count < 2) return;
-        halve(node);
-        build(node.lower());
-        build(node.upper());
-        box.add(boxes[node.lower().index]);
-        box.add(boxes[node.upper().index]);
+    bool skips(const BoxTree::Subtree& a, const BoxTree::Subtree& b) const {
+        return found || apart(tree.box(a), tree.box(b));
     }
-
-    /// By the lower ends along the axis on which they are spread the furthest.
-    void halve(const Node& node) {
-        const auto begin = bodies.begin() + std::ptrdiff_t(node.first);
-        const auto end = begin + std::ptrdiff_t(node.count);
-        Box lows;
-        for (auto body = begin; body != end; ++body) lows.add(body->box.low);
-        const DVec3 spread = lows.size();
-        const int axis = spread.x >= spread.y && spread.x >= spread.z ? 0 : spread.y >= spread.z ? 1 : 2;
-        std::nth_element(begin, begin + std::ptrdiff_t(node.count / 2), end, [axis](const Body& a, const Body& b) {
-            return std::strong_order(a.box.low[axis], b.box.low[axis]) < 0;
-        });
-    }
-
-    bool within(const Node& node) const {
-        if (node.count < 2) return false;
-        return within(node.lower()) || within(node.upper()) || between(node.lower(), node.upper());
-    }
-    bool between(const Node& a, const Node& b) const {
-        if (apart(boxes[a.index], boxes[b.index])) return false;
-        if (a.count == 1 && b.count == 1) return may_overlap(bodies[a.first], bodies[b.first]);
-        if (a.count < b.count) return between(a, b.lower()) || between(a, b.upper());
-        return between(a.lower(), b) || between(a.upper(), b);
-    }
-
-    std::vector<Body>& bodies;
-    std::vector<Box> boxes;
+    void meet(std::size_t a, std::size_t b) { found |= may_overlap(bodies[a], bodies[b]); }
+    void leave(const BoxTree::Subtree&) const {}
 };
 
 /// A ray that goes through a surface without an inside is in its medium until it goes through once more.
@@ -174,19 +133,24 @@ bool closed(const Shape& shape) {
 }  // namespace
 
 bool transparent_bodies_overlap(const Scene& scene) {
-    std::vector<Body> planes, bodies;
+    std::vector<TransparentBody> planes, bodies;
     for (const Primitive& primitive : scene.primitives)
         if (transparent(scene, primitive)) {
             if (!closed(primitive.shape)) return true;
-            const Body body = body_of(primitive);
-            for (const Body& plane : planes)
+            const TransparentBody body = body_of(primitive);
+            for (const TransparentBody& plane : planes)
                 if (may_overlap(plane, body)) return true;
             (body.space ? planes : bodies).push_back(body);
         }
-    for (const Body& plane : planes)
-        for (const Body& body : bodies)
+    for (const TransparentBody& plane : planes)
+        for (const TransparentBody& body : bodies)
             if (may_overlap(plane, body)) return true;
-    return OverlapTree(bodies).any();
+    std::vector<Box> boxes;
+    for (const TransparentBody& body : bodies) boxes.push_back(body.box);
+    const BoxTree tree(std::move(boxes));
+    OverlapSearch search{bodies, tree};
+    tree.visit_pairs(search);
+    return search.found;
 }
 
 }  // namespace strahl

@@ -15,7 +15,7 @@
 #include "trace/proof/proving_kernel.h"
 #include "trace/tracer.h"
 #include "trace/world/build_world.h"
-#include "trace/world/eye_of_view.h"
+#include "trace/world/extended_numbers.h"
 
 namespace strahl {
 

@@ -1,76 +1,26 @@
 #include "trace/tracer.h"
 
 #include <cassert>
+#include <cmath>
+#include <optional>
+#include <utility>
 
+#include "num/thread_pool.h"
+#include "trace/batches.h"
 #include "trace/cells/cell_picture.h"
-#include "trace/tracer_of.h"
+#include "trace/hierarchy/moving_hierarchy.h"
+#include "trace/lights/light_buffer.h"
+#include "trace/proof/slack.h"
+#include "trace/world/light_bound.h"
+#include "trace/world/mip_maps.h"
+#include "trace/world/scene_in_time.h"
+#include "trace/world/split_unions.h"
+#include "trace/world/world_arrays.h"
 
 namespace strahl {
 
 void check_capacity(const Scene& scene, Precision precision) {
     if (precision == Precision::float32) check_capacity<float>(surfaces_of(scene));
-}
-
-struct Tracer::Implementation {
-    Precision precision;
-    Simd simd;
-    std::unique_ptr<AnyTracer> tracer;
-};
-
-Tracer::Tracer(Scene scene, Precision precision, Simd simd) {
-    if (simd == Simd::automatic) simd = best_simd();
-    if (precision == Precision::extended) simd = Simd::scalar;
-    assert(supported(simd));
-    std::unique_ptr<AnyTracer> tracer;
-    switch (precision) {
-        case Precision::float32:
-            tracer = std::make_unique<TracerOf<float>>(std::move(scene), simd);
-            break;
-        case Precision::float64:
-            tracer = std::make_unique<TracerOf<double>>(std::move(scene), simd);
-            break;
-        case Precision::extended:
-            tracer = std::make_unique<TracerOf<long double>>(std::move(scene), simd);
-            break;
-    }
-    implementation = std::make_unique<Implementation>(Implementation{precision, simd, std::move(tracer)});
-}
-Tracer::~Tracer() = default;
-Tracer::Tracer(Tracer&&) noexcept = default;
-Tracer& Tracer::operator=(Tracer&&) noexcept = default;
-const Scene& Tracer::scene() const { return implementation->tracer->scene(); }
-void Tracer::prepare(const View& view, ThreadPool& pool) { implementation->tracer->prepare(view, pool); }
-Precision Tracer::precision() const { return implementation->precision; }
-Simd Tracer::simd() const { return implementation->simd; }
-
-Counts Tracer::trace(const View& view, const Lattice& lattice, ThreadPool& pool, const Sink& sink,
-                     const std::atomic<bool>* stop) {
-    assert(view.depth >= 1 && view.width > 0 && view.height > 0);
-    return implementation->tracer->trace(view, lattice, pool, sink, stop);
-}
-
-Counts Tracer::trace(const View& view, std::span<const Pixel> pixels, ThreadPool& pool, const Sink& sink,
-                     const std::atomic<bool>* stop) {
-    return implementation->tracer->trace_pixels(view, pixels, pool, sink, stop);
-}
-
-Counts Tracer::trace_filled(const View& view, const Lattice& lattice, double contrast, ThreadPool& pool,
-                            const Sink& sink, const std::atomic<bool>* stop) {
-    return implementation->tracer->trace_filled(view, lattice, contrast, pool, sink, stop);
-}
-
-Counts Tracer::trace(const View& view, const Sampling& sampling, const Lattice& region, ThreadPool& pool,
-                     const Sink& sink, const std::atomic<bool>* stop) {
-    if (sampling.grid == 1 && !sampling.centre) return trace(view, region, pool, sink, stop);
-    if (sampling.grid > 0) return implementation->tracer->trace_grids(view, sampling, region, pool, sink, stop);
-    prepare(view, pool);
-    CellPicture picture(scene(), view, region, sampling.error);
-    return trace(view, picture, 0, pool, sink, stop);
-}
-
-Counts Tracer::trace(const View& view, CellPicture& picture, int finest, ThreadPool& pool, const Sink& sink,
-                     const std::atomic<bool>* stop) {
-    return implementation->tracer->trace_cells(view, picture, finest, pool, sink, stop);
 }
 
 Counts& Counts::operator+=(const Counts& other) {
@@ -80,13 +30,278 @@ Counts& Counts::operator+=(const Counts& other) {
     return *this;
 }
 
+class AnyTracer {
+  public:
+    AnyTracer(Scene&& own, Precision of, Simd level)
+        : stage(with_split_unions(std::move(own))), precision(of), simd(level) {}
+    virtual ~AnyTracer() = default;
+    virtual void prepare(const View& view, ThreadPool& pool) = 0;
+    virtual Counts trace(const Job& job, const TracedPixels& pixels) = 0;
+    const Scene& scene() const { return stage.scene(); }
+
+    Stage stage;
+    const Precision precision;
+    const Simd simd;
+};
+
+namespace {
+
+/// A bound in T; infinite before it could overflow when multiplied.
+template <class T>
+T upper(double value) {
+    return value < 1e18 ? static_cast<T>(value) : std::numeric_limits<T>::infinity();
+}
+
+template <class T, class Purpose>
+Kernel<T> kernel_for(Simd simd) {
+    if constexpr (!std::is_same_v<T, long double>) {
+#if defined(STRAHL_KERNEL_v2)
+        if (simd == Simd::v2) return v2::kernel<T, Purpose>();
+#endif
+#if defined(STRAHL_KERNEL_v3)
+        if (simd == Simd::v3) return v3::kernel<T, Purpose>();
+#endif
+#if defined(STRAHL_KERNEL_v4)
+        if (simd == Simd::v4) return v4::kernel<T, Purpose>();
+#endif
+#if defined(STRAHL_KERNEL_neon)
+        if (simd == Simd::neon) return neon::kernel<T, Purpose>();
+#endif
+    }
+    return scalar::kernel<T, Purpose>();
+}
+
+/// A tracer of one precision.
+template <class T>
+class TracerOf : public AnyTracer {
+    using Out = typename Batches<T>::Out;
+
+  public:
+    TracerOf(Scene&& own, Precision precision, Simd simd)
+        : AnyTracer(std::move(own), precision, simd), extent(extent_of(scene())), kernel(kernel_for<T, ForPictures>(simd)) {
+        if constexpr (!std::is_same_v<T, float>) proving = kernel_for<T, ForProofs>(simd);
+    }
+
+    void prepare(const View& view, ThreadPool& pool) override {
+        const bool moved = stage.set(view.time, view.tracks, pool);
+        if (moved) extent = extent_of(scene());
+        const Placement wanted = placement(extent, view.camera.position);
+        if (built && wanted == placed && !moved && (proves == view.prove || std::is_same_v<T, float>)) return;
+        light_buffers.reset(), traced_pixels = 0;
+        if (moved) thin_bodies.reset();
+        built.reset(), slack.reset();
+        built = std::make_unique<BuiltWorld<T>>(scene(), wanted, pool, stage.moves() ? &moving : nullptr, images,
+                                                view.prove);
+        placed = wanted, proves = view.prove;
+    }
+
+    Counts trace(const Job& job, const TracedPixels& pixels) override {
+        prepare(job.view, job.pool);
+        return std::visit([&](const auto& some) { return traced(job, some); }, pixels);
+    }
+
+  private:
+    Counts traced(const Job& job, const Lattice& lattice) {
+        return each_tile(job, lattice, lattice_tile, 0, [&](Batches<T>& batches, const Lattice& tile, int) {
+            batches.trace_tile(tile, job.sink);
+        });
+    }
+
+    Counts traced(const Job& job, std::span<const Pixel> pixels) {
+        return each(job, static_cast<int>(pixels.size()), 0, [&](Batches<T>& batches, int i, int) {
+            batches.trace_tile({pixels[i].x, pixels[i].y, 1, 1}, job.sink);
+        });
+    }
+
+    Counts traced(const Job& job, const FilledLattice& filled) {
+        const auto& [lattice, contrast] = filled;
+        // To learn what is thin takes longer than cells save.
+        constexpr std::size_t many = 10000, many_moving = 1000;
+        if (scene().primitives.size() > (stage.moves() ? many_moving : many)) return traced(job, lattice);
+        if (!thin_bodies) thin_bodies = std::make_shared<const ThinBodies>(scene());
+        const Thin thin(scene(), job.view, thin_bodies);
+        lattice_cells.resize(std::max<std::size_t>(lattice_cells.size(), job.pool.size()));
+        int side = LatticeCells<Out>::side;  // smaller where threads would wait for the last ones; pixels are the same
+        const double few = 8. * job.pool.size(), all = double(lattice.columns) * lattice.rows;
+        while (side > lattice_tile && all < few * side * side) side /= 2;
+        return each_tile(job, lattice, side, contrast, [&](Batches<T>& batches, const Lattice& tile, int thread) {
+            batches.trace_filled(tile, filled.contrast, thin, placed.scale, lattice_cells[thread], job.sink);
+        });
+    }
+
+    Counts traced(const Job& job, const SampledRegion& sampled) {
+        const auto& [region, sampling] = sampled;
+        if (sampling.grid == 1 && !sampling.centre) return traced(job, region);
+        if (sampling.grid > 0)
+            return each_tile(job, region, lattice_tile, 0, [&](Batches<T>& batches, const Lattice& tile, int) {
+                batches.trace_grid(tile, sampled.sampling, job.sink);
+            });
+        CellPicture picture(scene(), job.view, region, sampling.error);
+        return traced(job, CellPass{picture, 0});
+    }
+
+    Counts traced(const Job& job, const CellPass& pass) {
+        const auto refine = [&](Batches<T>& batches, int i, int) {
+            pass.picture.refine(i, pass.finest, job,
+                                [&](int x, int y, std::span<const Point> points, CellSample* samples) {
+                                    batches.trace_points(x, y, placed.scale, points, samples);
+                                });
+        };
+        return each(job, pass.picture.tiles(), pass.picture.contrast(), refine, true);
+    }
+
+    /// Calls work(batches, tile, thread) for the tiles of a lattice, on all threads.
+    template <class Work>
+    Counts each_tile(const Job& job, const Lattice& lattice, int side, double noticed, const Work& work) {
+        const int columns = (lattice.columns + side - 1) / side;
+        const int tiles = columns * ((lattice.rows + side - 1) / side);
+        return each(job, tiles, noticed, [&](Batches<T>& batches, int i, int thread) {
+            const int x = i % columns * side, y = i / columns * side;
+            work(batches,
+                 Lattice{lattice.x + x * lattice.step_x, lattice.y + y * lattice.step_y,
+                         std::min(side, lattice.columns - x), std::min(side, lattice.rows - y), lattice.step_x,
+                         lattice.step_y},
+                 thread);
+        });
+    }
+
+    /// Calls work(batches, i, thread) for 0 <= i < tiles, on all threads.
+    template <class Work>
+    Counts each(const Job& job, int tiles, double noticed, const Work& work, bool filters_images = false) {
+        const View& view = job.view;
+        ThreadPool& pool = job.pool;
+        while (static_cast<int>(workspaces.size()) < pool.size())
+            workspaces.push_back(std::make_unique<Workspace<T>>());
+
+        const Bound bound = bound_for(scene(), view.depth);
+        std::vector<T> brightest;
+        for (const double most : bound.brightest) brightest.push_back(upper<T>(most));
+        const Eye<T> eye = eye_of<T>(view, placed);
+        World<T> world = built->world();
+        world.eye = eye.position;
+        traced_pixels += std::int64_t(tiles) * lattice_tile * lattice_tile;
+        if (!light_buffers && LightBuffers<T>::pay(world, traced_pixels, view.prove))
+            light_buffers = std::make_unique<LightBuffers<T>>(world, pool, view.prove);
+        if (light_buffers) world.light_buffers = light_buffers->buffers();
+        if (filters_images) world.mip_maps = images->mip_maps();
+        const ProvingLimits<T> limits{{.depth = view.depth,
+                                       .error = static_cast<T>(view.error),
+                                       .brightest = brightest.data(),
+                                       .noticed = static_cast<T>(noticed),
+                                       .brightest_limit = upper<T>(bound.limit),
+                                       .stop = job.stop},
+                                      view.prove ? slack_for(view, world, bound.gain) : Slack<T>{}};
+        const std::vector<int> around = built->bodies_around(view.camera.position);
+        std::atomic<int> next{0};
+        std::vector<Counts> counts(pool.size());
+        const auto take = [&](int thread) {
+            Workspace<T>& workspace = *workspaces[thread];
+            Eye<T> own = eye;
+            int list = 0;
+            for (const int body : around) list = push(workspace.mediums, list, body);
+            own.medium = static_cast<T>(list);
+            Batches<T> batches(world, view.prove ? proving : kernel, own, limits, workspace, view.prove);
+            for (int i; !limits.stopped() && (i = next++) < tiles;) work(batches, i, thread);
+            counts[thread] = batches.counts;
+        };
+        pool.run([&](int thread) {
+            try {
+                take(thread);
+            } catch (...) {
+                next = tiles;  // the other threads need not go on
+                throw;
+            }
+        });
+        Counts sum;
+        for (const Counts& c : counts) sum += c;
+        return sum;
+    }
+
+    Slack<T> slack_for(const View& view, const World<T>& world, double gain) {
+        Slack<T> all;
+        if constexpr (!std::is_same_v<T, float>) {
+            if (!slack) {
+                slack = slack_of<T>(scene(), placed);
+                if (lacks_items(world)) slack->share = slack->turn = slack->plane = slack->culled = HUGE_VAL;
+            }
+            all = *slack;
+            add_eye(all, view, placed);
+        }
+        all.medium = !world.nested || knows_medium(scene(), view.camera.position);
+        all.gain = static_cast<T>(gain);
+        all.reach = world.rounding / static_cast<T>(WorldArrays<T>::rounding(1));
+        return all;
+    }
+
+    /// Were bodies left out whose numbers in T are those of another? That they are the same in the scene is not known.
+    bool lacks_items(const World<T>& world) const {
+        ItemCounts declared;
+        for (const Primitive& primitive : scene().primitives) count_items<T>(primitive, declared);
+        int form = 0;
+        bool lacks = false;
+        world.groups.each([&](const auto& group) { lacks |= group.count != declared.items[form++]; });
+        return lacks;
+    }
+
+    Extent extent;
+    MovingHierarchy moving;
+    const std::shared_ptr<Images> images = std::make_shared<Images>();
+    Kernel<T> kernel, proving;      // none of float proves
+    std::optional<Slack<T>> slack;  // of the world's bodies, once proofs want it
+    Placement placed;
+    bool proves = false;  // is the world one for proofs?
+    std::unique_ptr<BuiltWorld<T>> built;
+    std::unique_ptr<LightBuffers<T>> light_buffers;  // once they pay
+    std::int64_t traced_pixels = 0;                  // in this world
+    std::shared_ptr<const ThinBodies> thin_bodies;   // once they are asked for
+    std::vector<std::unique_ptr<Workspace<T>>> workspaces;
+    std::vector<LatticeCells<Out>> lattice_cells;  // one for each thread
+};
+
+std::unique_ptr<AnyTracer> tracer_of(Scene&& scene, Precision precision, Simd simd) {
+    switch (precision) {
+        case Precision::float32:
+            return std::make_unique<TracerOf<float>>(std::move(scene), precision, simd);
+        case Precision::float64:
+            return std::make_unique<TracerOf<double>>(std::move(scene), precision, simd);
+        default:
+            return std::make_unique<TracerOf<long double>>(std::move(scene), precision, simd);
+    }
+}
+
+}  // namespace
+
+Tracer::Tracer(Scene scene, Precision precision, Simd simd) {
+    if (simd == Simd::automatic) simd = best_simd();
+    if (precision == Precision::extended) simd = Simd::scalar;
+    assert(supported(simd));
+    own = tracer_of(std::move(scene), precision, simd);
+}
+Tracer::~Tracer() = default;
+Tracer::Tracer(Tracer&&) noexcept = default;
+Tracer& Tracer::operator=(Tracer&&) noexcept = default;
+const Scene& Tracer::scene() const { return own->scene(); }
+Precision Tracer::precision() const { return own->precision; }
+Simd Tracer::simd() const { return own->simd; }
+void Tracer::prepare(const View& view, ThreadPool& pool) { own->prepare(view, pool); }
+
+Counts Tracer::trace(const Job& job, const TracedPixels& pixels) {
+    assert(job.view.depth >= 1 && job.view.width > 0 && job.view.height > 0);
+    return own->trace(job, pixels);
+}
+
+std::vector<double> values_of(Tracer& tracer, const View& view, const Lattice& lattice, ThreadPool& pool,
+                              const Sampling& sampling, const std::atomic<bool>* stop) {
+    std::vector<double> values(std::size_t(3) * lattice.columns * lattice.rows);
+    const auto keep = [&](const Tile& tile) { place(tile, lattice, values); };
+    tracer.trace({view, pool, keep, stop}, SampledRegion{lattice, sampling});
+    return values;
+}
+
 Frame render(const Scene& scene, const View& view, Precision precision, int threads, Simd simd) {
-    Frame frame{view.width, view.height, std::vector<double>(3 * std::size_t(view.width) * view.height)};
     ThreadPool pool(threads);
     Tracer tracer(scene, precision, simd);
-    const Lattice whole{.columns = view.width, .rows = view.height};
-    tracer.trace(view, whole, pool, [&](const Tile& tile) { place(tile, whole, frame.rgb); });
-    return frame;
+    return {view.width, view.height, values_of(tracer, view, {.columns = view.width, .rows = view.height}, pool)};
 }
 
 }  // namespace strahl

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <memory>
 #include <span>
+#include <variant>
 #include <vector>
 
 #include "scene/scene.h"
@@ -34,6 +35,30 @@ int lanes(Precision precision, Simd simd);
 /// does a tracer when it prepares such a scene.
 void check_capacity(const Scene& scene, Precision precision);
 
+/// TracedPixels with rays only where the picture is not smooth; what lies between is interpolated (lattice_cells.h). TracedPixels
+/// that are filled are off by half of `contrast`, in linear values, and few by more: not a bound. Worlds of very many
+/// bodies are traced as they are. A crop must begin at multiples of 8 pixels of the lattice.
+struct FilledLattice {
+    Lattice lattice;
+    double contrast;
+};
+/// A region, which is a lattice with steps of 1, with more than one ray in a pixel. Values are in double, in every
+/// precision.
+struct SampledRegion {
+    Lattice region;
+    Sampling sampling;
+};
+/// Refines a picture of the view until no unfinished cell is larger than `finest` pixels, or with 0 until all are
+/// finished. A picture whose job was stopped cannot be refined further.
+struct CellPass {
+    CellPicture& picture;
+    int finest;
+};
+/// What can be traced: a lattice or a list of pixels with one ray in each, or one of the above.
+using TracedPixels = std::variant<Lattice, std::span<const Pixel>, FilledLattice, SampledRegion, CellPass>;
+
+class AnyTracer;
+
 /// A scene made ready. Pictures depend on the scene, view, precision and (x86-64-v2 and extended apart) nothing else:
 /// not on lanes, threads, tiles, crops, or the views traced before.
 class Tracer {
@@ -47,30 +72,8 @@ class Tracer {
     /// nothing moves all times do. Otherwise `trace` does.
     void prepare(const View& view, ThreadPool& pool);
 
-    /// Traces the lattice on all threads of the pool and returns when it is done or `stop` became true; tiles that
-    /// were handed to the sink are whole in both cases. Not to be called from two threads at once.
-    Counts trace(const View& view, const Lattice& lattice, ThreadPool& pool, const Sink& sink,
-                 const std::atomic<bool>* stop = nullptr);
-
-    /// The same of single pixels, each of them a tile.
-    Counts trace(const View& view, std::span<const Pixel> pixels, ThreadPool& pool, const Sink& sink,
-                 const std::atomic<bool>* stop = nullptr);
-
-    /// The same with rays only where the picture is not smooth; what lies between is interpolated (lattice_cells.h).
-    /// Pixels that are filled are off by half of `contrast`, in linear values, and few by more: not a bound. Worlds of
-    /// very many bodies are traced as they are. A crop must begin at multiples of 8 pixels of the lattice.
-    Counts trace_filled(const View& view, const Lattice& lattice, double contrast, ThreadPool& pool, const Sink& sink,
-                        const std::atomic<bool>* stop = nullptr);
-
-    /// The same with more than one ray in a pixel: of a region, a lattice with steps of 1. Values are in double, in
-    /// every precision.
-    Counts trace(const View& view, const Sampling& sampling, const Lattice& region, ThreadPool& pool, const Sink& sink,
-                 const std::atomic<bool>* stop = nullptr);
-
-    /// Refines a picture of this view until no unfinished cell is larger than `finest` pixels, or with 0 until all are
-    /// finished. If it was stopped the picture can't go on.
-    Counts trace(const View& view, CellPicture& picture, int finest, ThreadPool& pool, const Sink& sink,
-                 const std::atomic<bool>* stop = nullptr);
+    /// Traces the pixels and returns the rays that it took. Not to be called from two threads at once.
+    Counts trace(const Job& job, const TracedPixels& pixels);
 
     /// As it is at the time of the last view, with unions split (split_unions.h); at time 0 motions may be as declared.
     const Scene& scene() const;
@@ -78,9 +81,13 @@ class Tracer {
     Simd simd() const;
 
   private:
-    struct Implementation;
-    std::unique_ptr<Implementation> implementation;
+    std::unique_ptr<AnyTracer> own;
 };
+
+/// Traces a lattice, in which other samplings than one ray in each pixel need steps of 1. Returns 3 values for each
+/// pixel, row by row; they are 0 where nothing was traced before `stop` became true.
+std::vector<double> values_of(Tracer& tracer, const View& view, const Lattice& lattice, ThreadPool& pool,
+                              const Sampling& sampling = {.grid = 1}, const std::atomic<bool>* stop = nullptr);
 
 /// A whole picture in double.
 struct Frame {

@@ -4,9 +4,9 @@
 #pragma once
 #include <vector>
 
-#include "scene/split_unions.h"
 #include "tests/proof/exact_bodies.h"
 #include "trace/tracer.h"
+#include "trace/world/split_unions.h"
 
 namespace strahl::exact {
 

@@ -2,7 +2,7 @@
 #include "tests/proof/trial.h"
 #include "trace/proof/eye_bounds.h"
 #include "trace/proof/slack.h"
-#include "trace/world/eye_of_view.h"
+#include "trace/world/extended_numbers.h"
 
 using namespace strahl;
 using namespace strahl::trial;

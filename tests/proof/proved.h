@@ -21,12 +21,13 @@ inline Proved prove(const Scene& scene, View view, Precision precision = Precisi
     ThreadPool pool(1);
     Tracer tracer(scene, precision, std::getenv("PROOF_SCALAR") ? Simd::scalar : Simd::automatic);
     const Lattice whole{.columns = view.width, .rows = view.height};
-    const Counts counts = tracer.trace(view, whole, pool, [&](const Tile& tile) {
+    const auto keep = [&](const Tile& tile) {
         place(tile, whole, proved.rgb);
         const Lattice& own = tile.lattice;
         for (int i = 0; i < own.columns * own.rows; ++i)
             proved.bounds[std::size_t(own.y + i / own.columns) * view.width + own.x + i % own.columns] = tile.bounds[i];
-    });
+    };
+    const Counts counts = tracer.trace({view, pool, keep}, whole);
     proved.pruned = counts.dropped;
     return proved;
 }

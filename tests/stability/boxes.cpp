@@ -25,12 +25,8 @@ class Shooter {
   public:
     Shooter(const Scene& scene, Precision precision) : tracer(scene, precision) {}
     double operator()(const DVec3& eye, const DVec3& aim, const DVec3& up) {
-        double red = NAN;
         const View view{.camera = {eye, aim, up, 20, {}}, .width = 1, .height = 1, .depth = 3};
-        tracer.trace(view, {.columns = 1, .rows = 1}, pool, [&](const Tile& tile) {
-            std::visit([&](const auto& rgb) { red = static_cast<double>(rgb[0]); }, tile.rgb);
-        });
-        return red;
+        return values_of(tracer, view, {.columns = 1, .rows = 1}, pool)[0];
     }
 
   private:

@@ -31,12 +31,9 @@ Scene under_glass(double angle, double fov) {
 
 /// Part of a picture of 48x36 pixels, traced alone.
 std::vector<double> crop(const Scene& scene, Precision precision, const Lattice& pixels) {
-    std::vector<double> values(std::size_t(3) * pixels.columns * pixels.rows);
     ThreadPool pool(1);
     Tracer tracer(scene, precision);
-    tracer.trace({.camera = scene.camera, .width = 48, .height = 36, .depth = 10}, pixels, pool,
-                 [&](const Tile& tile) { place(tile, pixels, values); });
-    return values;
+    return values_of(tracer, {.camera = scene.camera, .width = 48, .height = 36, .depth = 10}, pixels, pool);
 }
 /// Returns the same part of the whole picture.
 std::vector<double> part(const Frame& frame, const Lattice& pixels) {

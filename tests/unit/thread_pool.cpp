@@ -66,7 +66,7 @@ TEST_CASE("a picture that cannot be finished for want of memory is not traced to
         throw std::bad_alloc();
     };
     const View view{.camera = scene.camera, .width = 2000, .height = 2000, .depth = 1};
-    CHECK_THROWS_AS(tracer.trace(view, {.columns = 2000, .rows = 2000}, pool, sink), std::bad_alloc);
+    CHECK_THROWS_AS(tracer.trace({view, pool, sink}, Lattice{.columns = 2000, .rows = 2000}), std::bad_alloc);
     CHECK(tiles <= 2);
 }
 

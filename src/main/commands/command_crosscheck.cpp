@@ -27,16 +27,9 @@ struct OurRun {
 };
 OurRun trace(Tracer& tracer, const View& view, int threads, const std::atomic<bool>* stop) {
     ThreadPool pool(threads);
-    OurRun run{{view.width, view.height, std::vector<double>(std::size_t(3) * view.width * view.height)}, 0};
+    OurRun run{{view.width, view.height, {}}, 0};
     const auto start = std::chrono::steady_clock::now();
-    const auto keep = [&](const Tile& tile) {
-        const Lattice& part = tile.lattice;
-        const auto& rgb = std::get<std::span<const double>>(tile.rgb);
-        for (int row = 0; row < part.rows; ++row)
-            std::copy_n(rgb.begin() + std::ptrdiff_t(3) * row * part.columns, 3 * part.columns,
-                        run.frame.rgb.begin() + std::ptrdiff_t(3) * ((part.y + row) * view.width + part.x));
-    };
-    tracer.trace(view, {.columns = view.width, .rows = view.height}, pool, keep, stop);
+    run.frame.rgb = values_of(tracer, view, {.columns = view.width, .rows = view.height}, pool, {.grid = 1}, stop);
     if (stop && *stop) throw Stopped{};
     run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return run;

@@ -206,14 +206,14 @@ std::uint64_t Renderer::trace(const Shot& shot, const std::vector<Lattice>& regi
         progress.advance(done.fetch_add(size) + size, all);
         if (!interrupted()) checkpoint.save_if_due();
     };
-    const View seen = view(shot, accuracy.depth, accuracy.dropped);
+    const Job job{view(shot, accuracy.depth, accuracy.dropped), pool, keep, interrupt.flag()};
     for (const Lattice& region : regions) {
         if (interrupted()) break;
         if (stats.sampling.grid > 0) {
-            stats.rays += tracer.trace(seen, stats.sampling, region, pool, keep, interrupt.flag());
+            stats.rays += tracer.trace(job, SampledRegion{region, stats.sampling});
         } else {
-            CellPicture cells(tracer.scene(), seen, region, stats.sampling.error);
-            stats.rays += tracer.trace(seen, cells, 0, pool, keep, interrupt.flag());
+            CellPicture cells(tracer.scene(), job.view, region, stats.sampling.error);
+            stats.rays += tracer.trace(job, CellPass{cells, 0});
             stats.sampled += cells.sampled();
         }
     }
@@ -222,7 +222,7 @@ std::uint64_t Renderer::trace(const Shot& shot, const std::vector<Lattice>& regi
 
 /// Traces undecided pixels again: in double, pruning a thousandth of the light, then in extended precision.
 void Renderer::prove_again(const Shot& shot, PictureWriter& writer, const std::string& label) {
-    const View closer = view(shot, accuracy.depth, accuracy.dropped / 1000);
+    const Job closer{view(shot, accuracy.depth, accuracy.dropped / 1000), pool, {}, interrupt.flag()};
     const auto again = [&](Tracer& own, Proof::By by, const std::string& how) {
         const std::vector<Pixel> open = proof->open();
         if (open.empty() || interrupted()) return;
@@ -232,7 +232,7 @@ void Renderer::prove_again(const Shot& shot, PictureWriter& writer, const std::s
             progress.advance(++done, open.size());
             return proof->settle(tile, by, writer);
         };
-        stats.rays += strahl::prove_again(own, closer, open, pool, decides, interrupt.flag());
+        stats.rays += strahl::prove_again(own, closer, open, decides);
     };
     if (accuracy.dropped > 0) again(tracer, Proof::By::in_double, "once more ");
     if (!proof->open().empty()) {

@@ -32,11 +32,11 @@ class Undecided {
                         decided(tile, i);
             return all;
         };
-        tracer.trace(view, rows, pool, keep, stop);
+        tracer.trace({view, pool, keep, stop}, rows);
         std::vector<Pixel> open;
         for (int i = 0; i < std::ssize(proved); ++i)
             if (!proved[i]) open.push_back({i % rows.columns, rows.y + i / rows.columns});
-        if (!open.empty()) prove_again(extended, view, open, pool, keep, stop);
+        if (!open.empty()) prove_again(extended, {view, pool, {}, stop}, open, keep);
         for (int i = 0; i < std::ssize(proved);) {
             const int x = i % rows.columns, y = rows.y + i / rows.columns;
             const auto first = proved.begin() + i, end = first + (rows.columns - x);

@@ -94,7 +94,7 @@ Stills::Outcome Stills::make(const Still& still, ThreadPool& pool) try {
         if (int(100 * before / all) != int(100 * (before + size) / all)) notify();
     };
     Tracer tracer(*still.scene, Precision::float64);
-    tracer.trace(view, Sampling{}, whole, pool, keep, &stop);
+    tracer.trace({view, pool, keep, &stop}, SampledRegion{whole, {}});
     if (stop) return {};
     const std::string path = reserve_file(still.name, still.ending);
     try {

@@ -106,7 +106,7 @@ void TraceThread::first_picture() {
     const auto start = Clock::now();
     const auto keep = [&](const Tile& tile) { store(tile.lattice, encoded(tile, *table).data(), steps, spare); };
     const double contrast = most_off / (order.scene->settings.linear ? steepest_srgb : 1);
-    const Counts rays = tracer->trace_filled(view, pixels, contrast, pool, keep, &stop);
+    const Counts rays = tracer->trace({view, pool, keep, &stop}, FilledLattice{pixels, contrast});
     const double seconds = seconds_since(start);
     if (built) resolution.observe(count(pixels), seconds);  // a stopped one would have taken even longer
     if (stop) return;
@@ -150,7 +150,7 @@ void TraceThread::refine() {
         announce(lock);
     };
     const auto start = Clock::now();
-    const Counts rays = tracer->trace(order.view, *cells, finest, pool, keep, &stop);
+    const Counts rays = tracer->trace({order.view, pool, keep, &stop}, CellPass{*cells, finest});
     if (stop) return;
     done = level;
     std::unique_lock lock(mutex);

@@ -12,7 +12,7 @@
 #include "scene/leaves.h"
 #include "scene/moving_scene.h"
 #include "scene/scene.h"
-#include "scene/split_unions.h"
+#include "scene/union_groups.h"
 #include "text/blocks/transformations.h"
 
 namespace strahl {
@@ -87,11 +87,9 @@ std::string moved_fault(const Kind& shape, std::span<const Transformation> steps
 }
 
 /// That it can't be divided and why, if a body consists of too many that belong together, or "".
-inline std::string crowd_fault(const Primitive& primitive, const std::vector<Material>& list) {
+inline std::string crowd_fault(const Primitive& primitive, const std::vector<Material>& materials) {
     if (leaves_of(primitive.shape) <= most_leaves) return "";
-    std::vector<Material> materials = list;
-    int most = 0;
-    for (const Primitive& piece : split_union(primitive, materials)) most = std::max(most, leaves_of(piece.shape));
+    const int most = most_leaves_together(primitive, materials);
     if (most <= most_leaves) return "";
     return "divided: " + std::to_string(most) + " of its bodies belong together, and at most " +
            std::to_string(most_leaves) + " may";

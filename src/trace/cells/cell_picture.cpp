@@ -34,7 +34,7 @@ std::unique_ptr<Cells> CellPicture::make() {
     return cells;
 }
 
-void CellPicture::refine(int i, int finest, const Sink& sink, const std::atomic<bool>* stop, const TraceAt& trace) {
+void CellPicture::refine(int i, int finest, const Job& job, const TraceAt& trace) {
     const TilePlace& place = places[i];
     if (std::exchange(begun[i], true) && !made[i]) return;  // finished before
     if (!made[i]) {
@@ -45,7 +45,7 @@ void CellPicture::refine(int i, int finest, const Sink& sink, const std::atomic<
     cells.refine(finest, [&](std::span<const Point> points, CellSample* samples) {
         trace(place.x, place.y, points, samples);
     });
-    if (stop && *stop) return;
+    if (job.stopped()) return;
     // Of tiles at the border of a crop only what is in it.
     const int left = std::max(place.x, region.x), right = std::min(place.x + place.columns, region.x + region.columns);
     const int top = std::max(place.y, region.y), bottom = std::min(place.y + place.rows, region.y + region.rows);
@@ -53,14 +53,14 @@ void CellPicture::refine(int i, int finest, const Sink& sink, const std::atomic<
     const std::span<const double> rgb = cells.values();
     if (part.columns == place.columns) {
         const std::size_t first = std::size_t(3) * place.columns * (top - place.y);
-        sink({part, rgb.subspan(first, std::size_t(3) * part.columns * part.rows)});
+        job.sink({part, rgb.subspan(first, std::size_t(3) * part.columns * part.rows)});
     } else {
         std::vector<double> cut;
         for (int y = top; y < bottom; ++y) {
             const auto row = rgb.begin() + 3 * (std::ptrdiff_t(y - place.y) * place.columns + left - place.x);
             cut.insert(cut.end(), row, row + 3 * part.columns);
         }
-        sink({part, std::span<const double>(cut)});
+        job.sink({part, std::span<const double>(cut)});
     }
     if (cells.finished()) {
         const std::lock_guard lock(mutex);

@@ -33,8 +33,8 @@ class CellPicture {
     double contrast() const { return most_contrast; }
     /// Traces points of the tile whose corner is (x, y).
     using TraceAt = std::function<void(int x, int y, std::span<const Point>, CellSample*)>;
-    /// Refines tile i, and hands it to the sink unless stopped. A tile that was stopped can't go on.
-    void refine(int i, int finest, const Sink& sink, const std::atomic<bool>* stop, const TraceAt& trace);
+    /// Refines tile i and hands it to the job's sink, unless the job is stopped: then the tile cannot go on.
+    void refine(int i, int finest, const Job& job, const TraceAt& trace);
 
   private:
     struct TilePlace {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "num/thread_pool.h"
 
@@ -30,13 +31,9 @@ struct Line {
         View moved = view;
         moved.shift_x += t * dx;
         moved.shift_y += t * dy;
-        Sample value{};
-        const auto keep = [&](const Tile& tile) {
-            std::visit([&](const auto& rgb) { std::copy_n(rgb.begin(), 3, value.begin()); }, tile.rgb);
-        };
-        tracer.trace(moved, {.x = x, .y = y, .columns = 1, .rows = 1}, pool, keep, stop);
-        for (double& v : value) v = std::clamp(v, 0., 1.);
-        return value;
+        const Lattice pixel{.x = x, .y = y, .columns = 1, .rows = 1};
+        const std::vector<double> value = values_of(tracer, moved, pixel, pool, {.grid = 1}, stop);
+        return {std::clamp(value[0], 0., 1.), std::clamp(value[1], 0., 1.), std::clamp(value[2], 0., 1.)};
     }
     /// What varies smoothly becomes less than a step when looked at closely; a jump does not.
     bool jumps(double a, const Sample& at_a, double b, const Sample& at_b) const {

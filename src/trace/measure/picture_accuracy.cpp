@@ -22,18 +22,12 @@ Lattice sample_of(const View& view) {
     return {start, start, (view.width - start + step - 1) / step, (view.height - start + step - 1) / step, step, step};
 }
 
-std::vector<double> trace(Tracer& tracer, const View& view, const Lattice& lattice, ThreadPool& pool) {
-    std::vector<double> values(std::size_t(3) * lattice.columns * lattice.rows);
-    tracer.trace(view, lattice, pool, [&](const Tile& tile) { place(tile, lattice, values); });
-    return values;
-}
-
 /// The largest difference between float and double on the sample, off the edges; or the first found that is more than
 /// `enough`.
 double rounding_of_float(const Scene& scene, const View& view, double enough, ThreadPool& pool, Simd simd) {
     const Lattice lattice = sample_of(view);
     Tracer float32(scene, Precision::float32, simd), float64(scene, Precision::float64, simd);
-    const std::vector<double> a = trace(float32, view, lattice, pool), b = trace(float64, view, lattice, pool);
+    const std::vector<double> a = values_of(float32, view, lattice, pool), b = values_of(float64, view, lattice, pool);
     ThreadPool alone(1);  // a float32 pixel is not worth waking others for
     double most = 0;
     for (int i = 0; i < lattice.columns * lattice.rows; ++i) {

@@ -5,17 +5,6 @@
 #include <utility>
 
 namespace strahl {
-namespace {
-
-std::vector<double> trace(Tracer& tracer, const View& view, const Lattice& lattice, ThreadPool& threads,
-                          const std::atomic<bool>* stop) {
-    std::vector<double> values(std::size_t(3) * lattice.columns * lattice.rows);
-    tracer.trace(
-        view, lattice, threads, [&](const Tile& tile) { place(tile, lattice, values); }, stop);
-    return values;
-}
-
-}  // namespace
 
 Agreements::Agreements(const Scene& scene, int threads, std::function<int(double)> code_function)
     : code(std::move(code_function)),
@@ -33,7 +22,7 @@ std::vector<Agreement> Agreements::of(const View& view, const Lattice& lattice, 
                                       const std::atomic<bool>* stop) {
     ThreadPool& threads = lattice.columns * lattice.rows > 1 ? pool : alone;
     std::array<std::vector<double>, 3> rgb;
-    for (std::size_t i = 0; i < 3; ++i) rgb[i] = trace(tracers[i], view, lattice, threads, stop);
+    for (std::size_t i = 0; i < 3; ++i) rgb[i] = values_of(tracers[i], view, lattice, threads, {.grid = 1}, stop);
     std::vector<Agreement> map;
     if (stop && *stop) return map;
     for (std::size_t i = 0; i < rgb[0].size(); i += 3)

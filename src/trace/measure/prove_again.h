@@ -1,6 +1,5 @@
 // Proofs of what is undecided, more closely.
 #pragma once
-#include <atomic>
 #include <functional>
 #include <span>
 
@@ -8,10 +7,10 @@
 
 namespace strahl {
 
-/// Traces pixels again with bounds. `decides`, called from any thread, gets them one by one and tells whether that
-/// decides it. Where it hardly ever does, which pixels from all over tell, the others are left: what proofs do not know
-/// is unknown in every precision.
-Counts prove_again(Tracer& tracer, const View& view, std::span<const Pixel> pixels, ThreadPool& pool,
-                   const std::function<bool(const Tile&)>& decides, const std::atomic<bool>* stop = nullptr);
+/// Traces pixels again with bounds. `decides`, called from any thread, gets them one by one in place of the job's sink
+/// and tells whether that decides it. Where it hardly ever does, which pixels from all over tell, the others are left:
+/// what proofs do not know is unknown in every precision.
+Counts prove_again(Tracer& tracer, Job job, std::span<const Pixel> pixels,
+                   const std::function<bool(const Tile&)>& decides);
 
 }  // namespace strahl

@@ -6,7 +6,6 @@
 #include "scene/leaves.h"
 #include "scene/overlap.h"
 #include "trace/world/extended_numbers.h"
-#include "trace/world/eye_of_view.h"
 
 namespace strahl {
 namespace {

@@ -1,6 +1,7 @@
-// A view: which picture of a scene to trace, which of its pixels, and where their values go.
+// A view says which picture of a scene to trace, and a job which threads do it and where the values go.
 #pragma once
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -12,6 +13,8 @@
 #include "scene/motion/track.h"
 
 namespace strahl {
+
+class ThreadPool;
 
 /// Pixels x + i * step_x, y + j * step_y for 0 <= i < columns, 0 <= j < rows of a picture. A crop has steps of 1, the
 /// window's resolution levels have steps of 16 to 1.
@@ -58,6 +61,16 @@ struct View {
     /// the pixel's middle: by how much a shift changes it is in the bound.
     bool prove = false;
     std::shared_ptr<const std::vector<Track>> tracks{};  // if any, in place of the scene's
+};
+
+/// Work for the threads of a pool: all of it is done when it returns, or `stop` became true. Tiles that were handed to
+/// the sink are complete in both cases.
+struct Job {
+    View view;
+    ThreadPool& pool;
+    Sink sink;
+    const std::atomic<bool>* stop = nullptr;
+    bool stopped() const { return stop && *stop; }
 };
 
 }  // namespace strahl

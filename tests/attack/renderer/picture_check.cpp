@@ -18,7 +18,7 @@ WildScene affordable(WildScene wild) {
     const Lattice few{0, 0, (view.width + step - 1) / step, (view.height + step - 1) / step, step, step};
     ThreadPool one(1);
     Tracer tracer(wild.scene, Precision::float32, Simd::scalar);
-    const Counts counts = tracer.trace(view, few, one, [](const Tile&) {});
+    const Counts counts = tracer.trace({view, one, [](const Tile&) {}}, few);
     const double rays = static_cast<double>(counts.total()) / few.columns / few.rows;
     while (view.width * view.height * rays > most && view.width > 5)
         view.width = (view.width + 1) / 2, view.height = (view.height + 1) / 2;
@@ -26,9 +26,7 @@ WildScene affordable(WildScene wild) {
 }
 
 PictureCheck::Values PictureCheck::trace(Tracer& tracer, const Lattice& lattice, ThreadPool& pool) {
-    Values values(std::size_t(3) * lattice.columns * lattice.rows);
-    tracer.trace(wild.view, lattice, pool, [&](const Tile& tile) { place(tile, lattice, values); });
-    return values;
+    return values_of(tracer, wild.view, lattice, pool);
 }
 
 /// No value may be brighter than light in this scene can be, but for rounding. Where that is more than the precision

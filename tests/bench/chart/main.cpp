@@ -116,9 +116,8 @@ void show_passes(const std::string& path) {
     const Lattice whole{.columns = view.width, .rows = view.height};
     ThreadPool pool;
     Canvas exact(view.width, view.height);
-    Tracer(scene, Precision::float64).trace(view, {.error = 1e-4}, whole, pool, [&](const Tile& tile) {
-        exact.fill(tile, {});
-    });
+    Tracer(scene, Precision::float64)
+        .trace({view, pool, [&](const Tile& tile) { exact.fill(tile, {}); }}, SampledRegion{whole, {.error = 1e-4}});
     Tracer tracer(scene, Precision::float32);
     tracer.prepare(view, pool);
     constexpr int rounds = 7, first = 2;
@@ -131,9 +130,9 @@ void show_passes(const std::string& path) {
         for (std::size_t pass = 0; pass < seconds.size(); ++pass) {
             const auto keep = [&](const Tile& tile) { canvas.fill(tile, pass == 0 ? steps_of(first) : Steps{}); };
             if (pass == 0)
-                tracer.trace_filled(view, pixels_of(first, view.width, view.height), 3. / 255, pool, keep);
+                tracer.trace({view, pool, keep}, FilledLattice{pixels_of(first, view.width, view.height), 3. / 255});
             else
-                tracer.trace(view, *cells, later[pass - 1].finest, pool, keep);
+                tracer.trace({view, pool, keep}, CellPass{*cells, later[pass - 1].finest});
             if (pass == 0) cells.emplace(tracer.scene(), view, whole, Sampling{}.error);
             seconds[pass].push_back(bench::seconds() - start);
             if (round + 1 < rounds) continue;

@@ -85,9 +85,9 @@ void compare(Shot& shot, double time, int runs, int coarsest) {
         std::vector<double> plain_seconds, ratios;
         Run plain, filled;
         for (int i = 0; i < runs; ++i) {
-            plain = run(lattice, [&](const Sink& sink) { return tracer.trace(view, lattice, pool, sink); });
+            plain = run(lattice, [&](const Sink& sink) { return tracer.trace({view, pool, sink}, lattice); });
             filled = run(lattice, [&](const Sink& sink) {
-                return tracer.trace_filled(view, lattice, shot.contrast, pool, sink);
+                return tracer.trace({view, pool, sink}, FilledLattice{lattice, shot.contrast});
             });
             plain_seconds.push_back(plain.seconds), ratios.push_back(filled.seconds / plain.seconds);
         }
@@ -123,9 +123,9 @@ void fly(Shot& shot, int moments) {
     for (int i = 0; i < moments; ++i) {
         go_to(shot, shot.scene.flythrough->duration * (i + .5) / moments);
         tracer.prepare(shot.view, pool);
-        const Sink none = [](const Tile&) {};
-        const auto plain = [&](const Lattice& l) { tracer.trace(shot.view, l, pool, none); };
-        const auto filled = [&](const Lattice& l) { tracer.trace_filled(shot.view, l, shot.contrast, pool, none); };
+        const Job job{shot.view, pool, [](const Tile&) {}};
+        const auto plain = [&](const Lattice& l) { tracer.trace(job, l); };
+        const auto filled = [&](const Lattice& l) { tracer.trace(job, FilledLattice{l, shot.contrast}); };
         ++plain_levels.at(std::size_t(finest_that_fits(plain) + 1)),
             ++filled_levels.at(std::size_t(finest_that_fits(filled) + 1));
     }

@@ -45,7 +45,7 @@ Result render(Tracer& tracer, const View& view, ThreadPool& pool, const std::fun
 Result grid_picture(Tracer& tracer, const View& view, int grid, ThreadPool& pool) {
     const Lattice whole{.columns = view.width, .rows = view.height};
     return render(tracer, view, pool,
-                  [&](const Sink& sink) { return tracer.trace(view, {.grid = grid}, whole, pool, sink); });
+                  [&](const Sink& sink) { return tracer.trace({view, pool, sink}, SampledRegion{whole, {.grid = grid}}); });
 }
 
 /// An adaptive picture, and the RMS error that it is thought to have.
@@ -53,7 +53,7 @@ Result refine(Tracer& tracer, const View& view, double error, ThreadPool& pool) 
     std::optional<CellPicture> picture;
     Result result = render(tracer, view, pool, [&](const Sink& sink) {
         picture.emplace(tracer.scene(), view, Lattice{.columns = view.width, .rows = view.height}, error);
-        return tracer.trace(view, *picture, 0, pool, sink);
+        return tracer.trace({view, pool, sink}, CellPass{*picture, 0});
     });
     result.estimate = picture->sampled().error();
     return result;

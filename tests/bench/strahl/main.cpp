@@ -33,9 +33,9 @@ void run(char** argv, Precision precision, int bits) {
 
     const double start = bench::seconds();
     Tracer tracer(std::move(scene), precision);
-    tracer.trace(view, {.columns = 1, .rows = 1}, pool, keep);  // the first ray waits for the hierarchy
+    tracer.trace({view, pool, keep}, Lattice{.columns = 1, .rows = 1});  // the first ray waits for the hierarchy
     const double built = bench::seconds();
-    const Counts counts = tracer.trace(view, whole, pool, keep);
+    const Counts counts = tracer.trace({view, pool, keep}, whole);
     bench::print_figures(built - start, bench::seconds() - built, counts.total());
     if (std::strcmp(argv[2], "-") != 0)
         write_picture({view.width, view.height, 3, {picture.begin(), picture.end()}}, argv[2], {16, linear});

@@ -36,9 +36,9 @@ void measure(const Scene& scene, const View& view, Precision precision, ThreadPo
     Tracer tracer(scene, precision);
     const double start = bench::seconds();
     tracer.prepare(view, pool);
-    tracer.trace(view, all, pool, [](const Tile&) {});
+    tracer.trace({view, pool, [](const Tile&) {}}, all);
     const double first = bench::seconds();
-    tracer.trace(view, all, pool, [](const Tile&) {});
+    tracer.trace({view, pool, [](const Tile&) {}}, all);
     const double second = bench::seconds() - first;
     times.tiles.push_back(second), times.before.push_back(std::max(0., first - start - second));
 }
@@ -54,13 +54,14 @@ double processor_seconds() {
 std::vector<double> tiles(const Scene& scene, const View& view, Precision precision, ThreadPool& alone) {
     Tracer tracer(scene, precision);
     const Lattice all{.columns = view.width, .rows = view.height};
-    tracer.trace(view, all, alone, [](const Tile&) {});
+    tracer.trace({view, alone, [](const Tile&) {}}, all);
     std::vector<double> seconds;
     double last = processor_seconds();
-    tracer.trace(view, all, alone, [&](const Tile&) {
+    const auto note = [&](const Tile&) {
         const double now = processor_seconds();
         seconds.push_back(now - last), last = now;
-    });
+    };
+    tracer.trace({view, alone, note}, all);
     return seconds;
 }
 

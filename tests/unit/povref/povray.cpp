@@ -39,12 +39,10 @@ int worst_of_grids(const std::string& name, int grid) {
     const View view{.camera = scene.camera, .width = 64, .height = 48, .depth = scene.settings.max_trace_level};
     const PovRun theirs =
         run_povray(scene, {.cameras = {view.camera}, .width = 64, .height = 48, .depth = view.depth, .grid = grid}, 1);
-    const Lattice whole{.columns = 64, .rows = 48};
-    std::vector<double> ours(3 * 64 * 48);
     ThreadPool pool(1);
-    Tracer(scene, Precision::float64)
-        .trace(view, Sampling{.grid = grid, .centre = true}, whole, pool,
-               [&](const Tile& tile) { place(tile, whole, ours); });
+    Tracer tracer(scene, Precision::float64);
+    const std::vector<double> ours =
+        values_of(tracer, view, {.columns = 64, .rows = 48}, pool, {.grid = grid, .centre = true});
     int worst = 0;
     for (std::size_t i = 0; i < ours.size(); ++i) {
         const auto steps = [](double value) {

@@ -54,12 +54,9 @@ TEST_CASE("stills equal rendered pictures and replace no file") {
     }
     CHECK(bytes_of(folder / "still.bmp") == "mine");
     CHECK(folder.files() == 5);
-    std::vector<double> rgb(3 * 20 * 15);
-    const Lattice whole{.columns = 20, .rows = 15};
     ThreadPool pool(2);
-    Tracer(*scene, Precision::float64).trace(view, Sampling{}, whole, pool, [&](const Tile& tile) {
-        place(tile, whole, rgb);
-    });
+    Tracer tracer(*scene, Precision::float64);
+    const std::vector<double> rgb = values_of(tracer, view, {.columns = 20, .rows = 15}, pool, Sampling{});
     write_picture({20, 15, 3, rgb}, folder / "reference.bmp", {});
     CHECK(bytes_of(folder / "still-2.bmp") == bytes_of(folder / "reference.bmp"));
 }

@@ -83,8 +83,8 @@ Exact exact(const Order& order) {
     const Lattice whole{.columns = view.width, .rows = view.height};
     ThreadPool pool(1);
     Tracer tracer(*order.scene, Precision::float32);
-    const Counts rays =
-        tracer.trace(view, Sampling{}, whole, pool, [&](const Tile& tile) { place(tile, whole, frame.rgb); });
+    const auto keep = [&](const Tile& tile) { place(tile, whole, frame.rgb); };
+    const Counts rays = tracer.trace({view, pool, keep}, SampledRegion{whole, {}});
     Image image;
     image.resize(frame.width, frame.height);
     for (std::size_t i = 0; i < image.rgba.size(); ++i) {

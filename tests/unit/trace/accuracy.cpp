@@ -48,7 +48,8 @@ TEST_CASE("off the edges no picture exceeds the error allowed") {
             View allowed = view;
             allowed.depth = accuracy.depth, allowed.error = accuracy.dropped;
             Tracer tracer(scene, accuracy.precision);
-            const Counts counts = tracer.trace(allowed, {.columns = columns, .rows = rows}, pool, [](const Tile&) {});
+            const Counts counts =
+                tracer.trace({allowed, pool, [](const Tile&) {}}, Lattice{.columns = columns, .rows = rows});
             if (fewest > 0) CHECK(counts.total() <= fewest + fewest / 50);  // pixels on edges vary
             fewest = counts.total();
             CHECK(counts.dropped <= accuracy.dropped * (1 + 1e-6));  // summed in float

@@ -40,7 +40,7 @@ Traced trace(const Scene& scene, int depth, double error = 0) {
     Traced traced{{view.width, view.height, std::vector<double>(3 * view.width * view.height)}, {}};
     Tracer tracer(scene, Precision::float64);
     ThreadPool pool(2);
-    traced.counts = tracer.trace(view, whole, pool, [&](const Tile& tile) { place(tile, whole, traced.frame.rgb); });
+    traced.counts = tracer.trace({view, pool, [&](const Tile& tile) { place(tile, whole, traced.frame.rgb); }}, whole);
     return traced;
 }
 
@@ -97,7 +97,7 @@ TEST_CASE("a larger error needs fewer rays, and error 0 traces all") {
         CAPTURE(error);
         View cut = view;
         cut.error = error;
-        const Counts counts = tracer.trace(cut, {.columns = 24, .rows = 18}, pool, [](const Tile&) {});
+        const Counts counts = tracer.trace({cut, pool, [](const Tile&) {}}, Lattice{.columns = 24, .rows = 18});
         CHECK(counts.total() >= last);
         if (error == 1e9) CHECK(counts.reflected == 0);
         if (error == 5) CHECK(counts.total() > last);

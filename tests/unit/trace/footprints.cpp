@@ -65,25 +65,15 @@ Traced refined(Tracer& tracer, const View& view, const Lattice& part, int thread
     CellPicture picture(tracer.scene(), view, part, error);
     Traced result;
     result.rgb.resize(std::size_t(3) * part.columns * part.rows);
-    const Counts counts =
-        tracer.trace(view, picture, 0, pool, [&](const Tile& tile) { place(tile, part, result.rgb); });
+    const auto keep = [&](const Tile& tile) { place(tile, part, result.rgb); };
+    const Counts counts = tracer.trace({view, pool, keep}, CellPass{picture, 0});
     result.samples = double(counts.camera) / (double(part.columns) * part.rows);
     result.estimate = 510 * picture.sampled().error();
     return result;
 }
 std::vector<double> grid(Tracer& tracer, const View& view, int n) {
-    const Lattice all{.columns = view.width, .rows = view.height};
     ThreadPool pool(2);
-    std::vector<double> rgb(std::size_t(3) * all.columns * all.rows);
-    tracer.trace(view, Sampling{.grid = n}, all, pool, [&](const Tile& tile) {
-        if (const auto* values = std::get_if<std::span<const float>>(&tile.rgb)) {
-            const std::vector<double> copy(values->begin(), values->end());
-            place(Tile{tile.lattice, std::span<const double>(copy)}, all, rgb);
-        } else {
-            place(tile, all, rgb);
-        }
-    });
-    return rgb;
+    return values_of(tracer, view, {.columns = view.width, .rows = view.height}, pool, {.grid = n});
 }
 /// In 1/510.
 double rms(const std::vector<double>& a, const std::vector<double>& b) {

@@ -33,7 +33,7 @@ Traced traced(const Scene& scene, const View& view, const Lattice& part, bool fi
     Tracer tracer(scene, Precision::float32, simd);
     Traced pixels{std::vector<float>(std::size_t(3) * part.columns * part.rows), {}};
     const auto keep = [&](const Tile& tile) { place(tile, part, pixels.rgb); };
-    pixels.rays = filled ? tracer.trace_filled(view, part, contrast, pool, keep) : tracer.trace(view, part, pool, keep);
+    pixels.rays = tracer.trace({view, pool, keep}, filled ? TracedPixels(FilledLattice{part, contrast}) : TracedPixels(part));
     return pixels;
 }
 
@@ -138,8 +138,7 @@ TEST_CASE("a picture that is stopped hands on whole tiles only") {
     std::atomic<bool> stop = false;
     std::atomic<int> tiles = 0;
     const Lattice all{.columns = view.width, .rows = view.height};
-    tracer.trace_filled(
-        view, all, contrast, pool, [&](const Tile&) { ++tiles, stop = true; }, &stop);
+    tracer.trace({view, pool, [&](const Tile&) { ++tiles, stop = true; }, &stop}, FilledLattice{all, contrast});
     CHECK(tiles >= 1);
     CHECK(tiles <= 2);
 }

@@ -178,8 +178,8 @@ std::vector<double> in_stripes(const Scene& scene, const View& view, Precision p
     constexpr int stripe = 16;
     for (int row = 0; row < view.height; row += stripe) {
         Tracer tracer(scene, precision, simd);
-        tracer.trace(view, {.y = row, .columns = view.width, .rows = std::min(stripe, view.height - row)}, pool,
-                     [&](const Tile& tile) { place(tile, whole, values); });
+        tracer.trace({view, pool, [&](const Tile& tile) { place(tile, whole, values); }},
+                     Lattice{.y = row, .columns = view.width, .rows = std::min(stripe, view.height - row)});
     }
     return values;
 }

@@ -157,12 +157,9 @@ TEST_CASE("pictures do not depend on the moments traced before, nor on averages"
     });
     Tracer tracer(moving, Precision::float32);
     ThreadPool pool(2);
-    const Lattice whole{.columns = 30, .rows = 20};
     const auto traced = [&](Tracer& with, double time, const Sampling& sampling) {
-        std::vector<double> values(3 * 30 * 20);
         const View view{.camera = moving.camera, .width = 30, .height = 20, .time = time};
-        with.trace(view, sampling, whole, pool, [&](const Tile& tile) { place(tile, whole, values); });
-        return values;
+        return values_of(with, view, {.columns = 30, .rows = 20}, pool, sampling);
     };
     for (const double time : {1.3, 0., .4, 1.3, 2., 0.})
         for (const Sampling& sampling : {Sampling{}, Sampling{.grid = 1}}) {
@@ -189,12 +186,10 @@ TEST_CASE("among many bodies pictures do not depend on the moments traced before
         const Scene moving = parse_scene(text, "test");
         Tracer tracer(moving, Precision::float32);
         ThreadPool pool(2);
-        const Lattice whole{.columns = 60, .rows = 45};
         for (const double time : {0., .03, .06, .09, .5, .9, .86}) {
             CAPTURE(time);
-            Frame frame{60, 45, std::vector<double>(3 * 60 * 45)};
             const View view{.camera = moving.camera, .width = 60, .height = 45, .depth = 5, .time = time};
-            tracer.trace(view, whole, pool, [&](const Tile& tile) { place(tile, whole, frame.rgb); });
+            const Frame frame{60, 45, values_of(tracer, view, {.columns = 60, .rows = 45}, pool)};
             CHECK(frame == picture(at(moving, time), 0, Precision::float32));
         }
     }

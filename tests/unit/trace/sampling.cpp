@@ -22,9 +22,7 @@ View view_of(const Scene& scene, int width, int height) {
 std::vector<double> traced(Tracer& tracer, const View& view, const Sampling& sampling, const Lattice& part,
                            int threads = 2) {
     ThreadPool pool(threads);
-    std::vector<double> rgb(std::size_t(3) * part.columns * part.rows);
-    tracer.trace(view, sampling, part, pool, [&](const Tile& tile) { place(tile, part, rgb); });
-    return rgb;
+    return values_of(tracer, view, part, pool, sampling);
 }
 std::vector<double> whole(const Scene& scene, const View& view, const Sampling& sampling,
                           Precision precision = Precision::float64, Simd simd = Simd::automatic) {
@@ -96,7 +94,7 @@ TEST_CASE("the error that is estimated is the true one, within a factor of two")
             CAPTURE(aim);
             CellPicture cells(scene, view, all, aim);
             std::vector<double> rgb(exact.size());
-            tracer.trace(view, cells, 0, pool, [&](const Tile& tile) { place(tile, all, rgb); });
+            tracer.trace({view, pool, [&](const Tile& tile) { place(tile, all, rgb); }}, CellPass{cells, 0});
             const double ratio = 510 * cells.sampled().error() / rms(rgb, exact);
             CHECK(ratio > .5);
             CHECK(ratio < 2);
@@ -148,7 +146,7 @@ TEST_CASE("averages depend neither on threads, crops, lanes nor passes") {
         double before = 1e9;
         for (const int finest : {8, 4, 2, 1, 0}) {
             CHECK(!cells.finished());
-            tracer.trace(view, cells, finest, pool, [&](const Tile& tile) { place(tile, all, rgb); });
+            tracer.trace({view, pool, [&](const Tile& tile) { place(tile, all, rgb); }}, CellPass{cells, finest});
             CHECK(rms(rgb, picture) < before);  // each pass is nearer to the last
             before = rms(rgb, picture);
         }
@@ -167,7 +165,7 @@ TEST_CASE("rays are where the picture changes") {
     Tracer tracer(scene, Precision::float64);
     const Lattice all{.columns = 64, .rows = 64};
     CellPicture empty(scene, view, all, Sampling{}.error, 8);
-    const Counts rays = tracer.trace(view, empty, 0, pool, [](const Tile&) {});
+    const Counts rays = tracer.trace({view, pool, [](const Tile&) {}}, CellPass{empty, 0});
     CHECK(rays.camera == 81 + 64);  // a tile of 64 cells with corners and a middle
     CHECK(empty.sampled().error() == 0);
 }

@@ -35,13 +35,9 @@ bool inside(const Primitive& primitive, const DVec3& p) {
 
 std::vector<double> picture(const Scene& scene, int width, const Sampling& sampling) {
     const View view{.camera = scene.camera, .width = width, .height = width * 3 / 4, .error = 1. / 510};
-    const Lattice all{.columns = view.width, .rows = view.height};
-    std::vector<double> rgb(std::size_t(3) * view.width * view.height);
     ThreadPool pool(2);
-    Tracer(scene, Precision::float64).trace(view, sampling, all, pool, [&](const Tile& tile) {
-        place(tile, all, rgb);
-    });
-    return rgb;
+    Tracer tracer(scene, Precision::float64);
+    return values_of(tracer, view, {.columns = view.width, .rows = view.height}, pool, sampling);
 }
 
 Scene wires() {

@@ -61,7 +61,7 @@ struct Canvas {
 };
 Counts trace(Tracer& tracer, const View& view, const Lattice& lattice, int threads, Canvas& canvas) {
     ThreadPool pool(threads);
-    return tracer.trace(view, lattice, pool, [&](const Tile& tile) { canvas.put(tile); });
+    return tracer.trace({view, pool, [&](const Tile& tile) { canvas.put(tile); }}, lattice);
 }
 
 Counts render_counts(const Scene& scene, const View& view, Precision precision) {
@@ -195,19 +195,16 @@ TEST_CASE("tracing can be stopped, and delivered tiles are complete") {
     ThreadPool pool(2);
     std::atomic<bool> stop = true;
     Canvas none(view.width, view.height);
-    tracer.trace(
-        view, whole, pool, [&](const Tile& tile) { none.put(tile); }, &stop);
+    tracer.trace({view, pool, [&](const Tile& tile) { none.put(tile); }, &stop}, whole);
     CHECK(none.tiles <= pool.size());
 
     stop = false;
     Canvas some(view.width, view.height);
-    tracer.trace(
-        view, whole, pool,
-        [&](const Tile& tile) {
-            some.put(tile);
-            stop = true;
-        },
-        &stop);
+    const auto stop_after_one = [&](const Tile& tile) {
+        some.put(tile);
+        stop = true;
+    };
+    tracer.trace({view, pool, stop_after_one, &stop}, whole);
     CHECK(some.tiles >= 1);
     CHECK(some.tiles <= 2 * pool.size());
     CHECK(some.count(0) + some.count(1) == pixels);
@@ -216,8 +213,7 @@ TEST_CASE("tracing can be stopped, and delivered tiles are complete") {
     // Complete tiles hold the same pixels as the whole picture, traced afterwards by the same tracer.
     stop = false;
     Canvas all(view.width, view.height);
-    tracer.trace(
-        view, whole, pool, [&](const Tile& tile) { all.put(tile); }, &stop);
+    tracer.trace({view, pool, [&](const Tile& tile) { all.put(tile); }, &stop}, whole);
     CHECK(all.count(1) == pixels);
     bool same = true;
     for (int i = 0; i < 3 * pixels; ++i) same &= some.times[i / 3] == 0 || some.rgb[i] == all.rgb[i];

@@ -134,14 +134,12 @@ TEST_CASE("pictures are those of the values at the moment") {
     // One tracer, from moment to moment, also by other tracks than the scene's.
     Tracer tracer(scene, Precision::float64);
     ThreadPool pool(2);
-    const Lattice whole{.columns = 60, .rows = 45};
     const auto other =
         std::make_shared<const std::vector<Track>>(tracks_named("abcdefghij", {{0, .5, Interpolation::step}}));
     const Camera camera = still_at(.5).camera;
     for (const auto& [time, tracks] : {std::pair(0., other), {2., nullptr}, {2., other}, {4., other}, {2., nullptr}}) {
-        Frame frame{60, 45, std::vector<double>(3 * 60 * 45)};
         const View view{.camera = camera, .width = 60, .height = 45, .depth = 5, .time = time, .tracks = tracks};
-        tracer.trace(view, whole, pool, [&](const Tile& tile) { place(tile, whole, frame.rgb); });
+        const Frame frame{60, 45, values_of(tracer, view, {.columns = 60, .rows = 45}, pool)};
         CHECK(frame == picture(still_at(.5), camera));
     }
 }

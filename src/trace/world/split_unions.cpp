@@ -1,0 +1,104 @@
+#include "trace/world/split_unions.h"
+
+#include <algorithm>
+#include <iterator>
+#include <memory>
+#include <utility>
+
+#include "scene/union_groups.h"
+
+namespace strahl {
+namespace {
+
+using Steps = std::vector<Transformation>;
+
+void append(Steps& steps, const Steps& then) { steps.insert(steps.end(), then.begin(), then.end()); }
+
+Steps inverse(const Steps& steps) {
+    Steps result;
+    struct {
+        Steps& result;
+        void operator()(const Rotate& step) const {
+            for (int c = 2; c >= 0; --c) {
+                DVec3 degrees(0);
+                degrees[c] = -step.degrees[c];
+                if (degrees[c] != 0) result.push_back(Rotate{degrees});
+            }
+        }
+        void operator()(const Translate& step) const { result.push_back(Translate{-step.by}); }
+        void operator()(const Scale& step) const { result.push_back(Scale{1. / step.by}); }
+        void operator()(const Motion&) const {}  // unions whose parts move stay whole
+    } invert{result};
+    for (auto step = steps.rbegin(); step != steps.rend(); ++step) std::visit(invert, *step);
+    return result;
+}
+
+/// Gives it another material, and its parts as far as they have theirs from it.
+void repaint(Primitive& primitive, int material) {
+    const int before = std::exchange(primitive.material, material);
+    const auto look = [&]<class Kind>(Kind& kind) {
+        if constexpr (is_composite<Kind>) {
+            std::vector<Primitive> parts = *kind.parts;
+            for (Primitive& part : parts)
+                if (part.material == before) repaint(part, material);
+            kind.parts = std::make_shared<const std::vector<Primitive>>(std::move(parts));
+        }
+    };
+    std::visit(look, primitive.shape);
+}
+
+/// Returns the part with its pattern where it was, in a space from which `shared` steps of the way to the pattern are
+/// still to come. It gets a material of its own if the others are not.
+Primitive painted(const UnionPart& part, std::size_t shared, std::vector<Material>& materials) {
+    Primitive own = part.primitive;
+    Material material = materials[static_cast<std::size_t>(own.material)];
+    if (!material.patterned() || part.to_pattern.size() == shared) return own;
+    const auto moved = [&](Pattern pattern) {
+        if (!pattern.by_uv) append(pattern.transformations, inverse(part.to_pattern));
+        return pattern;
+    };
+    if (material.rgb.pattern) material.rgb = Pigment(moved(*material.rgb.pattern));
+    for (Relief* const relief : material.reliefs())
+        if (relief->pattern) relief->pattern = std::make_shared<const Pattern>(moved(*relief->pattern));
+    repaint(own, static_cast<int>(materials.size()));
+    materials.push_back(std::move(material));
+    return own;
+}
+
+}  // namespace
+
+std::vector<Primitive> split_union(const Primitive& whole, std::vector<Material>& materials) {
+    std::vector<Primitive> pieces;
+    for (const UnionGroup& group : union_groups(whole, materials)) {
+        if (group.size() == 1) {
+            pieces.push_back(painted(group[0], 0, materials));
+            append(pieces.back().transformations, whole.transformations);
+            continue;
+        }
+        std::vector<Primitive> parts;
+        for (const UnionPart& part : group) {
+            // In a union the material, if it is that of the union, has the union's space.
+            const bool of_whole = part.primitive.material == whole.material;
+            parts.push_back(painted(part, of_whole ? part.primitive.transformations.size() : 0, materials));
+        }
+        pieces.push_back({Union{std::make_shared<const std::vector<Primitive>>(std::move(parts))}, whole.material,
+                          whole.transformations});
+    }
+    if (pieces.empty()) pieces.push_back(whole);
+    return pieces;
+}
+
+Scene with_split_unions(Scene scene) {
+    const auto is_union = [](const Primitive& primitive) { return std::holds_alternative<Union>(primitive.shape); };
+    if (std::ranges::none_of(scene.primitives, is_union)) return scene;
+    std::vector<Primitive> all;
+    for (Primitive& primitive : scene.primitives)
+        if (is_union(primitive))
+            std::ranges::move(split_union(primitive, scene.materials), std::back_inserter(all));
+        else
+            all.push_back(std::move(primitive));
+    scene.primitives = std::move(all);
+    return scene;
+}
+
+}  // namespace strahl
