@@ -13,10 +13,14 @@ sed 's/^sphere { <-1/shpere { <-1/' balls.rt >wrong.rt
 told=$("$strahl" check wrong.rt 2>&1 | sed s/wrong.rt/balls.rt/)
 [[ $(<"$source_folder/README.md") == *"$told"* ]] || fault "the README quotes another message than: $told"
 
-# Links of every page, relative to its folder; anchors are not checked.
+# Links of every page, relative to its folder, and the headings that they name.
+headings() { grep -oP '^#+ \K.*' "$1" | tr 'A-Z ' 'a-z-' | tr -cd 'a-z0-9_\n-'; }
 while read -r page; do
     while read -r link; do
-        [[ -e $(dirname "$page")/${link%%#*} ]] || fault "$page points to $link, which is not there"
+        target=$(dirname "$page")/${link%%#*}
+        [[ $link != \#* ]] || target=$page
+        [[ -e $target ]] || fault "$page points to $link, which is not there"
+        [[ $link != *#* || $(headings "$target") =~ (^|$'\n')"${link#*#}"($'\n'|$) ]] || fault "$page: no heading for $link"
     done < <(grep -oP '\]\(\K[^)]+' "$page" | grep -v '^https:')
 done < <(find "$source_folder" -name '*.md' -not -path '*/build/*')
 while read -r scene; do
