@@ -55,6 +55,12 @@ long harmed(const char* name, Call call) {
     return harmed(name, call, call);
 }
 
+/// Makes a system call, unless harm is ordered to it.
+template <class... A>
+int watched(const char* name, long call, A... arguments) {
+    return static_cast<int>(harmed(name, [&] { return kernel(call, arguments...); }));
+}
+
 bool writes(int flags) { return (flags & O_ACCMODE) != O_RDONLY; }
 
 int opened(const char* name, int folder, const char* path, int flags, mode_t mode) {
@@ -146,37 +152,31 @@ int syncfs(int file) noexcept {
 }
 
 int rename(const char* from, const char* to) noexcept {
-    const auto call = [&] { return kernel(SYS_renameat2, AT_FDCWD, from, AT_FDCWD, to, 0); };
-    const int result = static_cast<int>(harmed("rename", call));
+    const int result = watched("rename", SYS_renameat2, AT_FDCWD, from, AT_FDCWD, to, 0);
     if (result == 0) record("rename", 0, 0, 0, from, to);
     return result;
 }
 int renameat2(int from_folder, const char* from, int to_folder, const char* to, unsigned flags) noexcept {
-    const auto call = [&] { return kernel(SYS_renameat2, from_folder, from, to_folder, to, flags); };
-    return static_cast<int>(harmed("renameat2", call));
+    return watched("renameat2", SYS_renameat2, from_folder, from, to_folder, to, flags);
 }
 int linkat(int from_folder, const char* from, int to_folder, const char* to, int flags) noexcept {
-    const auto call = [&] { return kernel(SYS_linkat, from_folder, from, to_folder, to, flags); };
-    const int result = static_cast<int>(harmed("linkat", call));
+    const int result = watched("linkat", SYS_linkat, from_folder, from, to_folder, to, flags);
     struct stat status {};
     if (result == 0 && ::fstatat(to_folder, to, &status, 0) == 0) record("link", status.st_ino, 0, 0, to);
     return result;
 }
 int link(const char* from, const char* to) noexcept { return linkat(AT_FDCWD, from, AT_FDCWD, to, 0); }
 int unlink(const char* path) noexcept {
-    const auto call = [&] { return kernel(SYS_unlinkat, AT_FDCWD, path, 0); };
-    const int result = static_cast<int>(harmed("unlink", call));
+    const int result = watched("unlink", SYS_unlinkat, AT_FDCWD, path, 0);
     if (result == 0) record("unlink", 0, 0, 0, path);
     return result;
 }
 int mkdir(const char* path, mode_t mode) noexcept {
-    const auto call = [&] { return kernel(SYS_mkdirat, AT_FDCWD, path, mode); };
-    return static_cast<int>(harmed("mkdir", call));
+    return watched("mkdir", SYS_mkdirat, AT_FDCWD, path, mode);
 }
 
 int ftruncate(int file, off_t size) noexcept {
-    const auto call = [&] { return kernel(SYS_ftruncate, file, size); };
-    const int result = static_cast<int>(harmed("ftruncate", call));
+    const int result = watched("ftruncate", SYS_ftruncate, file, size);
     if (result == 0) record("truncate", inode_of(file), size, 0, "");
     return result;
 }
@@ -199,12 +199,10 @@ int close(int file) {
     return errno = error, static_cast<int>(result);
 }
 int fchmod(int file, mode_t mode) noexcept {
-    const auto call = [&] { return kernel(SYS_fchmod, file, mode); };
-    return static_cast<int>(harmed("fchmod", call));
+    return watched("fchmod", SYS_fchmod, file, mode);
 }
 int fchown(int file, uid_t owner, gid_t group) noexcept {
-    const auto call = [&] { return kernel(SYS_fchown, file, owner, group); };
-    return static_cast<int>(harmed("fchown", call));
+    return watched("fchown", SYS_fchown, file, owner, group);
 }
 
 }  // extern "C"
