@@ -2,24 +2,17 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "scene/moving_scene.h"
-#include "tests/referee/random_pattern.h"
+#include "tests/attack/written_again.h"
 #include "text/manual/syntax.h"
-#include "text/parse.h"
-#include "text/write.h"
 
 namespace {
 
-[[noreturn]] void fail(const char* what, const std::string& detail) {
-    std::fprintf(stderr, "%s\n%s\n", what, detail.c_str());
-    std::abort();
-}
+using strahl::attack::fail;
 
 bool finite(const glm::dmat4& m) {
     bool all = true;
@@ -28,13 +21,7 @@ bool finite(const glm::dmat4& m) {
 }
 
 void check(const strahl::Scene& scene) {
-    const std::string text = strahl::write_scene(scene);
-    try {
-        if (strahl::parse_scene(text, "written", {}, strahl::made_up_pixels) != scene)
-            fail("written and parsed again it is another scene:", text);
-    } catch (const strahl::FileError& error) {
-        fail("what was written does not parse:", std::string(error.what()) + "\n" + text);
-    }
+    const std::string text = strahl::attack::written_again(scene);
     for (const double time : {0., .1, 1.7, 1e9}) {
         const strahl::Scene now = at(scene, time);
         if (strahl::Movers(now).any()) fail("at a moment something moves:", text);
@@ -68,8 +55,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     try {
         scene = strahl::parse_scene(text, "fuzz", limits, strahl::made_up_pixels);
     } catch (const strahl::FileError& error) {
-        const std::string_view message = error.what();
-        if (!message.starts_with("fuzz:") || message.size() > 20000) fail("a strange message:", error.what());
+        strahl::attack::check_message(error, 20000);
         return 0;
     }
     check(scene);

@@ -11,6 +11,7 @@
 #include "tests/stability/naive.h"
 #include "tests/stability/stage.h"
 #include "tests/unit/levels.h"
+#include "tests/unit/trace/cut_out.h"
 
 using namespace strahl;
 using namespace strahl::stability;
@@ -34,14 +35,6 @@ std::vector<double> crop(const Scene& scene, Precision precision, const Lattice&
     ThreadPool pool(1);
     Tracer tracer(scene, precision);
     return values_of(tracer, {.camera = scene.camera, .width = 48, .height = 36, .depth = 10}, pixels, pool);
-}
-/// Returns the same part of the whole picture.
-std::vector<double> part(const Frame& frame, const Lattice& pixels) {
-    std::vector<double> values;
-    for (int y = pixels.y; y < pixels.y + pixels.rows; ++y)
-        for (int x = pixels.x; x < pixels.x + pixels.columns; ++x)
-            for (int c = 0; c < 3; ++c) values.push_back(pixel(frame, x, y)[c]);
-    return values;
 }
 
 }  // namespace
@@ -144,7 +137,7 @@ TEST_CASE("indices of refraction from 1e-9 to 1e9: right, and the same with any 
                 for (const Simd simd : fused_levels())
                     for (const int threads : {1, 3})
                         CHECK(shoot(stage.scene, precision, {48, 36, 10, threads, simd}) == frame);
-                CHECK(crop(stage.scene, precision, window) == part(frame, window));
+                CHECK(crop(stage.scene, precision, window) == cut_out(frame.rgb, frame.width, window));
                 if (!nested) CHECK(share_apart(frame, exact, precision == Precision::float32 ? 1e-2 : 1e-4) < .01);
             }
             lit += *std::max_element(exact.rgb.begin(), exact.rgb.end()) > .1;

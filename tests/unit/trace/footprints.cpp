@@ -9,6 +9,7 @@
 #include "num/thread_pool.h"
 #include "tests/referee/dice.h"
 #include "tests/unit/sanitized.h"
+#include "tests/unit/trace/cut_out.h"
 #include "text/parse.h"
 #include "trace/cells/cell_picture.h"
 #include "trace/tracer.h"
@@ -82,6 +83,20 @@ double rms(const std::vector<double>& a, const std::vector<double>& b) {
     return 510 * std::sqrt(squares / double(a.size()));
 }
 
+/// A refined picture and its error against a grid of rays.
+struct Compared {
+    Traced own;
+    double error;
+};
+Compared compared(const Scene& scene, int width, int height, int rays) {
+    const View view = view_of(scene, width, height);
+    Tracer tracer(scene, Precision::float64);
+    const Traced own = refined(tracer, view, {.columns = width, .rows = height});
+    const double error = rms(own.rgb, grid(tracer, view, rays));
+    MESSAGE("RMS ", error, ", estimate ", own.estimate, ", samples ", own.samples);
+    return {own, error};
+}
+
 TEST_CASE("every mip level has the mean of its picture") {
     Dice dice(5);
     for (const auto& [width, height] : {std::pair{96, 64}, {7, 5}, {33, 2}, {1, 9}, {1, 1}, {100, 37}}) {
@@ -151,14 +166,8 @@ TEST_CASE("images of all maps are filtered") {
     for (const std::string& body : bodies) texts.push_back(eye + body);
     for (const std::string& text : texts) {
         CAPTURE(text);
-        const Scene scene = scene_of(text);
-        const View view = view_of(scene, 64, 48);
-        const Lattice all{.columns = view.width, .rows = view.height};
-        Tracer tracer(scene, Precision::float64);
-        const Traced own = refined(tracer, view, all);
-        const double error = rms(own.rgb, grid(tracer, view, 32));
+        const auto [own, error] = compared(scene_of(text), 64, 48, 32);
         CAPTURE(own.samples);
-        MESSAGE("RMS ", error, ", estimate ", own.estimate, ", samples ", own.samples);
         CHECK(error < 3);
     }
 }
@@ -184,13 +193,7 @@ TEST_CASE("images in mirrors and behind glass are filtered as far as it is known
              Case{"sphere { <0, -3, 1.5>, 1.2" + glass, 8, 16},
          }) {
         CAPTURE(body);
-        const Scene scene = scene_of(eye + floor + body);
-        const View view = view_of(scene, 64, 48);
-        const Lattice all{.columns = view.width, .rows = view.height};
-        Tracer tracer(scene, Precision::float64);
-        const Traced own = refined(tracer, view, all);
-        const double off = rms(own.rgb, grid(tracer, view, 32));
-        MESSAGE("RMS ", off, ", estimate ", own.estimate, ", samples ", own.samples);
+        const auto [own, off] = compared(scene_of(eye + floor + body), 64, 48, 32);
         CHECK(off < error);
         CHECK(own.samples < samples);
     }
@@ -252,15 +255,8 @@ TEST_CASE("filtered pictures depend neither on threads, crops nor lanes") {
             const std::vector<double> picture = refined(tracer, view, all).rgb;
             CHECK(picture == refined(tracer, view, all, 3).rgb);
             if (best_simd() != Simd::v2) CHECK(picture == refined(scalar, view, all).rgb);
-            for (const Lattice crop : {Lattice{33, 17, 20, 30}, Lattice{0, 0, 1, 1}, Lattice{7, 40, 40, 9}}) {
-                const std::vector<double> part = refined(tracer, view, crop).rgb;
-                std::vector<double> cut;
-                for (int y = crop.y; y < crop.y + crop.rows; ++y) {
-                    const auto row = picture.begin() + 3 * (y * view.width + crop.x);
-                    cut.insert(cut.end(), row, row + 3 * crop.columns);
-                }
-                CHECK(part == cut);
-            }
+            for (const Lattice crop : {Lattice{33, 17, 20, 30}, Lattice{0, 0, 1, 1}, Lattice{7, 40, 40, 9}})
+                CHECK(refined(tracer, view, crop).rgb == cut_out(picture, view.width, crop));
         }
     }
 }

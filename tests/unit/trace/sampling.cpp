@@ -10,6 +10,7 @@
 #include "tests/referee/random_scene.h"
 #include "tests/unit/sanitized.h"
 #include "tests/unit/scenes.h"
+#include "tests/unit/trace/cut_out.h"
 #include "trace/cells/cell_picture.h"
 #include "trace/tracer.h"
 
@@ -132,13 +133,7 @@ TEST_CASE("averages depend neither on threads, crops, lanes nor passes") {
         CHECK(picture == whole(scene, view, {}, Precision::float64, Simd::scalar));
         for (const Lattice crop :
              {Lattice{33, 17, 20, 30}, Lattice{0, 0, 1, 1}, Lattice{74, 60, 1, 1}, Lattice{7, 0, 40, 9}}) {
-            const std::vector<double> part = traced(tracer, view, {}, crop);
-            std::vector<double> cut;
-            for (int y = crop.y; y < crop.y + crop.rows; ++y) {
-                const auto row = picture.begin() + 3 * (y * view.width + crop.x);
-                cut.insert(cut.end(), row, row + 3 * crop.columns);
-            }
-            CHECK(part == cut);
+            CHECK(traced(tracer, view, {}, crop) == cut_out(picture, view.width, crop));
         }
         ThreadPool pool(2);
         CellPicture cells(scene, view, all, Sampling{}.error);
