@@ -47,7 +47,7 @@ fi
 chmod 755 sealed
 rm -r sealed
 
-# Nothing that is read or written as well is overwritten, by whatever name.
+# A file that the command also reads or writes is not overwritten, under any name.
 cp scene.rt kept.rt
 cp scene.rt kept.png
 cp scene.rt kept.ini

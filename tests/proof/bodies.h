@@ -123,7 +123,7 @@ inline std::vector<Shape> random_bodies(Dice& dice, const DVec3& centre, double 
     return {Disc{centre, normal, radius, dice.chance(.5) ? 0 : radius * dice.in(.1, .9)}};
 }
 
-/// Bodies of about this size that a ray from afar along `way` meets at `target` on an edge, but for rounding.
+/// Bodies of about this size that a ray from afar along `way` meets at `target` on an edge, up to rounding.
 inline std::vector<Shape> edge_bodies(Dice& dice, const DVec3& target, const DVec3& way, double size) {
     const int kind = dice.upto(5);
     if (kind == 5) {  // where the surfaces of two parts cross

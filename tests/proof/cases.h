@@ -125,7 +125,7 @@ struct Case<Cone> {
         R near = dice.in(0, 1);
         if (dice.chance(.5)) near = std::pow(10, dice.in(-14, -1)) * (dice.chance(.7) ? 1 : -1);
         const R along = (cap ? 1 - near : near) * exact.height, end = cap ? exact.height : R(0);
-        // 113 bits do not tell how an apex is passed that is met but for rounding.
+        // 113 bits do not tell on which side a ray passes an apex that it meets up to rounding.
         if (dice.chance(.6) || (cap ? shape.cap_radius : shape.base_radius) == 0)
             return {exact.base + along * exact.axis + radius(along) * out, cosine * out - sine * exact.axis};
         return {exact.base + end * exact.axis + (1 - near) * radius(end) * out, R(cap ? 1 : -1) * exact.axis};

@@ -15,7 +15,7 @@ TEST_CASE("formulas of cylinders' ends") {
         const double height = std::pow(10, dice.in(-1, 1)), start = dice.chance(.5) ? -1 : dice.upto(2);
         const double slope = (dice.chance(.5) ? 1 : -1) * std::pow(10, dice.in(-6, 0));
         const double slope_error = std::abs(slope) * dice.in(0, 1.5), error = any_size(dice, -1) * height;
-        // Rays that start on an end are there but for this.
+        // Rays that start on an end are there up to this.
         const double along = start == 1   ? error * dice.in(-1, 1)
                              : start == 2 ? height + error * dice.in(-1, 1)
                                           : height * dice.in(-.5, 1.5);

@@ -76,7 +76,7 @@ inline void paint_world(Dice& dice, double size, const DVec3& at, Scene& scene) 
             if (dice.chance(.5)) bend(dice, size, at, material);
 }
 
-/// Colours of which the border between two passes through a place, but for rounding.
+/// Returns colours with a border between two of them that passes through a place, up to rounding.
 inline Pigment edge_paint(Dice& dice, double size, const DVec3& at) {
     constexpr double border = 1e-10;
     DVec3 place = -dice.vector(.1, .4);  // in the pattern's space

@@ -155,7 +155,7 @@ inline Scene random_crowd(std::uint64_t seed) {
 inline constexpr int edge_columns = 6, edge_rows = 4;
 
 /// A world of edges: through the middle of each pixel of a small picture goes a ray that touches a ball or a rod or
-/// meets a rim or an end whose plane holds the lamp, but for rounding, or whose mirrored or shadow ray from the floor
+/// meets a rim or an end whose plane holds the lamp, up to rounding, or whose mirrored or shadow ray from the floor
 /// does, or meets an edge of some other body or of a pattern's pieces.
 inline Scene world_of_edges(std::uint64_t seed) {
     constexpr double degree = std::numbers::pi / 180;

@@ -53,7 +53,7 @@ TEST_CASE("near and far cones of all kinds: hit or miss, and where") {
     }
 }
 
-TEST_CASE("rays along the side, closer to it than can be told: none passes through what is a few bits smaller") {
+TEST_CASE("no ray along the side, closer to it than rounding, passes through a cone a few bits smaller") {
     Dice dice;
     int wrong = 0, hits = 0;
     for (int i = 0; i < 20000; ++i) {

@@ -55,7 +55,7 @@ TEST_CASE("what is thrown on any thread is thrown where the work was given out, 
     }
 }
 
-TEST_CASE("a picture that cannot be finished for want of memory is not traced to its end") {
+TEST_CASE("a picture that cannot be finished for lack of memory is not traced to its end") {
     const Scene scene = parse_scene(
         "camera { position <0,0,0> look_at <0,1,0> up <0,0,-1> fov 25 } background { color <1,1,1> }", "test");
     ThreadPool pool(2);
@@ -70,7 +70,7 @@ TEST_CASE("a picture that cannot be finished for want of memory is not traced to
     CHECK(tiles <= 2);
 }
 
-TEST_CASE("threads that cannot be started are told, with advice") {
+TEST_CASE("threads that cannot be started are reported, with advice") {
     for (const int left : {0, 2}) {
         threads_left = left;
         std::string told;

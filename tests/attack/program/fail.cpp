@@ -30,7 +30,7 @@ thread_local bool loading = false;  // within dlopen()
 thread_local bool inside = false;   // one of our own calls, or one that is counted already
 
 /// The functions on the stack, and whether one of them is in a library that neither belongs to us nor to the language;
-/// the loader works for such ones.
+/// the loader works for such libraries.
 void describe(const char* function) {
     std::size_t length = static_cast<std::size_t>(std::snprintf(control->where, sizeof control->where, "%s", function));
     void* frames[60];

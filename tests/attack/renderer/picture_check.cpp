@@ -29,7 +29,7 @@ PictureCheck::Values PictureCheck::trace(Tracer& tracer, const Lattice& lattice,
     return values_of(tracer, wild.view, lattice, pool);
 }
 
-/// No value may be brighter than light in this scene can be, but for rounding. Where that is more than the precision
+/// No value may be brighter than light in this scene can be, up to rounding. Where that is more than the precision
 /// has, infinity comes out as its largest number; that a value is less in double says nothing, for in float a ray may
 /// pass a glass body more or miss a shadow.
 void PictureCheck::look_for_strange_values(const Values& values, Precision precision, const std::string& setting) {

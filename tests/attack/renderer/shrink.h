@@ -6,7 +6,7 @@
 
 namespace strahl {
 
-/// Removes and rounds whatever can go while `faulty` stays true.
+/// Removes and rounds parts of the scene as long as `faulty` stays true.
 WildScene shrunk(WildScene wild, const std::function<bool(const WildScene&)>& faulty);
 
 }  // namespace strahl

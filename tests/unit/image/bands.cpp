@@ -1,4 +1,4 @@
-// Files made of bands: in whatever order pixels come, and whatever happens to a checkpoint.
+// Files made of bands: with pixels in any order, and after damage to a checkpoint.
 #include <doctest/doctest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// NFF: what its entities become, what is told, and where errors are.
+// NFF: its entities as bodies, warnings, and the places of errors.
 #include "tests/unit/import/import.h"
 
 using namespace strahl;
@@ -89,7 +89,7 @@ TEST_CASE("NFF: polygons") {
     CHECK(fault(view + grey + square + triangle, limits) == "x:17:5: more than 2 bodies");
 }
 
-TEST_CASE("NFF: what is told") {
+TEST_CASE("NFF: warnings") {
     CHECK(imported("v from 1 0 0 at 0 0 0 up 0 0 1 angle 45 hither .5").warnings ==
           Told{"x:1: 'hither': bodies that are nearer are shown too"});
     CHECK(imported(view + "f 1 1 1 1 0 0 0 0\ns 0 0 0 0\ns 1 1 1 1\ns 1e99 0 0 1\n").warnings ==

@@ -1,4 +1,4 @@
-// Tachyon's scenes: what they become, what is told, and where errors are.
+// Tachyon's scenes: their bodies, warnings, and the places of errors.
 #include <cmath>
 
 #include "tests/unit/import/import.h"
@@ -116,7 +116,7 @@ TEST_CASE("Tachyon: triangles and vertex arrays") {
     CHECK(colored.warnings == Told{"x:5: COLORS: each triangle has the mean of its corners' colours"});
 }
 
-TEST_CASE("Tachyon: what has no counterpart is told, and something near is done") {
+TEST_CASE("Tachyon: features without a counterpart are reported and replaced by something near") {
     const Imported x =
         imported(eye + "SPHERE CENTER 0 0 40 RAD 2 " + white + "CYLINDER CENTER 0 0 0 AXIS 0 2 0 RAD 1 " + white);
     CHECK(body<Cylinder>(x, 1) == Cylinder{{0, -1e6, 0}, {0, 1e6, 0}, 1});

@@ -59,7 +59,7 @@ TEST_CASE("what cannot be opened, is not a file or is not a mesh") {
     CHECK(fault_in("a.ply", "ply") == Says{"its first line is not 'ply'"});
 }
 
-TEST_CASE("every file that is cut off is told to be") {
+TEST_CASE("every file that is cut off is reported as such") {
     const std::vector<std::array<DVec3, 3>> one{{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}};
     std::vector<std::pair<std::string, std::string>> files{{"a.stl", binary_stl(one)}, {"a.stl", ascii_stl(one)}};
     for (const std::string& format : formats) files.push_back({"a.ply", ply_of(triangle(), {.format = format})});
@@ -83,7 +83,7 @@ TEST_CASE("every file that is cut off is told to be") {
     CHECK(fault_in("a.stl", ascii_stl(one) + "facet") == Says{"here should be another 'solid', or the end, and not"});
 }
 
-TEST_CASE("numbers that are none, or too large") {
+TEST_CASE("words that are not numbers, and numbers that are too large") {
     for (const char* word : {"x", "1x", "0x1", "1,5", "1e400", "--1", "+-1", "1e", "'", "\x80", "1_0"}) {
         CAPTURE(word);
         const std::string quoted = std::string("'") + word + "'";

@@ -71,7 +71,7 @@ TEST_CASE("a composite with a part of glass may overlap, and its parts are found
     CHECK_FALSE(contains(scene.primitives[0], {5, 2.1, 0}));
 }
 
-TEST_CASE("a hundred thousand glass balls are looked through in no time, along whatever axis they lie") {
+TEST_CASE("a hundred thousand glass balls are searched in no time, along any axis") {
     for (const DVec3 step : {DVec3(3, 0, 0), DVec3(0, 3, 0), DVec3(0, 0, 3), DVec3(0, 3, 3), DVec3(0, 0, 0)}) {
         Scene scene = glass();
         const int balls = sanitized() ? 20000 : 100000;
@@ -99,7 +99,7 @@ TEST_CASE("a composite that is endless on one side moves with its transformation
     CHECK(box.low.z == -std::numeric_limits<double>::infinity());
 }
 
-TEST_CASE("a plane ends a composite's box only if it lies across an axis, but for rounding") {
+TEST_CASE("a plane ends a composite's box only if it lies across an axis, up to rounding") {
     const auto upper = [](double lean, const strahl::Transformation& turn) {
         const strahl::Plane plane{{0, 0, 0}, {1, 0, lean}, {0, 1, 0}};
         const auto parts = std::make_shared<const std::vector<strahl::Primitive>>(

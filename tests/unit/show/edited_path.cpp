@@ -26,7 +26,7 @@ TEST_CASE("keys make a path that can be pasted and flown") {
     CHECK(pasted->flythrough->keys.size() == 3);
     CHECK(pasted->flythrough->loop);  // it came back to where it began
     CHECK(pasted->flythrough->duration == 6);
-    // From its start, whatever was flown before.
+    // From its start, even if another flight came before.
     CHECK(session.perform({Action::play}, 5).note == "flying from 0 s");
     CHECK(session.flight_path() == pasted->flythrough);
 }
@@ -151,7 +151,7 @@ TEST_CASE("a flight by hand becomes a path of few keys that is nowhere farther f
     CHECK(session.perform({Action::record}, 101).note == "nothing moved, nothing is recorded");
 }
 
-TEST_CASE("a path that was edited can be read again, whatever was done") {
+TEST_CASE("a path can be read again after any edits") {
     std::uint32_t state = 1;
     const auto random = [&](int n) { return static_cast<int>((state = state * 1664525 + 1013904223) >> 8) % n; };
     Session session(scene_of(path_text));

@@ -99,7 +99,7 @@ TEST_CASE("sticks of a gamepad push and turn in proportion, and rest near their 
     CHECK(!controls.active(1));
 }
 
-TEST_CASE("a drag is measured from where the button was pressed, and a click is none") {
+TEST_CASE("a drag is measured from where the button was pressed, and a click is not a drag") {
     Pointer pointer;
     CHECK(!pointer.move(700, 500));
     pointer.press(10, 20);  // the window has become another one: the pointer did not move here

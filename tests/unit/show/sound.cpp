@@ -69,7 +69,7 @@ TEST_CASE("the moment heard goes on as a clock does, from where it is played") {
     }
 }
 
-TEST_CASE("what is no sound, or only begins as one, is told and makes no noise") {
+TEST_CASE("a file that is not a sound, or only begins as one, is reported and makes no noise") {
     const Scratch folder;
     const std::string whole = bytes_of(clicks);
     const auto fault_of = [&](const std::string& bytes) {

@@ -65,7 +65,7 @@ TEST_CASE("mistakes with names") {
                 "(coordinates go up to 1e9)");
     check_fault("define thin disc { <0,0,0>, <0,0,1>, 1 }\nunion { thin { } }",
                 "3:9: a thin can't be part of a body: only closed ones can");
-    // An error in a definition is told once.
+    // An error in a definition is reported once.
     check_fault("define ball sphere { <0,0,0>, -1 }\nball { } ball { scale 2 }",
                 "2:31: 'radius' of 'sphere' must be greater than 0 (at least 2.3e-308) and at most 1e9, not '-1'");
     // Doubling 40 times makes more bodies than a scene may have, and is stopped early.

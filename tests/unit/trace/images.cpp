@@ -12,7 +12,7 @@
 
 using namespace strahl;
 
-TEST_CASE("an image bends normals by its brightness, in whatever scene") {
+TEST_CASE("an image bends normals by its brightness, in any scene") {
     // A ramp in red from 0 to 1/2 across 33 pixels, whose middles are 1/33 apart; POV-Ray's weight of red is .297.
     const auto ramp = [](const std::string&) {
         Pixels pixels{33, 1, false, {}, Color(.5, .9, .9)};
@@ -157,7 +157,7 @@ TEST_CASE("an image by uv is the referee's") {
         CHECK(referee.explains(i % width, i / width, &own.rgb[3 * static_cast<std::size_t>(i)], 1e-9, 1e-6));
 }
 
-TEST_CASE("images in float are those in double but for rounding, and no pixel is none") {
+TEST_CASE("images in float are those in double up to rounding, and every pixel is a number") {
     const auto random = [](const std::string&) { return made_up_pixels("8-7-4"); };
     for (const std::string map : {"planar", "spherical", "cylindrical", "planar once <1, 0, 0>"})
         for (const std::string more : {"scale .7", "translate <1e9, -1e9, 1e9>", "scale 1e-300"}) {

@@ -105,7 +105,7 @@ TEST_CASE("patterns that repeat are as good far away as here") {
     }
 }
 
-TEST_CASE("float noise is double noise but for rounding") {
+TEST_CASE("float noise is double noise up to rounding") {
     const std::string noise = "noise { octaves 2  colors { 0 <0, 0, 0> 1 <1, 1, 1> } }";
     for (const double width : {8., 80., 800.}) {
         CAPTURE(width);
@@ -174,7 +174,7 @@ TEST_CASE("bumps leave outlines and what is inside as they are") {
     for (std::size_t i = 0; i < smooth.rgb.size(); ++i) CHECK((smooth.rgb[i] > 0) == (bumpy.rgb[i] > 0));
 }
 
-TEST_CASE("numbers without sense make no pixel that is none") {
+TEST_CASE("senseless numbers leave every pixel a number") {
     const std::string floor = "plane { " + floor_points + "  material { rgb ";
     for (const std::string kind : {"checker { <1, 1, 1>, <.5, .5, .5> ",
                                    "brick { <1, 1, 1>, <.5, .5, .5>  brick_size <1e-9, 1e9, 1>  mortar 1e9 ",
