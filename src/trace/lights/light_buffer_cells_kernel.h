@@ -1,6 +1,6 @@
-// In which cells of a light buffer points are.
+// Finds the bodies that a light buffer has between points and its light.
 #pragma once
-#include "trace/forms/items_kernel.h"
+#include "num/memory.h"
 #include "trace/lights/light_buffer.h"
 
 namespace strahl::inline STRAHL_LEVEL {
@@ -25,6 +25,33 @@ STRAHL_INLINE S cells_of(const LightBuffer<Element<S>>& buffer, bool parallel, c
         cells = select(own, fma(row, S(face.columns), column) + S(face.first), cells);
     }
     return cells;
+}
+
+/// Walks through the candidates between points and a light that has a buffer, each lane those of its own cell, the
+/// nearest to the light first. Calls test(form, lanes, items) for candidates of one form, an item in each of these
+/// lanes; it returns the lanes that are dark, which need no more. `distance` is that from the points to the light.
+template <class S, class Test>
+STRAHL_INLINE void walk_candidates(const World<Element<S>>& world, int light, const Vec3<S>& points, const S& distance,
+                                   Mask<S> lanes, const Test& test) {
+    const LightBuffer<Element<S>>& buffer = world.light_buffers[light];
+    const LightKernel<Element<S>>& from = world.lights[light];
+    const bool parallel = from.finite == 0;
+    const Vec3<S> position = splat<S>(from.position);
+    const S depth = parallel ? -dot(position, points) : distance;
+    S at = cells_of(buffer, parallel, parallel ? points : points - position, lanes);
+    Mask<S> left = lanes & (at > S(0));
+    while (any(left)) {
+        int places[width<S>], items[width<S>];
+        store_whole(places, at);
+        const auto candidate = gather_items<Candidate<S>, S>(buffer.candidates, places);
+        left = left & (candidate.near < depth);
+        if (none(left)) break;
+        const S form(lane(candidate.form, first(left)));
+        const Mask<S> now = left & (candidate.form == form);
+        store_whole(items, select(now, candidate.item, S(0)));
+        left = left & !test(static_cast<int>(lane(form, 0)), now, items);
+        at = select(now, candidate.next, at);
+    }
 }
 
 }  // namespace strahl::inline STRAHL_LEVEL

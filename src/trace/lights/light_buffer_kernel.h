@@ -1,5 +1,4 @@
-// Shadow rays by light buffers. Each lane goes through the candidates of a cell of its own; a step tests one of each
-// lane, side by side.
+// Shadow rays by light buffers: tests one candidate of each lane side by side.
 #pragma once
 #include <algorithm>
 
@@ -10,8 +9,9 @@
 
 namespace strahl::inline STRAHL_LEVEL {
 
+/// Finds the shadow rays that opaque bodies are in the way of.
 template <class S>
-struct BufferWalk {
+struct Darkening {
     using T = Element<S>;
     const World<T>& world;
     const Ray<S>& ray;
@@ -52,29 +52,15 @@ struct BufferWalk {
 template <class S>
 Mask<S> LightBufferCalls<S>::occlude(const World<T>& world, int number, const Ray<S>& ray, const S& distance,
                                      Transmission<S>& light) {
-    const LightBuffer<T>& buffer = world.light_buffers[number];
-    const LightKernel<T>& from = world.lights[number];
-    const bool parallel = from.finite == 0;
-    const Mask<S> active = light.limit > S(0);
-    const Mask<S> near = active & (dot(ray.origin, ray.origin) < S(buffer.furthest * buffer.furthest));
-    const Vec3<S> position = splat<S>(from.position);
-    const S depth = parallel ? -dot(position, ray.origin) : distance;
-    const BufferWalk<S> walk{world, ray, distance};
-    S at = cells_of(buffer, parallel, parallel ? ray.origin : ray.origin - position, near);
-    Mask<S> left = near & (at > S(0)), dark = first_lanes<S>(0);
-    while (any(left)) {
-        int places[width<S>], items[width<S>];
-        store_whole(places, at);
-        const auto candidate = gather_items<Candidate<S>, S>(buffer.candidates, places);
-        left = left & (candidate.near < depth);
-        if (none(left)) break;
-        const S form(lane(candidate.form, first(left)));
-        const Mask<S> now = left & (candidate.form == form);
-        store_whole(items, select(now, candidate.item, S(0)));
-        const Mask<S> found = walk.darkened(now, static_cast<int>(lane(form, 0)), items);
-        dark = dark | found, left = left & !found;
-        at = select(now, candidate.next, at);
-    }
+    const T furthest = world.light_buffers[number].furthest;
+    const Mask<S> active = light.limit > S(0), near = active & (dot(ray.origin, ray.origin) < S(furthest * furthest));
+    const Darkening<S> bodies{world, ray, distance};
+    Mask<S> dark = first_lanes<S>(0);
+    walk_candidates(world, number, ray.origin, distance, near, [&](int form, Mask<S> lanes, const int* items) {
+        const Mask<S> found = bodies.darkened(lanes, form, items);
+        dark = dark | found;
+        return found;
+    });
     light.limit = select(dark, S(-1), light.limit);
     return active & !near;
 }

@@ -18,33 +18,20 @@ template <class S>
                                                  const S& distance, const S& off, Mask<S> active,
                                                  const Slack<Element<S>>& slack, LightBounds<S>& light) {
     using T = Element<S>;
-    const LightBuffer<T>& buffer = world.light_buffers[number];
     const LightKernel<T>& from = world.lights[number];
-    const bool parallel = from.finite == 0;
-    const Vec3<S> position = splat<S>(from.position), origin = own.ray.origin;
+    const Vec3<S> origin = own.ray.origin;
+    const T furthest = world.light_buffers[number].furthest;
     const T room = (T(.5 * LightBuffers<T>::proving_margin) - 8 * (slack.share + slack.turn)) * slack.reach;
-    const S wrong = own.doubt.away + S(from.finite * unit_error<S>) * norm1(position);
-    const Mask<S> near = active & (dot(origin, origin) < S(buffer.furthest * buffer.furthest)) & (wrong < S(room));
-    const S depth = parallel ? -dot(position, origin) : distance;
-    S at = cells_of(buffer, parallel, parallel ? origin : origin - position, near);
-    Mask<S> left = near & (at > S(0));
-    while (any(left)) {
-        int places[width<S>], items[width<S>];
-        store_whole(places, at);
-        const auto candidate = gather_items<Candidate<S>, S>(buffer.candidates, places);
-        left = left & (candidate.near < depth);
-        if (none(left)) break;
-        const S form(lane(candidate.form, first(left)));
-        const Mask<S> now = left & (candidate.form == form);
-        store_whole(items, select(now, candidate.item, S(0)));
-        const bool known = if_hot(world, static_cast<int>(lane(form, 0)), [&](const auto& group) {
+    const S wrong = own.doubt.away + S(from.finite * unit_error<S>) * norm1(splat<S>(from.position));
+    const Mask<S> near = active & (dot(origin, origin) < S(furthest * furthest)) & (wrong < S(room));
+    walk_candidates(world, number, origin, distance, near, [&](int form, Mask<S> lanes, const int* items) {
+        const bool known = if_hot(world, form, [&](const auto& group) {
             using Item = typename std::remove_cvref_t<decltype(group)>::template ItemOf<S>;
-            pass_opaque_items(gather_items<Item, S>(group.items, items), own, now, distance, off, slack, light);
+            pass_opaque_items(gather_items<Item, S>(group.items, items), own, lanes, distance, off, slack, light);
         });
-        if (!known) light.doubt = light.doubt | now;
-        left = left & !light.dark;
-        at = select(now, candidate.next, at);
-    }
+        if (!known) light.doubt = light.doubt | lanes;
+        return light.dark;
+    });
     return active & !near;
 }
 
