@@ -1,4 +1,3 @@
-// Whole files out: temporary file, then rename.
 #include "files/output_file.h"
 
 #include <fcntl.h>
@@ -31,18 +30,18 @@ namespace fs = std::filesystem;
     throw OutputError(told);
 }
 
-/// The older file's owner as far as we may, and its permissions without set-user-ID and set-group-ID: these were given
-/// to the bytes that were there.
+/// Gives the file the owner of the older one, as far as that is allowed, and its permissions without set-user-ID and
+/// set-group-ID, which were meant for the older bytes.
 void take_over(int file, const struct stat& old) {
     if (::fchown(file, old.st_uid, old.st_gid) != 0) static_cast<void>(::fchown(file, uid_t(-1), old.st_gid));
     struct stat now {};
     mode_t mode = old.st_mode & 0777;
-    // Of a group that is not the older file's, nobody may do more than others.
+    // A group other than the older file's may not do more than others.
     if (::fstat(file, &now) != 0 || now.st_gid != old.st_gid) mode &= ~mode_t(070) | (mode & 07) << 3;
     static_cast<void>(::fchmod(file, mode));
 }
 
-/// The bytes of one file to another, from where that one stands, by way of a block: an errno, or 0.
+/// Copies the bytes of one file to the current position of another, block by block. Returns an errno, or 0.
 int copy(int from, int to, off_t size, std::vector<char>& block) {
     for (off_t at = 0; at < size;) {
         const ssize_t got = ::pread(from, block.data(), block.size(), at);
@@ -54,8 +53,8 @@ int copy(int from, int to, off_t size, std::vector<char>& block) {
     return 0;
 }
 
-/// Overwrites in place a file that has several names: a rename would leave the others with the older bytes. Room is
-/// found first; `begun` says whether older bytes may be lost if it fails after all.
+/// Overwrites in place a file that has several names, because a rename would leave the others with the older bytes. The
+/// disk space is reserved first. `begun`: older bytes may be lost if it fails. Returns an errno, or 0.
 int overwrite(const fs::path& target, int source, off_t old_size, bool& begun) {
     std::vector<char> block(1 << 20);  // before anything is changed: memory may run out
     struct stat status {};
@@ -72,7 +71,7 @@ int overwrite(const fs::path& target, int source, off_t old_size, bool& begun) {
     return ::close(file) == 0 || error ? error : errno;
 }
 
-/// Where a chain of symbolic links ends, whether or not something is there.
+/// The end of a chain of symbolic links, whether or not that exists.
 fs::path follow_links(fs::path path) {
     std::error_code ignored;
     for (int links = 0; links < 40 && fs::is_symlink(path, ignored); ++links)
@@ -95,14 +94,14 @@ struct OutputFile::Implementation {
     }
     bool in_place() const { return exists && old.st_nlink > 1; }
 
-    /// What is there now.
+    /// Finds the file that exists at the path, if any.
     void look_at(const std::string& own_path) {
         path = own_path;
         target = follow_links(path);
         exists = ::stat(target.c_str(), &old) == 0;
         if (!exists && errno == ELOOP) fail(path, ELOOP);
         if (exists && S_ISDIR(old.st_mode)) fail(path, EISDIR);
-        // A rename would replace a read-only file, which its owner did not mean, or a device by a plain file.
+        // A rename would replace a read-only file, against the wish of its owner, or a device by a regular file.
         if (exists && ::access(target.c_str(), W_OK) != 0) fail(path, errno);
     }
 
@@ -115,7 +114,7 @@ struct OutputFile::Implementation {
         }
         look_at(own_path);
         if (exists && !S_ISREG(old.st_mode)) {
-            if (for_other) throw OutputError("cannot write '" + path + "': it is no file");
+            if (for_other) throw OutputError("cannot write '" + path + "': it is not a regular file");
             direct = ::open(target.c_str(), O_WRONLY | O_CLOEXEC);
             if (direct < 0) fail(path, errno);
             return;
@@ -127,7 +126,7 @@ struct OutputFile::Implementation {
         if (exists) take_over(temporary->descriptor(), old);
     }
 
-    /// Makes the copy, which is on the disk, the content of the older file.
+    /// Replaces the older file by the temporary one, which is on the disk.
     int replace() {
         if (!in_place()) {
             if (std::rename(temporary->path().c_str(), target.c_str()) != 0) return errno;
@@ -183,7 +182,7 @@ void write_file(const std::string& path, std::string_view bytes) {
     file.finish();
 }
 
-// Not std::filesystem::remove_all: where memory runs out, that ends the program.
+// Not std::filesystem::remove_all, which ends the program if memory runs out.
 bool remove_folder(const std::string& path) {
     const auto remove = [](const char* name, const struct stat*, int, FTW*) { return std::remove(name); };
     return ::nftw(path.c_str(), remove, 16, FTW_DEPTH | FTW_PHYS) == 0;

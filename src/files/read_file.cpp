@@ -12,7 +12,8 @@ namespace strahl {
 
 std::string read_text(const std::string& path, std::size_t limit) {
     const auto fail = [&](int error) -> void {
-        throw FileError((path == "-" ? "standard input" : path) + ": can't be read: " + std::strerror(error));
+        const std::string name = path == "-" ? "standard input" : "'" + path + "'";
+        throw FileError("cannot read " + name + ": " + std::strerror(error));
     };
     const auto close = [](std::FILE* file) {
         if (file != stdin) std::fclose(file);
@@ -24,7 +25,7 @@ std::string read_text(const std::string& path, std::size_t limit) {
     while (const std::size_t count = std::fread(part.data(), 1, part.size(), file.get())) {
         text.append(part.data(), count);
         if (text.size() > limit)
-            throw FileError(path + ": larger than " + std::to_string(limit) + " bytes; is this a scene file?");
+            throw FileError("'" + path + "' is larger than " + std::to_string(limit) + " bytes; is it a scene file?");
     }
     if (std::ferror(file.get())) fail(errno);
     return text;

@@ -1,5 +1,5 @@
-// Standard streams that tell. By themselves they keep quiet about what is thrown while they work, such as
-// std::bad_alloc: the text would lack a piece, or a file would seem to be empty.
+// Standard streams that throw. By default they swallow exceptions such as std::bad_alloc, so that a text would lack a
+// part or a file would seem to be empty.
 #pragma once
 #include <cerrno>
 #include <fstream>
@@ -11,16 +11,17 @@
 
 namespace strahl {
 
+/// Writes a text.
 struct TextStream : std::ostringstream {
     TextStream() { exceptions(std::ios::badbit); }
 };
 
-/// A text to be read word by word or line by line.
+/// Reads a text word by word or line by line.
 struct WordStream : std::istringstream {
     explicit WordStream(const std::string& text) : std::istringstream(text) { exceptions(std::ios::badbit); }
 };
 
-/// A file to be read, byte by byte as it is. Throws FileError if it can't be opened.
+/// Reads the bytes of a file. Throws FileError if it cannot be opened.
 struct FileStream : std::ifstream {
     explicit FileStream(const std::string& path) : std::ifstream(path, std::ios::binary) {
         if (!is_open()) throw FileError("cannot read '" + path + "': " + std::generic_category().message(errno));

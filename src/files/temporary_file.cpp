@@ -1,4 +1,3 @@
-// Temporary files, and writing to files, pipes and devices.
 #include "files/temporary_file.h"
 
 #include <dirent.h>
@@ -23,7 +22,7 @@ NoFileSizeSignal::NoFileSizeSignal() {
     ::pthread_sigmask(SIG_BLOCK, &signal, &before);
 }
 NoFileSizeSignal::~NoFileSizeSignal() {
-    // The signal goes to the thread that wrote. Unblocked while it waits, it would end the program after all.
+    // The signal is pending for the thread that wrote. Once unblocked it would end the program, so it is taken first.
     if (const timespec now{}; !::sigismember(&before, SIGXFSZ))
         while (::sigtimedwait(&signal, nullptr, &now) < 0 && errno == EINTR) continue;
     ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
@@ -97,7 +96,7 @@ Temporary::Temporary(const fs::path& beside, bool stays)
         struct stat status {};
         ::flock(file, LOCK_EX | LOCK_NB);
         if (::fstat(file, &status) == 0 && status.st_nlink > 0) return true;
-        ::close(file);  // somebody was faster and took it for one that was left
+        ::close(file);  // another program removed it before it was locked
         return file = -1, errno = EEXIST, false;
     });
 }

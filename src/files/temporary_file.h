@@ -1,4 +1,5 @@
-// What writing whole files is made of. Results are errnos, or 0.
+// Temporary files, and functions for writing to files, pipes and devices. Functions that return int return an errno, or
+// 0.
 #pragma once
 #include <sys/types.h>
 
@@ -9,7 +10,7 @@
 
 namespace strahl {
 
-/// While it lives, writing past the limit of file sizes fails with EFBIG instead of ending the program.
+/// While an object exists, writing past the limit of file sizes fails with EFBIG instead of ending the program.
 class NoFileSizeSignal {
   public:
     NoFileSizeSignal();
@@ -20,27 +21,27 @@ class NoFileSizeSignal {
     sigset_t signal, before;
 };
 
-/// Writes everything, or says why not (an errno). Pipes and devices may keep it waiting for ever: a signal ends that,
-/// and is noticed because they get pieces that are written as a whole or not at all.
+/// Writes all bytes. Pipes and devices may make it wait for ever. A signal ends that: they get small pieces, each of
+/// which is written as a whole or not at all, so that the signal is noticed.
 int write_all(int file, std::string_view bytes);
 
-/// Waits until the disk has it: an errno if it has not. File systems that know no such thing are left alone.
+/// Waits until the file is on the disk. Succeeds on file systems that do not support this.
 int synced(int file);
 
-/// A name is lost in a power cut until its folder is on the disk. A folder that may not be read can't be asked for
-/// that.
+/// Waits until the folder is on the disk; before, a power cut could lose the names in it. Succeeds for folders that may
+/// not be read, with which this is impossible.
 int sync_folder(const std::filesystem::path& folder);
 
-/// Removes what killed programs left in a folder: temporary files that nobody has locked. The folder is not listed by
-/// std::filesystem, which ends the program where memory runs out on the way.
+/// Removes temporary files that killed programs left in a folder, which are those that nobody has locked. Does not use
+/// std::filesystem, which ends the program if memory runs out while it lists a folder.
 void remove_left(const std::filesystem::path& folder);
 
-/// Where the bytes are until they get their name. It has a name of its own only where that can't be helped: a file
-/// without one is gone when the program is killed. It is locked while it lives, so that nobody takes it for one that
-/// was left.
+/// A temporary file beside the final one. It has no name where the file system allows that, so that it is gone if the
+/// program is killed. It is locked while the object exists, so that no other program takes it for one left by a killed
+/// one.
 class Temporary {
   public:
-    /// A file that is to stay whatever happens has an ending that nobody removes.
+    /// If `stays`, its name has an ending that remove_left() does not remove.
     Temporary(const std::filesystem::path& beside, bool stays);
     ~Temporary();
     Temporary(const Temporary&) = delete;
@@ -51,7 +52,7 @@ class Temporary {
 
     /// Gives it a name if it has none yet.
     int give_name();
-    /// The name stays, or has become another one.
+    /// Leaves the file in place under its name, or the one that it was renamed to.
     void keep() { name.clear(); }
 
   private:

@@ -1,4 +1,3 @@
-// Strict UTF-8, and its safe display on a terminal.
 #include "files/utf8.h"
 
 #include <algorithm>
@@ -16,7 +15,7 @@ struct Character {
     bool valid;
 };
 
-/// The character that starts at text[i]; strict as in the Unicode standard, table 3-7.
+/// Decodes the character that starts at text[i], strictly as in the Unicode standard, table 3-7.
 Character decode(std::string_view text, std::size_t i) {
     const auto byte = [&](std::size_t k) -> std::uint32_t {
         return i + k < text.size() ? static_cast<unsigned char>(text[i + k]) : 0;
@@ -35,7 +34,7 @@ Character decode(std::string_view text, std::size_t i) {
     return valid ? Character{code, bytes, true} : Character{0, 1, false};
 }
 
-/// Characters that would steer a terminal, or turn the direction of writing, instead of showing themselves.
+/// Is it a character that controls a terminal or the direction of writing?
 bool steers(std::uint32_t c) {
     return c < 0x20 || (c >= 0x7F && c < 0xA0) || (c >= 0x200E && c <= 0x200F) || (c >= 0x2028 && c <= 0x202E) ||
            (c >= 0x2066 && c <= 0x2069);
@@ -83,7 +82,6 @@ std::string printable(std::string_view text) {
     }
 }
 
-/// Moves `i` in text by `count` characters, but not past `end`.
 std::size_t back(std::string_view text, std::size_t i, std::size_t end, int count) {
     while (count-- > 0 && i > end) do
             --i;
@@ -99,7 +97,7 @@ std::size_t forth(std::string_view text, std::size_t i, std::size_t end, int cou
 
 std::size_t find_invalid(std::string_view text) {
     for (std::size_t i = 0; i < text.size();) {
-        if (static_cast<signed char>(text[i]) > 0) {  // plain ones; char has no sign on some processors
+        if (static_cast<signed char>(text[i]) > 0) {  // ASCII; on some processors char has no sign
             ++i;
             continue;
         }

@@ -1,4 +1,4 @@
-// UTF-8: validity, the start of characters, and display.
+// Checks UTF-8, finds the start of characters, and makes text safe for a terminal.
 #pragma once
 #include <cstddef>
 #include <string>
@@ -6,24 +6,24 @@
 
 namespace strahl {
 
-/// Is this any byte of a character but the first?
+/// Is this a byte of a character other than the first?
 inline bool continues(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
 
-/// The position of the first byte that is not UTF-8, or is 0; or npos.
+/// The position of the first byte that is not valid UTF-8 or is 0; npos if there is none.
 std::size_t find_invalid(std::string_view text);
 
-/// Moves `i` back or forth by `count` characters, but not past `end`.
+/// The position `count` characters before or after `i`, but not past `end`.
 std::size_t back(std::string_view text, std::size_t i, std::size_t end, int count);
 std::size_t forth(std::string_view text, std::size_t i, std::size_t end, int count);
 
-/// Part of a line, safe to print (tabs become four spaces), and the columns it takes on a terminal.
+/// A part of a line that is safe to print (tabs become four spaces), and its width in columns.
 struct Shown {
     std::string text;
     int width = 0;
 };
 Shown show(std::string_view slice);
 
-/// A text of several lines, safe to print.
+/// Makes a text of several lines safe to print.
 std::string printable(std::string_view text);
 
 }  // namespace strahl

@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::string_view magic = "strahl bands 1\n";
 
-/// Numbers before each band: itself, the sizes of its note and its bytes, and a hash of all that.
+/// Before each band stand its number, the sizes of its note and its bytes, and a hash of all these.
 constexpr std::size_t start_bytes = 8 + 8 + 8 + 8;
 
 std::uint64_t hash_of(std::string_view text) { return std::hash<std::string_view>()(text); }
@@ -80,7 +80,7 @@ bool BandFile::is_at(const std::string& path) {
 
 BandFile::BandFile(const std::string& path) : own_path(path) {
     const auto broken = [&](const char* why) { throw FileError("cannot read '" + path + "': " + why); };
-    if (!is_at(path)) broken("it is no file of bands that strahl wrote");
+    if (!is_at(path)) broken("it is not a file of bands written by strahl");
     FileStream in(path);
     std::string line, compression;
     BandHeader& h = own_header;
@@ -113,7 +113,7 @@ BandFile::BandFile(const std::string& path) : own_path(path) {
         in.read(encoded.note.data(), static_cast<std::streamsize>(note_size));
         in.read(encoded.bytes.data(), static_cast<std::streamsize>(bytes_size));
         if (!in || !record_of(static_cast<int>(band), encoded).starts_with(start)) break;
-        places[static_cast<int>(band)] = {end + start_bytes + note_size, bytes_size, encoded.note};
+        records[static_cast<int>(band)] = {end + start_bytes + note_size, bytes_size, encoded.note};
         end += start_bytes + note_size + bytes_size;
     }
 }
@@ -130,12 +130,12 @@ BandFile::~BandFile() {
 }
 
 std::string BandFile::bytes(int band) const {
-    const Place& place = places.at(band);
-    std::string bytes(place.size, '\0');
+    const Record& record = records.at(band);
+    std::string bytes(record.size, '\0');
     FileStream in(own_path);
-    in.seekg(static_cast<std::streamoff>(place.at));
+    in.seekg(static_cast<std::streamoff>(record.at));
     if (!in.read(bytes.data(), static_cast<std::streamsize>(bytes.size())))
-        throw FileError("cannot read '" + own_path + "': it has changed meanwhile");
+        throw FileError("cannot read '" + own_path + "': it has changed since it was opened");
     return bytes;
 }
 
@@ -151,7 +151,7 @@ void BandFile::open_to_append() {
 void BandFile::append(int band, const EncodedBand& encoded) {
     const std::string record = record_of(band, encoded);
     if (const int error = write_all(file, record)) fail(own_path, error);
-    places[band] = {end + record.size() - encoded.bytes.size(), encoded.bytes.size(), encoded.note};
+    records[band] = {end + record.size() - encoded.bytes.size(), encoded.bytes.size(), encoded.note};
     end += record.size();
 }
 

@@ -1,4 +1,4 @@
-// Encoded bands of a picture in a file: the checkpoint of a picture that is not finished, or a part of one.
+// Files of encoded bands: the checkpoint of a picture that is not finished, or a part of a picture.
 #pragma once
 #include <cstdint>
 #include <map>
@@ -10,42 +10,42 @@
 
 namespace strahl {
 
-/// What a file of bands is of: lines of a key, a space and a value. Bands go together if all of this is the same but
-/// the part.
+/// The first lines of a file of bands, each a key, a space and a value. Bands belong to the same picture if all lines
+/// but the part are equal.
 struct BandHeader {
-    std::string program, scene, options;  // hashes, and in words whatever else the picture depends on
+    std::string program, scene, options;  // two hashes, and in words all else that the picture depends on
     std::string ending;
     Layout layout;
     Compression compression = Compression::fast;
     int part = 1, parts = 1;  // the bands whose numbers leave `part` - 1 when divided by `parts`
 
     std::string text() const;
-    /// The first key whose values differ, or "".
+    /// The first key whose values differ, or "" if there is none.
     std::string difference(const BandHeader& other) const;
     bool has(int band) const { return band % parts == part - 1; }
 };
 
-/// Each band is whole or absent in it, whatever happened while it was written: what follows the last band that is whole
-/// is ignored. Functions throw OutputError where they write and FileError where they read.
+/// A file of bands. Whatever happened while it was written, each band is whole or absent: anything after the last whole
+/// band is ignored. Functions that write throw OutputError, those that read FileError.
 class BandFile {
   public:
-    /// Reads what is in the file at `path`.
+    /// Opens the file at `path` and finds its bands.
     explicit BandFile(const std::string& path);
-    /// Begins one, in the place of an older one.
+    /// Begins a file, in place of an older one.
     BandFile(const std::string& path, const BandHeader& header);
     ~BandFile();
     BandFile(const BandFile&) = delete;
 
-    /// Is there such a file?
+    /// Is the file at this path one of bands?
     static bool is_at(const std::string& path);
 
     const BandHeader& header() const { return own_header; }
     const std::string& path() const { return own_path; }
-    bool has(int band) const { return places.contains(band); }
-    const std::string& note(int band) const { return places.at(band).note; }
+    bool has(int band) const { return records.contains(band); }
+    const std::string& note(int band) const { return records.at(band).note; }
     std::string bytes(int band) const;
 
-    /// Locks the file; OutputError if another program has.
+    /// Locks the file. Throws OutputError if another program has locked it.
     void open_to_append();
     void append(int band, const EncodedBand& encoded);
     /// When this returns, all bands are on the disk.
@@ -54,15 +54,15 @@ class BandFile {
     void rename(const std::string& path);
 
   private:
-    struct Place {
-        std::uint64_t at, size;
+    struct Record {
+        std::uint64_t at, size;  // of the bytes of a band in the file
         std::string note;
     };
     std::string own_path;
     BandHeader own_header;
-    std::map<int, Place> places;
-    std::uint64_t end = 0;  // of the last band that is whole
-    int file = -1;          // open to append
+    std::map<int, Record> records;  // by number of the band
+    std::uint64_t end = 0;  // of the last whole band
+    int file = -1;          // open for appending, or -1
 };
 
 }  // namespace strahl

@@ -1,4 +1,3 @@
-// Comparison of two pictures.
 #include "image/compare.h"
 
 #include <algorithm>

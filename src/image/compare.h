@@ -1,4 +1,4 @@
-// Comparison of two pictures: figures, a heat map, and pictures side by side.
+// Compares two pictures: figures, a heat map, and pictures side by side.
 #pragma once
 #include <cstddef>
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace strahl {
 
-/// |a - b| of all channels of all pixels. NaN equals NaN; NaN and a number differ infinitely.
+/// Figures of |a - b| over all channels of all pixels. NaN equals NaN; NaN and a number differ infinitely.
 struct PictureDifference {
     std::size_t pixels = 0;
     double max = 0, mean = 0, rms = 0;
@@ -19,8 +19,8 @@ struct PictureDifference {
     double value_a = 0, value_b = 0;
 };
 
-/// An alpha channel (the 2nd of 2, the 4th of 4) counts only if both pictures have it. Throws FileError if the sizes
-/// or the other channels do not match.
+/// Compares two pictures. An alpha channel (the 2nd of 2, the 4th of 4) counts only if both have it. Throws FileError
+/// if the sizes or the other channels do not match.
 PictureDifference compare(const Picture& a, const Picture& b, double tolerance);
 
 /// The figures as a few lines of text.

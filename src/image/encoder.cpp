@@ -1,5 +1,5 @@
-// The choice of an encoder, and that of BMP: Windows bitmaps of 24 bits a pixel, bottom-up, blue first, rows of 4 n
-// bytes (Microsoft, "Bitmap Storage").
+// Chooses encoders, and encodes BMP: Windows bitmaps of 24 bits a pixel, bottom-up, blue first, rows of 4 n bytes
+// (Microsoft, "Bitmap Storage").
 #include "image/encoder.h"
 
 #include <cassert>

@@ -1,4 +1,4 @@
-// OpenEXR: one part of scan lines, 32-bit floats, ZIP compression of 16 lines at a time ("OpenEXR File Layout",
+// Encodes OpenEXR: one part of scan lines, 32-bit floats, ZIP compression of 16 lines at a time ("OpenEXR File Layout",
 // openexr.com).
 #include <zlib.h>
 
@@ -26,7 +26,7 @@ void put_attribute(std::string& head, const char* name, const char* type, const 
     head += value;
 }
 
-/// First the bytes at even places, then those at odd ones, each less the one before it: what zlib packs better.
+/// The bytes at even places, then those at odd ones, each minus the one before it, which zlib packs better.
 std::string separated(const std::string& plain) {
     std::string bytes(plain.size(), '\0');
     const std::size_t half = plain.size() / 2;  // floats have an even number of bytes
@@ -39,7 +39,7 @@ class Exr : public Encoder {
   public:
     using Encoder::Encoder;
 
-    /// The chunks without the number of their first row; the note is their sizes.
+    /// Encodes chunks without the number of their first row; the note is their sizes.
     EncodedBand encode(const std::byte* codes, int rows) const override {
         EncodedBand band;
         for (int first = 0; first < rows; first += chunk_rows) {
@@ -82,7 +82,7 @@ class Exr : public Encoder {
     }
 
   private:
-    /// Channels stand in the order of their names.
+    /// The names of the channels, in alphabetical order.
     std::string_view names() const {
         return std::string_view(layout.channels < 3 ? "AY" : "ABGR").substr(layout.channels % 2);
     }
@@ -109,7 +109,7 @@ class Exr : public Encoder {
         return file += '\0';
     }
 
-    /// Row by row, of each channel all values.
+    /// The values of each row, one channel after the other.
     std::string planes(const std::byte* codes, int rows) const {
         static_assert(std::endian::native == std::endian::little);
         std::string bytes(layout.row_bytes() * unsigned(rows), '\0');

@@ -1,4 +1,4 @@
-# Pictures, written with zlib, and a module with OpenImageIO that is loaded only when a picture file is read.
+# Pictures, written with zlib, and a module with OpenImageIO that is loaded only when a compressed picture is read.
 pkg_check_modules(ZLIB REQUIRED IMPORTED_TARGET zlib)
 strahl_module(image src/image strahl_text)
 get_target_property(sources strahl_image SOURCES)

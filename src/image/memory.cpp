@@ -1,4 +1,3 @@
-// Available memory, as Linux tells it.
 #include "image/memory.h"
 
 #include <sys/resource.h>

@@ -1,4 +1,4 @@
-// How much memory is available, so that a picture that needs more is refused before it is traced.
+// Asks Linux how much memory is available, so that a picture that needs more is refused before it is traced.
 #pragma once
 
 namespace strahl {

@@ -1,4 +1,4 @@
-// Picture files: endings, quantisation, and loading of the module that decodes.
+// Reads and writes picture files, and loads the module that reads compressed ones.
 #include "image/picture.h"
 
 #include <dlfcn.h>
@@ -28,35 +28,29 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Library {
-    decltype(&strahl_decode_picture) decode;
-};
+using Decode = decltype(&strahl_decode_picture);
 
-[[noreturn]] void tell_threads() {
-    throw OutputError(
-        "the part of strahl that reads pictures can't start its threads here; let more processes run "
-        "(ulimit -u), or ask for fewer with --threads");
-}
-
-/// Some of the libraries behind the module start threads while they load, a few for each processor at most, and where
-/// they can't they end the program. So as many are tried first.
+/// Throws OutputError if no more threads can be started. Some libraries behind the module start threads while they
+/// load, at most a few for each processor, and end the program where they cannot. So as many are started first.
 void require_threads() {
     std::atomic<bool> tried = false;
     std::vector<std::jthread> threads;
-    // Whatever is thrown: they are joined after this, and must not wait any longer.
+    // Lets the threads end before they are joined, whatever is thrown.
     const auto let_go = [](std::atomic<bool>* flag) { *flag = true, flag->notify_all(); };
     const std::unique_ptr<std::atomic<bool>, decltype(let_go)> guard(&tried, let_go);
     try {
         for (unsigned i = 0; i < 4 + 2 * std::thread::hardware_concurrency(); ++i)
             threads.emplace_back([&] { tried.wait(false); });
     } catch (const std::system_error&) {
-        tell_threads();
+        throw OutputError(
+            "the part of strahl that reads pictures cannot start its threads here; let more processes run "
+            "(ulimit -u), or ask for fewer with --threads");
     }
 }
 
-/// The module is in lib/strahl: either of the build folder, whose programs are at its top or one folder down, or of the
-/// prefix that it was installed to, whose programs are in bin.
-Library load_library() {
+/// Loads the module from lib/strahl: in the build folder, whose programs are at its top or one folder down, or in the
+/// folder that it was installed to, whose programs are in bin.
+Decode load_library() {
     std::error_code error;
     const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
     fs::path path = folder / "lib/strahl/libstrahl_image.so";
@@ -71,16 +65,16 @@ Library load_library() {
         throw OutputError(std::string("the part of strahl that reads pictures does not load: ") +
                           ::dlerror());
 #if defined(__SANITIZE_ADDRESS__)
-    // One of these libraries ends its threads at exit, and the leak check fails on threads that are just ending. So
-    // check before.
+    // One of these libraries ends its threads at exit, and the leak check fails on threads that are just ending: check
+    // before.
     std::atexit(__lsan_do_leak_check);
 #endif
-    return {reinterpret_cast<decltype(&strahl_decode_picture)>(::dlsym(handle, "strahl_decode_picture"))};
+    return reinterpret_cast<Decode>(::dlsym(handle, "strahl_decode_picture"));
 }
 
-/// Loaded once per process, on first use.
-const Library& library() {
-    static const Library loaded = load_library();
+/// The function of the module, which is loaded once, on first use.
+Decode decode() {
+    static const Decode loaded = load_library();
     return loaded;
 }
 
@@ -128,11 +122,11 @@ Picture read_picture(const std::string& path, std::uint64_t most) {
     if (!format) return read_uncompressed(file, std::min(most, possible));
     Picture picture;
     std::string reason;
-    if (!library().decode({path, format, std::min(most, possible), available_memory()}, picture, reason))
+    if (!decode()({path, format, std::min(most, possible), available_memory()}, picture, reason))
         throw FileError("cannot read '" + path + "' as a picture: " + reason.substr(0, reason.find('\n')));
     return picture;
 }
 
-void require_picture_library() { library(); }
+void require_picture_library() { decode(); }
 
 }  // namespace strahl

@@ -1,4 +1,4 @@
-// Reading and writing picture files. Callers need not know the library behind it.
+// Reads and writes picture files.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -8,14 +8,15 @@
 
 namespace strahl {
 
-/// Values row by row from the top, `channels` per pixel. Read from 8- and 16-bit files they are code / 255 or / 65535.
+/// A picture: values row by row from the top, `channels` per pixel. From 8- and 16-bit files they are code / 255 or
+/// code / 65535.
 struct Picture {
     int width = 0, height = 0, channels = 3;
     std::vector<double> values;
     int bits = 32;  // of the file it came from: 8, 16, or 32 for float
 };
 
-/// How hard PNG is compressed: faster than pictures are traced, or as small as zlib makes it.
+/// How PNG is compressed: faster than pictures are traced, or as small as zlib can.
 enum class Compression { fast, small };
 
 struct FileFormat {
@@ -24,7 +25,7 @@ struct FileFormat {
     Compression compression = Compression::fast;
 };
 
-/// ".png" of "a/b.PNG"; in lower case.
+/// The ending of a path in lower case: ".png" of "a/b.PNG".
 std::string ending_of(const std::string& path);
 /// `bits`, or the default of the ending.
 int bits_of(const std::string& ending, int bits);
@@ -33,22 +34,21 @@ int bits_of(const std::string& ending, int bits);
 /// `bits` 0 means the default of the ending. `path` may be the ending alone.
 std::string format_fault(const std::string& path, int bits);
 
-/// The largest error that such a file can't show: half a step of its values before encoding (0 for floats).
+/// The largest error that such a file cannot show: half a step of its values before encoding (0 for floats).
 double half_step(FileFormat format);
 
-/// Writes atomically: to a temporary file beside `path`, which is then renamed. "-" is standard output, for which
-/// `ending` (such as ".png") chooses the format. Throws OutputError.
+/// Writes a picture atomically: to a temporary file beside `path`, which is then renamed. "-" is standard output, for
+/// which `ending` (such as ".png") chooses the format. Throws OutputError.
 void write_picture(const Picture& picture, const std::string& path, FileFormat format, const std::string& ending = "");
 
-/// What a picture may cost to read, unless it is known to be larger: 2 GiB of doubles.
+/// The most values that a picture may have unless the caller allows more: 2 GiB of doubles.
 inline constexpr std::uint64_t most_values_read = std::uint64_t(1) << 28;
 
-/// A .bmp, .png or .exr file, or one of image/netpbm.h, which its first bytes tell and not its ending; no colours are
-/// converted. Throws
+/// Reads a .bmp, .png, .exr, .ppm, .pgm or .pfm file, whatever its name ends in, without converting colours. Throws
 /// FileError, also if the picture has more than `most` values or more than there is memory for.
 Picture read_picture(const std::string& path, std::uint64_t most = most_values_read);
 
-/// Loads the library that reads pictures, before work whose result would be lost without it. Throws OutputError.
+/// Loads the library that reads .png and .exr files, before work that would be lost without it. Throws OutputError.
 void require_picture_library();
 
 }  // namespace strahl

@@ -1,4 +1,4 @@
-// What the plain part and the module that holds OpenImageIO say to each other.
+// The interface of the module that holds OpenImageIO.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace strahl {
 
-/// A file to read, and what of it may be allocated.
+/// A file to read, and how much may be allocated for it.
 struct Wanted {
     const std::string& path;
     const char* format;  // "bmp", "png" or "openexr"
@@ -18,7 +18,7 @@ struct Wanted {
 }  // namespace strahl
 
 extern "C" {
-/// The picture in a file, or false and the reason. Never throws.
+/// Reads the picture in a file, or returns false and the reason. Never throws.
 [[gnu::visibility("default")]] bool strahl_decode_picture(const strahl::Wanted& wanted, strahl::Picture& picture,
                                                           std::string& reason);
 }

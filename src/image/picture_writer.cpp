@@ -12,7 +12,7 @@
 namespace strahl {
 namespace {
 
-/// What the file holds of `count` values.
+/// Converts `count` values to the codes of the file.
 template <class T>
 void store(const T* values, std::size_t count, int bits, bool linear, std::byte* codes) {
     const auto quantised = [&](auto* to, int steps) {
@@ -70,7 +70,7 @@ void PictureWriter::put_any(int x, int y, int columns, int rows, const T* values
     const Layout& layout = encoder->layout;
     const auto count = std::size_t(columns) * unsigned(layout.channels);
     for (int done = 0; done < rows;) {
-        // Those that go to one band, in the order of the picture.
+        // The rows that go to one band, in the order of the picture.
         const auto place = [&](int row) { return encoder->bottom_up() ? layout.height - 1 - y - row : y + row; };
         const int i = place(done) / band_rows;
         Band& band = *bands[unsigned(i)];

@@ -1,4 +1,4 @@
-// A picture on its way to a file: pixels come in any order and from any thread; bands that are complete are encoded.
+// Writes a picture whose pixels come in any order and from any thread, and encodes bands as soon as they are complete.
 #pragma once
 #include <atomic>
 #include <cstdint>
@@ -14,19 +14,19 @@ namespace strahl {
 
 class PictureWriter {
   public:
-    /// `named` is the file, or only its ending. Throws OutputError if such a file can't hold this.
+    /// `named` is the path of the file, or only its ending. Throws OutputError if such a file cannot hold the picture.
     PictureWriter(int width, int height, int channels, const std::string& named, FileFormat format);
     ~PictureWriter();
 
-    /// Values of the pixels from (x, y) on, row by row; the thread that completes a band encodes it. No pixel comes
-    /// twice.
+    /// Takes the values of a rectangle of pixels from (x, y) on, row by row; the thread that completes a band encodes
+    /// it. No pixel may come twice.
     void put(int x, int y, int columns, int rows, const double* values);
     void put(int x, int y, int columns, int rows, const float* values);
 
-    /// Takes the bands that are in the file as done; it may be used by several writers, and is not changed.
+    /// Uses the bands of the file as finished ones. Several writers may use a file; it is not changed.
     void take(std::shared_ptr<BandFile> file);
-    /// Appends the bands that were finished since the last time to the file, and frees their memory. From one thread at
-    /// a time.
+    /// Appends the bands finished since the last call to the file, and frees their memory. To be called by one thread
+    /// at a time.
     void save(const std::shared_ptr<BandFile>& file);
     /// Bytes of finished bands in memory.
     std::size_t held() const { return bytes_held; }
@@ -34,10 +34,11 @@ class PictureWriter {
     const Layout& layout() const { return encoder->layout; }
     int count() const { return encoder->bands(); }
     bool finished(int band) const { return bands[unsigned(band)]->ready; }
-    /// The rows of a band in the picture, from the first to before the last.
+    /// The rows of a band in the picture: the first, and the one after the last.
     std::pair<int, int> rows(int band) const;
 
-    /// Pixels that did not come are black. Throws OutputError, and FileError for bands that can't be read any more.
+    /// Writes the file; pixels that did not come are black. Throws OutputError, and FileError for bands that cannot be
+    /// read any more.
     void write(const std::string& path);
     void write(const Encoder::Append& append);
 
@@ -46,8 +47,8 @@ class PictureWriter {
         std::atomic<std::size_t> missing = 0;  // pixels
         std::vector<std::byte> codes;
         EncodedBand encoded;
-        std::atomic<bool> ready = false;  // it is encoded
-        std::shared_ptr<BandFile> in;     // where it is, if not in memory
+        std::atomic<bool> ready = false;  // encoded
+        std::shared_ptr<BandFile> in;     // the file that has it, if it is not in memory
     };
     template <class T>
     void put_any(int x, int y, int columns, int rows, const T* values);
@@ -57,7 +58,7 @@ class PictureWriter {
     const FileFormat format;
     const std::unique_ptr<Encoder> encoder;
     std::vector<std::unique_ptr<Band>> bands;
-    std::mutex mutex;  // of the bands' memory
+    std::mutex mutex;  // guards the memory of the bands
     std::atomic<std::size_t> bytes_held = 0;
 };
 

@@ -10,13 +10,14 @@ namespace strahl {
 Pixels read_pixels(const std::string& path) {
     const auto fail = [&](const std::string& why) { throw FileError("cannot use '" + path + "': " + why); };
     constexpr std::uint64_t most_values = std::uint64_t(1) << 27;
-    constexpr double largest_value = 1e9;  // as of colours in the text
-    constexpr int most_pixels = 1 << 15;  // along a side. Of a float's 24 bits 9 are left for places between pixels
+    constexpr double largest_value = 1e9;  // as for colours in scene text
+    constexpr int most_pixels = 1 << 15;  // along a side: of a float's 24 bits 9 are left for places between pixels
     const Picture picture = read_picture(path, most_values);
     const std::string size = std::to_string(picture.width) + "x" + std::to_string(picture.height);
     if (std::max(picture.width, picture.height) > most_pixels)
-        fail("it has " + size + " pixels, and at most " + std::to_string(most_pixels) + " may be side by side");
-    if (picture.channels > 4) fail("it has " + std::to_string(picture.channels) + " channels, and no colours");
+        fail("it has " + size + " pixels; each side may have at most " + std::to_string(most_pixels));
+    if (picture.channels > 4)
+        fail("it has " + std::to_string(picture.channels) + " channels; a picture of colours has at most 4");
     const bool grey = picture.channels < 3, alpha = picture.channels % 2 == 0;
     Pixels pixels{picture.width, picture.height, picture.bits == 32, {}};
     const auto count = std::size_t(picture.width) * static_cast<unsigned>(picture.height);
@@ -32,7 +33,7 @@ Pixels read_pixels(const std::string& path) {
         for (int c = 0; c < 3; ++c) {
             const double value = own[grey ? 0 : c];
             if (!(value >= 0 && value <= largest_value))
-                fail("it has the value " + text_of(value) + at() + "; values from 0 to 1e9 are colours");
+                fail("it has the value " + text_of(value) + at() + "; colours are from 0 to 1e9");
             pixels.values.push_back(static_cast<float>(value));
             pixels.largest[c] = std::max(pixels.largest[c], double(pixels.values.back()));
         }

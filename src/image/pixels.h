@@ -1,4 +1,4 @@
-// Pictures as patterns of a scene.
+// Reads pictures as patterns of a scene.
 #pragma once
 #include <string>
 
@@ -7,8 +7,8 @@
 
 namespace strahl {
 
-/// A .bmp, .png or .exr file, of grey values or colours. Throws FileError, also if it is wider or higher than 32768
-/// pixels, if it has pixels that let what is behind them through, or values that no colour has.
+/// Reads a picture file (see read_picture) of grey values or colours. Throws FileError, also if it is wider or higher
+/// than 32768 pixels, has pixels that are not opaque, or values below 0 or above 1e9.
 Pixels read_pixels(const std::string& path);
 
 }  // namespace strahl

@@ -1,5 +1,5 @@
-// PNG (W3C, "Portable Network Graphics Specification"): bands are parts of one deflate stream that end at a byte, each
-// in a chunk of its own, so that they can be compressed on different threads (as M. Adler's pigz does).
+// Encodes PNG (W3C, "Portable Network Graphics Specification"). Bands are parts of one deflate stream that end at a
+// byte, each in a chunk of its own, so that they can be compressed on different threads (as M. Adler's pigz does).
 #include <zlib.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace strahl {
 namespace {
 
-/// A part of a raw deflate stream; what follows may begin another.
+/// Compresses a part of a raw deflate stream, which ends at a byte.
 std::string deflated(const std::string& plain, int level, int strategy) {
     z_stream stream{};
     if (::deflateInit2(&stream, level, Z_DEFLATED, -MAX_WBITS, MAX_MEM_LEVEL, strategy) != Z_OK) throw std::bad_alloc();
@@ -93,7 +93,7 @@ class Png : public Encoder {
         return file;
     }
 
-    /// 16 bits have the most significant byte first.
+    /// The codes as bytes; those of 16 bits have the most significant byte first.
     std::string in_order(const std::byte* codes, int rows) const {
         std::string bytes(reinterpret_cast<const char*>(codes), layout.row_bytes() * unsigned(rows));
         if (layout.bits == 16) {
@@ -106,7 +106,7 @@ class Png : public Encoder {
         return bytes;
     }
 
-    /// The first row of a band has none above that it may depend on.
+    /// Filters rows. The first row of a band must not depend on the row above it.
     std::string filtered(const std::string& bytes, int rows, Filter filter) const {
         const std::size_t row = layout.row_bytes(), pixel = unsigned(layout.channels * layout.bits / 8);
         std::string plain((row + 1) * unsigned(rows), '\0');

@@ -9,7 +9,7 @@
 namespace strahl {
 namespace {
 
-/// Do the chunks of a .png lie inside the file, up to its end or to the first that is cut off?
+/// Do the chunks of a .png lie inside the file, up to its pixels or its end?
 bool png_chunks_fit(const RegularFile& file) {
     for (std::uint64_t at = 8; at + 8 <= file.size();) {
         const std::string head = file.bytes(at, 8);

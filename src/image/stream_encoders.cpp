@@ -1,5 +1,5 @@
-// Pictures of streams of which other programs make films: PPM (netpbm.sourceforge.net/doc/ppm.html), one after the
-// other, and YUV4MPEG2 (man 5 yuv4mpeg) without subsampling.
+// Encodes the pictures of streams that other programs turn into films: PPM (netpbm.sourceforge.net/doc/ppm.html), one
+// after the other, and YUV4MPEG2 (man 5 yuv4mpeg) without subsampling.
 #include <cmath>
 #include <cstdint>
 
@@ -22,7 +22,7 @@ class Ppm : public Encoder {
     }
 };
 
-/// ITU-R BT.709: luma from 16 to 235, differences of colour from 16 to 240. A band is its three planes.
+/// Encodes by ITU-R BT.709: luma from 16 to 235, colour differences from 16 to 240. A band consists of three planes.
 class Y4m : public Encoder {
   public:
     using Encoder::Encoder;
@@ -60,7 +60,7 @@ std::unique_ptr<Encoder> y4m_encoder(const Layout& layout) { return std::make_un
 
 std::string stream_head(std::string_view ending, const Layout& layout, double fps) {
     if (ending != ".y4m") return "";
-    // 25:1, or 30000:1001, which is 29.97, or whatever it is.
+    // As a fraction: 25:1; 30000:1001, which is 29.97; or else with six decimals.
     long above = std::lround(fps * 1e6), below = 1'000'000;
     for (const long divisor : {1001L, 1L})
         if (const double frames = fps * double(divisor); std::abs(std::round(frames) - frames) < 5e-5 * double(divisor))

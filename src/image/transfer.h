@@ -1,4 +1,5 @@
-// From computed values to what a screen or an 8- or 16-bit file holds. The window tabulates it (show/work/screen_image.h).
+// Converts computed values to those of a screen or an 8- or 16-bit file. The window has a table of it
+// (show/work/screen_image.h).
 #pragma once
 #include <algorithm>
 #include <cmath>

@@ -15,28 +15,28 @@
 namespace strahl {
 namespace {
 
-bool within(const DVec3& v, const Bounds& bounds) {
-    return bounds.contains(v.x) && bounds.contains(v.y) && bounds.contains(v.z);
+bool within(const DVec3& v, const NumberRange& range) {
+    return range.contains(v.x) && range.contains(v.y) && range.contains(v.z);
 }
 
 double largest(const DVec3& v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
 
-/// Is this a direction once its largest component is 1?
+/// Is it a direction once it is divided by its largest component?
 bool has_direction(const DVec3& v) { return within(v, anything) && largest(v) >= smallest_positive; }
 
 }  // namespace
 
-void Builder::set_camera(const Camera& camera) {
+void SceneBuilder::set_camera(const Camera& camera) {
     if (!within(camera.position, coordinates) || !within(camera.look_at, coordinates) ||
         !within(camera.up, coordinates))
-        words.fail("the camera is too far away: coordinates go up to 1e9");
-    if (const char* const fault = degenerate(camera)) words.fail(std::string("the camera sees nothing: ") + fault);
+        words.fail("the camera is too far away: coordinates are at most 1e9");
+    if (const char* const fault = degenerate(camera)) words.fail(std::string("invalid camera: ") + fault);
     scene.camera = camera;
 }
 
-void Builder::add_light(Light light) {
+void SceneBuilder::add_light(Light light) {
     if (scene.lights.size() == limits.lights) words.fail("more than " + std::to_string(limits.lights) + " lights");
-    if (!within(light.position, coordinates)) return warn("a light is left out: coordinates go up to 1e9");
+    if (!within(light.position, coordinates)) return warn("a light is left out: coordinates are at most 1e9");
     if (light.direction && !has_direction(*light.direction))
         return warn("a directional light is left out: it has no direction");
     if (light.direction && !within(*light.direction, directions)) *light.direction /= largest(*light.direction);
@@ -45,28 +45,28 @@ void Builder::add_light(Light light) {
     if (Spot* const spot = light.spot ? &*light.spot : nullptr) {
         const double radius = std::clamp(spot->radius, 0., 90.), falloff = std::clamp(spot->falloff, radius, 90.);
         if (radius != spot->radius || falloff != spot->falloff)
-            warn("the spotlight's angles are brought into the range from 0 to 90 degrees");
+            warn("the spotlight's angles are limited to the range from 0 to 90 degrees");
         spot->radius = radius, spot->falloff = falloff;
     }
     for (int i = 0; i < 3; ++i) {
         const double component = std::clamp(light.color[i], not_negative.low, not_negative.high);
-        if (component != light.color[i]) warn("the light's colour is brought into the range from 0 to 1e9");
+        if (component != light.color[i]) warn("the light's colour is limited to the range from 0 to 1e9");
         light.color[i] = component;
     }
     scene.lights.push_back(light);
 }
 
-void Builder::set_fog(Fog fog) {
+void SceneBuilder::set_fog(Fog fog) {
     const double distance = std::clamp(fog.distance, lengths.low, lengths.high);
     if (distance != fog.distance) warn("the fog's distance is " + text_of(distance) + " instead");
     fog.distance = distance;
     scene.fog = fog;
 }
 
-void Builder::set_material(Material changed) {
+void SceneBuilder::set_material(Material changed) {
     const auto limit = [&](double& value, Range range, const char* name) {
-        const Bounds bounds = bounds_of(range);
-        const double limited = std::clamp(value, bounds.low, bounds.high);
+        const auto [low, high, words, whole] = range_of(range);
+        const double limited = std::clamp(value, low, high);
         if (limited != value)
             warn(std::string("the material's ") + name + " is " + text_of(value) + "; " + text_of(limited) +
                  " instead");
@@ -86,29 +86,29 @@ void Builder::set_material(Material changed) {
 }
 
 template <class Value>
-bool Builder::fits(const Value& value, Range range, const char* name, const char* kind) {
-    const Bounds bounds = argument_bounds(range);
+bool SceneBuilder::fits(const Value& value, Range range, const char* name, const char* kind) {
+    const NumberRange allowed = argument_range(range);
     bool good = true;
     if constexpr (std::is_same_v<Value, DVec3>)
-        good = within(value, bounds);
+        good = within(value, allowed);
     else if constexpr (std::is_same_v<Value, double>)
-        good = bounds.contains(value);
-    if (!good) warn(std::string("a ") + kind + " is left out: its " + name + " must be " + bounds.words);
+        good = allowed.contains(value);
+    if (!good) warn(std::string("a ") + kind + " is left out: its " + name + " must be " + allowed.words);
     return good;
 }
 
-void Builder::add(const Shape& shape) {
+void SceneBuilder::add(const Shape& shape) {
     end_mesh();
     count_body();
     put(shape);
 }
 
-/// Each triangle of a mesh counts.
-void Builder::count_body() {
+/// Counts a body; of a mesh each triangle counts.
+void SceneBuilder::count_body() {
     if (++bodies > limits.primitives) words.fail("more than " + std::to_string(limits.primitives) + " bodies");
 }
 
-void Builder::put(const Shape& shape) {
+void SceneBuilder::put(const Shape& shape) {
     const bool good = std::visit(
         [&](const auto& body) {
             using Kind = std::decay_t<decltype(body)>;
@@ -127,7 +127,7 @@ void Builder::put(const Shape& shape) {
     scene.primitives.push_back({.shape = shape, .material = materials.number(material), .transformations = {}});
 }
 
-void Builder::add_plane(const DVec3& point, const DVec3& normal) {
+void SceneBuilder::add_plane(const DVec3& point, const DVec3& normal) {
     if (!has_direction(normal)) return warn("a plane is left out: its normal has no direction");
     const DVec3 n = normal / largest(normal);
     // Two directions in the plane, along coordinate axes if the normal is.
@@ -139,22 +139,22 @@ void Builder::add_plane(const DVec3& point, const DVec3& normal) {
     add(Plane{point, point + step / largest(u) * u, point + step / largest(v) * v});
 }
 
-void Builder::add_endless_cylinder(const DVec3& centre, const DVec3& axis, double radius) {
+void SceneBuilder::add_endless_cylinder(const DVec3& centre, const DVec3& axis, double radius) {
     if (!has_direction(axis)) return warn("a cylinder is left out: its axis has no direction");
     if (largest(centre) > largest_coordinate / 2) return warn("a cylinder is left out: it is too far away");
-    warn("cylinders have ends: this endless one gets them far away");
+    warn("an endless cylinder: it ends far away here");
     const std::size_t before = scene.primitives.size();
     add(Cylinder{centre, centre + axis / largest(axis), radius});
     if (scene.primitives.size() > before) endless.push_back({before, centre, axis / largest(axis)});
 }
 
-void Builder::add_polygon(std::span<const DVec3> corners, std::span<const DVec3> bent) {
+void SceneBuilder::add_polygon(std::span<const DVec3> corners, std::span<const DVec3> bent) {
     for (const DVec3& corner : corners)
         if (!fits(corner, Range::any, "corners", "polygon")) return;
     for (const DVec3& normal : bent)
         if (!fits(normal, Range::direction, "normals", "polygon")) return;
     if (std::ranges::any_of(bent, [](const DVec3& normal) { return !(length(normal) > 0); })) {
-        warn("a normal without a direction: this polygon is flat");
+        warn("a normal without a direction: this polygon is flat here");
         bent = {};
     }
     if (!triangles.empty() && bent.empty() != corner_normals.empty()) end_mesh();
@@ -179,8 +179,8 @@ void Builder::add_polygon(std::span<const DVec3> corners, std::span<const DVec3>
     if (!seen) warn("a polygon is left out: it has no area");
 }
 
-/// The run of polygons becomes a body: a triangle, or a mesh.
-void Builder::end_mesh() {
+/// Turns the run of polygons into a body: a triangle, or a mesh.
+void SceneBuilder::end_mesh() {
     if (triangles.empty()) return;
     MeshData mesh{std::move(points.points()), std::move(normals.points()), std::move(triangles),
                   std::move(corner_normals)};
@@ -195,7 +195,7 @@ void Builder::end_mesh() {
         put(SmoothTriangle{corner(0), corner(1), corner(2), normal(0), normal(1), normal(2)});
 }
 
-double Builder::reach() const {
+double SceneBuilder::reach() const {
     double reach = std::max(1., largest(scene.camera.position));
     for (const Primitive& primitive : scene.primitives)
         if (const Box box = world_bounds(primitive); box.finite())
@@ -203,7 +203,7 @@ double Builder::reach() const {
     return reach;
 }
 
-void Builder::place_far() {
+void SceneBuilder::place_far() {
     const double far = std::min(1e4 * std::pow(10, std::ceil(std::log10(reach()))), largest_coordinate / 2);
     for (const EndlessCylinder& each : endless) {
         auto& cylinder = std::get<Cylinder>(scene.primitives[each.number].shape);
@@ -211,11 +211,11 @@ void Builder::place_far() {
     }
 }
 
-Imported Builder::finish(std::string_view file) {
+Imported SceneBuilder::finish(std::string_view file) {
     end_mesh();
     if (!endless.empty()) place_far();
     scene.materials = std::move(materials.list);
-    return {.scene = std::move(scene), .size = size, .warnings = warnings.told(file)};
+    return {.scene = std::move(scene), .size = size, .warnings = warnings.messages(file)};
 }
 
 }  // namespace strahl

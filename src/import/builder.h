@@ -1,4 +1,4 @@
-// Puts an imported scene together: what both formats share.
+// Builds an imported scene, for both formats.
 #pragma once
 #include <span>
 #include <string>
@@ -16,31 +16,32 @@
 
 namespace strahl {
 
-/// Bodies and lights that the language does not know are left out with a warning, so that what is built can be written
-/// as text and read again. A line is that of the word taken last.
-class Builder {
+/// Builds a scene that can be written as text and read again: bodies and lights that the language does not allow are
+/// left out with a warning. Warnings name the line of the word taken last.
+class SceneBuilder {
   public:
-    Builder(WordReader& words, const ImportLimits& limits) : words(words), limits(limits) {}
+    SceneBuilder(WordReader& words, const ImportLimits& limits) : words(words), limits(limits) {}
 
     void warn(const std::string& message) { warnings.add(words.line(), message); }
 
-    /// Fails if the camera sees nothing.
+    /// Fails if the camera is invalid.
     void set_camera(const Camera& camera);
-    /// Values out of range are brought into it; a light without a direction that it needs is left out.
+    /// Limits values to their ranges. Leaves out a light without a direction that it needs.
     void add_light(Light light);
     void set_fog(Fog fog);
 
-    /// The material of the bodies that follow. Values out of range are brought into it.
+    /// Sets the material of the bodies that follow. Limits values to their ranges.
     void set_material(Material material);
 
     void add(const Shape& shape);
     void add_plane(const DVec3& point, const DVec3& normal);
-    /// A cylinder without ends: it gets ones far away.
+    /// Adds a cylinder without ends, which gets ends far away.
     void add_endless_cylinder(const DVec3& centre, const DVec3& axis, double radius);
-    /// Corners of a plane polygon; `normals` is empty or has one for each. A run of polygons of one material is a mesh.
+    /// Adds a plane polygon; `normals` is empty or has one for each corner. A run of polygons of one material becomes a
+    /// mesh.
     void add_polygon(std::span<const DVec3> corners, std::span<const DVec3> normals);
 
-    /// Changes all materials, once the last body is there.
+    /// Changes all materials; to be called after the last body.
     template <class Change>
     void change_materials(const Change& change) {
         end_mesh();
@@ -53,7 +54,7 @@ class Builder {
         for (Primitive& primitive : scene.primitives) primitive.material = numbers[primitive.material];
         materials = std::move(changed);
     }
-    /// The largest coordinate of camera and bounded bodies, at least 1.
+    /// The largest coordinate of the camera and of bounded bodies, at least 1.
     double reach() const;
     Imported finish(std::string_view file);
 
@@ -79,7 +80,7 @@ class Builder {
     Materials materials;
     Material material;
 
-    // The run of polygons so far.
+    // The current run of polygons.
     PointJoiner points, normals;
     std::vector<MeshData::Corners> triangles, corner_normals;
     FaceSplitter splitter;

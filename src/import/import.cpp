@@ -9,7 +9,7 @@ namespace strahl {
 
 Imported import_scene(std::string_view text, std::string_view file, const ImportLimits& limits) {
     WordReader words(text, file);
-    Builder builder(words, limits);
+    SceneBuilder builder(words, limits);
     if (is_tachyon(words))
         read_tachyon(words, builder);
     else

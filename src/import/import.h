@@ -1,4 +1,4 @@
-// Scenes of other programs as a Scene: E. Haines' Neutral File Format (NFF), and the format of J. Stone's Tachyon.
+// Imports scenes of other programs: E. Haines' Neutral File Format (NFF), and the format of J. Stone's Tachyon.
 #pragma once
 #include <optional>
 #include <string>
@@ -17,18 +17,18 @@ struct PictureSize {
 struct Imported {
     Scene scene;
     std::optional<PictureSize> size;
-    /// What the file says and the scene can't, as "file:line: what; what was done instead", in the order of lines.
+    /// What the scene language cannot express, as "file:line: feature; substitute", in the order of lines.
     std::vector<std::string> warnings;
 };
 
-/// Limits for one file; more is an error. Everything else is limited by the size of the text.
+/// Limits for one file; more than these is an error. Everything else is limited by the size of the text.
 struct ImportLimits {
     std::size_t primitives = 5'000'000;  // triangles too; as many as scene text may hold
     std::size_t lights = 1 << 16;
 };
 
-/// Reads a scene; its first word tells the format. `file` is only the name used in messages. The scene can be written
-/// as text and read again. Throws FileError whose what() says where the file is wrong.
+/// Reads a scene; its first word decides the format. `file` is only the name used in messages. The scene can be written
+/// as text and read again. Throws FileError, whose message says where the file is wrong.
 Imported import_scene(std::string_view text, std::string_view file, const ImportLimits& limits = {});
 
 }  // namespace strahl

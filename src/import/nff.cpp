@@ -1,4 +1,4 @@
-// Reads the Neutral File Format. What its words mean is from E. Haines' description of version 3.1; see README.md.
+// Reads the Neutral File Format, as E. Haines describes version 3.1; see README.md.
 #include <cmath>
 #include <vector>
 
@@ -11,7 +11,7 @@ namespace {
 
 class NffReader {
   public:
-    NffReader(WordReader& words, Builder& scene) : words(words), scene(scene) {}
+    NffReader(WordReader& words, SceneBuilder& scene) : words(words), scene(scene) {}
 
     void read() {
         if (same_word(words.peek(), "nff"))
@@ -32,8 +32,8 @@ class NffReader {
         if (same_word(entity, "c")) return read_cone();
         if (same_word(entity, "p")) return read_polygon(false);
         if (same_word(entity, "pp")) return read_polygon(true);
-        words.fail("NFF has no entity " + quoted(entity) +
-                   "; it knows v, b, l, f, s, c, p and pp. (A scene of Tachyon starts with BEGIN_SCENE.)");
+        words.fail("unknown entity " + quoted(entity) +
+                   "; NFF has v, b, l, f, s, c, p and pp. (A scene of Tachyon starts with BEGIN_SCENE.)");
     }
 
     void read_view() {
@@ -81,14 +81,14 @@ class NffReader {
     void read_background() { scene.scene.background = words.color("the background"); }
     void read_light() {
         Light light;
-        light.position = words.vector("the light's place");
+        light.position = words.vector("the light's position");
         const std::size_t before = scene.scene.lights.size();
         const bool colored = words.number_in_line();
         if (colored) light.color = words.color("the light's colour");
         scene.add_light(light);
         if (!colored && scene.scene.lights.size() > before) even.push_back(before);
     }
-    /// Lights without a colour share the strength 1 / sqrt(number of lights), here to six digits.
+    /// Gives lights without a colour the strength 1 / sqrt(number of lights), rounded to six digits.
     void light_evenly() {
         auto& lights = scene.scene.lights;
         for (const std::size_t i : even)
@@ -104,17 +104,17 @@ class NffReader {
         m.pow = words.number("the shine");
         m.refraction = words.number("the transmittance");
         m.ior = words.number("the index of refraction");
-        if (m.refraction == 0) m.ior = 1;  // of opaque bodies it is often 0, and says nothing
+        if (m.refraction == 0) m.ior = 1;  // opaque bodies often have 0, which means nothing
         scene.set_material(m);
         material = true;
     }
     void need_material() {
         if (material) return;
-        scene.warn("no material: an 'f' is missing before this body; it gets that of a scene without materials");
+        scene.warn("no material: there is no 'f' before this body; it gets the default material");
         scene.set_material(Material());
         material = true;
     }
-    /// A negative radius says that a body is seen from inside only.
+    /// Reads a radius. A negative one means that the body is seen from inside only.
     double read_radius(const char* what) {
         const double radius = words.number(what);
         if (radius < 0) scene.warn("a negative radius: bodies are seen from both sides");
@@ -150,7 +150,7 @@ class NffReader {
     }
 
     WordReader& words;
-    Builder& scene;
+    SceneBuilder& scene;
     bool camera = false, material = false;
     std::vector<std::size_t> even;  // numbers of the lights without a colour
     std::vector<DVec3> points, normals;
@@ -158,6 +158,6 @@ class NffReader {
 
 }  // namespace
 
-void read_nff(WordReader& words, Builder& scene) { NffReader(words, scene).read(); }
+void read_nff(WordReader& words, SceneBuilder& scene) { NffReader(words, scene).read(); }
 
 }  // namespace strahl

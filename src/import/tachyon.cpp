@@ -1,5 +1,5 @@
 // Reads scenes of Tachyon: camera, lights and settings; tachyon_bodies.cpp reads the bodies. What the words mean is
-// from Tachyon's manual and from what it does; see README.md.
+// taken from Tachyon's manual and its behaviour; see README.md.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -15,7 +15,7 @@ namespace {
 
 class TachyonReader {
   public:
-    TachyonReader(WordReader& words, Builder& scene) : words(words), scene(scene), bodies(words, scene) {}
+    TachyonReader(WordReader& words, SceneBuilder& scene) : words(words), scene(scene), bodies(words, scene) {}
 
     void read() {
         words.expect("BEGIN_SCENE");
@@ -55,16 +55,7 @@ class TachyonReader {
         if (is("END_CLIPGROUP")) return;
         if (is("INCLUDE")) return leave_out_file("INCLUDE");
         if (is("MGFFILE")) return leave_out_file("MGFFILE");
-        words.fail("Tachyon has no declaration " + quoted(word));
-    }
-
-    double named_number(const char* word) {
-        words.expect(word);
-        return words.number(word);
-    }
-    DVec3 named_color(const char* word) {
-        words.expect(word);
-        return words.color(word);
+        words.fail("unknown declaration " + quoted(word));
     }
 
     void read_camera() {
@@ -74,17 +65,17 @@ class TachyonReader {
         if (words.accept("PROJECTION"))
             projection = words.choose({"PERSPECTIVE", "PERSPECTIVE_DOF", "ORTHOGRAPHIC", "FISHEYE"});
         if (projection == "PERSPECTIVE_DOF") {
-            named_number("FOCALLENGTH"), named_number("APERTURE");
+            words.number_after("FOCALLENGTH"), words.number_after("APERTURE");
             scene.warn("PERSPECTIVE_DOF: everything is in focus here");
         }
-        const double zoom = named_number("ZOOM"), pixel = named_number("ASPECTRATIO");
-        named_number("ANTIALIASING");  // how is for those to say who render
-        const double depth = named_number("RAYDEPTH");
+        const double zoom = words.number_after("ZOOM"), pixel = words.number_after("ASPECTRATIO");
+        words.number_after("ANTIALIASING");  // an option of `render` here
+        const double depth = words.number_after("RAYDEPTH");
         scene.scene.settings.max_trace_level = static_cast<int>(std::clamp(depth, 1., 256.));
         if (scene.scene.settings.max_trace_level != depth)
-            scene.warn("RAYDEPTH is brought into the range from 1 to 256");
+            scene.warn("RAYDEPTH is limited to the range from 1 to 256");
         read_eye();
-        // Half the size of the picture plane at distance 1.
+        // Half the sizes of the picture plane at distance 1.
         double tan_y = .5 / zoom, tan_x = tan_y * static_cast<double>(width) / (static_cast<double>(height) * pixel);
         if (words.accept("FRUSTUM")) {
             const double left = words.number("FRUSTUM"), right = words.number("FRUSTUM"),
@@ -105,25 +96,22 @@ class TachyonReader {
         words.expect("END_CAMERA");
     }
     void read_eye() {
-        words.expect("CENTER");
-        eye.position = bodies.vector("CENTER");
-        words.expect("VIEWDIR");
-        const DVec3 ahead = eye.position + bodies.vector("VIEWDIR");
+        eye.position = bodies.vector_after("CENTER");
+        const DVec3 ahead = eye.position + bodies.vector_after("VIEWDIR");
         eye.look_at = {tidy(ahead.x), tidy(ahead.y), tidy(ahead.z)};
-        words.expect("UPDIR");
-        eye.up = -bodies.vector("UPDIR");
+        eye.up = -bodies.vector_after("UPDIR");
     }
     void set_view(double tan_x, double tan_y) {
         const double fov = std::atan(tan_x) * 180 / std::numbers::pi, ratio = tan_x / tan_y;
         if (!half_angles.contains(fov) || !(ratio > 1e-9 && ratio < 1e9))
-            words.fail("the camera sees nothing: its ZOOM, ASPECTRATIO or FRUSTUM is not greater than 0");
+            words.fail("invalid camera: its ZOOM, ASPECTRATIO or FRUSTUM is not greater than 0");
         eye.fov = std::clamp(std::round(fov * 1e6) / 1e6, 1e-6, 90 - 1e-6);
         if (std::fabs(ratio * static_cast<double>(height) / static_cast<double>(width) - 1) > 1e-6)
             eye.aspectratio = tidy(ratio);
         half_width = tan_x;
         scene.set_camera(eye);
     }
-    /// Parallel rays through a picture plane of that width: the eye of a thousandth of the angle is this far.
+    /// Moves the eye back until rays through a picture plane of this width are almost parallel.
     void move_eye_back() {
         const DVec3 forward = eye.look_at - eye.position;
         const double distance = 1000 * std::max(half_width, scene.reach());
@@ -132,38 +120,35 @@ class TachyonReader {
         scene.set_camera(eye);
     }
 
-    /// A lamp's ball is seen in Tachyon, and casts no shadow.
+    /// Reads a point light. In Tachyon it is seen as a ball, which casts no shadow.
     void read_light(bool spot) {
-        words.expect("CENTER");
-        Light light{.position = bodies.vector("CENTER"), .color = Color(1)};
-        if (named_number("RAD") > 0) scene.warn("the lamp's ball is not shown: lights are points here");
+        Light light{.position = bodies.vector_after("CENTER"), .color = Color(1)};
+        if (words.number_after("RAD") > 0) scene.warn("the lamp's ball is not shown: lights are points here");
         if (spot) {
-            words.expect("DIRECTION");
-            light.spot = Spot{.look_at = light.position + bodies.vector("DIRECTION")};
-            light.spot->radius = named_number("FALLOFF_START"), light.spot->falloff = named_number("FALLOFF_END");
+            light.spot = Spot{.look_at = light.position + bodies.vector_after("DIRECTION")};
+            light.spot->radius = words.number_after("FALLOFF_START");
+            light.spot->falloff = words.number_after("FALLOFF_END");
         }
         if (words.accept("ATTENUATION")) {
-            named_number("CONSTANT"), named_number("LINEAR"), named_number("QUADRATIC");
+            words.number_after("CONSTANT"), words.number_after("LINEAR"), words.number_after("QUADRATIC");
             scene.warn("ATTENUATION: light does not weaken with distance here");
         }
-        light.color = named_color("COLOR");
+        light.color = words.color_after("COLOR");
         scene.add_light(light);
     }
     void read_directional_light() {
-        words.expect("DIRECTION");
-        Light light{.direction = bodies.vector("DIRECTION")};
-        light.color = named_color("COLOR");
+        Light light{.direction = bodies.vector_after("DIRECTION")};
+        light.color = words.color_after("COLOR");
         scene.add_light(light);
     }
 
-    /// From one colour to the other as the direction's component along the axis rises between two values.
+    /// Reads a background that goes from one colour to the other as the ray's direction turns along an axis.
     void read_gradient() {
         const bool sphere = words.choose({"SKY_SPHERE", "SKY_ORTHO_PLANE"}) == "SKY_SPHERE";
-        words.expect("UPDIR");
-        const DVec3 up = bodies.vector("UPDIR");
-        const double top_at = named_number("TOPVAL"), bottom_at = named_number("BOTTOMVAL");
-        const Color top = named_color("TOPCOLOR"), bottom = named_color("BOTTOMCOLOR");
-        constexpr double most = 1.5;  // gradients repeat: this one after 2 most
+        const DVec3 up = bodies.vector_after("UPDIR");
+        const double top_at = words.number_after("TOPVAL"), bottom_at = words.number_after("BOTTOMVAL");
+        const Color top = words.color_after("TOPCOLOR"), bottom = words.color_after("BOTTOMCOLOR");
+        constexpr double most = 1.5;  // gradients repeat: this one after 2 * most
         const double size = length(up);
         if (!sphere || !(size > 0 && std::isfinite(size)) ||
             !(-most <= bottom_at && bottom_at < top_at && top_at <= most)) {
@@ -176,14 +161,14 @@ class TachyonReader {
                                           .colors = {{stop_at(bottom_at), bottom}, {stop_at(top_at), top}},
                                           .transformations = {Scale{DVec3(2 * most)}, Translate{-most * axis}}});
     }
-    /// Nothing of the sky is hidden in our ambient light.
+    /// Adds the light of the sky to the ambient light, from which nothing of the sky is hidden.
     void add_sky(const Color& color) {
         sky += (color.x + color.y + color.z) / 3;
-        scene.warn("ambient occlusion: ambient light that no body keeps off instead");
+        scene.warn("ambient occlusion: ambient light that no body blocks instead");
     }
     void read_sky_light() {
-        named_number("NUMSAMPLES");
-        add_sky(named_color("COLOR"));
+        words.number_after("NUMSAMPLES");
+        add_sky(words.color_after("COLOR"));
     }
     void read_shader_mode() {
         const std::string_view mode = words.choose({"FULL", "MEDIUM", "LOWEST", "LOW"});
@@ -193,11 +178,11 @@ class TachyonReader {
             const auto is = [&](std::string_view name) { return same_word(word, name); };
             if (is("END_SHADER_MODE")) return;
             if (is("AMBIENT_OCCLUSION")) {
-                const Color color = named_color("AMBIENT_COLOR");
-                light_scale = named_number("RESCALE_DIRECT");
+                const Color color = words.color_after("AMBIENT_COLOR");
+                light_scale = words.number_after("RESCALE_DIRECT");
                 if (!not_negative.contains(light_scale))
                     words.fail("RESCALE_DIRECT must be " + std::string(not_negative.words));
-                named_number("SAMPLES");
+                words.number_after("SAMPLES");
                 add_sky(color);
             } else if (is("TRANS_VMD")) {
                 fading = true;
@@ -209,17 +194,17 @@ class TachyonReader {
             } else if (is("SHADOW_FILTER_OFF") || is("TRANS_RASTER3D") || is("FOG_VMD")) {
                 scene.warn(std::string(word) + " has no counterpart and is left out");
             } else if (!is("SHADOW_FILTER_ON")) {
-                words.fail("SHADER_MODE knows no " + quoted(word));
+                words.fail("unknown word " + quoted(word) + " in SHADER_MODE");
             }
         }
     }
     void read_fog() {
         const std::string kind(same_word(words.peek(), "START") ? "OFF"
                                                                 : words.choose({"LINEAR", "EXP", "EXP2", "OFF"}));
-        const double start = named_number("START");
-        named_number("END");
-        const double density = named_number("DENSITY");
-        const Color color = named_color("COLOR");
+        const double start = words.number_after("START");
+        words.number_after("END");
+        const double density = words.number_after("DENSITY");
+        const Color color = words.color_after("COLOR");
         if (kind == "OFF" || density == 0) return;
         if (kind != "EXP") return scene.warn("FOG " + kind + " is left out: fog is EXP here");
         if (start > 0) scene.warn("FOG: it starts at the eye here");
@@ -237,7 +222,7 @@ class TachyonReader {
     }
 
     WordReader& words;
-    Builder& scene;
+    SceneBuilder& scene;
     TachyonBodies bodies;
     Camera eye;
     long width = 1, height = 1;
@@ -249,6 +234,6 @@ class TachyonReader {
 
 bool is_tachyon(WordReader& words) { return same_word(words.peek(), "BEGIN_SCENE"); }
 
-void read_tachyon(WordReader& words, Builder& scene) { TachyonReader(words, scene).read(); }
+void read_tachyon(WordReader& words, SceneBuilder& scene) { TachyonReader(words, scene).read(); }
 
 }  // namespace strahl

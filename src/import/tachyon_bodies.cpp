@@ -12,11 +12,11 @@ constexpr long most_things = 1'000'000'000;  // that a file may announce
 }  // namespace
 
 bool TachyonBodies::read(std::string_view word) {
-    struct Reader {
+    struct Declaration {
         std::string_view word;
         void (*read)(TachyonBodies&);
     };
-    static constexpr Reader readers[] = {
+    static constexpr Declaration declarations[] = {
         {"SPHERE", [](TachyonBodies& b) { b.read_sphere(); }},
         {"PLANE", [](TachyonBodies& b) { b.read_plane(); }},
         {"BOX", [](TachyonBodies& b) { b.read_box(); }},
@@ -35,68 +35,59 @@ bool TachyonBodies::read(std::string_view word) {
         {"TEXALIAS", [](TachyonBodies& b) { b.textures.define_alias(); }},
         {"IMAGEDEF", [](TachyonBodies& b) { b.textures.skip_image(); }},
     };
-    for (const Reader& reader : readers)
-        if (same_word(word, reader.word)) return reader.read(*this), true;
+    for (const Declaration& declaration : declarations)
+        if (same_word(word, declaration.word)) return declaration.read(*this), true;
     return false;
 }
 
-DVec3 TachyonBodies::named_vector(const char* word) {
-    words.expect(word);
-    return vector(word);
-}
-double TachyonBodies::named_number(const char* word) {
-    words.expect(word);
-    return words.number(word);
-}
-
 void TachyonBodies::read_sphere() {
-    const DVec3 centre = named_vector("CENTER");
-    const double radius = named_number("RAD");
+    const DVec3 centre = vector_after("CENTER");
+    const double radius = words.number_after("RAD");
     textures.use();
     scene.add(Sphere{centre, radius});
 }
 
 void TachyonBodies::read_plane() {
-    const DVec3 point = named_vector("CENTER"), normal = named_vector("NORMAL");
+    const DVec3 point = vector_after("CENTER"), normal = vector_after("NORMAL");
     textures.use();
     scene.add_plane(point, normal);
 }
 
 void TachyonBodies::read_box() {
-    const DVec3 low = named_vector("MIN"), high = named_vector("MAX");
+    const DVec3 low = vector_after("MIN"), high = vector_after("MAX");
     textures.use();
     scene.add(Cuboid{low, high});
 }
 
 void TachyonBodies::read_ring() {
-    const DVec3 centre = named_vector("CENTER"), normal = named_vector("NORMAL");
-    const double inner = named_number("INNER"), outer = named_number("OUTER");
+    const DVec3 centre = vector_after("CENTER"), normal = vector_after("NORMAL");
+    const double inner = words.number_after("INNER"), outer = words.number_after("OUTER");
     textures.use();
     scene.add(Disc{centre, normal, outer, inner});
 }
 
 void TachyonBodies::read_tube() {
-    const DVec3 base = named_vector("BASE"), apex = named_vector("APEX");
-    const double radius = named_number("RAD");
+    const DVec3 base = vector_after("BASE"), apex = vector_after("APEX");
+    const double radius = words.number_after("RAD");
     textures.use();
     scene.warn("FCYLINDER is an open tube in Tachyon; here it is closed");
     scene.add(Cylinder{base, apex, radius});
 }
 
 void TachyonBodies::read_endless_cylinder() {
-    const DVec3 centre = named_vector("CENTER"), axis = named_vector("AXIS");
-    const double radius = named_number("RAD");
+    const DVec3 centre = vector_after("CENTER"), axis = vector_after("AXIS");
+    const double radius = words.number_after("RAD");
     textures.use();
     scene.add_endless_cylinder(centre, axis, radius);
 }
 
-/// Tubes from point to point, and a ball on each.
+/// Reads tubes from point to point, and adds a ball at each.
 void TachyonBodies::read_chain() {
     words.expect("POINTS");
     const long count = words.whole("POINTS", 0, most_things);
     points.clear();
     for (long i = 0; i < count; ++i) points.push_back(vector("a point"));
-    const double radius = named_number("RAD");
+    const double radius = words.number_after("RAD");
     textures.use();
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (i > 0) scene.add(Cylinder{points[i - 1], points[i], radius});
@@ -108,12 +99,9 @@ void TachyonBodies::read_triangle(bool smooth, bool colored) {
     std::array<DVec3, 3> corners, bent;
     Color color(0);
     constexpr const char* names[3][3] = {{"V0", "V1", "V2"}, {"N0", "N1", "N2"}, {"C0", "C1", "C2"}};
-    for (int i = 0; i < 3; ++i) corners[i] = named_vector(names[0][i]);
-    for (int i = 0; smooth && i < 3; ++i) bent[i] = named_vector(names[1][i]);
-    for (int i = 0; colored && i < 3; ++i) {
-        words.expect(names[2][i]);
-        color += words.vector(names[2][i]);
-    }
+    for (int i = 0; i < 3; ++i) corners[i] = vector_after(names[0][i]);
+    for (int i = 0; smooth && i < 3; ++i) bent[i] = vector_after(names[1][i]);
+    for (int i = 0; colored && i < 3; ++i) color += words.vector_after(names[2][i]);
     if (colored) {
         Material m = textures.read_without_color();
         m.rgb = color / 3.;
@@ -152,7 +140,7 @@ void TachyonBodies::read_vertex_array() {
     }
 }
 
-/// The triangles of a vertex array: three numbers each, or in a strip one more for each after the first.
+/// Reads the triangles of a vertex array: three numbers each, or in a strip one more for each after the first.
 void TachyonBodies::read_strip(bool strip) {
     const long count = words.whole(strip ? "TRISTRIP" : "TRIMESH", 0, most_things);
     const auto corner = [&] {
@@ -186,15 +174,14 @@ void TachyonBodies::skip_landscape() {
     for (int i = 0; i < 2; ++i) words.number("RES");
     words.expect("SCALE");
     for (int i = 0; i < 2; ++i) words.number("SCALE");
-    named_vector("CENTER");
+    vector_after("CENTER");
     textures.use();
     scene.warn("SCAPE, a random landscape, is left out");
 }
 
 void TachyonBodies::skip_volume() {
-    named_vector("MIN"), named_vector("MAX");
-    words.expect("DIM");
-    words.vector("DIM");
+    vector_after("MIN"), vector_after("MAX");
+    words.vector_after("DIM");
     words.expect("FILE");
     const std::string file = quoted(words.take("a file"));
     textures.use();
@@ -202,7 +189,7 @@ void TachyonBodies::skip_volume() {
 }
 
 void TachyonBodies::skip_triangle_file() {
-    named_vector("SCALE"), named_vector("ROT"), named_vector("CENTER");
+    vector_after("SCALE"), vector_after("ROT"), vector_after("CENTER");
     words.expect("FILE");
     const std::string file = quoted(words.take("a file"));
     textures.use();

@@ -1,4 +1,4 @@
-// The bodies of Tachyon's scenes.
+// Reads the bodies of Tachyon's scenes.
 #pragma once
 #include <string_view>
 #include <vector>
@@ -11,21 +11,20 @@ namespace strahl {
 
 class TachyonBodies {
   public:
-    TachyonBodies(WordReader& words, Builder& scene) : words(words), scene(scene), textures(words, scene) {}
+    TachyonBodies(WordReader& words, SceneBuilder& scene) : words(words), scene(scene), textures(words, scene) {}
 
     /// Reads what follows this word, if it declares a body or a texture.
     bool read(std::string_view word);
 
-    /// A point or a direction. Tachyon's world is left-handed: its mirror image in z is the same in ours.
+    /// Reads a point or a direction. Tachyon's world is left-handed; it is mirrored in z.
     DVec3 vector(const char* what) {
         const DVec3 v = words.vector(what);
         return {v.x, v.y, -v.z};
     }
+    /// Reads one after this word, which must come next.
+    DVec3 vector_after(const char* word) { return words.expect(word), vector(word); }
 
   private:
-    DVec3 named_vector(const char* word);
-    double named_number(const char* word);
-
     void read_sphere();
     void read_plane();
     void read_box();
@@ -42,7 +41,7 @@ class TachyonBodies {
     void skip_triangle_file();
 
     WordReader& words;
-    Builder& scene;
+    SceneBuilder& scene;
     TachyonTextures textures;
     std::vector<DVec3> points, normals, colors;  // of the vertex array being read
     Material array_material;

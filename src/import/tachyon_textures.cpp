@@ -45,8 +45,7 @@ Material TachyonTextures::find(std::string_view name) {
 
 Material TachyonTextures::read() {
     Material m = read_coefficients();
-    words.expect("COLOR");
-    m.rgb = words.vector("COLOR");
+    m.rgb = words.vector_after("COLOR");
     words.expect("TEXFUNC");
     skip_pattern();
     return m;
@@ -60,29 +59,23 @@ Material TachyonTextures::read_without_color() {
 
 Material TachyonTextures::read_coefficients() {
     Material m = usual();
-    words.expect("AMBIENT");
-    m.ambient = words.number("AMBIENT");
-    words.expect("DIFFUSE");
-    m.diffuse = words.number("DIFFUSE");
-    words.expect("SPECULAR");
-    m.reflection = words.number("SPECULAR");
-    words.expect("OPACITY");
-    m.refraction = tidy(1 - words.number("OPACITY"));
+    m.ambient = words.number_after("AMBIENT");
+    m.diffuse = words.number_after("DIFFUSE");
+    m.reflection = words.number_after("SPECULAR");
+    m.refraction = tidy(1 - words.number_after("OPACITY"));
     if (words.accept("TRANSMODE") && same_word(words.take("TRANSMODE"), "R3D"))
         scene.warn("TRANSMODE R3D: opacity is the same at every angle here");
     if (words.accept("OUTLINE")) {
         words.number("OUTLINE");
-        words.expect("OUTLINE_WIDTH");
-        words.number("OUTLINE_WIDTH");
+        words.number_after("OUTLINE_WIDTH");
         scene.warn("OUTLINE: bodies have no outlines here");
     }
     if (words.accept("PHONG")) {
         if (same_word(words.take("PLASTIC or METAL"), "METAL"))
             scene.warn("PHONG METAL: highlights have the colour of the light here, not that of the body");
         m.specular = words.number("PHONG");
-        words.expect("PHONG_SIZE");
         // Tachyon's highlight is J. Blinn's, (n.h)^p. Near its middle (h.l)^(p/4) is the same.
-        m.pow = words.number("PHONG_SIZE") / 4;
+        m.pow = words.number_after("PHONG_SIZE") / 4;
     }
     return m;
 }
@@ -95,9 +88,9 @@ void TachyonTextures::skip_pattern() {
     if (number == 0) return;
     std::string what = names[number];
     if (number >= 7) what.append(" ").append(quoted(words.take("the image's file")));
-    for (const char* const word : {"CENTER", "ROTATE", "SCALE"}) words.expect(word), words.vector(word);
+    for (const char* const word : {"CENTER", "ROTATE", "SCALE"}) words.vector_after(word);
     static constexpr const char* axes[] = {"UAXIS", "VAXIS", "WAXIS"};
-    for (int i = 0; i < number - 7 && number > 8; ++i) words.expect(axes[i]), words.vector(axes[i]);
+    for (int i = 0; i < number - 7 && number > 8; ++i) words.vector_after(axes[i]);
     scene.warn("the pattern TEXFUNC " + std::to_string(number) + ", " + what +
                ", is left out; the body has the texture's COLOR");
 }

@@ -1,4 +1,4 @@
-// What Tachyon calls a texture: the material of a body.
+// Reads textures of Tachyon, which are materials of bodies.
 #pragma once
 #include <string>
 #include <unordered_map>
@@ -8,22 +8,23 @@
 
 namespace strahl {
 
-/// Rounded to 12 digits, so that 1 - 0.7 is 0.3.
+/// The number rounded to 12 decimals, so that 1 - 0.7 is 0.3.
 double tidy(double v);
 
 class TachyonTextures {
   public:
-    TachyonTextures(WordReader& words, Builder& scene) : words(words), scene(scene) {}
+    TachyonTextures(WordReader& words, SceneBuilder& scene) : words(words), scene(scene) {}
 
-    void define();        // after TEXDEF
-    void define_alias();  // after TEXALIAS
-    void skip_image();    // after IMAGEDEF
-    /// The texture of a body: its name, or the word TEXTURE and its text. It becomes the material.
+    void define();        // reads what follows TEXDEF
+    void define_alias();  // ... TEXALIAS
+    void skip_image();    // ... IMAGEDEF
+    /// Reads the texture of a body, its name or the word TEXTURE and its text, and makes it the material.
     void use();
-    /// The text of a texture.
+    /// Reads the text of a texture.
     Material read();
-    /// That of a triangle whose corners have colours of their own, which are given apart.
+    /// Reads the text of a texture without a colour: corners of triangles can have colours of their own.
     Material read_without_color();
+    /// The default texture.
     static Material usual();
 
   private:
@@ -33,7 +34,7 @@ class TachyonTextures {
     Material find(std::string_view name);
 
     WordReader& words;
-    Builder& scene;
+    SceneBuilder& scene;
     std::unordered_map<std::string, Material> named;
 };
 

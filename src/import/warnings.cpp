@@ -13,11 +13,11 @@ void Warnings::add(std::size_t line, const std::string& message) {
     if (++warning.count <= most_lines) warning.lines.push_back(line);
 }
 
-std::vector<std::string> Warnings::told(std::string_view file) const {
+std::vector<std::string> Warnings::messages(std::string_view file) const {
     std::vector<const Warning*> sorted;
     for (const Warning& warning : list) sorted.push_back(&warning);
     std::ranges::stable_sort(sorted, {}, [](const Warning* warning) { return warning->lines[0]; });
-    std::vector<std::string> told;
+    std::vector<std::string> messages;
     for (const Warning* warning : sorted) {
         std::string text = std::string(file) + ":" + std::to_string(warning->lines[0]) + ": " + warning->message;
         for (std::size_t i = 1; i < warning->lines.size(); ++i)
@@ -28,9 +28,9 @@ std::vector<std::string> Warnings::told(std::string_view file) const {
         if (warning->count > warning->lines.size())
             text += " and " + std::to_string(warning->count - warning->lines.size()) + " more, the last in line " +
                     std::to_string(warning->last);
-        told.push_back(text + (warning->count > 1 ? ")" : ""));
+        messages.push_back(text + (warning->count > 1 ? ")" : ""));
     }
-    return told;
+    return messages;
 }
 
 }  // namespace strahl

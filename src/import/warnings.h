@@ -1,4 +1,4 @@
-// Collects what can't be said in the language, with its lines.
+// Collects warnings about what the scene language cannot express, with their lines.
 #pragma once
 #include <cstddef>
 #include <string>
@@ -10,13 +10,13 @@ namespace strahl {
 
 class Warnings {
   public:
-    /// What is said again of another line is told once, with both lines.
+    /// Adds a warning. The same warning about several lines becomes one with all these lines.
     void add(std::size_t line, const std::string& message);
-    /// "file:12: message (and in lines 15, 18 and 7 more)"
-    std::vector<std::string> told(std::string_view file) const;
+    /// Returns the warnings in the order of their lines, as in "file:12: message (and in lines 15, 18 and 7 more)".
+    std::vector<std::string> messages(std::string_view file) const;
 
   private:
-    static constexpr std::size_t most_lines = 10;  // that are told one by one
+    static constexpr std::size_t most_lines = 10;  // listed one by one
     struct Warning {
         std::string message;
         std::vector<std::size_t> lines;

@@ -1,7 +1,6 @@
 #include "import/word_reader.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdlib>
 
@@ -11,24 +10,10 @@
 namespace strahl {
 namespace {
 
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
-bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
-
-/// Does the whole word say a number? Neither "nan" nor "inf" is one, nor is 1e999.
-bool read(std::string_view word, double& value) {
-    const char* start = word.data();
-    const char* const end = start + word.size();
-    if (start < end && *start == '+') ++start;
-    if (start < end && *start == '-' && start > word.data()) return false;
-    const auto [stop, error] = std::from_chars(start, end, value);
-    return stop == end && error == std::errc() && std::isfinite(value);
-}
+/// Reads the whole word as a finite number.
+bool read(std::string_view word, double& value) { return read_number(word, value) && std::isfinite(value); }
 
 }  // namespace
-
-bool same_word(std::string_view a, std::string_view b) {
-    return std::ranges::equal(a, b, [](char x, char y) { return lower(x) == lower(y); });
-}
 
 void WordReader::skip() {
     while (next < text.size()) {
@@ -68,9 +53,7 @@ bool WordReader::accept(std::string_view word) {
 std::string_view WordReader::choose(std::initializer_list<std::string_view> words) {
     for (const std::string_view word : words)
         if (accept(word)) return word;
-    std::string expected;
-    for (const std::string_view word : words) expected += (expected.empty() ? "'" : " or '") + std::string(word) + "'";
-    fail_ahead(expected + " expected");
+    fail_ahead("'" + listed(words, "' or '") + "' expected");
 }
 
 double WordReader::number(const char* what) {
@@ -112,7 +95,7 @@ void WordReader::fail(const std::string& message) { fail_at(taken, message); }
 
 void WordReader::fail_ahead(const std::string& message) {
     const std::string_view here = peek();
-    fail_at(here, message + (here.empty() ? ", but the file ends" : ", but here comes " + quoted(here)));
+    fail_at(here, message + (here.empty() ? ", but the file ends" : ", but found " + quoted(here)));
 }
 
 void WordReader::fail_at(std::string_view at, const std::string& message) const {

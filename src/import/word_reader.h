@@ -1,16 +1,14 @@
-// Reads a text word by word: what NFF and Tachyon's format have in common. White space separates words, and a word that
-// starts with # starts a comment to the end of the line.
+// Reads texts in NFF or Tachyon's format word by word. White space separates words; a word that starts with # begins a
+// comment to the end of the line.
 #pragma once
 #include <initializer_list>
 #include <string>
 #include <string_view>
 
+#include "files/words.h"
 #include "num/vec.h"
 
 namespace strahl {
-
-/// Are these the same, regardless of case?
-bool same_word(std::string_view a, std::string_view b);
 
 class WordReader {
   public:
@@ -18,20 +16,26 @@ class WordReader {
 
     /// The next word, which stays the next; empty at the end of the text.
     std::string_view peek();
-    /// Takes the next word, whatever it is; `what` is for the message if there is none.
+    /// Takes the next word; `what` is for the message if there is none.
     std::string_view take(const char* what);
     /// Takes the next word if it is this one.
     bool accept(std::string_view word);
-    /// Takes the next word if it is one of these, and returns which; it is an error if it is none.
+    /// Takes the next word, which must be one of these, and returns which.
     std::string_view choose(std::initializer_list<std::string_view> words);
+    /// Takes the next word, which must be this one.
     void expect(std::string_view word) { choose({word}); }
 
+    /// Read numbers; `what` is for the message if they are not there.
     double number(const char* what);
     DVec3 vector(const char* what);
-    /// Three numbers, none of them negative.
+    /// Reads three numbers, none of them negative.
     Color color(const char* what);
-    /// A whole number.
+    /// Reads a whole number.
     long whole(const char* what, long low, long high);
+    /// Read what follows this word, which must come next.
+    double number_after(const char* word) { return expect(word), number(word); }
+    DVec3 vector_after(const char* word) { return expect(word), vector(word); }
+    Color color_after(const char* word) { return expect(word), color(word); }
     /// Does a number come next, on the line of the word taken last?
     bool number_in_line();
 

@@ -1,4 +1,4 @@
-// Points of equal coordinates as one.
+// Joins points of equal coordinates.
 #pragma once
 #include <array>
 #include <bit>
@@ -10,7 +10,7 @@
 
 namespace strahl {
 
-/// Numbers points in the order in which they come, equal ones alike. -0 equals 0.
+/// Numbers points in the order in which they come; equal ones get the same number. -0 equals 0.
 class PointJoiner {
   public:
     PointJoiner() : slots(64, empty) {}
@@ -30,7 +30,7 @@ class PointJoiner {
   private:
     static constexpr std::int32_t empty = -1;
 
-    /// The secrets keep a file from naming points that all fall into one slot, which would take for ever.
+    /// A hash with secrets, so that no file can give points that all fall into one slot, which would take for ever.
     static std::uint64_t hash(const DVec3& p) {
         static const auto secrets = [] {
             std::random_device random;

@@ -1,13 +1,12 @@
-// OBJ: points, normals and faces, a line each. Everything else in such a file says how it looks, not where it is.
-// tinyobjloader would read them too, but of 90,000 numbers with six decimals it reads 42,262 as another double than the
-// nearest, and it takes 'x' for 0, 1e400 for infinity and index 4294967299 for 3.
+// Reads OBJ: points, normals, places in a texture and faces, a line each. All other lines are about materials.
+// tinyobjloader would read these too, but of 90,000 numbers with six decimals it reads 42,262 as not the nearest
+// double, and it takes 'x' for 0, 1e400 for infinity and index 4294967299 for 3.
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <glm/geometric.hpp>
 
 #include "mesh/source.h"
-#include "mesh/split.h"
 
 namespace strahl {
 namespace {
@@ -30,7 +29,7 @@ class ObjReader {
         // Faces may name points that come after them.
         for_lines([&](std::string_view keyword, Words& words) {
             if (keyword == "v") read_point(words);
-            if (keyword == "vn") mesh.normals.push_back(vector(words));
+            if (keyword == "vn") mesh.normals.push_back(words.vector());
             if (keyword == "vt") read_place(words);
         });
         for_lines([&](std::string_view keyword, Words& words) {
@@ -52,13 +51,8 @@ class ObjReader {
   private:
     template <class Read>
     void for_lines(Read read);
-    DVec3 vector(Words& words) {
-        DVec3 v;
-        for (int c = 0; c < 3; ++c) v[c] = words.number("a coordinate");
-        return v;
-    }
     void read_point(Words& words) {
-        const DVec3 point = vector(words);
+        const DVec3 point = words.vector();
         if (const std::string fault = Source::fault(point); !fault.empty()) words.fail("this point " + fault);
         source.check_points(mesh.points.size() + 1);
         mesh.points.push_back(point);
@@ -98,12 +92,12 @@ void ObjReader::for_lines(Read read) {
     }
 }
 
-/// One number or more; what comes after the second is for solid textures.
+/// Reads one number or two; the third is for solid textures.
 void ObjReader::read_place(Words& words) {
     const double u = words.number("a place in a texture");
     double v = 0;
     const std::string_view word = words.next();
-    if (!word.empty() && word[0] != '#' && !number_of(word, v)) words.fail(quoted_word(word) + " is not a number");
+    if (!word.empty() && word[0] != '#' && !read_number(word, v)) words.fail(quoted(word) + " is not a number");
     if (const std::string fault = Source::fault({u, v, 0}); !fault.empty()) words.fail("this place " + fault);
     source.check_points(mesh.places.size() + 1);
     mesh.places.push_back({u, v});
@@ -113,23 +107,17 @@ void ObjReader::read_face(Words& words) {
     corners.clear(), corner_normals.clear(), corner_places.clear();
     for (std::string_view word = words.next(); !word.empty() && word[0] != '#'; word = words.next())
         read_corner(word, words);
-    if (corners.size() < 3) return;
-    source.check_triangles(mesh.triangles.size() + corners.size() - 2);
-    const std::span<const FaceSplitter::Triangle> triangles = splitter.split(mesh.points, corners);
-    if (triangles.empty())
-        words.fail("this face has " + std::to_string(corners.size()) + " corners and is not convex, and such a face " +
-                   "may have " + std::to_string(FaceSplitter::most_concave) + "; split it");
-    for (const auto& [a, b, c] : triangles) {
-        mesh.triangles.push_back({corners[a], corners[b], corners[c]});
+    const auto triangles = add_face(source, splitter, mesh, corners,
+                                    [&](const std::string& message) { words.fail("this face" + message); });
+    for (const auto& [a, b, c] : triangles)
         mesh.corner_normals.push_back({corner_normals[a], corner_normals[b], corner_normals[c]});
-    }
-    if (corner_places[0] == none && mesh.corner_places.empty()) return;
+    if (triangles.empty() || (corner_places[0] == none && mesh.corner_places.empty())) return;
     mesh.corner_places.resize(mesh.triangles.size() - triangles.size(), {none, none, none});
     for (const auto& [a, b, c] : triangles)
         mesh.corner_places.push_back({corner_places[a], corner_places[b], corner_places[c]});
 }
 
-/// A corner is 1, 1/2, 1/2/3 or 1//3: a point, a place in a texture, a normal.
+/// Reads a corner of a face: 1, 1/2, 1/2/3 or 1//3, numbers of a point, a place in a texture and a normal.
 void ObjReader::read_corner(std::string_view word, const Words& words) {
     std::int64_t index[3]{};
     bool given_place = false;
@@ -144,20 +132,20 @@ void ObjReader::read_corner(std::string_view word, const Words& words) {
         ++at;
     }
     if (at != end || word.back() == '/')
-        words.fail(quoted_word(word) + " is no corner of a face; it should be as in 1, 1/2, 1//3 or 1/2/3");
+        words.fail(quoted(word) + " is not a corner of a face, which has the form 1, 1/2, 1//3 or 1/2/3");
     corners.push_back(resolved(index[0], mesh.points.size(), points, "point", words));
     const bool has_normal = std::count(word.begin(), word.end(), '/') == 2;
     if (corners.size() > 1 && has_normal != (corner_normals[0] != none))
         words.fail("this face has normals at some corners and none at others; give it all or none");
     corner_normals.push_back(has_normal ? resolved(index[2], mesh.normals.size(), normals, "normal", words) : none);
     smooth |= has_normal;
-    const bool has_place = given_place && !mesh.places.empty();  // without places numbers of such mean nothing
+    const bool has_place = given_place && !mesh.places.empty();  // without places such numbers mean nothing
     if (corners.size() > 1 && has_place != (corner_places[0] != none))
         words.fail("this face has places in a texture at some corners and none at others; give it all or none");
     corner_places.push_back(has_place ? resolved(index[1], mesh.places.size(), places, "place", words) : none);
 }
 
-/// Indices count from 1, or back from the one that was given last, which is -1.
+/// An index as one from 0. Indices count from 1, or back from the last that was given, which is -1.
 std::int32_t ObjReader::resolved(std::int64_t index, std::size_t all, std::size_t so_far, const char* noun,
                                  const Words& words) const {
     if (index > 0 && static_cast<std::uint64_t>(index) <= all) return static_cast<std::int32_t>(index - 1);
@@ -168,7 +156,7 @@ std::int32_t ObjReader::resolved(std::int64_t index, std::size_t all, std::size_
                (index == 0 ? ", counted from 1" : ""));
 }
 
-/// Faces without normals among others that have some are flat.
+/// Gives faces without normals, among others that have some, the normal of their plane.
 void ObjReader::give_normals() {
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
         if (mesh.corner_normals[i][0] != none) continue;
@@ -176,14 +164,14 @@ void ObjReader::give_normals() {
         const DVec3 u = mesh.points[b] - mesh.points[a], v = mesh.points[c] - mesh.points[a];
         const double size = largest(u) * largest(v);
         const DVec3 normal = size > 0 ? glm::cross(u / largest(u), v / largest(v)) : DVec3(0);
-        // A sliver so thin that its normal is lost in rounding is never seen but from the side.
+        // A sliver so thin that its normal is lost in rounding is only ever seen from the side.
         mesh.normals.push_back(largest(normal) > 0 ? normal : DVec3(0, 0, 1));
         const auto number = static_cast<std::int32_t>(mesh.normals.size() - 1);
         mesh.corner_normals[i] = {number, number, number};
     }
 }
 
-/// Corners without places among others that have some are at the origin.
+/// Puts corners without places, among others that have some, at the origin.
 void ObjReader::give_places() {
     mesh.corner_places.resize(mesh.triangles.size(), {none, none, none});
     if (std::ranges::none_of(mesh.corner_places, [](const MeshData::Corners& corners) { return corners[0] == none; }))

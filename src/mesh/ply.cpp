@@ -1,38 +1,37 @@
-// The values of a PLY file: the elements `vertex` and `face`, in the form that the header describes.
+// Reads the values of a PLY file: the elements `vertex` and `face`, in the form that its header describes.
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstring>
 
 #include "mesh/ply_header.h"
-#include "mesh/split.h"
 #include "num/decimal.h"
 
 namespace strahl {
 namespace {
 
-/// A number that should be a whole one: 1000000 and not 1e+06.
-std::string text_of_count(double count) {
+/// A number that should be a whole one, as 1000000 and not 1e+06.
+std::string count_text(double count) {
     return std::abs(count) < 1e15 && count == std::floor(count) ? std::to_string(static_cast<std::int64_t>(count))
                                                                 : text_of(count);
 }
 
-/// Values as text, a line for each element.
+/// Reads values as text, a line for each element.
 class TextValues {
   public:
     TextValues(const Source& source, std::string_view text) : words(source, text) {}
 
-    /// False at the end of the line.
+    /// Reads the next value; false at the end of the line.
     bool read(PlyType, double& value) {
         const std::string_view word = starts_line ? words.next() : words.next_in_line();
         starts_line = false;
         if (word.empty()) return false;
-        if (!number_of(word, value)) words.fail(quoted_word(word) + " is not a number");
+        if (!read_number(word, value)) words.fail(quoted(word) + " is not a number");
         return true;
     }
-    /// How many more such values could there be? Each has a blank before it.
+    /// How many more values the text has room for. Each has a blank before it.
     std::uint64_t room(PlyType) const { return words.left() / 2; }
-    /// False if there is more on the line.
+    /// Ends the line of an element; false if there is more on it.
     bool end_element() { return starts_line = true, words.next_in_line().empty(); }
     bool ended() { return words.next().empty(); }
     [[noreturn]] void fail(const std::string& message) const { words.fail(message); }
@@ -42,7 +41,7 @@ class TextValues {
     bool starts_line = true;
 };
 
-/// Values as a computer has them, in this byte order or in the other one.
+/// Reads binary values, in the byte order of the processor or in the other one.
 template <bool swapped>
 class BinaryValues {
   public:
@@ -92,10 +91,11 @@ class BinaryValues {
     const char *place, *end;
 };
 
+/// Reads the elements, whose values are text or binary.
 template <class Values>
-class Body {
+class PlyReader {
   public:
-    Body(const Source& source, const PlyHeader& header)
+    PlyReader(const Source& source, const PlyHeader& header)
         : source(source), header(header), values(source, source.bytes.substr(header.size)) {}
 
     MeshData read() {
@@ -111,7 +111,7 @@ class Body {
         }
         if (!has_faces) source.fail("there are no faces in this file; a mesh needs an element 'face'");
         if (!values.ended())
-            source.fail("the file goes on after all that its header announces; its counts are wrong, so save it anew");
+            source.fail("the file goes on after all that its header announces; its counts are wrong, so save it again");
         return std::move(mesh);
     }
 
@@ -129,16 +129,16 @@ class Body {
         if (!values.end_element()) values.fail(here() + " has more values than the header announces");
         ++number;
     }
-    /// The length of a list that has room in what is left of the file.
+    /// Reads the length of a list; fails if the rest of the file has no room for it.
     std::uint64_t length(const PlyProperty& list) {
         const double count = value(*list.count);
         if (!(count >= 0) || count != std::floor(count))
-            values.fail(here() + " has a list of " + text_of_count(count) + " entries");
+            values.fail(here() + " has a list of " + count_text(count) + " entries");
         const std::uint64_t room = values.room(list.type);
         if (count > static_cast<double>(room))
-            values.fail(here() + " has a list of " + text_of_count(count) + " entries, and there is room for " +
-                        std::to_string(room) +
-                        " at most in what is left of the file; it was cut off or changed, so get it anew");
+            values.fail(here() + " has a list of " + count_text(count) +
+                        " entries, but the rest of the file has room for at most " + std::to_string(room) +
+                        "; it was cut off or changed, so get a new copy");
         return static_cast<std::uint64_t>(count);
     }
     void skip(const PlyProperty& property) {
@@ -160,7 +160,7 @@ class Body {
 };
 
 template <class Values>
-void Body<Values>::read_vertices() {
+void PlyReader<Values>::read_vertices() {
     constexpr std::string_view names[]{"x", "y", "z", "nx", "ny", "nz", "u", "v", "s", "t", "texture_u", "texture_v"};
     constexpr int others = 12;
     std::vector<int> meanings;
@@ -198,14 +198,14 @@ void Body<Values>::read_vertices() {
 }
 
 template <class Values>
-void Body<Values>::read_faces() {
+void PlyReader<Values>::read_faces() {
     const auto is_corners = [](const PlyProperty& property) {
         return property.count && (property.name == "vertex_indices" || property.name == "vertex_index");
     };
     const auto& properties = element->properties;
     if (std::count_if(properties.begin(), properties.end(), is_corners) != 1)
         source.fail("the faces of this file should have one list, vertex_indices or vertex_index");
-    if (mesh.points.empty()) source.fail("there are no vertices before the faces; let the element 'vertex' come first");
+    if (mesh.points.empty()) source.fail("there are no vertices before the faces; put the element 'vertex' first");
     source.check_triangles(element->count);
     has_faces = true;
     mesh.triangles.reserve(element->count);
@@ -219,25 +219,20 @@ void Body<Values>::read_faces() {
 }
 
 template <class Values>
-void Body<Values>::read_corners(const PlyProperty& list) {
+void PlyReader<Values>::read_corners(const PlyProperty& list) {
     corners.resize(length(list));
     for (std::int32_t& corner : corners) {
         const double index = value(list.type);
         if (!(index >= 0 && index < static_cast<double>(mesh.points.size()) && index == std::floor(index)))
-            values.fail(here() + " names vertex " + text_of_count(index) + "; there are vertices 0 to " +
+            values.fail(here() + " names vertex " + count_text(index) + "; there are vertices 0 to " +
                         std::to_string(mesh.points.size() - 1));
         corner = static_cast<std::int32_t>(index);
     }
-    if (corners.size() < 3) return;
-    source.check_triangles(mesh.triangles.size() + corners.size() - 2);
-    const std::span<const FaceSplitter::Triangle> triangles = splitter.split(mesh.points, corners);
-    if (triangles.empty())
-        values.fail(here() + " has " + std::to_string(corners.size()) + " corners and is not convex, and such a face " +
-                    "may have " + std::to_string(FaceSplitter::most_concave) + "; split it");
-    for (const auto& [a, b, c] : triangles) {
-        mesh.triangles.push_back({corners[a], corners[b], corners[c]});
-        if (smooth) mesh.corner_normals.push_back(mesh.triangles.back());
-    }
+    const std::size_t before = mesh.triangles.size();
+    add_face(source, splitter, mesh, corners, [&](const std::string& message) { values.fail(here() + message); });
+    if (smooth)
+        mesh.corner_normals.insert(mesh.corner_normals.end(),
+                                   mesh.triangles.begin() + static_cast<std::ptrdiff_t>(before), mesh.triangles.end());
 }
 
 }  // namespace
@@ -247,11 +242,11 @@ MeshData read_ply(const Source& source) {
     constexpr bool little = std::endian::native == std::endian::little;
     switch (header.format) {
         case PlyFormat::ascii:
-            return Body<TextValues>(source, header).read();
+            return PlyReader<TextValues>(source, header).read();
         case PlyFormat::little_endian:
-            return Body<BinaryValues<!little>>(source, header).read();
+            return PlyReader<BinaryValues<!little>>(source, header).read();
         default:
-            return Body<BinaryValues<little>>(source, header).read();
+            return PlyReader<BinaryValues<little>>(source, header).read();
     }
 }
 

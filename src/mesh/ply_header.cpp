@@ -1,4 +1,4 @@
-// The header of a PLY file is text, whatever follows. As described by G. Turk, "The PLY Polygon File Format".
+// Reads the header of a PLY file, which is text whatever follows (G. Turk, "The PLY Polygon File Format").
 #include "mesh/ply_header.h"
 
 #include <algorithm>
@@ -23,15 +23,15 @@ constexpr std::array<TypeName, 8> types{{{"char", "int8", PlyType::int8, 1},
                                          {"double", "float64", PlyType::float64, 8}}};
 
 /// Reads the header line by line.
-class HeaderReader {
+class PlyHeaderReader {
   public:
-    explicit HeaderReader(const Source& source) : source(source), words(source, source.bytes) {}
+    explicit PlyHeaderReader(const Source& source) : source(source), words(source, source.bytes) {}
 
     PlyHeader read() {
         const std::string_view bytes = source.bytes;
         const std::size_t first_end = bytes.find_first_of("\r\n");
         if (bytes.substr(0, first_end) != "ply" || first_end == bytes.npos)
-            source.fail("this is no PLY file: its first line is not 'ply'");
+            source.fail("not a PLY file: its first line is not 'ply'");
         // The first line ends as all do: after a lone carriage return, values may begin with the byte of a line feed.
         ending = bytes.substr(first_end, bytes.substr(first_end).starts_with("\r\n") ? 2 : 1);
         place = first_end + ending.size();
@@ -58,11 +58,11 @@ class HeaderReader {
     std::vector<PlyElement> elements;
 };
 
-/// False after the last one.
-bool HeaderReader::next_line() {
+/// Reads a line; false after the last one.
+bool PlyHeaderReader::next_line() {
     const std::size_t end = source.bytes.find(ending, place);
     if (end == source.bytes.npos)
-        source.fail("the header of this PLY file has no end ('end_header'); the file was cut off, so get it anew");
+        source.fail("the header of this PLY file has no end ('end_header'); the file was cut off, so get a new copy");
     words = Words(source, source.bytes.substr(place, end - place));
     place = end + ending.size();
     const std::string_view word = words.next();
@@ -75,12 +75,12 @@ bool HeaderReader::next_line() {
         read_property();
     else if (!word.empty() && word != "comment" && word != "obj_info")
         words.fail(
-            "unknown word " + quoted_word(word) +
+            "unknown word " + quoted(word) +
             " in the header of a PLY file; known here: format, element, property, comment, obj_info, end_header");
     return true;
 }
 
-void HeaderReader::read_format() {
+void PlyHeaderReader::read_format() {
     const std::string_view word = words.next();
     if (word == "ascii")
         format = PlyFormat::ascii;
@@ -90,31 +90,31 @@ void HeaderReader::read_format() {
         format = PlyFormat::big_endian;
     else
         words.fail("the format should be ascii, binary_little_endian or binary_big_endian, and is " +
-                   quoted_word(word));
+                   quoted(word));
     has_format = true;
 }
 
-void HeaderReader::read_element() {
+void PlyHeaderReader::read_element() {
     const std::string_view name = words.next(), count = words.next();
     std::uint64_t number = 0;
     const auto [stop, fault] = std::from_chars(count.data(), count.data() + count.size(), number);
     if (count.empty() || stop != count.data() + count.size() || fault != std::errc())
         words.fail("an element has a name and a count, as in 'element vertex 8'");
     for (const PlyElement& other : elements)
-        if (other.name == name) words.fail("there are two elements " + quoted_word(name) + "; make them one");
-    // More kinds of elements than a person needs would make the search among their names slow.
+        if (other.name == name) words.fail("there are two elements " + quoted(name) + "; make one of them");
+    // Many more kinds of elements would make the search among their names slow.
     if (elements.size() == 100) words.fail("this PLY file has more than 100 kinds of elements");
     elements.push_back({name, number, {}});
 }
 
-void HeaderReader::read_property() {
+void PlyHeaderReader::read_property() {
     if (elements.empty()) words.fail("this property belongs to no element: a line 'element' must come first");
     PlyProperty property{};
     Words after = words;
     if (after.next() == "list") {
         words = after;
         property.count = type();
-        if (*property.count >= PlyType::float32) words.fail("the length of a list must have a whole number's type");
+        if (*property.count >= PlyType::float32) words.fail("the length of a list must have an integer type");
     }
     property.type = type();
     property.name = words.next();
@@ -122,16 +122,16 @@ void HeaderReader::read_property() {
     elements.back().properties.push_back(property);
 }
 
-PlyType HeaderReader::type() {
+PlyType PlyHeaderReader::type() {
     const std::string_view word = words.next();
     for (const TypeName& known : types)
         if (word == known.name || word == known.sized_name) return known.type;
-    words.fail(quoted_word(word) +
-               " is no type; types are char, uchar, short, ushort, int, uint, float, double and int8 to float64");
+    words.fail(quoted(word) +
+               " is not a type; types are char, uchar, short, ushort, int, uint, float, double and int8 to float64");
 }
 
-/// Before anything is allocated for it: could so many elements be in the file?
-void HeaderReader::check_counts() const {
+/// Fails if the file is too short for the elements that are announced, before anything is allocated for them.
+void PlyHeaderReader::check_counts() const {
     std::uint64_t left = source.bytes.size() - place;
     // The last number of a text needs no space behind it.
     if (format == PlyFormat::ascii) ++left;
@@ -142,8 +142,8 @@ void HeaderReader::check_counts() const {
         if (least == 0) continue;
         if (element.count > left / least)
             source.fail("the header announces " + std::to_string(element.count) + " of element " +
-                        quoted_word(element.name) + ", and only " + counted(left, "byte") +
-                        " are there for them; the file was cut off or changed, so get it anew");
+                        quoted(element.name) + ", but only " + counted(left, "byte") +
+                        " are left for them; the file was cut off or changed, so get a new copy");
         left -= element.count * least;
     }
 }
@@ -152,6 +152,6 @@ void HeaderReader::check_counts() const {
 
 std::size_t size_of(PlyType type) { return types[static_cast<std::size_t>(type)].size; }
 
-PlyHeader read_ply_header(const Source& source) { return HeaderReader(source).read(); }
+PlyHeader read_ply_header(const Source& source) { return PlyHeaderReader(source).read(); }
 
 }  // namespace strahl

@@ -1,4 +1,4 @@
-// What a PLY file says of itself before its values begin.
+// The header of a PLY file.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -10,7 +10,7 @@
 namespace strahl {
 
 enum class PlyType : std::uint8_t { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
-/// In a binary file.
+/// Bytes of a value in a binary file.
 std::size_t size_of(PlyType type);
 
 struct PlyProperty {

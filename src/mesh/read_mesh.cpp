@@ -1,4 +1,4 @@
-// Opens mesh files, tells which kind they are, and removes what has no surface.
+// Opens mesh files, recognises their formats, and removes triangles without a surface.
 #include "mesh/read_mesh.h"
 
 #include <algorithm>
@@ -14,22 +14,21 @@ namespace {
 
 /// Has the path this ending, in capitals or not?
 bool ends_with(std::string_view path, std::string_view ending) {
-    return path.size() >= ending.size() &&
-           std::equal(ending.begin(), ending.end(), path.end() - static_cast<std::ptrdiff_t>(ending.size()),
-                      [](char a, char b) { return a == (b >= 'A' && b <= 'Z' ? b - 'A' + 'a' : b); });
+    return path.size() >= ending.size() && same_word(path.substr(path.size() - ending.size()), ending);
 }
 
-enum class Kind { ply, obj, stl };
+enum class MeshFormat { ply, obj, stl };
 
-Kind kind_of(const Source& source) {
+MeshFormat format_of(const Source& source) {
     const std::string_view bytes = source.bytes;
-    if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r") || ends_with(source.path, ".ply")) return Kind::ply;
-    if (ends_with(source.path, ".obj")) return Kind::obj;
-    if (is_binary_stl(bytes) || bytes.starts_with("solid") || ends_with(source.path, ".stl")) return Kind::stl;
-    source.fail("this is no mesh that can be read: neither a PLY nor an STL file, and its name does not end in .obj");
+    const bool begins_ply = bytes.starts_with("ply\n") || bytes.starts_with("ply\r");
+    if (begins_ply || ends_with(source.path, ".ply")) return MeshFormat::ply;
+    if (ends_with(source.path, ".obj")) return MeshFormat::obj;
+    if (is_binary_stl(bytes) || bytes.starts_with("solid") || ends_with(source.path, ".stl")) return MeshFormat::stl;
+    source.fail("not a mesh: it is neither a PLY nor an STL file, and its name does not end in .obj");
 }
 
-/// Leaves out the triangles whose corners are not three different points.
+/// Removes triangles whose corners are not three different points.
 void remove_empty(MeshData& mesh) {
     const bool smooth = !mesh.corner_normals.empty(), placed = !mesh.corner_places.empty();
     std::size_t kept = 0;
@@ -47,8 +46,9 @@ void remove_empty(MeshData& mesh) {
     if (placed) mesh.corner_places.resize(kept);
 }
 
-/// Unused normals may be anything: programs write zeros for points that belong to no face.
-void check_normals(const MeshData& mesh, const Source& source, Kind kind) {
+/// Fails if a normal that is used has no direction. Unused ones may be anything: programs write zeros for points that
+/// belong to no face.
+void check_normals(const MeshData& mesh, const Source& source, MeshFormat format) {
     const auto usable = [](const DVec3& n) {
         const double most = std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
         // Squares of these neither overflow nor vanish. A comparison with NaN is false.
@@ -60,11 +60,11 @@ void check_normals(const MeshData& mesh, const Source& source, Kind kind) {
             if (checked[i]) continue;
             checked[i] = true;
             if (usable(mesh.normals[i])) continue;
-            const std::string which = kind == Kind::ply
+            const std::string which = format == MeshFormat::ply
                                           ? "the normal of vertex " + std::to_string(i) + " (counted from 0)"
                                           : "normal " + std::to_string(i + 1) + " (the 'vn' lines, counted from 1)";
             source.fail(which + " is " + text_of(mesh.normals[i]) +
-                        ", which is no direction; have the normals computed anew, or save the mesh without them");
+                        ", which has no direction; recompute the normals, or save the mesh without them");
         }
 }
 
@@ -78,12 +78,14 @@ MeshData read_mesh(const std::string& path, const MeshLimits& limits) {
         fail("it is larger than " + std::to_string(limits.most_bytes) + " bytes; simplify the mesh, or split it");
     const Buffer<char> bytes = uninitialized_buffer<char>(file.size());
     const Source source{path, {bytes.get(), file.read(0, bytes.get(), file.size())}, limits};
-    const Kind kind = kind_of(source);
-    MeshData mesh = kind == Kind::ply ? read_ply(source) : kind == Kind::obj ? read_obj(source) : read_stl(source);
+    const MeshFormat format = format_of(source);
+    MeshData mesh = format == MeshFormat::ply   ? read_ply(source)
+                    : format == MeshFormat::obj ? read_obj(source)
+                                                : read_stl(source);
     remove_empty(mesh);
     mesh.points.shrink_to_fit(), mesh.triangles.shrink_to_fit();
     if (mesh.triangles.empty()) source.fail("there is no face in this file that has three different corners");
-    check_normals(mesh, source, kind);
+    check_normals(mesh, source, format);
     return mesh;
 }
 

@@ -1,4 +1,4 @@
-// Meshes from files: PLY, OBJ and STL.
+// Reads meshes from PLY, OBJ and STL files.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -14,20 +14,20 @@ struct MeshLimits {
     std::uint64_t most_bytes = std::uint64_t(4) << 30;  // of the file
 };
 
-/// Reads a file of triangles: PLY (ascii or binary), STL (ascii or binary) or OBJ. Which it is its content says; OBJ
-/// has no mark of its own, so it is told by the ending.
+/// Reads a file of triangles: PLY (ascii or binary), STL (ascii or binary) or OBJ. The format is recognised by the
+/// contents; OBJ, which has no mark of its own, by the ending of the name.
 ///
-/// - Faces of more corners are split into triangles. A concave one may have 1000 corners at most.
+/// - Faces of more corners are split into triangles. A concave face may have at most 1000 corners.
 /// - A triangle whose corners are not three different points has no surface and is left out, as is a face of fewer than
 ///   three corners. Slivers stay.
 /// - STL has no shared points: there, corners of equal coordinates become one point.
-/// - Smooth or flat: PLY and OBJ may give normals; what OBJ leaves without them among faces that have them gets the
-///   normal of its plane. STL's normals are ignored.
+/// - PLY and OBJ may give normals, which makes the mesh smooth. Faces of OBJ without normals, among others that have
+///   them, get the normal of their plane. STL's normals are ignored.
 /// - Places in a picture: those of OBJ's `vt`, and in PLY the vertices' properties u and v, s and t, or texture_u and
-///   texture_v. OBJ's faces without any among others that have some are at the origin.
+///   texture_v. Faces of OBJ without places, among others that have some, are at the origin.
 ///
 /// Every index is in range, every coordinate from -1e9 to 1e9, and every normal that a corner uses has a direction.
-/// Only regular files are opened. Throws FileError, which says where in the file the fault is and what to do.
+/// Only regular files are opened. Throws FileError, whose message says where in the file the error is and what to do.
 MeshData read_mesh(const std::string& path, const MeshLimits& limits = {});
 
 }  // namespace strahl

@@ -1,4 +1,3 @@
-// Fans, and ears that are clipped.
 #include "mesh/split.h"
 
 #include <cmath>
@@ -30,8 +29,8 @@ std::span<const FaceSplitter::Triangle> FaceSplitter::split(const std::vector<DV
     return triangles;
 }
 
-/// Does it turn to the same side, or not at all, at every corner? Its normal, the sum of the triangles seen from the
-/// first corner, is kept.
+/// Does the face turn to the same side, or not at all, at every corner? Sets its `normal`: the sum of those of the
+/// triangles around its first corner.
 bool FaceSplitter::convex(const std::vector<DVec3>& points, std::span<const std::int32_t> corners) {
     const DVec3 origin = points[corners[0]];
     normal = {};
@@ -62,17 +61,17 @@ bool same(const P& a, const P& b) {
 
 /// Does the triangle of a corner and its neighbours lie inside the face, without another corner in it?
 bool FaceSplitter::is_ear(std::int32_t corner) const {
-    const Corner &b = ring[corner], &a = ring[b.before], &c = ring[b.after];
+    const RingCorner &b = ring[corner], &a = ring[b.before], &c = ring[b.after];
     if (area(a, b, c) < 0) return false;
     for (std::int32_t i = c.after; i != b.before; i = ring[i].after) {
-        const Corner& p = ring[i];
+        const RingCorner& p = ring[i];
         if (same(p, a) || same(p, b) || same(p, c)) continue;  // a hole is often cut open along an edge used twice
         if (area(a, b, p) >= 0 && area(b, c, p) >= 0 && area(c, a, p) >= 0) return false;
     }
     return true;
 }
 
-/// Clipping an ear changes what its two neighbours are, and no other corner.
+/// Clips ears until nothing is left. Clipping one changes only whether its two neighbours are ears.
 void FaceSplitter::clip_ears() {
     auto left = static_cast<std::int32_t>(ring.size());
     for (std::int32_t i = 0; i < left; ++i) ring[i].ear = is_ear(i);

@@ -1,4 +1,4 @@
-// Faces of more than three corners as triangles.
+// Splits faces of more than three corners into triangles.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -15,8 +15,8 @@ class FaceSplitter {
     /// Splitting a concave face takes time that grows with the square of its corners.
     static constexpr std::size_t most_concave = 1000;
 
-    /// The triangles of a face of three corners or more, as positions in `corners`, until the next call. None if it is
-    /// concave and has more than `most_concave` corners.
+    /// Returns the triangles of a face of three corners or more, as positions in `corners`; they stay until the next
+    /// call. None if the face is concave and has more than `most_concave` corners.
     ///
     /// A convex face is a fan around its first corner. Of a concave one, ears are clipped ("Polygon triangulation",
     /// chapter 1 of J. O'Rourke's "Computational Geometry in C"), seen from the direction in which its area is
@@ -24,7 +24,7 @@ class FaceSplitter {
     std::span<const Triangle> split(const std::vector<DVec3>& points, std::span<const std::int32_t> corners);
 
   private:
-    struct Corner {
+    struct RingCorner {
         double x, y;
         std::int32_t before, after;
         bool ear;
@@ -34,7 +34,7 @@ class FaceSplitter {
     void clip_ears();
 
     DVec3 normal{};
-    std::vector<Corner> ring;
+    std::vector<RingCorner> ring;
     std::vector<Triangle> triangles;
 };
 

@@ -1,4 +1,4 @@
-// STL: triangles with three points each, as text or as floats.
+// Reads STL: triangles with three points each, as text or as floats.
 #include <bit>
 
 #include "files/bytes.h"
@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t header_size = 84, triangle_size = 50;
 
-/// The triangles that a binary file should have.
+/// The number of triangles in the header of a binary file.
 std::uint64_t announced(std::string_view bytes) {
     return get_little<std::uint32_t>(bytes, header_size - 4);
 }
@@ -21,7 +21,7 @@ MeshData read_binary(const Source& source) {
     if (!is_binary_stl(bytes))
         source.fail("this STL file has " + counted(bytes.size(), "byte") + ", and its header announces " +
                     counted(count, "triangle") + ", which take " + std::to_string(header_size + triangle_size * count) +
-                    "; it was cut off or changed, so get it anew");
+                    "; it was cut off or changed, so get a new copy");
     source.check_triangles(count);
     MeshData mesh;
     PointJoiner points;
@@ -42,40 +42,35 @@ MeshData read_binary(const Source& source) {
     return mesh;
 }
 
-class TextReader {
+/// Reads the text form. Some programs write its words in capitals.
+class StlText {
   public:
-    explicit TextReader(const Source& source) : source(source), words(source, source.bytes) {}
+    explicit StlText(const Source& source) : source(source), words(source, source.bytes) {}
 
     MeshData read() {
         expect("solid");
         while (true) {
             words.skip_line();  // a name
             std::string_view word = words.next();
-            for (; same(word, "facet"); word = words.next()) read_facet();
-            if (!same(word, "endsolid")) fail_at(word, "'facet' or 'endsolid'");
+            for (; same_word(word, "facet"); word = words.next()) read_facet();
+            if (!same_word(word, "endsolid")) fail_at(word, "'facet' or 'endsolid'");
             words.skip_line();
             word = words.next();
             if (word.empty()) break;
-            if (!same(word, "solid")) fail_at(word, "another 'solid', or the end,");
+            if (!same_word(word, "solid")) fail_at(word, "another 'solid' or the end");
         }
         mesh.points = std::move(points.points());
         return std::move(mesh);
     }
 
   private:
-    /// Some programs write the words in capitals.
-    static bool same(std::string_view word, std::string_view expected) {
-        if (word.size() != expected.size()) return false;
-        for (std::size_t i = 0; i < word.size(); ++i)
-            if ((word[i] | 0x20) != expected[i]) return false;
-        return true;
-    }
     [[noreturn]] void fail_at(std::string_view word, const std::string& expected) const {
-        if (word.empty()) words.fail("the file ends where " + expected + " should be; it was cut off, so get it anew");
-        words.fail("here should be " + expected + " and not " + quoted_word(word));
+        if (word.empty())
+            words.fail("the file ends where " + expected + " should be; it was cut off, so get a new copy");
+        words.fail("expected " + expected + ", found " + quoted(word));
     }
     void expect(std::string_view expected) {
-        if (const std::string_view word = words.next(); !same(word, expected)) fail_at(word, quoted_word(expected));
+        if (const std::string_view word = words.next(); !same_word(word, expected)) fail_at(word, quoted(expected));
     }
     void read_facet() {
         expect("normal");
@@ -84,8 +79,7 @@ class TextReader {
         MeshData::Corners corners;
         for (std::int32_t& corner : corners) {
             expect("vertex");
-            DVec3 point;
-            for (int c = 0; c < 3; ++c) point[c] = words.number("a coordinate");
+            const DVec3 point = words.vector();
             if (const std::string fault = Source::fault(point); !fault.empty()) words.fail("this corner " + fault);
             corner = points.number_of(point);
         }
@@ -109,7 +103,7 @@ bool is_binary_stl(std::string_view bytes) {
 
 MeshData read_stl(const Source& source) {
     // Many binary files begin with "solid" as well.
-    return source.bytes.starts_with("solid") && !is_binary_stl(source.bytes) ? TextReader(source).read()
+    return source.bytes.starts_with("solid") && !is_binary_stl(source.bytes) ? StlText(source).read()
                                                                              : read_binary(source);
 }
 

@@ -1,4 +1,3 @@
-// The axes of a camera, and the camera along a flythrough.
 #include "scene/camera.h"
 
 #include <cmath>
@@ -22,7 +21,7 @@ DVec3 direction_at(const Window<Keyframe>& w, Value value) {
     return result;
 }
 
-/// The camera at a moment; degenerate where the curves of position and look_at meet.
+/// The camera at a time; degenerate where the curves of position and look_at meet.
 Camera raw_camera_at(const Flythrough& path, const Camera& scene_camera, double time) {
     if (path.keys.empty()) return scene_camera;
     const auto [key, w] = moment_among(path.keys, path.loop ? path.duration : 0, time);

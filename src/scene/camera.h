@@ -11,7 +11,7 @@ namespace strahl {
 struct Camera {
     DVec3 position{0};
     DVec3 look_at{0};
-    DVec3 up{0, 0, -1};                 // the direction that points *down* the picture; `sky` is its negative
+    DVec3 up{0, 0, -1};                 // the direction that points *down* the picture; `sky` in scenes is its negative
     double fov = 25;                    // degrees between the viewing axis and the left or right edge, 0 < fov < 90
     std::optional<double> aspectratio;  // picture width / height; without it the picture's own
     bool operator==(const Camera&) const = default;
@@ -31,7 +31,8 @@ CameraFrame frame_of(const Camera& camera, double aspect);
 /// Why the camera is degenerate ("position equals look_at", "up is parallel to ..."), or nullptr if it is not.
 const char* degenerate(const Camera& camera);
 
-/// A key of a flythrough: a time in seconds and the camera there. What is not given is as in the scene's camera.
+/// A key of a flythrough: a time in seconds and the camera then. Values that are not given are those of the scene's
+/// camera.
 struct Keyframe {
     double time = 0;
     DVec3 position{0};
@@ -44,7 +45,7 @@ struct Keyframe {
 /// The camera at a key; `scene_camera` supplies what the key does not give.
 Camera camera_of(const Keyframe& key, const Camera& scene_camera);
 
-/// A path through keys on a centripetal Catmull-Rom spline; times rise strictly.
+/// A path through keys on a centripetal Catmull-Rom spline; times increase strictly.
 struct Flythrough {
     double duration = 0;  // seconds, at least the last key's time
     bool loop = false;    // the path is a closed curve that returns to its first key after `duration`
@@ -52,7 +53,7 @@ struct Flythrough {
     bool operator==(const Flythrough&) const = default;
 };
 
-/// The camera at `time` seconds: before the first key that of the first key, after the last one that of the last. A
+/// The camera at `time` seconds: before the first key that of the first key, after the last key that of the last. A
 /// path that loops repeats every `duration`, also before its first key. At the time of a key it is exactly the key's
 /// camera. Between keys position and look_at follow smooth curves, fov and up stay between the values of the two keys,
 /// and where the result would be degenerate it takes its axes from a moment before or after.

@@ -8,7 +8,8 @@
 namespace strahl {
 namespace {
 
-/// By how much a matrix lengthens vectors at most: the root of the product of the largest sums of rows and columns.
+/// An upper bound on how much a matrix lengthens vectors: the root of the product of the largest sums of rows and
+/// columns.
 double stretch(const glm::dmat4& m) {
     double rows = 0, columns = 0;
     for (int i = 0; i < 3; ++i) {
@@ -35,7 +36,7 @@ std::vector<Capsule> capsules_of(const Primitive& primitive, const glm::dmat4& o
     const auto visit = [&]<class Kind>(const Kind& kind) {
         std::vector<Capsule> found;
         if constexpr (is_composite<Kind>) {
-            // Any bounded part contains an intersection, and the first one a difference.
+            // An intersection lies inside any of its bounded parts, a difference inside its first.
             for (const Primitive& part : *kind.parts) {
                 const std::vector<Capsule> own = capsules_of(part, to_world);
                 if (Kind::operation == Operation::unite && own.empty()) return own;

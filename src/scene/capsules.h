@@ -1,4 +1,4 @@
-// Capsules around the bodies of a scene.
+// Finds capsules around the bodies of a scene.
 #pragma once
 #include <glm/mat4x4.hpp>
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace strahl {
 
-/// Capsules that together contain the body, in the scene's coordinates. Unbounded bodies have none, nor have meshes,
-/// whose triangles are small where they bend.
+/// Returns capsules that together contain the body, in the scene's coordinates. There are none for unbounded bodies,
+/// nor for meshes, whose triangles are small where they bend.
 std::vector<Capsule> capsules_of(const Primitive& primitive, const glm::dmat4& outer = glm::dmat4(1));
 
 }  // namespace strahl

@@ -11,8 +11,7 @@
 namespace strahl {
 namespace {
 
-/// The box around a part, which for a plane across an axis ends there. Turned by a right angle it still is across one;
-/// more than that rounding leans it too much for a world of any size.
+/// The box around a part. That of a plane at right angles to an axis ends there, up to rounding errors of its normal.
 Box box_of(const Primitive& part, const glm::dmat4& to_world) {
     Box box = transformed_bounds(part, to_world);
     const Plane* const plane = std::get_if<Plane>(&part.shape);
@@ -52,8 +51,8 @@ const char* Composite<operation>::fault() const {
     int leaves = 0;
     for (const Primitive& part : *parts) {
         if (!std::visit([]<class Kind>(const Kind&) { return can_be_part<Kind>; }, part.shape))
-            return "a part of it is no closed body; discs and triangles can't be parts";
-        if (!fits_composite(part.shape)) return "a mesh that is a part of it is open, and has no inside";
+            return "a part is not a closed body; discs and triangles cannot be parts";
+        if (!fits_composite(part.shape)) return "a mesh among its parts is open and has no inside";
         leaves += leaves_of(part.shape);
     }
     return leaves > most_parts ? "it consists of more than 100000 bodies" : nullptr;

@@ -8,17 +8,17 @@ namespace strahl {
 namespace {
 
 using strahl::target;
-Target target(Pigment& pigment) { return pigment.pattern ? Target{} : target(pigment.color); }
-Target target(Relief&) { return {}; }
+FollowTarget target(Pigment& pigment) { return pigment.pattern ? FollowTarget{} : target(pigment.color); }
+FollowTarget target(Relief&) { return {}; }
 template <class T>
-Target target(std::optional<T>& value) {
-    return value ? target(*value) : Target{};
+FollowTarget target(std::optional<T>& value) {
+    return value ? target(*value) : FollowTarget{};
 }
 
 /// The parameter of this name in a field table.
 template <class Struct>
-Target field_of(Struct& own, const std::string& name) {
-    Target found;
+FollowTarget field_of(Struct& own, const std::string& name) {
+    FollowTarget found;
     const auto look = [&](const auto& field) {
         if (name == field.name) found = target(own.*field.member);
     };
@@ -36,7 +36,7 @@ void follow(Camera& camera, const std::vector<Follow>& follows, const TrackValue
                : name == "up"          ? target(now.up)
                : name == "fov"         ? target(now.fov)
                : name == "aspectratio" ? target(now.aspectratio)
-                                       : Target{};
+                                       : FollowTarget{};
     });
     if (!degenerate(now)) camera = now;
 }
@@ -47,9 +47,9 @@ void follow(Light& light, const TrackValues& values) {
         return name == "position"    ? target(light.position)
                : name == "direction" ? target(light.direction)
                : name == "color"     ? target(light.color)
-               : name == "look_at"   ? (light.spot ? target(light.spot->look_at) : Target{})
+               : name == "look_at"   ? (light.spot ? target(light.spot->look_at) : FollowTarget{})
                : light.spot          ? field_of(*light.spot, name)
-                                     : Target{};
+                                     : FollowTarget{};
     });
     light.follows.clear();
     if (light.direction && *light.direction == DVec3(0)) light.direction = declared.direction;

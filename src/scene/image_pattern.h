@@ -22,9 +22,9 @@ struct Pixels {
     bool operator==(const Pixels&) const = default;
 };
 
-/// Where a point of the pattern's space is in the picture: across by u, from 0 at the left to 1 at the right, and up by
-/// v, from 0 to 1 likewise. Around the z axis u begins at x and grows towards y, so that pictures are not mirrored as
-/// seen from outside.
+/// How points of the pattern's space become places (u, v) in the picture: u goes from 0 at its left edge to 1 at its
+/// right edge, v from 0 at its lower edge to 1 at its upper edge. Around the z axis u begins at x and grows towards y,
+/// so that pictures are not mirrored as seen from outside.
 enum class ImageMap : std::int32_t {
     planar,       // x and y
     spherical,    // around the z axis, and the latitude: from the pole at -z to that at z
@@ -32,18 +32,18 @@ enum class ImageMap : std::int32_t {
 };
 inline constexpr std::array<std::string_view, 3> image_maps{"planar", "spherical", "cylindrical"};
 
-/// How bright a colour is, which is what a picture that bends normals has in place of colours: its height (POV-Ray's
-/// weights of red, green and blue).
+/// POV-Ray's weights of red, green and blue in the brightness of a colour. It is the height where a picture bends
+/// normals.
 inline constexpr std::array<double, 3> brightness{.297, .589, .114};
 
-/// Between the middles of four pixels colours change bilinearly. All this is as in POV-Ray, but for the poles, which
-/// are at y and -y there.
+/// A picture as a pattern. Between the middles of four pixels colours change bilinearly. It is as in POV-Ray, except
+/// that its poles are at y and -y there.
 struct ImagePattern {
     std::string file;  // as the scene names it
     std::shared_ptr<const Pixels> pixels;
     ImageMap map = ImageMap::planar;
-    /// Where neither u nor v is outside of 0 to 1 the picture; elsewhere this colour. Without it the picture repeats,
-    /// its edges joining. At the poles as well: half a pixel from there, its top and its bottom mix.
+    /// The colour outside of the picture, where u or v is not from 0 to 1. Without it the picture repeats and its edges
+    /// join, also at the poles: within half a pixel of a pole its top and its bottom mix.
     std::optional<Color> once;
 
     static constexpr const char* name = "image";

@@ -1,20 +1,46 @@
-// The simple bodies that a primitive consists of: itself, or in a composite its parts, theirs, and so on.
+// Visits the leaves of a primitive: the simple bodies that it consists of, itself or the parts of a composite at any
+// depth.
 #pragma once
 #include <glm/mat4x4.hpp>
+#include <memory>
+#include <utility>
+#include <vector>
 
 #include "scene/scene.h"
 
 namespace strahl {
 
-/// A leaf's own matrix takes its shape into the world, through the transformations of all levels. That of its material
-/// takes the material's patterns there: from the space of the outermost composite around it with the same material all
-/// the way in, so that the pattern of a whole goes on through its parts, or from its own.
+/// Calls visit(part) for the parts of a composite; of other primitives there are none.
+template <class Visit>
+void each_part(const Primitive& primitive, const Visit& visit) {
+    const auto look = [&]<class Kind>(const Kind& kind) {
+        if constexpr (is_composite<Kind>)
+            for (const Primitive& part : *kind.parts) visit(part);
+    };
+    std::visit(look, primitive.shape);
+}
+/// Replaces the parts of a composite by copies that change(part) has changed.
+template <class Change>
+void change_parts(Primitive& primitive, const Change& change) {
+    const auto look = [&]<class Kind>(Kind& kind) {
+        if constexpr (is_composite<Kind>) {
+            std::vector<Primitive> parts = *kind.parts;
+            for (Primitive& part : parts) change(part);
+            kind.parts = std::make_shared<const std::vector<Primitive>>(std::move(parts));
+        }
+    };
+    std::visit(look, primitive.shape);
+}
+
+/// Matrices from a leaf into the world. `shape` is that of the leaf. `material` is that of its material's patterns: if
+/// the composites around the leaf have the same material, it begins in the space of the outermost of these, so that the
+/// pattern continues through all parts.
 struct LeafMatrices {
     glm::dmat4 shape{1}, material{1};
 };
 
-/// Calls visit(leaf, matrices) for each in the order declared. `outer` are those of the composite around the primitive,
-/// which has the material `outer_material`; of a primitive by itself that is none.
+/// Calls visit(leaf, matrices) for each leaf in the order declared. `outer` are the matrices of the composite around
+/// the primitive, and `outer_material` its material; -1 if there is none.
 template <class Visit>
 void for_each_leaf_placed(const Primitive& primitive, const Visit& visit, const LeafMatrices& outer = {},
                           int outer_material = -1) {
@@ -29,11 +55,11 @@ void for_each_leaf_placed(const Primitive& primitive, const Visit& visit, const 
     std::visit(look, primitive.shape);
 }
 
-/// The way of a composite's leaf into the composite's own space, and its transformations all the way into the world.
+/// How a leaf of a composite gets into the composite's own space, and from there into the world.
 struct LeafWay {
     glm::dmat4 inner{1};
-    double similarity = 0;                        // of the way into the world
-    std::vector<Transformation> steps, material;  // the latter of its material's patterns
+    double similarity = 0;                        // of the transformations into the world
+    std::vector<Transformation> steps, material;  // into the world: of the leaf, and of its material's patterns
 };
 /// Calls visit(leaf, way) for the leaves of a composite in the order declared, and combine(operation) where the last
 /// two results become one.
@@ -64,7 +90,7 @@ void for_each_leaf_within(const Primitive& composite, const Visit& visit, const 
          {glm::dmat4(1), similarity(composite.transformations), composite.transformations, composite.transformations});
 }
 
-/// Those of all leaves.
+/// The ways of all leaves.
 inline std::vector<LeafWay> ways_of(const Primitive& composite) {
     std::vector<LeafWay> ways;
     for_each_leaf_within(
@@ -72,7 +98,7 @@ inline std::vector<LeafWay> ways_of(const Primitive& composite) {
     return ways;
 }
 
-/// The sum of count(kind) for each of them.
+/// The sum of count(kind) over all leaves.
 template <class Count>
 int sum_of_leaves(const Shape& shape, const Count& count) {
     const auto look = [&]<class Kind>(const Kind& kind) {
@@ -86,14 +112,14 @@ int sum_of_leaves(const Shape& shape, const Count& count) {
     return std::visit(look, shape);
 }
 
-/// Calls visit(leaf, matrix), where no patterns matter.
+/// Calls visit(leaf, matrix) with the matrix of the shape alone.
 template <class Visit>
 void for_each_leaf(const Primitive& primitive, const Visit& visit) {
     for_each_leaf_placed(primitive,
                          [&](const Primitive& leaf, const LeafMatrices& matrices) { visit(leaf, matrices.shape); });
 }
 
-/// Does light pass any of its surfaces?
+/// Does any surface of the primitive transmit light?
 inline bool transparent(const Scene& scene, const Primitive& primitive) {
     bool any = false;
     for_each_leaf(primitive, [&](const Primitive& leaf, const glm::dmat4&) {

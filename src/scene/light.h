@@ -1,4 +1,4 @@
-// Lights. Their light does not weaken with distance.
+// Lights. Their light does not fade with distance.
 #pragma once
 #include <optional>
 #include <tuple>
@@ -18,37 +18,38 @@ struct Spot {
     bool operator==(const Spot&) const = default;
 
     static constexpr auto fields = std::make_tuple(
-        Field{"radius", &Spot::radius, "the angle off the axis up to which all its light shines", Range::quarter_turn},
-        Field{"falloff", &Spot::falloff, "that from which on none does, not below the radius", Range::quarter_turn},
-        Field{"tightness", &Spot::tightness, "exponent by which light weakens off the axis", Range::zero_or_more});
+        Field{"radius", &Spot::radius, "the angle off the axis at which it begins to fade", Range::quarter_turn},
+        Field{"falloff", &Spot::falloff, "the angle beyond which there is no light, at least `radius`",
+              Range::quarter_turn},
+        Field{"tightness", &Spot::tightness, "exponent by which light fades off the axis", Range::zero_or_more});
 };
 
-/// A rectangle that shines from all its points, each in all directions; nobody sees it. With a grid it is that many
-/// points instead, those at its border on its edges, as POV-Ray's area_light has them.
+/// A rectangle that shines from all its points, each in all directions, and is not seen itself. With a grid it is that
+/// many points instead, the outer ones on its edges, as in POV-Ray's area_light.
 struct Area {
     DVec3 u{0}, v{0};          // its edges, perpendicular to each other
-    int columns = 0, rows = 0;  // of the grid, 0 for none
+    int columns = 0, rows = 0;  // of the grid; 0 if there is none
     bool operator==(const Area&) const = default;
 };
 
-/// A point that shines in all directions or, with a spot, in a cone. Or, with a direction, parallel light that shines
-/// in it from infinitely far away, and has no position. Or a rectangle around its position.
+/// A point that shines in all directions or, with a spot, in a cone. With a direction: parallel light from infinitely
+/// far away, which has no position. With an area: a rectangle around its position.
 struct Light {
     DVec3 position{0};
     Color color{1};
     std::optional<DVec3> direction{};
     std::optional<Spot> spot{};
     std::optional<Area> area{};
-    std::optional<Motion> motion{};  // of its place, direction, edges, and of what its spot looks at
-    std::vector<Follow> follows{};   // its numbers, and its spot's, that follow tracks
+    std::optional<Motion> motion{};  // of its position, direction, edges, and the point that its spot looks at
+    std::vector<Follow> follows{};   // numbers of it and its spot that follow tracks
     bool operator==(const Light&) const = default;
 };
 
-/// How many lights one is to the tracer.
+/// The number of lights that the tracer makes of one.
 inline std::size_t points_of(const Light& light) {
     return light.area && light.area->columns > 0 ? std::size_t(light.area->columns) * light.area->rows : 1;
 }
-/// The same lights with grids as the points that they consist of, row by row.
+/// The same lights, with grids replaced by the points that they consist of, row by row.
 inline std::vector<Light> points_of(const std::vector<Light>& lights) {
     std::vector<Light> all;
     for (const Light& light : lights) {

@@ -18,16 +18,16 @@ struct Material {
     double pow = 50;          // p, the highlight's exponent
     double ior = 1;           // index of refraction of the body
     NormalMap normal{};
-    Bump bump{};                    // of the normals that `normal` has bent
-    std::vector<Follow> follows{};  // its numbers that follow tracks
+    Bump bump{};                    // bends the normals that `normal` has bent
+    std::vector<Follow> follows{};  // numbers of it that follow tracks
 
     bool operator==(const Material&) const = default;
     /// Is the body transparent, or could a track make it so?
     bool may_transmit() const { return refraction > 0 || any_follows(follows, "refraction"); }
     bool bends() const { return normal.pattern || bump.pattern; }
-    /// Does it depend on the place?
+    /// Does it vary across the body?
     bool patterned() const { return rgb.pattern || bends(); }
-    /// ... on where the corners of a mesh are by uv?
+    /// Has it a pattern that is mapped by uv?
     bool by_uv() const {
         bool any = false;
         each_pattern([&](const Pattern& own) { any |= own.by_uv; });

@@ -7,23 +7,20 @@
 #include "num/vec_math.h"
 #include "scene/error.h"
 #include "scene/follow.h"
+#include "scene/leaves.h"
 
 namespace strahl {
 namespace {
 
-/// Calls visit(motion) for those of a body and its parts.
+/// Calls visit(motion) for all motions of a body and its parts.
 template <class Visit>
 void each_motion(const Primitive& primitive, const Visit& visit) {
     for (const Transformation& step : primitive.transformations)
         if (const Motion* const motion = std::get_if<Motion>(&step)) visit(*motion);
-    const auto look = [&]<class Kind>(const Kind& kind) {
-        if constexpr (is_composite<Kind>)
-            for (const Primitive& part : *kind.parts) each_motion(part, visit);
-    };
-    std::visit(look, primitive.shape);
+    each_part(primitive, [&](const Primitive& part) { each_motion(part, visit); });
 }
 
-/// Sets `now`, which is `moving` at some moment, to another one: steps(transformations, moving ones) sets these.
+/// Sets `now`, a copy of `moving`, to a time: steps(transformations, moving ones) sets the former.
 template <class Steps>
 void move(Primitive& now, const Primitive& moving, const Steps& steps) {
     steps(now.transformations, moving.transformations);
@@ -62,14 +59,9 @@ void follow_others(Scene& now, const TrackValues& tracks) {
 }  // namespace
 
 bool moves(const Primitive& primitive) {
-    const auto moving_part = []<class Kind>(const Kind& kind) {
-        if constexpr (is_composite<Kind>)
-            return std::ranges::any_of(*kind.parts, moves);
-        else
-            return false;
-    };
-    const auto is_motion = [](const Transformation& step) { return std::holds_alternative<Motion>(step); };
-    return std::ranges::any_of(primitive.transformations, is_motion) || std::visit(moving_part, primitive.shape);
+    bool any = false;
+    each_motion(primitive, [&](const Motion&) { any = true; });
+    return any;
 }
 
 Movers::Movers(const Scene& scene)

@@ -1,4 +1,4 @@
-// Scenes in which bodies and lights move: the scene as it is at a moment.
+// Scenes in which bodies and lights move: finds what changes, and the scene at a given time.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -14,46 +14,46 @@ namespace strahl {
 /// Does the body, or a part of it, have a motion?
 bool moves(const Primitive& primitive);
 
-/// What changes with time in a scene, but for its camera: bodies and lights that move or of which parts do, and what
+/// All that changes with time in a scene except its camera: bodies and lights that move or have parts that do, and what
 /// follows tracks.
 struct Movers {
     explicit Movers(const Scene& scene);
     bool any() const { return !bodies.empty() || !lights.empty() || !materials.empty() || air; }
-    std::vector<std::int32_t> bodies, lights, materials;  // by number
+    std::vector<std::int32_t> bodies, lights, materials;  // their numbers
     bool air = false;                                     // the background or the fog
-    double last_key = 0;                                  // seconds, of motions and of the tracks that are followed
+    double last_key = 0;                                  // in seconds, of motions and of the tracks that are followed
 };
 /// The tracks that numbers of a scene follow, without duplicates, in the order of the scene.
 std::vector<std::string> followed_tracks(const Scene& scene);
 
-/// A moment: seconds, and the values of the tracks. A scene whose flythrough loops begins anew whenever that does.
+/// A time of a scene: seconds, and the values of the tracks then. If the flythrough loops, the scene repeats with it.
 struct SceneTime {
     double seconds = 0;
     TrackValues tracks;
 };
-/// `tracks` are in place of the scene's own.
+/// `tracks` replace the scene's own.
 SceneTime scene_time(const Scene& scene, double seconds, const std::vector<Track>* tracks = nullptr);
 
-/// Sets bodies, or all the rest, of `now`, a copy of `scene`, to a moment.
+/// Set the bodies, or all the rest, of `now`, a copy of `scene`, to a time.
 void move_bodies(Scene& now, const Scene& scene, std::span<const std::int32_t> bodies, const SceneTime& time);
 void move_others(Scene& now, const Scene& scene, const Movers& movers, const SceneTime& time);
 
-/// The scene of a moment, in which nothing moves: what is declared has the transformations and numbers of that moment.
-/// The camera and the flythrough are left as they are.
+/// The scene at a time, in which nothing moves: bodies and lights have the transformations and numbers of that time.
+/// The camera and the flythrough stay as they are.
 Scene at(const Scene& scene, double time);
-/// The scene with all that follows tracks as at that time, also its camera; motions stay.
+/// The scene with all numbers that follow tracks as at that time, also those of its camera; motions stay.
 Scene without_tracks(const Scene& scene, double time);
 
-/// The camera of a scene at a time of its flythrough, if it has one; else its own camera at that time. Without a time
-/// it is its own at time 0.
+/// The camera at a time of the scene's flythrough, or the scene's own camera at that time if there is none. Without a
+/// time: its own camera at time 0.
 Camera camera_at(const Scene& scene, std::optional<double> time);
-/// Its own camera at a time, which only tracks change. `tracks` are in place of the scene's own.
+/// The scene's own camera at a time; only tracks change it. `tracks` replace the scene's own.
 Camera own_camera_at(const Scene& scene, double time, const std::vector<Track>* tracks = nullptr);
 
-/// The flythrough of a scene, until the last key of its motions and tracks if it does not loop; for a scene that has
-/// none but in which something else moves, one without keys, on which the camera is free. Nothing if nothing moves.
+/// The flythrough of a scene; if it does not loop it lasts until the last key of motions and tracks. If only something
+/// else moves: a flythrough without keys, on which the camera is free. Nothing if nothing moves.
 std::optional<Flythrough> flight_of(const Scene& scene);
-/// The same of the scene in `file`. Throws UsageError if nothing moves, so that there is no use for an `option`.
+/// The same for the scene in `file`. Throws UsageError if nothing moves, which `option` needs.
 Flythrough flight_for(const char* option, const Scene& scene, const std::string& file);
 
 }  // namespace strahl

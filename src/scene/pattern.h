@@ -1,4 +1,4 @@
-// Patterns: colours that vary through space. Each kind is a value from 0 to 1 at every point; a map makes it a colour.
+// Patterns: colours that vary through space. Each kind has a value from 0 to 1 at every point; a map makes it a colour.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -15,41 +15,41 @@
 
 namespace strahl {
 
-/// The colour at a value of the pattern. Between two of them it changes linearly.
+/// The colour at a value of the pattern. Between two stops it changes linearly.
 struct ColorStop {
     double at = 0;
     Color color{0};
     bool operator==(const ColorStop&) const = default;
 };
 
-/// Cubes with sides of 1, in turns of two colours. This, `Brick` and `Gradient` have their borders 1e-10 before whole
-/// numbers (as POV-Ray does), so that a face which lies there is of one colour.
+/// Cubes with sides of 1, in alternating colours. This, `Brick` and `Gradient` have their borders 1e-10 before whole
+/// numbers (as in POV-Ray), so that a face that lies there has one colour.
 struct Checker {
     static constexpr const char* name = "checker";
-    static constexpr const char* help = "cubes with sides of 1, in turns of two colours";
+    static constexpr const char* help = "cubes with sides of 1 in two alternating colours";
     static constexpr std::array<const char*, 2> colors{"first colour", "second colour"};
     static constexpr auto fields = std::make_tuple();
     bool operator==(const Checker&) const = default;
 };
 
-/// Bricks in layers along y, every second layer half a brick further.
+/// Bricks in layers along y, every second layer shifted by half a brick.
 struct Brick {
     DVec3 size{8, 3, 4.5};
     double mortar = .5;
     static constexpr const char* name = "brick";
-    static constexpr const char* help = "bricks in layers along y, every second layer half a brick further";
+    static constexpr const char* help = "bricks in layers along y, every second layer shifted by half a brick";
     static constexpr std::array<const char*, 2> colors{"mortar's colour", "bricks' colour"};
     static constexpr auto fields =
-        std::make_tuple(Field{"brick_size", &Brick::size, "of a brick and its mortar", Range::positive},
-                        Field{"mortar", &Brick::mortar, "how thick the mortar is", Range::length_or_zero});
+        std::make_tuple(Field{"brick_size", &Brick::size, "size of a brick with its mortar", Range::positive},
+                        Field{"mortar", &Brick::mortar, "thickness of the mortar", Range::length_or_zero});
     bool operator==(const Brick&) const = default;
 };
 
-/// From 0 to 1 along an axis, again and again.
+/// A ramp from 0 to 1 along an axis, which repeats every 1.
 struct Gradient {
     DVec3 axis{1, 0, 0};
     static constexpr const char* name = "gradient";
-    static constexpr const char* help = "a ramp that starts anew every 1 along an axis";
+    static constexpr const char* help = "a ramp along an axis that repeats every 1";
     static constexpr auto fields =
         std::make_tuple(Field{"axis", &Gradient::axis, "the direction of the ramp, of any length", Range::direction});
     bool operator==(const Gradient&) const = default;
@@ -68,11 +68,11 @@ struct Octaves {
     bool operator==(const Octaves&) const = default;
     static constexpr auto common = std::make_tuple(
         Field{"octaves", &Octaves::octaves, "how many sizes of detail are summed", Range::octaves},
-        Field{"omega", &Octaves::omega, "how strong the detail of an octave is beside that before", Range::zero_to_one},
-        Field{"lambda", &Octaves::lambda, "how many times finer it is", Range::positive});
+        Field{"omega", &Octaves::omega, "strength of each octave relative to the one before", Range::zero_to_one},
+        Field{"lambda", &Octaves::lambda, "how many times finer each octave is than the one before", Range::positive});
 };
 
-/// Noise alone.
+/// Noise and nothing else.
 struct Noise : Octaves {
     Noise() : Octaves{1} {}
     static constexpr const char* name = "noise";
@@ -81,7 +81,7 @@ struct Noise : Octaves {
     bool operator==(const Noise&) const = default;
 };
 
-/// Layers across x that rise from 0 to 1 and fall again within a length of 1, moved by noise.
+/// Layers across x, whose value rises from 0 to 1 and falls again within a length of 1, moved by noise.
 struct Marble : Octaves {
     double turbulence = 0;
     Marble() : Octaves{6} {}
@@ -93,7 +93,7 @@ struct Marble : Octaves {
     bool operator==(const Marble&) const = default;
 };
 
-/// Rings around the z axis, likewise.
+/// Rings around the z axis, with the values of marble's layers.
 struct Wood : Octaves {
     double turbulence = 0;
     Wood() : Octaves{6} {}
@@ -107,15 +107,15 @@ struct Wood : Octaves {
 
 using PatternKind = std::variant<Checker, Gradient, Brick, Noise, Marble, Wood, ImagePattern>;
 
-/// Has it two colours by itself, in place of a map?
+/// Does a kind have two colours of its own in place of a map?
 template <class Kind>
 inline constexpr bool two_colored = requires {
     Kind::colors;
 };
-/// Or a map of colours? Images have neither.
+/// Does a kind have a map of colours? Images have neither.
 template <class Kind>
 inline constexpr bool has_map = !two_colored<Kind> && !std::is_same_v<Kind, ImagePattern>;
-/// Can its values bend normals?
+/// Can the values of a kind bend normals?
 template <class Kind>
 inline constexpr bool can_bend = !two_colored<Kind>;
 
@@ -124,16 +124,16 @@ inline constexpr std::string_view uv_map = "uv";
 
 struct Pattern {
     PatternKind kind;
-    std::vector<ColorStop> colors;  // ascending; those of kinds with two are at 0 and 1, images have none, others some
+    std::vector<ColorStop> colors;  // ascending; two-coloured kinds have two, at 0 and 1; images have none
     std::vector<Transformation> transformations;
-    /// The pattern is asked for (u, v, 0) as the corners of a mesh's triangles have it, linearly between these, in
-    /// place of a point of the body. Images are planar then.
+    /// The pattern is evaluated at (u, v, 0) in place of a point of the body; u and v are given at the corners of a
+    /// mesh's triangles and linear between these. Images are planar then.
     bool by_uv = false;
     bool operator==(const Pattern&) const = default;
 };
 
-/// A colour, the same everywhere or by a pattern; then `color` is the largest of all its colours, channel by channel,
-/// which is all that bounds of light have to know.
+/// A colour, the same everywhere or by a pattern. With a pattern, `color` is the largest of its colours, channel by
+/// channel, from which bounds on light are computed.
 struct Pigment {
     Color color{0};
     std::shared_ptr<const Pattern> pattern;
@@ -156,8 +156,8 @@ struct Pigment {
     }
 };
 
-/// What bends normals: a pattern, and how much. Where a surface is seen from behind, its normal is turned round before
-/// it is bent. Of images the pixels are taken as they are, whatever the scene declares.
+/// A pattern that bends normals, and how much. Where a surface is seen from behind, its normal is turned round before
+/// it is bent. Pixels of images are used as they are, whatever the scene declares about linear light.
 struct Relief {
     std::shared_ptr<const Pattern> pattern;  // without colours; null if there is none
     double height = 0;
@@ -167,16 +167,16 @@ struct Relief {
     }
 };
 
-/// As if a pattern of values raised the surface: n - height G, where G is the pattern's gradient. Both are in the
-/// pattern's own space, so that bumps that are scaled keep their slopes (K. Perlin, "An image synthesizer", 1985, adds
-/// gradients to normals). G is the difference quotient over the corners of a tetrahedron, all `step` away, which is how
-/// POV-Ray has it: the sum of value(p + step v) v over its four directions v, times 3 / (4 step). The value of an image
-/// is its brightness, see `brightness`.
+/// Bends normals as if a pattern of values raised the surface: n - height G, where G is the pattern's gradient. Both
+/// are in the pattern's own space, so that bumps that are scaled keep their slopes (K. Perlin, "An image synthesizer",
+/// 1985, adds gradients to normals). G is the difference quotient over the corners of a tetrahedron, all `step` away,
+/// which is how POV-Ray has it: the sum of value(p + step v) v over its four directions v, times 3 / (4 step). The
+/// value of an image is its brightness, see `brightness`.
 ///
-/// By uv the space is that of u, v and the normal: its axes are those along which the place in the triangle moves with
-/// u and with v, without what these have of the surface's normal, and u x v, as long as the square root of their area.
+/// By uv the space is that of u, v and the normal. Its axes are the directions along the surface in which u and v grow,
+/// and u x v, whose length is the square root of the area that the other two span.
 struct Bump : Relief {
-    /// .02; of an image a pixel of a planar one.
+    /// The step: .02, or the size of a pixel for an image.
     double step() const {
         const ImagePattern* const image = std::get_if<ImagePattern>(&pattern->kind);
         return image ? 1. / std::max(image->pixels->width, image->pixels->height) : .02;
@@ -188,13 +188,13 @@ struct Bump : Relief {
     bool operator==(const Bump&) const = default;
 };
 
-/// As the colours (r, g, b) of an image say: to (height (2 r - 1), height (2 g - 1), max(2 b - 1, 0)) along three axes
-/// of length 1. x is the direction along the surface in which u grows, without what it has of the normal; y is across
-/// it, on the side where v grows; z is the normal (J. Cohen, M. Olano, D. Manocha, "Appearance-Preserving
+/// Bends normals by the colours (r, g, b) of an image: to (height (2 r - 1), height (2 g - 1), max(2 b - 1, 0)) along
+/// three axes of length 1. x is the direction along the surface in which u grows, without what it has of the normal; y
+/// is across it, on the side where v grows; z is the normal (J. Cohen, M. Olano, D. Manocha, "Appearance-Preserving
 /// Simplification", 1998). The axes are of length 1 in the scene, so that slopes stay as they are in whatever way the
 /// image is scaled. Where u grows in no direction, as at the poles, the normal stays as it is.
 struct NormalMap : Relief {
-    static constexpr double least_sine = 1e-5;  // of angles from the normal: smaller ones are rounding
+    static constexpr double least_sine = 1e-5;  // of angles from the normal; smaller ones are rounding errors
     NormalMap() { height = 1; }
     bool operator==(const NormalMap&) const = default;
 };

@@ -1,4 +1,4 @@
-// A scene as a plain value: the content of an .rt file, in double.
+// A scene as a plain value: the contents of an .rt file, in double.
 #pragma once
 #include <optional>
 #include <vector>
@@ -25,28 +25,29 @@ struct Settings {
     bool operator==(const Settings&) const = default;
 };
 
-/// Between bodies all light weakens with the way t through the fog: of what comes from behind exp(-t / distance) is
-/// left, and the rest is the fog's colour (POV-Ray's fog_type 1). There is none in transparent bodies, and rays of
-/// light from lights do not weaken.
+/// Fog between bodies (POV-Ray's fog_type 1): after a distance t through it the share exp(-t / distance) of the light
+/// is left, and the rest is the fog's colour. There is no fog inside transparent bodies, and the light of lights on its
+/// way to a surface does not fade.
 struct Fog {
     double distance = 1;
     Color color{0};
-    std::vector<Follow> follows{};  // its numbers that follow tracks
+    std::vector<Follow> follows{};  // numbers of it that follow tracks
     bool operator==(const Fog&) const = default;
 };
 
 struct Scene {
     Camera camera;
     Settings settings;
-    Pigment background{Color(0)};  // of rays that hit nothing; a pattern is asked for the unit direction of the ray
+    Pigment background{Color(0)};  // of rays that hit nothing; a pattern is evaluated at the unit direction of the ray
     std::optional<Fog> fog;
     std::vector<Light> lights;
-    /// No duplicates, in the order of first use by a primitive: of a composite its own, then those of its parts.
+    /// Without duplicates, in the order of first use by a primitive; a composite uses its own before those of its
+    /// parts.
     std::vector<Material> materials;
     std::vector<Primitive> primitives;  // in the order declared: of coincident surfaces the first wins
     std::optional<Flythrough> flythrough;
     Music music;
-    std::vector<Track> tracks;  // those saved beside the scene; only read if some number follows one
+    std::vector<Track> tracks;  // saved beside the scene; read only if some number follows one
     std::vector<Follow> camera_follows, background_follows;  // numbers of the camera and the background's colour
     bool operator==(const Scene&) const = default;
 };

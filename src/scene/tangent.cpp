@@ -35,7 +35,7 @@ Twofold series(const Twofold& y, int n) {
 
 }  // namespace
 
-// The C library's differs from one machine to the next: in its last bit, or in the digits of its long double.
+// The C library's tangent differs from one machine to the next, in its last bit or in the digits of its long double.
 double tangent(double degrees) {
     constexpr Twofold radians_per_degree{0x1.1df46a2529d39p-6, 0x1.5c1d8becdd291p-62};
     const bool steep = degrees > 45;

@@ -1,9 +1,9 @@
-// The tangent of an angle.
+// Computes tangents that are the same on every machine.
 #pragma once
 
 namespace strahl {
 
-/// Of 0 to 90 degrees, the same on every machine; that of 45 is 1.
+/// The tangent of 0 to 90 degrees; that of 45 is exactly 1.
 double tangent(double degrees);
 
 }  // namespace strahl

@@ -87,11 +87,7 @@ Box box_of(const UnionPart& part) {
 template <class Visit>
 void each_material(const Primitive& primitive, const Visit& visit) {
     visit(primitive.material);
-    const auto look = [&]<class Kind>(const Kind& kind) {
-        if constexpr (is_composite<Kind>)
-            for (const Primitive& part : *kind.parts) each_material(part, visit);
-    };
-    std::visit(look, primitive.shape);
+    each_part(primitive, [&](const Primitive& part) { each_material(part, visit); });
 }
 
 /// Has it more than one index of refraction? The whole has that of its own material, a part by itself its own.

@@ -15,20 +15,20 @@ namespace {
 struct Slice {
     std::size_t begin = 0, end = 0;
 };
-/// Where the parts of the block are in the text.
-struct PathPlaces {
-    Slice block, duration;  // of the duration the number
+/// The parts of the block `flythrough` in the text.
+struct PathSlices {
+    Slice block, duration;  // `duration` is its number alone
     std::optional<Slice> loop;
     std::vector<Slice> keys;
-    std::string music;  // this block
+    std::string music;  // the block `music`
 };
 
-std::optional<PathPlaces> find_path(const std::string& text) {
+std::optional<PathSlices> find_path(const std::string& text) {
     Diagnostics diagnostics(text, "");
     Lexer lexer(text, diagnostics);
-    std::optional<PathPlaces> places;
+    std::optional<PathSlices> slices;
     const auto begin = [&](std::string_view slice) { return std::size_t(slice.data() - text.data()); };
-    bool inside = false;  // the block
+    bool inside = false;  // of the block
     std::size_t music_begin = 0;
     std::string music;
     for (int depth = 0; !lexer.at_end();) {
@@ -44,19 +44,19 @@ std::optional<PathPlaces> find_path(const std::string& text) {
         if (depth == 0 && token == "music") music_begin = start + 1;
         if (depth == 0 && token == "}" && music_begin > 0)
             music = text.substr(music_begin - 1, stop - music_begin + 1), music_begin = 0;
-        if (depth == 0 && token == "flythrough") places.emplace().block.begin = start, inside = true;
+        if (depth == 0 && token == "flythrough") slices.emplace().block.begin = start, inside = true;
         if (!inside) continue;
-        if (depth == 1 && token == "key") places->keys.push_back({start, 0});
-        if (depth == 1 && token == "}") places->keys.back().end = stop;
-        if (depth == 1 && token == "loop") places->loop = {start, stop};
+        if (depth == 1 && token == "key") slices->keys.push_back({start, 0});
+        if (depth == 1 && token == "}") slices->keys.back().end = stop;
+        if (depth == 1 && token == "loop") slices->loop = {start, stop};
         if (depth == 1 && token == "duration") {
             const std::string_view number = lexer.token();
-            places->duration = {begin(number), begin(number) + number.size()};
+            slices->duration = {begin(number), begin(number) + number.size()};
         }
-        if (depth == 0 && token == "}") places->block.end = stop, inside = false;
+        if (depth == 0 && token == "}") slices->block.end = stop, inside = false;
     }
-    if (places) places->music = music;
-    return places;
+    if (slices) slices->music = music;
+    return slices;
 }
 
 struct Edit {
@@ -64,7 +64,7 @@ struct Edit {
     std::string text;
 };
 
-/// The slice with the white space before it, of which at most one end of a line.
+/// The slice with the white space before it, including at most one end of a line.
 Slice with_space(const std::string& text, Slice slice) {
     const auto blank = [&](std::size_t i) { return text[i - 1] == ' ' || text[i - 1] == '\t'; };
     while (slice.begin > 0 && blank(slice.begin)) --slice.begin;
@@ -72,15 +72,15 @@ Slice with_space(const std::string& text, Slice slice) {
     return slice;
 }
 
-/// What goes when a key goes: its line, unless something else is on it.
+/// What to remove with a key: its line, unless something else is on it.
 Slice with_line(const std::string& text, Slice key) {
     const std::size_t next = text.find_first_not_of(" \t", key.end);
     return next == text.npos || text[next] == '\n' || text[next] == '\r' ? with_space(text, key) : key;
 }
 
-/// What begins the line of a key, or what does in text of our own.
-std::string indentation(const std::string& text, const PathPlaces& places) {
-    for (const Slice& key : places.keys) {
+/// The line break and indentation before a key, as in the text or else as Strahl writes it.
+std::string indentation(const std::string& text, const PathSlices& slices) {
+    for (const Slice& key : slices.keys) {
         const std::size_t line = text.rfind('\n', key.begin) + 1;  // 0 if there is none
         const std::string before = text.substr(line, key.begin - line);
         if (line > 0 && before.find_first_not_of(" \t") == before.npos) return "\n" + before;
@@ -88,21 +88,21 @@ std::string indentation(const std::string& text, const PathPlaces& places) {
     return "\n  ";
 }
 
-/// Keys of the same time, or as many as before, stay where they are.
-void edit_keys(std::vector<Edit>& edits, const std::string& text, const PathPlaces& places,
+/// Changes keys. Those of the same time stay where they are, as do all if there are as many as before.
+void edit_keys(std::vector<Edit>& edits, const std::string& text, const PathSlices& slices,
                const std::vector<Keyframe>& old, const std::vector<Keyframe>& keys) {
-    const std::string indent = indentation(text, places);
+    const std::string indent = indentation(text, slices);
     const bool in_step = old.size() == keys.size();
-    std::size_t i = 0, j = 0, after = std::max(places.duration.end, places.loop.value_or(Slice{}).end);
-    if (!old.empty() && places.keys[0].begin < after) after = places.keys[0].begin;
+    std::size_t i = 0, j = 0, after = std::max(slices.duration.end, slices.loop.value_or(Slice{}).end);
+    if (!old.empty() && slices.keys[0].begin < after) after = slices.keys[0].begin;
     while (i < old.size() || j < keys.size()) {
         const bool both = i < old.size() && j < keys.size();
         if (both && (in_step || old[i].time == keys[j].time)) {
-            if (old[i] != keys[j]) edits.push_back({places.keys[i], write_key(keys[j])});
-            after = places.keys[i].end;
+            if (old[i] != keys[j]) edits.push_back({slices.keys[i], write_key(keys[j])});
+            after = slices.keys[i].end;
             ++i, ++j;
         } else if (j == keys.size() || (both && old[i].time < keys[j].time)) {
-            edits.push_back({with_line(text, places.keys[i++]), ""});
+            edits.push_back({with_line(text, slices.keys[i++]), ""});
         } else {
             edits.push_back({{after, after}, indent + write_key(keys[j++])});
         }
@@ -121,7 +121,7 @@ std::string applied(std::string text, std::vector<Edit> edits) {
     return result.append(text, done);
 }
 
-/// The path of a block alone; nothing if it has an error.
+/// Parses the block alone; nothing if it has an error.
 std::optional<Flythrough> path_of(const std::string& music, const std::string& block) try {
     const std::string eye = "camera { position <0,0,0> look_at <0,1,0> sky <.31,.27,.9> fov 20 }\n";
     return parse_scene(eye + music + block, "").flythrough;
@@ -132,27 +132,27 @@ std::optional<Flythrough> path_of(const std::string& music, const std::string& b
 }  // namespace
 
 std::string with_path(const std::string& text, const std::optional<Flythrough>& path) {
-    const auto places = find_path(text);
-    if (!places) {
+    const auto slices = find_path(text);
+    if (!slices) {
         if (!path) return text;
         return text + (text.empty() || text.back() == '\n' ? "\n" : "\n\n") + write_flythrough(*path);
     }
-    const Slice block = places->block;
+    const Slice block = slices->block;
     if (!path) return applied(text, {{with_space(text, block), ""}});
-    const auto old = path_of(places->music, text.substr(block.begin, block.end - block.begin));
+    const auto old = path_of(slices->music, text.substr(block.begin, block.end - block.begin));
     const std::string whole = write_flythrough(*path);
     const Edit anew{block, whole.substr(0, whole.size() - 1)};
     if (!old) return applied(text, {anew});
 
     std::vector<Edit> edits;
-    if (old->duration != path->duration) edits.push_back({places->duration, text_of(path->duration)});
-    if (path->loop && !old->loop) edits.push_back({{places->duration.end, places->duration.end}, "  loop"});
-    if (!path->loop && old->loop) edits.push_back({with_space(text, *places->loop), ""});
-    edit_keys(edits, text, *places, old->keys, path->keys);
+    if (old->duration != path->duration) edits.push_back({slices->duration, text_of(path->duration)});
+    if (path->loop && !old->loop) edits.push_back({{slices->duration.end, slices->duration.end}, "  loop"});
+    if (!path->loop && old->loop) edits.push_back({with_space(text, *slices->loop), ""});
+    edit_keys(edits, text, *slices, old->keys, path->keys);
     std::string changed = applied(text, edits);
     const std::size_t length = changed.size() - (text.size() - (block.end - block.begin));
     // Nothing that was written in an unusual way may get lost.
-    return path_of(places->music, changed.substr(block.begin, length)) == path ? changed : applied(text, {anew});
+    return path_of(slices->music, changed.substr(block.begin, length)) == path ? changed : applied(text, {anew});
 }
 
 }  // namespace strahl

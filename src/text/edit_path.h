@@ -1,4 +1,4 @@
-// A flythrough put into the text of a scene, of which all else stays as it is.
+// Puts a flythrough into the text of a scene and leaves the rest of the text as it is.
 #pragma once
 #include <optional>
 #include <string>
@@ -7,9 +7,9 @@
 
 namespace strahl {
 
-/// `text`, a scene without errors, with this path as its flythrough, or with none. Keys that the text has already, and
-/// comments, stay as they are written; so does everything outside of the block. A block that the text lacks is added at
-/// its end.
+/// Returns `text`, a scene without errors, with this path as its flythrough, or with none. Comments and keys that the
+/// text has already stay as they are written, and so does everything outside the block. A block that the text lacks is
+/// added at the end.
 std::string with_path(const std::string& text, const std::optional<Flythrough>& path);
 
 }  // namespace strahl

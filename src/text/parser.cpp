@@ -1,9 +1,8 @@
-// The parser: the blocks of the scene language.
+// Parses the blocks of the scene language.
 #include <array>
 #include <optional>
 #include <utility>
 
-#include "files/utf8.h"
 #include "text/blocks/blocks.h"
 #include "text/blocks/bodies.h"
 #include "text/blocks/camera_blocks.h"
@@ -40,7 +39,7 @@ class Parser {
     Scene parse();
 
   private:
-    /// Where the material of a body is and its last transformation.
+    /// Words that follow the arguments of a body: `material`, and its last transformation.
     struct Ending {
         std::string_view material, last;
     };
@@ -57,37 +56,23 @@ class Parser {
     template <class Kind>
     void check(const Kind& shape, const Primitive& primitive, Block& block, std::string_view word, const Ending& ending,
                int depth);
-    void limit(std::size_t count, std::size_t most, std::string_view at, const char* what);
 
     const TextLimits& limits;
     std::string_view text;
     Diagnostics& diagnostics;
-    Reader reader;
+    BlockReader reader;
     CameraBlocks cameras;
     Scene scene;
     Materials materials;
     Definitions definitions;
     Material default_material;
-    std::size_t bodies_read = 0, points = 0;                        // points: of lights
-    std::vector<MaterialText> written;                              // of the body being read and its parts
-    std::string_view background_at, settings_at, fog_at, music_at;  // where these blocks are, of which a scene has one
+    std::size_t bodies_read = 0, points = 0;                        // points of lights
+    std::vector<MaterialText> written;                              // materials of the body being read and its parts
+    std::string_view background_at, settings_at, fog_at, music_at;  // the first words of these blocks
 };
 
 Scene Parser::parse() {
-    Lexer& lexer = reader.lexer;
-    while (!lexer.at_end()) {
-        const std::string_view word = lexer.word();
-        try {
-            if (!word.empty())
-                top_block(word);
-            else if (!(diagnostics.any() && lexer.accept('}')))  // one too many may follow from an earlier error
-                lexer.fail("a block expected, such as 'sphere { ... }'");
-        } catch (const ParseAbort&) {
-            const bool inside = lexer.accept('{');
-            lexer.skip_to(block_words, block_words);
-            if (inside) lexer.accept('}');
-        }
-    }
+    reader.blocks_to_end("sphere { ... }", [&](std::string_view word) { top_block(word); });
     cameras.check(text.substr(text.size()));
     diagnostics.check();
     scene.camera = cameras.the_camera;
@@ -106,13 +91,13 @@ void Parser::top_block(std::string_view word) {
         if (!own.good()) return;
         const Primitive& read = scene.primitives.back();
         for (const std::string& fault : {crowd_fault(read, materials.list), place_fault(read, materials.list)})
-            if (!fault.empty()) diagnostics.add(word, "this " + std::string(word) + " can't be " + fault);
+            if (!fault.empty()) diagnostics.add(word, "invalid " + std::string(word) + ": " + fault);
         return;
     }
     if (word == "light") {
         scene.lights.push_back(read_light(reader, limits, word));
         points += points_of(scene.lights.back());
-        return limit(points - 1, limits.lights, word, "lights");
+        return reader.limit(points - 1, limits.lights, word, "lights");
     }
     if (word == "define") return define(word);
     if (MaterialText changes; word == "defaultmaterial")
@@ -129,11 +114,6 @@ void Parser::top_block(std::string_view word) {
     throw ParseAbort{};
 }
 
-void Parser::limit(std::size_t count, std::size_t most, std::string_view at, const char* what) {
-    if (count < most) return;
-    diagnostics.add(at, "more than " + std::to_string(most) + " " + what), diagnostics.check();
-}
-
 void Parser::background(std::string_view word) {
     reader.once(background_at, word);
     Block block{word, false, false, &scene.background_follows};
@@ -141,17 +121,17 @@ void Parser::background(std::string_view word) {
     reader.block(block, parameters);
     reader.require(block, parameters);
     if (scene.background.pattern && scene.background.pattern->by_uv)
-        diagnostics.add(word, "this background can't be covered: its pattern is mapped by uv, which only meshes have");
+        diagnostics.add(word, "invalid background: its pattern is mapped by uv, which only meshes have");
 }
 
-/// `material { ... }`, or that of a name, with changes or as it is.
+/// Reads `material { ... }`, `material NAME` or `material NAME { ... }`.
 Block Parser::material(std::string_view word, MaterialText& target) {
     Block block{word};
     const std::string_view name = reader.lexer.word();
     if (!name.empty()) target.add(definitions.material(name, diagnostics));
     if (!name.empty() && reader.lexer.peek() != '{') return block;
     MaterialText own;
-    auto parameters = material_parameters(own.values);
+    auto parameters = field_parameters(own.values);
     block.follows = &own.values.follows;
     reader.block(block, parameters);
     block.follows = nullptr;
@@ -160,7 +140,7 @@ Block Parser::material(std::string_view word, MaterialText& target) {
     return block;
 }
 
-/// `define NAME material { ... }` or `define NAME body { ... }`
+/// Reads `define NAME material { ... }` or `define NAME BODY { ... }`.
 void Parser::define(std::string_view) {
     const std::string_view name = reader.lexer.word();
     if (name.empty()) reader.lexer.fail("a name expected after 'define'");
@@ -180,17 +160,17 @@ void Parser::define(std::string_view) {
         diagnostics.add(word, unknown_word(word, definitions.with_bodies(known), where));
         throw ParseAbort{};
     }
-    if (!block.good()) own.back() = {}, written.resize(1);  // or bodies with too many parts could go on growing
+    if (!block.good()) own.back() = {}, written.resize(1);  // else bodies with too many parts could go on growing
     const std::size_t bodies = block.good() ? bodies_read - before : 1;
     definitions.add(name, {std::move(own.back()), written, bodies, block.good()}, diagnostics);
 }
 
-/// A body by its name.
+/// Reads a body by its name.
 bool Parser::use(std::string_view word, std::vector<Primitive>& bodies, Block& outer, int depth) {
-    const Definitions::Body* const defined = definitions.body(word);
+    const Definitions::NamedBody* const defined = definitions.body(word);
     if (!defined) return false;
-    limit(bodies_read += defined->bodies, limits.primitives, word, "primitives");
-    limit(depth + defined->levels, most_levels, word, "levels of bodies in bodies");
+    reader.limit(bodies_read += defined->bodies, limits.primitives, word, "primitives");
+    reader.limit(depth + defined->levels, most_levels, word, "levels of bodies in bodies");
     Primitive primitive = Definitions::renumbered(defined->primitive, static_cast<int>(written.size()));
     written.insert(written.end(), defined->written.begin(), defined->written.end());
     Block block{word};
@@ -213,15 +193,15 @@ bool Parser::finish(std::string_view word, Primitive& primitive, Block& block, E
         return true;
     }
     if (!contains(shape_words, word)) return false;
-    limit(primitive.transformations.size(), limits.transformations, word, "transformations of one primitive");
+    reader.limit(primitive.transformations.size(), limits.transformations, word, "transformations of one primitive");
     primitive.transformations.push_back(word == "motion" ? read_motion(reader, limits, word, block)
                                                          : read_transformation(reader, word, block, true));
     ending.last = word;
     return true;
 }
 
-/// Reads a body to the end of `bodies`, if `word` begins one, which is in the block `outer`. Its material stays a
-/// number among `written`.
+/// Reads a body of the block `outer`, if `word` begins one, and appends it to `bodies`. Its material stays a number
+/// among `written`.
 bool Parser::body(std::string_view word, std::vector<Primitive>& bodies, Block& outer, int depth) {
     const auto read = [&]<class... Kinds>(std::type_identity<std::variant<Kinds...>>) {
         return ((word == Kinds::name && (shape<Kinds>(word, bodies, outer, depth), true)) || ...);
@@ -229,11 +209,11 @@ bool Parser::body(std::string_view word, std::vector<Primitive>& bodies, Block& 
     return read(std::type_identity<Shape>{});
 }
 
-/// The block of a body: its arguments, then material, transformations and, in a composite, parts in any order.
+/// Reads the block of a body: its arguments, then material, transformations and, in a composite, parts in any order.
 template <class Kind>
 void Parser::shape(std::string_view word, std::vector<Primitive>& bodies, Block& outer, int depth) {
-    limit(bodies_read++, limits.primitives, word, "primitives");
-    limit(depth, most_levels, word, "levels of bodies in bodies");
+    reader.limit(bodies_read++, limits.primitives, word, "primitives");
+    reader.limit(depth, most_levels, word, "levels of bodies in bodies");
     Kind kind;
     Primitive primitive{{}, static_cast<int>(written.size()), {}};
     written.emplace_back();
@@ -259,21 +239,18 @@ void Parser::shape(std::string_view word, std::vector<Primitive>& bodies, Block&
     bodies.push_back(std::move(primitive));
 }
 
-/// Reports why a body is invalid: by its arguments, its transformations, or because it can't be a part.
+/// Reports why a body is invalid: its arguments, its transformations, or that it cannot be a part.
 template <class Kind>
 void Parser::check(const Kind& shape, const Primitive& primitive, Block& block, std::string_view word,
                    const Ending& ending, int depth) {
-    const std::string name(word);
-    const auto fault = [&](std::string_view at, const std::string& message) {
-        diagnostics.add(at, message);
-        block.bad = true;
-    };
-    if (const char* const none = shape.fault()) return fault(word, "this " + name + " is none: " + none);
+    const std::string invalid = "invalid " + std::string(word) + ": ";
+    if (const char* const why = shape.fault()) return reader.fault(block, word, invalid + why);
     if (!ending.last.empty()) {
-        const std::string moved = moved_fault(shape, primitive.transformations);
-        if (!moved.empty()) return fault(ending.last, "up to here the transformations of this " + name + " " + moved);
+        const std::string why = moved_fault(shape, primitive.transformations);
+        if (!why.empty()) return reader.fault(block, ending.last, invalid + "the transformations up to here " + why);
     }
-    if (const std::string none = depth > 0 ? fault_as_part(shape, word) : ""; !none.empty()) fault(word, none);
+    if (const std::string why = depth > 0 ? fault_as_part(shape, word) : ""; !why.empty())
+        reader.fault(block, word, why);
 }
 
 }  // namespace
@@ -282,11 +259,7 @@ Scene parse_scene(std::string_view text, std::string_view file, const TextLimits
                   FileNames* names) {
     if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
     Diagnostics diagnostics(text, file);
-    if (const std::size_t i = find_invalid(text); i != text.npos) {
-        diagnostics.add(text.substr(i, 1), text[i] == '\0' ? "a byte 0 in the text; is this a scene file?"
-                                                           : "not UTF-8; save the file in that encoding");
-        diagnostics.check();
-    }
+    diagnostics.check_encoding();
     SceneFiles files(file, read_pixels);
     Scene scene = Parser(text, diagnostics, files, limits).parse();
     if (names) *names = files.names;

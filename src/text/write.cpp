@@ -1,4 +1,3 @@
-// Writes scenes as text, in the form a person would write.
 #include "text/write.h"
 
 #include <algorithm>
@@ -80,7 +79,7 @@ std::string shape_text(const Mesh& mesh) {
 std::string primitive_text(const Primitive& primitive, const std::vector<Material>& materials, const Material& base,
                            const std::string& indent);
 
-/// Each part stands in a line of its own.
+/// A composite without its closing brace, each part on a line of its own.
 template <Operation operation>
 std::string shape_text(const Composite<operation>& composite, const std::vector<Material>& materials,
                        const Material& own, const std::string& indent) {
@@ -91,7 +90,7 @@ std::string shape_text(const Composite<operation>& composite, const std::vector<
     return text;
 }
 
-/// `base` is the material that it has if it says nothing: the default in force, or that of the composite around it.
+/// `base` is the material that it has if its text gives none: the default in force, or that of the composite around it.
 std::string primitive_text(const Primitive& primitive, const std::vector<Material>& materials, const Material& base,
                            const std::string& indent) {
     const Material& own = materials[primitive.material];

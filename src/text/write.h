@@ -1,4 +1,4 @@
-// From Scene to scene text.
+// Writes scenes as text.
 #pragma once
 #include <string>
 
@@ -6,10 +6,11 @@
 
 namespace strahl {
 
-/// Text that parses to an equal Scene, with numbers in their shortest exact form. Saved tracks are not part of it.
+/// Returns text that parses to an equal Scene, with numbers in their shortest exact form. The keys of tracks are not in
+/// it: they have a file of their own.
 std::string write_scene(const Scene& scene);
 
-/// Only the `camera { ... }` or `flythrough { ... }` block; the window prints these for pasting.
+/// Returns only the block `camera { ... }` or `flythrough { ... }`, which the window prints for pasting.
 std::string write_camera(const Camera& camera, const std::vector<Follow>& follows = {});
 std::string write_flythrough(const Flythrough& path);
 /// "key { time 2  position ... }"

@@ -53,7 +53,7 @@ broken 2:46 "cannot read 'none.png': there is no such file" "$textured { \"none.
 broken 2:46 "cannot read 'cut.png': its header announces more than is in the file" "$textured { \"cut.png\" } } }"
 broken 2:46 "cannot read 'half.png' as a picture" "$textured { \"half.png\" } } }"
 broken 2:46 "noise.png' is not a .bmp, .png, .exr, .ppm, .pgm or .pfm file" "$textured { \"noise.png\" } } }"
-broken 2:46 "it has 40000x1 pixels, and at most 32768 may be side by side" "$textured { \"wide.png\" } } }"
+broken 2:46 "it has 40000x1 pixels; each side may have at most 32768" "$textured { \"wide.png\" } } }"
 broken 2:46 "cannot read 'forged.bmp'" "$textured { \"forged.bmp\" } } }"
 broken 2:46 "is a folder" "$textured { \".\" } } }"
 broken 2:61 "did you mean 'planar'" "$textured { \"whole.png\" map planer } } }"

@@ -5,7 +5,7 @@ source "$(dirname "$0")/expect.sh"
 
 make() { expect "$1" "$2" render "$3" -o "$4" --size 8x6 "${@:5}"; }
 
-make 3 "can't be read" missing.rt x.bmp
+make 3 "cannot read" missing.rt x.bmp
 mkdir folder
 make 3 "directory" folder x.bmp
 expect 3 "missing.rt" check missing.rt

@@ -82,7 +82,7 @@ expect 2 "overwrite the scene" render scene.mp4 -o scene.mp4
 mkdir folder.mp4
 expect 1 "is a folder" render scene.rt -o folder.mp4
 mkfifo pipe.mp4
-expect 1 "it is no file" render scene.rt -o pipe.mp4 "${options[@]}"
+expect 1 "it is not a regular file" render scene.rt -o pipe.mp4 "${options[@]}"
 rm -r still.rt scene.mp4 folder.mp4 pipe.mp4
 expect_only bin bin/ffmpeg scene.rt whole some film.mp4
 

@@ -52,9 +52,9 @@ expect_same left.bmp corner.bmp
 # A file that is wrong leaves what is there.
 sed 's/^s 1.2/s x/' balls.nff >wrong.nff
 cp balls.rt before.rt
-expect 3 "wrong.nff:13:3: a number expected for the centre, but here comes 'x'" import wrong.nff -o balls.rt
+expect 3 "wrong.nff:13:3: a number expected for the centre, but found 'x'" import wrong.nff -o balls.rt
 expect_same before.rt balls.rt
-expect 3 "can't be read" import none.nff
+expect 3 "cannot read" import none.nff
 expect 3 "no camera" import /dev/null
 expect 2 "would overwrite the file to import" import balls.nff -o ./balls.nff
 expect 1 "its folder does not exist" import balls.nff -o none/balls.rt

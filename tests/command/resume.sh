@@ -118,7 +118,7 @@ for ending in png bmp exr; do
 done
 expect 3 "bands are missing: 1 and 3 of 3" join png/*.part-2-of-3 -o a.png
 expect 3 "they differ in the kind or size of file" join png/*.part-[12]-* bmp/*.part-3-* -o a.png
-expect 3 "no file of bands" join whole.png -o a.png
+expect 3 "not a file of bands" join whole.png -o a.png
 expect 2 ".png file; give -o that ending" join png/* -o a.bmp
 expect 2 "would overwrite a part" join png/* -o png/a.png.part-1-of-3
 truncate -s -9 png/a.png.part-2-of-3

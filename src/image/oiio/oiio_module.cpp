@@ -1,7 +1,7 @@
 // The only file that includes OpenImageIO: linking it costs 0.2 s at every start, so it is a module loaded when needed.
 #include "image/picture_module.h"
 
-// One such file only: these headers compile the fmt library into whatever includes them.
+// In one file only: these headers compile the fmt library into every file that includes them.
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
@@ -14,8 +14,8 @@ namespace {
 
 using namespace OIIO;
 
-/// Reads the values in the file's own type, so that no rounding but the division by `max` comes between. A few rows at
-/// a time: memory is written to only for what the file really holds, whatever its header promises.
+/// Reads the values in the file's own type, so that only the division by `max` rounds. Reads a few rows at a time, so
+/// that memory is written only for values that the file really holds, whatever its header promises.
 template <class T>
 bool read_values(ImageInput& input, const ImageSpec& spec, double max, strahl::Picture& picture) {
     const TypeDesc type = BaseTypeFromC<T>::value;
@@ -37,12 +37,12 @@ bool read_values(ImageInput& input, const ImageSpec& spec, double max, strahl::P
     return true;
 }
 
-/// What speaks against reading it, or nothing; before anything is allocated for its values.
+/// Why a picture cannot be read, or "", before anything is allocated for its values.
 std::string objection(const ImageSpec& spec, const strahl::Wanted& wanted) {
     constexpr int most_channels = 64;
     if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.deep || spec.nchannels < 1 ||
         spec.nchannels > most_channels)
-        return "it is no flat picture of 1 to " + std::to_string(most_channels) + " channels";
+        return "it is not a flat picture of 1 to " + std::to_string(most_channels) + " channels";
     constexpr int farthest = 1 << 24;  // OpenImageIO counts rows from here, many at a time, and may count past INT_MAX
     if (std::max(spec.x, spec.y) > farthest || std::min(spec.x, spec.y) < -farthest)
         return "it lies too far from the corner of its page";
@@ -83,7 +83,7 @@ bool decode(const strahl::Wanted& wanted, strahl::Picture& picture, std::string&
     return whole;
 }
 
-/// OpenImageIO, and the allocations around it, may throw; nothing may cross the module's border.
+/// Catches all exceptions, of OpenImageIO and of allocations: none may leave the module.
 template <class Work>
 bool guarded(std::string& reason, Work work) {
     try {

@@ -1,11 +1,11 @@
-// Any kernel under a transformation that does not keep it similar: an ellipsoid, say.
+// Any kernel under a transformation that does not keep angles, as for an ellipsoid.
 #pragma once
 #include "num/ray.h"
 #include "scene/kinds/hit_box.h"
 
 namespace strahl {
 
-/// K in a space of its own: own = rows * (world - centre).
+/// The kernel K in a space of its own: own = rows * (world - centre).
 template <class K, class T>
 struct AffineKernel {
     Vec3<T> centre, row_x, row_y, row_z;
@@ -54,15 +54,15 @@ struct AffineKernel {
     STRAHL_INLINE SurfacePoint<S> at(const Ray<S>& ray, S t, S face) const {
         const Local<S> local = to_local(ray);
         const SurfacePoint<S> point = shape.at(local.ray, t * local.stretch, face);
-        // Normals go by the transposed inverse, whose rows these are.
+        // Normals are transformed by the transposed inverse, whose rows these are.
         const Vec3<S> n = fma(point.normal.x, splat<S>(row_x),
                               fma(point.normal.y, splat<S>(row_y), scale(point.normal.z, splat<S>(row_z))));
         return {fma(t, ray.direction, ray.origin), scale(S(1) / sqrt(dot(n, n)), n)};
     }
 };
 
-/// `shape` stands at the origin of a space whose unit is `unit` long in the primitive's own space and whose origin is
-/// at `centre` there; `bounds` is the box around what it becomes.
+/// Makes such a kernel. `shape` stands at the origin of a space whose origin is `centre` in the primitive's own space,
+/// and whose unit is `unit` there. `bounds` is the box around the transformed shape.
 template <class T, class K>
 AffineKernel<K, T> affine(const K& shape, const DVec3& centre, double unit, const Box& bounds,
                           const WorldTransform& to_world) {

@@ -1,4 +1,4 @@
-// The box, of two opposite corners.
+// The box, given by two opposite corners.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -10,8 +10,8 @@
 
 namespace strahl {
 
-/// Any box under any transformation, which makes it a parallelepiped: local = rows * (world - centre), inside where all
-/// three are between -1 and 1. Faces: 0 where x is -1, 1 where it is 1, then those of y and z.
+/// A box under any transformation, a parallelepiped: local = rows * (world - centre), inside where all three are
+/// between -1 and 1. Faces: 0 where x is -1, 1 where it is 1, then those of y and z.
 template <class T>
 struct BoxKernel {
     static constexpr int faces = 6;
@@ -28,15 +28,15 @@ struct BoxKernel {
         return {DVec3(centre), std::sqrt(square)};
     }
 
-    /// What a pair of faces leaves of the ray p + t d. Divided by 0 in a face's own plane, which gives NaN, a face is
-    /// no bound: see how max and min choose. So rays in the plane between two boxes that touch meet both of them.
+    /// Clips the ray p + t d by a pair of faces. In a face's own plane the division by 0 gives NaN, and max and min
+    /// choose so that the face does not clip. So rays in the plane between two boxes that touch meet both of them.
     template <class S>
     STRAHL_INLINE void clip(Span<S>& span, const Vec3<S>& row, int low_face, const Vec3<S>& p, const Vec3<S>& d,
                             S start) const {
         using E = Element<S>;
         const S low(static_cast<E>(low_face)), high(static_cast<E>(low_face + 1)), one(1), minus(-1);
         S place = dot(row, p);
-        place = select(start == low, minus, select(start == high, one, place));  // there it is known
+        place = select(start == low, minus, select(start == high, one, place));  // known exactly there
         const S inverse = one / dot(row, d);
         const S to_low = (minus - place) * inverse, to_high = (one - place) * inverse;
         const Mask<S> rises = inverse > S(0);
@@ -64,8 +64,8 @@ struct BoxKernel {
         span.far = span.far + shift;
         span.hit = span.hit & box.holds(ray, first_crossing(span));
         if (any(starts_here)) {
-            // A convex body is never entered again from its own surface. Whether the ray leaves is asked of the normal
-            // that at() told.
+            // A convex body is never entered again from its own surface. The normal that at() returned tells whether
+            // the ray leaves.
             span.hit = span.hit | starts_here;
             span.near = select(starts_here, zero, span.near);
             span.far = select(starts_here & (dot(normal(start), d) >= zero), zero, span.far);
@@ -95,7 +95,7 @@ struct BoxKernel {
     }
 };
 
-/// Its edges go along the axes of its own space. (A Box is what bounds other things.)
+/// Its edges are parallel to the axes of its own space. (`Box` is the type of bounding boxes.)
 struct Cuboid {
     DVec3 corner{-1, -1, -1}, opposite{1, 1, 1};
 
@@ -104,12 +104,12 @@ struct Cuboid {
     static constexpr const char* name = "box";
     static constexpr int faces = 6, max_crossings = 2;
     static constexpr bool bounded = true, convex = true, closed = true, hot = false, plane_faces = true;
-    static constexpr bool arguments_move = false;  // the turned corners of a turned box don't tell it
+    static constexpr bool arguments_move = false;  // two rotated corners do not describe a rotated box
     static constexpr auto fields = std::make_tuple(Field{"corner", &Cuboid::corner, "a corner"},
-                                                   Field{"opposite corner", &Cuboid::opposite, "the one opposite"});
+                                                   Field{"opposite corner", &Cuboid::opposite, "the opposite corner"});
     const char* fault() const {
         const DVec3 size = bounds().size();
-        // Half an edge has a reciprocal.
+        // Half of the shortest edge must have a reciprocal.
         return std::min({size.x, size.y, size.z}) >= 2 * std::numeric_limits<double>::min() ? nullptr : "it is flat";
     }
     Box bounds() const {
@@ -135,7 +135,7 @@ struct Cuboid {
         const Box box = bounds();
         const DVec3 size = box.size();
         const glm::dmat3 inverse = glm::inverse(glm::dmat3(to_world.matrix));
-        // Of rows the squares, times coordinates, must be numbers: a thinner box is as thin as these can say.
+        // Squares of rows times coordinates must not overflow. So a box that is thinner becomes a little thicker.
         const double most = std::ldexp(1., std::numeric_limits<T>::max_exponent / 2 - 4);
         const auto row = [&](int i) {
             const DVec3 r(inverse[0][i], inverse[1][i], inverse[2][i]);

@@ -1,10 +1,10 @@
-// Capsules around bodies, which tell thin bodies from small ones.
+// Capsules around bodies, by which thin bodies are told from small ones.
 #pragma once
 #include "num/bounding_box.h"
 
 namespace strahl {
 
-/// All points no further than `radius` from the way between two points.
+/// All points no further than `radius` from the line between two points.
 struct Capsule {
     DVec3 from, to;
     double radius;

@@ -12,16 +12,16 @@ namespace strahl {
 
 struct Primitive;
 
-/// What belongs to the composite: points in any of its parts, in all, or in the first and in none of the others.
+/// The points that belong to a composite: those in any of its parts, in all, or in the first and in none of the others.
 enum class Operation { unite, intersect, subtract };
 
-/// The number of a composite among those of a world. Where rays cross it is worked out from its parts.
+/// The number of a composite in its world. Where rays cross it is computed from its parts.
 template <class T>
 struct CompositeKernel {
     T number;
 };
 
-/// Parts are closed bodies, each with its own material and transformations, and composites of such.
+/// A body made of closed bodies or of composites, each with its own material and transformations.
 template <Operation own_operation>
 struct Composite {
     std::shared_ptr<const std::vector<Primitive>> parts = usual_parts();
@@ -33,8 +33,8 @@ struct Composite {
                                         : operation == Operation::intersect ? "intersection"
                                                                             : "difference";
     static constexpr int faces = 0, max_crossings = 2;
-    /// Its box may be infinite all the same. Rays inside count the composites they are in, so it is none of the bodies
-    /// whose inside a normal tells.
+    /// Its box may be infinite nevertheless. It is not `closed` although it has an inside: rays count the composites
+    /// that they are in, where for closed bodies the normal decides.
     static constexpr bool bounded = true, convex = true, closed = false, hot = false;
     static constexpr auto fields = std::make_tuple();
 
@@ -43,7 +43,7 @@ struct Composite {
     Box bounds(const glm::dmat4& matrix) const;
     bool contains(const DVec3& p) const;
 
-    /// All three are of the first one's form.
+    /// All three operations use the form of the first.
     template <class T>
     using Kernels = std::conditional_t<operation == Operation::unite, std::tuple<CompositeKernel<T>>, std::tuple<>>;
     template <class T, class Emit>
@@ -64,11 +64,11 @@ inline constexpr bool is_composite = requires {
     Kind::operation;
 };
 
-/// May such bodies be parts of a composite? See fits_composite().
+/// Can bodies of this kind be parts of a composite? See fits_composite().
 template <class Kind>
 inline constexpr bool can_be_part = is_composite<Kind> || Kind::closed || requires(const Kind kind) { kind.open(); };
 
-/// Most simple bodies in one composite, and most of those that rays meet together: see split_unions.h.
+/// Most simple bodies in one composite, and most that are connected: see split_unions.h.
 inline constexpr int most_parts = 100'000, most_leaves = 1024;
 
 }  // namespace strahl

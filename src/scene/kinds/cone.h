@@ -1,4 +1,4 @@
-// The closed cone between two points, whole or cut off.
+// The closed cone between two points, with an apex or cut off.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -18,14 +18,14 @@ template <class T>
 struct ConeKernel {
     static constexpr int faces = 3;
     Vec3<T> base, axis;              // axis is of length 1
-    T radius, height, cosine, sine;  // radius of the base; of the angle between axis and side, > 0 if that widens
+    T radius, height, cosine, sine;  // radius of the base; the angle between axis and side, > 0 if the cone widens
     T widest;                        // the larger radius
 
     static ConeKernel frustum(const DVec3& base, const DVec3& axis, double base_radius, double cap_radius,
                               double height) {
         const double widest = std::max(base_radius, cap_radius), widening = cap_radius - base_radius;
-        // The square of the cosine must be a number: a flatter cone is as flat as that can say. So must the height be,
-        // or the bounding volume of a cone too small for numbers of this kind is none.
+        // The square of the cosine and the height must not underflow, or the bounding volume would be empty. So a cone
+        // that is flatter becomes a little higher.
         height = std::max({height, widest * std::ldexp(1., std::numeric_limits<T>::min_exponent / 2 + 4),
                            static_cast<double>(std::numeric_limits<T>::min())});
         const double slant = length({height, widening, 0});  // not hypot of two, whose last bit is the processor's
@@ -58,7 +58,7 @@ struct ConeKernel {
 
         if (any(starts_here)) {
             const S beyond = leave_side(f, d, along_f, along_d);
-            // Near is the face it starts on: cross_side() tells nothing of rays that miss the side.
+            // Near is the face that it starts on: cross_side() returns nothing for rays that miss the side.
             side.near = select(start == zero, S(inf), select(starts_here, S(-inf), side.near));
             side.far = select(start == zero, beyond, select(starts_here & !side.hit, zero, side.far));
             along_f = select(start == one, zero, select(start == two, h, along_f));
@@ -74,9 +74,9 @@ struct ConeKernel {
                 select(ends_near > side.near, select(upwards, one, two), zero),
                 select(ends_far < side.far, select(upwards, two, one), zero)};
     }
-    /// Is the point at `t` no further from the axis than anything of the body is, but for rounding? If the height is
-    /// lost in the rounding of coordinates, the formulas of side and ends say nothing of that: points of the whole
-    /// plane then seem to be hit, where bounding volumes do or do not rule them out.
+    /// Is the point at `t` no further from the axis than the body reaches, up to rounding? If the height is lost in the
+    /// rounding of coordinates, the formulas of side and ends find hits in the whole plane, and whether bounding
+    /// volumes rule them out would decide what is seen.
     template <class S>
     STRAHL_INLINE Mask<S> within_widest(const Vec3<S>& f, const Vec3<S>& d, S t) const {
         const S rounding(16 * std::numeric_limits<Element<S>>::epsilon()), w(widest);
@@ -86,9 +86,9 @@ struct ConeKernel {
         const S most = fma(rounding, abs(t) + abs(along) + w, w);
         return !(dot(out, out) > most * most);
     }
-    /// The endless double cone A t^2 + 2 B t + C = 0, inside where negative, of the distance c |u| across and the
-    /// radius r, both times the cosine; `growth` is that of r. Steeper than the side a ray crosses both halves, once
-    /// each, and from there on is inside.
+    /// Crosses the endless double cone A t^2 + 2 B t + C = 0, which is negative inside: c |u| is the distance from the
+    /// axis and r the radius, both times the cosine; `growth` is how fast r grows. A ray steeper than the side crosses
+    /// both halves once each, and is inside from there on.
     template <class S>
     STRAHL_INLINE Span<S> cross_side(const Vec3<S>& f, const Vec3<S>& d, S along_f, S along_d) const {
         using E = Element<S>;
@@ -100,7 +100,7 @@ struct ConeKernel {
         const Mask<S> steep = qa < zero, parallel = vv < S(noise * noise);
         const Mask<S> widens = growth > zero, narrows = growth < zero;
         // Counted from where the ray is nearest to the axis, none of the sums below cancels, neither for far origins
-        // nor for rays along a line of the side. Much steeper rays get there far away, and don't need it.
+        // nor for rays along a line of the side. Much steeper rays are nearest far away, and do not need this.
         Vec3<S> u = fma(-along_f, a, f);
         S r = fma(S(sine), along_f, c * S(radius));
         const S turn = select((S(E(4)) * c2 * vv < growth * growth) | parallel, zero, -dot(u, v) / vv);
@@ -126,8 +126,8 @@ struct ConeKernel {
         }
         return {near, far, crosses};
     }
-    /// The other root of a ray that starts on the side, where one is 0 and divided out. Whether it leaves at once is
-    /// asked of the normal that at() told.
+    /// The other root of a ray that starts on the side, where one root is 0 and divided out. The normal that at()
+    /// returned decides whether it leaves at once.
     template <class S>
     STRAHL_INLINE S leave_side(const Vec3<S>& f, const Vec3<S>& d, S along_f, S along_d) const {
         constexpr auto inf = std::numeric_limits<Element<S>>::infinity();
@@ -136,7 +136,8 @@ struct ConeKernel {
         const S qa = fma(c * c, dot(v, v), -(growth * growth)), outwards = dot(side_normal(fma(-along_f, a, f)), d);
         return select(outwards < zero, select(qa > zero, S(-2) * r * outwards / qa, S(inf)), zero);
     }
-    /// What of `v` is at right angles to the axis, for a `v` that nearly is: of short ones the most part is rounding.
+    /// The part of `v` at right angles to the axis, for a `v` that nearly is: most of a short one may be rounding
+    /// error.
     template <class S>
     STRAHL_INLINE Vec3<S> across(const Vec3<S>& v) const {
         const Vec3<S> a = splat<S>(axis);
@@ -164,14 +165,14 @@ struct ConeKernel {
         const Vec3<S> on_side = fma(-outside, side_normal(u), f);
         const Vec3<S> on_end = fma(select(at_base, S(0), S(height)), a, u);
         const Vec3<S> position = b + select(side, on_side, on_end);
-        // The normal is that of the rounded point, from which the next ray finds out anew which way is out.
+        // The normal is that of the rounded point, from which the next ray determines which way is out.
         const Vec3<S> g = position - b;
         const Vec3<S> outwards = side_normal(fma(-dot(g, a), a, g));
         return {position, select(side, outwards, scale(select(at_base, S(-1), S(1)), a))};
     }
 };
 
-/// One of the radii may be 0, which makes an apex; equal ones make a cylinder.
+/// A radius of 0 makes an apex; equal radii make a cylinder.
 struct Cone {
     DVec3 base{0, 0, 0};
     double base_radius = 1;
@@ -195,7 +196,7 @@ struct Cone {
     }
     double height() const { return length(cap - base); }
     DVec3 axis() const { return (cap - base) / height(); }
-    /// That of the two ends, between which nothing sticks out.
+    /// The box around the two ends contains all that is between.
     Box bounds() const {
         const DVec3 a = axis();
         Box box;

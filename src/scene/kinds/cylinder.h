@@ -65,7 +65,7 @@ struct CylinderKernel {
         const Vec3<S> f = fma(t, ray.direction, ray.origin - b);
         const S along = dot(f, a);
         const Vec3<S> across = fma(-along, a, f);
-        // Of rods that rounding hides, points on the axis may be hit.
+        // Points on the axis may be hit of rods so thin that rounding hides them.
         const S distance = sqrt(max(dot(across, across), S(std::numeric_limits<Element<S>>::min())));
         const Vec3<S> outwards = scale(S(1) / distance, across);
         // The point is put back onto the face that was hit.

@@ -18,7 +18,7 @@ struct DiscKernel {
 
     Ball ball() const { return {DVec3(centre), static_cast<double>(radius)}; }
 
-    /// A ray crosses once, and comes from outside on either side: `near` is at -infinity.
+    /// A ray crosses once and comes from outside on both sides: `near` is at -infinity.
     template <class S>
     STRAHL_INLINE Span<S> span(const Ray<S>& ray, S start) const {
         constexpr auto inf = std::numeric_limits<Element<S>>::infinity();
@@ -38,7 +38,7 @@ struct DiscKernel {
     }
 };
 
-/// Seen from both sides. The normal tells the two apart, nothing else.
+/// A disc, seen from both sides. The direction of the normal only distinguishes the sides.
 struct Disc {
     DVec3 centre{0, 0, 0}, normal{0, 0, 1};
     double radius = 1, hole = 0;
@@ -52,7 +52,7 @@ struct Disc {
         std::make_tuple(Field{"centre", &Disc::centre, "the point in the middle"},
                         Field{"normal", &Disc::normal, "the direction that the disc faces", Range::direction},
                         Field{"radius", &Disc::radius, "its radius", Range::positive},
-                        Field{"hole's radius", &Disc::hole, "that of a hole in the middle; without one if not given",
+                        Field{"hole's radius", &Disc::hole, "the radius of a hole in the middle; no hole if not given",
                               Range::length_or_zero, Given::optional});
     const char* fault() const {
         return !(length(normal) > 0) ? "its normal has no direction"

@@ -1,13 +1,14 @@
-// The field table of a kind of body or of the material: what its parameters are called, what they mean, which values
-// they may have. The parser, the writer, the tables of the manual and the random scenes of the tests derive from it.
+// The field table of a kind of body, or of a material: names, meanings and ranges of its parameters. The parser, the
+// writer, the tables of the manual and the random scenes of the tests use it.
 #pragma once
 #include "num/vec.h"
 
 namespace strahl {
 
+/// Ranges of numbers. text/reading/parameter.h has their limits.
 enum class Range { any, direction, positive, length_or_zero, zero_or_more, zero_to_one, octaves, quarter_turn };
 
-/// May the parameter be left out? Only the last ones of a list may; their default stands for them.
+/// May the parameter be left out, so that its default applies? Only the last ones of a list may.
 enum class Given : bool { always, optional };
 
 /// One parameter of type V (double, DVec3, ...) in a struct C. `name` is its name in messages and in the manual.

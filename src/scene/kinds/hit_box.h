@@ -1,4 +1,4 @@
-// Where the hits of a body can be.
+// Boxes that contain all hits of a body.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -9,16 +9,14 @@
 
 namespace strahl {
 
-/// The box around a body, for kernels whose own space is stretched. If one side of a body shrinks so much more than
-/// another that rounding exceeds it, their formulas are met by rays that pass far away, and bounding volumes do or do
-/// not rule these out: how many rays are side by side would decide what is seen. So a crossing outside this box is
-/// none.
+/// The box around a body, for kernels whose own space is stretched. If one side of a body is so short that rounding
+/// exceeds it, their formulas find crossings on rays that pass far away. Whether bounding volumes rule these out
+/// depends on the rays beside them, so crossings outside this box do not count.
 template <class T>
 struct HitBox {
     Vec3<T> middle, half;
 
-    /// Of a box that has been through the matrix. It is larger by what rounding of its own numbers, which have been
-    /// double, may cost.
+    /// The hit box for a box in the world, larger by what the rounding of its numbers to T may cost.
     static HitBox of(const Box& bounds, const WorldTransform& to_world) {
         constexpr double rounding = 4 * std::max(static_cast<double>(std::numeric_limits<T>::epsilon()),
                                                  std::numeric_limits<double>::epsilon());
@@ -27,7 +25,7 @@ struct HitBox {
         for (int c = 0; c < 3; ++c) half[c] = size[c] / 2 + rounding * (std::fabs(middle[c]) + size[c]);
         return {cast<T>(middle), cast<T>(half)};
     }
-    /// Is the point of the ray at `t` in the box, but for the rounding of t?
+    /// Is the point of the ray at `t` in the box, up to the rounding of t?
     template <class S>
     STRAHL_INLINE Mask<S> holds(const Ray<S>& ray, S t) const {
         const Vec3<S> p = fma(t, ray.direction, ray.origin - splat<S>(middle));

@@ -1,5 +1,5 @@
-// What a kind of body says of itself, and the forms in which the engine keeps it. See src/README.md, "How to add a
-// kind".
+// Checks the definition of a kind of body, and lists the forms in which the tracer keeps bodies. See src/README.md,
+// "How to add a kind".
 #pragma once
 #include <concepts>
 #include <string_view>
@@ -11,17 +11,17 @@
 
 namespace strahl {
 
-/// The first kernel of a kind, or a further one, which serves transformations that the first can't take. All items of a
-/// form lie side by side, so that nothing is ever dispatched item by item.
-template <class Body, std::size_t own_number>
+/// Kernel 0 of a kind, or kernel 1, which is for transformations that the first cannot take. All items of a form are
+/// stored side by side, so that nothing is dispatched item by item.
+template <class OwnKind, std::size_t own_number>
 struct Form {
-    using Kind = Body;
+    using Kind = OwnKind;
     static constexpr std::size_t number = own_number;
     template <class T>
     using Kernel = std::tuple_element_t<number, typename Kind::template Kernels<T>>;
-    /// The loops of small worlds hold these forms' code; all others are called.
+    /// Loops of small worlds contain the code of these forms; all others are called.
     static constexpr bool hot = Kind::hot && number == 0;
-    /// So short that the loops over their items hold it too.
+    /// Their code is so short that the loops over their items contain it too.
     static constexpr bool compact = hot || requires { requires Kind::compact; };
     static constexpr bool plane_faces = requires { requires Kind::plane_faces; };
 };
@@ -30,13 +30,13 @@ struct FormList {
     static constexpr int size = sizeof...(Forms);
 };
 
-/// Takes what an emitting kind gives, for the concept below.
+/// Takes any kernel, for the check below.
 struct AnyEmitter {
     template <class K>
     void operator()(const K&) const {}
 };
 
-/// Compiles if `Kind` is complete, else says what is missing.
+/// Compiles if `Kind` is complete; else the compiler says what is missing.
 template <class Kind>
 consteval bool check_kind() {
     static_assert(std::equality_comparable<Kind>, "a kind is a value: default its operator==");
@@ -61,7 +61,7 @@ consteval bool check_kind() {
         "a kind says how often a line crosses its surface at most: `max_crossings`");
     static_assert(
         requires { std::bool_constant<Kind::hot>(); },
-        "a kind says whether it is `hot`: so common that small worlds' loops hold its code");
+        "a kind says whether it is `hot`: so common that small worlds' loops contain its code");
     static_assert(
         Kind::max_crossings >= 1 && Kind::max_crossings <= (Kind::convex ? 2 : 4),
         "kernels of convex kinds answer with a Span, which has room for two crossings, others with Crossings");
@@ -116,14 +116,14 @@ struct JoinForms<FormList<A...>> {
 template <class... A, class... B, class... More>
 struct JoinForms<FormList<A...>, FormList<B...>, More...> : JoinForms<FormList<A..., B...>, More...> {};
 
-/// Form `number` of a kind, if it has one.
+/// A list of form `number` of a kind; empty if it has none.
 template <class Kind, std::size_t number>
 using FormOfKind = std::conditional_t<(number < std::tuple_size_v<typename Kind::template Kernels<float>>),
                                       FormList<Form<Kind, number>>, FormList<>>;
 template <class Kind>
 using FormsOfKind = typename JoinForms<FormOfKind<Kind, 0>, FormOfKind<Kind, 1>>::Type;
 
-/// All first forms in the order of the kinds, then all second ones. Bodies are shaded, and transparent ones in small
+/// All first forms in the order of the kinds, then all second ones. Bodies are shaded, and the transmissions of small
 /// worlds multiplied, in this order.
 template <class Kinds>
 struct FormsOf;

@@ -1,5 +1,5 @@
-// The list of the kinds of bodies. All that treats kinds alike derives from it: parser, writer, check, manual, builder,
-// kernels and the files they are compiled in, the POV-Ray converter, the referee and the tests.
+// The list of the kinds of bodies. Parser, writer, `check`, manual, world builder, kernels and the files they are
+// compiled in, the POV-Ray converter, the referee and the tests are made for the kinds in this list.
 #pragma once
 #include <variant>
 
@@ -21,9 +21,9 @@ namespace strahl {
 using Shape = std::variant<Sphere, Plane, Cylinder, Cone, Cuboid, Disc, Torus, Triangle, SmoothTriangle, Mesh, Union,
                            Intersection, Difference>;
 
-/// May it be a part of a composite? Meshes may, if they are closed.
+/// Can it be a part of a composite? Meshes can if they are closed.
 bool fits_composite(const Shape& shape);
-/// How many simple bodies a shape consists of.
+/// The number of simple bodies that a shape consists of.
 int leaves_of(const Shape& shape);
 
 using Forms = FormsOf<Shape>::Type;

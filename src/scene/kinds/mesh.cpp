@@ -6,17 +6,18 @@
 namespace strahl {
 
 std::optional<std::pair<DVec3, DVec3>> open_side(const MeshData& mesh) {
-    struct Side {
+    struct DirectedSide {
         std::int32_t low, high;
         int direction;
-        bool operator<(const Side& other) const { return std::pair(low, high) < std::pair(other.low, other.high); }
+        auto ends() const { return std::pair(low, high); }
+        bool operator<(const DirectedSide& other) const { return ends() < other.ends(); }
     };
-    std::vector<Side> sides;
+    std::vector<DirectedSide> sides;
     sides.reserve(3 * mesh.triangles.size());
     for (const MeshData::Corners& triangle : mesh.triangles)
         for (int k = 0; k < 3; ++k) {
             const std::int32_t from = triangle[k], to = triangle[(k + 1) % 3];
-            sides.push_back(from < to ? Side{from, to, 1} : Side{to, from, -1});
+            sides.push_back(from < to ? DirectedSide{from, to, 1} : DirectedSide{to, from, -1});
         }
     std::sort(sides.begin(), sides.end());
     for (std::size_t i = 0; i < sides.size();) {

@@ -1,4 +1,4 @@
-// The mesh: triangles that share their corners and are one body, inline or from a file.
+// The mesh: triangles that share corners and are one body, given in the scene or in a file.
 #pragma once
 #include <memory>
 #include <optional>
@@ -12,14 +12,15 @@
 
 namespace strahl {
 
-/// Where a mesh is not closed: the ends of a side that is not shared by two triangles, which pass it in opposite
-/// directions; nothing if all are.
+/// Finds a place where a mesh is not closed: the ends of a side that two triangles do not share in opposite directions;
+/// nothing if the mesh is closed.
 std::optional<std::pair<DVec3, DVec3>> open_side(const MeshData& mesh);
 
-/// The same corners, normals and places, however they are numbered?
+/// Have two meshes the same corners, normals and places, however these are numbered?
 bool same_triangles(const MeshData& a, const MeshData& b);
 
-/// Its items are those of triangles. What is inside of a closed mesh is decided by how often a line has crossed it.
+/// Its items are triangles. A point is inside of a closed mesh if a line from it crosses the mesh an odd number of
+/// times.
 struct Mesh {
     std::shared_ptr<const MeshData> data = tetrahedron();
     std::string file;  // as the scene names it; empty for a mesh whose triangles stand in the scene
@@ -34,7 +35,7 @@ struct Mesh {
     static constexpr auto fields = std::make_tuple();
     static std::shared_ptr<const MeshData> tetrahedron();
 
-    /// Has it sides that are not shared by two triangles?
+    /// Has it sides that two triangles do not share?
     bool open() const { return open_side(*data).has_value(); }
     const char* fault() const { return data->triangles.empty() ? "it has no triangles" : nullptr; }
     Box bounds() const { return bounds(glm::dmat4(1)); }

@@ -1,4 +1,4 @@
-// Triangles that share their corners, as files hold them.
+// Triangles that share their corners, as in files.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -8,8 +8,8 @@
 
 namespace strahl {
 
-/// Each triangle is three points. If the mesh is smooth, each corner has a normal as well, which need not be of length
-/// 1 and may point to either side; normals bend between the corners. Corners may also have places in a picture.
+/// Each triangle has three points. In a smooth mesh each corner also has a normal, of any length and on either side,
+/// and normals bend between the corners. Corners may also have places in a picture.
 struct MeshData {
     using Corners = std::array<std::int32_t, 3>;
     std::vector<DVec3> points, normals;
@@ -17,7 +17,7 @@ struct MeshData {
     std::vector<Corners> corner_normals;  // numbers of normals, for each triangle; empty if all are flat
     using Place = std::array<double, 2>;  // u across and v up, see scene/image_pattern.h
     std::vector<Place> places = {};
-    std::vector<Corners> corner_places = {};  // their numbers, likewise; if this is empty they are those of the points
+    std::vector<Corners> corner_places = {};  // numbers of places, for each triangle; empty if they are those of points
 
     /// The numbers of the places of each triangle's corners; null if there are none.
     const Corners* place_numbers() const {

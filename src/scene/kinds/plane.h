@@ -1,4 +1,4 @@
-// The plane through three points; the half-space behind its normal is the body.
+// The plane through three points. The body is the half-space behind its normal.
 #pragma once
 #include <cmath>
 #include <limits>
@@ -10,7 +10,7 @@
 
 namespace strahl {
 
-/// normal . x = distance. A ray crosses once; the other end of its span is at infinity.
+/// The plane normal . x = distance. A ray crosses it once; the other end of its span is at infinity.
 template <class T>
 struct PlaneKernel {
     Vec3<T> normal;
@@ -44,7 +44,7 @@ struct Plane {
     static constexpr bool bounded = false, convex = true, closed = true, hot = true, plane_faces = true;
     static constexpr auto fields = std::make_tuple(Field{"first point", &Plane::a, "a point of the plane"},
                                                    Field{"second point", &Plane::b, "another point"},
-                                                   Field{"third point", &Plane::c, "a third, not on their line"});
+                                                   Field{"third point", &Plane::c, "a third point, not on their line"});
     /// The unit normal; not finite if the points lie on a line.
     DVec3 normal() const {
         const DVec3 u = b - a, v = c - a;

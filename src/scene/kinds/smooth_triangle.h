@@ -8,7 +8,7 @@
 
 namespace strahl {
 
-/// The normals of the corners are in proportion to each other, the longest of length 1.
+/// The normals of the corners are all scaled by the same factor, so that the longest has length 1.
 template <class T>
 struct SmoothTriangleKernel {
     TriangleKernel<T> flat;
@@ -23,8 +23,8 @@ struct SmoothTriangleKernel {
     STRAHL_INLINE Mask<S> starts_near(const Ray<S>& ray, const S& t, const S& distance) const {
         return flat.starts_near(ray, t, distance);
     }
-    /// The normal faces the ray as seldom as the flat triangle's does: where it bends away from a ray that comes from
-    /// the front it is turned round, as POV-Ray does.
+    /// The bent normal faces the ray where the flat triangle's does: where it bends away it is turned round, as in
+    /// POV-Ray.
     template <class S>
     STRAHL_INLINE SurfacePoint<S> at(const Ray<S>& ray, S, S) const {
         const SeenTriangle<S> triangle = flat.seen(ray);
@@ -38,8 +38,8 @@ struct SmoothTriangleKernel {
     }
 };
 
-/// Takes normals from a shape's own space to the world's: by the inverse's transpose but for its length and sign, which
-/// do not matter.
+/// Transforms normals from a shape's own space to the world's: by the transposed inverse, up to a factor of either
+/// sign, which does not matter.
 class NormalTransform {
   public:
     explicit NormalTransform(const glm::dmat4& matrix) {
@@ -60,7 +60,7 @@ SmoothTriangleKernel<T> smooth_kernel(const TriangleKernel<T>& flat, const DVec3
     return {flat, cast<T>(a / longest), cast<T>(b / longest), cast<T>(c / longest)};
 }
 
-/// The normals may be of any length.
+/// A triangle with normals of any length at its corners.
 struct SmoothTriangle {
     DVec3 a{0, 0, 0}, b{1, 0, 0}, c{0, 1, 0};
     DVec3 normal_a{0, 0, 1}, normal_b{0, 0, 1}, normal_c{0, 0, 1};
@@ -71,11 +71,12 @@ struct SmoothTriangle {
     static constexpr int faces = 1, max_crossings = 1;
     static constexpr bool bounded = true, convex = true, closed = false, hot = false, compact = true;
     static constexpr auto fields = std::make_tuple(
-        Field{"first corner", &SmoothTriangle::a, "a corner"}, Field{"second corner", &SmoothTriangle::b, "another"},
+        Field{"first corner", &SmoothTriangle::a, "a corner"},
+        Field{"second corner", &SmoothTriangle::b, "another corner"},
         Field{"third corner", &SmoothTriangle::c, "the third, not on their line"},
         Field{"first normal", &SmoothTriangle::normal_a, "the normal at the first corner", Range::direction},
-        Field{"second normal", &SmoothTriangle::normal_b, "at the second", Range::direction},
-        Field{"third normal", &SmoothTriangle::normal_c, "at the third", Range::direction});
+        Field{"second normal", &SmoothTriangle::normal_b, "the normal at the second corner", Range::direction},
+        Field{"third normal", &SmoothTriangle::normal_c, "the normal at the third corner", Range::direction});
     const char* fault() const {
         if (Triangle::flat(a, b, c)) return "the three corners lie on one line";
         for (const DVec3& n : {normal_a, normal_b, normal_c})

@@ -10,19 +10,19 @@
 
 namespace strahl {
 
-/// The sphere as the kernel sees it, for one number or lane by lane.
+/// The kernel of spheres, for single numbers or packs.
 template <class T>
 struct SphereKernel {
     Vec3<T> centre;
     T radius;
 
     Ball ball() const { return {DVec3(centre), static_cast<double>(radius)}; }
-    /// The same in all places and directions.
+    /// The curvature of the surface.
     T curvature() const { return T(1) / radius; }
 
-    /// Closest approach first, then half the chord: r^2 - |l|^2 does not cancel the way b^2 - c does (E. Haines,
-    /// J. Guenther, T. Akenine-Moeller, "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems, 2019).
-    /// A ray that starts on this sphere has the roots 0 and 2b.
+    /// Finds the closest approach first, then half the chord: r^2 - |l|^2 does not cancel the way b^2 - c does (E.
+    /// Haines, J. Guenther, T. Akenine-Moeller, "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems,
+    /// 2019). A ray that starts on this sphere has the roots 0 and 2b.
     template <class S>
     STRAHL_INLINE Span<S> span(const Ray<S>& ray, S start) const {
         const Mask<S> starts_here = start == S(0);
@@ -65,14 +65,14 @@ struct Sphere {
     /// Why these values make no body, or nullptr.
     const char* fault() const { return nullptr; }
     Box bounds() const { return {centre - radius, centre + radius}; }
-    /// Of what the sphere becomes. Exact: the reach along an axis is the length of the matrix's row.
+    /// The box around the transformed sphere. Exact: its reach along an axis is the length of the matrix's row.
     Box bounds(const glm::dmat4& m) const {
         const DVec3 middle = transform_point(m, centre);
         DVec3 reach;
         for (int i = 0; i < 3; ++i) reach[i] = radius * std::hypot(m[0][i], m[1][i], m[2][i]);
         return {middle - reach, middle + reach};
     }
-    /// What the sphere becomes under a transformation that scales lengths by `similarity`.
+    /// The sphere after a transformation that scales all lengths by `similarity`.
     Ball ball(const glm::dmat4& m, double similarity) const {
         return {transform_point(m, centre), radius * similarity};
     }

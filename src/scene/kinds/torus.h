@@ -16,7 +16,7 @@
 
 namespace strahl {
 
-/// All points nearer than `minor` to the circle of radius `major`. One face.
+/// All points nearer than `minor` to the circle of radius `major`. It has one face.
 template <class T>
 struct TorusKernel {
     static constexpr int faces = 1;
@@ -41,7 +41,7 @@ struct TorusKernel {
         const S width = fma(sqrt(max(beyond, zero)), S(1 + bits), slack);
         const S along = dot(p, a);
         S along_d = dot(d, a);
-        // In the ball around the torus, and there between the planes that touch it.
+        // Does the ray meet the ball around the torus, and in it the space between the planes that touch the torus?
         const Mask<S> between = abs(fma(middle, along_d, along)) <= fma(abs(along_d), width, minor + slack);
         const Mask<S> hit = ((beyond > zero) & between) | starts_here;
         if (none(hit)) return {{S(-inf), S(-inf), S(-inf), S(-inf)}, hit};
@@ -68,14 +68,14 @@ struct TorusKernel {
         else
             return profile.crossings(nearest2, y * y, hit);
     }
-    /// What of `v` is at right angles to the axis, for a `v` that nearly is.
+    /// The part of `v` at right angles to the axis, for a `v` that nearly is.
     template <class S>
     STRAHL_INLINE Vec3<S> across(const Vec3<S>& v) const {
         const Vec3<S> a = splat<S>(axis);
         return fma(-dot(v, a), a, v);
     }
-    /// The unit vector out from the axis to a point counted from the centre, or 0 where rounding hides it: at the poles
-    /// of a spindle.
+    /// The unit vector from the axis to a point relative to the centre, or 0 where rounding hides it: at the poles of a
+    /// spindle.
     template <class S>
     STRAHL_INLINE Vec3<S> out_from_axis(const Vec3<S>& p) const {
         using E = Element<S>;
@@ -84,7 +84,7 @@ struct TorusKernel {
         const Mask<S> known = square > max(S(E(.25)) * dot(once, once), least);
         return scale(select(known, S(1) / sqrt(square), S(0)), u);
     }
-    /// The normal at a point counted from the centre.
+    /// The normal at a point relative to the centre.
     template <class S>
     STRAHL_INLINE Vec3<S> outwards(const Vec3<S>& p) const {
         const Vec3<S> q = fma(-S(major), out_from_axis(p), p);
@@ -113,13 +113,13 @@ struct Torus {
     static constexpr bool bounded = true, convex = false, closed = true, hot = false;
     static constexpr auto fields = std::make_tuple(
         Field{"centre", &Torus::centre, "the point in the middle"},
-        Field{"axis", &Torus::axis, "the direction around which the torus lies", Range::direction},
+        Field{"axis", &Torus::axis, "the axis around which the torus lies", Range::direction},
         Field{"major radius", &Torus::major,
-              "from the centre to the middle of the tube; at least a thousandth of the other", Range::positive},
-        Field{"minor radius", &Torus::minor, "that of the tube", Range::positive});
+              "from the centre to the middle of the tube; at least a thousandth of the minor radius", Range::positive},
+        Field{"minor radius", &Torus::minor, "the radius of the tube", Range::positive});
     const char* fault() const {
         if (!(length(axis) > 0)) return "its axis has no direction";
-        // Of one that is all but a sphere rounding can't tell the two sheets.
+        // If it is nearly a sphere, rounding does not separate the two sheets.
         return major >= minor / 1000 ? nullptr : "its major radius is less than a thousandth of its minor one";
     }
     Box bounds() const {
@@ -134,15 +134,15 @@ struct Torus {
         return std::hypot(length(f - along * a) - major, along) < minor;
     }
     auto pov() const { return std::tuple("torus", major, minor); }
-    /// Where POV-Ray's axes and its origin go: its torus lies around the y axis.
+    /// POV-Ray's axes and origin for this torus: its own torus lies around the y axis.
     std::array<DVec3, 4> pov_axes() const {
         const DVec3 y = normalize(axis), other = std::abs(y.x) < .5 ? DVec3(1, 0, 0) : DVec3(0, 1, 0);
         const DVec3 z = normalize(cross_product(other, y));
         return {cross_product(y, z), y, z, centre};
     }
-    /// POV-Ray's usual way to solve quartics takes nearly flat ones for cubics.
+    /// POV-Ray's default solver takes nearly flat quartics for cubics.
     static constexpr const char* pov_more = " sturm";
-    /// Along chords of its circle.
+    /// Capsules along chords of its circle.
     std::vector<Capsule> capsules() const {
         constexpr int chords = 48;
         const auto [x, y, z, middle] = pov_axes();

@@ -1,4 +1,4 @@
-// How far a line is from a torus, all along it, and where it crosses the surface.
+// The distance between a torus and the points of a line, and where the line crosses the surface.
 #pragma once
 #include <limits>
 
@@ -84,7 +84,7 @@ struct TorusProfile {
                 hit};
     }
 
-    /// The same, whose code packs of one precision share: it is long, and a call costs nothing measurable beside it.
+    /// The same as a function that is called: its code is long, and the call costs nothing measurable.
     [[gnu::noinline]] Crossings<S, 4> call_crossings(S nearest2, S square, Mask<S> hit) const {
         return crossings(nearest2, square, hit);
     }
@@ -171,8 +171,8 @@ struct TorusProfile {
         t[2] = select(at[2], zero, select(at[0] | at[1], max(t[2], zero), select(at[3], min(t[2], zero), t[2])));
         t[3] = select(at[3], zero, select(starts_here, max(t[3], zero), t[3]));
     }
-    /// Newton's way along F' to its zero, from where it can't be overshot. `open` are the lanes that want it and, after
-    /// it, that found one; `left`: what lies right of the axis is none.
+    /// Newton's way along F' to its zero, from where it cannot be overshot. `open` are the lanes that want it and,
+    /// after it, that found one; `left`: what lies right of the axis is none.
     STRAHL_INLINE S extreme(S t, Mask<S>& open, bool left, bool maximum) const {
         const S enough = S(std::numeric_limits<E>::epsilon() / 4) * minor * (major + minor), zero(0);
         Mask<S> going = open;

@@ -13,8 +13,8 @@
 
 namespace strahl {
 
-/// A line seen end on: two directions across it, and along it. (T. Duff et al., "Building an Orthonormal Basis,
-/// Revisited", 2017)
+/// The axes of a line: two directions across it, and one along it (T. Duff et al., "Building an Orthonormal Basis,
+/// Revisited", 2017).
 template <class S>
 struct LineFrame {
     Vec3<S> x, y, z;
@@ -26,8 +26,8 @@ struct LineFrame {
     STRAHL_INLINE Vec3<S> operator()(const Vec3<S>& v) const { return {dot(v, x), dot(v, y), dot(v, z)}; }
 };
 
-/// A triangle as a line sees it: the areas of the three triangles that the line makes with its sides, each belonging to
-/// the corner across. They have one sign where the line passes through.
+/// A triangle seen along a line: the areas of the three triangles that the line makes with its sides, each belonging to
+/// the opposite corner. All have the same sign if the line passes through the triangle.
 ///
 /// Watertight: a corner looks the same in all triangles that share it, and whether the line passes a side on the left
 /// or on the right is decided exactly for corners as they look, the opposite for the triangle beyond that side. A line
@@ -85,7 +85,7 @@ struct TriangleKernel {
         const LineFrame<S> frame(ray.direction);
         return {frame(splat<S>(a) - ray.origin), frame(splat<S>(b) - ray.origin), frame(splat<S>(c) - ray.origin)};
     }
-    /// A ray crosses once, and comes from outside on either side: `near` is at -infinity.
+    /// A ray crosses once and comes from outside on both sides: `near` is at -infinity.
     template <class S>
     STRAHL_INLINE Span<S> span(const Ray<S>& ray, S start) const {
         constexpr auto inf = std::numeric_limits<Element<S>>::infinity();
@@ -99,7 +99,7 @@ struct TriangleKernel {
         const S whole = triangle.of_a + triangle.of_b + triangle.of_c;
         return fma(triangle.of_b / whole, splat<S>(b) - p, fma(triangle.of_c / whole, splat<S>(c) - p, p));
     }
-    /// (b - a) x (c - a) of length 1; towards the ray if the corners are all but in a row.
+    /// The normal (b - a) x (c - a) of length 1; towards the ray if the corners are nearly on a line.
     template <class S>
     STRAHL_INLINE Vec3<S> normal(const Ray<S>& ray) const {
         const Vec3<S> p = splat<S>(a), n = cross(splat<S>(b) - p, splat<S>(c) - p);
@@ -131,7 +131,7 @@ template <class T>
 STRAHL_INLINE bool share_a_corner(const TriangleKernel<T>& v, const TriangleKernel<T>& w) {
     return is_corner(v, w.a) || is_corner(v, w.b) || is_corner(v, w.c);
 }
-/// How far a corner of a second triangle is above the plane of the first: 0 for shared ones, and within rounding.
+/// The height of a corner of a second triangle above the plane of the first: 0 for shared corners, and within rounding.
 template <class T>
 STRAHL_INLINE T height_above(const TriangleKernel<T>& first, const Vec3<T>& corner) {
     const Vec3<T> e = first.b - first.a, f = first.c - first.a, n = cross(e, f), v = corner - first.a;
@@ -139,9 +139,9 @@ STRAHL_INLINE T height_above(const TriangleKernel<T>& first, const Vec3<T>& corn
     const T height = dot(n, v);
     return is_corner(first, corner) || !(abs(height) > unsure) ? T(0) : height;
 }
-/// Where a line crosses a triangle beside the one on which its ray starts: 0 if that is not ahead. The start is off by
-/// rounding, and so may lie behind the other triangle or in front of it; what counts is on which side of the first
-/// one's plane the other one lies where it is crossed.
+/// Where a ray that starts on the first triangle crosses the other one; 0 if that is not ahead. Rounding may put the
+/// start behind or in front of the other triangle; what counts is on which side of the first one's plane the crossing
+/// lies.
 template <class T>
 STRAHL_INLINE T crossing_beside(const TriangleKernel<T>& first, const TriangleKernel<T>& other, const Ray<T>& ray) {
     const SeenTriangle<T> seen = other.seen(ray);
@@ -152,7 +152,7 @@ STRAHL_INLINE T crossing_beside(const TriangleKernel<T>& first, const TriangleKe
     return t > 0 ? t : T(0);
 }
 
-/// Seen from both sides.
+/// A triangle, seen from both sides.
 struct Triangle {
     DVec3 a{0, 0, 0}, b{1, 0, 0}, c{0, 1, 0};
 
@@ -163,9 +163,9 @@ struct Triangle {
     static constexpr bool bounded = true, convex = true, closed = false, hot = false, compact = true;
     static constexpr bool plane_faces = true;
     static constexpr auto fields = std::make_tuple(Field{"first corner", &Triangle::a, "a corner"},
-                                                   Field{"second corner", &Triangle::b, "another"},
+                                                   Field{"second corner", &Triangle::b, "another corner"},
                                                    Field{"third corner", &Triangle::c, "the third, not on their line"});
-    /// Do the three points lie on one line, as far as can be told?
+    /// Do the three points lie on one line, up to rounding?
     static bool flat(const DVec3& a, const DVec3& b, const DVec3& c) {
         const DVec3 u = b - a, v = c - a;
         return !(length(u) > 0) || !(length(v) > 0) || !(length(cross_product(normalize(u), normalize(v))) > 1e-14);

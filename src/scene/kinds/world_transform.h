@@ -1,4 +1,4 @@
-// The way from a primitive's own space into the world's.
+// The transformation from a primitive's own space into the world's.
 #pragma once
 #include <cmath>
 #include <glm/mat4x4.hpp>
@@ -9,8 +9,8 @@
 
 namespace strahl {
 
-/// The box around a transformed box. Rounding keeps order, so the least sums are those of the least terms, added as
-/// transform_point does.
+/// The box around a transformed box. Rounding keeps order, so the least sums are those of the least terms, added in the
+/// order of transform_point.
 inline Box transformed(const Box& local, const glm::dmat4& m) {
     Box along[3];
     for (int i = 0; i < 3; ++i)
@@ -34,7 +34,7 @@ struct WorldTransform {
 
     bool similar() const { return similarity > 0; }
     DVec3 point(const DVec3& p) const { return place(transform_point(matrix, p)); }
-    /// Of a point that has been through the matrix.
+    /// Shifts and scales a point that `matrix` has been applied to.
     DVec3 place(const DVec3& p) const { return (p - origin) * scale; }
     double length(double x) const { return x * similarity * scale; }
     /// The unit vector along a transformed direction.

@@ -16,21 +16,22 @@ V hermite(const V& p, const V& q, const V& m, const V& n, double h) {
     return p * (g * g * (1 + 2 * h)) + q * (h * h * (3 - 2 * h)) + (m * g - n * h) * (g * h);
 }
 
-/// The interval between two keys: how long it is and those beside, if there are keys, and which share of it is over.
+/// The interval between two keys: its length and that of its neighbours, if there are any, and the share that is over.
 struct Interval {
     std::array<double, 3> seconds{};
     bool key_before = false, key_after = false;
     double h = 0;
 };
 
-/// A quantity that changes by `change` in an interval, with these slopes at its ends: how much it has changed so far.
+/// A quantity that changes by `change` in an interval, with the slopes m and n at its ends.
 struct Monotone {
     double change, m, n;
+    /// How much it has changed when the share h of the interval is over.
     double at(double h) const {
         return std::clamp(hermite(0.0, change, m, n, h), std::min(0.0, change), std::max(0.0, change));
     }
 };
-/// One that changes by `before` and `after` in the intervals beside (if there are keys): smooth and monotone.
+/// A smooth and monotone one, for a quantity that changes by `before` and `after` in the intervals beside.
 Monotone monotone(const Interval& interval, double before, double here, double after);
 
 /// The centripetal Catmull-Rom spline in an interval, whose knots lie the square root of a chord apart and which
@@ -43,15 +44,15 @@ struct Spline {
     Monotone way{};
     double share(double h) const { return way.at(h) / knots; }
 };
-/// From the chords between keys: of this interval, [1], and of those beside.
+/// The spline for the chords between keys: [1] is that of this interval, [0] and [2] are those beside.
 Spline spline(const Interval& interval, const std::array<DVec3, 3>& chords);
 
-/// The four keys around a moment between [1] and [2]. At the ends of an open curve a neighbour is missing.
+/// The four keys around a time between [1] and [2]. At the ends of an open curve a neighbour is missing.
 template <class Key>
 struct Window : Interval {
     std::array<const Key*, 4> key{};
 
-    /// difference(a, b) from each key to the next; 0 where there is none.
+    /// difference(a, b) from each key to the next; 0 where a key is missing.
     template <class Difference>
     auto differences(const Difference& difference) const {
         std::array<decltype(difference(*key[1], *key[2])), 3> all{};
@@ -82,8 +83,8 @@ DVec3 point_at(const Window<Key>& w, DVec3 Key::*member) {
     return s.knots == 0 ? p : hermite(p, q, s.m, s.n, s.share(w.h));
 }
 
-/// The interval between keys `i` and `i + 1` of `count`; `period` above 0 is that of a closed curve, whose key numbers
-/// continue past both ends: there keys come round a period earlier or later.
+/// The interval between keys `i` and `i + 1` of `count`. A `period` above 0 makes the curve closed: key numbers past
+/// the ends are keys of the period before or after.
 template <class Key>
 Window<Key> window_between(const Key* keys, int count, double period, int i) {
     const auto key = [&](int k) -> const Key* {
@@ -99,8 +100,8 @@ Window<Key> window_between(const Key* keys, int count, double period, int i) {
     return w;
 }
 
-/// Where a time is among keys: at `key`, also if that is the first and the time before it, or the last and the time
-/// after it; or else in `window`.
+/// Where a time is among keys: at `key`, which is the first for all times before it and the last for all times after
+/// it; or else in `window`.
 template <class Key>
 struct Moment {
     const Key* key = nullptr;

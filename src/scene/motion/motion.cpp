@@ -10,14 +10,14 @@
 namespace strahl {
 namespace {
 
-/// A turn about a vector by its length, in radians.
+/// The rotation about a vector by its length, in radians.
 glm::dquat exponential(const DVec3& turn) {
     const double half = length(turn) / 2;
     if (half == 0) return {1, 0, 0, 0};
     const DVec3 v = turn / (2 * half) * std::sin(half);
     return {std::cos(half), v.x, v.y, v.z};
 }
-/// The shorter one of the two turns that a rotation is. Of half a turn, which both are, the one that is written.
+/// The shorter of the two vectors of a rotation. Of half a turn, where both are equally long, the one as it is written.
 DVec3 logarithm(const glm::dquat& q) {
     const DVec3 v(q.x, q.y, q.z);
     const double sine = length(v);
@@ -26,7 +26,7 @@ DVec3 logarithm(const glm::dquat& q) {
     return v / sine * (longer ? -2 * std::atan2(sine, -q.w) : 2 * std::atan2(sine, q.w));
 }
 
-/// Of a Rotate.
+/// The quaternion of a Rotate.
 glm::dquat quaternion(const DVec3& degrees) {
     glm::dquat product{1, 0, 0, 0};
     for (int axis = 0; axis < 3; ++axis) {

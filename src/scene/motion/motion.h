@@ -1,4 +1,4 @@
-// Motions: transformations that change with time.
+// Evaluates motions: transformations that change with time.
 #pragma once
 #include <array>
 #include <glm/gtc/quaternion.hpp>
@@ -10,20 +10,19 @@
 
 namespace strahl {
 
-/// Sets the numbers that follow tracks which have values. Factors of a scale become at least 1e-4 and at most 1e4, or
-/// -1e4 to -1e-4.
+/// Sets the numbers that follow tracks with values. Factors of a scale are limited to 1e-4 to 1e4, or -1e4 to -1e-4.
 void follow(MotionKey& key, const TrackValues& values);
 
-/// What a motion is at a time in seconds: before the first key as at that, after the last one as at that, and at the
-/// time of a key exactly what that says. Between keys `translate` follows the curve that a camera does, factors stay
-/// between those of the two keys, and rotations are unit quaternions on a curve of the same kind, which goes from each
-/// key to the next by less than half a turn or by half a turn. Numbers that follow tracks are those of `tracks`.
+/// The motion at a time in seconds: the first key before it, the last key after it, and at the time of a key exactly
+/// that key. Between keys `translate` follows the curve that a camera does, factors stay between those of the two keys,
+/// and rotations are unit quaternions on a curve of the same kind, which goes from each key to the next by less than
+/// half a turn or by half a turn. Numbers that follow tracks are those of `tracks`.
 MotionKey key_at(const Motion& motion, double time, const TrackValues& tracks = {});
-/// The same as transformations, of which those that change nothing are left out.
+/// The same as transformations, without those that change nothing.
 std::vector<Transformation> steps_of(const MotionKey& key);
 std::vector<Transformation> at(const Motion& motion, double time, const TrackValues& tracks = {});
 std::vector<Transformation> at(std::span<const Transformation> steps, double time, const TrackValues& tracks = {});
-/// The same in place of what is in `still`, whose memory is used again.
+/// Replaces the contents of `still` by the same, and reuses its memory.
 void set_at(std::vector<Transformation>& still, std::span<const Transformation> steps, double time,
             const TrackValues& tracks);
 /// The times of the keys of all motions among them.

@@ -8,21 +8,21 @@
 
 namespace strahl {
 
-/// A parameter of a struct that may follow a track: a number, a vector, or neither if the struct has none of that name.
-struct Target {
+/// A parameter of a struct that may follow a track: a number, a vector, or neither if there is none of that name.
+struct FollowTarget {
     double* number = nullptr;
     DVec3* vector = nullptr;
 };
-inline Target target(double& number) { return {&number, nullptr}; }
-inline Target target(DVec3& vector) { return {nullptr, &vector}; }
+inline FollowTarget target(double& number) { return {&number, nullptr}; }
+inline FollowTarget target(DVec3& vector) { return {nullptr, &vector}; }
 
-/// Sets the numbers that follow tracks which have values; find(name) gives the Target of that name.
+/// Sets the numbers that follow tracks with values; find(name) returns the FollowTarget of that name.
 template <class Find>
 void set_followed(const std::vector<Follow>& follows, const TrackValues& values, const Find& find) {
     for (const Follow& f : follows) {
         const double* const value = values.find(f.track);
         if (!value) continue;
-        const Target at = find(f.parameter);
+        const FollowTarget at = find(f.parameter);
         double* const number = at.vector ? &(*at.vector)[f.component] : at.number;
         if (number) *number = std::clamp(f.factor * *value, f.low, f.high);
     }

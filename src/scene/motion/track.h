@@ -8,8 +8,8 @@
 
 namespace strahl {
 
-/// How a track gets from a key to the next, t being the share of the rows between them that is over: not at all, as t,
-/// t^2 (3 - 2 t) or t^2. Numbered as in GNU Rocket's protocol.
+/// How a track goes from a key to the next, with t the share of the rows between them that is over: it stays, or goes
+/// as t, t^2 (3 - 2 t) or t^2. Numbered as in GNU Rocket's protocol.
 enum class Interpolation { step, linear, smooth, ramp };
 inline constexpr int interpolations = 4;
 
@@ -21,21 +21,22 @@ struct TrackKey {
 };
 struct Track {
     std::string name;
-    std::vector<TrackKey> keys;  // rows rise strictly
+    std::vector<TrackKey> keys;  // rows increase strictly
     bool operator==(const Track&) const = default;
 };
-/// At a row, or between two; before the first key as at that, after the last one as at that. There is a key at least.
+/// The value at a row, or between two: that of the first key before it, that of the last key after it. Needs a key.
 double value_at(const Track& track, double row);
-/// Puts a key into a track, in place of the one in the same row if there is one. And takes one out.
+/// Puts a key into a track, in place of one in the same row.
 void set_key(Track& track, const TrackKey& key);
+/// Removes the key of a row, if there is one.
 void delete_key(Track& track, int row);
 
-/// How long the rows of the tracks are.
+/// The tempo of the tracks, and the sound.
 struct Music {
-    double bpm = 120;  // beats in a minute
-    double rows = 8;   // in a beat
+    double bpm = 120;   // beats per minute
+    double rows = 8;    // per beat
     std::string sound;  // an Ogg Vorbis file, as the scene names it, heard from the start of the flight; or empty
-    /// A whole number where it is one but for rounding.
+    /// The row at a time; a whole number if it is one up to rounding.
     double row_at(double seconds) const {
         const double row = seconds * (bpm * rows / 60), whole = std::round(row);
         return std::fabs(row - whole) < 1e-6 ? whole : row;
@@ -44,24 +45,25 @@ struct Music {
     bool operator==(const Music&) const = default;
 };
 
-/// A number of a struct that follows a track. While the track has no keys it is what the struct says.
+/// A number of a struct that follows a track. For a track without keys the number stays as it is.
 struct Follow {
     std::string track, parameter;
     int component = 0;           // of a vector
     double factor = 1;           // by which the track's value is multiplied
-    double low = 0, high = 0;    // the number stays within
+    double low = 0, high = 0;    // the range of the number
     bool operator==(const Follow&) const = default;
 };
-/// In one order, whatever the order in which they were written.
+/// Sorts them by parameter and component, so that the order in a text does not matter.
 void sort(std::vector<Follow>& follows);
+/// Does any number of this parameter follow a track?
 bool any_follows(const std::vector<Follow>& follows, std::string_view parameter);
 
-/// The values of tracks at a moment, by name. Those without keys have none.
+/// The values of tracks at a row, by name. Tracks without keys have none.
 class TrackValues {
   public:
     TrackValues() = default;
     TrackValues(const std::vector<Track>& tracks, double row);
-    /// Null if there is none.
+    /// The value of a track; null if it has none.
     const double* find(std::string_view track) const;
 
   private:

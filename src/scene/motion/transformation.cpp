@@ -1,4 +1,3 @@
-// Matrices of rotations, translations and scalings.
 #include "scene/motion/transformation.h"
 
 #include <cmath>
@@ -13,7 +12,7 @@ struct SinCos {
     double sin, cos;
 };
 
-/// Reduces the angle in degrees, which is exact: the cosine of 90 degrees is 0 and not 6e-17.
+/// Sine and cosine. Reducing the angle in degrees is exact: the cosine of 90 degrees is 0 and not 6e-17.
 SinCos sin_cos(double degrees) {
     if (degrees == 0) return {0, 1};
     int quarters = 0;
@@ -41,8 +40,8 @@ glm::dmat3 turn(int from, int to, double degrees) {
     return m;
 }
 
-/// Multiplies from the left, each by its few numbers: products of whole matrices take most of the time that it takes to
-/// move many bodies.
+/// Multiplies a matrix by transformations from the left, each by its few numbers: with products of whole matrices, they
+/// would take most of the time for moving many bodies.
 struct Multiply {
     glm::dmat4& product;
 

@@ -24,15 +24,16 @@ struct Scale {
     DVec3 by{1};
     bool operator==(const Scale&) const = default;
 };
-/// A moment of a motion: what is scaled, then turned, then moved so at that time.
+/// A key of a motion: at this time the body is scaled, then rotated, then moved so.
 struct MotionKey {
     double time = 0;  // seconds
     DVec3 translate{0}, rotate{0}, scale{1};
-    std::vector<Follow> follows{};  // only of a motion of one key: its numbers that follow tracks
+    std::vector<Follow> follows{};  // numbers of it that follow tracks; only if it is the only key
     bool operator==(const MotionKey&) const = default;
 };
-/// A transformation that changes with time, see scene/motion/motion.h. Either times rise strictly, there are two keys or more,
-/// and no component of a scale changes its sign; or there is one key, numbers of which follow tracks.
+/// A transformation that changes with time, see scene/motion/motion.h. Either there are two or more keys, whose times
+/// increase strictly and of which no component of the scale changes its sign; or there is one key with numbers that
+/// follow tracks.
 struct Motion {
     std::vector<MotionKey> keys;
     bool operator==(const Motion&) const = default;
@@ -40,7 +41,7 @@ struct Motion {
 using Transformation = std::variant<Rotate, Translate, Scale, Motion>;
 
 /// The product of all steps: column vectors, world = matrix * (local, 1). Multiples of 90 degrees are exact. A motion
-/// is as at time 0.
+/// counts as it is at time 0.
 glm::dmat4 matrix(std::span<const Transformation> steps);
 
 /// The factor by which lengths grow if all steps keep angles (|x| = |y| = |z| in every Scale), else 0. A motion is as

@@ -1,5 +1,5 @@
-// The words of the language: of the top level, and the parameters of each block. The parser reads by these lists, and
-// the manual's tables are made from them.
+// The words of the language: those of the top level, and the parameters of each block. The parser reads by these lists,
+// and the manual's tables are made from them.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -11,6 +11,7 @@
 
 namespace strahl {
 
+/// Two arrays as one.
 template <class T, std::size_t n, std::size_t m>
 constexpr std::array<T, n + m> joined(const std::array<T, n>& first, const std::array<T, m>& second) {
     std::array<T, n + m> all;
@@ -18,19 +19,20 @@ constexpr std::array<T, n + m> joined(const std::array<T, n>& first, const std::
     return all;
 }
 
-/// What may follow the arguments of a body.
+/// The words that may follow the arguments of a body.
 inline constexpr auto shape_words = joined(std::array<std::string_view, 2>{"material", "motion"}, transformation_words);
 
-/// What may stand in a mesh besides that.
+/// The words that may stand in a mesh besides those.
 inline constexpr std::array<std::string_view, 3> mesh_words{"file", Triangle::name, SmoothTriangle::name};
 
-/// What may stand in a triangle of a mesh, after its corners.
+/// The words that may follow the corners of a triangle in a mesh.
 inline constexpr std::array<std::string_view, 1> triangle_words{"uv_vectors"};
 
 /// The words that open the block of a body.
 inline constexpr auto body_words = names_of(std::type_identity<Shape>{});
 
-/// What may stand in a union, an intersection or a difference. Bodies that can't be parts have an error of their own.
+/// The words that may stand in a union, an intersection or a difference. Bodies that cannot be parts have an error of
+/// their own.
 inline constexpr auto composite_words = joined(shape_words, body_words);
 
 /// The words that open a block of the top level.
@@ -39,7 +41,7 @@ inline constexpr auto block_words =
            std::array<std::string_view, 7>{"defaultmaterial", "background", "fog", "global_settings", "flythrough",
                                            "define", "music"});
 
-/// What `camera` and `key` have in common, with both ways to say which way is up and how wide the view is.
+/// The parameters that `camera` and `key` have in common: the direction up and the angle of view in two ways each.
 struct EyeText {
     DVec3 position{0}, look_at{0};
     std::optional<DVec3> up, sky;
@@ -48,7 +50,7 @@ struct EyeText {
     std::optional<DVec3> down() const { return sky ? std::optional(DVec3(0) - *sky) : up; }
     std::optional<double> half_angle() const { return angle ? std::optional(*angle / 2) : fov; }
 };
-/// `otherwise` says what holds for directions and angles that are not given.
+/// `otherwise` is the default of directions and angles in words.
 inline std::array<Parameter, 6> eye_parameters(EyeText& eye, std::string_view otherwise) {
     return {{{"position", &eye.position, coordinates, "where the eye is", required},
              {"look_at", &eye.look_at, coordinates, "the point in the middle of the picture", required},
@@ -64,7 +66,7 @@ inline std::array<Parameter, 7> camera_parameters(EyeText& eye, std::optional<do
                   std::array{Parameter{"aspectratio", &aspectratio, positive, "width / height of what the camera sees",
                                        "the picture's"}});
 }
-/// When a key is: in seconds or, in place of that, in beats of the music.
+/// The time of a key: in seconds or, in place of that, in beats of the music.
 struct TimeText {
     double time = 0;
     std::optional<double> beat;
@@ -74,15 +76,15 @@ inline std::array<Parameter, 2> time_parameters(TimeText& when, const char* help
              {"beat", &when.beat, seconds, "the same in beats of the `music` above"}}};
 }
 inline std::array<Parameter, 8> key_parameters(TimeText& when, EyeText& eye) {
-    return joined(time_parameters(when, "when the camera passes, in seconds"), eye_parameters(eye, "the camera's"));
+    return joined(time_parameters(when, "when the camera is there, in seconds"), eye_parameters(eye, "the camera's"));
 }
 inline std::array<Parameter, 2> flythrough_parameters(Flythrough& path) {
     return {
-        {{"duration", &path.duration, lengths, "how long the flight takes, in seconds", required},
+        {{"duration", &path.duration, lengths, "duration of the flight in seconds", required},
          {"loop", &path.loop, {}, "closes the path: from the last key it continues to the first", "the path ends"}}};
 }
 
-/// A key of a motion as its block says it.
+/// The parameters of a motion's key.
 struct MotionKeyText {
     TimeText when;
     Scale scale;
@@ -90,43 +92,37 @@ struct MotionKeyText {
 };
 inline std::array<Parameter, 5> motion_parameters(MotionKeyText& key) {
     const std::array<Parameter, 3> place{
-        {{"scale", &key.scale, anything, "factors; between keys of the same sign each", "`1`"},
+        {{"scale", &key.scale, anything, "factors; each keeps its sign from key to key", "`1`"},
          {"rotate", &key.rotate, anything, "degrees about x, then y, then z"},
-         {"translate", &key.translate, coordinates, "how far it is moved"}}};
-    return joined(time_parameters(key.when, "when it is so, in seconds"), place);
+         {"translate", &key.translate, coordinates, "by how much the body moves"}}};
+    return joined(time_parameters(key.when, "the time of the key in seconds"), place);
 }
 
 inline std::array<Parameter, 3> light_parameters(Light& light) {
     return {{{"position", &light.position, coordinates, "where the light is", required, "direction"},
-             {"direction", &light.direction, directions, "of parallel light: where it shines to"},
+             {"direction", &light.direction, directions, "the direction in which parallel light shines"},
              {"color", &light.color, not_negative, "its colour and strength", required}}};
 }
 inline constexpr std::array<std::string_view, 4> light_words{"spot", "edges", "grid", "motion"};
 inline std::array<Parameter, 4> spot_parameters(Spot& spot) {
     const Parameter look_at{"look_at", &spot.look_at, coordinates, "a point on the axis of its cone", required};
-    return joined(
-        std::array{look_at},
-        std::apply(
-            [&](const auto&... field) {
-                return std::array{Parameter{field.name, &(spot.*field.member), bounds_of(field.range), field.help}...};
-            },
-            Spot::fields));
+    return joined(std::array{look_at}, field_parameters(spot));
 }
 inline std::array<Parameter, 1> background_parameters(Pigment& color) {
     return {{{"color", &color, not_negative, "the colour of rays that hit nothing", required}}};
 }
 inline std::array<Parameter, 2> fog_parameters(Fog& fog) {
     return {
-        {{"distance", &fog.distance, lengths, "how far one sees: over this way 63 % of the light is lost", required},
+        {{"distance", &fog.distance, lengths, "range of sight: over this distance 63 % of the light is lost", required},
          {"color", &fog.color, not_negative, "the colour of the fog", required}}};
 }
 
 inline std::array<Parameter, 2> music_parameters(Music& music) {
-    return {{{"bpm", &music.bpm, positive, "beats in a minute"},
-             {"rows", &music.rows, row_counts, "how many rows of the tracks a beat has"}}};
+    return {{{"bpm", &music.bpm, positive, "beats per minute"},
+             {"rows", &music.rows, row_counts, "rows of the tracks per beat"}}};
 }
 
-/// What may stand in `music` besides that.
+/// The words that may stand in `music` besides those.
 inline constexpr std::array<std::string_view, 1> music_words{"sound"};
 
 /// The numbers of `global_settings` before they are checked.
@@ -141,18 +137,10 @@ inline std::array<Parameter, 3> settings_parameters(SettingsText& settings) {
               "how many generations of rays are traced; camera rays are the first"},
              {"assumed_gamma", &settings.assumed_gamma, only_one,
               "declares that values are linear light: the window and 8- and 16-bit files are then sRGB-encoded",
-              "values are shown as they are"}}};
+              "values are shown unchanged"}}};
 }
 
-inline auto material_parameters(Material& material) {
-    return std::apply(
-        [&](const auto&... field) {
-            return std::array{Parameter{field.name, &(material.*field.member), bounds_of(field.range), field.help}...};
-        },
-        Material::fields);
-}
-
-/// Calls visit(word, parameters) for the kinds of blocks, but for bodies.
+/// Calls visit(word, parameters) for all blocks but those of bodies.
 template <class Visit>
 void each_block(const Visit& visit) {
     EyeText eye;
@@ -167,7 +155,7 @@ void each_block(const Visit& visit) {
     SettingsText settings;
     Material material;
     Music music;
-    visit("material", material_parameters(material));
+    visit("material", field_parameters(material));
     visit("light", light_parameters(light));
     visit("spot", spot_parameters(spot));
     visit("camera", camera_parameters(eye, aspectratio));

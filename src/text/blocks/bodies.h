@@ -1,4 +1,4 @@
-// Checks that a transformed body can still be represented in double.
+// Checks that a transformed body can still be represented in double, and that its parts and materials fit together.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -28,10 +28,10 @@ inline bool flattened(const Box& box, const glm::dmat4& m) {
     return false;
 }
 
-/// Why the transformations are not allowed for a valid shape, or "". Among the arguments of a shape, vectors are taken
-/// for points, or directions where the field says so, and numbers for lengths. If a kind says `arguments_move = false`,
-/// its arguments have a meaning in its own space only, and its bounds are checked instead.
-/// Of a composite the parts count.
+/// Why the transformation is not allowed for a valid shape, or "". Of the arguments of a shape, vectors are taken for
+/// points, or directions where the field says so, and numbers for lengths. If a kind says `arguments_move = false`, its
+/// arguments have a meaning in its own space only, and its bounds are checked instead. Of a composite the parts are
+/// checked.
 template <class Kind>
 std::string transformed_fault(const Kind& shape, const glm::dmat4& m) {
     const double largest = largest_entry(m);
@@ -64,7 +64,7 @@ std::string transformed_fault(const Kind& shape, const glm::dmat4& m) {
                     look(value = transform_point(m, value));
             } else if (value != 0) {
                 value *= largest;
-                inside &= argument_bounds(range).contains(value);
+                inside &= argument_range(range).contains(value);
             }
         };
         std::apply([&](const auto&... field) { (move(moved.*field.member, field.range), ...); }, Kind::fields);
@@ -75,7 +75,7 @@ std::string transformed_fault(const Kind& shape, const glm::dmat4& m) {
     return fault ? std::string("leave nothing of it: ") + fault : "";
 }
 
-/// The same for transformations some of which may be motions: at the keys of these.
+/// The same for transformations that may include motions, which are checked at their keys.
 template <class Kind>
 std::string moved_fault(const Kind& shape, std::span<const Transformation> steps) {
     const std::vector<double> times = key_times(steps);
@@ -86,26 +86,25 @@ std::string moved_fault(const Kind& shape, std::span<const Transformation> steps
     return "";
 }
 
-/// That it can't be divided and why, if a body consists of too many that belong together, or "".
+/// Why a body is invalid if too many of its simple bodies are connected, or "".
 inline std::string crowd_fault(const Primitive& primitive, const std::vector<Material>& materials) {
     if (leaves_of(primitive.shape) <= most_leaves) return "";
     const int most = most_leaves_together(primitive, materials);
     if (most <= most_leaves) return "";
-    return "divided: " + std::to_string(most) + " of its bodies belong together, and at most " +
-           std::to_string(most_leaves) + " may";
+    return std::to_string(most) + " of its bodies are connected, and at most " + std::to_string(most_leaves) +
+           " may be";
 }
 
-/// That it can't be covered and why, if the materials of a body and its parts, whose numbers are in `list`, can't be
-/// where they are, or "".
+/// Why a body is invalid if its material, or that of a part, cannot be on it, or "". Materials are numbers in `list`.
 inline std::string place_fault(const Primitive& primitive, const std::vector<Material>& list) {
     std::string fault;
     for_each_leaf(primitive, [&](const Primitive& leaf, const glm::dmat4&) {
         if (!list[leaf.material].by_uv()) return;
         const Mesh* const mesh = std::get_if<Mesh>(&leaf.shape);
         if (!mesh)
-            fault = "covered: its pattern is mapped by uv, which only meshes have";
+            fault = "its pattern is mapped by uv, which only meshes have";
         else if (mesh->data->places.empty())
-            fault = "covered: its pattern is mapped by uv, and " +
+            fault = "its pattern is mapped by uv, and " +
                     (mesh->file.empty() ? "no triangle has 'uv_vectors'" : "the file '" + mesh->file + "' has none");
     });
     return fault;

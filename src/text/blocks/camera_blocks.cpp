@@ -1,10 +1,8 @@
-// Parses the camera and its path.
 #include "text/blocks/camera_blocks.h"
 
 #include <utility>
 
 #include "text/blocks/blocks.h"
-#include "text/blocks/motion_block.h"
 
 namespace strahl {
 
@@ -19,7 +17,7 @@ void CameraBlocks::camera(std::string_view word) {
     if (!block.good()) return;
     the_camera = {eye.position, eye.look_at, *eye.down(), *eye.half_angle(), aspectratio};
     const char* const fault = degenerate(the_camera);
-    if (fault) reader.diagnostics.add(word, std::string("this camera sees nothing: ") + fault);
+    if (fault) reader.diagnostics.add(word, std::string("invalid camera: ") + fault);
     camera_good = !fault;
     for (Follow& follow : follows) {
         if (follow.parameter == "sky") follow.parameter = "up", follow.factor = -1;
@@ -29,11 +27,8 @@ void CameraBlocks::camera(std::string_view word) {
     sort(follows);
 }
 
-void CameraBlocks::key(std::string_view word, Flythrough& read_path, std::vector<KeyPlace>& places, Block& outer) {
-    if (read_path.keys.size() >= limits.keys) {
-        reader.diagnostics.add(word, "more than " + std::to_string(limits.keys) + " keys");
-        reader.diagnostics.check();
-    }
+void CameraBlocks::key(std::string_view word, Flythrough& read_path, std::vector<KeyWords>& words, Block& outer) {
+    reader.limit(read_path.keys.size(), limits.keys, word, "keys");
     Block block{word};
     TimeText when;
     EyeText eye;
@@ -43,13 +38,13 @@ void CameraBlocks::key(std::string_view word, Flythrough& read_path, std::vector
     reader.set_time(when.time, when.beat, parameters[1].at, block);
     outer.absorb(block);
     read_path.keys.push_back({when.time, eye.position, eye.look_at, eye.half_angle(), eye.down()});
-    places.push_back({word, parameters[when.beat ? 1 : 0].at});
+    words.push_back({word, parameters[when.beat ? 1 : 0].at});
 }
 
 void CameraBlocks::flythrough(std::string_view word) {
     reader.once(path_at, word);
     Flythrough read_path;
-    std::vector<KeyPlace> places;
+    std::vector<KeyWords> words;
     Block block{word};
     auto parameters = flythrough_parameters(read_path);
     constexpr std::array<std::string_view, 1> other{"key"};
@@ -57,33 +52,33 @@ void CameraBlocks::flythrough(std::string_view word) {
         block, parameters, other, [] {},
         [&](std::string_view inner) {
             if (inner != "key") return false;
-            key(inner, read_path, places, block);
+            key(inner, read_path, words, block);
             return true;
         });
     const bool enough = read_path.keys.size() >= 2;
-    reader.require(block, parameters, {{enough, "keys: it takes 2 to make a path"}});
+    reader.require(block, parameters, {{enough, "keys: a path needs at least 2"}});
     if (!block.good()) return;
-    check_times(read_path, places, parameters[0].at);
+    check_times(read_path, words, parameters[0].at);
     path = std::move(read_path);
-    key_places = std::move(places);
+    key_words = std::move(words);
 }
 
-void CameraBlocks::check_times(const Flythrough& read_path, std::span<const KeyPlace> places,
+void CameraBlocks::check_times(const Flythrough& read_path, std::span<const KeyWords> words,
                                std::string_view duration) {
     const std::vector<Keyframe>& keys = read_path.keys;
     for (std::size_t i = 0; i < keys.size(); ++i)
         if (i > 0 && !(keys[i].time > keys[i - 1].time))
-            require_rising(reader.diagnostics, keys[i - 1].time, keys[i].time, places[i - 1].time, places[i].time);
+            require_rising(reader.diagnostics, keys[i - 1].time, keys[i].time, words[i - 1].time, words[i].time);
         else if (keys[i].time > read_path.duration)
-            reader.diagnostics.add(places[i].time, "this is after the end, which 'duration' in " +
-                                                       reader.diagnostics.line(duration) + " sets");
+            reader.diagnostics.add(words[i].time, "this is after the end, set by 'duration' in " +
+                                                        reader.diagnostics.line(duration));
     // A path that loops is back at its first key when the duration is over.
     Keyframe again = keys.front();
     again.time += read_path.duration;
     if (read_path.loop && keys.back().time == again.time && keys.back() != again)
-        reader.diagnostics.add(places.back().time,
-                               "at this time the loop is at its first key again: make this key the same as that in " +
-                                   reader.diagnostics.line(places[0].key) + ", or 'duration' longer");
+        reader.diagnostics.add(words.back().time,
+                               "at this time the loop is back at its first key: make this key equal to that in " +
+                                   reader.diagnostics.line(words[0].key) + ", or 'duration' longer");
 }
 
 void CameraBlocks::check(std::string_view end_of_text) {
@@ -91,7 +86,7 @@ void CameraBlocks::check(std::string_view end_of_text) {
     if (!camera_good || !path) return;
     for (std::size_t i = 0; i < path->keys.size(); ++i)
         if (const char* const fault = degenerate(camera_of(path->keys[i], the_camera)))
-            reader.diagnostics.add(key_places[i].key, std::string("the camera sees nothing at this key: ") + fault);
+            reader.diagnostics.add(key_words[i].key, std::string("invalid camera at this key: ") + fault);
 }
 
 }  // namespace strahl

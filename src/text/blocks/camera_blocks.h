@@ -1,9 +1,10 @@
-// The blocks `camera` and `flythrough`.
+// Reads the blocks `camera` and `flythrough`.
 #pragma once
 #include <array>
 #include <optional>
 
 #include "scene/camera.h"
+#include "text/blocks/motion_block.h"
 #include "text/reading/reader.h"
 #include "text/reading/text_limits.h"
 
@@ -11,11 +12,11 @@ namespace strahl {
 
 class CameraBlocks {
   public:
-    CameraBlocks(Reader& reader, const TextLimits& limits) : reader(reader), limits(limits) {}
+    CameraBlocks(BlockReader& reader, const TextLimits& limits) : reader(reader), limits(limits) {}
 
     void camera(std::string_view word);
     void flythrough(std::string_view word);
-    /// To be called at the end of the text: is there a camera, and is it valid at the keys of the flythrough?
+    /// Checks, at the end of the text, that there is a camera and that it is valid at the keys of the flythrough.
     void check(std::string_view end_of_text);
 
     Camera the_camera;
@@ -23,17 +24,14 @@ class CameraBlocks {
     std::vector<Follow> follows;  // numbers of the camera that follow tracks
 
   private:
-    struct KeyPlace {
-        std::string_view key, time;  // where these words of a key are
-    };
-    void key(std::string_view word, Flythrough& read_path, std::vector<KeyPlace>& places, Block& outer);
-    void check_times(const Flythrough& read_path, std::span<const KeyPlace> places, std::string_view duration);
+    void key(std::string_view word, Flythrough& read_path, std::vector<KeyWords>& words, Block& outer);
+    void check_times(const Flythrough& read_path, std::span<const KeyWords> words, std::string_view duration);
 
-    Reader& reader;
+    BlockReader& reader;
     const TextLimits& limits;
-    std::string_view camera_at, path_at;  // where these blocks are
+    std::string_view camera_at, path_at;  // the first words of these blocks
     bool camera_good = false;
-    std::vector<KeyPlace> key_places;
+    std::vector<KeyWords> key_words;
 };
 
 }  // namespace strahl

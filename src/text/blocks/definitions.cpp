@@ -11,11 +11,7 @@ namespace {
 
 int levels_in(const Primitive& primitive) {
     int most = 0;
-    const auto look = [&]<class Kind>(const Kind& kind) {
-        if constexpr (is_composite<Kind>)
-            for (const Primitive& part : *kind.parts) most = std::max(most, 1 + levels_in(part));
-    };
-    std::visit(look, primitive.shape);
+    each_part(primitive, [&](const Primitive& part) { most = std::max(most, 1 + levels_in(part)); });
     return most;
 }
 
@@ -37,7 +33,7 @@ bool Definitions::can_add(std::string_view name, Diagnostics& diagnostics) const
 void Definitions::add(std::string_view name, const MaterialText& material, Diagnostics& diagnostics) {
     if (can_add(name, diagnostics)) materials.emplace(name, material);
 }
-void Definitions::add(std::string_view name, Body body, Diagnostics& diagnostics) {
+void Definitions::add(std::string_view name, NamedBody body, Diagnostics& diagnostics) {
     body.levels = levels_in(body.primitive);
     if (can_add(name, diagnostics)) bodies.emplace(name, std::move(body));
 }
@@ -47,12 +43,12 @@ const MaterialText& Definitions::material(std::string_view name, Diagnostics& di
     std::vector<std::string_view> known;
     for (const auto& [own, text] : materials) known.push_back(own);
     diagnostics.add(name, known.empty()
-                              ? "no material is called " + quoted(name) + ": there is no 'define' of any before"
+                              ? "unknown material " + quoted(name) + ": no material is defined above"
                               : unknown_word(name, known, " for 'material'"));
     throw ParseAbort{};
 }
 
-const Definitions::Body* Definitions::body(std::string_view name) const {
+const Definitions::NamedBody* Definitions::body(std::string_view name) const {
     const auto found = bodies.find(name);
     return found == bodies.end() ? nullptr : &found->second;
 }
@@ -65,14 +61,7 @@ std::vector<std::string_view> Definitions::with_bodies(std::span<const std::stri
 
 Primitive Definitions::renumbered(Primitive primitive, int by) {
     primitive.material += by;
-    const auto parts = [&]<class Kind>(Kind& kind) {
-        if constexpr (is_composite<Kind>) {
-            std::vector<Primitive> all = *kind.parts;
-            for (Primitive& part : all) part = renumbered(std::move(part), by);
-            kind.parts = std::make_shared<const std::vector<Primitive>>(std::move(all));
-        }
-    };
-    std::visit(parts, primitive.shape);
+    change_parts(primitive, [by](Primitive& part) { part = renumbered(std::move(part), by); });
     return primitive;
 }
 

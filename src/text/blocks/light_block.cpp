@@ -12,31 +12,29 @@
 namespace strahl {
 namespace {
 
-Spot read_spot(Reader& reader, std::string_view word, Block& outer) {
+Spot read_spot(BlockReader& reader, std::string_view word, Block& outer) {
     Spot spot;
     Block block{word, false, false, outer.follows};
     auto parameters = spot_parameters(spot);
     reader.block(block, parameters);
     reader.require(block, parameters);
-    if (block.good() && spot.falloff < spot.radius) {
-        reader.diagnostics.add(word, "the falloff of this spot, " + text_of(spot.falloff) + ", is below its radius, " +
-                                         text_of(spot.radius));
-        block.bad = true;
-    }
+    if (block.good() && spot.falloff < spot.radius)
+        reader.fault(block, word, "invalid spot: its falloff, " + text_of(spot.falloff) + ", is below its radius, " +
+                                      text_of(spot.radius));
     outer.absorb(block);
     return spot;
 }
 
-/// `edges <u>, <v>` after its first word.
-void read_edges(Reader& reader, Area& area, Block& outer) {
+/// Reads `<u>, <v>` after `edges`.
+void read_edges(BlockReader& reader, Area& area, Block& outer) {
     Block block{outer.name};
     reader.read(area.u, coordinates, "edges", block);
     reader.lexer.accept(',');
     reader.read(area.v, coordinates, "edges", block);
     outer.absorb(block);
 }
-/// `grid columns, rows` likewise.
-void read_grid(Reader& reader, Area& area, Block& outer) {
+/// Reads `columns, rows` after `grid`.
+void read_grid(BlockReader& reader, Area& area, Block& outer) {
     Block block{outer.name};
     double columns = 0, rows = 0;
     reader.read(columns, grid_sizes, "grid", block);
@@ -49,16 +47,16 @@ void read_grid(Reader& reader, Area& area, Block& outer) {
 /// Why these edges span no rectangle, or "".
 std::string edges_fault(const Area& area) {
     const double u = length(area.u), v = length(area.v);
-    constexpr double square = 1e-6;  // cosine of the angle between edges that people take for perpendicular
-    if (!(u > 0 && v > 0)) return "an edge of this light has no length";
+    constexpr double square = 1e-6;  // the largest cosine of the angle between edges that count as perpendicular
+    if (!(u > 0 && v > 0)) return "invalid edges: one has no length";
     if (std::abs(dot_product(1 / u * area.u, 1 / v * area.v)) > square)
-        return "the edges of this light are not perpendicular";
+        return "invalid edges: they are not perpendicular";
     return "";
 }
 
 }  // namespace
 
-Light read_light(Reader& reader, const TextLimits& limits, std::string_view word) {
+Light read_light(BlockReader& reader, const TextLimits& limits, std::string_view word) {
     Light light;
     Block block{word, false, false, &light.follows};
     auto parameters = light_parameters(light);
@@ -84,27 +82,25 @@ Light read_light(Reader& reader, const TextLimits& limits, std::string_view word
     reader.require(block, parameters);
     sort(light.follows);
     if (!block.good()) return light;
-    const auto fault = [&](std::string_view at, const std::string& message) { reader.diagnostics.add(at, message); };
+    const auto fault = [&](std::string_view at, const std::string& message) { reader.fault(block, at, message); };
     if (edges_at.data()) {
         light.area = area;
         if (const std::string why = edges_fault(area); !why.empty()) fault(edges_at, why);
-        if (light.direction) fault(edges_at, "parallel light has no place for a rectangle; give it a 'position'");
-        if (light.spot) fault(spot_at, "a spot is a point; a light with 'edges' shines in all directions");
+        if (light.direction) fault(edges_at, "parallel light cannot be a rectangle; give it a 'position'");
+        if (light.spot) fault(spot_at, "a light with 'edges' cannot have a spot: it shines in all directions");
     } else if (grid_at.data()) {
         fault(grid_at, "a grid of points needs 'edges'");
     }
     if (light.direction && *light.direction == DVec3(0))
-        reader.diagnostics.add(parameters[1].at, "this 'direction' of 'light' has no direction");
+        fault(parameters[1].at, "invalid light: its 'direction' is 0");
     if (light.spot && light.direction)
-        reader.diagnostics.add(spot_at,
-                               "parallel light has no place from which a spot could shine; give it a 'position'");
+        fault(spot_at, "parallel light cannot have a spot; give it a 'position'");
     else if (light.spot && light.spot->look_at == light.position)
-        reader.diagnostics.add(spot_at, "this spot shines nowhere: 'look_at' is the light's own position");
+        fault(spot_at, "invalid spot: 'look_at' is the light's own position");
     if (light.motion)
         for (const MotionKey& key : light.motion->keys)
-            if (const std::string fault = transformations_fault(matrix(at(*light.motion, key.time))); !fault.empty())
-                reader.diagnostics.add(motion_at,
-                                       "at " + text_of(key.time) + " s this motion of a light would " + fault);
+            if (const std::string why = transformations_fault(matrix(at(*light.motion, key.time))); !why.empty())
+                fault(motion_at, "invalid light: at " + text_of(key.time) + " s its transformations " + why);
     return light;
 }
 

@@ -1,4 +1,4 @@
-// The block `light`.
+// Reads the block `light`.
 #pragma once
 #include <string_view>
 
@@ -8,6 +8,6 @@
 
 namespace strahl {
 
-Light read_light(Reader& reader, const TextLimits& limits, std::string_view word);
+Light read_light(BlockReader& reader, const TextLimits& limits, std::string_view word);
 
 }  // namespace strahl

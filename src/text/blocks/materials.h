@@ -1,4 +1,4 @@
-// Materials without duplicates.
+// Materials as text gives them, and a list of materials without duplicates.
 #pragma once
 #include <array>
 #include <bit>
@@ -11,21 +11,21 @@
 #include <utility>
 #include <vector>
 
-#include "scene/scene.h"
+#include "scene/leaves.h"
 
 namespace strahl {
 
-/// What a block says of a material: some of its parameters.
+/// The parameters of a material that a block gives.
 struct MaterialText {
     Material values;
-    std::array<bool, std::tuple_size_v<decltype(Material::fields)>> named{};  // in the order of the fields
+    std::array<bool, std::tuple_size_v<decltype(Material::fields)>> named{};  // which are given, in field order
 
-    /// Changes it by what `more` names.
+    /// Adds the parameters that `more` gives, which replace those given before.
     void add(const MaterialText& more) {
         values = more.on(values);
         for (std::size_t i = 0; i < named.size(); ++i) named[i] |= more.named[i];
     }
-    /// The base, changed by what is named.
+    /// The base with these parameters in place of its own.
     Material on(const Material& base) const {
         Material result = base;
         auto is_named = named.begin();
@@ -88,7 +88,7 @@ class MaterialHash {
     }
 };
 
-/// Numbers materials in the order of first use: of a composite its own first, then those of its parts.
+/// Numbers materials in the order of first use: that of a composite first, then those of its parts.
 class Materials {
   public:
     int number(const Material& material) {
@@ -97,19 +97,12 @@ class Materials {
         if (is_new) list.push_back(material);
         return last = entry->second;
     }
-    /// Works out what material a body that was read has, and its parts: they start from that of their composite,
-    /// wherever it stands in the text. Before, materials are numbers among `written`.
+    /// Gives a body that was read, and its parts, their materials; before, these are numbers among `written`. A part
+    /// starts from the material of its composite, wherever that stands in the text.
     void settle(Primitive& primitive, const Material& base, const std::vector<MaterialText>& written) {
         const Material own = written[primitive.material].on(base);
         primitive.material = number(own);
-        const auto settle_parts = [&]<class Kind>(Kind& kind) {
-            if constexpr (is_composite<Kind>) {
-                std::vector<Primitive> parts = *kind.parts;
-                for (Primitive& part : parts) settle(part, own, written);
-                kind.parts = std::make_shared<const std::vector<Primitive>>(std::move(parts));
-            }
-        };
-        std::visit(settle_parts, primitive.shape);
+        change_parts(primitive, [&](Primitive& part) { settle(part, own, written); });
     }
     std::vector<Material> list;
 

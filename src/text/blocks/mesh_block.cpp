@@ -18,15 +18,10 @@ bool MeshBlock::part(std::string_view word, Block& block) {
 }
 
 void MeshBlock::file(std::string_view word, Block& block) {
-    const std::string_view given = reader.lexer.quotation("the name of a file");
-    if (!reader.once(file_at, word)) return;
-    name = given;
-    try {
-        from_file = reader.files.mesh(name);
-    } catch (const FileError& error) {
-        reader.diagnostics.add(given, error.what());
-        block.bad = true;
-    }
+    const bool first = reader.once(file_at, word);
+    reader.file(block, "file", [&](std::string_view given) {
+        if (first) from_file = reader.files.mesh(name = given);
+    });
 }
 
 template <class Kind>
@@ -47,40 +42,32 @@ void MeshBlock::triangle(std::string_view word, Block& block) {
         });
     block.absorb(own);
     if (!own.good()) return;
-    if (const char* const fault = triangle.fault()) {
-        reader.diagnostics.add(word, "this " + std::string(word) + " is none: " + fault);
-        block.bad = true;
-        return;
-    }
+    if (const char* const fault = triangle.fault())
+        return reader.fault(block, word, "invalid " + std::string(word) + ": " + fault);
     add(triangle);
     if (places_at.data() || !inline_data.corner_places.empty()) add(corners);
 }
 
-/// Among smooth triangles a flat one has the same normal at all corners.
+/// The normal of a flat triangle among smooth ones, at all corners.
+MeshData::Corners MeshBlock::flat_normals(const DVec3& a, const DVec3& b, const DVec3& c) {
+    const std::int32_t normal = normals.number_of(normalize(cross_product(b - a, c - a)));
+    return {normal, normal, normal};
+}
 void MeshBlock::add(const Triangle& t) {
     inline_data.triangles.push_back({points.number_of(t.a), points.number_of(t.b), points.number_of(t.c)});
-    if (inline_data.corner_normals.empty()) return;
-    const std::int32_t normal = normals.number_of(normalize(cross_product(t.b - t.a, t.c - t.a)));
-    inline_data.corner_normals.push_back({normal, normal, normal});
+    if (!inline_data.corner_normals.empty()) inline_data.corner_normals.push_back(flat_normals(t.a, t.b, t.c));
 }
 void MeshBlock::add(const SmoothTriangle& t) {
-    if (inline_data.corner_normals.empty()) {
-        const std::vector<MeshData::Corners> flat = std::exchange(inline_data.triangles, {});
-        const auto corner = [&](std::int32_t i) { return points.points()[i]; };
-        inline_data.corner_normals.reserve(flat.size() + 1);
-        for (const auto& [a, b, c] : flat) {
-            const std::int32_t n =
-                normals.number_of(normalize(cross_product(corner(b) - corner(a), corner(c) - corner(a))));
-            inline_data.corner_normals.push_back({n, n, n});
-        }
-        inline_data.triangles = flat;
-    }
+    const std::vector<DVec3>& all = points.points();
+    if (inline_data.corner_normals.empty())
+        for (const auto& [a, b, c] : inline_data.triangles)
+            inline_data.corner_normals.push_back(flat_normals(all[a], all[b], all[c]));
     inline_data.triangles.push_back({points.number_of(t.a), points.number_of(t.b), points.number_of(t.c)});
     inline_data.corner_normals.push_back(
         {normals.number_of(t.normal_a), normals.number_of(t.normal_b), normals.number_of(t.normal_c)});
 }
 
-/// The corners of triangles without places are at the origin.
+/// Adds the places of a triangle's corners in a picture. Corners of triangles without places are at the origin.
 void MeshBlock::add(const std::array<MeshData::Place, 3>& corners) {
     const auto number = [&](int k) { return places.number_of({corners[k][0], corners[k][1], 0}); };
     const std::int32_t none = inline_data.corner_places.empty() ? places.number_of(DVec3(0)) : 0;
@@ -90,15 +77,14 @@ void MeshBlock::add(const std::array<MeshData::Place, 3>& corners) {
 
 Mesh MeshBlock::take(std::string_view word, Block& block) {
     const auto fault = [&](const char* message) {
-        if (block.good()) reader.diagnostics.add(word, message);
-        block.bad = true;
+        if (block.good()) reader.fault(block, word, message);
         return Mesh{};
     };
     if (file_at.data() && triangle_at.data())
-        return fault("this mesh has a file and triangles of its own; two meshes may have");
+        return fault("this mesh has both a file and triangles; make two meshes of it");
     if (!block.good()) return {};
     if (file_at.data()) return {from_file, name};
-    if (inline_data.triangles.empty()) return fault("this mesh is none: it has no triangles");
+    if (inline_data.triangles.empty()) return fault("invalid mesh: it has no triangles");
     inline_data.points = std::move(points.points()), inline_data.normals = std::move(normals.points());
     for (const DVec3& place : places.points()) inline_data.places.push_back({place.x, place.y});
     return {std::make_shared<const MeshData>(std::move(inline_data)), ""};
@@ -107,7 +93,7 @@ Mesh MeshBlock::take(std::string_view word, Block& block) {
 std::string open_mesh_fault(const Mesh& mesh) {
     const auto side = open_side(*mesh.data);
     if (!side) return "";
-    return "this mesh can't be part of a body: it is open between " + text_of(side->first) + " and " +
+    return "this mesh cannot be part of a body: it is open between " + text_of(side->first) + " and " +
            text_of(side->second);
 }
 

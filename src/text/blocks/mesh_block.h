@@ -1,4 +1,4 @@
-// The contents of a `mesh` block: triangles, or the name of a file.
+// Reads the contents of a `mesh` block: triangles, or the name of a file.
 #pragma once
 #include <array>
 #include <memory>
@@ -13,13 +13,13 @@ namespace strahl {
 
 /// Reads the arguments that the field table of a kind lists. Commas between them may be left out.
 template <class Kind>
-void read_arguments(Reader& reader, Kind& kind, Block& block) {
+void read_arguments(BlockReader& reader, Kind& kind, Block& block) {
     bool first = true;
     const auto argument = [&](const auto& field) {
         if (field.given == Given::optional && !reader.lexer.at_value()) return;
         if (!first) reader.lexer.accept(',');
         first = false;
-        reader.read(kind.*field.member, argument_bounds(field.range), field.name, block);
+        reader.read(kind.*field.member, argument_range(field.range), field.name, block);
     };
     std::apply([&](const auto&... field) { (argument(field), ...); }, Kind::fields);
 }
@@ -27,33 +27,34 @@ void read_arguments(Reader& reader, Kind& kind, Block& block) {
 /// One mesh while it is read. Equal points become one.
 class MeshBlock {
   public:
-    explicit MeshBlock(Reader& reader) : reader(reader) {}
+    explicit MeshBlock(BlockReader& reader) : reader(reader) {}
     /// Reads what follows a word of `mesh_words`; false if it is none of these.
     bool part(std::string_view word, Block& block);
-    /// The mesh, once its block is closed. Errors are reported at its `word`.
+    /// Returns the mesh, once its block is closed. Errors are reported at its `word`.
     Mesh take(std::string_view word, Block& block);
 
   private:
     void file(std::string_view word, Block& block);
     template <class Kind>
     void triangle(std::string_view word, Block& block);
+    MeshData::Corners flat_normals(const DVec3& a, const DVec3& b, const DVec3& c);
     void add(const Triangle& triangle);
     void add(const SmoothTriangle& triangle);
     void add(const std::array<MeshData::Place, 3>& corners);
 
-    Reader& reader;
+    BlockReader& reader;
     std::string name;
     std::string_view file_at, triangle_at;
     std::shared_ptr<const MeshData> from_file;
-    MeshData inline_data;  // but for its points, normals and places
+    MeshData inline_data;  // all but its points, normals and places
     PointJoiner points, normals, places;
 };
 
-/// Why a body of this word can't be part of another one; empty if it can.
+/// Why a body of this word cannot be part of another one; empty if it can.
 std::string open_mesh_fault(const Mesh& mesh);
 template <class Kind>
 std::string fault_as_part(const Kind& kind, std::string_view word) {
-    if (!can_be_part<Kind>) return "a " + std::string(word) + " can't be part of a body: only closed ones can";
+    if (!can_be_part<Kind>) return "a " + std::string(word) + " cannot be part of a body: only closed bodies can";
     if constexpr (std::is_same_v<Kind, Mesh>)
         return open_mesh_fault(kind);
     else

@@ -1,4 +1,4 @@
-// Reads colours, and the patterns that may stand in their place.
+// Reads and writes colours, the patterns that may stand in their place, and reliefs.
 #include "text/blocks/pigment.h"
 
 #include <algorithm>
@@ -12,15 +12,15 @@
 namespace strahl {
 namespace {
 
-/// What a pattern is read for.
+/// The purpose of a pattern.
 enum class Use { color, bump, normal };
 
 class PatternBlock {
   public:
-    /// `colors` are the bounds of colours, or of the height.
-    PatternBlock(Reader& reader, const Bounds& colors) : reader(reader), colors(colors) {}
+    /// `colors` is the range of colours, or of the height.
+    PatternBlock(BlockReader& reader, const NumberRange& colors) : reader(reader), colors(colors) {}
 
-    /// Reads the pattern that `word` begins, to which `outer` belongs: one with colours, or one with a height.
+    /// Reads the pattern that `word` begins in the block `outer`: one with colours, or one with a height.
     template <Use use = Use::color>
     Pattern read(std::string_view word, Block& outer) {
         const auto read_kinds = [&]<class... Kinds>(std::type_identity<std::variant<Kinds...>>) {
@@ -36,7 +36,7 @@ class PatternBlock {
     void kind(std::string_view word, Block& outer) {
         Kind kind;
         Block block{word};
-        auto parameters = pattern_parameters(kind);
+        auto parameters = field_parameters(kind);
         std::string_view colors_at, last;
         reader.block(
             block, parameters, words<Kind, use>(), [&] { arguments(kind, block); },
@@ -58,7 +58,7 @@ class PatternBlock {
         outer.absorb(block);
         pattern.kind = kind;
     }
-    /// What may stand in the block besides its parameters.
+    /// The words that may stand in the block besides its parameters.
     template <class Kind, Use use>
     static auto words() {
         const auto all = [](auto... first) {
@@ -89,14 +89,10 @@ class PatternBlock {
             file(kind, block);
     }
     void file(ImagePattern& image, Block& block) {
-        const std::string_view given = reader.lexer.quotation("the name of a picture");
-        try {
-            image.pixels = reader.files.pixels(given);
-            image.file = given;
-        } catch (const FileError& error) {
-            reader.diagnostics.add(given, error.what());
-            block.bad = true;
-        }
+        reader.file(block, "picture", [&](std::string_view name) {
+            image.pixels = reader.files.pixels(name);
+            image.file = name;
+        });
     }
     template <class Kind>
     void read_map(Kind& kind, std::string_view word, Block& block) {
@@ -108,8 +104,7 @@ class PatternBlock {
         const auto found = std::ranges::find(known, name);
         if constexpr (requires { kind.map; })
             if (found != known.end()) return void(kind.map = static_cast<ImageMap>(found - known.begin()));
-        reader.diagnostics.add(name, unknown_word(name, known, " after 'map'"));
-        block.bad = true;
+        reader.fault(block, name, unknown_word(name, known, " after 'map'"));
     }
     template <class Kind>
     bool read_once(Kind& kind, std::string_view word, Block& block) {
@@ -134,10 +129,8 @@ class PatternBlock {
                 while (reader.lexer.peek() != '}') add_stop(stops, block), reader.lexer.accept(',');
             },
             [](std::string_view) { return false; });
-        if (stops.empty() && block.good()) {
-            reader.diagnostics.add(word, "'colors' without a colour; a stop is, for instance, '0 <1, 1, 1>'");
-            block.bad = true;
-        }
+        if (stops.empty() && block.good())
+            reader.fault(block, word, "'colors' has no stops; a stop is, for example, '0 <1, 1, 1>'");
         outer.absorb(block);
         if (!again) pattern.colors = std::move(stops);
     }
@@ -148,41 +141,35 @@ class PatternBlock {
         reader.read(stop.at, shares, "stop", block);
         reader.lexer.accept(',');
         reader.read(stop.color, colors, "colour", block);
-        const auto fault = [&](const std::string& message) {
-            reader.diagnostics.add(at, message);
-            block.bad = true;
-        };
         if (block.good() && !stops.empty() && stop.at < stops.back().at)
-            fault("stops must rise: the one before is at " + text_of(stops.back().at));
+            reader.fault(block, at, "stops must not fall: the one before is at " + text_of(stops.back().at));
         if (stops.size() < most_stops)
             stops.push_back(stop);
         else if (block.good())
-            fault("more than " + std::to_string(most_stops) + " stops");
+            reader.fault(block, at, "more than " + std::to_string(most_stops) + " stops");
     }
     template <class Kind>
     void check(const Kind& kind, std::string_view word, std::string_view last, Block& block) {
         if (!block.good()) return;
-        const auto fault = [&](std::string_view at, const std::string& message) {
-            reader.diagnostics.add(at, message);
-            block.bad = true;
-        };
+        const std::string invalid = "invalid " + std::string(word) + ": ";
         if constexpr (requires { kind.axis; })
-            if (kind.axis == DVec3(0)) fault(word, "this gradient is none: its axis has no direction");
+            if (kind.axis == DVec3(0)) reader.fault(block, word, invalid + "its axis has no direction");
         const std::string why = transformations_fault(matrix(pattern.transformations));
-        if (!why.empty()) fault(last, "up to here the transformations of this " + std::string(word) + " " + why);
+        if (!why.empty()) reader.fault(block, last, invalid + "the transformations up to here " + why);
     }
 
-    Reader& reader;
-    const Bounds& colors;
+    BlockReader& reader;
+    const NumberRange& colors;
     Pattern pattern;
     std::string_view map_at, once_at, height_at;
 };
 
+/// Has it been read without an error that leaves it without colours?
 bool whole(const Pattern& pattern) {
     const ImagePattern* const image = std::get_if<ImagePattern>(&pattern.kind);
     return image ? image->pixels != nullptr : !pattern.colors.empty();
 }
-/// `map` with its word, if that is not the usual one.
+/// `map` with its word, unless that is the default.
 template <class Kind>
 std::string map_text(const Kind& kind, bool by_uv) {
     std::string_view word = by_uv ? uv_map : "";
@@ -193,10 +180,10 @@ std::string map_text(const Kind& kind, bool by_uv) {
 
 }  // namespace
 
-void Reader::read(Pigment& value, const Bounds& bounds, std::string_view name, Block& block) {
+void BlockReader::read(Pigment& value, const NumberRange& range, std::string_view name, Block& block) {
     if (lexer.peek() == '<') {
         Color color{0};
-        read(color, bounds, name, block);
+        read(color, range, name, block);
         value = color;
         return;
     }
@@ -208,7 +195,7 @@ void Reader::read(Pigment& value, const Bounds& bounds, std::string_view name, B
         diagnostics.add(word, unknown_word(word, pattern_words, " for " + quoted(name) + " of " + quoted(block.name)));
         throw ParseAbort{};
     }
-    Pattern pattern = PatternBlock(*this, bounds).read(word, block);
+    Pattern pattern = PatternBlock(*this, range).read(word, block);
     if (whole(pattern)) value = Pigment(std::move(pattern));
 }
 
@@ -216,8 +203,8 @@ namespace {
 
 /// Reads a relief whose pattern begins with one of these words, or `none`.
 template <Use use, class Own, std::size_t size>
-void read_relief(Reader& reader, Own& value, const std::array<std::string_view, size>& words, const Bounds& bounds,
-                 std::string_view name, Block& block) {
+void read_relief(BlockReader& reader, Own& value, const std::array<std::string_view, size>& words,
+                 const NumberRange& range, std::string_view name, Block& block) {
     const std::string_view word = reader.lexer.word();
     const auto of = [&] { return quoted(name) + " of " + quoted(block.name); };
     if (word == "none") return void(value = {});
@@ -227,7 +214,7 @@ void read_relief(Reader& reader, Own& value, const std::array<std::string_view, 
         reader.diagnostics.add(word, unknown_word(word, known, " for " + of()));
         throw ParseAbort{};
     }
-    PatternBlock reading(reader, bounds);
+    PatternBlock reading(reader, range);
     Pattern pattern = reading.template read<use>(word, block);
     const ImagePattern* const image = std::get_if<ImagePattern>(&pattern.kind);
     if (image && !image->pixels) return;
@@ -237,16 +224,16 @@ void read_relief(Reader& reader, Own& value, const std::array<std::string_view, 
 
 }  // namespace
 
-void Reader::read(Bump& value, const Bounds& bounds, std::string_view name, Block& block) {
-    read_relief<Use::bump>(*this, value, bump_words, bounds, name, block);
+void BlockReader::read(Bump& value, const NumberRange& range, std::string_view name, Block& block) {
+    read_relief<Use::bump>(*this, value, bump_words, range, name, block);
 }
-void Reader::read(NormalMap& value, const Bounds& bounds, std::string_view name, Block& block) {
-    read_relief<Use::normal>(*this, value, std::array<std::string_view, 1>{ImagePattern::name}, bounds, name, block);
+void BlockReader::read(NormalMap& value, const NumberRange& range, std::string_view name, Block& block) {
+    read_relief<Use::normal>(*this, value, std::array<std::string_view, 1>{ImagePattern::name}, range, name, block);
 }
 
 namespace {
 
-/// `first` is what stands before the other parameters.
+/// The block of a pattern. `first` stands before the other parameters.
 std::string block_text(const Pattern& pattern, const std::string& first) {
     const auto& [kind, colors, transformations, by_uv] = pattern;
     std::string text = std::visit(

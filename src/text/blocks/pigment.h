@@ -1,4 +1,4 @@
-// The words of patterns, which may stand in place of a material's colour.
+// The words of patterns, which may stand in place of a material's colour or bend normals.
 #pragma once
 #include <array>
 #include <string>
@@ -23,10 +23,10 @@ constexpr auto names_that_bend(std::type_identity<std::variant<Kinds...>>) {
     ((can_bend<Kinds> ? void(names[i++] = Kinds::name) : void()), ...);
     return names;
 }
-/// Those that can bend normals.
+/// The patterns that can bend normals.
 inline constexpr auto bump_words = names_that_bend(std::type_identity<PatternKind>{});
 
-/// What may follow `map` in a pattern.
+/// The words that may follow `map` in a pattern.
 template <class Kind>
 constexpr auto maps_of(const Kind&) {
     if constexpr (std::is_same_v<Kind, ImagePattern>)
@@ -35,23 +35,12 @@ constexpr auto maps_of(const Kind&) {
         return std::array<std::string_view, 1>{uv_map};
 }
 
-/// Most stops of a colour map, which are as many as POV-Ray's have.
+/// Most stops of a colour map, as in POV-Ray.
 inline constexpr std::size_t most_stops = 256;
 
-/// The parameters of a kind.
-template <class Kind>
-auto pattern_parameters(Kind& kind) {
-    return std::apply(
-        [&](const auto&... field) {
-            return std::array<Parameter, sizeof...(field)>{
-                Parameter{field.name, &(kind.*field.member), bounds_of(field.range), field.help}...};
-        },
-        Kind::fields);
-}
-
-/// As a scene says it: a vector, or the block of a pattern.
+/// The text of a scene for it: a vector, or the block of a pattern.
 std::string text_of(const Pigment& pigment);
-/// Likewise: "none", or the block of a pattern.
+/// The text of a scene for it: "none", or the block of a pattern.
 std::string text_of(const Bump& bump);
 std::string text_of(const NormalMap& map);
 

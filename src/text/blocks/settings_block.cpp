@@ -4,7 +4,7 @@
 
 namespace strahl {
 
-Settings read_settings(Reader& reader, std::string_view word) {
+Settings read_settings(BlockReader& reader, std::string_view word) {
     Block block{word};
     SettingsText settings;
     auto parameters = settings_parameters(settings);
@@ -13,7 +13,7 @@ Settings read_settings(Reader& reader, std::string_view word) {
     return {settings.ambient_light, static_cast<int>(settings.max_trace_level), settings.assumed_gamma.has_value()};
 }
 
-Fog read_fog(Reader& reader, std::string_view word) {
+Fog read_fog(BlockReader& reader, std::string_view word) {
     Fog fog;
     Block block{word, false, false, &fog.follows};
     auto parameters = fog_parameters(fog);
@@ -23,7 +23,7 @@ Fog read_fog(Reader& reader, std::string_view word) {
     return fog;
 }
 
-Music read_music(Reader& reader, std::string_view word) {
+Music read_music(BlockReader& reader, std::string_view word) {
     Block block{word};
     Music music;
     auto parameters = music_parameters(music);
@@ -32,14 +32,10 @@ Music read_music(Reader& reader, std::string_view word) {
         block, parameters, music_words, [] {},
         [&](std::string_view inner) {
             if (inner != music_words[0]) return false;
-            const std::string_view name = reader.lexer.quotation("the name of a file");
-            if (!reader.once(sound_at, inner)) return true;
-            music.sound = name;
-            try {
-                reader.files.sound(name);
-            } catch (const FileError& error) {
-                reader.diagnostics.add(name, error.what());
-            }
+            const bool first = reader.once(sound_at, inner);
+            reader.file(block, "file", [&](std::string_view name) {
+                if (first) reader.files.sound(music.sound = name);
+            });
             return true;
         });
     return music;

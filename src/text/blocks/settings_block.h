@@ -1,4 +1,4 @@
-// The blocks `global_settings`, `fog` and `music`.
+// Reads the blocks `global_settings`, `fog` and `music`.
 #pragma once
 #include <string_view>
 
@@ -7,8 +7,8 @@
 
 namespace strahl {
 
-Settings read_settings(Reader& reader, std::string_view word);
-Fog read_fog(Reader& reader, std::string_view word);
-Music read_music(Reader& reader, std::string_view word);
+Settings read_settings(BlockReader& reader, std::string_view word);
+Fog read_fog(BlockReader& reader, std::string_view word);
+Music read_music(BlockReader& reader, std::string_view word);
 
 }  // namespace strahl

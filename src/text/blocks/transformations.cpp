@@ -6,7 +6,7 @@
 
 namespace strahl {
 
-Transformation read_transformation(Reader& reader, std::string_view word, Block& outer, bool follows) {
+Transformation read_transformation(BlockReader& reader, std::string_view word, Block& outer, bool follows) {
     MotionKey key;
     Block block{outer.name};
     if (follows) block.follows = &key.follows;

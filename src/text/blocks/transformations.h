@@ -1,4 +1,4 @@
-// Reads transformations, and checks that what they leave can still be represented in double.
+// Reads and writes transformations, and checks that what they make can be represented in double.
 #pragma once
 #include <array>
 #include <cmath>
@@ -13,16 +13,16 @@ namespace strahl {
 
 inline constexpr std::array<std::string_view, 3> transformation_words{"rotate", "translate", "scale"};
 
-/// Reads what follows one of these words. If numbers follow tracks, which they only may if `follows`, it is a motion.
-Transformation read_transformation(Reader& reader, std::string_view word, Block& block, bool follows = false);
+/// Reads what follows one of these words. If numbers of it follow tracks, which needs `follows`, it is a motion.
+Transformation read_transformation(BlockReader& reader, std::string_view word, Block& block, bool follows = false);
 
-/// As a scene says it: "rotate <0, 0, 90>".
+/// The text of a scene for it, as in "rotate <0, 0, 90>".
 std::string text_of(const Transformation& step);
-/// With each key after a `new_line`, which is a space or a line break and what lines begin with.
+/// The same with `new_line` before each key: a space, or a line break and the indentation of lines.
 std::string text_of(const Motion& motion, const std::string& new_line);
 
-/// The condition number of the linear part of a transformation, in Frobenius norms (at most three times too large): how
-/// much more it shrinks one direction than another. Its largest entry should be about 1.
+/// The condition number of the linear part of a transformation in Frobenius norms, which is at most three times too
+/// large: how much more one direction shrinks than another. The largest entry should be about 1.
 inline double condition(const glm::dmat4& m) {
     const DVec3 a(m[0]), b(m[1]), c(m[2]);
     const auto norm = [](const DVec3& u, const DVec3& v, const DVec3& w) {
@@ -32,7 +32,7 @@ inline double condition(const glm::dmat4& m) {
     const double determinant = dot_product(a, bc);
     return norm(a, b, c) * norm(bc, ca, ab) / std::fabs(determinant);
 }
-/// Of the linear part.
+/// The largest entry of the linear part.
 inline double largest_entry(const glm::dmat4& m) {
     double largest = 0;
     for (int i = 0; i < 3; ++i)
@@ -50,7 +50,7 @@ inline const char* flat_fault(glm::dmat4 m) {
     return condition(m) < 1e12 ? "" : "flatten it: one side shrinks more than 1e12 times as much as another";
 }
 inline constexpr const char* reach_fault = "make it too large, too small or too far away (coordinates go up to 1e9)";
-/// Why a space may not be transformed so, or "".
+/// Why this transformation of a space is not allowed, or "". To follow "the transformations ...".
 inline std::string transformations_fault(const glm::dmat4& m) {
     for (int c = 0; c < 3; ++c)
         if (!coordinates.contains(m[3][c])) return reach_fault;

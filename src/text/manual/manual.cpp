@@ -1,4 +1,4 @@
-// Tables in Markdown from field tables and parameter lists.
+// Writes field tables and parameter lists as tables in Markdown.
 #include "text/manual/manual.h"
 
 #include <map>
@@ -14,7 +14,7 @@ namespace {
 
 std::string code(std::string_view word) { return std::string("`").append(word).append("`"); }
 
-/// What holds where the parameter is not given; `instead_of` is the parameter that it can replace, or empty.
+/// The default of a parameter in words; `instead_of` is the parameter that it can replace, or empty.
 std::string default_of(const Parameter& parameter, std::string_view instead_of) {
     if (!instead_of.empty()) return "in place of " + code(instead_of);
     if (!parameter.otherwise.empty()) return std::string(parameter.otherwise);
@@ -34,7 +34,7 @@ std::string parameter_table(std::span<const Parameter> parameters) {
     for (const Parameter& p : parameters) {
         const bool word_alone = std::holds_alternative<bool*>(p.value);
         table += "| " + code(p.name) + " | " + default_of(p, p.name == offers ? before : "") + " | " +
-                 (word_alone ? "the word alone" : p.bounds.words) + " | " + p.help + " |\n";
+                 (word_alone ? "the word alone" : p.range.words) + " | " + p.help + " |\n";
         before = p.name, offers = p.alternative;
     }
     return table;
@@ -46,7 +46,7 @@ std::string body_rows() {
     const auto add = [&](const auto& field) {
         rows += "| " + name + " | " +
                 (field.given == Given::optional ? "[" + std::string(field.name) + "]" : field.name) + " | " +
-                argument_bounds(field.range).words + " | " + field.help + " |\n";
+                argument_range(field.range).words + " | " + field.help + " |\n";
         name = "";
     };
     std::apply([&](const auto&... field) { (add(field), ...); }, Kind::fields);
@@ -60,9 +60,9 @@ std::string body_rows<Mesh>() {
 }
 template <class Kind>
 requires is_composite<Kind> std::string body_rows() {
-    const char* const what = Kind::operation == Operation::unite       ? "what is in one of them at least"
-                             : Kind::operation == Operation::intersect ? "what is in all of them"
-                                                                       : "what is in the first and in none of the rest";
+    const char* const what = Kind::operation == Operation::unite       ? "all points in at least one of them"
+                             : Kind::operation == Operation::intersect ? "all points in all of them"
+                                                                       : "all points in the first and in no other";
     return "| " + code(Kind::name) + " | bodies | blocks of closed bodies | " + what + " |\n";
 }
 template <class... Kinds>
@@ -72,7 +72,7 @@ std::string body_table(std::type_identity<std::variant<Kinds...>>) {
 
 void image_rows(const auto& add) {
     add("\"NAME\"", "required", "a path, relative to the scene's folder", ImagePattern::help);
-    add("`once`", "it repeats", not_negative.words, "it is there once, and around it is this colour");
+    add("`once`", "it repeats", not_negative.words, "the picture is there once, with this colour around it");
 }
 
 template <class Kind>
@@ -90,13 +90,14 @@ std::string pattern_rows() {
     else
         image_rows(add);
     Kind kind;
-    std::string maps;
-    for (const std::string_view map : maps_of(kind)) maps += (maps.empty() ? "" : ", ") + code(map);
-    add("`map`", maps.find(',') == maps.npos ? "the body's points" : code(image_maps[0]), maps.c_str(),
-        "where its colours go");
+    std::vector<std::string> codes;
+    for (const std::string_view map : maps_of(kind)) codes.push_back(code(map));
+    const std::string maps = listed(codes);
+    add("`map`", codes.size() == 1 ? "the body's points" : code(image_maps[0]), maps.c_str(),
+        "how the pattern is laid onto the body");
     if constexpr (std::tuple_size_v < decltype(Kind::fields) >> 0)
-        for (const Parameter& p : pattern_parameters(kind))
-            add(code(p.name), default_of(p, ""), p.bounds.words, p.help);
+        for (const Parameter& p : field_parameters(kind))
+            add(code(p.name), default_of(p, ""), p.range.words, p.help);
     return rows;
 }
 template <class... Kinds>
@@ -109,6 +110,8 @@ std::map<std::string, std::string> all_tables() {
     std::map<std::string, std::string> tables{{"bodies", body_table(std::type_identity<Shape>{})},
                                               {"patterns", pattern_table(std::type_identity<PatternKind>{})}};
     each_block([&](const char* word, const auto& parameters) { tables[word] = parameter_table(parameters); });
+    tables["music"] += "| " + code(music_words[0]) + " \"NAME\" | none | a path, relative to the scene's folder | " +
+                       "an Ogg Vorbis file, mono or stereo |\n";
     return tables;
 }
 

@@ -6,15 +6,6 @@
 #include "text/blocks/blocks.h"
 
 namespace strahl {
-namespace {
-
-std::string separated(const std::set<std::string>& words, const char* between) {
-    std::string all;
-    for (const std::string& word : words) all += (all.empty() ? "" : between) + word;
-    return all;
-}
-
-}  // namespace
 
 LanguageWords words_of_language() {
     LanguageWords words;
@@ -45,9 +36,9 @@ LanguageWords words_of_language() {
 std::string vim_syntax() {
     const LanguageWords words = words_of_language();
     return "\" Scenes of Strahl, *.rt.\nif exists(\"b:current_syntax\")\n  finish\nendif\n"
-           "syn keyword strahlBlock " + separated(words.blocks, " ") +
-           "\nsyn keyword strahlParameter " + separated(words.others, " ") +
-           "\nsyn keyword strahlPattern " + separated(words.patterns, " ") +
+           "syn keyword strahlBlock " + listed(words.blocks, " ") +
+           "\nsyn keyword strahlParameter " + listed(words.others, " ") +
+           "\nsyn keyword strahlPattern " + listed(words.patterns, " ") +
            "\nsyn match strahlNumber \"[-+]\\?\\%(\\d\\+\\.\\?\\d*\\|\\.\\d\\+\\)\\%([eE][-+]\\?\\d\\+\\)\\?\"\n"
            "syn region strahlString start=+\"+ end=+\"+ oneline\n"
            "syn match strahlComment \"//.*$\" contains=@Spell\n"
@@ -63,7 +54,7 @@ std::string textmate_grammar() {
     const auto rule = [](const char* name, const std::string& match) {
         return std::string("    { \"name\": \"") + name + ".strahl\", \"match\": \"" + match + "\" },\n";
     };
-    const auto any = [](const std::set<std::string>& all) { return "\\\\b(" + separated(all, "|") + ")\\\\b"; };
+    const auto any = [](const std::set<std::string>& all) { return "\\\\b(" + listed(all, "|") + ")\\\\b"; };
     return "{\n  \"name\": \"Strahl scene\",\n  \"scopeName\": \"source.strahl\",\n  \"fileTypes\": [\"rt\"],\n"
            "  \"patterns\": [\n" +
            rule("comment.line.double-slash", "//.*$") +

@@ -29,7 +29,7 @@ bool Lexer::skip_comment() {
         const std::string_view opening(next, 2);
         next = end;
         diagnostics.add(opening, "this comment is never closed: '*/' missing");
-        diagnostics.check();  // all that follows is comment, so there are no further errors to find
+        diagnostics.check();  // all that follows is part of the comment
     }
     next += 2 + close + 2;
     return true;
@@ -64,7 +64,7 @@ bool Lexer::read_number(Number& number) {
         throw ParseAbort{};
     }
     if (range == std::errc::result_out_of_range) {
-        diagnostics.add(number.at, quoted(number.at) + " is outside of what a number can hold (4.9e-324 to 1.8e308)");
+        diagnostics.add(number.at, quoted(number.at) + " is out of the range of numbers (4.9e-324 to 1.8e308)");
         number.value = 1;
     }
     next = stop;
@@ -75,7 +75,7 @@ std::string_view Lexer::quotation(const std::string& what) {
     if (peek() != '"') fail(what + " in quotes expected");
     const char* const close = std::find_if(next + 1, end, [](char c) { return c == '"' || c == '\n' || c == '\r'; });
     if (close == end || *close != '"') {
-        diagnostics.add({next, 1}, "these quotes are not closed in the same line");
+        diagnostics.add({next, 1}, "these quotes are not closed on the same line");
         throw ParseAbort{};
     }
     const std::string_view text(next + 1, close - next - 1);
@@ -96,7 +96,7 @@ std::string_view Lexer::token() {
 
 void Lexer::fail(const std::string& message) {
     const std::string_view here = token();
-    diagnostics.add(here, message + (here.empty() ? ", but the text ends" : ", but here comes " + quoted(here)));
+    diagnostics.add(here, message + (here.empty() ? ", but the text ends" : ", but found " + quoted(here)));
     throw ParseAbort{};
 }
 

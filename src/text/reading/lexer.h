@@ -1,4 +1,4 @@
-// The lexer of scene text: words, numbers, signs, white space and comments.
+// Reads scene text word by word: words, numbers and signs, without white space and comments.
 #pragma once
 #include <span>
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace strahl {
 
-/// Thrown after an error at which parsing can't continue; caught where it can.
+/// Thrown after an error at which parsing cannot continue; caught where it can.
 struct ParseAbort {};
 
 /// A number and the slice of text that it was read from.
@@ -33,7 +33,7 @@ class Lexer {
         ++next;
         return true;
     }
-    /// Does a number or a vector come, perhaps after a comma?
+    /// Does a number or a vector come next, perhaps after a comma?
     bool at_value() {
         const char c = peek();
         return c == ',' || c == '<' || c == '-' || c == '+' || c == '.' || (c >= '0' && c <= '9');
@@ -44,20 +44,20 @@ class Lexer {
     }
     /// The next word, or an empty slice if something else comes.
     std::string_view word();
-    /// `name` and `block` are for messages.
+    /// Reads a number; `name` and `block` are for messages.
     Number number(std::string_view name, std::string_view block) {
         Number result;
         if (!read_number(result)) fail("a number expected for " + quoted(name) + " of " + quoted(block));
         return result;
     }
-    /// The text between the quotes that come; `what` is for messages.
+    /// Reads a text in quotes, and returns it without them; `what` is for messages.
     std::string_view quotation(const std::string& what);
-    /// The next token, for messages: a word, a number, or one sign.
+    /// The next token, which stays the next: a word, a number, or one sign.
     std::string_view token();
     /// Goes back to a slice that was read.
     void rewind(std::string_view to) { next = to.data(); }
 
-    /// Adds the error "`message`, but here comes ..." at the next token and throws ParseAbort.
+    /// Adds the error "`message`, but found ..." at the next token and throws ParseAbort.
     [[noreturn]] void fail(const std::string& message);
 
     /// Skips to the next of `words` (if there are none: to any word) or to the closing brace of the current block.
@@ -68,7 +68,7 @@ class Lexer {
     void skip_space() {
         while (next < end) {
             const char c = *next;
-            if (c == ' ' || (c >= '\t' && c <= '\r'))
+            if (is_space(c))
                 ++next;
             else if (c != '/' || !skip_comment())
                 return;

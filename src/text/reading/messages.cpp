@@ -15,7 +15,6 @@ constexpr int line_width = 100, before_fault = 60;  // characters of a long line
 
 /// The number of insertions, deletions, replacements and swaps of neighbours from a to b, regardless of case.
 std::size_t distance(std::string_view a, std::string_view b) {
-    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
     std::vector<std::size_t> before(b.size() + 1), above(b.size() + 1), row(b.size() + 1);
     std::iota(row.begin(), row.end(), std::size_t{0});
     for (std::size_t i = 1; i <= a.size(); ++i) {
@@ -29,14 +28,6 @@ std::size_t distance(std::string_view a, std::string_view b) {
         }
     }
     return row[b.size()];
-}
-
-/// Counted from 1. Lines end in a line feed, a carriage return, or both.
-std::size_t line_number(std::string_view text, std::size_t at) {
-    std::size_t line = 1;
-    for (std::size_t i = 0; i < at; ++i)
-        line += text[i] == '\n' || (text[i] == '\r' && (i + 1 == text.size() || text[i + 1] != '\n'));
-    return line;
 }
 
 }  // namespace
@@ -63,6 +54,14 @@ void Diagnostics::check() const {
     throw FileError(all);
 }
 
+void Diagnostics::check_encoding() {
+    const std::size_t i = find_invalid(text);
+    if (i == text.npos) return;
+    add(text.substr(i, 1), text[i] == '\0' ? "a byte 0 in the text; is this a text file?"
+                                           : "not UTF-8; save the file in that encoding");
+    check();
+}
+
 std::string Diagnostics::line(std::string_view at) const {
     return "line " + std::to_string(line_number(text, static_cast<std::size_t>(at.data() - text.data())));
 }
@@ -76,7 +75,7 @@ std::string Diagnostics::tell(const Fault& fault) const {
 
     const auto column =
         1 + std::count_if(text.begin() + start, text.begin() + at, [](char c) { return !continues(c); });
-    // Of a long line only the part around the error; where one side is short the other gets its space.
+    // Of a long line show only the part around the error; where one side is short the other gets its space.
     const std::size_t reach = forth(text, at, end, line_width - before_fault);
     const auto right_of_fault = static_cast<int>(reach < end ? line_width - before_fault : reach - at);
     const std::size_t from = back(text, at, start, line_width - right_of_fault);
@@ -107,14 +106,7 @@ std::string unknown_word(std::string_view word, std::span<const std::string_view
     const std::string message = "unknown word " + quoted(word) + where;
     if (const std::string_view near = nearest(word, known); !near.empty())
         return message + "; did you mean " + quoted(near) + "?";
-    std::string list;
-    for (const std::string_view candidate : known) list += (list.empty() ? "" : ", ") + std::string(candidate);
-    return message + "; known here: " + list;
-}
-
-std::string quoted(std::string_view slice) {
-    const std::size_t end = forth(slice, 0, slice.size(), 40);
-    return std::string("'") + show(slice.substr(0, end)).text + (end < slice.size() ? "..." : "") + "'";
+    return message + "; known here: " + listed(known);
 }
 
 }  // namespace strahl

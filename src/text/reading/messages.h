@@ -1,4 +1,4 @@
-// The errors of a text, with their places and messages.
+// Collects the errors of a text and writes messages about them.
 #pragma once
 #include <cstddef>
 #include <span>
@@ -6,23 +6,26 @@
 #include <string_view>
 #include <vector>
 
+#include "files/words.h"
+
 namespace strahl {
 
-/// Collects the errors of one text. A place is a slice of that text, empty at its end.
+/// Collects the errors of one text. Each stands at a slice of that text, which is empty at its end.
 class Diagnostics {
   public:
     static constexpr std::size_t most = 10;
 
     Diagnostics(std::string_view text, std::string_view file) : text(text), file(file) {}
 
-    /// Adds an error. Throws FileError with all errors once there are `most`. Of several errors at one place only the
-    /// first counts.
+    /// Adds an error, unless one begins at the same place. Throws FileError with all errors once there are `most`.
     void add(std::string_view at, std::string message);
     /// Throws FileError if there are any.
     void check() const;
+    /// Throws FileError if the text is not UTF-8, or has a byte 0 in it.
+    void check_encoding();
     bool any() const { return !faults.empty(); }
 
-    /// "line 7", for a message that refers to a second place.
+    /// "line 7", for a message that refers to another line.
     std::string line(std::string_view at) const;
 
   private:
@@ -41,8 +44,5 @@ std::string_view nearest(std::string_view word, std::span<const std::string_view
 
 /// "unknown word 'x'; did you mean 'y'?", or, if no known word is similar, a list of them.
 std::string unknown_word(std::string_view word, std::span<const std::string_view> known, const std::string& where);
-
-/// A slice in quotes, shortened if long, safe to print.
-std::string quoted(std::string_view slice);
 
 }  // namespace strahl

@@ -1,4 +1,4 @@
-// Reads values and blocks.
+// Reads the values and blocks of scene text, and goes on after errors.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "scene/error.h"
 #include "scene/motion/track.h"
 #include "text/reading/lexer.h"
 #include "text/reading/parameter.h"
@@ -15,33 +16,35 @@
 
 namespace strahl {
 
-/// A block being read, and its name where it stands. `lost`: part of it could not be parsed, so missing parameters are
-/// not reported. `bad`: some value is wrong, so errors that follow from it are not reported.
+/// A block that is being read.
 struct Block {
-    std::string_view name;
-    bool lost = false, bad = false;
-    std::vector<Follow>* follows = nullptr;  // where numbers that follow tracks are noted; null if none may
+    std::string_view name;                   // its first word, where it stands in the text
+    bool lost = false;                       // part of it could not be parsed: missing parameters are not reported
+    bool bad = false;                        // a value is wrong: errors that follow from it are not reported
+    std::vector<Follow>* follows = nullptr;  // takes the numbers that follow tracks; null if none may
     int component = 0;                       // of the vector that is being read
     bool good() const { return !lost && !bad; }
     /// Takes over the state of a block inside this one.
     void absorb(const Block& inner) { lost |= inner.lost, bad |= inner.bad; }
 };
 
-class Reader {
+class BlockReader {
   public:
-    Reader(std::string_view text, Diagnostics& diagnostics, std::span<const std::string_view> blocks, SceneFiles& files)
+    /// `blocks` are the words that open a block of the top level.
+    BlockReader(std::string_view text, Diagnostics& diagnostics, std::span<const std::string_view> blocks,
+                SceneFiles& files)
         : lexer(text, diagnostics), diagnostics(diagnostics), blocks(blocks), files(files) {}
 
-    /// Values out of bounds are reported, and reading continues.
-    void read(double& value, const Bounds& bounds, std::string_view name, Block& block);
-    void read(DVec3& value, const Bounds& bounds, std::string_view name, Block& block);
-    /// Two numbers, <u, v>.
-    void read(std::array<double, 2>& value, const Bounds& bounds, std::string_view name, Block& block);
-    /// A number is that factor in all directions.
-    void read(Scale& value, const Bounds& bounds, std::string_view name, Block& block);
-    void read(Pigment& value, const Bounds& bounds, std::string_view name, Block& block);
-    void read(Bump& value, const Bounds& bounds, std::string_view name, Block& block);
-    void read(NormalMap& value, const Bounds& bounds, std::string_view name, Block& block);
+    /// Read a value. One out of range is reported, and reading continues.
+    void read(double& value, const NumberRange& range, std::string_view name, Block& block);
+    void read(DVec3& value, const NumberRange& range, std::string_view name, Block& block);
+    /// Reads two numbers, <u, v>.
+    void read(std::array<double, 2>& value, const NumberRange& range, std::string_view name, Block& block);
+    /// Reads a vector of factors, or one number for all three.
+    void read(Scale& value, const NumberRange& range, std::string_view name, Block& block);
+    void read(Pigment& value, const NumberRange& range, std::string_view name, Block& block);
+    void read(Bump& value, const NumberRange& range, std::string_view name, Block& block);
+    void read(NormalMap& value, const NumberRange& range, std::string_view name, Block& block);
 
     /// Reads `{ ... }`: first `arguments()`, then words. `item(word)` reads the value of a word and returns whether it
     /// knows the word; `words` are all words that it knows.
@@ -55,7 +58,7 @@ class Reader {
                     if (!item(word)) unknown(block, words, word);
                 });
     }
-    /// Reads a block of arguments, then parameters, and other words by `item`.
+    /// Reads a block of arguments, then parameters, and `other_words` by `item`.
     template <std::size_t count, std::size_t others, class Arguments, class Item>
     void block(Block& block, std::array<Parameter, count>& parameters,
                const std::array<std::string_view, others>& other_words, Arguments arguments, Item item) {
@@ -76,30 +79,71 @@ class Reader {
             block, parameters, std::array<std::string_view, 0>{}, [] {}, [](std::string_view) { return false; });
     }
 
+    /// Reads blocks to the end of the text: read_block(word) reads what follows the word. `example` is for a message.
+    template <class ReadBlock>
+    void blocks_to_end(const char* example, ReadBlock read_block) {
+        while (!lexer.at_end()) {
+            const std::string_view word = lexer.word();
+            try {
+                if (!word.empty())
+                    read_block(word);
+                else if (!(diagnostics.any() && lexer.accept('}')))  // one too many may follow from an earlier error
+                    lexer.fail("a block expected, such as '" + std::string(example) + "'");
+            } catch (const ParseAbort&) {
+                const bool inside = lexer.accept('{');
+                lexer.skip_to(blocks, blocks);
+                if (inside) lexer.accept('}');
+            }
+        }
+    }
+
+    /// Something that a block must have: was it given, and its name in messages.
     struct Need {
         bool given;
         const char* name;
     };
-    /// Reports missing parameters, and pairs of which only one may be given.
+    /// Reports parameters and needs that are missing, and pairs of parameters of which only one may be given.
     void require(Block& block, std::span<const Parameter> parameters, std::initializer_list<Need> needs = {});
-    /// The seconds of a `beat` that stands at `at`, where one is given. It is an error if there is no music yet.
+    /// Sets `time` to the seconds of the beat, if one is given. Reports an error at `at` if no music was read before.
     void set_time(double& time, const std::optional<double>& beat, std::string_view at, Block& block);
-    /// Reports a word that is given a second time. `first` is the place of the first time, and is set then.
+    /// True the first time, which sets `first` to the word. Reports an error at the word the second time.
     bool once(std::string_view& first, std::string_view word) {
         if (!first.data()) return first = word, true;
         diagnostics.add(word, "a second " + quoted(word) + "; the first is in " + diagnostics.line(first));
         return false;
     }
+    /// Reports an error at a slice of the text, which makes the block bad.
+    void fault(Block& block, std::string_view at, const std::string& message) {
+        diagnostics.add(at, message);
+        block.bad = true;
+    }
+    /// Ends parsing with an error if there are `most` of `what` already.
+    void limit(std::size_t count, std::size_t most, std::string_view at, const char* what) {
+        if (count < most) return;
+        diagnostics.add(at, "more than " + std::to_string(most) + " " + what);
+        diagnostics.check();
+    }
+    /// Calls read_file(name) with a name that is read next, in quotes; its FileErrors are reported at the name. `what`
+    /// is for messages.
+    template <class ReadFile>
+    void file(Block& block, const char* what, ReadFile read_file) {
+        const std::string_view name = lexer.quotation("the name of a " + std::string(what));
+        try {
+            read_file(name);
+        } catch (const FileError& error) {
+            fault(block, name, error.what());
+        }
+    }
 
     Lexer lexer;
     Diagnostics& diagnostics;
-    const std::span<const std::string_view> blocks;  // words that open a top-level block
+    const std::span<const std::string_view> blocks;
     SceneFiles& files;
-    bool any_track = false;      // Does some number follow one?
-    std::optional<Music> music;  // as soon as it is read
+    bool any_track = false;      // some number follows a track
+    std::optional<Music> music;  // once it is read
 
   private:
-    bool follow(double& value, const Bounds& bounds, std::string_view name, Block& block);
+    bool follow(double& value, const NumberRange& range, std::string_view name, Block& block);
     void open(const Block& block);
     bool closed(Block& block, std::span<const std::string_view> words, std::string_view& word);
     void unknown(Block& block, std::span<const std::string_view> words, std::string_view word);

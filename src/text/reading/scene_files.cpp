@@ -10,7 +10,7 @@
 namespace strahl {
 
 std::string path_beside(const std::string& scene, const std::string& name) {
-    // An absolute one replaces the folder.
+    // An absolute path replaces the folder.
     return (std::filesystem::path(scene).parent_path() / name).string();
 }
 
@@ -26,7 +26,7 @@ std::shared_ptr<const MeshData> SceneFiles::mesh(std::string_view name) {
 
 std::shared_ptr<const Pixels> SceneFiles::pixels(std::string_view name) {
     const std::string path = path_beside(scene, *names.pictures.emplace(name).first);
-    if (!read_pixels) throw FileError("cannot read '" + path + "': no pictures are read here");
+    if (!read_pixels) throw FileError("cannot read '" + path + "': pictures are not read here");
     std::shared_ptr<const Pixels>& data = pictures[path];
     if (!data) data = std::make_shared<const Pixels>(read_pixels(path));
     return data;

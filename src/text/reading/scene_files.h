@@ -1,4 +1,4 @@
-// The files that a scene names: meshes and pictures, each of which is read once.
+// Reads the files that a scene names: meshes and pictures, each of them once.
 #pragma once
 #include <functional>
 #include <map>
@@ -14,24 +14,25 @@
 
 namespace strahl {
 
-/// Reads the picture file at a path, which a scene names. Throws FileError. The program's own is in image/pixels.h.
+/// Reads a picture file that a scene names. Throws FileError. The program's own function is in image/pixels.h.
 using ReadPixels = std::function<Pixels(const std::string& path)>;
 
-/// The files that a text names, as it names them; they are relative to the scene's folder.
+/// The names of files as a scene gives them, relative to the scene's folder.
 struct FileNames {
     std::set<std::string> meshes, pictures, sounds;
 };
+/// The path of a file that the scene at the path `scene` names.
 std::string path_beside(const std::string& scene, const std::string& name);
 
-/// Names are relative to the folder of the scene. All throw FileError.
+/// Names are relative to the folder of the scene. All functions throw FileError.
 class SceneFiles {
   public:
     SceneFiles(std::string_view scene, ReadPixels read_pixels);
     std::shared_ptr<const MeshData> mesh(std::string_view name);
     std::shared_ptr<const Pixels> pixels(std::string_view name);
-    /// Only looks whether it is an Ogg Vorbis file.
+    /// Checks that it is an Ogg Vorbis file.
     void sound(std::string_view name);
-    /// Those saved beside the scene; none if there is no such file.
+    /// The tracks saved beside the scene; none if there is no such file.
     std::vector<Track> tracks() const;
 
     FileNames names;  // of all that was read

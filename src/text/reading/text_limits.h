@@ -1,10 +1,10 @@
-// Limits for one scene text.
+// Limits of one scene text.
 #pragma once
 #include <cstddef>
 
 namespace strahl {
 
-/// Limits for one text; more is an error. Everything else is limited by the size of the text.
+/// More than these is an error. Everything else is limited by the size of the text.
 struct TextLimits {
     std::size_t primitives = 5'000'000;  // a float can number 2^24 surfaces, and a body has up to three
     std::size_t transformations = 1000;  // of one primitive

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "files/utf8.h"
 #include "num/decimal.h"
 #include "text/reading/reader.h"
 #include "text/reading/scene_files.h"
@@ -13,7 +12,7 @@ namespace {
 
 constexpr std::array<std::string_view, 1> file_words{"track"};
 constexpr std::array<std::string_view, interpolations> ways{"step", "linear", "smooth", "ramp"};
-constexpr Bounds row_numbers{0, 1e9, "a whole number from 0 to 1e9", true};
+constexpr NumberRange row_numbers{0, 1e9, "a whole number from 0 to 1e9", true};
 
 class TracksReader {
   public:
@@ -21,21 +20,13 @@ class TracksReader {
         : reader(text, diagnostics, file_words, none), lexer(reader.lexer), diagnostics(diagnostics) {}
 
     std::vector<Track> read() {
-        while (!lexer.at_end()) {
-            const std::string_view word = lexer.word();
-            try {
-                if (word.empty()) lexer.fail("a track expected, such as 'track \"fade\" { 0 1 step }'");
-                if (word != file_words[0]) {
-                    diagnostics.add(word, unknown_word(word, file_words, " in a file of tracks"));
-                    throw ParseAbort{};
-                }
-                track(word);
-            } catch (const ParseAbort&) {
-                const bool inside = lexer.accept('{');
-                lexer.skip_to(file_words, file_words);
-                if (inside) lexer.accept('}');
+        reader.blocks_to_end("track \"fade\" { 0 1 step }", [&](std::string_view word) {
+            if (word != file_words[0]) {
+                diagnostics.add(word, unknown_word(word, file_words, " in a file of tracks"));
+                throw ParseAbort{};
             }
-        }
+            track(word);
+        });
         diagnostics.check();
         return std::move(tracks);
     }
@@ -64,16 +55,16 @@ class TracksReader {
         const std::string_view way = lexer.word();
         const auto known = std::ranges::find(ways, way);
         if (way.empty())
-            diagnostics.add(at, "this key lacks 'step', 'linear', 'smooth' or 'ramp', the way to the next one");
+            diagnostics.add(at, "this key lacks the interpolation after it: 'step', 'linear', 'smooth' or 'ramp'");
         else if (known == ways.end())
             diagnostics.add(way, unknown_word(way, ways, " after a key"));
         if (known == ways.end() || !block.good()) return;
         if (!own.keys.empty() && !(row > own.keys.back().row))
-            diagnostics.add(at, "rows must rise: the key before is in row " + std::to_string(own.keys.back().row));
+            diagnostics.add(at, "rows must increase: the key before is in row " + std::to_string(own.keys.back().row));
         own.keys.push_back({static_cast<int>(row), value, static_cast<Interpolation>(known - ways.begin())});
     }
 
-    Reader reader;
+    BlockReader reader;
     Lexer& lexer;
     Diagnostics& diagnostics;
     std::vector<Track> tracks;
@@ -88,16 +79,13 @@ std::string tracks_path(std::string_view scene) {
 
 std::vector<Track> parse_tracks(std::string_view text, std::string_view file) {
     Diagnostics diagnostics(text, file);
-    if (const std::size_t i = find_invalid(text); i != text.npos) {
-        diagnostics.add(text.substr(i, 1), "this is no text in UTF-8");
-        diagnostics.check();
-    }
+    diagnostics.check_encoding();
     SceneFiles none("", {});
     return TracksReader(text, diagnostics, none).read();
 }
 
 std::string write_tracks(const std::vector<Track>& tracks) {
-    std::string text = "// Rows, values, and the ways to the next key: tracks of a GNU Rocket editor.\n";
+    std::string text = "// Tracks of a GNU Rocket editor: rows, values, and interpolations to the next key.\n";
     for (const Track& track : tracks) {
         text += "track \"" + track.name + "\" {\n";
         for (const auto& [row, value, way] : track.keys)

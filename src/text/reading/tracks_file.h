@@ -1,4 +1,4 @@
-// The file of tracks beside a scene.
+// The file beside a scene that holds its tracks.
 #pragma once
 #include <string>
 #include <string_view>
@@ -8,13 +8,13 @@
 
 namespace strahl {
 
-/// "demo.tracks" for the scene "demo.rt".
+/// The path of that file: "demo.tracks" for the scene "demo.rt".
 std::string tracks_path(std::string_view scene);
 
-/// The tracks of a text such as `track "fade" { 0 1 linear  64 0 step }`: row, value, and the way to the next key.
+/// Parses a text such as `track "fade" { 0 1 linear  64 0 step }`: row, value, and interpolation to the next key.
 /// Throws FileError as parse_scene does; `file` is the name in messages.
 std::vector<Track> parse_tracks(std::string_view text, std::string_view file);
-/// Text that parses to the same.
+/// Text that parses to the same tracks.
 std::string write_tracks(const std::vector<Track>& tracks);
 
 }  // namespace strahl

@@ -5,6 +5,7 @@
 #include <memory>
 #include <utility>
 
+#include "scene/leaves.h"
 #include "scene/union_groups.h"
 
 namespace strahl {
@@ -36,15 +37,9 @@ Steps inverse(const Steps& steps) {
 /// Gives it another material, and its parts as far as they have theirs from it.
 void repaint(Primitive& primitive, int material) {
     const int before = std::exchange(primitive.material, material);
-    const auto look = [&]<class Kind>(Kind& kind) {
-        if constexpr (is_composite<Kind>) {
-            std::vector<Primitive> parts = *kind.parts;
-            for (Primitive& part : parts)
-                if (part.material == before) repaint(part, material);
-            kind.parts = std::make_shared<const std::vector<Primitive>>(std::move(parts));
-        }
-    };
-    std::visit(look, primitive.shape);
+    change_parts(primitive, [&](Primitive& part) {
+        if (part.material == before) repaint(part, material);
+    });
 }
 
 /// Returns the part with its pattern where it was, in a space from which `shared` steps of the way to the pattern are

@@ -14,7 +14,7 @@ Pattern WildMaterials::pattern() {
     const auto fill = [&]<class Kind>(Kind kind) {
         const auto fill_field = [&](const auto& field) {
             auto& value = kind.*field.member;
-            const Bounds bounds = bounds_of(field.range);
+            const NumberRange bounds = range_of(field.range);
             if constexpr (std::is_same_v<decltype(value), DVec3&>) do
                     for (int c = 0; c < 3; ++c) value[c] = number(bounds);
                 while (value == DVec3(0));
@@ -50,7 +50,7 @@ Pattern WildMaterials::pattern() {
 
 Material WildMaterials::material() {
     Material m;
-    const auto fill = [&](auto& value, const Bounds& bounds) {
+    const auto fill = [&](auto& value, const NumberRange& bounds) {
         if constexpr (std::is_same_v<decltype(value), Pigment&>) {
             value = dice.chance(.25) ? Pigment(pattern()) : Pigment(color());
         } else if constexpr (std::is_same_v<decltype(value), Bump&>) {
@@ -64,7 +64,7 @@ Material WildMaterials::material() {
             if (!bounds.contains(value)) value = 1;
         }
     };
-    std::apply([&](const auto&... field) { (fill(m.*field.member, bounds_of(field.range)), ...); }, Material::fields);
+    std::apply([&](const auto&... field) { (fill(m.*field.member, range_of(field.range)), ...); }, Material::fields);
     if (dice.chance(.5)) m.refraction = 0;
     m.pow = usual_or(not_negative, 0, 80);
     m.ior = dice.chance(.3) ? 1 : usual_or(positive, .5, 2.5);

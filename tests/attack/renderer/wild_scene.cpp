@@ -49,7 +49,7 @@ Kind Wild::body() {
         if constexpr (std::is_same_v<decltype(value), DVec3&>)
             value = point();
         else
-            value = number(argument_bounds(range));
+            value = number(argument_range(range));
     };
     do std::apply([&](const auto&... field) { (fill(body.*field.member, field.range), ...); }, Kind::fields);
     while (body.fault());

@@ -16,7 +16,7 @@ double WildValues::tame() {
     }
 }
 
-double WildValues::extreme(const Bounds& bounds) {
+double WildValues::extreme(const NumberRange& bounds) {
     const double sign = dice.chance(.5) ? -1 : 1;
     const auto power = [&](double from, double to) { return sign * std::pow(10, dice.in(from, to)); };
     const double most = std::log10(bounds.high), least = bounds.low > 0 ? std::log10(bounds.low) : -307;
@@ -41,7 +41,7 @@ double WildValues::extreme(const Bounds& bounds) {
     }
 }
 
-double WildValues::number(const Bounds& bounds) {
+double WildValues::number(const NumberRange& bounds) {
     for (int i = 0; i < 30; ++i) {
         const bool again = !numbers.empty() && dice.chance(.2);
         double value = again ? numbers[dice.upto(static_cast<int>(numbers.size()) - 1)]
@@ -54,7 +54,7 @@ double WildValues::number(const Bounds& bounds) {
     return bounds.high;
 }
 
-double WildValues::usual_or(const Bounds& bounds, double low, double high) {
+double WildValues::usual_or(const NumberRange& bounds, double low, double high) {
     return dice.chance(wildness) ? number(bounds) : dice.in(low, high);
 }
 

@@ -14,9 +14,9 @@ class WildValues {
         wildness = shares[dice.upto(3)];
     }
 
-    double number(const Bounds& bounds);
+    double number(const NumberRange& bounds);
     /// Mostly of this interval.
-    double usual_or(const Bounds& bounds, double low, double high);
+    double usual_or(const NumberRange& bounds, double low, double high);
     DVec3 point();
     Color color();
 
@@ -25,7 +25,7 @@ class WildValues {
 
   private:
     double tame();
-    double extreme(const Bounds& bounds);
+    double extreme(const NumberRange& bounds);
 
     std::vector<double> numbers;  // that were chosen, to be chosen again: so bodies touch and coincide
     std::vector<DVec3> points;

@@ -270,7 +270,7 @@ TEST_CASE("pictures as patterns: grey is of three equal colours, and what no pat
     refused({1, 1, 3, {1, -1, 1}, 32}, "dark.exr", 32, "it has the value -1 at column 0, row 0");
     refused({1, 1, 3, {1, nan, 1}, 32}, "none.exr", 32, "it has the value nan");
     refused({1, 1, 3, {1, 2e9, 1}, 32}, "sun.exr", 32, "it has the value 2e+09");
-    refused({1, 32769, 1, std::vector<double>(32769), 8}, "long.png", 8, "at most 32768 may be side by side");
+    refused({1, 32769, 1, std::vector<double>(32769), 8}, "long.png", 8, "each side may have at most 32768");
 }
 
 TEST_CASE("run away from its module" * doctest::skip()) {

@@ -71,7 +71,7 @@ TEST_CASE("NFF: polygons") {
 
     CHECK(imported(view + grey + "pp 3 0 0 0 0 0 0 1 0 0 0 1 1 0 1 0 1 0 1\n" +
                    "p 3 0 0 0 1 1 1 2 2 2\np 3 0 0 0 1 1 1 1e10 0 0")
-              .warnings == Told{"x:9: a normal without a direction: this polygon is flat",
+              .warnings == Told{"x:9: a normal without a direction: this polygon is flat here",
                                 "x:10: a polygon is left out: it has no area",
                                 "x:11: a polygon is left out: its corners must be from -1e9 to 1e9"});
     // A comb of 1001 corners or more is not cut up.
@@ -98,7 +98,7 @@ TEST_CASE("NFF: warnings") {
     CHECK(imported(view + "f -1 1 1 1 1.5 0 0 0\ns 0 0 0 1").warnings ==
           Told{"x:8: the material's rgb is -1; 0 instead", "x:8: the material's reflection is 1.5; 1 instead"});
     CHECK(imported(view + "s 0 0 0 1\ns 0 0 1 1\n").warnings ==
-          Told{"x:8: no material: an 'f' is missing before this body; it gets that of a scene without materials"});
+          Told{"x:8: no material: there is no 'f' before this body; it gets the default material"});
     const std::string grey = view + "f 1 1 1 1 0 0 0 0\n";
     CHECK(imported(grey + "c 1 2 3 1 1 2 3 1").warnings.at(1) ==
           "x:9: a cylinder is left out: base and cap are the same point");
@@ -117,7 +117,7 @@ TEST_CASE("NFF: warnings") {
 
 TEST_CASE("NFF: errors have a place") {
     CHECK(message(view + "f 1 1 1 1 0 0 0 0\ns 1 2 nan 4\n") ==
-          "x:9:7: a number expected for the centre, but here comes 'nan'\n    s 1 2 nan 4\n          ^~~");
+          "x:9:7: a number expected for the centre, but found 'nan'\n    s 1 2 nan 4\n          ^~~");
     for (const char* const number : {"inf", "-inf", "1e999", "0x10", "1.2.3", "+-1", "--1", "1,", "."})
         CHECK(fault(view + "s 1 2 3 " + number).starts_with("x:8:9: a number expected for the radius"));
     for (const char* const number : {"1", "+1", "1.", ".5", "1e3", "-0"})
@@ -126,12 +126,12 @@ TEST_CASE("NFF: errors have a place") {
     CHECK(fault("s 0 0 0 1\n\n") == "x:1:10: this scene has no camera: an entity 'v' expected, but the file ends");
     CHECK(fault(view + view) == "x:8:1: a second 'v': a scene has one camera");
     CHECK(fault(view + "q 1") ==
-          "x:8:1: NFF has no entity 'q'; it knows v, b, l, f, s, c, p and pp. (A scene of Tachyon starts with "
+          "x:8:1: unknown entity 'q'; NFF has v, b, l, f, s, c, p and pp. (A scene of Tachyon starts with "
           "BEGIN_SCENE.)");
     CHECK(fault("nff\nversion 2.0\n") ==
           "x:1:1: this is the NFF of the WorldToolKit, another format; E. Haines' NFF "
-          "expected, but here comes 'nff'");
-    CHECK(fault("v\nfrom 0 0 0\nat 0 0 0\nup 0 0 1\nangle 45\n").starts_with("x:5:7: the camera sees nothing"));
+          "expected, but found 'nff'");
+    CHECK(fault("v\nfrom 0 0 0\nat 0 0 0\nup 0 0 1\nangle 45\n").starts_with("x:5:7: invalid camera"));
     CHECK(fault("v\nangle 180\n") == "x:2:7: 'angle' must be greater than 0 and less than 180 degrees");
     CHECK(fault("v\nfrom 0 0 1\nb 1 1 1").starts_with("x:3:1: 'from', 'at', 'up' and 'angle' expected"));
     CHECK(fault(view + "b 1 -1 0") == "x:8:5: the background must be three numbers from 0 to 1e9");

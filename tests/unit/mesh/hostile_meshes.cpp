@@ -4,6 +4,7 @@
 
 #include <ctime>
 
+#include "files/words.h"
 #include "mesh/read_mesh.h"
 #include "tests/unit/faults.h"
 #include "tests/unit/mesh/mesh_text.h"
@@ -53,7 +54,7 @@ TEST_CASE("what cannot be opened, is not a file or is not a mesh") {
     CHECK(fault_at(folder / "pipe.ply") == Says{"it is not a regular file"});
     for (const char* name : {"a.ply", "a.obj", "a.stl", "a"}) CHECK(fault_in(name, "") == Says{"it is empty"});
     for (const char* bytes : {"x", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "\x1f\x8b\x08", "plymouth"})
-        CHECK(fault_in("a.txt", bytes) == Says{"a.txt: this is no mesh that can be read"});
+        CHECK(fault_in("a.txt", bytes) == Says{"a.txt: not a mesh: it is neither"});
     CHECK(fault_in("a.ply", "x") == Says{"its first line is not 'ply'"});
     CHECK(fault_in("a.ply", std::string(5000, '\0'), {.most_bytes = 4999}) == Says{"larger than 4999 bytes"});
     CHECK(fault_in("a.ply", "ply") == Says{"its first line is not 'ply'"});
@@ -73,24 +74,24 @@ TEST_CASE("every file that is cut off is reported as such") {
     }
     const std::string ply = ply_of(triangle(), {.format = "binary_big_endian"});
     CHECK(fault_in("a.ply", ply.substr(0, ply.size() - 1)) ==
-          Says{"face 0 (counted from 0) has a list of 3 entries, and there is room for 2"});
+          Says{"face 0 (counted from 0) has a list of 3 entries, but the rest of the file has room for at most 2"});
     CHECK(fault_in("a.ply", ply.substr(0, 30)) == Says{"no end ('end_header')"});
     CHECK(fault_in("a.stl", ascii_stl(one).substr(0, ascii_stl(one).find("vertex") + 10)) ==
           Says{"a.stl:4: the file ends where a coordinate"});
     CHECK(fault_in("a.stl", binary_stl(one).substr(0, 100)) == Says{"100 bytes, and its header announces 1 triangle"});
     for (const std::string& format : formats)
         CHECK(fault_in("a.ply", ply_of(triangle(), {.format = format}) + "1") == Says{"goes on after all"});
-    CHECK(fault_in("a.stl", ascii_stl(one) + "facet") == Says{"here should be another 'solid', or the end, and not"});
+    CHECK(fault_in("a.stl", ascii_stl(one) + "facet") == Says{"expected another 'solid' or the end, found"});
 }
 
 TEST_CASE("words that are not numbers, and numbers that are too large") {
     for (const char* word : {"x", "1x", "0x1", "1,5", "1e400", "--1", "+-1", "1e", "'", "\x80", "1_0"}) {
         CAPTURE(word);
-        const std::string quoted = std::string("'") + word + "'";
-        CHECK(fault_in("a.ply", changed("0 1 0", std::string("0 ") + word + " 0")) == Says{":12: " + quoted});
-        CHECK(fault_in("a.obj", std::string("\nv 0 ") + word + " 1") == Says{"a.obj:2: " + quoted});
+        const std::string shown = quoted(word);
+        CHECK(fault_in("a.ply", changed("0 1 0", std::string("0 ") + word + " 0")) == Says{":12: " + shown});
+        CHECK(fault_in("a.obj", std::string("\nv 0 ") + word + " 1") == Says{"a.obj:2: " + shown});
         CHECK(fault_in("a.stl", std::string("solid\nfacet normal 0 0 0 outer loop vertex 0 ") + word) ==
-              Says{"a.stl:2: " + quoted});
+              Says{"a.stl:2: " + shown});
     }
     CHECK(fault_in("a.ply", changed("0 1 0", "0 1")) ==
           Says{"a.ply:12: the values of vertex 2 (counted from 0) end too"});
@@ -136,7 +137,7 @@ TEST_CASE("indices out of range") {
     for (const char* corner :
          {"3z", "3/", "3//", "3/1/", "/3", "3/x/1", "3/1/1/1", "x", "1.5", "99999999999999999999"}) {
         CAPTURE(corner);
-        CHECK(fault_in("a.obj", points + "f 1 2 " + corner) == Says{std::string("'") + corner + "' is no corner"});
+        CHECK(fault_in("a.obj", points + "f 1 2 " + corner) == Says{std::string("'") + corner + "' is not a corner"});
     }
 }
 
@@ -169,7 +170,7 @@ TEST_CASE("files without faces, or without any that has a surface") {
     CHECK(fault_in("a.ply", changed("property float x\n", "")) == Says{"lack one of x, y and z"});
     CHECK(
         fault_in("a.ply", "ply\nformat ascii 1.0\nelement face 1\nproperty list int int vertex_index\nend_header\n0") ==
-        Says{"let the element 'vertex' come first"});
+        Says{"put the element 'vertex' first"});
 }
 
 TEST_CASE("headers of PLY files that make no sense") {
@@ -181,10 +182,10 @@ TEST_CASE("headers of PLY files that make no sense") {
     CHECK(fault("element vertex 3\n", "") == Says{"a.ply:3: this property belongs to no element"});
     CHECK(fault("vertex 3", "vertex -3") == Says{"a.ply:3: an element has a name and a count"});
     CHECK(fault("vertex 3", "vertex") == Says{"an element has a name and a count"});
-    CHECK(fault("float x", "half x") == Says{"a.ply:4: 'half' is no type"});
+    CHECK(fault("float x", "half x") == Says{"a.ply:4: 'half' is not a type"});
     CHECK(fault("float x", "float") == Says{"this property has no name"});
     CHECK(fault("face", "vertex") == Says{"two elements 'vertex'"});
-    CHECK(fault("uchar", "float") == Says{"a whole number's type"});
+    CHECK(fault("uchar", "float") == Says{"an integer type"});
     CHECK(fault("float x", "list uchar float x") == Says{"lack one of x, y and z"});
     std::string elements;
     for (int i = 0; i < 99; ++i) elements.append("element e").append(std::to_string(i)).append(" 0\n");
@@ -197,14 +198,14 @@ TEST_CASE("what a header or a list announces costs nothing before it is there") 
     for (const char* count : {"1000000000", "18446744073709551615", "6148914691236517206"}) {
         CAPTURE(count);
         CHECK(fault_in("a.ply", changed("face 1", std::string("face ") + count)) ==
-              Says{std::string("the header announces ") + count + " of element 'face', and only "});
+              Says{std::string("the header announces ") + count + " of element 'face', but only "});
         CHECK(fault_in("a.ply", changed("vertex 3", std::string("vertex ") + count)) == Says{"the header announces "});
     }
     CHECK(fault_in("a.ply", changed("face 1", "face 10")) == Says{"the header announces 10 of element 'face'"});
     for (const std::string& format : formats) {
         std::string bytes = ply_of(triangle(), {.format = format});
         bytes.replace(bytes.find("uchar"), 5, "double");
-        CHECK(fault_in("a.ply", bytes) == Says{"a whole number's type"});
+        CHECK(fault_in("a.ply", bytes) == Says{"an integer type"});
         bytes.replace(bytes.find("double"), 6, "uint");
         bytes.resize(bytes.find("end_header\n") + 11);
         for (int i = 0; i < 9; ++i) {
@@ -214,7 +215,7 @@ TEST_CASE("what a header or a list announces costs nothing before it is there") 
         put_value(bytes, 1e9, "uint32", format);
         for (int i = 0; i < 3; ++i) put_value(bytes, i, "int", format);
         CHECK(fault_in("a.ply", bytes) ==
-              Says{"face 0 (counted from 0) has a list of 1000000000 entries, and there is room"});
+              Says{"face 0 (counted from 0) has a list of 1000000000 entries, but the rest of the file has room"});
     }
     CHECK(fault_in("a.ply", changed("3 0 1 2 \n", "3 0 1 2")) == "");  // nothing behind its last list
     CHECK(fault_in("a.ply", changed("3 0 1 2", "3.5 0 1 2")) == Says{"has a list of 3.5 entries"});
@@ -259,7 +260,7 @@ TEST_CASE("faces of very many corners take no more time than they must") {
     add(1001, "9", "9");
     CHECK(fault_in("a.obj", points + zigzag) == Says{"1001 corners and is not convex"});
     CHECK(fault_in("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3" + std::string(200000, ' ') +
-                                std::string(200000, '3')) == Says{"is no corner"});
+                                std::string(200000, '3')) == Says{"is not a corner"});
 }
 
 }  // namespace

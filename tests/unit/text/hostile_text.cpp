@@ -12,7 +12,7 @@ using namespace strahl::language;
 
 TEST_CASE("files that are not text") {
     CHECK(faults("// \xE4\n") == Faults{"x.rt:1:4: not UTF-8; save the file in that encoding"});
-    CHECK(faults(std::string("camera \0{", 9)) == Faults{"x.rt:1:8: a byte 0 in the text; is this a scene file?"});
+    CHECK(faults(std::string("camera \0{", 9)) == Faults{"x.rt:1:8: a byte 0 in the text; is this a text file?"});
     for (const char* const bytes : {"\xFF\xFE", "\x80", "\xC0\x80", "\xC3", "\xE0\x80\x80", "\xED\xA0\x80",
                                     "\xF4\x90\x80\x80", "\xF8\x88\x80\x80\x80", "\xE2\x82"})
         CHECK(faults(std::string("\n// ") + bytes).at(0).starts_with("x.rt:2:4: not UTF-8"));
@@ -49,10 +49,10 @@ TEST_CASE("files") {
     std::ofstream(path) << eye;
     CHECK(read_text(path.string()) == eye);
     CHECK_THROWS_WITH_AS(read_text(path.string(), 10),
-                         (path.string() + ": larger than 10 bytes; is this a scene file?").c_str(), FileError);
+                         ("'" + path.string() + "' is larger than 10 bytes; is it a scene file?").c_str(), FileError);
     std::filesystem::remove(path);
     CHECK_THROWS_WITH_AS(read_text(path.string()),
-                         (path.string() + ": can't be read: No such file or directory").c_str(), FileError);
-    CHECK_THROWS_WITH_AS(read_text("/"), "/: can't be read: Is a directory", FileError);
+                         ("cannot read '" + path.string() + "': No such file or directory").c_str(), FileError);
+    CHECK_THROWS_WITH_AS(read_text("/"), "cannot read '/': Is a directory", FileError);
     CHECK_THROWS_AS(read_text("/dev/zero", 1 << 22), FileError);
 }

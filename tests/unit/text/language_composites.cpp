@@ -74,26 +74,26 @@ TEST_CASE("parts start from the material of the composite around them, wherever 
 }
 
 TEST_CASE("composites that are not allowed") {
-    check_fault("union { }", "2:1: this union is none: it has no parts");
-    check_fault("union { " + ball + "\ndifference { } }", "3:1: this difference is none: it has no parts");
+    check_fault("union { }", "2:1: invalid union: it has no parts");
+    check_fault("union { " + ball + "\ndifference { } }", "3:1: invalid difference: it has no parts");
     check_fault("intersection { " + ball + "\ndisc { <0,0,0>, <0,0,1>, 1 } }",
-                "3:1: a disc can't be part of a body: only closed ones can");
+                "3:1: a disc cannot be part of a body: only closed bodies can");
     const std::string three =
         "triangle { <0,0,0>, <0,1,0>, <1,0,0> } triangle { <0,0,0>, <1,0,0>, <0,0,1> } "
         "triangle { <0,0,0>, <0,0,1>, <0,1,0> } ";
     check_fault("union { mesh { " + three + "} }",
-                "2:9: this mesh can't be part of a body: it is open between <0, 1, 0> and <1, 0, 0>");
+                "2:9: this mesh cannot be part of a body: it is open between <0, 1, 0> and <1, 0, 0>");
     CHECK(with_eye("union { mesh { " + three + "triangle { <1,0,0>, <0,1,0>, <0,0,1> } } }").primitives.size() == 1);
     check_fault("union { " + ball + "\ncylinder { <0,0,0>, <0,0,0>, 1 } }",
-                "3:1: this cylinder is none: base and cap are the same point");
+                "3:1: invalid cylinder: base and cap are the same point");
     std::string many;
     for (int i = 0; i < 1023; ++i) many += ball;
     CHECK(with_eye("union { " + many + ball + ball + "}").primitives.size() == 1);
     CHECK(with_eye("difference { " + many + ball + "}").primitives.size() == 1);
     check_fault("union { difference { " + many + ball + ball + "} }",
-                "2:1: this union can't be divided: 1025 of its bodies belong together, and at most 1024 may");
+                "2:1: invalid union: 1025 of its bodies are connected, and at most 1024 may be");
     check_fault("union { " + many + ball + ball + "material { refraction .5 } }",
-                "2:1: this union can't be divided: 1025 of its bodies belong together, and at most 1024 may");
+                "2:1: invalid union: 1025 of its bodies are connected, and at most 1024 may be");
     check_fault(
         "union { " + ball + "camera_ }",
         "2:31: unknown word 'camera_' in 'union'; known here: material, motion, rotate, translate, scale, sphere, "
@@ -104,22 +104,22 @@ TEST_CASE("composites that are not allowed") {
                 "3:1: '}' missing: the 'union' of line 2 is still open");
     check_fault("union {\nunion { " + ball, "3:1: '}' missing: this 'union' is never closed");
     check_fault("union { sphere { <0,0,zero>, 1 } }",
-                "2:23: a number expected for 'centre' of 'sphere', but here comes 'zero'");
-    check_fault("union <1>", "2:7: '{' expected after 'union', but here comes '<'");
+                "2:23: a number expected for 'centre' of 'sphere', but found 'zero'");
+    check_fault("union <1>", "2:7: '{' expected after 'union', but found '<'");
 }
 
 TEST_CASE("parts are checked where all transformations have taken them") {
     check_fault("union { sphere { <1e8,0,0>, 1 scale 1e8 } }",
-                "2:31: up to here the transformations of this sphere make it too large, too small or too far away "
+                "2:31: invalid sphere: the transformations up to here make it too large, too small or too far away "
                 "(coordinates go up to 1e9)");
     check_fault("union { union { sphere { <1e5,0,0>, 1 scale 1e3 } } scale 1e3 }",
-                "2:53: up to here the transformations of this union make it too large, too small or too far away "
+                "2:53: invalid union: the transformations up to here make it too large, too small or too far away "
                 "(coordinates go up to 1e9)");
     check_fault("union { sphere { <0,0,0>, 1 scale <1,1,1e-8> } scale <1,1,1e-8> }",
-                "2:48: up to here the transformations of this union flatten it: one side shrinks more than 1e12 times "
+                "2:48: invalid union: the transformations up to here flatten it: one side shrinks more than 1e12 times "
                 "as much as another");
     check_fault("union { sphere { <0,0,0>, 1 scale 1e-200 } scale 1e-200 }",
-                "2:44: up to here the transformations of this union scale it out of the range of numbers");
+                "2:44: invalid union: the transformations up to here scale it out of the range of numbers");
     CHECK(with_eye("union { sphere { <0,0,0>, 1 scale <1,1,1e-8> } scale <1,1,1e8> }").primitives.size() == 1);
     CHECK(with_eye("intersection { plane { <0,0,0>, <1,0,0>, <0,1,0> } scale 1e8 }").primitives.size() == 1);
 }

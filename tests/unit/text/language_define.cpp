@@ -48,23 +48,23 @@ TEST_CASE("a body by its name, moved further and of another material") {
 }
 
 TEST_CASE("mistakes with names") {
-    check_fault("define material { }", "2:17: 'material' or a body expected after 'material', but here comes '{'");
-    check_fault("define { }", "2:8: a name expected after 'define', but here comes '{'");
+    check_fault("define material { }", "2:17: 'material' or a body expected after 'material', but found '{'");
+    check_fault("define { }", "2:8: a name expected after 'define', but found '{'");
     check_fault("define light material { }", "2:8: 'light' is a word of the language; choose another name");
     check_fault(gold + "define gold sphere { <0,0,0>, 1 }", "3:8: a second 'gold'; the first is in line 2");
     check_fault("define x shpere { <0,0,0>, 1 }",
                 "2:10: unknown word 'shpere' after 'define x'; did you mean 'sphere'?");
     check_fault("sphere { <0,0,0>, 1 material gold }",
-                "2:30: no material is called 'gold': there is no 'define' of any before");
+                "2:30: unknown material 'gold': no material is defined above");
     check_fault(gold + "sphere { <0,0,0>, 1 material glod }",
                 "3:30: unknown word 'glod' for 'material'; did you mean 'gold'?");
     check_fault(ball + "bal { }", "3:1: unknown word 'bal'; did you mean 'ball'?");
-    check_fault(ball + "ball { <0,0,0> }", "3:8: a word or '}' expected in 'ball', but here comes '<'");
+    check_fault(ball + "ball { <0,0,0> }", "3:8: a word or '}' expected in 'ball', but found '<'");
     check_fault(ball + "ball { scale 1e300 }",
-                "3:8: up to here the transformations of this ball make it too large, too small or too far away "
+                "3:8: invalid ball: the transformations up to here make it too large, too small or too far away "
                 "(coordinates go up to 1e9)");
     check_fault("define thin disc { <0,0,0>, <0,0,1>, 1 }\nunion { thin { } }",
-                "3:9: a thin can't be part of a body: only closed ones can");
+                "3:9: a thin cannot be part of a body: only closed bodies can");
     // An error in a definition is reported once.
     check_fault("define ball sphere { <0,0,0>, -1 }\nball { } ball { scale 2 }",
                 "2:31: 'radius' of 'sphere' must be greater than 0 (at least 2.3e-308) and at most 1e9, not '-1'");

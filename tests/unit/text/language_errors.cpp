@@ -65,41 +65,41 @@ TEST_CASE("missing parameters") {
     check_fault("light { position <0,0,0> }", "2:1: 'light' lacks 'color'");
     check_fault("light { color <1,1,1> }", "2:1: 'light' lacks 'position' (or 'direction')");
     check_fault("background { }", "2:1: 'background' lacks 'color'");
-    check_fault("flythrough { }", "2:1: 'flythrough' lacks 'duration', keys: it takes 2 to make a path");
+    check_fault("flythrough { }", "2:1: 'flythrough' lacks 'duration', keys: a path needs at least 2");
     check_fault("flythrough { duration 1 key { } key { time 1 position <0,0,0> look_at <1,0,0> } }",
                 "2:25: 'key' lacks 'time' (or 'beat'), 'position', 'look_at'");
     check_fault("flythrough { duration 1 key { time 1 position <0,0,0> look_at <1,0,0> } }",
-                "2:1: 'flythrough' lacks keys: it takes 2 to make a path");
-    check_fault("sphere { }", "2:10: a vector <x, y, z> expected for 'centre' of 'sphere', but here comes '}'");
-    check_fault("sphere { <0,0,0> }", "2:18: a number expected for 'radius' of 'sphere', but here comes '}'");
+                "2:1: 'flythrough' lacks keys: a path needs at least 2");
+    check_fault("sphere { }", "2:10: a vector <x, y, z> expected for 'centre' of 'sphere', but found '}'");
+    check_fault("sphere { <0,0,0> }", "2:18: a number expected for 'radius' of 'sphere', but found '}'");
     check_fault("plane { <0,0,0>, <1,0,0> }",
-                "2:26: a vector <x, y, z> expected for 'third point' of 'plane', but here comes '}'");
+                "2:26: a vector <x, y, z> expected for 'third point' of 'plane', but found '}'");
     check_fault("sphere { <0,0,0>, 1 material { pow } }",
-                "2:36: a number expected for 'pow' of 'material', but here comes '}'");
+                "2:36: a number expected for 'pow' of 'material', but found '}'");
     check_fault("light { position 5 color <1,1,1> }",
-                "2:18: a vector <x, y, z> expected for 'position' of 'light', but here comes '5'");
+                "2:18: a vector <x, y, z> expected for 'position' of 'light', but found '5'");
 }
 
 TEST_CASE("syntax errors") {
-    check_fault("sphere <0,0,0>, 1", "2:8: '{' expected after 'sphere', but here comes '<'");
+    check_fault("sphere <0,0,0>, 1", "2:8: '{' expected after 'sphere', but found '<'");
     check_fault("sphere { <0 0,0>, 1 }",
-                "2:13: ',' expected between the three numbers of a vector, but here comes '0'");
-    check_fault("sphere { <0,0>, 1 }", "2:14: ',' expected between the three numbers of a vector, but here comes '>'");
+                "2:13: ',' expected between the three numbers of a vector, but found '0'");
+    check_fault("sphere { <0,0>, 1 }", "2:14: ',' expected between the three numbers of a vector, but found '>'");
     check_fault("sphere { <0,0,0,0>, 1 }",
-                "2:16: '>' expected after the three numbers of a vector, but here comes ','");
-    check_fault("sphere { <0,0,inf>, 1 }", "2:15: a number expected for 'centre' of 'sphere', but here comes 'inf'");
-    check_fault("sphere { <0,0,-nan>, 1 }", "2:15: a number expected for 'centre' of 'sphere', but here comes '-nan'");
-    check_fault("sphere { <0,0,0>, --1 }", "2:19: a number expected for 'radius' of 'sphere', but here comes '-'");
+                "2:16: '>' expected after the three numbers of a vector, but found ','");
+    check_fault("sphere { <0,0,inf>, 1 }", "2:15: a number expected for 'centre' of 'sphere', but found 'inf'");
+    check_fault("sphere { <0,0,-nan>, 1 }", "2:15: a number expected for 'centre' of 'sphere', but found '-nan'");
+    check_fault("sphere { <0,0,0>, --1 }", "2:19: a number expected for 'radius' of 'sphere', but found '-'");
     check_fault("sphere { <0,0,0>, 1.2.3 }", "2:19: '1.2.3' is not a number");
     check_fault("sphere { <0,0,0>, 1e }", "2:19: '1e' is not a number");
     check_fault("sphere { <0,0,0>, 0x10 }", "2:19: '0x10' is not a number");
     check_fault("sphere { <0,0,0>, 1e999 }",
-                "2:19: '1e999' is outside of what a number can hold (4.9e-324 to 1.8e308)");
+                "2:19: '1e999' is out of the range of numbers (4.9e-324 to 1.8e308)");
     check_fault("sphere { <0,0,0>, 1e-999 }",
-                "2:19: '1e-999' is outside of what a number can hold (4.9e-324 to 1.8e308)");
-    check_fault("sphere { <0,0,0>, 1, }", "2:20: a word or '}' expected in 'sphere', but here comes ','");
-    check_fault("sphere { <0,0,0>, 1 } }", "2:23: a block expected, such as 'sphere { ... }', but here comes '}'");
-    check_fault("<1,2,3>", "2:1: a block expected, such as 'sphere { ... }', but here comes '<'");
+                "2:19: '1e-999' is out of the range of numbers (4.9e-324 to 1.8e308)");
+    check_fault("sphere { <0,0,0>, 1, }", "2:20: a word or '}' expected in 'sphere', but found ','");
+    check_fault("sphere { <0,0,0>, 1 } }", "2:23: a block expected, such as 'sphere { ... }', but found '}'");
+    check_fault("<1,2,3>", "2:1: a block expected, such as 'sphere { ... }', but found '<'");
     check_fault("sphere { <0,0,0>, 1", "2:1: '}' missing: this 'sphere' is never closed");
     check_fault("sphere { <0,0,0>, 1 material { pow 1 }", "2:1: '}' missing: this 'sphere' is never closed");
     check_fault("sphere { <0,0,0>, 1 material { pow 1", "2:21: '}' missing: this 'material' is never closed");
@@ -109,8 +109,8 @@ TEST_CASE("syntax errors") {
                 "3:1: '}' missing: the 'material' of line 2 is still open");
     check_fault("sphere { <0,0,0>,", "2:18: a number expected for 'radius' of 'sphere', but the text ends");
     check_fault("/* sphere", "2:1: this comment is never closed: '*/' missing");
-    check_fault("/", "2:1: a block expected, such as 'sphere { ... }', but here comes '/'");
-    check_fault("\xC3\xA4 { }", "2:1: a block expected, such as 'sphere { ... }', but here comes '\xC3\xA4'");
+    check_fault("/", "2:1: a block expected, such as 'sphere { ... }', but found '/'");
+    check_fault("\xC3\xA4 { }", "2:1: a block expected, such as 'sphere { ... }', but found '\xC3\xA4'");
     check_fault("sphere", "2:7: '{' expected after 'sphere', but the text ends");
 }
 
@@ -132,8 +132,8 @@ TEST_CASE("repeated words") {
         "<0,0,0> look_at <1,0,0> } }",
         "2:19: a second 'loop'; the first is in line 2");
     CHECK(faults("camera { position <0,0,0> look_at <0,1,0> sky <0,0,1> fov 1\nup <0,0,-1> angle 2 }") ==
-          Faults{"x.rt:2:1: 'up' says again what 'sky' in line 1 says; only one of them may stand",
-                 "x.rt:2:13: 'angle' says again what 'fov' in line 1 says; only one of them may stand"});
+          Faults{"x.rt:2:1: 'up' repeats 'sky' of line 1; give only one of them",
+                 "x.rt:2:13: 'angle' repeats 'fov' of line 1; give only one of them"});
 }
 
 TEST_CASE("several errors are reported at once, each once, in the order of the text") {
@@ -147,10 +147,10 @@ TEST_CASE("several errors are reported at once, each once, in the order of the t
                  "x.rt:1:27: unknown word 'lok_at' in 'camera'; did you mean 'look_at'?",
                  "x.rt:2:1: unknown word 'shpere'; did you mean 'sphere'?",
                  "x.rt:3:1: unknown word 'palne'; did you mean 'plane'?",
-                 "x.rt:4:15: a number expected for 'centre' of 'sphere', but here comes 'zero'",
-                 "x.rt:4:43: ',' expected between the three numbers of a vector, but here comes '>'",
+                 "x.rt:4:15: a number expected for 'centre' of 'sphere', but found 'zero'",
+                 "x.rt:4:43: ',' expected between the three numbers of a vector, but found '>'",
                  "x.rt:4:53: 'diffuse' of 'material' must be from 0 to 1e9, not '-1'",
-                 "x.rt:4:68: a vector <x, y, z> expected for 'translate' of 'sphere', but here comes '}'",
+                 "x.rt:4:68: a vector <x, y, z> expected for 'translate' of 'sphere', but found '}'",
                  "x.rt:6:1: 'light' lacks 'position' (or 'direction'), 'color'"});
     std::string many;
     for (int i = 0; i < 20; ++i) many += "light { }\n";

@@ -30,15 +30,15 @@ TEST_CASE("rectangles and grids") {
     CHECK(grid == Light{{1, 2, 3}, Color(1), {}, {}, Area{{2, 0, 0}, {0, 0, 1}, 3, 1}});
     CHECK(points_of(std::vector{grid}) ==
           std::vector<Light>{{{0, 2, 3}, Color(1. / 3)}, {{1, 2, 3}, Color(1. / 3)}, {{2, 2, 3}, Color(1. / 3)}});
-    check_light("position <1,2,3> edges <2,0,0>, <1,1,0>", "3:18", "the edges of this light are not perpendicular");
-    check_light("position <1,2,3> edges <2,0,0>, <0,0,0>", "3:18", "an edge of this light has no length");
+    check_light("position <1,2,3> edges <2,0,0>, <1,1,0>", "3:18", "invalid edges: they are not perpendicular");
+    check_light("position <1,2,3> edges <2,0,0>, <0,0,0>", "3:18", "invalid edges: one has no length");
     check_light("position <1,2,3> grid 2, 2", "3:18", "a grid of points needs 'edges'");
     check_light("position <1,2,3> edges <2,0,0>, <0,1,0> grid 65, 2", "3:46",
                 "'grid' of 'light' must be a whole number from 1 to 64, not '65'");
     check_light("direction <0,0,1> edges <2,0,0>, <0,1,0>", "3:19",
-                "parallel light has no place for a rectangle; give it a 'position'");
+                "parallel light cannot be a rectangle; give it a 'position'");
     check_light("position <1,2,3> edges <2,0,0>, <0,1,0> spot { look_at <0,0,0> }", "3:41",
-                "a spot is a point; a light with 'edges' shines in all directions");
+                "a light with 'edges' cannot have a spot: it shines in all directions");
 }
 
 TEST_CASE("fog") {
@@ -54,15 +54,15 @@ TEST_CASE("fog") {
 TEST_CASE("mistakes in lights") {
     check_fault("light { color <1,1,1> }", "2:1: 'light' lacks 'position' (or 'direction')");
     check_light("position <1,2,3> direction <0,0,1>", "3:18",
-                "'direction' says again what 'position' in line 3 says; only one of them may stand");
-    check_light("direction <0,0,0>", "3:1", "this 'direction' of 'light' has no direction");
+                "'direction' repeats 'position' of line 3; give only one of them");
+    check_light("direction <0,0,0>", "3:1", "invalid light: its 'direction' is 0");
     check_light("direction <0,0,1> spot { look_at <0,0,0> }", "3:19",
-                "parallel light has no place from which a spot could shine; give it a 'position'");
+                "parallel light cannot have a spot; give it a 'position'");
     check_light("position <1,2,3> spot { look_at <1,2,3> }", "3:18",
-                "this spot shines nowhere: 'look_at' is the light's own position");
+                "invalid spot: 'look_at' is the light's own position");
     check_light("position <1,2,3> spot { }", "3:18", "'spot' lacks 'look_at'");
     check_light("position <1,2,3> spot { look_at <0,0,0> falloff 20 }", "3:18",
-                "the falloff of this spot, 20, is below its radius, 30");
+                "invalid spot: its falloff, 20, is below its radius, 30");
     check_light("position <1,2,3> spot { look_at <0,0,0> falloff 91 }", "3:49",
                 "'falloff' of 'spot' must be from 0 to 90 degrees, not '91'");
     check_light("position <1,2,3> spot { look_at <0,0,0> } spot { look_at <0,0,0> }", "3:43",

@@ -72,7 +72,7 @@ TEST_CASE("images, and what can be wrong with them") {
     check("image { \"wood.png\" once <1,1,-1> }", "'once' of 'image' must be from 0 to 1e9, not '-1'");
     check("image { \"wood.png\" colors { 0 <1,1,1> } }",
           "unknown word 'colors' in 'image'; known here: map, once, rotate");
-    check_fault(sphere("image { \"wood.png\" }"), "2:45: cannot read 'wood.png': no pictures are read here");
+    check_fault(sphere("image { \"wood.png\" }"), "2:45: cannot read 'wood.png': pictures are not read here");
 }
 
 TEST_CASE("images by uv") {
@@ -98,16 +98,16 @@ TEST_CASE("images by uv") {
         CHECK_THROWS_WITH_AS(scene(text), doctest::Contains(said.c_str()), FileError);
     };
     fault("sphere { <0,0,0>, 1 " + uv + " }",
-          "2:1: this sphere can't be covered: its pattern is mapped by uv, which only meshes have\n");
+          "2:1: invalid sphere: its pattern is mapped by uv, which only meshes have\n");
     fault("define m material { rgb image { \"a\" map uv } }\nunion { sphere { <0,0,0>, 1 } material m }",
-          "3:1: this union can't be covered: its pattern is mapped by uv, which only meshes have\n");
+          "3:1: invalid union: its pattern is mapped by uv, which only meshes have\n");
     fault("mesh { " + first + " } " + uv + " }",
-          "2:1: this mesh can't be covered: its pattern is mapped by uv, and no triangle has 'uv_vectors'\n");
-    fault("background { color image { \"a\" map uv } }", "2:1: this background can't be covered");
+          "2:1: invalid mesh: its pattern is mapped by uv, and no triangle has 'uv_vectors'\n");
+    fault("background { color image { \"a\" map uv } }", "2:1: invalid background");
     fault(first + " uv_vectors <0,0>, <1,0>, <0,1> }", "unknown word 'uv_vectors' in 'triangle'");
     fault("mesh { " + first + " uv_vectors <0,0>, <1,0,0>, <0,1> } }", "2:67: '>' expected after the two numbers");
     fault("mesh { " + first + " uv_vectors <0,0> <1,1> } }",
-          "two numbers <u, v> expected for 'uv_vectors' of 'triangle', but here comes '}'");
+          "two numbers <u, v> expected for 'uv_vectors' of 'triangle', but found '}'");
     fault("mesh { " + first + " uv_vectors <0,0> <1,1> <0,1> uv_vectors <0,0> <1,1> <0,1> } }",
           "a second 'uv_vectors'");
 }
@@ -138,13 +138,13 @@ TEST_CASE("bumps, and what can be wrong with them") {
     check("nois { height 1 }", "3:1", "unknown word 'nois' for 'bump' of 'material'; did you mean 'noise'?");
     check("checker { height 1 }", "3:1",
           "unknown word 'checker' for 'bump' of 'material'; known here: gradient, noise, marble, wood, image, none");
-    check("<1,1,1>", "3:1", "a pattern or 'none' expected for 'bump' of 'material', but here comes '<'");
+    check("<1,1,1>", "3:1", "a pattern or 'none' expected for 'bump' of 'material', but found '<'");
     check("noise { height 1 height 1 }", "3:18", "a second 'height'; the first is in line 3");
     check("noise { height -1 }", "3:16", "'height' of 'noise' must be from 0 to 1e9, not '-1'");
     check(
         "noise { height 1 colors { 0 <1,1,1> } }", "3:18",
         "unknown word 'colors' in 'noise'; known here: octaves, omega, lambda, height, map, rotate, translate, scale");
-    check("gradient { height 1 axis <0,0,0> }", "3:1", "this gradient is none: its axis has no direction");
+    check("gradient { height 1 axis <0,0,0> }", "3:1", "invalid gradient: its axis has no direction");
     check("noise { height 1 scale 0 }", "3:24",
           "'scale' of 'noise' is 0, which would leave nothing of it; 1 changes nothing");
 }
@@ -172,7 +172,7 @@ TEST_CASE("bumps by images") {
     fault("\"steel.png\" height 1", "2:46: no 'steel.png'\n");
     fault("\"relief.png\"", "'image' lacks 'height'");
     fault("height 1", "the name of a picture");
-    fault("\"relief.png\" height 1 map uv", "2:1: this sphere can't be covered: its pattern is mapped by uv");
+    fault("\"relief.png\" height 1 map uv", "2:1: invalid sphere: its pattern is mapped by uv");
 }
 
 TEST_CASE("normal maps, and what can be wrong with them") {
@@ -201,10 +201,10 @@ TEST_CASE("normal maps, and what can be wrong with them") {
     };
     fault("normal noise { height 1 }",
           "2:39: unknown word 'noise' for 'normal' of 'material'; known here: image, none");
-    fault("normal <0,0,1>", "2:39: a pattern or 'none' expected for 'normal' of 'material', but here comes '<'");
+    fault("normal <0,0,1>", "2:39: a pattern or 'none' expected for 'normal' of 'material', but found '<'");
     fault("normal image { \"steel.png\" }", "2:48: no 'steel.png'");
     fault("normal image { \"normals.png\" height -1 }", "'height' of 'image' must be from 0 to 1e9, not '-1'");
-    fault("normal image { \"normals.png\" map uv }", "2:1: this sphere can't be covered: its pattern is mapped by uv");
+    fault("normal image { \"normals.png\" map uv }", "2:1: invalid sphere: its pattern is mapped by uv");
     fault("normal image { \"normals.png\" } normal none", "a second 'normal'");
 }
 
@@ -224,7 +224,7 @@ TEST_CASE("every pattern can be mapped by uv, which only meshes have") {
         CHECK(own.materials[0].by_uv());
         CHECK(parse_scene(write_scene(own), "x.rt", {}, any) == own);
         CHECK_THROWS_WITH_AS(scene(material, ""),
-                             doctest::Contains("2:1: this mesh can't be covered: its pattern is mapped by "
+                             doctest::Contains("2:1: invalid mesh: its pattern is mapped by "
                                                "uv, and no triangle has 'uv_vectors'"),
                              FileError);
     }
@@ -246,24 +246,24 @@ TEST_CASE("a material block changes a colour to a pattern and back") {
 TEST_CASE("mistakes in patterns") {
     check_pattern("cheker { <1,1,1>, <0,0,0> }", "3:1",
                   "unknown word 'cheker' for 'rgb' of 'material'; did you mean 'checker'?");
-    check_pattern("checker <1,1,1>", "3:9", "'{' expected after 'checker', but here comes '<'");
-    check_pattern("5", "3:1", "a vector <x, y, z> or a pattern expected for 'rgb' of 'material', but here comes '5'");
+    check_pattern("checker <1,1,1>", "3:9", "'{' expected after 'checker', but found '<'");
+    check_pattern("5", "3:1", "a vector <x, y, z> or a pattern expected for 'rgb' of 'material', but found '5'");
     check_pattern("checker { <1,1,1> }", "3:19",
-                  "a vector <x, y, z> expected for 'second colour' of 'checker', but here comes '}'");
+                  "a vector <x, y, z> expected for 'second colour' of 'checker', but found '}'");
     check_pattern("checker { <1,1,1>, <0,-1,0> }", "3:23",
                   "'second colour' of 'checker' must be from 0 to 1e9, not '-1'");
     check_pattern("checker { <1,1,1>, <0,0,0> colors { 0 <1,1,1> } }", "3:28",
                   "unknown word 'colors' in 'checker'; known here: map, rotate, translate, scale");
     check_pattern("marble { }", "3:1", "'marble' lacks 'colors'");
-    check_pattern("marble { colors { } }", "3:10", "'colors' without a colour; a stop is, for instance, '0 <1, 1, 1>'");
+    check_pattern("marble { colors { } }", "3:10", "'colors' has no stops; a stop is, for example, '0 <1, 1, 1>'");
     check_pattern("marble { colors { 0 <1,1,1> .5 <0,0,0> .4 <1,1,1> } }", "3:40",
-                  "stops must rise: the one before is at 0.5");
+                  "stops must not fall: the one before is at 0.5");
     check_pattern("marble { colors { 0 <1,1,1> 1.5 <0,0,0> } }", "3:29",
                   "'stop' of 'colors' must be from 0 to 1, not '1.5'");
     check_pattern("marble { colors { 0 <1,1,1> <0,0,0> } }", "3:29",
-                  "a number expected for 'stop' of 'colors', but here comes '<'");
+                  "a number expected for 'stop' of 'colors', but found '<'");
     check_pattern("marble { colors { 0 <1,1,1> 1 } }", "3:31",
-                  "a vector <x, y, z> expected for 'colour' of 'colors', but here comes '}'");
+                  "a vector <x, y, z> expected for 'colour' of 'colors', but found '}'");
     check_pattern("marble { colors { 0 <1,1,1> } colors { 0 <1,1,1> } }", "3:31",
                   "a second 'colors'; the first is in line 3");
     check_pattern("marble { octaves 2.5 colors { 0 <1,1,1> } }", "3:18",
@@ -271,18 +271,18 @@ TEST_CASE("mistakes in patterns") {
     check_pattern("wood { turbulance 1 colors { 0 <1,1,1> } }", "3:8",
                   "unknown word 'turbulance' in 'wood'; did you mean 'turbulence'?");
     check_pattern("gradient { axis <0,0,0> colors { 0 <1,1,1> } }", "3:1",
-                  "this gradient is none: its axis has no direction");
+                  "invalid gradient: its axis has no direction");
     check_pattern("noise { colors { 0 <1,1,1> } scale 0 }", "3:36",
                   "'scale' of 'noise' is 0, which would leave nothing of it; 1 changes nothing");
     check_pattern("noise { colors { 0 <1,1,1> } translate <1e9,0,0> scale 2 }", "3:50",
-                  "up to here the transformations of this noise make it too large, too small or too far away "
+                  "invalid noise: the transformations up to here make it too large, too small or too far away "
                   "(coordinates go up to 1e9)");
     check_pattern("noise { colors { 0 <1,1,1> } scale <1,1,1e-13> }", "3:30",
-                  "up to here the transformations of this noise flatten it: one side shrinks more than 1e12 times as "
+                  "invalid noise: the transformations up to here flatten it: one side shrinks more than 1e12 times as "
                   "much as another");
     std::string many = "noise { colors {";
     for (int i = 0; i < 257; ++i) many += " 0 <1,1,1>";
     check_pattern(many + " } }", "3:2578", "more than 256 stops");
     check_fault("light { position <0,0,0> color checker { <1,1,1>, <0,0,0> } }",
-                "2:32: a vector <x, y, z> expected for 'color' of 'light', but here comes 'checker'");
+                "2:32: a vector <x, y, z> expected for 'color' of 'light', but found 'checker'");
 }

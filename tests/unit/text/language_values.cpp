@@ -64,40 +64,40 @@ TEST_CASE("directions are turned and stretched with their bodies, and not moved"
 }
 
 TEST_CASE("invalid bodies and cameras") {
-    check_fault("plane { <0,0,0>, <1,1,1>, <3,3,3> }", "2:1: this plane is none: the three points lie on one line");
-    check_fault("cylinder { <1,2,3>, <1,2,3>, 1 }", "2:1: this cylinder is none: base and cap are the same point");
-    check_fault("torus { <0,0,0>, <0,0,0>, 1, .1 }", "2:1: this torus is none: its axis has no direction");
+    check_fault("plane { <0,0,0>, <1,1,1>, <3,3,3> }", "2:1: invalid plane: the three points lie on one line");
+    check_fault("cylinder { <1,2,3>, <1,2,3>, 1 }", "2:1: invalid cylinder: base and cap are the same point");
+    check_fault("torus { <0,0,0>, <0,0,0>, 1, .1 }", "2:1: invalid torus: its axis has no direction");
     check_fault("torus { <0,0,0>, <0,0,1>, 1e-3, 1.1 }",
-                "2:1: this torus is none: its major radius is less than a thousandth of its minor one");
-    check_fault("disc { <0,0,0>, <0,0,0>, 1 }", "2:1: this disc is none: its normal has no direction");
-    check_fault("disc { <0,0,0>, <0,0,1>, 1, 1 }", "2:1: this disc is none: the hole is as large as the disc");
+                "2:1: invalid torus: its major radius is less than a thousandth of its minor one");
+    check_fault("disc { <0,0,0>, <0,0,0>, 1 }", "2:1: invalid disc: its normal has no direction");
+    check_fault("disc { <0,0,0>, <0,0,1>, 1, 1 }", "2:1: invalid disc: the hole is as large as the disc");
     check_fault("disc { <0,0,0>, <0,0,1>, 1, material { } }",
-                "2:29: a number expected for 'hole's radius' of 'disc', but here comes 'material'");
+                "2:29: a number expected for 'hole's radius' of 'disc', but found 'material'");
     check_fault("sphere { <0,0,0>, 1 scale 0 }",
                 "2:27: 'scale' of 'sphere' is 0, which would leave nothing of it; 1 changes nothing");
     check_fault("sphere { <0,0,0>, 1 scale <1,0,1> }",
                 "2:27: 'scale' of 'sphere' is 0, which would leave nothing of it; 1 changes nothing");
     check_fault("sphere { <0,0,0>, 1 scale 1e200 scale 1e200 }",
-                "2:33: up to here the transformations of this sphere scale it out of the range of numbers");
+                "2:33: invalid sphere: the transformations up to here scale it out of the range of numbers");
     check_fault("sphere { <0,0,0>, 1 scale 1e-200 scale 1e-200 }",
-                "2:34: up to here the transformations of this sphere scale it out of the range of numbers");
+                "2:34: invalid sphere: the transformations up to here scale it out of the range of numbers");
     check_fault("sphere { <0,0,0>, 1 scale <1,1,1e-13> }",
-                "2:21: up to here the transformations of this sphere flatten it: one side shrinks more than 1e12 times "
+                "2:21: invalid sphere: the transformations up to here flatten it: one side shrinks more than 1e12 times "
                 "as much as another");
     check_fault("sphere { <1e7,0,0>, 1 scale 1e3 }",
-                "2:23: up to here the transformations of this sphere make it too large, too small or too far away "
+                "2:23: invalid sphere: the transformations up to here make it too large, too small or too far away "
                 "(coordinates go up to 1e9)");
     check_fault("sphere { <0,0,0>, 1e7 scale 1e3 }",
-                "2:23: up to here the transformations of this sphere make it too large, too small or too far away "
+                "2:23: invalid sphere: the transformations up to here make it too large, too small or too far away "
                 "(coordinates go up to 1e9)");
     check_fault(
         "cylinder { <0,0,0>, <0,0,1>, 1 scale 1e-30 translate <1,1,1> }",
-        "2:44: up to here the transformations of this cylinder leave nothing of it: base and cap are the same point");
+        "2:44: invalid cylinder: the transformations up to here leave nothing of it: base and cap are the same point");
     CHECK(with_eye("sphere { <0,0,0>, 1 scale 1e-200 scale 1e200 scale <1e6,1,1> }").primitives.size() == 1);
     CHECK(faults("camera { position <1,2,3> look_at <1,2,3> up <0,0,-1> fov 1 }") ==
-          Faults{"x.rt:1:1: this camera sees nothing: position and look_at are the same point"});
+          Faults{"x.rt:1:1: invalid camera: position and look_at are the same point"});
     CHECK(faults("camera { position <1,2,3> look_at <1,2,0> up <0,0,-1> fov 1 }") ==
-          Faults{"x.rt:1:1: this camera sees nothing: up is parallel to the direction from position to look_at"});
+          Faults{"x.rt:1:1: invalid camera: up is parallel to the direction from position to look_at"});
 }
 
 TEST_CASE("invalid flythroughs") {
@@ -107,13 +107,13 @@ TEST_CASE("invalid flythroughs") {
     };
     CHECK(with_eye(path("duration 2", "0", "2")).flythrough->keys.size() == 2);
     check_fault(path("duration 2", "1", "1"),
-                "4:40: times must rise: the key before, in line 3, is not earlier than this one");
-    check_fault(path("duration 2", "0", "2.5"), "4:40: this is after the end, which 'duration' in line 2 sets");
+                "4:40: times must increase: the key before, in line 3, is not earlier than this one");
+    check_fault(path("duration 2", "0", "2.5"), "4:40: this is after the end, set by 'duration' in line 2");
     check_fault(path("duration 0", "0", "1"),
                 "2:23: 'duration' of 'flythrough' must be greater than 0 (at least 2.3e-308) and at most 1e9, not '0'");
     check_fault(path("duration 2", "-1", "1"), "3:45: 'time' of 'key' must be from 0 to 1e9, not '-1'");
     check_fault(path("loop duration 2", "0", "2"),
-                "4:40: at this time the loop is at its first key again: make this key the same as that in line 3, or "
+                "4:40: at this time the loop is back at its first key: make this key equal to that in line 3, or "
                 "'duration' longer");
     check_fault(path("duration 2", "0 tmie 3", "0"), "3:47: unknown word 'tmie' in 'key'; did you mean 'time'?");
     check_fault("key { time 1 }", "2:1: " + unknown("key"));
@@ -121,6 +121,6 @@ TEST_CASE("invalid flythroughs") {
         faults(eye + "flythrough { duration 2 key { time 0 position <0,0,0> look_at <0,0,0> }\nkey { time 1 position "
                      "<0,0,0> look_at <0,0,1> } }") ==
         Faults{
-            "x.rt:2:25: the camera sees nothing at this key: position and look_at are the same point",
-            "x.rt:3:1: the camera sees nothing at this key: up is parallel to the direction from position to look_at"});
+            "x.rt:2:25: invalid camera at this key: position and look_at are the same point",
+            "x.rt:3:1: invalid camera at this key: up is parallel to the direction from position to look_at"});
 }

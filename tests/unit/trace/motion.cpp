@@ -244,19 +244,19 @@ TEST_CASE("mistakes in motions") {
         check_fault("sphere { <0,0,0>, 1\nmotion { " + keys + " } }", fault);
         check_fault("light { position <1,2,3> color <1,1,1>\nmotion { " + keys + " } }", fault);
     };
-    const std::string too_few = "3:1: 'motion' lacks keys: it takes 2 to move";
+    const std::string too_few = "3:1: 'motion' lacks keys: a motion needs at least 2";
     check_motion("", too_few);
     check_motion("key { time 1 }", too_few);
     check_motion("key { time 1 } key { translate <1,2,3> }", "3:25: 'key' lacks 'time' (or 'beat')");
     check_motion("key { time 1 }\nkey { time 1 }",
-                 "4:7: times must rise: the key before, in line 3, is not earlier than this one");
+                 "4:7: times must increase: the key before, in line 3, is not earlier than this one");
     check_motion("key { time -1 } key { time 2 }", "3:21: 'time' of 'key' must be from 0 to 1e9, not '-1'");
     check_motion("key { time 0 scale 0 } key { time 2 }",
                  "3:29: 'scale' of 'key' is 0, which would leave nothing of it; 1 changes nothing");
     check_motion("key { time 0 scale <1,1,-1> }\nkey { time 2 scale <1,2,3> }",
-                 "4:14: on the way to this key 'scale' would be 0: its sign must be that in the key before, in line 3");
+                 "4:14: 'scale' would pass 0 on the way to this key: give it the sign of the key before, in line 3");
     check_motion("key { time 0 scale -1 }\nkey { time 2 }",
-                 "4:1: on the way to this key 'scale' would be 0: its sign must be that in the key before, in line 3");
+                 "4:1: 'scale' would pass 0 on the way to this key: give it the sign of the key before, in line 3");
     check_motion("key { time 0 position <0,0,0> } key { time 1 }",
                  "3:23: unknown word 'position' in 'key'; known here: time, beat, scale, rotate, translate");
     check_motion("key { time 0 time 1 } key { time 2 }", "3:23: a second 'time'; the first is in line 3");
@@ -267,11 +267,11 @@ TEST_CASE("mistakes in motions") {
         "3:1: a second 'motion'; the first is in line 2");
     check_fault(
         "sphere { <0,0,0>, 1 motion { key { time 0 } key { time 1 scale 1e300 } } }",
-        "2:21: up to here the transformations of this sphere at 1 s make it too large, too small or too far away "
+        "2:21: invalid sphere: the transformations up to here at 1 s make it too large, too small or too far away "
         "(coordinates go up to 1e9)");
     check_fault(
         "light { position <1,2,3> color <1,1,1> motion { key { time 0 } key { time 2 scale <1,1,1e-13> } } }",
-        "2:40: at 2 s this motion of a light would flatten it: one side shrinks more than 1e12 times as much as "
+        "2:40: invalid light: at 2 s its transformations flatten it: one side shrinks more than 1e12 times as much as "
         "another");
     for (const std::string block :
          {"camera { position <0,0,0> ", "defaultmaterial { ", "background { ", "sphere { <0,0,0>, 1 material { "})

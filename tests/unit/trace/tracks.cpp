@@ -176,16 +176,16 @@ TEST_CASE("a scene lasts until the last key of the tracks that it follows") {
 TEST_CASE("mistakes in what follows tracks") {
     check_fault(
         "sphere { <0,0,0>, track \"x\" 1 }",
-        "2:19: 'radius' of 'sphere' can't follow a track; numbers of lights, materials, the camera, the fog, of "
+        "2:19: 'radius' of 'sphere' cannot follow a track; numbers of lights, materials, the camera, the fog, of "
         "the background's colour and of the transformations of bodies can");
     check_fault(
         "fog { distance track \"x\" color <0,0,0> }",
-        "2:16: 'distance' of 'fog' can't be 0: say what it is while the track has no keys, as in 'track \"x\" 1'");
+        "2:16: 'distance' of 'fog' cannot be 0: give its value for a track without keys, as in 'track \"x\" 1'");
     check_fault("light { position <0,0,9> color <1,1,trakc \"x\"> }",
                 "2:37: unknown word 'trakc' before a name in quotes; did you mean 'track'?");
     check_fault("light { position <0,0,9> color <1,1,track x> }",
-                "2:43: the name of a track in quotes expected, but here comes 'x'");
-    check_fault("light { position <0,0,9> color <1,1,track \"\"> }", "2:37: a track without a name");
+                "2:43: the name of a track in quotes expected, but found 'x'");
+    check_fault("light { position <0,0,9> color <1,1,track \"\"> }", "2:37: this track has no name");
     check_fault("light { position <0,0,9> color <1,1,track \"x\" -1> }",
                 "2:47: 'color' of 'light' must be from 0 to 1e9, not '-1'");
     check_fault("music { rows 1.5 }", "2:14: 'rows' of 'music' must be a whole number from 1 to 256, not '1.5'");
@@ -193,8 +193,8 @@ TEST_CASE("mistakes in what follows tracks") {
     check_fault("music { }\nmusic { }", "3:1: a second 'music'; the first is in line 2");
     check_fault(
         "sphere { <0,0,0>, 1 material { rgb checker { <1,1,1>, <track \"x\",0,0> } } }",
-        "2:56: 'second colour' of 'checker' can't follow a track; numbers of lights, materials, the camera, the "
-        "fog, of the background's colour and of the transformations of bodies can");
+        "2:56: 'second colour' of 'checker' cannot follow a track; numbers of lights, materials, the camera, the "
+        "fog, the background's colour and the transformations of bodies can");
 }
 
 TEST_CASE("keys can stand at beats of the music") {
@@ -208,13 +208,13 @@ TEST_CASE("keys can stand at beats of the music") {
     CHECK(scene("beat 3", "beat 4.5") == scene("time 2", "time 3"));
     const std::string keys = "} key { time 9 scale 2 } } }";
     check_fault("sphere { <0,0,0>, 1 motion { key { beat 1 " + keys,
-                "2:36: how long a beat is must be said above: 'music { bpm 120 }'");
+                "2:36: the length of a beat is unknown: put 'music { bpm 120 }' above");
     check_fault(music + "sphere { <0,0,0>, 1 motion { key { beat 1 time 2 " + keys,
-                "3:43: 'time' says again what 'beat' in line 3 says; only one of them may stand");
+                "3:43: 'time' repeats 'beat' of line 3; give only one of them");
     check_fault(music + "sphere { <0,0,0>, 1 motion { key { beat 15 " + keys.substr(0, 8) + "beat 3 scale 2 } } }",
-                "3:52: times must rise: the key before, in line 3, is not earlier than this one");
+                "3:52: times must increase: the key before, in line 3, is not earlier than this one");
     check_fault("music { bpm 1e-9 }\nsphere { <0,0,0>, 1 motion { key { beat 1e9 " + keys,
-                "3:36: this beat is after more than 1e9 seconds");
+                "3:36: this beat is later than 1e9 seconds");
     check_fault("sphere { <0,0,0>, 1 motion { key { " + keys, "2:30: 'key' lacks 'time' (or 'beat')");
 }
 
@@ -267,8 +267,8 @@ TEST_CASE("mistakes in a file of tracks") {
     check_tracks("track \"x\" { 0 1 step", {"x.tracks:1:1: '}' missing: this 'track' is never closed"});
     check_tracks("track \"x\" { 0 1 smoth  2 1  4 2 ramp }",
                  {"x.tracks:1:17: unknown word 'smoth' after a key; did you mean 'smooth'?",
-                  "x.tracks:1:24: this key lacks 'step', 'linear', 'smooth' or 'ramp', the way to the next one"});
-    check_tracks("track \"x\" { 2 1 step\n2 1 step }", {"x.tracks:2:1: rows must rise: the key before is in row 2"});
+                  "x.tracks:1:24: this key lacks the interpolation after it: 'step', 'linear', 'smooth' or 'ramp'"});
+    check_tracks("track \"x\" { 2 1 step\n2 1 step }", {"x.tracks:2:1: rows must increase: the key before is in row 2"});
     check_tracks("track \"x\" { -1 1 step 1.5 1 step 1e10 1 step 0 1e10 step }",
                  {"x.tracks:1:13: 'row' of 'track' must be a whole number from 0 to 1e9, not '-1'",
                   "x.tracks:1:23: 'row' of 'track' must be a whole number from 0 to 1e9, not '1.5'",
@@ -277,10 +277,10 @@ TEST_CASE("mistakes in a file of tracks") {
     check_tracks("trakc \"x\" { }\ntrack \"y\" { }\ntrack \"y\" { }",
                  {"x.tracks:1:1: unknown word 'trakc' in a file of tracks; did you mean 'track'?",
                   "x.tracks:3:8: a second track of this name"});
-    check_tracks("track x { }", {"x.tracks:1:7: the name of a track in quotes expected, but here comes 'x'"});
-    check_tracks("\xFF", {"x.tracks:1:1: this is no text in UTF-8"});
+    check_tracks("track x { }", {"x.tracks:1:7: the name of a track in quotes expected, but found 'x'"});
+    check_tracks("\xFF", {"x.tracks:1:1: not UTF-8; save the file in that encoding"});
     check_tracks("track \"x\" { word }",
-                 {"x.tracks:1:13: a number expected for 'row' of 'track', but here comes 'word'"});
+                 {"x.tracks:1:13: a number expected for 'row' of 'track', but found 'word'"});
 }
 
 TEST_CASE("scenes/beat.rt is cut to its music") {

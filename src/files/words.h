@@ -1,0 +1,35 @@
+// Words and lines of files, for readers and for messages.
+#pragma once
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace strahl {
+
+/// The white space of the C locale.
+inline bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+/// The small letter of an ASCII letter; other characters stay as they are.
+inline char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+/// Are these the same, regardless of case?
+bool same_word(std::string_view a, std::string_view b);
+
+/// Reads a whole word as a number; false if it is not one, or too large or too small for a double. "inf" and "nan" are
+/// numbers, and a "+" may come first.
+bool read_number(std::string_view word, double& number);
+
+/// The line of a position in a text, counted from 1. Lines end in a line feed, a carriage return, or both.
+std::size_t line_number(std::string_view text, std::size_t at);
+
+/// A slice in quotes, shortened if long, safe to print.
+std::string quoted(std::string_view slice);
+
+/// Words in a row, with `between` between each two.
+template <class Words>
+std::string listed(const Words& words, const char* between = ", ") {
+    std::string list;
+    bool first = true;
+    for (const std::string_view word : words) list.append(first ? "" : between).append(word), first = false;
+    return list;
+}
+
+}  // namespace strahl
