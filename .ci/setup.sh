@@ -74,7 +74,9 @@ build_preset() {
     cmake --build "$folder" --target "$target" -- -n >/dev/null 2>&1 </dev/null && return 1
     say "the build folder is damaged; configuring it anew"
     rm -f "$folder/build.ninja" "$folder/.ninja_deps" "$folder/.ninja_log"
-    logged "$folder/configure.log" cmake -S "$root" --preset "$preset" "$@" || return
+    local how=(--preset "$preset")
+    [[ ! -f $folder/CMakeCache.txt ]] || how=(-B "$folder") # which keeps the options that it was configured with
+    logged "$folder/configure.log" cmake -S "$root" "${how[@]}" "$@" || return
     run_build "$folder" "$target"
 }
 

@@ -86,8 +86,8 @@ void Viewer::handle_stability() {
     marks = std::move(*found);
     const auto& all = marks.marks;
     const auto in_double = std::count_if(all.begin(), all.end(), [](const Mark& m) { return m.in_double; });
-    char proved[40];
-    std::snprintf(proved, sizeof proved, "; %.6g %% are proved", 100 * marks.proved);
+    char proved[40] = "; this program was built without proofs";
+    if (marks.proved) std::snprintf(proved, sizeof proved, "; %.6g %% are proved", 100 * *marks.proved);
     note("rounding decides " + std::to_string(all.size()) + " pixels in float, " + std::to_string(in_double) +
          " in double" + proved);
 }

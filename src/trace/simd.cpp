@@ -1,8 +1,22 @@
-// Which instruction sets there are, and their names.
-#include "trace/kernel/kernel.h"
+// The SIMD levels: their names, and which of their kernels this program has. Their macros are defined for this file only,
+// by kernels.cmake: STRAHL_KERNEL_v3 and so on for the levels that are built, STRAHL_LEAST if only some of their kernels
+// are.
+#include <stdexcept>
+#include <type_traits>
+
+#include "trace/built_kernels.h"
 #include "trace/tracer.h"
 
 namespace strahl {
+namespace {
+
+#ifdef STRAHL_LEAST
+constexpr bool least = true;
+#else
+constexpr bool least = false;
+#endif
+
+}  // namespace
 
 const char* name(Precision precision) {
     switch (precision) {
@@ -40,12 +54,14 @@ bool for_other_processors() {
 #endif
 }
 
-// kernels.cmake defines STRAHL_KERNEL_v3 and so on for the levels that are built.
+bool proves() { return !least; }
+
 bool supported(Simd simd) {
     switch (simd) {
         case Simd::automatic:
-        case Simd::scalar:
             return true;
+        case Simd::scalar:
+            return !least;
 #if defined(STRAHL_KERNEL_v2)
         case Simd::v2:
             return __builtin_cpu_supports("sse4.2") && __builtin_cpu_supports("popcnt");
@@ -70,6 +86,7 @@ bool supported(Simd simd) {
 Simd best_simd() {
     for (const Simd simd : {Simd::v4, Simd::v3, Simd::v2, Simd::neon})
         if (supported(simd)) return simd;
+    if (least) throw std::runtime_error("this program was built for another processor; build it again on this one");
     return Simd::scalar;
 }
 
@@ -79,5 +96,33 @@ int lanes(Precision precision, Simd simd) {
     const int bytes = simd == Simd::v4 ? 64 : simd == Simd::v3 ? 32 : 16;
     return bytes / (precision == Precision::float32 ? 4 : 8);
 }
+
+template <class T, class Purpose>
+Kernel<T> kernel_for([[maybe_unused]] Simd simd) {
+    constexpr bool proving = std::is_same_v<Purpose, ForProofs>, extended = std::is_same_v<T, long double>;
+    if constexpr (!extended && !(proving && least)) {
+#if defined(STRAHL_KERNEL_v2)
+        if (simd == Simd::v2) return v2::kernel<T, Purpose>();
+#endif
+#if defined(STRAHL_KERNEL_v3)
+        if (simd == Simd::v3) return v3::kernel<T, Purpose>();
+#endif
+#if defined(STRAHL_KERNEL_v4)
+        if (simd == Simd::v4) return v4::kernel<T, Purpose>();
+#endif
+#if defined(STRAHL_KERNEL_neon)
+        if (simd == Simd::neon) return neon::kernel<T, Purpose>();
+#endif
+    }
+    if constexpr (!least || (extended && !proving))
+        return scalar::kernel<T, Purpose>();
+    else
+        return {};
+}
+template Kernel<float> kernel_for<float, ForPictures>(Simd);
+template Kernel<double> kernel_for<double, ForPictures>(Simd);
+template Kernel<long double> kernel_for<long double, ForPictures>(Simd);
+template Kernel<double> kernel_for<double, ForProofs>(Simd);
+template Kernel<long double> kernel_for<long double, ForProofs>(Simd);
 
 }  // namespace strahl

@@ -7,6 +7,7 @@
 
 #include "num/thread_pool.h"
 #include "trace/batches.h"
+#include "trace/built_kernels.h"
 #include "trace/cells/cell_picture.h"
 #include "trace/hierarchy/moving_hierarchy.h"
 #include "trace/lights/light_buffer.h"
@@ -50,25 +51,6 @@ namespace {
 template <class T>
 T upper(double value) {
     return value < 1e18 ? static_cast<T>(value) : std::numeric_limits<T>::infinity();
-}
-
-template <class T, class Purpose>
-Kernel<T> kernel_for(Simd simd) {
-    if constexpr (!std::is_same_v<T, long double>) {
-#if defined(STRAHL_KERNEL_v2)
-        if (simd == Simd::v2) return v2::kernel<T, Purpose>();
-#endif
-#if defined(STRAHL_KERNEL_v3)
-        if (simd == Simd::v3) return v3::kernel<T, Purpose>();
-#endif
-#if defined(STRAHL_KERNEL_v4)
-        if (simd == Simd::v4) return v4::kernel<T, Purpose>();
-#endif
-#if defined(STRAHL_KERNEL_neon)
-        if (simd == Simd::neon) return neon::kernel<T, Purpose>();
-#endif
-    }
-    return scalar::kernel<T, Purpose>();
 }
 
 /// A tracer of one precision.

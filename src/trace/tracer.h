@@ -24,8 +24,10 @@ const char* name(Precision precision);  // "float", "double", "extended"
 const char* name(Simd simd);            // "scalar", "x86-64-v2", ...
 /// The best level this processor and this build have.
 Simd best_simd();
-/// Can this processor run it?
+/// Has this program its kernels, and can this processor run them?
 bool supported(Simd simd);
+/// Has this program the kernels that View::prove needs?
+bool proves();
 /// Does this program have a kernel that any processor of this kind can run, and not only the scalar one?
 bool for_other_processors();
 /// Lanes of a pack (1 for scalar and for extended precision).

@@ -43,7 +43,10 @@ if [[ $1 == --build ]]; then
     chmod +x "$2/strahl"
 else
     echo "configure ${*:3}" >>"$LOG"
-    echo "CMAKE_HOME_DIRECTORY:INTERNAL=$2" >"$2/build/release/CMakeCache.txt"
+    cache=$2/build/release/CMakeCache.txt
+    levels=$(sed -n 's/.*-DSTRAHL_LEVELS=//p' <<<"$*")
+    [[ $levels ]] || levels=$(sed -n 's/^STRAHL_LEVELS:STRING=//p' "$cache")
+    printf '%s\n' "CMAKE_HOME_DIRECTORY:INTERNAL=$2" "STRAHL_LEVELS:STRING=$levels" >"$cache"
     echo "build strahl" >"$2/build/release/build.ninja"
 fi
 TOOL
@@ -64,7 +67,7 @@ launch() {
 says() { [[ $said == "$1" ]] || fault "standard output is '$said' instead of '$1'"; }
 warns() { grep -qF -e "$1" "$work/stderr" || fault "standard error does not say '$1' but: $(<"$work/stderr")"; }
 
-first="configure --preset release -DSTRAHL_TESTS=OFF -DSTRAHL_LEVELS=host
+first="configure --preset release -DSTRAHL_TESTS=OFF -DSTRAHL_LEVELS=least
 build $root/build/release --target strahl*"
 launch 7 "$first" render "a b" '*'
 says "in $work/elsewhere: render a b *"
@@ -97,6 +100,21 @@ says ""
 launch 7 "$again"
 launch 7 ""
 
+# What the first build leaves out is built when an option asks for it, once.
+more="configure --preset release -DSTRAHL_LEVELS=host
+$again"
+launch 7 "$more" render a --prove map.png
+launch 7 "" render a --prove=map.png
+launch 7 "" render a --simd scalar
+launch 7 "" render a
+mv "$root/build/release" "$work/whole"
+launch 7 "configure --preset release -DSTRAHL_TESTS=OFF -DSTRAHL_LEVELS=host
+$again" render a --simd scalar
+rm -r "$root/build/release"
+mv "$work/whole" "$root/build/release"
+sed -i s/=host/=least/ "$root/build/release/CMakeCache.txt"
+launch 7 ""
+
 # A program that was cut off is built again, and so is one whose build folder was.
 printf '#!/bin/bash\n' >"$root/build/release/strahl"
 launch 7 "$again"
@@ -107,7 +125,7 @@ touch "$root/src/a.cpp"
 : >"$root/build/release/build.ninja"
 launch 7 "$again
 build $root/build/release --target strahl -- -n
-configure --preset release
+configure -B $root/build/release
 $again"
 warns "damaged"
 launch 7 ""
@@ -123,7 +141,7 @@ wait
 
 # A copy of the tree does not use the build of the original.
 cp -a "$root" "$work/copy"
-root="$work/copy" launch 7 "configure --preset release -DSTRAHL_TESTS=OFF -DSTRAHL_LEVELS=host
+root="$work/copy" launch 7 "configure --preset release -DSTRAHL_TESTS=OFF -DSTRAHL_LEVELS=least
 build $work/copy/build/release --target strahl*"
 rm -r "$work/copy"
 

@@ -45,6 +45,8 @@ void check_film(const RenderOptions& options) {
 }
 
 void check_proof(const RenderOptions& options) {
+    if (!proves())
+        throw UsageError("this program was built without what --prove needs; build it with -DSTRAHL_LEVELS=host");
     if (options.precision && *options.precision != Precision::float64)
         throw UsageError(
             "--prove traces in double, and undecided pixels again in extended precision; leave --precision out");
@@ -90,8 +92,8 @@ std::string check(const RenderOptions& options) {
         throw UsageError(format_fault(ending, 0).empty() ? fault : fault + ", or films one of .mp4, .mkv and .webm");
     if (!options.prove.empty()) check_proof(options);
     if (!supported(options.simd))
-        throw UsageError("this processor does not support " + std::string(name(options.simd)) + "; --simd auto uses " +
-                         name(best_simd()));
+        throw UsageError("this processor does not support " + std::string(name(options.simd)) +
+                         ", or this program was built without it; --simd auto uses " + name(best_simd()));
     if (options.crop) require_within(*options.crop, options.size);
     return ending;
 }

@@ -44,7 +44,7 @@ class Undecided {
             if (!*first) found.undecided.push_back({x, y, columns});
             i += columns;
         }
-        found.proved += double(std::count(proved.begin(), proved.end(), 1)) / (double(view.width) * view.height);
+        *found.proved += double(std::count(proved.begin(), proved.end(), 1)) / (double(view.width) * view.height);
     }
 
   private:
@@ -71,7 +71,8 @@ void StabilityCheck::start(std::shared_ptr<const Scene> scene, const View& view)
     thread = std::thread([this, scene = std::move(scene), view] {
         Agreements agreements(*scene, threads,
                               [linear = scene->settings.linear](double v) { return quantise(v, linear, 255); });
-        Undecided undecided(*scene, threads);
+        std::optional<Undecided> undecided;
+        if (proves()) undecided.emplace(*scene, threads), found.proved = 0;
         constexpr int band = 64;  // rows at a time
         for (int y = 0; y < view.height && !stop; y += band) {
             const Lattice rows{.y = y, .columns = view.width, .rows = std::min(band, view.height - y)};
@@ -80,7 +81,7 @@ void StabilityCheck::start(std::shared_ptr<const Scene> scene, const View& view)
                 if (map[i] != Agreement::all)
                     found.marks.push_back(
                         {int(i) % view.width, y + int(i) / view.width, map[i] == Agreement::not_float64});
-            undecided.add_rows(view, rows, found, &stop);
+            if (undecided) undecided->add_rows(view, rows, found, &stop);
             share = double(y + rows.rows) / view.height;
             notify();
         }

@@ -26,7 +26,7 @@ struct Stability {
         int x = 0, y = 0, columns = 0;
     };
     std::vector<Run> undecided;
-    double proved = 0;  // share of the pixels
+    std::optional<double> proved;  // share of the pixels; none if this program cannot prove
 };
 
 class StabilityCheck {

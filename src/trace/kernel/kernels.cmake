@@ -1,6 +1,6 @@
-# The tracer: its plain part, and the kernel compiled once per instruction set: a file for each element type, and one
-# for each kind of body. Kernels are optimised in every preset: an inline function that is not inlined would merge with
-# another level's when linked.
+# The tracer: its plain part, and the kernel compiled once per SIMD level: a file for each element type, one for the kinds
+# of bodies, one for patterns and lights, and two for proofs. Kernels are optimised in every preset: an inline function
+# that is not inlined would merge with another level's when linked.
 strahl_module(trace src/trace strahl_scene)
 get_target_property(strahl_trace_sources strahl_trace SOURCES)
 list(FILTER strahl_trace_sources EXCLUDE REGEX "/(proving_)?kernel\\.cpp$")
@@ -12,12 +12,17 @@ file(READ src/scene/kinds/kinds.h strahl_kinds)
 string(REGEX REPLACE ".*using Shape = std::variant<([^>]*)>.*" "\\1" strahl_kinds "${strahl_kinds}")
 string(REGEX REPLACE "[ \n]*,[ \n]*" ";" strahl_kinds "${strahl_kinds}")
 list(REMOVE_ITEM strahl_kinds Mesh Intersection Difference)  # have other kinds' kernels
+list(TRANSFORM strahl_kinds REPLACE "(.+)" "KindCalls<\\1, " OUTPUT_VARIABLE strahl_kind_calls)
 
-# A file that instantiates a struct of a header for each element type; `begin` is the struct up to its last argument.
-function(strahl_instances file header begin elements)
-  set(content "#include \"trace/${header}\"\nnamespace strahl::inline STRAHL_LEVEL {\n")
-  foreach(element ${elements})
-    string(APPEND content "template struct ${begin}Widest<${element}>>;\n")
+# Writes a file that instantiates structs for each element type; each of `structs` is one up to its last argument.
+function(strahl_instances file headers structs elements)
+  list(TRANSFORM headers REPLACE "(.+)" "#include \"trace/\\1\"\n")
+  list(JOIN headers "" content)
+  string(APPEND content "namespace strahl::inline STRAHL_LEVEL {\n")
+  foreach(begin ${structs})
+    foreach(element ${elements})
+      string(APPEND content "template struct ${begin}Widest<${element}>>;\n")
+    endforeach()
   endforeach()
   file(CONFIGURE OUTPUT ${file} CONTENT "${content}}\n")
 endfunction()
@@ -26,35 +31,30 @@ set(STRAHL_KERNELS "" CACHE PATH "A build folder to take SIMD kernels from in pl
 function(strahl_kernel level elements)
   set(folder ${CMAKE_BINARY_DIR}/kernels/${level})
   set(sources)
+  set(proving ${elements})
+  list(REMOVE_ITEM proving float)
+  if(STRAHL_LEVELS STREQUAL least)
+    set(proving)
+  endif()
   foreach(element ${elements})
     string(REPLACE " " "_" name ${element})
     file(CONFIGURE OUTPUT ${folder}/${name}.cpp CONTENT "#define STRAHL_ELEMENT ${element}\n#include \"trace/kernel/kernel.cpp\"\n")
     list(APPEND sources ${folder}/${name}.cpp)
-    if(NOT element STREQUAL float)
+    if(element IN_LIST proving)
       file(CONFIGURE OUTPUT ${folder}/proving_${name}.cpp
            CONTENT "#define STRAHL_ELEMENT ${element}\n#include \"trace/proof/proving_kernel.cpp\"\n")
       list(APPEND sources ${folder}/proving_${name}.cpp)
     endif()
   endforeach()
-  foreach(kind ${strahl_kinds})
-    set(header forms/kind_kernel.h)
-    if(kind STREQUAL Union)
-      set(header forms/composite_kernel.h)
-    endif()
-    strahl_instances(${folder}/${kind}.cpp ${header} "KindCalls<${kind}, " "${elements}")
-    list(APPEND sources ${folder}/${kind}.cpp)
-  endforeach()
-  foreach(feature patterns/pattern:PatternCalls lights/area_light:AreaLightCalls lights/light_buffer:LightBufferCalls)
-    string(REGEX MATCH "(.*/(.*)):(.*)" feature ${feature})
-    set(name ${CMAKE_MATCH_2})
-    strahl_instances(${folder}/${name}.cpp ${CMAKE_MATCH_1}_kernel.h "${CMAKE_MATCH_3}<" "${elements}")
-    list(APPEND sources ${folder}/${name}.cpp)
-  endforeach()
-  set(proving ${elements})
-  list(REMOVE_ITEM proving float)
-  strahl_instances(${folder}/pattern_bounds.cpp proof/relief_bounds_kernel.h "PatternBounds<" "${proving}")
-  list(APPEND sources ${folder}/pattern_bounds.cpp)
-  target_compile_definitions(strahl_trace PRIVATE STRAHL_KERNEL_${level})
+  strahl_instances(${folder}/kinds.cpp "forms/kind_kernel.h;forms/composite_kernel.h" "${strahl_kind_calls}" "${elements}")
+  strahl_instances(${folder}/features.cpp "lights/area_light_kernel.h;lights/light_buffer_kernel.h;patterns/pattern_kernel.h"
+                   "AreaLightCalls<;LightBufferCalls<;PatternCalls<" "${elements}")
+  list(APPEND sources ${folder}/kinds.cpp ${folder}/features.cpp)
+  if(proving)
+    strahl_instances(${folder}/pattern_bounds.cpp proof/relief_bounds_kernel.h PatternBounds< "${proving}")
+    list(APPEND sources ${folder}/pattern_bounds.cpp)
+  endif()
+  set_property(SOURCE src/trace/simd.cpp APPEND PROPERTY COMPILE_DEFINITIONS STRAHL_KERNEL_${level})
   if(STRAHL_KERNELS AND NOT level STREQUAL scalar)
     # The sources are the same, compiled the same way.
     list(TRANSFORM sources REPLACE "^${CMAKE_BINARY_DIR}/(.*)$" "${STRAHL_KERNELS}/CMakeFiles/kernel_${level}.dir/\\1.o")
@@ -70,6 +70,7 @@ function(strahl_kernel level elements)
   # what else is linked changes the speed by about 5 %.
   target_compile_options(kernel_${level} PRIVATE -O3 -falign-functions=64
     $<$<CXX_COMPILER_ID:GNU>:-fno-tree-pta$<SEMICOLON>-fschedule-insns$<SEMICOLON>-fsched-pressure> ${ARGN})
+  target_precompile_headers(kernel_${level} PRIVATE ${CMAKE_SOURCE_DIR}/src/trace/forms/form_kernel.h)
   if(STRAHL_SANITIZE AND NOT level STREQUAL scalar)
     # Instrumented packs take g++ a quarter of an hour to compile. The scalar level is compiled from the same sources.
     set_target_properties(kernel_${level} PROPERTIES UNSANITIZED ON)
@@ -79,9 +80,11 @@ function(strahl_kernel level elements)
   target_sources(strahl_trace PRIVATE $<TARGET_OBJECTS:kernel_${level}>)
 endfunction()
 
-# The levels to build: all that the compiler can; those that this machine can run; or its best, in a third of the time.
-# The scalar level is always built: it traces in extended precision, and where no other level runs.
-set(STRAHL_LEVELS all CACHE STRING "SIMD levels to build: all, runnable for those of this machine, or host for its best")
+# The levels to build: all that the compiler can; those that this machine can run; its best; or `least`, its best without
+# the kernels of proofs. The scalar level, which traces in extended precision, and where no other level runs, is always
+# built, but with `least` for extended precision only: that compiles in half the time, and pictures need no more.
+set(STRAHL_LEVELS all CACHE STRING "SIMD levels to build: all, runnable for those of this machine, host for its best, \
+or least for what pictures need of that")
 set(strahl_levels v2 v3 v4 neon)
 if(NOT STRAHL_LEVELS STREQUAL all AND EXISTS /proc/cpuinfo)
   file(STRINGS /proc/cpuinfo strahl_flags_of_cpu REGEX "^flags" LIMIT_COUNT 1)
@@ -92,7 +95,7 @@ if(NOT STRAHL_LEVELS STREQUAL all AND EXISTS /proc/cpuinfo)
   if(strahl_flags_of_cpu MATCHES " avx512bw " AND strahl_flags_of_cpu MATCHES " avx512vl ")
     list(APPEND strahl_levels v4)
   endif()
-  if(STRAHL_LEVELS STREQUAL host)
+  if(STRAHL_LEVELS MATCHES "^(host|least)$")
     list(GET strahl_levels -1 strahl_levels)
   endif()
 endif()
@@ -102,7 +105,14 @@ function(strahl_level level)
   endif()
 endfunction()
 
-strahl_kernel(scalar "float;double;long double" -DSTRAHL_SCALAR)
+# The only file that depends on which kernels are built.
+set_source_files_properties(src/trace/simd.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+if(STRAHL_LEVELS STREQUAL least)
+  strahl_kernel(scalar "long double" -DSTRAHL_SCALAR)
+  set_property(SOURCE src/trace/simd.cpp APPEND PROPERTY COMPILE_DEFINITIONS STRAHL_LEAST)
+else()
+  strahl_kernel(scalar "float;double;long double" -DSTRAHL_SCALAR)
+endif()
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
   strahl_level(v2 -march=x86-64-v2)
   strahl_level(v3 -march=x86-64-v3)
