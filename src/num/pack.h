@@ -10,6 +10,7 @@
 #include <bit>
 #include <cstring>
 #include <experimental/simd>
+#include <limits>
 
 #include "num/lanes.h"
 #if defined(__x86_64__)

@@ -289,6 +289,125 @@ TEST_CASE("the page on the source names only what there is") {
     CHECK(names > 40);
 }
 
+/// What a header says, as far as its includes are concerned.
+struct Header {
+    std::vector<std::string> own;    // project files that it includes
+    std::set<std::string> standard;  // headers of libraries that it includes
+    std::set<std::string> from_std;  // names that it takes from std
+    std::set<std::string> words, declared;
+};
+Header header_of(std::istream& in) {
+    static const std::set<std::string> declaring{"class", "struct", "union", "enum", "using", "typename"};
+    Header header;
+    for (std::string line, last; std::getline(in, line);) {
+        if (const auto include = include_in(line)) {
+            if (include->quoted)
+                header.own.push_back(include->path);
+            else
+                header.standard.insert(include->path);
+            continue;
+        }
+        for (std::size_t at = 0; at < line.size() && line.compare(at, 2, "//") != 0;) {
+            std::size_t end = at;
+            while (end < line.size() && (std::isalnum(static_cast<unsigned char>(line[end])) || line[end] == '_')) ++end;
+            if (end == at) {
+                if (line[at++] == '"')
+                    while (at < line.size() && line[at++] != '"') at += line[at - 1] == '\\';
+                continue;
+            }
+            const std::string word = line.substr(at, end - at);
+            header.words.insert(word);
+            if (declaring.contains(last)) header.declared.insert(word);
+            if (at >= 5 && line.compare(at - 5, 5, "std::") == 0) header.from_std.insert(word);
+            last = word, at = end;
+        }
+    }
+    return header;
+}
+
+/// Standard headers, and names for which they must be included. A name that several headers have is not listed.
+const std::map<std::string, std::set<std::string>> names_in_standard_headers{
+    {"algorithm", {"clamp", "sort"}},
+    {"array", {"array"}},
+    {"atomic", {"atomic"}},
+    {"bit", {"bit_cast", "countr_zero", "popcount"}},
+    {"chrono", {"chrono"}},
+    {"cmath", {"floor", "isfinite", "sqrt"}},
+    {"condition_variable", {"condition_variable"}},
+    {"cstdint", {"int32_t", "int64_t", "uint8_t", "uint16_t", "uint32_t", "uint64_t"}},
+    {"filesystem", {"filesystem"}},
+    {"functional", {"function"}},
+    {"limits", {"numeric_limits"}},
+    {"map", {"map"}},
+    {"memory", {"make_shared", "make_unique", "shared_ptr", "unique_ptr"}},
+    {"mutex", {"lock_guard", "mutex", "unique_lock"}},
+    {"numbers", {"numbers"}},
+    {"optional", {"optional"}},
+    {"random", {"mt19937", "mt19937_64"}},
+    {"set", {"set"}},
+    {"span", {"span"}},
+    {"stdexcept", {"runtime_error"}},
+    {"string", {"string", "to_string"}},
+    {"thread", {"jthread", "thread"}},
+    {"tuple", {"tie", "tuple"}},
+    {"variant", {"variant", "visit"}},
+    {"vector", {"vector"}},
+};
+
+/// What headers use without an include, their own or that of a header that they include: names of std, and types that
+/// another header defines. `types` are the headers that define each type.
+std::vector<std::string> lacking_includes(const std::map<std::string, Header>& headers,
+                                          const std::map<std::string, std::string>& types) {
+    std::vector<std::string> lacking;
+    for (const auto& [file, header] : headers) {
+        std::set<std::string> standard, declared, seen;
+        const std::function<void(const std::string&)> visit = [&](const std::string& path) {
+            const auto found = headers.find(path);
+            if (found == headers.end() || !seen.insert(path).second) return;
+            standard.insert(found->second.standard.begin(), found->second.standard.end());
+            declared.insert(found->second.declared.begin(), found->second.declared.end());
+            for (const std::string& next : found->second.own) visit(next);
+        };
+        visit(file);
+        for (const auto& [include, names] : names_in_standard_headers)
+            for (const std::string& name : names)
+                if (header.from_std.contains(name) && !standard.contains(include))
+                    lacking.push_back(file + " uses std::" + name + " without <" + include + ">");
+        for (const auto& [type, home] : types)
+            if (header.words.contains(type) && !declared.contains(type))
+                lacking.push_back(file + " uses " + type + " without \"" + home + "\"");
+    }
+    return lacking;
+}
+
+// .ci/headers compiles each header alone, which takes minutes; this sees most of what that would find.
+TEST_CASE("every header includes what it uses") {
+    const auto of = [](const std::string& text) {
+        std::istringstream in(text);
+        return header_of(in);
+    };
+    const std::map<std::string, std::string> types{{"Box", "box.h"}};
+    const Header box = of("#include <vector>\nstruct Box { std::vector<int> sides; };  // std::optional\n");
+    CHECK(lacking_includes({{"box.h", box}, {"a.h", of("#include \"box.h\"\nstd::vector<Box> a(\"std::map\");")}}, types).empty());
+    CHECK(lacking_includes({{"box.h", box}, {"a.h", of("class Box;\nvoid f(Box&);")}}, types).empty());
+    CHECK(lacking_includes({{"box.h", box}, {"a.h", of("void f(Box&);")}}, types).size() == 1);
+    CHECK(lacking_includes({{"box.h", of("struct Box { std::optional<int> side; };")}}, types).size() == 1);
+
+    std::map<std::string, Header> headers;
+    std::map<std::string, std::string> defined;
+    for (const auto& [file, path] : module_files()) {
+        if (path.extension() != ".h") continue;
+        std::ifstream in(path);
+        headers[file] = header_of(in);
+        in.clear(), in.seekg(0);
+        for (std::string line; std::getline(in, line);)
+            if (const std::string name = type_defined_in(line); !name.empty() && line[0] != ' ') defined[name] = file;
+    }
+    CHECK(headers.size() > 200);
+    CHECK(defined.size() > 200);
+    for (const std::string& text : lacking_includes(headers, defined)) FAIL_CHECK(text);
+}
+
 TEST_CASE("a folder of sources or tests has at most 30 files") {
     std::map<fs::path, int> count;
     for (const char* top : {"src", "povref", "tests"})

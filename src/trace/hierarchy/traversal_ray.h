@@ -1,6 +1,7 @@
 // Rays as boxes of the hierarchy see them: one, a pack, or several packs together; rounded outwards where boxes have
 // fewer bits.
 #pragma once
+#include <cstdint>
 #include <limits>
 #include <type_traits>
 
