@@ -1,5 +1,5 @@
-// The list of the kinds of bodies. Parser, writer, `check`, manual, world builder, kernels and the files they are
-// compiled in, the POV-Ray converter, the referee and the tests are made for the kinds in this list.
+// The list of the kinds of bodies. Parser, writer, `check`, manual, world builder, kernels, the POV-Ray converter, the
+// referee and the tests are made for the kinds in this list.
 #pragma once
 #include <variant>
 

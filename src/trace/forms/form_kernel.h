@@ -99,7 +99,7 @@ struct FormCalls {
     void (*surface_at)(const W&, int, const Ray<S>&, const S&, SurfaceHit<S>&) = nullptr;
     Span<S> (*span)(const W&, int, const Ray<S>&) = nullptr;
 };
-/// Those of a kind, in a file of its own.
+/// Those of a kind, compiled apart from the kernel.
 template <class Kind, class S>
 struct KindCalls {
     static constexpr std::size_t forms = std::tuple_size_v<typename Kind::template Kernels<Element<S>>>;

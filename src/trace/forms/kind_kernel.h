@@ -1,5 +1,5 @@
-// The code of a kind's forms. Every kind has a file of its own that instantiates this, made by kernels.cmake, so that
-// processors share the work of compiling.
+// The code of a kind's forms. For each SIMD level kernels.cmake makes one file that instantiates this for all kinds:
+// reading the headers takes half as long as compiling a kind, so each level reads them once.
 #pragma once
 #include "trace/forms/form_kernel.h"
 #include "trace/world/triangle_of.h"

@@ -1,4 +1,4 @@
-// The light of rectangles: compiled once per precision and instruction set, in a file of its own.
+// The light of rectangles: compiled once per precision and SIMD level, apart from the kernel.
 #pragma once
 #include <cstdint>
 

@@ -1,4 +1,4 @@
-// Shadow rays by light buffers: compiled once per precision and instruction set, in a file of its own.
+// Shadow rays by light buffers: compiled once per precision and SIMD level, apart from the kernel.
 #pragma once
 #include "trace/forms/items_kernel.h"
 

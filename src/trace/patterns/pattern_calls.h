@@ -1,4 +1,4 @@
-// Colours of patterns where rays cross surfaces: compiled once per precision and instruction set, in a file of its own.
+// Colours of patterns where rays cross surfaces: compiled once per precision and SIMD level, apart from the kernel.
 #pragma once
 #include "num/memory.h"
 #include "num/ray.h"
