@@ -1,31 +1,33 @@
-// The light that surfaces scatter.
+// Direct illumination: the light of all lights that hits scatter.
 #pragma once
 #include "trace/kernel/sight.h"
 
 namespace strahl::inline STRAHL_LEVEL {
 
-/// Ks (h.l)^p in the lanes of `glossy`.
+/// Returns highlights, Ks (h.l)^p, in the lanes of `glossy`, and 0 in others.
 template <class S>
 STRAHL_INLINE S highlight_of(const Hit<S>& hit, const Vec3<S>& reflected, const Vec3<S>& l, Mask<S> glossy) {
     const MaterialKernel<S>& material = hit.material;
-    const S shine = min(max(dot(reflected, l), S(0)), S(1));  // or sharp highlights blow rounding up
+    const S shine = min(max(dot(reflected, l), S(0)), S(1));  // above 1, high powers would magnify rounding errors
     const Mask<S> shines = glossy & (shine > material.shines_from);
     if (none(shines)) return S(0);
     const S power_of_shine = hit.uniform ? power_of_uniform(shine, lane(material.pow, 0)) : power(shine, material.pow);
     return select(shines, material.specular * power_of_shine, S(0));
 }
 
-/// Below this squares lose bits.
+/// Squares below this lose bits to underflow.
 template <class T>
 inline constexpr T least_square = std::numeric_limits<T>::min() / std::numeric_limits<T>::epsilon();
 
-/// The way to a light, of length 1, and how far it is: for lights so near that the square of the distance underflows.
+/// The direction to a light, its distance, and the cosine of the direction with the normal. For lights so near that the
+/// square of the distance underflows.
 template <class S>
 struct WayToLight {
     Vec3<S> l;
     S distance, cosine;
 };
-/// A normal that is not of length 1, of a body too small or too large for this kind of number, is not lit.
+/// Finds these without squares of small numbers. The cosine is 0 if it is not below 2: then the normal is not of length
+/// 1, as of a body too small or too large for this kind of number.
 template <class S>
 [[gnu::noinline]] WayToLight<S> way_to_near_light(const Hit<S>& hit, const Vec3<S>& to_light) {
     const S longest = max(abs(to_light.x), max(abs(to_light.y), abs(to_light.z)));
@@ -36,8 +38,8 @@ template <class S>
     return {l, longest * length, select(cosine < S(2), cosine, S(0))};
 }
 
-/// The share of its light that a spot sends along -l. What 1 less the cosine is comes from the difference of the
-/// directions: of a narrow cone cosines have few digits.
+/// Returns the share of its light that a spotlight sends along -l. 1 - cosine is computed from the difference of the
+/// directions: in a narrow cone, cosines have few digits.
 template <class S>
 [[gnu::noinline]] S spot_share(const LightKernel<Element<S>>& light, const Vec3<S>& l) {
     using T = Element<S>;
@@ -49,59 +51,61 @@ template <class S>
     return select(cosine > S(0), share, S(0));
 }
 
-/// Adds what a rectangle sends to the hits in these lanes.
+/// Adds the light of a rectangle to `sum`, at the hits in these lanes.
 template <class S, class P>
 [[gnu::noinline]] void add_area_light(const Shading<S, P>& shading, const Hit<S>& hit, int number, Mask<S> lanes,
-                                      const HitNotes<S, P>& rare, Vec3<S>& sum) {
+                                      const HitNotes<S, P>& notes, Vec3<S>& sum) {
     using T = Element<S>;
     const MaterialKernel<S>& material = hit.material;
     const LightKernel<T>& light = shading.world.lights[number];
     const Vec3<S> reflected = reflect(hit);
     const LitHits<S> hits{lanes, hit.outside, hit.position, hit.normal,
-                          shading.world.bends ? rare.flat : hit.normal, reflected, hit.surface, hit.weight,
+                          shading.world.bends ? notes.flat : hit.normal, reflected, hit.surface, hit.weight,
                           largest(material.diffuse), material.specular, material.pow, material.shines_from, hit.bin};
     constexpr T usual = T(1) / 510;
     const T error = shading.limits.error > T(0) ? shading.limits.error : usual;
     const AreaMeans<S> means = AreaLightCalls<S>::means(shading.world, number, hits, error, visibility<S>);
     shading.counts.shadow += means.rays;
-    if (notes(shading)) {
-        // Half shadows are told from light and from shadow, not from each other: their colours tell that.
+    if (notes_sights(shading)) {
+        // Signatures tell penumbra from light and from shadow, but not its shades: these differ in colour.
         Vec3<S> share;
         for (int c = 0; c < 3; ++c)
             share[c] = select(means.share[c] > S(0), select(means.share[c] < S(1), S(T(.5)), S(1)), S(0));
         const Vec3<S> way = splat<S>(light.position) - hit.position;
-        note_light(shading, hit, rare, number, share, S(dot(reflected, way) / sqrt(dot(way, way))), lanes);
+        note_light(shading, hit, notes, number, share, S(dot(reflected, way) / sqrt(dot(way, way))), lanes);
     }
     for (int c = 0; c < 3; ++c)
         sum[c] = fma(S(light.color[c]), fma(material.diffuse[c], means.diffuse[c], means.highlight[c]), sum[c]);
 }
 
-/// Ia Ka Of + sum over lights S Il [Kd Of (n.l) + Ks (h.l)^p]; at `dim` hits without lights that bring no more than
-/// `MaterialKernel::scattered`. `rare` is only read where that is.
+/// Returns Ia Ka Of + sum over lights S Il [Kd Of (n.l) + Ks (h.l)^p]. At `dim` hits lights are skipped that bring no
+/// more than `faint_share` times the diffuse term of that light straight above, together no more than
+/// `MaterialKernel::scattered`. Of `notes` all but the policy's data are only read if `Shading::has_notes`.
 template <class S, class P>
-STRAHL_INLINE Vec3<S> illumination(const Shading<S, P>& shading, const Hit<S>& hit, Mask<S> dim, HitNotes<S, P>& rare) {
+STRAHL_INLINE Vec3<S> illumination(const Shading<S, P>& shading, const Hit<S>& hit, Mask<S> dim,
+                                   HitNotes<S, P>& notes) {
     const MaterialKernel<S>& material = hit.material;
     const auto& world = shading.world;
     const S zero(0);
     Vec3<S> sum = material.ambient;
     const Vec3<S> reflected = reflect(hit);
     const S strongest = largest(material.diffuse);
-    const S possible = P::diffuse(rare.own, strongest);
+    const S possible = P::diffuse(notes.own, strongest);
     const Mask<S> glossy = hit.active & (material.specular > zero);
     if (none(glossy | (hit.active & (possible > zero)))) return sum;
     const S faint = select(dim, S(faint_share) * strongest, zero);
     for (int i = 0; i < world.light_count; ++i) {
         const LightKernel<Element<S>>& light = world.lights[i];
         if (light.area) [[unlikely]] {
-            P::area(shading, hit, light, rare.own);
+            P::area(shading, hit, light, notes.own);
             Vec3<S> copy = sum;
-            add_area_light(shading, hit, i, hit.active & ((strongest > faint) | glossy), rare, copy);
+            add_area_light(shading, hit, i, hit.active & ((strongest > faint) | glossy), notes, copy);
             sum = copy;
             continue;
         }
         const Vec3<S> to_light = fma(S(-light.finite), hit.position, splat<S>(light.position));
         const S facing = dot(hit.normal, to_light);
-        if (none(P::may_face(rare.own, hit, light, to_light, facing))) continue;
+        if (none(P::may_face(notes.own, hit, light, to_light, facing))) continue;
         const S squared = dot(to_light, to_light);
         const S length = sqrt(squared), inverse = S(1) / length;
         S distance = length * S(light.far);
@@ -109,9 +113,9 @@ STRAHL_INLINE Vec3<S> illumination(const Shading<S, P>& shading, const Hit<S>& h
         S cosine = facing * inverse;
         S highlight = zero;
         if (any(glossy)) highlight = highlight_of(hit, reflected, l, glossy);
-        // Whether anything is between only matters where there is light to lose.
+        // Shadows only matter where there is light to lose.
         Mask<S> faces = hit.active & (cosine > zero) & (fma(possible, cosine, highlight) > faint);
-        auto own = P::light(rare.own, hit, light, length, cosine, S(dot(reflected, l)), highlight);
+        auto own = P::light(notes.own, hit, light, length, cosine, S(dot(reflected, l)), highlight);
         if (none(P::lit(faces, hit, own))) continue;
         const Mask<S> lost = faces & ((squared < S(least_square<Element<S>>)) | (cosine > S(2)));
         if (any(lost)) {
@@ -122,19 +126,19 @@ STRAHL_INLINE Vec3<S> illumination(const Shading<S, P>& shading, const Hit<S>& h
             if (any(glossy)) highlight = highlight_of(hit, reflected, l, glossy);
         }
         if (world.bends) [[unlikely]]
-            P::side(rare.own, rare.flat, Vec3<S>(l), own, faces);
+            P::side(notes.own, notes.flat, Vec3<S>(l), own, faces);
         if (light.spot) [[unlikely]] {
             faces = faces & (spot_share(light, Vec3<S>(l)) > zero);
-            P::spot(shading, hit, light, own, Vec3<S>(l), cosine, highlight, rare.own);
+            P::spot(shading, hit, light, own, Vec3<S>(l), cosine, highlight, notes.own);
             if (none(P::lit(faces, hit, own))) continue;
         }
         shading.counts.shadow += count(faces);
         const Start<S> start{i, hit.bin, hit.outside};
-        Vec3<S> share = P::arriving(shading, hit, own, l, distance, faces, cosine, highlight, start, rare.own);
-        if (shading.rare) [[unlikely]] {
+        Vec3<S> share = P::arriving(shading, hit, own, l, distance, faces, cosine, highlight, start, notes.own);
+        if (shading.has_notes) [[unlikely]] {
             // A light that only the bent normal faces is behind the surface.
-            if (world.bends) share = select(dot(rare.flat, l) > S(0), share, splat<S>(Vec3<Element<S>>(0)));
-            if (notes(shading)) note_light(shading, hit, rare, i, Vec3<S>(share), S(dot(reflected, l)), faces);
+            if (world.bends) share = select(dot(notes.flat, l) > S(0), share, splat<S>(Vec3<Element<S>>(0)));
+            if (notes_sights(shading)) note_light(shading, hit, notes, i, Vec3<S>(share), S(dot(reflected, l)), faces);
         }
         if (light.spot) [[unlikely]]
             share = scale(spot_share(light, Vec3<S>(l)), share);

@@ -10,7 +10,7 @@ namespace strahl::inline STRAHL_LEVEL {
 
 /// Returns true if signatures are noted.
 template <class S, class P>
-STRAHL_INLINE bool notes(const Shading<S, P>& shading) {
+STRAHL_INLINE bool notes_sights(const Shading<S, P>& shading) {
     return P::notes && shading.batch.sights;
 }
 

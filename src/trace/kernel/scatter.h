@@ -1,4 +1,4 @@
-// The rays that go on from hits.
+// Reflected and refracted rays: the rays that go on from hits.
 #pragma once
 #include "trace/kernel/prune.h"
 #include "trace/kernel/ray_cone.h"
@@ -11,10 +11,10 @@ struct Branch {
     Mask<S> mask;
     Vec3<S> direction;
     S weight, medium;
-    [[no_unique_address]] typename P::template OfRay<S> own;  // what the policy keeps of it
+    [[no_unique_address]] typename P::template OfRay<S> own;  // data of the policy
 };
-/// Lengths that are off by more than unit() mends: those of directions that come from normals of bodies too small for
-/// this kind of number. What culls packets of rays relies on the length. Rays without any direction end.
+/// Renormalises directions that unit() cannot correct: those that come from normals of bodies too small for this kind
+/// of number. Culling of packets relies on unit length. Rays without any direction end.
 template <class S, class P>
 [[gnu::noinline, gnu::cold]] void normalize(Branch<S, P>& ray, const Vec3<S>& direction, Mask<S> off) {
     const S squared = dot(direction, direction);
@@ -38,7 +38,7 @@ STRAHL_INLINE Branch<S, P> branch(const Hit<S>& hit, Mask<S> mask, const Vec3<S>
 
 template <class S, class P>
 STRAHL_INLINE void push(const Shading<S, P>& shading, RayQueue<Element<S>>& to, const Hit<S>& hit,
-                        const Branch<S, P>& ray, const HitNotes<S, P>& known) {
+                        const Branch<S, P>& ray, const HitNotes<S, P>& notes) {
     using T = Element<S>;
     if (none(ray.mask)) return;
     const int n = to.count;
@@ -53,12 +53,13 @@ STRAHL_INLINE void push(const Shading<S, P>& shading, RayQueue<Element<S>>& to, 
     else
         put_with([&](T* place, const S& value) { compress(place, value, ray.mask); });
     if (filters(shading)) [[unlikely]]
-        put_cones(shading, to, Hit<S>(hit), Vec3<S>(ray.direction), Mask<S>(ray.mask), known);
+        put_cones(shading, to, Hit<S>(hit), Vec3<S>(ray.direction), Mask<S>(ray.mask), notes);
     to.count += count(ray.mask);
 }
 
-/// The ratio of indices and the medium stack beyond the surface, by the bodies entered (as POV-Ray does): from outside
-/// all, into the body; from the body entered last, out of it; from one entered before, straight on.
+/// Finds the ratio of indices and the medium stack beyond the surface, by the bodies entered, as POV-Ray does. A ray
+/// that enters a body comes from the one entered last; a ray that leaves the body entered last goes into the one below
+/// it in the stack; a ray that leaves one entered before that goes straight on.
 template <class S, class P>
 [[gnu::noinline]] void change_medium(const Shading<S, P>& shading, const Hit<S>& hit, Mask<S> glass, S& ratio,
                                      S& medium) {
@@ -87,13 +88,13 @@ template <class S, class P>
     ratio = load_lanes<S>(ratios), medium = load_lanes<S>(stacks);
 }
 
-/// From this ratio of indices on, refract_far is needed. Below it lengths are off by less than what unit() mends.
+/// From this ratio of indices on refract_far is used. Below it unit() corrects the lengths of refracted directions.
 inline constexpr float far_ratio = 16;
 
-/// Refracted directions where the ratio of indices is large, and cos^2 beyond the surface. There b^2 (1 - s^2) is all
-/// rounding, and the direction neither right nor of length 1. The sine comes from the part of the direction across the
-/// normal instead, from which what lies along the normal is taken out twice: once leaves a rounding error that the
-/// ratio magnifies (L. Giraud, J. Langou, M. Rozloznik, "The Loss of Orthogonality in the Gram-Schmidt
+/// Returns refracted directions, and cos^2 beyond the surface, where the ratio of indices is large. There b^2 (1 - s^2)
+/// is all rounding error, and the usual direction neither right nor of length 1. The sine comes from the part of the
+/// direction across the normal instead, from which the part along the normal is removed twice: once leaves a rounding
+/// error that the ratio magnifies (L. Giraud, J. Langou, M. Rozloznik, "The Loss of Orthogonality in the Gram-Schmidt
 /// Orthogonalization Process", 2005).
 template <class S>
 [[gnu::noinline]] Vec3<S> refract_far(const Hit<S>& hit, const Vec3<S>& normal, const S& ratio, const S& s,
@@ -105,7 +106,7 @@ template <class S>
     return fma(-sqrt(max(cosine_squared, S(0))), normal, beyond);
 }
 
-/// Where rays that start on the one item of a bin leave it.
+/// Returns where rays that start on the one item of a bin leave it.
 template <class S>
 STRAHL_INLINE Span<S> span_of_item(const World<Element<S>>& world, const SortBin& bin, const Ray<S>& ray) {
     Span<S> span;
@@ -119,10 +120,11 @@ STRAHL_INLINE Span<S> span_of_item(const World<Element<S>>& world, const SortBin
     return span;
 }
 
-/// Of the two rays at a surface of an enclosed body the one inside goes apart: where it leaves is found at once.
+/// Queues the ray inside an enclosed body apart, be it the reflected or the refracted one, with the distance at which
+/// it leaves: nothing else can be in its way.
 template <class S, class P>
 STRAHL_INLINE void keep_inside(const Shading<S, P>& shading, const Hit<S>& hit, Branch<S, P>& reflected,
-                               Branch<S, P>& refracted, const HitNotes<S, P>& known) {
+                               Branch<S, P>& refracted, const HitNotes<S, P>& notes) {
     RayQueue<Element<S>>& queue = shading.next.inside;
     const Mask<S> in = hit.outside;
     Branch<S, P> within{
@@ -134,12 +136,11 @@ STRAHL_INLINE void keep_inside(const Shading<S, P>& shading, const Hit<S>& hit, 
     reflected.mask = reflected.mask & (in | !within.mask);
     refracted.mask = refracted.mask & !(in & within.mask);
     compress(queue.t + queue.count, span.far, within.mask);
-    push(shading, queue, hit, within, known);
+    push(shading, queue, hit, within, notes);
 }
 
-/// The mirrored direction where there are bumps. One that would go under the surface is mirrored again: by the surface
-/// itself, as POV-Ray does, either in place of the bent normal or, where that faces away from where the ray goes, after
-/// it.
+/// Returns mirrored directions where there are bumps. One that would go under the surface is mirrored by the surface
+/// itself, as POV-Ray does: instead of by the bent normal if it also goes behind that, else after it.
 template <class S>
 [[gnu::noinline, gnu::cold]] Vec3<S> reflect_bent(const Hit<S>& hit, const Vec3<S>& flat) {
     const Vec3<S> mirrored = reflect(hit);
@@ -148,11 +149,12 @@ template <class S>
     return select(under, fma(S(-2) * dot(from, flat), flat, from), mirrored);
 }
 
-/// Queues reflected and refracted rays that can still be seen. The lanes whose own light can hardly be.
+/// Queues reflected and refracted rays that are not pruned. Returns the lanes whose direct light is pruned.
 template <class S, class P>
-STRAHL_INLINE Mask<S> scatter(const Shading<S, P>& shading, const Hit<S>& hit, const HitNotes<S, P>& known) {
+STRAHL_INLINE Mask<S> scatter(const Shading<S, P>& shading, const Hit<S>& hit, const HitNotes<S, P>& notes) {
     const MaterialKernel<S>& material = hit.material;
-    const auto& [world, limits, rays, hits, batch, next, refracted_queue, workspace, counts, depth, rare] = shading;
+    const auto& [world, limits, rays, hits, batch, next, refracted_queue, workspace, counts, depth, has_notes] =
+        shading;
     const S zero(0), brightest(limits.brightest[limits.depth - depth]);
     Contribution<S> light(hit.weight * material.scattered, hit.active & (material.scattered > zero));
     const Mask<S> glass = hit.active & (material.refraction > zero);
@@ -161,25 +163,25 @@ STRAHL_INLINE Mask<S> scatter(const Shading<S, P>& shading, const Hit<S>& hit, c
         return light.pruned;
     }
     const auto mirrored = [&]() __attribute__((always_inline)) {
-        if (rare && world.bends) [[unlikely]]
-            return reflect_bent(hit, known.flat);
+        if (has_notes && world.bends) [[unlikely]]
+            return reflect_bent(hit, notes.flat);
         return reflect(hit);
     };
     if (!world.transparent || none(glass)) {
         Branch<S, P> reflected = branch<P>(hit, hit.active, mirrored(), material.reflection, hit.medium);
-        P::reflect(shading, hit, known, S(material.reflection), reflected);
+        P::reflect(shading, hit, notes, S(material.reflection), reflected);
         Contribution<S> part(reflected.weight * brightest, reflected.mask);
         prune(shading, hit.pixel, part, light);
         reflected.mask = reflected.mask & !part.pruned;
         counts.reflected += count(reflected.mask);
-        push(shading, next.open, hit, reflected, known);
+        push(shading, next.open, hit, reflected, notes);
         return light.pruned;
     }
     S b = select(hit.outside, S(1) / material.ior, material.ior), medium = hit.medium;
     if (world.nested) change_medium(shading, hit, glass, b, medium);
     Vec3<S> normal = hit.normal;
-    if (rare && world.bends) [[unlikely]]
-        normal = select(dot(hit.direction, normal) > S(0), -normal, normal);  // bent away from the eye: its other side
+    if (has_notes && world.bends) [[unlikely]]
+        normal = select(dot(hit.direction, normal) > S(0), -normal, normal);  // bent away from the ray: its other side
     const S s = -dot(hit.direction, normal);
     S k = fma(b * b, fma(s, s, S(-1)), S(1));
     Vec3<S> beyond = fma(fma(b, s, -sqrt(max(k, zero))), normal, scale(b, hit.direction));
@@ -194,8 +196,8 @@ STRAHL_INLINE Mask<S> scatter(const Shading<S, P>& shading, const Hit<S>& hit, c
     Branch<S, P> reflected =
         branch<P>(hit, hit.active, mirrored(), select(total, all, material.reflection), hit.medium);
     Branch<S, P> refracted = branch<P>(hit, glass & !total, beyond, material.refraction, medium);
-    P::reflect(shading, hit, known, select(total, all, material.reflection), reflected);
-    P::refract(shading, hit, known.own, glass, far, b, s, k, refracted);
+    P::reflect(shading, hit, notes, select(total, all, material.reflection), reflected);
+    P::refract(shading, hit, notes.own, glass, far, b, s, k, refracted);
     Contribution<S> reflected_part(reflected.weight * brightest, reflected.mask);
     Contribution<S> refracted_part(refracted.weight * brightest, refracted.mask);
     prune(shading, hit.pixel, reflected_part, refracted_part, light);
@@ -203,9 +205,9 @@ STRAHL_INLINE Mask<S> scatter(const Shading<S, P>& shading, const Hit<S>& hit, c
     refracted.mask = refracted.mask & !refracted_part.pruned;
     counts.reflected += count(reflected.mask);
     counts.refracted += count(refracted.mask);
-    if (world.enclosed >> hit.bin & 1) keep_inside(shading, hit, reflected, refracted, known);
-    push(shading, refracted_queue, hit, refracted, known);
-    push(shading, next.open, hit, reflected, known);
+    if (world.enclosed >> hit.bin & 1) keep_inside(shading, hit, reflected, refracted, notes);
+    push(shading, refracted_queue, hit, refracted, notes);
+    push(shading, next.open, hit, reflected, notes);
     return light.pruned;
 }
 

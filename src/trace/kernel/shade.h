@@ -1,4 +1,4 @@
-// The hits of a generation: their light goes to the pixels, their rays to the next generation.
+// Shades the hits of a generation: their light goes to the pixels, their rays to the next generation.
 #pragma once
 #include <algorithm>
 
@@ -9,7 +9,7 @@
 
 namespace strahl::inline STRAHL_LEVEL {
 
-/// Rays that hit nothing bring back the background.
+/// Adds the background, or the colour of fog, to the pixels of rays that hit nothing.
 template <class S, class P>
 void shade_misses(const Shading<S, P>& shading) {
     const auto& world = shading.world;
@@ -18,7 +18,7 @@ void shade_misses(const Shading<S, P>& shading) {
         const LaneIndices<S> pick(hits.of(world.bins) + i, left);
         const S weight = pick(shading.rays.open.weight);
         const S pixel = pick(shading.rays.open.pixel);
-        if (notes(shading)) [[unlikely]]
+        if (notes_sights(shading)) [[unlikely]]
             note_misses(shading, pick(shading.rays.open.source), S(weight), S(pixel), pick.lanes);
         Vec3<S> color = splat<S>(world.background);
         if (world.sky) [[unlikely]] {
@@ -33,14 +33,14 @@ void shade_misses(const Shading<S, P>& shading) {
     }
 }
 
-/// The material of a pack of hits; only loaded again where it is another one.
+/// The material of a pack of hits, loaded again only where it differs from that of the pack before.
 template <class S>
 class HitMaterial {
     using T = Element<S>;
 
   public:
     MaterialKernel<S> values;
-    int numbers[width<S>];  // of each lane; only set where not all lanes are known to have the same
+    int numbers[width<S>];  // of each lane's; only set where not all lanes are known to have the same
     bool uniform() const { return number >= 0; }
     STRAHL_INLINE void broadcast(const World<T>& world, int own) {
         if (own == number) return;
@@ -53,7 +53,7 @@ class HitMaterial {
         values = gather_items<MaterialKernel<S>, S>(world.materials, numbers);
         number = -1;
     }
-    /// Gives it the colours that the patterns have at these points.
+    /// Sets the colours that the patterns have at these hits.
     template <class P>
     STRAHL_INLINE void paint(const Shading<S, P>& shading, const SurfaceHit<S>& hit, const RayQueue<T>& from,
                              const LaneIndices<S>& pick, const T* t) {
@@ -66,10 +66,11 @@ class HitMaterial {
     }
 
   private:
-    int number = -1;  // of the one that all lanes have
+    int number = -1;  // of the one that all lanes have, else -1
 };
 
-/// Where rays first meet the one item of a bin. What is called gets copies, so that all else can stay in registers.
+/// Returns the points where rays first meet the one item of a bin, at distance `t`. Functions that are called get
+/// copies, so that all else can stay in registers.
 template <class S>
 STRAHL_INLINE SurfaceHit<S> surface_at(const World<Element<S>>& world, const SortBin& bin, const Ray<S>& ray, S t) {
     SurfaceHit<S> hit;
@@ -85,7 +86,7 @@ STRAHL_INLINE SurfaceHit<S> surface_at(const World<Element<S>>& world, const Sor
     }
     return hit;
 }
-/// Where rays first meet the items of their surfaces, all of one form, and the materials of these.
+/// Returns the points where rays first meet the items of their surfaces, all of one form, and the items' materials.
 template <class S>
 STRAHL_INLINE SurfaceHit<S> surfaces_at(const World<Element<S>>& world, int form, const Element<S>* surfaces,
                                         const LaneIndices<S>& pick, const Ray<S>& ray, S t, int* materials) {
@@ -142,7 +143,7 @@ STRAHL_INLINE Hit<S> make_hit(const Shading<S, P>& shading, int bin, const RayQu
             bin};
 }
 
-/// Shades the hits of a bin. False if the queues are full.
+/// Shades the hits of a bin, first those of rays inside an enclosed body. Returns false if the queues are full.
 template <class S, class P>
 bool shade_bin(const Shading<S, P>& shading, int bin) {
     const auto& world = shading.world;
@@ -163,37 +164,37 @@ bool shade_bin(const Shading<S, P>& shading, int bin) {
         Hit<S> hit = make_hit(shading, bin, from, pick, t, material);
         if (world.fog) [[unlikely]]
             hit.weight = left_by_fog(world, S(hit.weight), S(hit.medium), pick(t));
-        HitNotes<S, P> rare;
-        P::meet(shading, hit, from, pick, t, within, material, rare.own);
-        if (shading.rare) [[unlikely]] {
-            rare.flat = hit.normal;
+        HitNotes<S, P> notes;
+        P::meet(shading, hit, from, pick, t, within, material, notes.own);
+        if (shading.has_notes) [[unlikely]] {
+            notes.flat = hit.normal;
             if (world.bends) {
-                hit.normal = PatternCalls<S>::bent(world, material.numbers, hit.position, hit.surface, rare.flat);
-                P::bend(shading, material.numbers, hit, rare.flat, pick(from.weight), pick.lanes, rare.own);
+                hit.normal = PatternCalls<S>::bent(world, material.numbers, hit.position, hit.surface, notes.flat);
+                P::bend(shading, material.numbers, hit, notes.flat, pick(from.weight), pick.lanes, notes.own);
             }
-            if (notes(shading)) {
+            if (notes_sights(shading)) {
                 Mask<S> filtered = first_lanes<S>(0);
                 if (filters(shading)) {
-                    rare.cone = cone_at(shading, from, pick, hit.direction, pick(t));
-                    filtered = rare.cone.width > S(0);
+                    notes.cone = cone_at(shading, from, pick, hit.direction, pick(t));
+                    filtered = notes.cone.width > S(0);
                 }
                 S seen_from = pick(from.source);
                 if (world.patterns)
                     seen_from = seen_from +
                                 PatternCalls<S>::piece(world, material.numbers, hit.position, hit.surface, filtered);
-                note_hits(shading, hit, seen_from, pick(t), pick.lanes, material.numbers, rare);
+                note_hits(shading, hit, seen_from, pick(t), pick.lanes, material.numbers, notes);
             }
         }
         Mask<S> dim = first_lanes<S>(0);
         if (shading.depth < shading.limits.depth)
-            dim = scatter(shading, hit, rare);
+            dim = scatter(shading, hit, notes);
         else
             truncate(shading, hit);
-        Vec3<S> light = scale(hit.weight, illumination(shading, hit, dim, rare));
+        Vec3<S> light = scale(hit.weight, illumination(shading, hit, dim, notes));
         if (world.fog) [[unlikely]]
             light = fma(pick(from.weight) - hit.weight, splat<S>(world.fog_color), light);
         add_light(shading.batch, hit.pixel, pick.lanes, light);
-        P::shade(shading, hit, from, pick, t, light, rare.own);
+        P::shade(shading, hit, from, pick, t, light, notes.own);
     }
     next.inside_end[bin] = next.inside.count;
     return true;

@@ -20,7 +20,7 @@ struct Shading {
     Workspace<T>& workspace;
     Counts& counts;
     int depth;
-    bool rare;  // hits have HitNotes: sights are noted, or normals are bent
+    bool has_notes;  // hits have HitNotes: sights are noted, or normals are bent
 
     bool full() const { return next.open.count + refracted.count > batch_rays || next.inside.count > batch_rays; }
 };

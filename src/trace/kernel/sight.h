@@ -1,18 +1,18 @@
-// What samples saw besides their light: only noted where a batch asks for it.
+// Signatures of samples, and what else they saw besides their light. Noted only where a batch asks for it.
 #pragma once
 #include "trace/kernel/shading.h"
 #include "trace/patterns/pattern_calls.h"
 
 namespace strahl::inline STRAHL_LEVEL {
 
-/// Mixes a word into a hash, lane by lane in plain arrays, which the compiler turns into vectors. Multiplications by
-/// odd numbers and shifts lose nothing (M. E. O'Neill, "PCG: A Family of Simple Fast Space-Efficient Statistically Good
+/// Mixes a word into a hash, lane by lane in plain arrays, which the compiler vectorises. Multiplications by odd
+/// numbers and shifts lose nothing (M. E. O'Neill, "PCG: A Family of Simple Fast Space-Efficient Statistically Good
 /// Algorithms for Random Number Generation", 2014, on what such steps reach).
 STRAHL_INLINE std::uint32_t mixed(std::uint32_t hash, std::uint32_t word) {
     hash = (hash ^ word) * 0x9e3779b1u;
     return hash ^ hash >> 15;
 }
-/// The bits of numbers, which are the same at every SIMD level.
+/// Returns the bits of a number as 32; they are the same at every SIMD level.
 template <class T>
 STRAHL_INLINE std::uint32_t bits_of(T value) {
     if constexpr (sizeof(T) == sizeof(std::uint32_t)) {
@@ -23,21 +23,22 @@ STRAHL_INLINE std::uint32_t bits_of(T value) {
     }
 }
 
-/// What tells reflected from refracted rays: their weight, in fog only its magnitude, since fog dims them evenly.
+/// Returns a word that differs between reflected and refracted rays: the bits of their weight, in fog only its
+/// magnitude, since fog dims rays by degrees.
 template <class T>
 STRAHL_INLINE std::uint32_t weight_word(const World<T>& world, T weight) {
     return world.fog ? static_cast<std::uint32_t>(std::ilogb(weight)) : bits_of(weight);
 }
 
-/// Patterns of hits that weigh less, in weights that are noticed, hardly show.
+/// Patterns count as visible at hits that weigh more than this many times `Limits::noticed`.
 inline constexpr int least_uneven = 4;
 
-/// Notes a pack of hits in the signatures of their samples, those of hits that can be seen: which surface from which
-/// side, from where, how weak and after how many bounces. The weight tells reflected, refracted and totally reflected
-/// rays apart. `materials` are their numbers where there are patterns.
+/// Adds hits above `Limits::noticed` to the signatures of their samples: surface and side, the surface that the ray
+/// comes from, its weight and the number of bounces. The weight tells reflected, refracted and totally reflected rays
+/// apart. `materials` has the number of each lane's material where there are patterns.
 template <class S, class P>
 [[gnu::noinline]] void note_hits(const Shading<S, P>& shading, const Hit<S>& hit, const S& source, const S& t,
-                                 int lanes, const int* materials, HitNotes<S, P>& rare) {
+                                 int lanes, const int* materials, HitNotes<S, P>& notes) {
     using T = Element<S>;
     alignas(64) T surfaces[width<S>], sides[width<S>], sources[width<S>], weights[width<S>], pixels[width<S>];
     alignas(64) T distances[width<S>], reflected[3][width<S>] = {}, reflections[width<S>] = {};
@@ -54,12 +55,12 @@ template <class S, class P>
         std::uint32_t word = mixed(depth, bits_of(surfaces[k]));
         word = mixed(word, bits_of(sides[k]));
         word = mixed(word, bits_of(sources[k]));
-        rare.words[k] =
+        notes.words[k] =
             weights[k] > shading.limits.noticed ? mixed(word, weight_word(shading.world, weights[k])) | 1 : 0;
     }
     for (int k = 0; k < lanes; ++k) {
         Sight<T>& sight = shading.batch.sights[static_cast<int>(pixels[k])];
-        sight.signature += rare.words[k];
+        sight.signature += notes.words[k];
         if (shading.world.patterns && weights[k] > least_uneven * shading.limits.noticed &&
             uneven(shading.world, materials[k]))
             sight.uneven = true;
@@ -71,7 +72,7 @@ template <class S, class P>
     }
 }
 
-/// Notes rays that met nothing.
+/// Adds rays that met nothing to the signatures of their samples.
 template <class S, class P>
 [[gnu::noinline]] void note_misses(const Shading<S, P>& shading, const S& source, const S& weight, const S& pixel,
                                    int lanes) {
@@ -87,10 +88,11 @@ template <class S, class P>
     }
 }
 
-/// Notes which share of a light reaches the hits in the lanes of `lit`: surfaces that face away count as dark. And the
-/// light that a highlight of exponent 4 would bring: where that varies, a sharper one may lie between two samples.
+/// Adds the share of a light that reaches the hits in the lanes of `lit` to the signatures of their samples: surfaces
+/// that face away count as dark, and dark ones add nothing. Adds to `Sight::glint` the light that a highlight of
+/// exponent 4 would bring: where that varies, a sharper one may lie between two samples.
 template <class S, class P>
-[[gnu::noinline]] void note_light(const Shading<S, P>& shading, const Hit<S>& hit, const HitNotes<S, P>& rare,
+[[gnu::noinline]] void note_light(const Shading<S, P>& shading, const Hit<S>& hit, const HitNotes<S, P>& notes,
                                   int number, const Vec3<S>& share, const S& shine, Mask<S> lit) {
     using T = Element<S>;
     alignas(64) T shares[3][width<S>], glints[width<S>], pixels[width<S>];
@@ -101,8 +103,8 @@ template <class S, class P>
     store_lanes(pixels, hit.pixel);
     for (unsigned left = bits(lit); left != 0; left &= left - 1) {
         const int k = std::countr_zero(left);
-        if (rare.words[k] == 0) continue;
-        std::uint32_t word = mixed(rare.words[k], static_cast<std::uint32_t>(number));
+        if (notes.words[k] == 0) continue;
+        std::uint32_t word = mixed(notes.words[k], static_cast<std::uint32_t>(number));
         bool dark = true;
         for (int c = 0; c < 3; ++c) word = mixed(word, bits_of(shares[c][k])), dark = dark && shares[c][k] == 0;
         Sight<T>& sight = shading.batch.sights[static_cast<int>(pixels[k])];

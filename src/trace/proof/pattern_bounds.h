@@ -1,5 +1,5 @@
 // Error bounds of patterns' colours and of normals that reliefs bend, at places that are off: for proofs, compiled once
-// per precision and instruction set, in a file of its own.
+// per precision and SIMD level, apart from the kernel.
 #pragma once
 #include "num/memory.h"
 #include "num/ray.h"
