@@ -1,6 +1,7 @@
-// Colours of pictures, filtered by footprints: means over what a sample's square of the view shows of a picture.
+// Colours of pictures, filtered by footprints: means over the part of a picture that a sample's square of the view
+// shows.
 //
-// A footprint is a parallelogram in the picture, how the place there changes from ray to ray (H. Igehy, "Tracing Ray
+// A footprint is a parallelogram in the picture: how the place there changes from ray to ray (H. Igehy, "Tracing Ray
 // Differentials", 1999). It counts as the ellipse with the same variances, as in P. Heckbert, "Fundamentals of Texture
 // Mapping and Image Warping", 1989, and its mean is that of several lookups along the longer axis (J. McCormack, R.
 // Perry, K. Farkas, N. Jouppi, "Feline: Fast Elliptical Lines for Anisotropic Texture Mapping", 1999), each in mip
@@ -15,10 +16,10 @@
 
 namespace strahl::inline STRAHL_LEVEL {
 
-/// Lookups along the longer axis of a footprint, at most, and along the shorter one.
+/// Most lookups along the longer axis of a footprint, and lookups along the shorter one.
 inline constexpr int most_lookups = 32, lookups_beside = 2;
 
-/// How the place in the picture changes along ways of the pattern's space.
+/// Returns how u and v in the picture change along a vector in the pattern's space, at p.
 template <class S>
 STRAHL_INLINE std::array<S, 2> way_in_image(const ImageKernel<Element<S>>& image, const Vec3<S>& p,
                                             const Vec3<S>& way) {
@@ -32,17 +33,18 @@ STRAHL_INLINE std::array<S, 2> way_in_image(const ImageKernel<Element<S>>& image
     return {around, S(2) * turn * up};
 }
 
-/// One lane's lookups.
+/// The lookups of one lane, and the sum of their colours.
 template <class T>
 struct ImageLookups {
     const ImageKernel<T>& image;
     const MipMapKernel& map;
     T sum[3] = {};
 
-    /// Adds to the sum: bilinear in a level.
+    /// Adds the colour at (u, v) to the sum, bilinear in a mip level.
     STRAHL_INLINE void add(int number, T u, T v, T share) {
         const MipLevel& level = map.levels[number];
-        // Smaller pictures join at the poles no more than the picture itself does.
+        // At the poles only the picture itself continues with its opposite row: in smaller levels that would reach
+        // further.
         const bool ends_at_poles = image.map == ImageMap::spherical && number > 0;
         const auto pair = [](T place, std::int32_t size, bool ends, std::int32_t(&numbers)[2]) {
             const T from_middle = place * static_cast<T>(size) - T(.5), low = std::floor(from_middle);
@@ -63,10 +65,11 @@ struct ImageLookups {
             }
     }
 
-    /// Sums up to the mean around a place whose square has these sides: an ellipse, the length of which is returned. An
-    /// image that is there once is seen from where the place is: inside or outside.
+    /// Sums up the mean around (u, v) over a square with sides a and b, taken for an ellipse. Returns the length along
+    /// its longer axis, in pixels. If the image is there once, none of what is around it is seen: lookups end at its
+    /// edges.
     STRAHL_INLINE T filter(T u, T v, const T (&a)[2], const T (&b)[2]) {
-        // The axes of the ellipse, in pixels: a square with sides a and b has the variances of a a^T + b b^T.
+        // Finds the axes of the ellipse, in pixels: a square with sides a and b has the variances of a a^T + b b^T.
         const T size[2] = {static_cast<T>(image.width), static_cast<T>(image.height)};
         const T x[2] = {a[0] * size[0], b[0] * size[0]}, y[2] = {a[1] * size[1], b[1] * size[1]};
         const T xx = fma(x[0], x[0], x[1] * x[1]), yy = fma(y[0], y[0], y[1] * y[1]), xy = fma(x[0], y[0], x[1] * y[1]);
@@ -106,15 +109,15 @@ struct ImageLookups {
     }
 };
 
-/// The colours of a picture where these points of the pattern's space, and ways to those of rays beside, are. How many
-/// of its pixels long footprints are, 0 outside.
+/// Finds the colours of a picture at points of the pattern's space; `across` and `down` lead to the points of rays
+/// beside. Returns how many of the picture's pixels long footprints are, 0 outside of it.
 template <class S>
 [[gnu::noinline]] S filtered_color(const ImageKernel<Element<S>>& image, const MipMapKernel& map, const Vec3<S>& p,
                                    const Vec3<S>& across, const Vec3<S>& down, Mask<S> lanes, Vec3<S>& color) {
     using T = Element<S>;
     const auto [u, v] = place_in_image(image, p);
     const std::array<S, 2> ways[2] = {way_in_image(image, p, across), way_in_image(image, p, down)};
-    // Of longer ways, and of what are none, all that is seen is the picture's mean.
+    // For longer vectors, or NaN, all that is seen is the picture's mean.
     const auto limited = [](T way) { return way < T(1000) ? std::max(way, T(-1000)) : T(1000); };
     const S low(-image.border), high(1 - image.border);
     const Mask<S> around = (u < low) | !(u < high) | (v < low) | !(v < high);

@@ -1,4 +1,4 @@
-// Colours of pictures. scene/image_pattern.h says where a point is in one.
+// Colours of pictures. scene/image_pattern.h defines where a point is in one.
 #pragma once
 #include <array>
 #include <limits>
@@ -10,9 +10,9 @@
 
 namespace strahl::inline STRAHL_LEVEL {
 
-/// The angle of (x, y) from the x axis, in turns, 0 or above and below 1: the series of the arc tangent (J. Gregory,
-/// 1671), after the angle, at most an eighth of a turn, was halved twice by tan(a/2) = tan a / (1 + sqrt(1 + tan^2 a)).
-/// It is off by a few units in the last place of 1. Of (0, 0) the angle is 0.
+/// Returns the angle of (x, y) from the x axis, in turns, 0 or above and below 1: by the series of the arc tangent (J.
+/// Gregory, 1671), after the angle, at most an eighth of a turn, was halved twice by
+/// tan(a/2) = tan a / (1 + sqrt(1 + tan^2 a)). It is off by a few units in the last place of 1. At (0, 0) it is 0.
 template <class S>
 STRAHL_INLINE S turns(const S& x, const S& y) {
     using T = Element<S>;
@@ -30,8 +30,8 @@ STRAHL_INLINE S turns(const S& x, const S& y) {
     return select(angle < S(1), angle, S(0));
 }
 
-/// Two pixels next to each other along an axis of `size` pixels, by their numbers, and how far from the first to the
-/// second a place is. Places are in pixels; the middle of the first pixel is at 1/2.
+/// Two pixels next to each other along an axis of `size` pixels: their numbers, and how far from the first to the
+/// second a place is, from 0 to 1. Places are in pixels; the middle of the first pixel is at 1/2.
 template <class S>
 struct PixelPair {
     alignas(64) Element<S> numbers[2][width<S>];
@@ -45,7 +45,7 @@ struct PixelPair {
     }
 };
 
-/// Where a point of the pattern's space is in the picture: u and v.
+/// Returns where a point of the pattern's space is in the picture: u and v.
 template <class S>
 STRAHL_INLINE std::array<S, 2> place_in_image(const ImageKernel<Element<S>>& image, const Vec3<S>& p) {
     using T = Element<S>;
@@ -58,7 +58,8 @@ STRAHL_INLINE std::array<S, 2> place_in_image(const ImageKernel<Element<S>>& ima
     return {u, v};
 }
 
-/// The colour at a point of the pattern's space; where coordinates are too large for numbers that of a corner.
+/// Returns the colour at a point of the pattern's space; where coordinates are too large for the number type, that of a
+/// corner.
 template <class S>
 [[gnu::noinline]] Vec3<S> image_color(const ImageKernel<Element<S>>& image, const Vec3<S>& p) {
     using T = Element<S>;

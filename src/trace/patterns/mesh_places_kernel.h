@@ -1,22 +1,22 @@
-// Where points of meshes are by uv.
+// Places by uv of points on meshes.
 #pragma once
 #include "num/memory.h"
 #include "trace/world/triangle_of.h"
 
 namespace strahl::inline STRAHL_LEVEL {
 
-/// A triangle in each lane, with what its corners have by uv; zeros where a surface has none.
+/// A triangle in each lane, with the places by uv of its corners; all zeros if a surface has none.
 template <class S>
 struct PlacedTriangles {
-    Vec3<S> corner, e, f;  // and the ways to the two others
-    S place[2];            // of the corner
-    S on_e[2], on_f[2];    // how much further the others are
+    Vec3<S> corner, e, f;  // and the sides to the two others
+    S place[2];            // place of the corner
+    S on_e[2], on_f[2];    // places of the others less that of the corner
 };
 template <class S>
 [[gnu::noinline]] PlacedTriangles<S> placed_triangles(const World<Element<S>>& world, const PlacesKernel& places,
                                                       const S& surface) {
     using T = Element<S>;
-    constexpr int numbers = 15;  // of a triangle: its corners, then their places
+    constexpr int numbers = 15;  // for a triangle: its corners, then their places
     alignas(64) T values[numbers][width<S>] = {};
     for (int k = 0; k < width<S>; ++k) {
         const int own = static_cast<int>(lane(surface, k)), i = own - places.first_surface;
@@ -40,8 +40,8 @@ template <class S>
             {number(13) - number(9), number(14) - number(10)}};
 }
 
-/// Where points of these triangles are by uv: (u, v, 0). A point is a mean of the corners, weighted by the areas of the
-/// triangles that it makes with the sides across.
+/// Returns the places by uv of points of these triangles, (u, v, 0). A point is a mean of the corners, each weighted by
+/// the area of the triangle that the point makes with the opposite side.
 template <class S>
 STRAHL_INLINE Vec3<S> place_in(const PlacedTriangles<S>& t, const Vec3<S>& position) {
     const Vec3<S> p = position - t.corner, n = cross(t.e, t.f);
@@ -53,7 +53,7 @@ STRAHL_INLINE Vec3<S> place_in(const PlacedTriangles<S>& t, const Vec3<S>& posit
     const auto mean = [&](int j) { return fma(of_e, t.on_e[j], fma(of_f, t.on_f[j], t.place[j])); };
     return {mean(0), mean(1), S(0)};
 }
-/// How they change along a way in the plane of a triangle.
+/// Returns how the place changes along a vector in the plane of the triangle.
 template <class S>
 STRAHL_INLINE Vec3<S> way_in(const PlacedTriangles<S>& t, const Vec3<S>& way) {
     const Vec3<S> n = cross(t.e, t.f);
@@ -62,12 +62,13 @@ STRAHL_INLINE Vec3<S> way_in(const PlacedTriangles<S>& t, const Vec3<S>& way) {
     return {change(0), change(1), S(0)};
 }
 
-/// The ways along a surface on which u grows by 1, and v, both times the same number above 0; 0 where there are none.
+/// The vectors along a surface on which u grows by 1, and v, both times the same positive number; 0 where there are
+/// none.
 template <class S>
 struct Tangents {
     Vec3<S> u, v;
 };
-/// Without what they have of a normal of length 1.
+/// Returns these without their parts along a normal of length 1.
 template <class S>
 STRAHL_INLINE Tangents<S> tangents(const PlacedTriangles<S>& t, const Vec3<S>& normal) {
     const S determinant = fma(t.on_e[0], t.on_f[1], -(t.on_e[1] * t.on_f[0]));

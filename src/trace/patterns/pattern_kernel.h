@@ -1,4 +1,4 @@
-// Colours and normals of patterns. scene/pattern.h says what they are.
+// Colours and normals of patterns. scene/pattern.h defines the patterns.
 #pragma once
 #include "trace/patterns/footprint_kernel.h"
 #include "trace/patterns/pattern_calls.h"
@@ -6,7 +6,7 @@
 
 namespace strahl::inline STRAHL_LEVEL {
 
-/// Where points of the world, which are on these surfaces, are in the pattern's space.
+/// Returns where points of the world, which are on these surfaces, are in the pattern's space.
 template <class S>
 STRAHL_INLINE Vec3<S> place_of(const World<Element<S>>& world, const PatternKernel<Element<S>>& pattern,
                                const Vec3<S>& position, const S& surface) {
@@ -14,7 +14,7 @@ STRAHL_INLINE Vec3<S> place_of(const World<Element<S>>& world, const PatternKern
     return in_space_of(pattern, place_in(placed_triangles(world, pattern.places, surface), position));
 }
 
-/// The colour of a pattern at points of the world, which are on these surfaces.
+/// Returns the colour of a pattern at points of the world, which are on these surfaces.
 template <class S>
 [[gnu::noinline]] Vec3<S> color_at(const World<Element<S>>& world, const PatternKernel<Element<S>>& pattern,
                                    const Vec3<S>& position, const S& surface) {
@@ -27,7 +27,7 @@ template <class S>
         const auto *const before = stop++, *const after = stop;
         const Mask<S> beyond = value > S(before->at);
         if (none(beyond)) break;
-        // Two stops in one place are a jump: there, `per` is infinite.
+        // Two stops in one place make a jump: there, `per` is infinite.
         const S share = min((value - S(before->at)) * S(after->per), S(1)), rest = S(1) - share;
         for (int c = 0; c < 3; ++c)
             color[c] = select(beyond, fma(share, S(after->color[c]), rest * S(before->color[c])), color[c]);
@@ -35,7 +35,8 @@ template <class S>
     return color;
 }
 
-/// The same, images filtered; lanes beyond these have any colour. How many of an image's pixels long footprints are.
+/// Finds the same with images filtered; lanes not in `lanes` get any colour. Returns how many of an image's pixels long
+/// footprints are.
 template <class S>
 [[gnu::noinline]] S filtered_at(const World<Element<S>>& world, const PatternKernel<Element<S>>& pattern,
                                 const Vec3<S>& position, const S& surface, const Footprint<S>& footprint, Mask<S> lanes,
@@ -66,7 +67,7 @@ template <class S>
                           turned(across), turned(down), lanes, color);
 }
 
-/// Calls visit(which, lanes) for each of the patterned materials in a pack.
+/// Calls visit(which, lanes) for each different patterned material of a pack.
 template <class S, class Visit>
 STRAHL_INLINE void each_pattern(const World<Element<S>>& world, const int* materials, const Visit& visit) {
     using T = Element<S>;
@@ -129,7 +130,7 @@ Vec3<S> PatternCalls<S>::bent(const World<T>& world, const int* materials, const
     return all;
 }
 
-/// The piece of PatternCalls, in three whole or half numbers.
+/// Returns the piece of PatternCalls::piece as three whole or half numbers.
 template <class S>
 [[gnu::noinline]] Vec3<S> piece_at(const World<Element<S>>& world, const PatternKernel<Element<S>>& pattern,
                                    const Vec3<S>& position, const S& surface, Mask<S> filtered) {
@@ -162,7 +163,7 @@ S PatternCalls<S>::piece(const World<T>& world, const int* materials, const Vec3
     S all(0);
     each_pattern<S>(world, materials, [&](int which, Mask<S> lanes) {
         const Vec3<S> p = piece_at(world, world.patterns[which], position, surface, filtered);
-        // Square roots of primes: no two sums are the same as long as numbers have the digits.
+        // With square roots of primes as factors no two sums are the same, as long as numbers have the digits.
         const S number =
             fma(S(T(1.4142135623730951)), p.x, fma(S(T(1.7320508075688772)), p.y, S(T(2.23606797749979)) * p.z));
         all = select(lanes, number, all);

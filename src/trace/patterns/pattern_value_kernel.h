@@ -1,32 +1,33 @@
-// The values of patterns. scene/pattern.h says what they are.
+// Values of patterns. scene/pattern.h defines the patterns.
 #pragma once
 #include "trace/patterns/image_kernel.h"
 #include "trace/patterns/mesh_places_kernel.h"
 
 namespace strahl::inline STRAHL_LEVEL {
 
-/// x - floor(x)
+/// Returns x - floor(x).
 template <class S>
 STRAHL_INLINE S fraction(const S& x) {
     return x - floor(x);
 }
-/// x mod 289, exact for whole numbers up to 2.8 million in float: there a half over 289 is more than the rounding.
+/// Returns x mod 289, exact for whole numbers up to 2.8 million in float: there a half over 289 is more than the
+/// rounding.
 template <class S>
 STRAHL_INLINE S mod_289(const S& x) {
     using T = Element<S>;
     return fma(S(T(-289)), floor((x + S(T(.5))) * S(T(1) / T(289))), x);
 }
-/// The permutation polynomial, of whole numbers from 0 to 577.
+/// Returns the permutation polynomial of whole numbers from 0 to 577.
 template <class S>
 STRAHL_INLINE S permuted(const S& number) {
     const S x = select(number < S(289), number, number - S(289));
     return mod_289(fma(S(34), x, S(1)) * x);
 }
-/// The gradient of a corner with this hash times the way from the corner.
+/// Returns the scalar product of the gradient at a corner with this hash and the vector from the corner.
 template <class S>
 STRAHL_INLINE S slope_at_corner(const S& hash, const S& x, const S& y, const S& z) {
     using T = Element<S>;
-    // The hash and a half over 7 is never so near to a whole number that rounding would matter.
+    // (The hash + 1/2) / 7 is never so near to a whole number that rounding would matter.
     const S sevens = floor((hash + S(T(.5))) * S(T(1) / T(7))), forties = floor((sevens + S(T(.5))) * S(T(1) / T(7)));
     const S a = fma(S(-7), sevens, hash), b = fma(S(-7), forties, sevens);
     return fma(a - S(3), x, fma(b - S(3), y, (forties - S(T(2.5))) * S(T(1.2)) * z));
@@ -72,12 +73,12 @@ STRAHL_INLINE S octaves_at(const PatternKernel<Element<S>>& pattern, const Vec3<
     return sum;
 }
 
-/// Whole numbers modulo 2.
+/// Returns whole numbers modulo 2.
 template <class S>
 STRAHL_INLINE S parity(const S& x) {
     return fma(S(-2), floor(x * S(Element<S>(.5))), x);
 }
-/// 0 in the mortar, 1 in a brick. One brick with its mortar is 1 long, wide and high.
+/// Returns 0 in the mortar, 1 in a brick. One brick with its mortar is 1 long, wide and high.
 template <class S>
 STRAHL_INLINE S brick_at(const Vec3<Element<S>>& mortar, const Vec3<S>& p) {
     using T = Element<S>;
@@ -86,14 +87,14 @@ STRAHL_INLINE S brick_at(const Vec3<Element<S>>& mortar, const Vec3<S>& p) {
                           (fraction(p.z + (half - shift)) > S(mortar.z));
     return select(brick, S(1), S(0));
 }
-/// From 0 up to 1 and down again.
+/// Returns a wave of period 1, from 0 up to 1 and down again.
 template <class S>
 STRAHL_INLINE S wave(const S& x) {
     return S(1) - abs(fma(S(2), fraction(x), S(-1)));
 }
 
-/// The value of a pattern at a point of its space, from 0 to 1, or an image's brightness; where coordinates are too
-/// large for numbers 0.
+/// Returns the value of a pattern at a point of its space, from 0 to 1, or an image's brightness; 0 where coordinates
+/// are too large for the number type.
 template <class S>
 [[gnu::noinline]] S value_at(const PatternKernel<Element<S>>& pattern, const Vec3<S>& p) {
     using T = Element<S>;
@@ -130,7 +131,7 @@ template <class S>
     return select((value >= S(0)) & (value <= S(1)), value, S(0));
 }
 
-/// A point of the world, or a place by uv, in the pattern's space.
+/// Returns where a point of the world, or a place by uv, is in the pattern's space.
 template <class S>
 STRAHL_INLINE Vec3<S> in_space_of(const PatternKernel<Element<S>>& pattern, const Vec3<S>& position) {
     Vec3<S> p;

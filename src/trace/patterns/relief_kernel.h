@@ -1,4 +1,4 @@
-// How reliefs bend normals. scene/pattern.h says what they are.
+// Normals that reliefs bend. scene/pattern.h defines the reliefs.
 #pragma once
 #include <limits>
 
@@ -7,7 +7,7 @@
 
 namespace strahl::inline STRAHL_LEVEL {
 
-/// v with a length of 1, or where it has no length that is a number, `otherwise`.
+/// Returns v brought to length 1, or `otherwise` if its length is 0 or not finite.
 template <class S>
 STRAHL_INLINE Vec3<S> unit_or(const Vec3<S>& v, const Vec3<S>& otherwise) {
     const S squared = dot(v, v), length = sqrt(squared);
@@ -15,7 +15,7 @@ STRAHL_INLINE Vec3<S> unit_or(const Vec3<S>& v, const Vec3<S>& otherwise) {
                   otherwise);
 }
 
-/// The normal at a point of the pattern's space.
+/// Returns the normal as a bump bends it, at a point of the pattern's space; of length 1 or as it was.
 template <class S>
 [[gnu::noinline]] Vec3<S> bent_at(const BumpKernel<Element<S>>& bump, const Vec3<S>& p, const Vec3<S>& normal) {
     Vec3<S> sum = splat<S>(Vec3<Element<S>>(0)), own;
@@ -25,7 +25,8 @@ template <class S>
     return unit_or(fma(sqrt(dot(own, own)), sum, normal), normal);
 }
 
-/// A normal that may be bent already, bent; of length 1 or as it was. `flat` is that of the surface.
+/// Returns a normal, which may be bent already, as a bump bends it at a position; of length 1 or as it was. `flat` is
+/// the normal of the surface.
 template <class S>
 Vec3<S> bent_by(const World<Element<S>>& world, const BumpKernel<Element<S>>& bump, const Vec3<S>& position,
                 const S& surface, const Vec3<S>& flat, const Vec3<S>& normal) {
@@ -39,7 +40,7 @@ Vec3<S> bent_by(const World<Element<S>>& world, const BumpKernel<Element<S>>& bu
     return unit_or(scale(side, fma(own.z, normal, scale(S(1) / sqrt(abs(area)), of_u + of_v))), normal);
 }
 
-/// Along the surface: the direction in which u grows, and any on the side where v does.
+/// Returns two directions along the surface: that in which u grows, and any on the side where v does.
 template <class S>
 STRAHL_INLINE Tangents<S> tangents(const NormalMapKernel<Element<S>>& map, const Vec3<S>& p) {
     const Vec3<S> x = splat<S>(map.columns[0]), y = splat<S>(map.columns[1]), z = splat<S>(map.columns[2]);
