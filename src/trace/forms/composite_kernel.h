@@ -1,12 +1,12 @@
-// Where rays cross bodies made of bodies. Nothing is sorted: a walk along the ray goes from end to end of the parts,
-// and where the whole changes between inside and outside there is its surface.
+// Crossings of rays with composites. Nothing is sorted: a walk along the ray goes from end to end of the leaves; the
+// surface is where the whole changes between inside and outside.
 #pragma once
 #include "num/uninitialized.h"
 #include "trace/forms/mesh_walk_kernel.h"
 
 namespace strahl::inline STRAHL_LEVEL {
 
-/// The parts of a composite along a pack of rays.
+/// The leaves of a composite along a pack of rays.
 template <class S>
 class CompositeWalk {
     using T = Element<S>;
@@ -28,8 +28,8 @@ class CompositeWalk {
         for (int i = 0; i < composite.leaves; ++i) cross(i, lanes);
     }
 
-    /// Is the composite's inside there, just after `t`? And were it, if the leaf `other` were the opposite of what it
-    /// is?
+    /// Returns the lanes in which the inside of the composite is there, just after `t`; with `other`, as if that leaf
+    /// were the opposite of what it is.
     [[gnu::noinline]] Mask<S> inside_after(const S& t, int other = -1) const {
         Room<Mask<S>, most_leaves> stack;
         int height = 0, leaf = 0;
@@ -51,7 +51,7 @@ class CompositeWalk {
             }
         return stack[0];
     }
-    /// The next end of any part beyond `t`; infinite if there is none.
+    /// Returns the next end of any leaf beyond `t`; infinite if there is none.
     [[gnu::noinline]] S next(const S& t) const {
         S best(std::numeric_limits<T>::infinity());
         const auto look = [&](const S& end) { best = select((end > t) & (end < best), end, best); };
@@ -59,8 +59,9 @@ class CompositeWalk {
             for (int k = 0; k < ends[i].pairs; ++k) look(ends[i].near[k]), look(ends[i].far[k]);
         return best;
     }
-    /// Calls visit(leaf, lanes, faces) for the leaves that make the whole change at `t`. Of several that end there the
-    /// first declared counts without which the whole would not change, or the first if it would without each.
+    /// Calls visit(leaf, lanes, faces) for the leaves that make the whole change at `t`. If several end there, this is
+    /// the first declared one without which the whole would not change, or the first one if it would change without any
+    /// of them.
     template <class Visit>
     void ends_at(const S& t, Mask<S> lanes, const Visit& visit) const {
         S found(0);
@@ -84,8 +85,8 @@ class CompositeWalk {
             lanes = lanes & !own;
         }
     }
-    /// Goes along the rays, and calls crossed(t, lanes) where these enter or leave the composite, until it has no more
-    /// lanes: it takes away those that are done. `limit(lanes)` tells how far there is anything to find.
+    /// Walks along the rays and calls crossed(t, lanes) where they enter or leave the composite, until no lanes are
+    /// left: crossed returns the lanes that go on. `limit(t)` returns the lanes in which anything beyond can matter.
     template <class Crossed, class Limit>
     void go(Mask<S> lanes, const Crossed& crossed, const Limit& limit) {
         S t(0);
@@ -102,7 +103,7 @@ class CompositeWalk {
     }
 
   private:
-    /// Does a leaf end there?
+    /// Returns the lanes in which a leaf ends there.
     Mask<S> ends_of(int i, const S& t) const {
         Mask<S> any = (ends[i].near[0] == t) | (ends[i].far[0] == t);
         if (ends[i].pairs > 1) any = any | (ends[i].near[1] == t) | (ends[i].far[1] == t);
@@ -117,7 +118,7 @@ class CompositeWalk {
     }
     const CompositeLeaf& leaf(int i) const { return world.leaves[composite.first_leaf + i]; }
 
-    /// The keys of the faces that rays start on.
+    /// Returns the keys of the faces that rays start on, -1 for others.
     [[gnu::noinline]] S keys_of(const S& source) const {
         alignas(64) T keys[width<S>];
         for (int k = 0; k < width<S>; ++k) {
@@ -132,8 +133,8 @@ class CompositeWalk {
         if (ends[i].pairs > 1) inside = inside | ((ends[i].near[1] <= t) & (t < ends[i].far[1]));
         return inside;
     }
-    /// Faces in the same place share a key, and so are crossed at the same t: planes by being one, others by their own
-    /// equal formulas. A ray that starts on one of them starts on all.
+    /// Finds the spans of rays in leaf i. Faces in the same place share a key, and so are crossed at the same t: planes
+    /// by being one, others by their own equal formulas. A ray that starts on one of them starts on all.
     void cross(int i, Mask<S> lanes) {
         const CompositeLeaf& own = leaf(i);
         const std::int32_t* const keys = world.face_keys + composite.first_key + (own.surface - composite.surface);
@@ -165,14 +166,15 @@ class CompositeWalk {
         end.near_face = end.far_face = zero;
     }
 
-    /// As the mesh sees the rays: those that start on a triangle in the place of one of its own start on that.
+    /// Finds the next crossing of a mesh. Rays that start on a triangle in the place of one of the mesh's own count as
+    /// starting on that.
     MeshCrossing<S> next_of_mesh(const CompositeLeaf& own, Mask<S> lanes, const S& place, bool all) const {
         const S start = start_key - S(static_cast<T>(own.first_key)), surface(static_cast<T>(own.surface));
         const Mask<S> starts_here = (start >= S(0)) & (start < S(static_cast<T>(own.faces)));
         const Ray<S> from{ray.origin, ray.direction, select(starts_here, surface + start, ray.source)};
         return next_mesh_crossing(world, own, from, lanes, place, all);
     }
-    /// Where that is: if the triangle lies in a plane that others share, where the ray crosses this.
+    /// Returns the distance of a crossing: if the triangle lies in a plane that other faces share, that of the plane.
     [[gnu::noinline]] S place_of(const CompositeLeaf& own, const MeshCrossing<S>& found) const {
         if (!own.in_planes) return found.t;
         S t = found.t;
@@ -185,8 +187,8 @@ class CompositeWalk {
         }
         return t;
     }
-    /// Of a mesh the stretch of the rays' inside that they are in, or that comes next. Where it ends for the mesh alone
-    /// is far[1]: from there the next one is looked for.
+    /// Finds the span of rays in a mesh that they are in, or that comes next. Its end for the mesh alone is far[1]:
+    /// from there the next span is looked for.
     void cross_mesh(const CompositeLeaf& own, Mask<S> lanes, LeafEnds<S>& end) {
         const S zero(0), inf(std::numeric_limits<T>::infinity());
         const MeshCrossing<S> first = next_of_mesh(own, lanes, zero, true);
@@ -199,7 +201,7 @@ class CompositeWalk {
         end.far_face = select(inside, first.surface, second.surface);
         has_meshes = true;
     }
-    /// Goes on to the next one where this one lies behind.
+    /// Goes on to the mesh's next span where this one lies behind.
     void pass_mesh(int i, const S& t) {
         LeafEnds<S>& end = ends[i];
         const S inf(std::numeric_limits<T>::infinity());
@@ -219,7 +221,7 @@ class CompositeWalk {
     const Ray<S>& ray;
     bool has_meshes = false;
     S start_key;
-    Room<S, most_planes> planes;  // where the rays cross them
+    Room<S, most_planes> planes;  // distances at which rays cross them
     Room<LeafEnds<S>, most_leaves> ends;
 };
 
@@ -287,7 +289,7 @@ struct FormFunctions<CompositeForm, S> {
     }
 };
 
-/// Hits are on leaves, and shaded as those of their forms.
+/// Composites have no other calls: hits are on leaves, and shaded as those of their forms.
 template <class S>
 const std::array<FormCalls<S>, 1> KindCalls<Union, S>::calls{
     {{&FormFunctions<CompositeForm, S>::intersect, &FormFunctions<CompositeForm, S>::intersect_single,

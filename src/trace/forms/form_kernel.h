@@ -1,4 +1,4 @@
-// What the engine asks of a form's items through a table: compiled once per form, precision and instruction set.
+// The interface of a form's items, called through a table: compiled once per form, precision and SIMD level.
 #pragma once
 #include <array>
 
@@ -6,8 +6,8 @@
 
 namespace strahl::inline STRAHL_LEVEL {
 
-/// One ray, the same in all lanes, whose items are tested side by side: what it met so far, or what is left of the
-/// light from `t` away.
+/// One ray, the same in all lanes, whose items are tested side by side. `t` and `surface` are those of the nearest hit
+/// so far; or, for shadow rays, `t` is the distance of the light and `share` what is left of it.
 template <class S>
 struct SingleRay {
     using T = Element<S>;
@@ -17,21 +17,22 @@ struct SingleRay {
     Vec3<T> share{1};
 };
 
-/// Where a leaf of a composite is: from near to far, once or twice. Nowhere from infinity to -infinity.
+/// The spans of rays in a leaf of a composite, from near to far: one or two. An empty one is from infinity to
+/// -infinity.
 template <class S>
 struct LeafEnds {
     S near[2], far[2], near_face, far_face;
     int pairs;
 };
 
-/// Where rays cross the triangles of a mesh next, beyond some place.
+/// The next crossing of rays with the triangles of a mesh, beyond some distance.
 template <class S>
 struct MeshCrossing {
     S t{std::numeric_limits<Element<S>>::infinity()}, surface{-1};
-    Mask<S> odd, odd_in_all;  // is the number of triangles crossed odd: at t, and of those looked at
+    Mask<S> odd, odd_in_all;  // whether the number of triangles crossed is odd: at t, and of all looked at
 };
 
-/// Item i and those beside it of a leaf, whose first item and number of items are given.
+/// Loads item i of a leaf and those after it, one in each lane. `first` and `count` are the leaf's.
 template <class S, class Group>
 STRAHL_INLINE auto load_of_leaf(const Group& group, int first, int count, int i) {
     constexpr std::size_t fields = sizeof(group.items[0]) / sizeof(group.columns[0]);
@@ -41,39 +42,39 @@ STRAHL_INLINE auto load_of_leaf(const Group& group, int first, int count, int i)
 template <class Form, class S>
 struct FormFunctions {
     using T = Element<S>;
-    /// Meets the items with a pack of rays.
+    /// Finds where a pack of rays meets the items, and keeps what is nearer than `best`.
     static void intersect(const World<T>& world, int first, int count, const Ray<S>& ray, Mask<S> mask,
                           Nearest<S>& best);
-    /// Meets the items of a leaf, side by side, with one ray that is in all lanes.
+    /// Does the same for one ray that is in all lanes, with the items of a leaf side by side.
     static void intersect_single(const World<T>& world, int first, int count, SingleRay<S>& single);
-    /// Takes from the light what the items take. Is none left in any lane?
+    /// Attenuates light by the items. Returns true if none is left in any lane.
     static bool occlude(const World<T>& world, int first, int count, const Ray<S>& ray, const S& distance, Mask<S> mask,
                         Transmission<S>& light);
-    /// The same of one ray, items side by side.
+    /// Does the same for one ray, items side by side. Returns true if no light is left.
     static bool occlude_single(const World<T>& world, int first, int count, SingleRay<S>& single);
-    /// The points at which rays first meet items, one in each lane, and the materials of these.
+    /// Finds the points at distance `t` where rays first meet items, one in each lane, and the items' materials.
     /// `faces` is -1 where rays meet items by themselves, else the face of the leaf of a composite.
     static void surfaces_at(const World<T>& world, const int* items, const Ray<S>& ray, const S& t, const S& faces,
                             SurfaceHit<S>& hit, int* materials);
-    /// Where rays cross a leaf of a composite.
+    /// Finds the spans of rays in a leaf of a composite.
     static void ends(const World<T>& world, int item, const Ray<S>& ray, LeafEnds<S>& ends);
-    /// Looks for the next crossing of the items beyond `place`, in the lanes of the mask.
+    /// Looks for the next crossing of the items beyond distance `place`, in the lanes of the mask.
     static void cross_beyond(const World<T>& world, int first, int count, const Ray<S>& ray, Mask<S> mask,
                              const S& place, MeshCrossing<S>& found);
-    // Of hot forms the two below are never called: see if_hot(). The second is of convex forms only.
-    /// The points at which rays first meet an item, all the same one.
+    // The two below are never called for hot forms: see if_hot(). Only convex forms have the second.
+    /// Finds the points at distance `t` where rays first meet an item, the same for all.
     static void surface_at(const World<T>& world, int item, const Ray<S>& ray, const S& t, SurfaceHit<S>& hit);
-    /// Where rays that start on an item leave it.
+    /// Returns where rays that start on an item leave it.
     static Span<S> span(const World<T>& world, int item, const Ray<S>& ray);
 
   private:
     static Mask<S> outside(const World<T>& world, int item, const Ray<S>& ray, const Span<S>& span, Mask<S> inside);
     static Mask<S> outside_each(const World<T>& world, int first, const Ray<S>& ray, const Span<S>& span,
                                 Mask<S> inside);
-    /// Is the eye in an item? Asked along the ray.
+    /// Returns the lanes in which the eye is in an item, found along the direction of the ray.
     static Mask<S> holds_eye(const World<T>& world, int item, const Ray<S>& ray);
-    /// Where rays cross an item (`step` 0), or one ray items side by side (`step` 1), in lanes whose rays start near
-    /// its plane on a triangle beside it.
+    /// Finds again, closely, where rays cross an item (`step` 0), or one ray items side by side (`step` 1), in lanes
+    /// whose rays start near its plane on a triangle beside it.
     static void settle(const World<T>& world, const Item<Form, T>* items, int step, const Ray<S>& ray, Mask<S> near,
                        Span<S>& span);
     static void settle_start(const World<T>& world, int first, int step, const auto& item, const Ray<S>& ray,
@@ -85,7 +86,7 @@ struct FormFunctions {
     static void hit_each(const Item<Form, S>& items, const Ray<S>& ray, const S& t, const S& faces, SurfaceHit<S>& hit);
 };
 
-/// The same, of a form that is only known by its number.
+/// The same functions, for a form that is only known by its number.
 template <class S>
 struct FormCalls {
     using W = World<Element<S>>;
@@ -99,7 +100,7 @@ struct FormCalls {
     void (*surface_at)(const W&, int, const Ray<S>&, const S&, SurfaceHit<S>&) = nullptr;
     Span<S> (*span)(const W&, int, const Ray<S>&) = nullptr;
 };
-/// Those of a kind, compiled apart from the kernel.
+/// The calls of a kind's forms, compiled apart from the kernel.
 template <class Kind, class S>
 struct KindCalls {
     static constexpr std::size_t forms = std::tuple_size_v<typename Kind::template Kernels<Element<S>>>;
@@ -120,7 +121,7 @@ template <class S>
 STRAHL_INLINE const FormCalls<S>& calls(int form) {
     return *FormTable<S, Forms>::calls[form];
 }
-/// Calls visit(group) if the form is hot.
+/// Calls visit(group) if the form is hot. Returns true if it is.
 template <class T, class Visit>
 STRAHL_INLINE bool if_hot(const World<T>& world, int form, const Visit& visit) {
     int number = 0;

@@ -1,4 +1,4 @@
-// The two questions asked of geometry, of items of one form: which is nearest, and what light passes them.
+// Ray queries on items of one form: nearest hit and transmitted light.
 #pragma once
 #include <array>
 #include <bit>
@@ -9,26 +9,28 @@
 
 namespace strahl::inline STRAHL_LEVEL {
 
-/// The nearest hit so far: t is infinite and the surface -1 at first. The bin is that of the surface's item.
+/// The nearest hit so far: at first t is infinite and the surface -1. The bin is that of the surface's item.
 template <class S>
 struct Nearest {
     S t{std::numeric_limits<Element<S>>::infinity()}, surface{-1}, bin;
 };
 
-/// What is left of light, per channel, past the items looked at, and how far away it comes from: -1 if none is left.
+/// Transmitted light: the share per channel that the items looked at let through, and the distance that it comes from,
+/// -1 if none is left.
 template <class S>
 struct Transmission {
     Vec3<S> share;
     S limit;
 };
 
-/// Is a surface nearer than the best so far? Of equally near ones the first declared is.
+/// Returns the lanes in which a surface is nearer than the best so far; of equally near ones the first declared counts
+/// as nearer.
 template <class S>
 STRAHL_INLINE Mask<S> closer(const S& t, const S& surface, const S& best_t, const S& best_surface) {
     return (t < best_t) | ((t == best_t) & (surface < best_surface));
 }
 
-/// Where rays cross an item, the same for all or one in each lane.
+/// Returns where rays cross an item, the same for all or one in each lane.
 template <class S, class Item>
 STRAHL_INLINE auto crossings_of(const Item& item, const Ray<S>& ray) {
     const S start = ray.source - S(item.surface);
@@ -37,11 +39,11 @@ STRAHL_INLINE auto crossings_of(const Item& item, const Ray<S>& ray) {
     else
         return item.shape.crossings(ray, start);
 }
-/// Span or Crossings.
+/// The type of an item's crossings: Span or Crossings.
 template <class S, class Item>
 using CrossingsOf = decltype(crossings_of(std::declval<const Item&>(), std::declval<const Ray<S>&>()));
 
-/// The lanes that cross between the start and `distance`, one mask for each crossing.
+/// Returns the lanes in which rays cross between the start and `distance`, one mask for each crossing.
 template <class S>
 STRAHL_INLINE std::array<Mask<S>, 2> crossed(const Span<S>& span, Mask<S> hit, const S& distance) {
     return {Mask<S>(hit & (span.near > S(0)) & (span.near < distance)),
@@ -54,7 +56,7 @@ STRAHL_INLINE std::array<Mask<S>, N> crossed(const Crossings<S, N>& crossings, M
     return masks;
 }
 
-/// Crossing i of a line, of those that `crossed` tells of.
+/// Returns the distance of crossing i, numbered as the masks of `crossed`.
 template <class S>
 STRAHL_INLINE S crossing(const Span<S>& span, int i) {
     return i == 0 ? span.near : span.far;
@@ -64,7 +66,7 @@ STRAHL_INLINE S crossing(const Crossings<S, N>& crossings, int i) {
     return crossings.t[i];
 }
 
-/// Does the item let light through?
+/// Returns true if the item lets light through.
 template <class T, class Item>
 STRAHL_INLINE bool transparent(const World<T>& world, const Item& item) {
     return world.transparent && world.materials[static_cast<int>(item.material)].refraction > 0;
@@ -74,8 +76,8 @@ STRAHL_INLINE const Vec3<T>& filter(const World<T>& world, const Item& item) {
     return world.materials[static_cast<int>(item.material)].filter;
 }
 
-/// Meets an item. The lanes in which it is the nearest so far; their bin is left to the caller. Exits of an opaque
-/// convex body are shown to `outside(span, lanes)`, which tells those that are none.
+/// Returns the lanes in which an item is the nearest so far, and updates `best` but for the bin, which is left to the
+/// caller. Exits of an opaque convex body are passed to `outside(span, lanes)`, which returns those that do not count.
 template <class S, class Item, class Outside>
 STRAHL_INLINE Mask<S> intersect_item(const World<Element<S>>& world, const Item& item, const CrossingsOf<S, Item>& span,
                                      Mask<S> mask, Nearest<S>& best, const Outside& outside) {
@@ -90,15 +92,15 @@ STRAHL_INLINE Mask<S> intersect_item(const World<Element<S>>& world, const Item&
     return better;
 }
 
-/// A point of a surface, the number of that and the number of its item's first surface.
+/// A point of a surface, the number of the surface, and the number of its item's first surface.
 template <class S>
 struct SurfaceHit {
     SurfacePoint<S> point;
     S surface, body;
 };
 
-/// Where rays first meet items, one in each lane, at `t`. Which face that is the crossings tell, found once more,
-/// unless it is known: 0 or above in `faces`.
+/// Returns where rays first meet items, one in each lane, at `t`. Which face that is follows from the crossings,
+/// computed once more, unless it is known: 0 or above in `faces`.
 template <class S, class Item, class Cross>
 STRAHL_INLINE SurfaceHit<S> surface_hit(const Item& items, const Ray<S>& ray, S t, const Cross& cross,
                                         const S* faces = nullptr) {
@@ -111,7 +113,7 @@ STRAHL_INLINE SurfaceHit<S> surface_hit(const Item& items, const Ray<S>& ray, S 
     }
 }
 
-/// Takes from the light what an item takes whose colours a pattern tells.
+/// Attenuates light by an item whose colours a pattern determines.
 template <class S, class Cross, std::size_t count>
 [[gnu::noinline]] void occlude_by_pattern(const World<Element<S>>& world, int material, int surface, const Ray<S>& ray,
                                           const Cross& span, const std::array<Mask<S>, count>& crossed_by,
@@ -121,7 +123,7 @@ template <class S, class Cross, std::size_t count>
                                 crossing(span, static_cast<int>(i)), crossed_by[i], share);
 }
 
-/// Takes from the light what an item takes; `outside` as above. Is none left in any lane?
+/// Attenuates light by an item; `outside` as above. Returns true if none is left in any lane.
 template <class S, class Item, class Outside>
 STRAHL_INLINE bool occlude_item(const World<Element<S>>& world, const Item& item, const Ray<S>& ray,
                                 const CrossingsOf<S, Item>& span, const S& distance, Mask<S> mask,

@@ -6,7 +6,7 @@
 
 namespace strahl::inline STRAHL_LEVEL {
 
-/// Calls a form's function, or expands it.
+/// Returns an item's crossings: by inlined code if the form is compact, else by a call.
 template <class Form, class S, class Item>
 STRAHL_INLINE auto cross(const Item& item, const Ray<S>& ray,
                          CrossingsOf<S, Item> (*call)(const Item&, const Ray<S>&)) {
@@ -29,7 +29,7 @@ template <class Form, class S>
     hit = surface_hit(items, ray, t, cross_each, &faces);
 }
 
-/// See crossing_beside.
+/// Replaces the crossing of triangles beside the one that a ray starts on, see crossing_beside.
 template <class Form, class S>
 [[gnu::noinline]] void FormFunctions<Form, S>::settle(const World<T>& world, const Item<Form, T>* items, int step,
                                                       const Ray<S>& ray, Mask<S> near, Span<S>& span) {
@@ -43,7 +43,7 @@ template <class Form, class S>
         span.far = with_lane(span.far, k, crossing_beside(*start, other, one));
     }
 }
-/// Triangles beside the start are looked at closely. Lanes of no item are not asked for.
+/// Looks closely at triangles beside the one that a ray starts on. Lanes that hold no item must not be in `lanes`.
 template <class Form, class S>
 STRAHL_INLINE void FormFunctions<Form, S>::settle_start(const World<T>& world, int first, int step, const auto& item,
                                                         const Ray<S>& ray, Mask<S> lanes, auto& crossed) {
@@ -62,9 +62,9 @@ template <class Form, class S>
     const Span<S> span = cross<Form>(world.groups.template get<Form>().items[item], from_eye, cross_one);
     return span.hit & (span.near <= S(0)) & (span.far > S(0));
 }
-/// Of rays that seem to start in an opaque convex body, those that do not: rays get into such a body only with the eye.
-/// If the ray is nearer to where it leaves than to where it entered, it starts on another surface that lies there but
-/// for rounding, outside, and goes away from the body.
+/// Returns those rays, of rays that seem to start in an opaque convex body, that do not: rays get into such a body only
+/// with the eye. If the start is nearer to where the ray leaves than to where it entered, it is on another surface that
+/// lies there but for rounding, outside, and the ray goes away from the body.
 template <class Form, class S>
 STRAHL_INLINE Mask<S> FormFunctions<Form, S>::outside(const World<T>& world, int item, const Ray<S>& ray,
                                                       const Span<S>& span, Mask<S> inside) {
@@ -74,7 +74,7 @@ STRAHL_INLINE Mask<S> FormFunctions<Form, S>::outside(const World<T>& world, int
     if (none(leaving)) return leaving;
     return leaving & !holds_eye(world, item, ray);
 }
-/// The same of items side by side, which may be transparent.
+/// Does the same for items side by side, which may be transparent.
 template <class Form, class S>
 STRAHL_INLINE Mask<S> FormFunctions<Form, S>::outside_each(const World<T>& world, int first, const Ray<S>& ray,
                                                            const Span<S>& span, Mask<S> inside) {
@@ -249,7 +249,7 @@ constexpr FormCalls<S> calls_of() {
     FormCalls<S> calls{&Own::intersect, &Own::intersect_single, &Own::occlude, &Own::occlude_single};
     calls.surfaces_at = &Own::surfaces_at;
     if constexpr (Form::Kind::closed && Form::Kind::bounded) calls.ends = &Own::ends;
-    if constexpr (Form::compact && !Form::hot) calls.cross_beyond = &Own::cross_beyond;  // those of meshes
+    if constexpr (Form::compact && !Form::hot) calls.cross_beyond = &Own::cross_beyond;  // the forms of meshes
     if constexpr (!Form::hot) calls.surface_at = &Own::surface_at;
     if constexpr (!Form::hot && Form::Kind::convex) calls.span = &Own::span;
     return calls;

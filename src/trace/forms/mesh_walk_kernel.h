@@ -1,4 +1,4 @@
-// Where rays cross a mesh that is part of a composite, one crossing after the other.
+// Finds where rays cross a mesh that is part of a composite, one crossing after the other.
 #pragma once
 #include "trace/forms/form_kernel.h"
 #include "trace/hierarchy/traverse.h"
@@ -10,9 +10,9 @@ STRAHL_INLINE Mask<S> only_lane(int k) {
     return first_lanes<S>(k + 1) & !first_lanes<S>(k);
 }
 
-/// Where rays next pass through the surface of a mesh beyond `place`: crossings of an even number of triangles in one
-/// place, at a fold, are none. The surface is counted from the mesh's first. `all`: all triangles beyond `place` are
-/// counted, of which there is an odd number if that place is inside.
+/// Finds where rays next pass through the surface of a mesh beyond `place`. Crossings of an even number of triangles in
+/// one place, at a fold, do not count. The surface is counted from the mesh's first. With `all`, counts all triangles
+/// beyond `place`: an odd number if that place is inside.
 template <class S>
 [[gnu::noinline]] MeshCrossing<S> next_mesh_crossing(const World<Element<S>>& world, const CompositeLeaf& mesh,
                                                      const Ray<S>& ray, Mask<S> lanes, S place, bool all) {
