@@ -1,4 +1,4 @@
-// The light of rectangles: compiled once per precision and SIMD level, apart from the kernel.
+// The interface of the light of rectangles: compiled once per precision and SIMD level, apart from the kernel.
 #pragma once
 #include <cstdint>
 
@@ -8,8 +8,8 @@
 
 namespace strahl::inline STRAHL_LEVEL {
 
-/// Where shadow rays to a light start: on which body, by its bin, and whether on its outside. Only where there is a bin
-/// for each item. Of the bodies that can be in the way of this light, only these are.
+/// Tells where shadow rays to a light start: on which body, by its bin, and in which lanes on its outside. Only used if
+/// each item has a bin. Of the bodies that can be in the way of this light only those in `only` are tested.
 template <class S>
 struct Start {
     int light, bin;
@@ -17,15 +17,16 @@ struct Start {
     BodySet only = ~BodySet(0);
 };
 
-/// The share of light, per channel, that comes from `distance` away along the ray: opaque bodies between take all of
-/// it, transparent ones Kt Of at each surface crossed. These are multiplied in one order for good: bodies outside the
-/// hierarchy by form and as declared, hot forms first, then those inside in the order of its leaves.
+/// Returns the share of light, per channel, that arrives from `distance` away along the ray: opaque bodies between
+/// absorb all of it, transparent ones transmit Kt Of at each surface crossed. The factors are always multiplied in the
+/// same order: bodies outside the hierarchy by form and as declared, hot forms first, then those inside in the order of
+/// its leaves.
 template <class S>
 using Visibility = Vec3<S> (*)(const World<Element<S>>&, const Ray<S>&, const S& distance, Mask<S> active,
                                const Start<S>&);
 
-/// Hits that a rectangle may shine on. `flat` is the normal that a bump does not bend; `diffuse` is the largest channel
-/// of Kd Of.
+/// Hits that a rectangle may light. `flat` is the normal before a bump bends it; `diffuse` is the largest channel of
+/// Kd Of.
 template <class S>
 struct LitHits {
     Mask<S> lanes, outside;
@@ -44,7 +45,7 @@ struct AreaMeans {
 template <class S>
 struct AreaLightCalls {
     using T = Element<S>;
-    /// `error`: by how much the light that the pixel gets may be off, as an estimate of the root mean square.
+    /// Finds these means. `error` is what the light of the pixel may be off, as an estimate of the root mean square.
     static AreaMeans<S> means(const World<T>& world, int light, const LitHits<S>& hits, T error,
                               Visibility<S> visibility);
 };

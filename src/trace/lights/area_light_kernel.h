@@ -1,7 +1,7 @@
 // Means over a rectangle of the light that it sends to a point.
 //
-// A rectangle of which nothing can be hidden is known without any shadow ray. Else it is divided into cells, as a pixel
-// is: shadow rays go to their corners, and cells whose corners are not all in the same light are divided further.
+// If nothing can hide any of the rectangle the means need no shadow rays. Else it is divided into cells, as a pixel is:
+// shadow rays go to their corners, and cells whose corners do not all get the same light are divided further.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -16,9 +16,9 @@
 
 namespace strahl::inline STRAHL_LEVEL {
 
-/// Squares of a rectangle, by their corner with the smallest coordinates, in units of the smallest squares.
+/// Squares of a rectangle, given by their corners with the smallest coordinates, in units of the smallest squares.
 struct AreaCells {
-    static constexpr int side = 64, largest = 8, most = side * side;  // side: of the rectangle
+    static constexpr int side = 64, largest = 8, most = side * side;  // side: of the rectangle, in units
     int count = 0;
     std::array<std::uint8_t, most> x, y;
     void add(int cell_x, int cell_y) {
@@ -27,7 +27,7 @@ struct AreaCells {
     }
 };
 
-/// The means for one hit.
+/// Computes the means for one hit.
 template <class S>
 class AreaSum {
     using T = Element<S>;
@@ -67,7 +67,7 @@ class AreaSum {
             trace_corners(cells, size);
             split(cells, mixed, size);
             add(cells, size);
-            constexpr T off = T(.15);  // of the light of a cell that an edge crosses, as measured
+            constexpr T off = T(.15);  // measured: error, as a share, of the light of a cell that an edge crosses
             const T left = off * brightest * std::sqrt(static_cast<T>(mixed.count)) * area(size);
             if (size == 1 || !(left > error)) break;
             divide(mixed, cells, size / 2);
@@ -83,7 +83,7 @@ class AreaSum {
     static Vec3<T> at(const Vec3<S>& v, int k) { return {lane(v.x, k), lane(v.y, k), lane(v.z, k)}; }
     static T area(int size) { return T(size * size) / T(side * side); }
 
-    /// What can be in the way, if anything.
+    /// Finds the bodies that can be in the way, and `clear` if there are none.
     void look_around(const Vec3<T> (&ways)[4]) {
         const Shaft<T> shaft(position, ways, u, v, world.rounding);
         const ShaftStart<T> from{surface, start.light, start.bin, bool(bits(start.outside) & 1)};
@@ -95,7 +95,7 @@ class AreaSum {
         }
     }
 
-    /// Can the highlight of any point of the rectangle be seen?
+    /// Returns true if the highlight of any point of the rectangle may be visible.
     bool may_shine(const Vec3<T> (&ways)[4]) const {
         if (!(specular > T(0))) return false;
         const T length = sqrt(dot(middle, middle)), along = dot(reflected, middle) / length;
@@ -106,13 +106,13 @@ class AreaSum {
         return !(along * cosine + across * sine < shines_from);
     }
 
-    /// The way to points of the rectangle, by their coordinates in units of the smallest cells.
+    /// Returns the vectors to points of the rectangle, by their coordinates in units of the smallest cells.
     Vec3<S> way_to(const S& x, const S& y) const {
         constexpr T unit = T(1) / side;
         return fma(x * S(unit), splat<S>(u), fma(y * S(unit), splat<S>(v), splat<S>(first)));
     }
 
-    /// Shadow rays to those corners of cells that no earlier ones had.
+    /// Traces shadow rays to the corners of cells that no earlier ones had.
     void trace_corners(const AreaCells& cells, int size) {
         std::array<std::int16_t, row * row> list;
         int count = 0;
@@ -148,7 +148,7 @@ class AreaSum {
         const int corner = y * row + x;
         return {corner, corner + size, corner + size * row, corner + size * row + size};
     }
-    /// Are the corners that face the surface in the same light?
+    /// Returns true if all corners that face the surface get the same light.
     bool is_even(int x, int y, int size) const {
         int last = -1;
         for (const int corner : corners_of(x, y, size)) {
@@ -159,7 +159,7 @@ class AreaSum {
         }
         return true;
     }
-    /// The mean share of these corners.
+    /// Returns the mean share of light of the corners that face the surface.
     Vec3<T> mean_share(int x, int y, int size) const {
         Vec3<T> sum{0};
         int count = 0;
@@ -171,7 +171,7 @@ class AreaSum {
         return count > 1 ? scale(T(1) / T(count), sum) : sum;
     }
 
-    /// Leaves those cells whose corners are in the same light; the others become `mixed`.
+    /// Moves cells whose corners do not get the same light to `mixed`.
     void split(AreaCells& cells, AreaCells& mixed, int size) const {
         const int all = cells.count;
         cells.count = mixed.count = 0;
@@ -186,7 +186,8 @@ class AreaSum {
             for (int k = 0; k < 4; ++k) quarters.add(cells.x[i] + k % 2 * size, cells.y[i] + k / 2 * size);
     }
 
-    /// Adds the light of cells: what their middles send, and of highlights a grid so fine that they are smooth on it.
+    /// Adds the light of cells: that of their middles, and for highlights that of grids so fine that highlights are
+    /// smooth on them.
     void add(const AreaCells& cells, int size) {
         for (int i = 0; i < cells.count; i += width<S>) {
             const int lanes = std::min(cells.count - i, width<S>);
@@ -194,7 +195,7 @@ class AreaSum {
             for (int k = 0; k < lanes; ++k) xs[k] = T(cells.x[i + k]), ys[k] = T(cells.y[i + k]);
             const S x = load_lanes<S>(xs), y = load_lanes<S>(ys), half(T(size) / 2);
             const Vec3<S> way = way_to(x + half, y + half);
-            // The point may be where the lamp is.
+            // The point may be on the light itself.
             const S length = max(sqrt(dot(way, way)), S(std::sqrt(std::numeric_limits<T>::min())));
             store_lanes(cosines, max(dot(splat<S>(normal), way), S(0)) / length);
             store_lanes(shines, glossy ? mean_highlight(x, y, size) : S(0));
@@ -207,7 +208,7 @@ class AreaSum {
             }
         }
     }
-    /// Ks (h.l)^p over cells.
+    /// Returns the means of Ks (h.l)^p over cells.
     S mean_highlight(const S& x, const S& y, int size) const {
         // A highlight's brightness falls by the exponential of -1/2 in the angle 1 / sqrt(p).
         const T reach = sqrt(max(dot(u, u), dot(v, v)) * (pow + T(1)) / dot(middle, middle));
@@ -228,12 +229,12 @@ class AreaSum {
     static constexpr std::uint8_t dark_side = 1, faced_side = 2;
     const World<T>& world;
     Visibility<S> visibility;
-    Vec3<T> position, normal, flat, reflected, u, v, middle, first;  // the last two from the position
+    Vec3<T> position, normal, flat, reflected, u, v, middle, first;  // the last two are vectors from the position
     T surface, specular, pow, shines_from, brightest, whole = 0;
     Start<S> start;
     bool clear = false, glossy = false;
-    std::array<std::uint8_t, row * row> known;  // of each corner: nothing, or on which side of the surface it is
-    std::array<T, row * row> shares[3];         // of the light of those on the side it faces
+    std::array<std::uint8_t, row * row> known;  // by corner: 0 if not known, else on which side of the surface it is
+    std::array<T, row * row> shares[3];         // by corner, of those on the side it faces: the share of light
 };
 
 template <class S>

@@ -1,4 +1,4 @@
-// What a rectangle of which nothing is hidden sends to a point, in closed form.
+// The light that a rectangle of which nothing is hidden sends to a point, in closed form.
 #pragma once
 #include <cmath>
 #include <type_traits>
@@ -7,7 +7,7 @@
 
 namespace strahl::inline STRAHL_LEVEL {
 
-/// The mean of the unit vectors from the origin to the rectangle [x1, x2] x [y1, y2] at the height h >= 0: the
+/// Returns the mean of the unit vectors from the origin to the rectangle [x1, x2] x [y1, y2] at the height h >= 0: the
 /// integrals of x / r, y / r and h / r in closed form.
 template <class E>
 Vec3<E> mean_direction(const E (&x)[2], const E (&y)[2], E h) {
@@ -31,10 +31,10 @@ Vec3<E> mean_direction(const E (&x)[2], const E (&y)[2], E h) {
     return scale(1 / ((x[1] - x[0]) * (y[1] - y[0])), total);
 }
 
-/// The mean of n.l over the rectangle with the edges u and v around `middle`, as seen from the origin, all of it above
-/// the surface. A small one is summed up at 4 by 4 points of Gauss and Legendre: the closed form would cancel. It is
-/// off by a unit of E for each time that one edge is as long as the other, which must not make light of a long one
-/// negative.
+/// Returns the mean of n.l over the rectangle with the edges u and v around `middle`, as seen from the origin; all of
+/// it is above the surface. For a small one it is summed up at 4 by 4 points of Gauss and Legendre, for there the
+/// closed form would cancel. The closed form is off by a unit of E for each time that one edge is as long as the other,
+/// so the result is kept from being negative.
 template <class T>
 T mean_cosine(const Vec3<T>& normal, const Vec3<T>& middle, const Vec3<T>& u, const Vec3<T>& v) {
     const T width_squared = dot(u, u), height_squared = dot(v, v);
@@ -57,7 +57,7 @@ T mean_cosine(const Vec3<T>& normal, const Vec3<T>& middle, const Vec3<T>& u, co
     const Vec3<E> to = wide(middle), w = cross(wide(u), wide(v)), n = wide(normal);
     const Vec3<E> axes[3]{scale(1 / length(wide(u)), wide(u)), scale(1 / length(wide(v)), wide(v)),
                           scale((dot(w, to) < 0 ? -1 : 1) / length(w), w)};
-    // A strip as narrow as rounding would be none. One a millionth of its distance wide has the same mean.
+    // A strip as narrow as rounding would vanish. One a millionth of its distance wide has the same mean.
     const E x = dot(to, axes[0]), y = dot(to, axes[1]), least = E(5e-7) * length(to);
     const E half_x = max(length(wide(u)) / 2, least), half_y = max(length(wide(v)) / 2, least);
     const Vec3<E> mean = mean_direction({x - half_x, x + half_x}, {y - half_y, y + half_y}, dot(to, axes[2]));

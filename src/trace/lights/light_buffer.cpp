@@ -14,9 +14,9 @@ namespace strahl {
 namespace {
 
 constexpr double cells_per_item = 4;
-constexpr std::int32_t band_rows = 32;  // a thread's piece of a face
+constexpr std::int32_t band_rows = 32;  // one thread's piece of a face
 
-/// How many items the hierarchy has.
+/// Returns the number of items in the hierarchy.
 template <class T>
 std::int64_t items_in_hierarchy(const World<T>& world) {
     std::int64_t count = 0;
@@ -34,17 +34,17 @@ struct LightBuffers<T>::Arrays {
         double radius, near;
         std::int32_t item, form;
     };
-    /// What an item covers of a face.
+    /// The part of a face that an item covers.
     struct Print {
         Slopes u, v;
-        std::int32_t seen;  // its number in the list of these
+        std::int32_t seen;  // index of the item in `seen`
     };
-    /// Rows of a face, and the candidates of its cells beyond the first ones, numbered from 1: 0 is none.
+    /// Rows of a face, and the candidates of its cells beyond the first ones, numbered from 1; 0 is none.
     struct Band {
         std::int32_t face, first_row, last_row;
         std::vector<Candidate<T>> more;
-        std::int64_t begin = 0;  // where these go
-        double squares = 0;      // sum of the squares of the numbers of candidates in the cells
+        std::int64_t begin = 0;  // place of these in `candidates`
+        double squares = 0;      // sum over cells of the square of the number of candidates
     };
     static constexpr double epsilon = static_cast<double>(std::numeric_limits<T>::epsilon());
     static constexpr T none = std::numeric_limits<T>::infinity();
@@ -67,7 +67,7 @@ struct LightBuffers<T>::Arrays {
     bool slow() const;
 };
 
-/// The items, furthest from the light first. What coordinates and rays may be off is added to their balls.
+/// Lists the items, furthest from the light first. The errors of coordinates and rays are added to their balls.
 template <class T>
 void LightBuffers<T>::Arrays::see(const World<T>& world, const LightKernel<T>& light, bool proves) {
     reach = static_cast<double>(world.rounding) / (32 * epsilon);  // see WorldArrays::rounding
@@ -92,7 +92,7 @@ void LightBuffers<T>::Arrays::see(const World<T>& world, const LightKernel<T>& l
     });
 }
 
-/// Chooses faces: one if all items are before the light, else those of a cube.
+/// Chooses faces: one if all items are in front of the light, else those of a cube.
 template <class T>
 void LightBuffers<T>::Arrays::look(const LightKernel<T>& light) {
     if (light.finite == 0) {
@@ -114,10 +114,10 @@ void LightBuffers<T>::Arrays::look(const LightKernel<T>& light) {
     divide(area);
 }
 
-/// A face, if it shows anything: its columns and rows are its width and height until it is divided.
+/// Adds a face, if any item covers some of it. Its columns and rows are its width and height until it is divided.
 template <class T>
 void LightBuffers<T>::Arrays::add_face(const Basis& basis, double limit, double slack, bool parallel) {
-    const double wide = 1.001 * limit;  // what is a little beyond counts, for rounding
+    const double wide = 1.001 * limit;  // a little more, for rounding
     std::vector<Print> own;
     Slopes u{wide, -wide}, v = u;
     for (std::size_t i = 0; i < seen.size(); ++i) {
@@ -142,7 +142,7 @@ void LightBuffers<T>::Arrays::add_face(const Basis& basis, double limit, double 
                      static_cast<T>(v.high - v.low), T(0)});
 }
 
-/// Gives faces their cells, and cuts them into bands.
+/// Divides faces into cells and bands.
 template <class T>
 void LightBuffers<T>::Arrays::divide(double area) {
     const double per = std::sqrt(cells_per_item * static_cast<double>(seen.size()) / area);
@@ -164,7 +164,7 @@ void LightBuffers<T>::Arrays::divide(double area) {
     first[0] = {none, T(0), T(0), T(0)};
 }
 
-/// Puts items into the cells of a band, each before those that are further away.
+/// Puts items into the cells of a band, each in front of those that are further away.
 template <class T>
 void LightBuffers<T>::Arrays::fill(Band& band) {
     const BufferFace<T>& face = faces[band.face];
@@ -194,7 +194,7 @@ void LightBuffers<T>::Arrays::fill(Band& band) {
     }
 }
 
-/// Where the bands' further candidates go. False: there are too many.
+/// Allocates the memory for all candidates and gives bands their places in it. Returns false if there are too many.
 template <class T>
 bool LightBuffers<T>::Arrays::make_room() {
     size = cells;
@@ -207,7 +207,7 @@ bool LightBuffers<T>::Arrays::make_room() {
     return true;
 }
 
-/// Puts a band's candidates where they stay: those of a cell beyond the first one after the other.
+/// Copies a band's candidates to where they stay: those of a cell beyond the first one after the other.
 template <class T>
 void LightBuffers<T>::Arrays::join(Band& band) {
     const BufferFace<T>& face = faces[band.face];
@@ -225,7 +225,7 @@ void LightBuffers<T>::Arrays::join(Band& band) {
     }
 }
 
-/// Do usual cells, those of most candidates, have so many that the hierarchy is faster?
+/// Returns true if usual cells, those that most candidates are in, have so many that the hierarchy is faster.
 template <class T>
 bool LightBuffers<T>::Arrays::slow() const {
     double squares = 0, sum = 0;

@@ -1,4 +1,4 @@
-// Shadow rays by light buffers: compiled once per precision and SIMD level, apart from the kernel.
+// The interface of shadow rays by light buffers: compiled once per precision and SIMD level, apart from the kernel.
 #pragma once
 #include "trace/forms/items_kernel.h"
 
@@ -7,8 +7,8 @@ namespace strahl::inline STRAHL_LEVEL {
 template <class S>
 struct LightBufferCalls {
     using T = Element<S>;
-    /// Takes from a light that has a buffer what the items of the hierarchy take. Returns the lanes that are left to
-    /// the hierarchy.
+    /// Attenuates a light that has a buffer by the items of the hierarchy. Returns the lanes that are left to the
+    /// hierarchy itself.
     static Mask<S> occlude(const World<T>& world, int light, const Ray<S>& ray, const S& distance,
                            Transmission<S>& left);
 };

@@ -5,7 +5,7 @@
 
 namespace strahl::inline STRAHL_LEVEL {
 
-/// The cells of points relative to a light; 0 where no body is in the way.
+/// Returns the numbers of the cells of points, which are relative to the light; 0 where no body can be in the way.
 template <class S>
 STRAHL_INLINE S cells_of(const LightBuffer<Element<S>>& buffer, bool parallel, const Vec3<S>& points, Mask<S> left) {
     S cells(0);

@@ -17,7 +17,7 @@ struct Darkening {
     const Ray<S>& ray;
     const S& distance;
 
-    /// Of these lanes those whose items, all opaque, are in the way; tested one after the other.
+    /// Returns the lanes in which an opaque item, one in each lane, is in the way; tests them one after the other.
     [[gnu::noinline]] Mask<S> darkened_one_by_one(Mask<S> lanes, int form, const int* items) const {
         const S one(1);
         T dark[width<S>] = {};
@@ -29,7 +29,7 @@ struct Darkening {
         }
         return load_lanes<S>(dark) > S(0);
     }
-    /// The same, side by side. Rays that seem to start in a body are looked at more closely.
+    /// Returns the same, tested side by side. Rays that seem to start in a body are tested more closely.
     STRAHL_INLINE Mask<S> darkened(Mask<S> lanes, int form, const int* items) const {
         Mask<S> dark = first_lanes<S>(0);
         const auto side_by_side = [&](const auto& group) __attribute__((always_inline)) {

@@ -1,4 +1,4 @@
-// What may be between a point and a rectangle.
+// Shafts: tests which bodies may be between a point and a rectangle.
 #pragma once
 #include <bit>
 
@@ -8,12 +8,12 @@
 
 namespace strahl::inline STRAHL_LEVEL {
 
-/// The pyramid with its top at a point and a rectangle as its base: what is in front of none of these planes.
+/// The pyramid from a point to a rectangle: all that is not in front of any of its planes.
 template <class T>
 class Shaft {
   public:
-    /// The ways from the point to the corners, two of which are neighbours along `u` and two along `v`. `slack` is what
-    /// coordinates may be off.
+    /// `ways` are the vectors from the point to the corners, neighbours of which differ by `u` and by `v` in turn.
+    /// `slack` is the error of coordinates.
     Shaft(const Vec3<T>& point, const Vec3<T> (&ways)[4], const Vec3<T>& u, const Vec3<T>& v, T slack) : point(point) {
         const Vec3<T> middle = scale(T(.5), ways[0] + ways[2]);
         for (int i = 0; i < 4; ++i) {
@@ -22,7 +22,7 @@ class Shaft {
         }
         add(cross(u, v), corner[0], Vec3<T>(0) - middle, slack);
     }
-    /// Is a ball, one in each lane, certainly outside? The same of a box.
+    /// Returns the lanes in which a ball is certainly outside; the second function, a box.
     template <class S>
     Mask<S> beside_ball(const Vec3<S>& centre, const S& radius) const {
         Mask<S> beside = first_lanes<S>(0);
@@ -40,7 +40,8 @@ class Shaft {
         }
         return beside;
     }
-    /// Does a plane certainly not come between? One that the point lies on does not if it is all on one side.
+    /// Returns true if a plane is certainly not in the way. One that contains the point is not if the rectangle is all
+    /// on one side of it.
     bool beside_plane(const Vec3<T>& plane, T distance, bool on_it) const {
         const T own = dot(plane, point) - distance;
         bool above = on_it || own > 0, below = on_it || own < 0;
@@ -64,7 +65,7 @@ class Shaft {
     int planes = 0;
 };
 
-/// Where a shaft begins: on which surface of which body, and whether on its outside.
+/// Tells where a shaft begins: on which surface of which body, and whether on its outside.
 template <class T>
 struct ShaftStart {
     T surface;
@@ -72,7 +73,8 @@ struct ShaftStart {
     bool outside;
 };
 
-/// Is an item certainly not in the way? Convex bodies never are for their own outside, nor is what is flat.
+/// Returns true if an item is certainly not in the way. Convex bodies never are in the way of their own outside, nor is
+/// a flat body in its own way.
 template <class T, class Item>
 [[gnu::flatten]] bool beside_item(const Shaft<T>& shaft, const Item& item, const ShaftStart<T>& start) {
     using Kind = typename Item::Kind;
@@ -89,7 +91,7 @@ template <class T, class Item>
         return false;
     }
 }
-/// Are items [first, first + count) of a group all certainly not in the way?
+/// Returns true if items [first, first + count) of a group are all certainly not in the way.
 template <class T, class Group>
 bool beside_items(const Shaft<T>& shaft, const Group& group, int first, int count, const ShaftStart<T>& start) {
     for (int i = first; i < first + count; ++i)
@@ -97,8 +99,8 @@ bool beside_items(const Shaft<T>& shaft, const Group& group, int first, int coun
     return true;
 }
 
-/// Of the bodies that can take this light from the one where the shaft starts, those that may reach into it. Only where
-/// there is a bin for each item.
+/// Returns the bodies that may reach into the shaft, of those that can keep this light from the body where it starts.
+/// For worlds where each item has a bin.
 template <class S, class T>
 BodySet bodies_in(const World<T>& world, const Shaft<T>& shaft, const ShaftStart<T>& start) {
     BodySet reach = 0;
@@ -116,7 +118,7 @@ BodySet bodies_in(const World<T>& world, const Shaft<T>& shaft, const ShaftStart
     return reach & world.occluders[start.light * world.bins + start.bin];
 }
 
-/// May anything reach into the shaft? Where there is a hierarchy.
+/// Returns true if anything may reach into the shaft. For worlds with a hierarchy.
 template <class S, class T>
 bool anything_in(const World<T>& world, const Shaft<T>& shaft, const ShaftStart<T>& start) {
     bool clear = true;
