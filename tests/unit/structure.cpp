@@ -220,7 +220,7 @@ const std::map<std::string, std::string> names_of_several_types{
     {"Held", "a key held down; the arrays that a workspace holds"},
     {"Image", "a picture at its smaller sizes; the picture on the screen"},
     {"Parts", "of a cell on both sides of a chord; of a bound"},
-    {"Place", "on a surface; in the square of a cell"},
+    {"Place", "near a cone and near a torus, members of like structs; in a cell"},
     {"Spot", "the cone of a light; a place of a lattice"},
     {"Stage", "a scene in time; of a cell's work"},
     {"Widening", "of both policies of kernels, whose members have the same names"},
