@@ -26,10 +26,16 @@ bool same_code(double v, double bound, const Code& code) {
     const double off = bound + 0x1p-50 * (std::fabs(v) + bound);  // adding rounds, and so does encoding
     return code(v - off) == code(v + off);
 }
-/// The same of a pixel's three values.
-template <class Code>
-bool same_codes(const double* rgb, double bound, const Code& code) {
-    return same_code(rgb[0], bound, code) && same_code(rgb[1], bound, code) && same_code(rgb[2], bound, code);
+
+/// Does a file of `bits` (8, 16, or 32 for float) hold the same for all values no further than `bound` from a pixel's?
+inline bool decided(const double* rgb, double bound, int bits, bool linear) {
+    const auto same = [&](const auto& code) {
+        return same_code(rgb[0], bound, code) && same_code(rgb[1], bound, code) && same_code(rgb[2], bound, code);
+    };
+    if (bits == 32) return same([](double v) { return static_cast<float>(v); });
+    const int steps = (1 << bits) - 1;
+    if (linear) return same([&](double v) { return quantise(v, true, steps); });
+    return same([&](double v) { return quantise(v, false, steps); });
 }
 
 }  // namespace strahl

@@ -48,7 +48,7 @@ await 'flying from 0 s'
 xdotool mousemove --window "$id" 100 100 click 4
 await 'flight at 1.25 times its speed'
 xdotool key x
-await 'X marks a picture at rest'
+await 'X checks rounding in a picture at rest'
 xdotool key f
 
 echo "-- a signal waits for stills, as Esc does; one that cannot be written is told at once"

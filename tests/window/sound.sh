@@ -27,10 +27,10 @@ echo "-- pictures are those of the moment heard"
 ALSOFT_DRIVERS=null play
 grep 'with sound' log
 if ! grep -q 'built without sound' log; then
-    read -r pictures middle <<<"$(sed -n 's/.*; \([0-9]*\) with sound, before it by \(.*\) ms in the middle.*/\1 \2/p' log)"
-    [[ ${middle-} ]] || fault "nothing was heard: $(<log)"
+    read -r pictures median <<<"$(sed -n 's/.*; \([0-9]*\) with sound, ahead of it by \(.*\) ms (median).*/\1 \2/p' log)"
+    [[ ${median-} ]] || fault "nothing was heard: $(<log)"
     ((pictures > 50)) || fault "only $pictures pictures had sound"
-    awk -v m="$middle" 'BEGIN { exit !(m > -10 && m < 10) }' || fault "pictures are $middle ms before the sound"
+    awk -v m="$median" 'BEGIN { exit !(m > -10 && m < 10) }' || fault "pictures are $median ms ahead of the sound"
 
     echo "-- what is heard is the file from the start of the flight"
     printf '[wave]\nfile = %s/heard.wav\n[general]\nfrequency = 44100\nsample-type = int16\nchannels = stereo\n' "$work" >conf

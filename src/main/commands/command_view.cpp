@@ -4,7 +4,6 @@
 #include "files/read_file.h"
 #include "scene/moving_scene.h"
 #include "show/viewer.h"
-#include "show/work/reload.h"
 #include "text/parse.h"
 
 namespace strahl {
@@ -23,7 +22,7 @@ Loaded load_first(const ViewOptions& options, std::string& text) try {
 }  // namespace
 
 int view_command(const ViewOptions& options, const std::atomic<bool>* interrupted) {
-    const auto began = Viewer::Clock::now();
+    const auto began = Pace::Clock::now();
     std::string text;
     const Loaded loaded = load_first(options, text);
     if (loaded.scene && options.time) flight_for("--time", *loaded.scene, options.scene);
@@ -32,7 +31,7 @@ int view_command(const ViewOptions& options, const std::atomic<bool>* interrupte
     std::unique_ptr<Rocket> rocket;
     if (options.rocket) rocket = std::make_unique<Rocket>(*options.rocket);
     try {
-        return Viewer(options, loaded, std::move(text), began, interrupted, std::move(rocket)).run();
+        return Viewer(options, loaded, std::move(text), began, std::move(rocket)).run(*interrupted);
     } catch (const WindowError&) {
         if (!loaded.scene) throw FileError(loaded.fault);
         throw;

@@ -17,13 +17,8 @@ const double* values_of(const Tile& tile) { return std::get<std::span<const doub
 Proof::Proof(const Lattice& own_part, const FileFormat& own_format)
     : part(own_part), format(own_format), bounds(std::size_t(part.columns) * part.rows), proved(bounds.size()) {}
 
-/// Returns whether the file would be the same for all values within the bound of those of pixel i.
 bool Proof::decided(const Tile& tile, int i) const {
-    const double* const rgb = values_of(tile) + 3 * i;
-    const int steps = (1 << format.bits) - 1;
-    if (format.bits == 32) return same_codes(rgb, tile.bounds[i], [](double v) { return static_cast<float>(v); });
-    if (format.linear) return same_codes(rgb, tile.bounds[i], [&](double v) { return quantise(v, true, steps); });
-    return same_codes(rgb, tile.bounds[i], [&](double v) { return quantise(v, false, steps); });
+    return strahl::decided(values_of(tile) + 3 * i, tile.bounds[i], format.bits, format.linear);
 }
 
 void Proof::put(const Pixel& pixel, const double* rgb, PictureWriter& writer) const {

@@ -31,7 +31,7 @@ class Session {
     /// the file.
     void replace(std::shared_ptr<const Scene> scene, bool opened);
 
-    /// Commands that concern only the window (quit, still, full screen, help, info) have no effect here.
+    /// Commands that concern only the window (quit, still, full screen, panels) have no effect here.
     Answer perform(Command command, double now);
 
     /// Moves to a moment of the flight and pauses there. False if nothing moves; then only the moment is kept, for
@@ -75,11 +75,14 @@ class Session {
     Camera camera;
     double time = 0;  // of moving bodies, in seconds: as `camera` that of the last moment followed
     bool orbiting = false;
+    bool fill = false;  // the view is widened to fill the window: see framing.h
     bool once = false;          // a path that loops ends after one round, too
     bool driven = false;        // by an editor of tracks: flights go on after their end
     std::shared_ptr<const std::vector<Track>> tracks;  // if any, in place of the scene's
     double speed = 1;           // units of the scene per second
     int finest = finest_level;  // while moving
+    /// The view that a window of this size shows now.
+    View view(int window_width, int window_height) const;
     int depth() const { return own_depth.value_or(scene->settings.max_trace_level); }
 
   private:

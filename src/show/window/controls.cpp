@@ -34,7 +34,7 @@ void Controls::tilt(const DVec3& push, double by_right, double by_upwards) {
 
 bool Controls::active(double now) const {
     return !(tilted == CameraInput{}) || (dragged >= 0 && now - dragged < still) ||
-           std::ranges::any_of(held, [](const Held& h) { return h.down || h.fresh; });
+           std::ranges::any_of(held, [](const KeyState& h) { return h.down || h.fresh; });
 }
 
 CameraInput Controls::take(double seconds) {
@@ -45,7 +45,7 @@ CameraInput Controls::take(double seconds) {
                       std::exchange(upwards, 0) + seconds * tilted.upwards};
     input.push += tilted.push;
     input.push *= seconds * (faster ? fast : 1);
-    for (Held& h : held) h.fresh = false;
+    for (KeyState& h : held) h.fresh = false;
     return input;
 }
 

@@ -25,11 +25,11 @@ class Controls {
     CameraInput take(double seconds);
 
   private:
-    struct Held {
+    struct KeyState {
         bool down = false, fresh = false;  // fresh: pressed since the last take, even if released by now
     };
 
-    std::array<Held, 6> held;
+    std::array<KeyState, 6> held;
     double right = 0, upwards = 0, dragged = -1;
     CameraInput tilted;  // per second
 };

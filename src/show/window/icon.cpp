@@ -8,8 +8,8 @@
 
 namespace strahl {
 
-Image icon(int size) {
-    Image image;
+ScreenImage icon(int size) {
+    ScreenImage image;
     image.resize(size, size);
     const DVec3 light = normalize(DVec3(-2, 3, 4));
     for (int y = 0; y < size; ++y)

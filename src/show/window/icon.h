@@ -5,6 +5,6 @@
 namespace strahl {
 
 /// `size` x `size` pixels, transparent around the ball.
-Image icon(int size);
+ScreenImage icon(int size);
 
 }  // namespace strahl

@@ -88,9 +88,9 @@ void draw_notes(const Overlay& overlay) {
     panel("notes", 1, 0, overlay.reserved, [&] {
         ImGui::PushTextWrapPos(ImGui::GetIO().DisplaySize.x - 4 * ImGui::GetFontSize());
         for (const std::string& note : overlay.notes) ImGui::TextUnformatted(note.c_str());
-        for (const Overlay::Progress& work : overlay.progress) {
-            ImGui::TextUnformatted(work.text.c_str());
-            ImGui::ProgressBar(static_cast<float>(work.share), {ImGui::GetFontSize() * 18, ImGui::GetFontSize() * 0.4f},
+        for (const Overlay::Bar& bar : overlay.bars) {
+            ImGui::TextUnformatted(bar.text.c_str());
+            ImGui::ProgressBar(static_cast<float>(bar.share), {ImGui::GetFontSize() * 18, ImGui::GetFontSize() * 0.4f},
                                "");
         }
         ImGui::PopTextWrapPos();
@@ -122,7 +122,7 @@ void draw_overlay(const Overlay& overlay) {
     draw_marks(overlay);
     if (!overlay.info.empty()) draw_info(overlay);
     if (!overlay.fault.empty()) draw_fault(overlay);
-    if (!overlay.notes.empty() || !overlay.progress.empty()) draw_notes(overlay);
+    if (!overlay.notes.empty() || !overlay.bars.empty()) draw_notes(overlay);
     if (overlay.help) draw_help(overlay);
 }
 

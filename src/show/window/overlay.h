@@ -1,4 +1,4 @@
-// The text over the picture.
+// The panels of text over the picture, and the marks on it.
 #pragma once
 #include <string>
 #include <utility>
@@ -12,18 +12,18 @@ namespace strahl {
 struct Overlay {
     bool help = false;
     std::vector<std::pair<std::string, std::string>> info;  // names and values; if empty, no panel
-    double share = 1;                                       // of the pixels that are traced
-    std::string fault_title, fault;                         // message of the scene file's error
+    double share = 1;                                       // of the picture's passes that are done
+    std::string fault_title, fault;                         // the error in the scene file, if any
     std::vector<std::string> notes;                         // the oldest first
-    struct Progress {
+    struct Bar {
         std::string text;
         double share = 0;
     };
-    std::vector<Progress> progress;  // of work in the background
-    Stability marks;                 // of pixels, on the picture
-    int width = 1, height = 1;       // of that picture
-    ScreenArea area;                 // and where it is
-    float reserved = 0;              // pixels at the bottom of the window that something else needs
+    std::vector<Bar> bars;      // of work in the background
+    Stability marks;            // on pixels of the picture
+    int width = 1, height = 1;  // of the picture, in its own pixels
+    ScreenArea area;            // where the picture is on the screen
+    float reserved = 0;         // pixels at the bottom of the window that panels must leave free
 };
 
 /// To be called while ImGui makes a frame.

@@ -56,7 +56,7 @@ GLFWmonitor* monitor_at(int x, int y) {
 }
 
 void set_icon(GLFWwindow* window) {
-    Image images[] = {icon(16), icon(32), icon(48), icon(128)};
+    ScreenImage images[] = {icon(16), icon(32), icon(48), icon(128)};
     std::array<GLFWimage, std::size(images)> icons;
     for (std::size_t i = 0; i < icons.size(); ++i)
         icons[i] = {images[i].width, images[i].height, reinterpret_cast<unsigned char*>(images[i].rgba.data())};
@@ -103,10 +103,10 @@ struct Screen::Functions {
     decltype(&::glClear) Clear = Found{"glClear"};
 };
 
-Screen::Screen(const std::string& title, int width, int height, bool default_size, bool full) {
+Screen::Screen(const std::string& title, PixelSize size, bool default_size, bool full) {
     if (!glfwInit()) fail("no display");
     try {
-        make_window(title, width, height, default_size, full);
+        make_window(title, size, default_size, full);
         start_drawing();
     } catch (...) {
         gl.reset();
@@ -115,7 +115,7 @@ Screen::Screen(const std::string& title, int width, int height, bool default_siz
     }
 }
 
-void Screen::make_window(const std::string& title, int width, int height, bool default_size, bool full) {
+void Screen::make_window(const std::string& title, PixelSize size, bool default_size, bool full) {
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, default_size);
     glfwWindowHint(GLFW_RED_BITS, 8);
     glfwWindowHint(GLFW_GREEN_BITS, 8);
@@ -125,7 +125,7 @@ void Screen::make_window(const std::string& title, int width, int height, bool d
     glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE);  // full screen stays when another window gets the focus
     glfwWindowHintString(GLFW_X11_CLASS_NAME, "Strahl");
     glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "strahl");
-    glfw = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
+    glfw = glfwCreateWindow(size.width, size.height, title.c_str(), nullptr, nullptr);
     if (!glfw) fail("no OpenGL");
     set_icon(glfw);
     opened = window_state();
@@ -175,7 +175,7 @@ int Screen::height() const {
 }
 
 void Screen::upload(const Fresh& fresh) {
-    const Image& image = fresh.image;
+    const ScreenImage& image = fresh.image;
     gl->BindTexture(GL_TEXTURE_2D, texture);
     const std::uint32_t* data = &image.rgba[std::size_t(fresh.first_row) * image.width];
     if (image.width != texture_width || image.height != texture_height)

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "show/session/framing.h"
+#include "show/session/view_options.h"
 #include "show/window/window_state.h"
 #include "show/work/trace_thread.h"
 
@@ -22,7 +23,7 @@ class Screen {
   public:
     /// Size in pixels; a default size grows with the monitor's scale, and gives way to the remembered one. Throws
     /// WindowError. Only one at a time.
-    Screen(const std::string& title, int width, int height, bool default_size, bool full);
+    Screen(const std::string& title, PixelSize size, bool default_size, bool full);
     ~Screen();
     Screen(const Screen&) = delete;
     Screen& operator=(const Screen&) = delete;
@@ -44,7 +45,7 @@ class Screen {
 
   private:
     struct Functions;
-    void make_window(const std::string& title, int width, int height, bool default_size, bool full);
+    void make_window(const std::string& title, PixelSize size, bool default_size, bool full);
     void start_drawing();
     void restore();
     WindowState window_state() const;

@@ -61,7 +61,7 @@ std::vector<std::uint32_t> encoded(const Tile& tile, const TransferTable& table)
     return rgba;
 }
 
-void store(const Lattice& pixels, const std::uint32_t* rgba, Steps steps, Image& level) {
+void store(const Lattice& pixels, const std::uint32_t* rgba, Steps steps, ScreenImage& level) {
     for (int row = 0; row < pixels.rows; ++row)
         for (int column = 0; column < pixels.columns; ++column) {
             const int x = (pixels.x + column * pixels.step_x) / steps.x;
@@ -70,7 +70,7 @@ void store(const Lattice& pixels, const std::uint32_t* rgba, Steps steps, Image&
         }
 }
 
-void expand(const Image& level, Steps ratio, Image& finer) {
+void expand(const ScreenImage& level, Steps ratio, ScreenImage& finer) {
     assert(level.width == (finer.width + ratio.x - 1) / ratio.x);
     const int shift = std::countr_zero(static_cast<unsigned>(ratio.y));
     std::vector<std::uint32_t> above(finer.width), below(finer.width);

@@ -9,7 +9,7 @@
 namespace strahl {
 
 /// 8 bits each of red, green, blue and (always full) opacity, from the low bits up; row by row from the top.
-struct Image {
+struct ScreenImage {
     int width = 0, height = 0;
     std::vector<std::uint32_t> rgba;
     void resize(int new_width, int new_height) {
@@ -44,10 +44,10 @@ class TransferTable {
 std::vector<std::uint32_t> encoded(const Tile& tile, const TransferTable& table);
 
 /// Stores 8-bit pixels, row by row, in the image of a level: pixel (x, y) goes to column x / steps.x, row y / steps.y.
-void store(const Lattice& pixels, const std::uint32_t* rgba, Steps steps, Image& level);
+void store(const Lattice& pixels, const std::uint32_t* rgba, Steps steps, ScreenImage& level);
 
 /// Makes of the image of a level that of a finer one, whose steps are smaller by `ratio`: known pixels are exact, those
 /// between are interpolated.
-void expand(const Image& level, Steps ratio, Image& finer);
+void expand(const ScreenImage& level, Steps ratio, ScreenImage& finer);
 
 }  // namespace strahl

@@ -25,11 +25,12 @@ class Undecided {
         std::vector<char> proved(std::size_t(rows.columns) * rows.rows);
         const auto keep = [&](const Tile& tile) {
             const Lattice& part = tile.lattice;
+            const double* const rgb = std::get<std::span<const double>>(tile.rgb).data();
             bool all = true;
-            for (int i = 0; i < part.columns * part.rows; ++i)
-                all &=
-                    proved[std::size_t(part.y - rows.y + i / part.columns) * rows.columns + part.x + i % part.columns] =
-                        decided(tile, i);
+            for (int i = 0; i < part.columns * part.rows; ++i) {
+                const int x = part.x + i % part.columns, y = part.y - rows.y + i / part.columns;
+                all &= proved[std::size_t(y) * rows.columns + x] = decided(rgb + 3 * i, tile.bounds[i], 8, linear);
+            }
             return all;
         };
         tracer.trace({view, pool, keep, stop}, rows);
@@ -48,11 +49,6 @@ class Undecided {
     }
 
   private:
-    bool decided(const Tile& tile, int i) const {
-        return same_codes(std::get<std::span<const double>>(tile.rgb).data() + 3 * i, tile.bounds[i],
-                          [this](double v) { return quantise(v, linear, 255); });
-    }
-
     Tracer tracer, extended;
     ThreadPool pool;
     const bool linear;
@@ -67,6 +63,7 @@ StabilityCheck::~StabilityCheck() { cancel(); }
 
 void StabilityCheck::start(std::shared_ptr<const Scene> scene, const View& view) {
     cancel();
+    started = true;
     share = 0;
     thread = std::thread([this, scene = std::move(scene), view] {
         Agreements agreements(*scene, threads,
@@ -79,9 +76,9 @@ void StabilityCheck::start(std::shared_ptr<const Scene> scene, const View& view)
             const auto map = agreements.of(view, rows, nullptr, &stop);
             for (std::size_t i = 0; i < map.size(); ++i)
                 if (map[i] != Agreement::all)
-                    found.marks.push_back(
+                    collected.marks.push_back(
                         {int(i) % view.width, y + int(i) / view.width, map[i] == Agreement::not_float64});
-            if (undecided) undecided->add_rows(view, rows, found, &stop);
+            if (undecided) undecided->add_rows(view, rows, collected, &stop);
             share = double(y + rows.rows) / view.height;
             notify();
         }
@@ -93,15 +90,16 @@ void StabilityCheck::start(std::shared_ptr<const Scene> scene, const View& view)
 void StabilityCheck::cancel() {
     stop = true;
     if (thread.joinable()) thread.join();
-    stop = ready = false;
-    found = {};
+    started = stop = ready = false;
+    collected = result = {};
 }
 
-std::optional<Stability> StabilityCheck::take() {
-    if (!ready) return {};
+bool StabilityCheck::take() {
+    if (!ready) return false;
     thread.join();
     ready = false;
-    return std::exchange(found, {});
+    result = std::exchange(collected, {});
+    return true;
 }
 
 }  // namespace strahl

@@ -37,20 +37,25 @@ class StabilityCheck {
 
     /// Starts, after cancelling what is under way.
     void start(std::shared_ptr<const Scene> scene, const View& view);
-    /// Ends what is under way; takes at most one tile in long double.
+    /// Ends what is under way and forgets what was found; takes at most one tile in long double.
     void cancel();
+    /// Is it under way, or is there something found?
+    bool active() const { return started; }
     bool under_way() const { return thread.joinable() && !ready; }
     /// The share of the picture that is done, 0 to 1.
     double progress() const { return share; }
-    /// What was found, once, when it is ready.
-    std::optional<Stability> take();
+    /// Returns true once, when it has come to its end.
+    bool take();
+    /// What was found. Empty until the end.
+    const Stability& found() const { return result; }
 
   private:
     const int threads;
     const std::function<void()> notify;
+    bool started = false;
     std::atomic<bool> stop = false, ready = false;
     std::atomic<double> share = 0;
-    Stability found;
+    Stability collected, result;  // the first is the thread's
     std::thread thread;
 };
 

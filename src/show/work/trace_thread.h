@@ -40,7 +40,7 @@ struct Refinement {
 
 /// New rows of the picture on the screen: of the image of a level, which represents `width` x `height` pixels.
 struct Fresh {
-    const Image& image;
+    const ScreenImage& image;
     Steps steps;  // of that level; 1 for the whole picture
     int width, height;
     int first_row, rows;
@@ -83,7 +83,7 @@ class TraceThread {
     std::optional<Tracer> tracer;
     std::optional<TransferTable> table;
     Resolution resolution;
-    Image spare;                       // pictures are made here and then swapped with the one on the screen
+    ScreenImage spare;                       // pictures are made here and then swapped with the one on the screen
     int done = -1;                     // the finest level of `order` that is complete
     std::optional<CellPicture> cells;  // of `order`, while it is refined
 
@@ -98,7 +98,7 @@ class TraceThread {
     int level_in_work = 0;
     Clock::time_point work_began;
     std::atomic<bool> stop = false;
-    Image shown;
+    ScreenImage shown;
     Steps shown_steps;
     int new_from = 0, new_to = 0;  // rows of `shown` that are new
     std::atomic<bool> fresh = false, complete = false;

@@ -46,7 +46,7 @@ TEST_CASE("an expanded level is exact at its pixels and between its neighbours e
         for (int level = 0; level < finest_level; ++level) {
             const Steps steps = steps_of(level);
             const Lattice lattice = pixels_of(level, width, height);
-            Image coarse, whole;
+            ScreenImage coarse, whole;
             coarse.resize(lattice.columns, lattice.rows), whole.resize(width, height);
             for (int i = 0; i < lattice.columns * lattice.rows; ++i) {
                 const unsigned red = i * 37 % 256, green = i * 101 % 256, blue = i * 53 % 256;
@@ -77,7 +77,7 @@ TEST_CASE("an expanded level is exact at its pixels and between its neighbours e
 TEST_CASE("tiles are stored where their pixels belong") {
     const TransferTable table(false);
     const std::vector<float> rgb{0, .5f, 1, 2, -1, .25f};
-    Image level;
+    ScreenImage level;
     level.resize(4, 3);
     const Lattice pixels{8, 4, 2, 1, 4, 2};
     store(pixels, encoded({pixels, std::span<const float>(rgb)}, table).data(), {4, 2}, level);

@@ -42,7 +42,7 @@ class Watcher {
     }
 
     Refinement state;
-    Image screen;  // only rows that were reported as new are copied
+    ScreenImage screen;  // only rows that were reported as new are copied
     Steps steps;
     int whole_images = 0;
 
@@ -74,7 +74,7 @@ class Watcher {
 };
 
 struct Exact {
-    Image image;
+    ScreenImage image;
     Counts rays;
 };
 Exact exact(const Order& order) {
@@ -85,7 +85,7 @@ Exact exact(const Order& order) {
     Tracer tracer(*order.scene, Precision::float32);
     const auto keep = [&](const Tile& tile) { place(tile, whole, frame.rgb); };
     const Counts rays = tracer.trace({view, pool, keep}, SampledRegion{whole, {}});
-    Image image;
+    ScreenImage image;
     image.resize(frame.width, frame.height);
     for (std::size_t i = 0; i < image.rgba.size(); ++i) {
         image.rgba[i] = 0xff000000u;

@@ -1,0 +1,149 @@
+#include "show/window/input.h"
+
+#include <GLFW/glfw3.h>
+#include <backends/imgui_impl_glfw.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+namespace strahl {
+namespace {
+
+constexpr int after_input = 3;  // drawings until a panel has reacted to input
+
+Input& input_of(GLFWwindow* window) { return *static_cast<Input*>(glfwGetWindowUserPointer(window)); }
+
+}  // namespace
+
+Input::Input(Screen& window_screen, const Session& window_session, Panels& window_panels, Pace& window_pace,
+             bool fixed_camera, InputHandlers input_handlers)
+    : screen(window_screen),
+      session(window_session),
+      panels(window_panels),
+      pace(window_pace),
+      fixed(fixed_camera),
+      handlers(std::move(input_handlers)) {
+    connect();
+}
+
+void Input::connect() {
+    GLFWwindow* const window = screen.window();
+    glfwSetWindowUserPointer(window, this);
+    glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int modifiers) {
+        input_of(w).on_key(key, scancode, action, modifiers);
+    });
+    glfwSetCharCallback(window, [](GLFWwindow* w, unsigned character) { input_of(w).on_character(character); });
+    glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) { input_of(w).on_cursor(x, y); });
+    glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int modifiers) {
+        input_of(w).on_button(button, action, modifiers);
+    });
+    glfwSetScrollCallback(window, [](GLFWwindow* w, double, double y) { input_of(w).on_wheel(y); });
+    glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
+        if (count > 0) input_of(w).handlers.drop(paths[0]);
+    });
+    glfwSetWindowCloseCallback(window, [](GLFWwindow* w) {
+        glfwSetWindowShouldClose(w, GLFW_FALSE);
+        input_of(w).handlers.perform({Action::quit});
+    });
+    glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { input_of(w).pace.redraw(); });
+    glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { input_of(w).pace.redraw(); });
+}
+
+void Input::on_key(int key, int scancode, int action, int modifiers) {
+    GLFWwindow* const window = screen.window();
+    const bool typing = ImGui::GetIO().WantTextInput;
+    if (panels.with_timeline() && (typing || action == GLFW_RELEASE)) {
+        ImGui_ImplGlfw_KeyCallback(window, key, scancode, action, modifiers);
+        pace.redraw(after_input);
+    }
+    if (typing && action != GLFW_RELEASE) return;
+    const auto push = push_of_key(key);
+    pushing = push.has_value();
+    const bool third_level = glfwGetKey(window, GLFW_KEY_RIGHT_ALT);
+    if (action == GLFW_REPEAT) {
+        const auto command = push ? std::nullopt : command_of_key(key, scancode, modifiers, third_level);
+        if (command && command->action == Action::step) handlers.perform(*command);
+        return;
+    }
+    const auto down = [&](int a, int b) { return glfwGetKey(window, a) || glfwGetKey(window, b); };
+    controls.faster = down(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
+    if (action == GLFW_RELEASE) {
+        if (push) controls.release(*push);
+        return;
+    }
+    const bool combined = modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER);
+    if (push && !combined && !fixed)
+        controls.press(*push);
+    else if (const auto command = command_of_key(key, scancode, modifiers, third_level))
+        handlers.perform(*command);
+}
+
+void Input::on_character(unsigned character) {
+    if (ImGui::GetIO().WantTextInput) {
+        pace.redraw(after_input);
+        return ImGui_ImplGlfw_CharCallback(screen.window(), character);
+    }
+    // On some layouts a key that moves the camera has one of these characters printed on it.
+    if (pushing) return;
+    if (const auto command = command_of_character(character)) handlers.perform(*command);
+}
+
+void Input::on_button(int button, int action, int modifiers) {
+    ImGui_ImplGlfw_MouseButtonCallback(screen.window(), button, action, modifiers);
+    if (panels.with_timeline()) pace.redraw(after_input);
+    if (button != GLFW_MOUSE_BUTTON_LEFT) return;
+    double x = 0, y = 0;
+    glfwGetCursorPos(screen.window(), &x, &y);
+    action == GLFW_PRESS && !on_panel() ? pointer.press(x, y) : pointer.release();
+}
+
+/// Is the pointer on a panel that takes input?
+bool Input::on_panel() const {
+    double x = 0, y = 0;
+    int height = 1;
+    glfwGetCursorPos(screen.window(), &x, &y);
+    glfwGetWindowSize(screen.window(), nullptr, &height);
+    return y / height * screen.height() > screen.height() - panels.reserved();
+}
+
+void Input::on_cursor(double x, double y) {
+    pointer_moved = pace.now();
+    if (panels.with_timeline()) pace.redraw();
+    const auto way = pointer.move(x, y);
+    if (!way || fixed) return;
+    // The view turns by the angle that the pointer crosses in the picture.
+    int width = 1;
+    glfwGetWindowSize(screen.window(), &width, nullptr);
+    const double angle = 2 * session.camera.fov * std::numbers::pi / 180 / std::max(width, 1);
+    controls.drag(way->x * angle, -way->y * angle, pace.now());
+}
+
+void Input::on_wheel(double notches) {
+    if (!fixed && !on_panel()) handlers.turn_wheel(notches);
+}
+
+void Input::read_gamepad() {
+    const auto id = gamepad();
+    GLFWgamepadstate pad;
+    if (!id || !glfwGetGamepadState(*id, &pad)) return controls.tilt({}, 0, 0);
+    const float* const axis = pad.axes;
+    const double triggers = (axis[GLFW_GAMEPAD_AXIS_RIGHT_TRIGGER] - axis[GLFW_GAMEPAD_AXIS_LEFT_TRIGGER]) / 2;
+    controls.tilt({axis[GLFW_GAMEPAD_AXIS_LEFT_X], triggers, -axis[GLFW_GAMEPAD_AXIS_LEFT_Y]},
+                  axis[GLFW_GAMEPAD_AXIS_RIGHT_X], -axis[GLFW_GAMEPAD_AXIS_RIGHT_Y]);
+    for (std::size_t i = 0; i < buttons.size(); ++i) {
+        const bool down = pad.buttons[i] == GLFW_PRESS;
+        if (std::exchange(buttons[i], down) || !down) continue;
+        if (const auto command = command_of_button(static_cast<int>(i))) handlers.perform(*command);
+    }
+}
+
+void Input::hide_pointer() {
+    const bool hide = screen.full_screen() && (fixed || pace.now() > pointer_moved + 2);
+    if (hide == std::exchange(pointer_hidden, hide)) return;
+    glfwSetInputMode(screen.window(), GLFW_CURSOR, hide ? GLFW_CURSOR_HIDDEN : GLFW_CURSOR_NORMAL);
+}
+
+}  // namespace strahl

@@ -1,0 +1,63 @@
+// Turns keys, the mouse and a gamepad into commands and into movements of the camera.
+#pragma once
+#include <array>
+#include <functional>
+#include <string>
+
+#include "show/session/session.h"
+#include "show/window/controls.h"
+#include "show/window/panels.h"
+#include "show/window/screen.h"
+#include "show/work/pace.h"
+
+namespace strahl {
+
+/// What the user does besides moving the camera. Called while events are processed.
+struct InputHandlers {
+    std::function<void(Command)> perform;
+    std::function<void(double)> turn_wheel;  // notches, up is positive
+    std::function<void(std::string)> drop;   // the path of a file that is dropped onto the window
+};
+
+class Input {
+  public:
+    /// Receives the events of the screen's window from now on. If `fixed` the user cannot move the camera.
+    Input(Screen& screen, const Session& session, Panels& panels, Pace& pace, bool fixed, InputHandlers handlers);
+    Input(const Input&) = delete;
+
+    /// Looks at the gamepad, which has no events: the left stick moves, the right one turns, the triggers go down and
+    /// up; buttons are commands.
+    void read_gamepad();
+    /// Will there be more input for the camera soon?
+    bool active() const { return controls.active(pace.now()); }
+    /// The input for the camera since the last call, `seconds` ago.
+    CameraInput take(double seconds) { return controls.take(seconds); }
+    /// Ends a drag, because the window changes under the pointer.
+    void release_pointer() { pointer.release(); }
+    /// Hides the pointer in full screen, if it has not moved for 2 seconds or is not needed.
+    void hide_pointer();
+
+  private:
+    void connect();
+    void on_key(int key, int scancode, int action, int modifiers);
+    void on_character(unsigned character);
+    void on_button(int button, int action, int modifiers);
+    void on_cursor(double x, double y);
+    void on_wheel(double notches);
+    bool on_panel() const;
+
+    Screen& screen;
+    const Session& session;
+    Panels& panels;
+    Pace& pace;
+    const bool fixed;
+    const InputHandlers handlers;
+    Controls controls;
+    Pointer pointer;
+    bool pushing = false;  // the character that follows belongs to a key that moves the camera
+    double pointer_moved = 0;
+    bool pointer_hidden = false;
+    std::array<bool, 15> buttons{};  // of the gamepad, which are down
+};
+
+}  // namespace strahl

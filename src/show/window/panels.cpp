@@ -1,0 +1,25 @@
+#include "show/window/panels.h"
+
+namespace strahl {
+
+void Panels::toggle(Action action) {
+    pace.redraw();
+    bool& shown = action == Action::help       ? help
+                  : action == Action::info     ? info
+                  : action == Action::timeline ? timeline_open
+                                               : quiet;
+    shown = !shown;
+    if (&shown != &quiet) quiet = false;
+}
+
+TimelineInput Panels::draw_timeline(const Session& session) {
+    if (!timeline_shown()) return {};
+    const auto flight = session.flight();
+    return timeline.draw({.editor = session.editor,
+                          .scene_camera = session.scene->camera,
+                          .time = session.flight_time(pace.now()),
+                          .duration = flight ? flight->duration : session.editor.path().duration,
+                          .running = session.under_way()});
+}
+
+}  // namespace strahl

@@ -1,0 +1,48 @@
+// Messages to the user: lines of the log, and notes in the window that disappear after some seconds.
+#pragma once
+#include <deque>
+#include <string>
+#include <vector>
+
+#include "show/session/session.h"
+#include "show/work/pace.h"
+
+namespace strahl {
+
+/// Prints a line on standard output. It begins with "// ", so that it may be pasted into a scene together with the text
+/// printed before or after it.
+void log_line(const std::string& text);
+
+class Notes {
+  public:
+    Notes(Pace& window_pace, bool log_all) : pace(window_pace), verbose(log_all) {}
+
+    /// Logs a line that only --verbose asks for.
+    void log(const std::string& text) const;
+    /// Shows a note for 3 seconds. Nothing if it is empty.
+    void note(const std::string& text);
+    /// Shows a note for 6 seconds and logs it in any case.
+    void announce(const std::string& text);
+    /// Shows the note of an answer; its text goes to the clipboard and to standard output.
+    void tell(const Answer& answer);
+
+    /// The notes to show, the oldest first.
+    std::vector<std::string> shown() const;
+    /// The time at which the first of them expires; infinite if there are none.
+    double next_change() const;
+    /// Removes the notes that have expired.
+    void expire();
+
+  private:
+    struct Note {
+        std::string text;
+        double until;
+    };
+    void show(const std::string& text, double seconds);
+
+    Pace& pace;
+    const bool verbose;
+    std::deque<Note> notes;
+};
+
+}  // namespace strahl

@@ -1,0 +1,53 @@
+// The scene file as the window sees it: its errors, its changes on disk, and what the user writes into it.
+#pragma once
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "show/work/notes.h"
+#include "show/work/reload.h"
+
+namespace strahl {
+
+class SceneFile {
+  public:
+    /// `first` is the scene and `text` its text. `notify` is called from another thread when there is something to
+    /// take.
+    SceneFile(const Loaded& first, std::string text, Notes& notes, Pace& pace, std::function<void()> notify);
+
+    const std::string& path() const { return file; }
+    /// Is there no scene yet, because the file is missing or has an error?
+    bool waiting() const { return awaited; }
+    /// Opens another file, unless it has an error.
+    void open(std::string path) { reload.open(std::move(path)); }
+    /// Returns a scene that was read since the last call. Shows the error if there is one instead.
+    std::optional<Loaded> take();
+
+    /// Writes this path into the file, or removes the one in it if it has no keys. A file that others have changed is
+    /// only written if this is asked for again within 10 seconds.
+    void write(const Flythrough& flythrough);
+    /// Writes these tracks into the file beside the scene's. Nothing while there is no scene.
+    void write(const std::vector<Track>& tracks);
+    /// Tells the user about what was written since the last call.
+    void tell_written();
+
+    /// The error to show, or "".
+    const std::string& fault() const { return error; }
+    std::string fault_title() const;
+    /// The time at which the error expires; infinite if there is none, or if it stays.
+    double next_change() const { return error.empty() ? Pace::forever : error_until; }
+    /// Removes an error that has expired.
+    void expire();
+
+  private:
+    Notes& notes;
+    Pace& pace;
+    std::string file;
+    Reload reload;
+    bool awaited;
+    std::string error;
+    double error_until = Pace::forever;  // only the error of another file, which was not opened, expires
+    double write_until = -1;             // until then the user may confirm that a changed file is written
+};
+
+}  // namespace strahl

@@ -1,0 +1,57 @@
+#include "show/work/still_requests.h"
+
+#include <filesystem>
+#include <optional>
+#include <utility>
+
+namespace strahl {
+
+StillRequests::StillRequests(const ViewOptions& view_options, Notes& window_notes, Pace& window_pace,
+                             std::function<void()> notify)
+    : options(view_options), notes(window_notes), pace(window_pace), stills(view_options.threads, std::move(notify)) {}
+
+void StillRequests::add(const Session& session, const std::string& scene_path, View view) {
+    if (options.still_size.width > 0) view.width = options.still_size.width, view.height = options.still_size.height;
+    const bool in_flight = session.flying() || session.time != 0;
+    const std::string name =
+        std::filesystem::path(options.still_folder) /
+        still_name(scene_path, in_flight ? std::optional(rounded_time(session.time)) : std::nullopt);
+    if (const std::string why = folder_fault(name); !why.empty()) {
+        any_failed = true;
+        return notes.announce(why);
+    }
+    stills.add({session.scene, view, name, options.still_ending});
+    log_line("still queued: " + name + ", " + std::to_string(view.width) + "x" + std::to_string(view.height));
+    told = pace.now();
+    pace.redraw();
+}
+
+void StillRequests::tell_done() {
+    for (const Stills::Outcome& outcome : stills.outcomes()) {
+        any_failed |= !outcome.fault.empty();
+        notes.announce(outcome.fault.empty() ? "still saved: " + outcome.path : outcome.fault);
+    }
+    const int pending = stills.pending();
+    if (pending == 0 || pace.now() - told <= 2) return;
+    told = pace.now();
+    log_line("still: " + std::to_string(int(100 * stills.progress())) + " %, " + std::to_string(pending) + " waiting");
+}
+
+void StillRequests::finish() {
+    if (!std::exchange(finishing, true) && stills.pending() > 0) {
+        log_line("waiting for " + std::to_string(stills.pending()) + " still(s); Esc or a signal drops them");
+        return pace.redraw();
+    }
+    for (const std::string& name : stills.drop()) log_line("still dropped: " + name);
+}
+
+std::string StillRequests::progress_text() const {
+    const int pending = stills.pending();
+    if (pending == 0) return "";
+    std::string text = finishing ? "Finishing the still: " : "A still: ";
+    text += std::to_string(int(100 * stills.progress() + .5)) + " %";
+    if (pending > 1) text += ", " + std::to_string(pending - 1) + " more waiting";
+    return text + (finishing ? "; Esc drops it" : "");
+}
+
+}  // namespace strahl

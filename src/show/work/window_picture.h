@@ -1,0 +1,57 @@
+// The picture in the window: which view is traced for it, how far that is, and the marks on it.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <functional>
+
+#include "show/work/notes.h"
+#include "show/work/stability_check.h"
+#include "show/work/trace_thread.h"
+
+namespace strahl {
+
+class WindowPicture {
+  public:
+    /// `notify` is called from other threads when there is something to take or to tell.
+    WindowPicture(int threads, Notes& notes, Pace& pace, const std::function<void()>& notify);
+
+    /// Orders the picture that a window of this size should show, unless it is the one ordered last.
+    void order(const Session& session, int width, int height);
+    /// Passes what is new since the last call to `upload`. False if nothing is new.
+    bool take(const TraceThread::Upload& upload);
+
+    /// Is there something to take?
+    bool has_update() const { return tracing.has_update(); }
+    /// Is the picture ordered last finished?
+    bool finished() const { return tracing.finished(); }
+    /// The progress of the picture on the screen.
+    const Refinement& state() const { return progress; }
+    /// Is the picture on the screen the one ordered last?
+    bool newest() const { return progress.number == wanted.number; }
+    /// The moment of the flight that it shows, in seconds.
+    double moment() const { return moments[progress.number % moments.size()]; }
+    int threads() const { return tracing.threads(); }
+
+    /// To be called when a motion ends: its last picture may have been finished before.
+    void rest() { logged = 0; }
+    /// Logs once per rest that the picture is finished.
+    void log_finished();
+
+    /// Starts to look for the pixels that rounding decides, if the camera rests; or removes their marks.
+    void toggle_marks();
+    /// Tells the user when they are found.
+    void tell_marks();
+    const StabilityCheck& marks() const { return check; }
+
+  private:
+    Notes& notes;
+    Pace& pace;
+    TraceThread tracing;
+    StabilityCheck check;
+    Order wanted;
+    Refinement progress;
+    std::uint64_t logged = 0;          // number of the last picture logged as finished
+    std::array<double, 16> moments{};  // of the flight, of the last pictures ordered, by number
+};
+
+}  // namespace strahl
