@@ -15,9 +15,9 @@
 #include "show/work/pace.h"
 #include "show/work/reload.h"
 #include "show/work/rocket.h"
-#include "show/work/scene_file.h"
 #include "show/work/still_requests.h"
 #include "show/work/track_editor.h"
+#include "show/work/watched_scene.h"
 #include "show/work/window_picture.h"
 
 namespace strahl {
@@ -62,7 +62,7 @@ class Viewer {
     Input input;
     WindowPicture picture;
     StillRequests stills;
-    SceneFile file;
+    WatchedScene file;
     TrackEditor tracks;
     SceneSound sound;
     bool started = false;  // the flight of `strahl play`

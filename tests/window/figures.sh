@@ -13,9 +13,9 @@ higher=()
 nice -n -5 true 2>/dev/null && higher=(nice -n -5)
 
 median() { sort -g | awk '{ v[NR] = $1 } END { print v[int((NR + 1) / 2)] }'; }
-# number PATTERN: what \1 is in each line of the log that fits.
+# number PATTERN: prints what \1 is in each line of the log that matches.
 number() { sed -nE "s|^.*$1.*$|\\1|p" "$work/log"; }
-# await TEXT COUNT: until that many lines have it.
+# await TEXT COUNT: waits until that many lines contain it.
 await() {
     for ((i = 0; i < 600; ++i)); do
         (($(grep -c "$1" "$work/log") >= $2)) && return
@@ -31,7 +31,7 @@ start() {
     xdotool mousemove --window "$(xdotool search --pid "$pid" | tail -n 1)" 100 100
 }
 quit() { xdotool key Escape && wait "$pid" && pid=; }
-# Hundredths of a second that threads have used whose names fit.
+# ticks PATTERN: prints the hundredths of a second that threads with matching names have used.
 ticks() { cat /proc/"$pid"/task/*/stat | awk -v name="$1" '$2 ~ name { sum += $14 + $15 } END { print sum + 0 }'; }
 main_ticks() { awk '{ print $14 + $15 }' "/proc/$pid/task/$pid/stat"; }
 

@@ -75,10 +75,11 @@ await 'finished 200x160'
 quit
 start scene.rt --depth 2
 await 'finished 200x160'
-xdotool getwindowgeometry --shell "$id" | grep -q '^X=30$' || fault "the window is not where it was"
+geometry=$(xdotool getwindowgeometry --shell "$id")
+[[ $geometry == *$'\nX=30\n'* ]] || fault "the window is not where it was, $(<state/strahl/window), but: $geometry"
 quit
 
-echo "-- a flight is played once, and measured"
+echo "-- a flight is played once and measured"
 put "$camera" "$world" "${path//60/1}"
 "$strahl" play scene.rt --size 64x48 --benchmark --stats stats.json >log || fault "play fails: $(cat log)"
 grep -q 'median .* ms, 99th percentile .* ms, worst' log || fault "the figures of a flight: $(cat log)"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Tracks that an editor drives: what it changes is seen at once, and saved.
+# An editor of tracks: its changes are visible at once, and are saved.
 #
 #   tests/window/rocket.sh STRAHL EDITOR
 #
@@ -19,7 +19,7 @@ plane { <0, 0, 0>, <1, 0, 0>, <0, 1, 0> }"
 }
 put "$(scene 'track "zoom" 12' 'track "green" .2' 'track "ball:height"')"
 echo 'track "old" { 0 1 step }' >scene.tracks
-# pictured FILE FOV GREEN HEIGHT: what the window should show.
+# pictured FILE FOV GREEN HEIGHT: renders what the window should show.
 pictured() {
     scene "${@:2}" >still.rt
     "$strahl" render still.rt -o "$1" --precision float --quiet --size 200x150 --depth 2 || fault "render $*"
@@ -27,7 +27,7 @@ pictured() {
 
 coproc "$editor"
 tell() { printf '%s\n' "$*" >&"${COPROC[1]}"; }
-# hears TEXT: the editor says this, perhaps after something else.
+# hears TEXT: waits until the editor prints this.
 hears() {
     local said
     while read -r -t 10 said <&"${COPROC[0]}"; do
@@ -44,7 +44,7 @@ hears 'asks green'
 hears 'asks ball:height'
 hears 'row 0'
 
-echo "-- keys are seen at once"
+echo "-- keys are visible at once"
 pictured first.png 12 .2 0
 shows first.png
 tell key 1 0 1 0

@@ -49,7 +49,7 @@ await 'orbiting'
 xdotool key a
 await 'rest after'
 xdotool key 2
-await 'there is no camera 2'
+await 'no camera is stored as 2'
 xdotool key 1
 await 'camera 1'
 shows flown.png
@@ -94,7 +94,7 @@ shows_other paused.png
 xdotool key h
 shows paused.png
 
-echo "-- pixels that rounding decides are marked while the picture rests"
+echo "-- pixels that depend on rounding are marked while the picture is at rest"
 xdotool key x
 await '% are proved'
 xdotool key x
@@ -148,7 +148,7 @@ grep -q 'quit' log || fault "the window did not say that it quits"
 count=$(grep -c 'still saved' log)
 ((count == 3)) || fault "$count of 3 stills were saved"
 
-echo "-- unless asked twice; and a flight from the start"
+echo "-- Esc twice drops them; and a flight from the start"
 start scene.rt --size 200x100 --still-size 8000x6000 --fly --time 5
 grep -q 'flight continues' log || fault "--fly does not fly"
 xdotool key ctrl+s

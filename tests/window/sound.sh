@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Sound in time with the picture: by OpenAL's null driver, which plays nothing as fast as a device would, and by its
-# wave driver, whose file has what was heard.
+# Sound in time with the picture: with OpenAL's null driver, which plays at the speed of a device but silently, and with
+# its wave driver, which writes what would be heard into a file.
 #
 #   tests/window/sound.sh STRAHL
 #
@@ -46,6 +46,6 @@ fi
 
 echo "-- no device: silence, and the flight goes on"
 ALSOFT_DRIVERS=none play
-grep -q 'no sound: ' log || fault "silence is not told of: $(<log)"
+grep -q 'no sound: ' log || fault "silence is not reported: $(<log)"
 grep -q 'rest after' log || fault "the flight did not end: $(<log)"
 finish

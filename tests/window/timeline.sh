@@ -35,7 +35,7 @@ time=$(sed -n 's/.*key { time \([0-9.]*\) .*/\1/p' scene.rt | tail -n 1)
 awk -v t="$time" 'BEGIN { exit !(t > 4 && t < 6) }' || fault "the key was dragged to $time s"
 grep -q "duration $time\$" scene.rt || fault "the duration is not that of the last key: $(grep duration scene.rt)"
 
-echo "-- undone at once, and written again"
+echo "-- one undo takes back the whole drag; written again"
 xdotool mousemove --window "$id" 300 100 key ctrl+z
 await 'undone'
 xdotool key F2

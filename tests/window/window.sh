@@ -112,7 +112,7 @@ put() {
     mv scene.new scene.rt
 }
 
-# finish: the exit status of the test.
+# finish: ends the test with its exit status.
 finish() {
     ((faults == 0)) || exit 1
     echo "as expected"

@@ -1,4 +1,4 @@
-// Flying and orbiting.
+// Computes how flying and orbiting move a camera.
 #include "show/session/camera_control.h"
 
 #include <algorithm>

@@ -1,10 +1,10 @@
-// Flying and orbiting, as functions from camera to camera.
+// Flying and orbiting: functions from camera to camera.
 #pragma once
 #include "scene/camera.h"
 
 namespace strahl {
 
-/// What the user asks of the camera at one moment.
+/// A movement of the camera that the user asks for.
 struct CameraInput {
     DVec3 push{0};                  // to the right of the picture, up, and into it
     double right = 0, upwards = 0;  // turns in radians
@@ -15,10 +15,10 @@ struct CameraInput {
 /// never steeper than 89 degrees (or than it was).
 Camera fly(const Camera& camera, const CameraInput& input);
 
-/// Moves around look_at. `push` to the right and up is in radians, too; into the picture it is a share of the distance.
+/// Moves around look_at. `push` to the right and up is in radians; into the picture it is a share of the distance.
 Camera orbit(const Camera& camera, const CameraInput& input);
 
-/// A speed in units per second that suits the scene: it reaches look_at in three seconds.
+/// Returns a speed, in units per second, that suits the scene: it reaches look_at in three seconds.
 double default_speed(const Camera& camera);
 
 }  // namespace strahl

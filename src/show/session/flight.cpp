@@ -1,4 +1,4 @@
-// The path around a scene that has none.
+// Makes an orbit for scenes that have no path.
 #include "show/session/flight.h"
 
 #include <numbers>

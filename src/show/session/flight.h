@@ -4,7 +4,7 @@
 
 namespace strahl {
 
-/// Seconds of flight as a function of real seconds.
+/// Converts real seconds to seconds of flight.
 class FlightClock {
   public:
     bool running() const { return runs; }
@@ -12,7 +12,7 @@ class FlightClock {
     void run(double now) { passed = at(now), since = now, runs = true; }
     void hold(double now) { passed = at(now), runs = false; }
     void set(double seconds, double now) { passed = seconds, since = now; }
-    /// Seconds of flight in a second; 1 to begin with.
+    /// Seconds of flight per real second; 1 at the start.
     double rate() const { return speed; }
     void set_rate(double rate, double now) { set(at(now), now), speed = rate; }
 
@@ -21,7 +21,7 @@ class FlightClock {
     bool runs = false;
 };
 
-/// A slow orbit from where the camera is around what the scene's camera looks at.
+/// Returns a slow orbit that begins at the camera's position and goes around the scene camera's look_at.
 Flythrough orbit_path(const Camera& camera, const Camera& scene_camera);
 
 }  // namespace strahl

@@ -1,4 +1,4 @@
-// Proportions of picture and window.
+// Computes the proportions of the picture in the window.
 #include "show/session/framing.h"
 
 #include <algorithm>

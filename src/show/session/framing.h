@@ -1,4 +1,4 @@
-// Where in the window the picture is, and what it shows there.
+// The place of the picture in the window, and the camera that fits it.
 #pragma once
 #include "scene/camera.h"
 
@@ -10,16 +10,16 @@ struct ScreenArea {
     bool operator==(const ScreenArea&) const = default;
 };
 
-/// The largest area with this width / height, in the middle of the window.
+/// Returns the largest area of this width / height, in the middle of the window.
 ScreenArea fitted(double aspect, int window_width, int window_height);
 
-/// The picture of a window.
+/// The area of the window that the picture takes, and the camera it is traced with.
 struct Framing {
     ScreenArea area;
     Camera camera;
 };
-/// A camera with an aspectratio keeps it, and the rest of the window stays dark; if the picture is to `fill` the
-/// window the view is widened instead, so that nothing is cut off. A camera without one fills the window anyway.
+/// Fits the picture into the window. A camera with an aspectratio keeps it, and the rest of the window stays dark; with
+/// `fill` the view is widened instead, so that nothing is cut off. A camera without one fills the window anyway.
 Framing framing(const Camera& camera, int window_width, int window_height, bool fill);
 
 }  // namespace strahl

@@ -4,11 +4,12 @@
 #include <GLFW/glfw3.h>
 
 #include <span>
+#include <utility>
 
 namespace strahl {
 namespace {
 
-/// The letter that is printed on the key, as a capital; if the layout has no Latin letters, the US letter at its place.
+/// Returns the letter printed on the key, as a capital; if the layout has no Latin letters, the US letter of that key.
 char letter_of(int key, int scancode) {
     const char* const name = glfwGetKeyName(key, scancode);
     if (name && name[0] >= 'a' && name[0] <= 'z' && name[1] == 0) return static_cast<char>(name[0] - 'a' + 'A');
@@ -22,21 +23,21 @@ struct Meaning {
 };
 /// Keys by their letters, alone or with Shift, and with Ctrl.
 constexpr Meaning letters[] = {
-    {'F', {Action::play}},        {'P', {Action::add_key}}, {'R', {Action::reset}}, {'V', {Action::fill}},
-    {'C', {Action::copy_camera}}, {'H', {Action::help}},    {'I', {Action::info}},  {'X', {Action::stability}},
-    {'N', {Action::quiet}},       {'T', {Action::timeline}},    {'K', {Action::record}},
+    {'F', {Action::play}},        {'P', {Action::add_key}},  {'R', {Action::reset}},  {'V', {Action::fill}},
+    {'C', {Action::copy_camera}}, {'H', {Action::help}},     {'I', {Action::info}},   {'X', {Action::stability}},
+    {'N', {Action::quiet}},       {'T', {Action::timeline}}, {'K', {Action::record}},
 };
 constexpr Meaning control_letters[] = {
     {'S', {Action::still}}, {'Z', {Action::undo}}, {'Y', {Action::redo}}, {'N', {Action::clear_path}}};
 /// Keys that are the same in all layouts.
 constexpr Meaning other_keys[] = {
-    {GLFW_KEY_ESCAPE, {Action::quit}},       {GLFW_KEY_SPACE, {Action::pause}},
-    {GLFW_KEY_F11, {Action::full_screen}},   {GLFW_KEY_F12, {Action::still}},
-    {GLFW_KEY_F2, {Action::write_path}},
-    {GLFW_KEY_HOME, {Action::rewind}},       {GLFW_KEY_END, {Action::to_end}},
-    {GLFW_KEY_LEFT, {Action::step, -1}},     {GLFW_KEY_RIGHT, {Action::step, 1}},
-    {GLFW_KEY_PAGE_UP, {Action::to_key, -1}}, {GLFW_KEY_PAGE_DOWN, {Action::to_key, 1}},
-    {GLFW_KEY_INSERT, {Action::set_key}},    {GLFW_KEY_DELETE, {Action::delete_key}},
+    {GLFW_KEY_ESCAPE, {Action::quit}},         {GLFW_KEY_SPACE, {Action::pause}},
+    {GLFW_KEY_F11, {Action::full_screen}},     {GLFW_KEY_F12, {Action::still}},
+    {GLFW_KEY_F2, {Action::write_path}},       {GLFW_KEY_HOME, {Action::rewind}},
+    {GLFW_KEY_END, {Action::to_end}},          {GLFW_KEY_LEFT, {Action::step, -1}},
+    {GLFW_KEY_RIGHT, {Action::step, 1}},       {GLFW_KEY_PAGE_UP, {Action::to_key, -1}},
+    {GLFW_KEY_PAGE_DOWN, {Action::to_key, 1}}, {GLFW_KEY_INSERT, {Action::set_key}},
+    {GLFW_KEY_DELETE, {Action::delete_key}},
 };
 
 std::optional<Command> find(std::span<const Meaning> meanings, int key) {
@@ -67,18 +68,9 @@ std::optional<Command> command_of_key(int key, int scancode, int modifiers, bool
 }
 
 std::optional<Command> command_of_character(unsigned character) {
-    switch (character) {
-        case '[':
-            return Command{Action::shallower};
-        case ']':
-            return Command{Action::deeper};
-        case ',':
-            return Command{Action::coarser};
-        case '.':
-            return Command{Action::finer};
-        default:
-            return std::nullopt;
-    }
+    constexpr Meaning characters[] = {
+        {'[', {Action::shallower}}, {']', {Action::deeper}}, {',', {Action::coarser}}, {'.', {Action::finer}}};
+    return find(characters, static_cast<int>(character));
 }
 
 std::optional<Command> command_of_button(int button) {
@@ -102,22 +94,12 @@ std::optional<int> gamepad() {
 }
 
 std::optional<Push> push_of_key(int key) {
-    switch (key) {
-        case GLFW_KEY_W:
-            return Push::forward;
-        case GLFW_KEY_S:
-            return Push::back;
-        case GLFW_KEY_D:
-            return Push::right;
-        case GLFW_KEY_A:
-            return Push::left;
-        case GLFW_KEY_E:
-            return Push::up;
-        case GLFW_KEY_Q:
-            return Push::down;
-        default:
-            return std::nullopt;
-    }
+    constexpr std::pair<int, Push> pushes[] = {{GLFW_KEY_W, Push::forward}, {GLFW_KEY_S, Push::back},
+                                               {GLFW_KEY_D, Push::right},   {GLFW_KEY_A, Push::left},
+                                               {GLFW_KEY_E, Push::up},      {GLFW_KEY_Q, Push::down}};
+    for (const auto& [own_key, push] : pushes)
+        if (own_key == key) return push;
+    return std::nullopt;
 }
 
 }  // namespace strahl

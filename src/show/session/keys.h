@@ -1,4 +1,4 @@
-// The keys and their commands.
+// The commands, the keys and buttons that give them, and the help on keys.
 #pragma once
 #include <array>
 #include <optional>
@@ -42,22 +42,22 @@ enum class Action {
 };
 struct Command {
     Action action;
-    int number = 0;  // of the camera to recall or store, 1 to 9; of 1/25 seconds or keys to step, back if negative
+    int number = 0;  // of a camera, 1 to 9; or how many 1/25 s or keys to step, backwards if negative
     bool operator==(const Command&) const = default;
 };
 
-/// The command of a key press; numbers are GLFW's. Letters are identified by what is printed on the key, digits by
-/// their place. `third_level`: AltGr is down, and a character follows.
+/// Returns the command of a key press; numbers are GLFW's. Letters are identified by what is printed on the key, digits
+/// by their place. `third_level`: AltGr is down, and a character follows.
 std::optional<Command> command_of_key(int key, int scancode, int modifiers, bool third_level);
-/// Brackets, comma and full stop, wherever the keyboard has them.
+/// Returns the command of a character: brackets, comma and full stop, which keyboards have in different places.
 std::optional<Command> command_of_character(unsigned character);
 
-/// The command of a gamepad's button; numbers are GLFW's.
+/// Returns the command of a gamepad's button; numbers are GLFW's.
 std::optional<Command> command_of_button(int button);
-/// The number of a gamepad that is there.
+/// Returns the number of a connected gamepad.
 std::optional<int> gamepad();
 
-/// The keys that move the camera, by their place.
+/// The keys that move the camera, identified by their place.
 enum class Push { forward, back, left, right, down, up };
 std::optional<Push> push_of_key(int key);
 
@@ -69,32 +69,38 @@ inline constexpr std::array key_help{
     KeyHelp{"W A S D", "forward, left, back, right"},
     KeyHelp{"Q E", "down, up"},
     KeyHelp{"Shift", "faster"},
-    KeyHelp{"mouse", "drag: look around; wheel: speed"},
+    KeyHelp{"mouse drag", "look around"},
+    KeyHelp{"mouse wheel", "speed"},
     KeyHelp{"Tab", "switch between flying and orbiting"},
     KeyHelp{"R", "back to the scene's camera"},
-    KeyHelp{"1-9", "recall a camera; Shift: store it"},
+    KeyHelp{"1-9", "recall a camera"},
+    KeyHelp{"Shift+1-9", "store the camera"},
     KeyHelp{"C", "copy the camera and print it"},
     KeyHelp{"Flight", ""},
     KeyHelp{"F", "fly along the path, or around the scene"},
     KeyHelp{"Space", "pause, continue"},
-    KeyHelp{"Left Right", "1/25 s back, on; Shift: 1 s"},
-    KeyHelp{"PgUp PgDn", "to the key before, after"},
-    KeyHelp{"Home End", "to the start, the end"},
+    KeyHelp{"Left Right", "1/25 s back, forward; with Shift 1 s"},
+    KeyHelp{"PgUp PgDn", "previous, next key of the path"},
+    KeyHelp{"Home End", "start, end of the flight"},
     KeyHelp{"P", "add the camera as the path's next key"},
-    KeyHelp{"K", "record a flight by hand; again: end it"},
-    KeyHelp{"Ins Del", "set, delete the key of this moment"},
-    KeyHelp{"Ctrl+Z, +Y", "undo, redo; Ctrl+N: a new path"},
-    KeyHelp{"T", "the timeline, where keys are dragged and typed"},
+    KeyHelp{"K", "start, end recording a flight by hand"},
+    KeyHelp{"Ins Del", "set, delete the key at this moment"},
+    KeyHelp{"Ctrl+Z +Y", "undo, redo changes of the path"},
+    KeyHelp{"Ctrl+N", "new path"},
+    KeyHelp{"T", "timeline: drag keys, type their values"},
     KeyHelp{"F2", "write the path into the scene file"},
     KeyHelp{"Shift+C", "copy the path and print it"},
     KeyHelp{"Picture", ""},
-    KeyHelp{"F12, Ctrl+S", "save a still"},
-    KeyHelp{"[ ]", "depth: fewer, more reflections"},
-    KeyHelp{", .", "lower, higher resolution in motion"},
-    KeyHelp{"F11  V", "full screen; fill it, or keep proportions"},
-    KeyHelp{"X", "mark pixels that rounding decides, or that are not proved"},
-    KeyHelp{"I  H  N", "information; this help; no text"},
-    KeyHelp{"gamepad", "sticks, triggers: move; A: pause, X: key"},
+    KeyHelp{"F12 Ctrl+S", "save a still"},
+    KeyHelp{"[ ]", "fewer, more reflections"},
+    KeyHelp{", .", "lower, higher quality in motion"},
+    KeyHelp{"F11", "full screen"},
+    KeyHelp{"V", "fill the window, or keep proportions"},
+    KeyHelp{"X", "check rounding of a picture at rest"},
+    KeyHelp{"I", "information"},
+    KeyHelp{"H", "this help"},
+    KeyHelp{"N", "hide all text"},
+    KeyHelp{"gamepad", "sticks, triggers: move; A: pause; X: add key"},
     KeyHelp{"Esc", "quit"},
 };
 

@@ -1,4 +1,4 @@
-// Changes of a path.
+// Changes paths, with undo and redo.
 #include "show/session/path_editor.h"
 
 #include <algorithm>
@@ -13,8 +13,8 @@ namespace {
 constexpr double least_gap = 0.001;  // seconds between keys
 constexpr std::size_t most_steps = 500;
 
-/// What the scene language demands: the duration reaches to the last key, and where a path that loops has a key at its
-/// end this equals the first.
+/// Makes the path valid in the scene language: the duration reaches to the last key, and a key at the end of a path
+/// that loops equals the first.
 Flythrough checked(Flythrough path) {
     if (path.keys.empty()) return {};
     path.duration = std::max(path.duration, path.keys.back().time);
@@ -56,7 +56,7 @@ Flythrough continued(Flythrough path, Keyframe key, double seconds) {
     if (path.keys.empty()) return key.time = 0, checked({.keys = {key}});
     const Keyframe &first = path.keys.front(), &last = path.keys.back();
     key.time = last.time + seconds;
-    if (path.loop && last.time < path.duration)  // it returns by itself
+    if (path.loop && last.time < path.duration)  // the way back to the first key is part of it
         path.duration = std::max(path.duration, key.time + seconds);
     else
         path.loop = path.keys.size() > 1 && key.position == first.position && key.look_at == first.look_at,

@@ -7,36 +7,37 @@
 
 namespace strahl {
 
-/// A key at the camera, rounded to a 100,000th of the distance to look_at or less, so that it is short to read. It
-/// omits values that equal those of the scene's camera.
+/// Returns a key at the camera. Its numbers are rounded to 1/100,000 of the distance to look_at or less, to be short in
+/// the file. Values that equal those of the scene's camera are omitted.
 Keyframe key_of(const Camera& camera, const Camera& scene_camera, double time);
 
-/// `path` with a key at its time, in place of one that is there already.
+/// Returns `path` with this key, which replaces one at the same time.
 Flythrough with_key(Flythrough path, const Keyframe& key);
-/// `path` continued by a key `seconds` after its last one. A path that returns to its first key loops.
+/// Returns `path` continued by a key `seconds` after its last one. A path that returns to its first key loops.
 Flythrough continued(Flythrough path, Keyframe key, double seconds);
 Flythrough without_key(Flythrough path, std::size_t number);
-/// `path` with a key moved to another time; it stays between its neighbours, 1 ms from them.
+/// Returns `path` with a key moved to another time; it stays between its neighbours, 1 ms from them.
 Flythrough retimed(Flythrough path, std::size_t number, double time);
 
-/// The number of the key at this time, to half a millisecond.
+/// Returns the number of the key at this time, within half a millisecond.
 std::optional<std::size_t> key_at(const Flythrough& path, double time);
 
-/// The times that hands give keys are whole milliseconds.
+/// Rounds to milliseconds, as all times of keys are that the user sets.
 double rounded_time(double seconds);
 
 class PathEditor {
   public:
     explicit PathEditor(const std::optional<Flythrough>& in_file) { reload(in_file), past.clear(); }
 
-    /// Perhaps of one key or of none, and so no path yet.
+    /// May have one key or none: then it cannot be flown yet.
     const Flythrough& path() const { return present; }
     bool changed() const { return present != saved; }
 
-    /// The scene file was read, and has this path. If it is another one than before it is taken, and can be undone.
+    /// To be called when the scene file was read, with its path. If that has changed it replaces the edited one, which
+    /// undo brings back.
     void reload(const std::optional<Flythrough>& in_file);
 
-    /// If `merged` this and the change before are undone together, as the steps of one drag are.
+    /// Replaces the path. If `merged`, undo takes back this change and the one before together, as for steps of a drag.
     void change(Flythrough newer, bool merged = false);
     bool undo();
     bool redo();

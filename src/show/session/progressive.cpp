@@ -6,7 +6,7 @@
 namespace strahl {
 namespace {
 
-/// How many of 0, step, 2 step, ... are below `end`.
+/// Returns how many of 0, step, 2 step, ... are below `end`.
 int steps_below(int end, int step) { return (end + step - 1) / step; }
 
 }  // namespace

@@ -21,17 +21,17 @@ inline constexpr int finest_level = 8;
 inline constexpr int averaged_level = finest_level + 1;
 Steps steps_of(int level);
 
-/// All pixels of a level, 0 <= level <= finest_level.
+/// Returns the pixels of a level, 0 <= level <= finest_level.
 Lattice pixels_of(int level, int width, int height);
 
-/// A pass of a picture at rest: its cells (trace/cells/cell_picture.h) are refined until no unfinished one is larger than
-/// `finest` pixels, or with 0 all are finished. Then the picture is as good as this level, or better.
+/// A pass of a picture at rest: its cells (trace/cells/cell_picture.h) are refined until no unfinished one is larger
+/// than `finest` pixels; with 0 until all are finished. Then the picture is at least as good as this level.
 struct Pass {
     int finest, level;
 };
 inline constexpr std::array<Pass, 3> passes{{{2, finest_level - 2}, {1, finest_level}, {0, averaged_level}}};
 
-/// The passes that a picture of this level still needs: not those that are no better.
+/// Returns the passes that a picture of this level still needs: those that lead to a finer level.
 std::span<const Pass> passes_after(int level);
 
 inline double count(const Lattice& lattice) { return double(lattice.columns) * lattice.rows; }

@@ -1,4 +1,4 @@
-// The effect of commands on the camera and its flight.
+// Applies commands to the camera, its flight and its path.
 #include "show/session/session.h"
 
 #include <algorithm>
@@ -17,7 +17,7 @@
 namespace strahl {
 namespace {
 
-constexpr double seconds_per_key = 3;      // of keys that are added
+constexpr double seconds_per_key = 3;       // between keys that are added
 constexpr std::size_t most_moments = 7200;  // of a recorded flight: 2 minutes at 60 pictures per second
 
 std::optional<double> motion_end_of(const Scene& scene) {
@@ -100,7 +100,7 @@ Answer Session::perform(Command command, double now) {
         case Action::finer:
         case Action::coarser:
             finest = std::clamp(finest + (command.action == Action::finer ? 1 : -1), 0, finest_level);
-            return {"in motion at most " + resolution_text(finest), ""};
+            return {"motion quality: " + (finest == finest_level ? "full" : "at most " + resolution_text(finest)), ""};
         case Action::fill:
             fill = !fill;
             return {!camera.aspectratio ? "this camera has no aspectratio and always fills the window"
@@ -136,7 +136,7 @@ Answer Session::pause(double now) {
     if (!flying()) return play(now);
     if (!clock.running()) return clock.run(now), Answer{"flight continues", ""};
     clock.hold(now);
-    // To a moment that `render --time` can be given.
+    // Rounded, so that `render --time` can be given the same moment.
     follow(now);
     clock.set(rounded_time(time), now);
     follow(now);
@@ -144,7 +144,7 @@ Answer Session::pause(double now) {
 }
 
 Answer Session::step_to(double seconds, double now) {
-    if (!go_to(seconds, now)) return {"there is no path, and nothing moves", ""};
+    if (!go_to(seconds, now)) return {"there is no path and no motion", ""};
     return {"at " + seconds_text(time), ""};
 }
 
@@ -156,7 +156,7 @@ Answer Session::to_key(int step, double now) {
         if (step < 0 && key.time < from - 0.0005) found = &key;
         if (step > 0 && key.time > from + 0.0005 && !found) found = &key;
     }
-    if (!found) return {step < 0 ? "there is no key before" : "there is no key after", ""};
+    if (!found) return {step < 0 ? "no key before this moment" : "no key after this moment", ""};
     const double there = found->time;
     if (!go_to(there, now)) camera = camera_of(*found, scene->camera);  // a single key is no flight yet
     return {"key " + std::to_string(*key_at(editor.path(), there) + 1) + " at " + seconds_text(there), ""};
@@ -165,8 +165,9 @@ Answer Session::to_key(int step, double now) {
 Answer Session::recall(int number) {
     const auto& stored = cameras[number - 1];
     if (!stored)
-        return {"there is no camera " + std::to_string(number) + "; Shift+" + std::to_string(number) + " stores one",
-                ""};
+        return {
+            "no camera is stored as " + std::to_string(number) + "; Shift+" + std::to_string(number) + " stores one",
+            ""};
     camera = *stored;
     return {"camera " + std::to_string(number), ""};
 }
@@ -177,21 +178,21 @@ Answer Session::edit(Action action, double now) {
     std::string note;
     switch (action) {
         case Action::undo:
-            note = editor.undo() ? "undone" : "there is nothing to undo";
+            note = editor.undo() ? "undone" : "nothing to undo";
             break;
         case Action::redo:
-            note = editor.redo() ? "redone" : "there is nothing to redo";
+            note = editor.redo() ? "redone" : "nothing to redo";
             break;
         case Action::clear_path:
             editor.change({}), clock.set(0, now);
-            note = "a new path";
+            note = "new path";
             break;
         case Action::set_key:
             editor.change(with_key(editor.path(), key_of(camera, scene->camera, moment)));
             note = "key at " + seconds_text(moment) + (there ? " changed" : " set");
             break;
         case Action::delete_key:
-            if (!there) return {"there is no key at " + seconds_text(moment) + "; PgUp and PgDn go to keys", ""};
+            if (!there) return {"no key at " + seconds_text(moment) + "; PgUp and PgDn go to keys", ""};
             editor.change(without_key(editor.path(), *there));
             note = "key at " + seconds_text(moment) + " deleted";
             break;
@@ -207,7 +208,7 @@ Answer Session::add_key(double now) {
     const std::vector<Keyframe>& keys = editor.path().keys;
     stop(now), clock.set(keys.back().time, now);
     return {"key " + std::to_string(keys.size()) + " added at " + seconds_text(keys.back().time) +
-                (keys.size() < 2 ? "; a path needs two" : ""),
+                (keys.size() < 2 ? "; a path needs two keys" : ""),
             ""};
 }
 
@@ -216,7 +217,7 @@ Answer Session::change_key(std::size_t number, const Keyframe& key, bool merged,
     const auto within = [](double v) { return coordinates.contains(v); };
     bool sound = there.fov > 0 && there.fov < 90 && within(key.time);
     for (int i = 0; i < 3; ++i) sound &= within(there.position[i]) && within(there.look_at[i]);
-    if (!sound) return {"a camera can't be like this", ""};
+    if (!sound) return {"these values make no camera", ""};
     if (const char* const why = degenerate(there)) return {std::string("the camera sees nothing there: ") + why, ""};
     Flythrough newer = editor.path();
     const double time = newer.keys[number].time;
@@ -230,7 +231,7 @@ Answer Session::change_key(std::size_t number, const Keyframe& key, bool merged,
 
 std::optional<Answer> Session::observe(double now) {
     if (!recorded || (!recorded->empty() && now <= recorded->back().time)) return std::nullopt;
-    // What comes before the first movement is not part of it.
+    // The time before the first movement is not part of the recording.
     if (recorded->size() == 1 && recorded->front().camera == camera) recorded->clear();
     recorded->push_back({now, camera});
     if (recorded->size() < most_moments) return std::nullopt;
@@ -244,14 +245,14 @@ Answer Session::record(double now) {
         return {"recording: fly by hand, K ends it", ""};
     }
     const auto moments = *std::exchange(recorded, std::nullopt);
-    if (moments.size() < 2) return {"nothing moved, nothing is recorded", ""};
+    if (moments.size() < 2) return {"nothing was recorded, because nothing moved", ""};
     const double tolerance = length(scene->camera.look_at - scene->camera.position) / 100;
     const Thinned flown = thinned(moments, scene->camera, tolerance);
     editor.change(flown.path);
     stop(now), clock.set(0, now);
     char text[120];
-    std::snprintf(text, sizeof text, "recorded %.1f s: %zu keys, nowhere farther than %.2g from the flight",
-                  flown.path.duration, flown.path.keys.size(), flown.error);
+    std::snprintf(text, sizeof text, "recorded %.1f s as %zu keys, at most %.2g from the flight", flown.path.duration,
+                  flown.path.keys.size(), flown.error);
     return {text, ""};
 }
 

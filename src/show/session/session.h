@@ -1,4 +1,4 @@
-// The state that the user controls: camera, flight, depth. Independent of windows and threads.
+// The state that the user controls: camera, flight, path, depth. It knows neither windows nor threads.
 #pragma once
 #include <array>
 #include <memory>
@@ -16,8 +16,8 @@
 
 namespace strahl {
 
-/// The response to a command: a short note for the window and the log, and scene text for the clipboard and standard
-/// output.
+/// The answer to a command: a short note for the window and the log, and scene text for the clipboard and standard
+/// output. Either may be empty.
 struct Answer {
     std::string note, text;
 };
@@ -38,55 +38,56 @@ class Session {
     /// keys.
     bool go_to(double seconds, double now);
 
-    /// Moves the camera; ends a flight on which it was not free, and says so. `push` is in seconds at the current
+    /// Moves the camera. If the flight determines the camera, this ends the flight. `push` is in seconds at the current
     /// speed.
     Answer steer(const CameraInput& input, double now);
-    /// Of a flight on which the camera is not free, or else of the camera.
+    /// Multiplies the speed of the flight, if that determines the camera, or else that of the camera.
     Answer change_speed(double factor, double now);
-    /// While a flight by hand is recorded: notes where the camera is. To be called before and after each step of it.
-    /// Returns a response if the recording has become too long, and ends it.
+    /// Adds the camera to the recording of a flight by hand, if one is under way. To be called before and after each
+    /// step of the camera. If the recording has become too long, ends it and returns an answer.
     std::optional<Answer> observe(double now);
     bool recording() const { return recorded.has_value(); }
 
-    /// Gives a key of the path other values, if the camera sees something from there. The moment moves with the key.
+    /// Gives a key of the path other values, if they make a camera that sees something, and goes to the key's time.
     /// `merged`: see PathEditor::change.
     Answer change_key(std::size_t number, const Keyframe& key, bool merged, double now);
-    /// Makes a change of the path that `editor` holds take effect on the flight.
+    /// Applies a change of the path to the flight that is under way.
     void path_changed(double now);
-    /// Moves the camera along the flight to this moment. Returns a response if the flight has ended.
+    /// Moves the camera along the flight to this moment. Returns an answer if the flight has ended.
     std::optional<Answer> follow(double now);
 
     bool flying() const { return path.has_value(); }
     bool paused() const { return flying() && !clock.running(); }
     bool under_way() const { return flying() && clock.running(); }
-    /// Is it a flight of the scene's, and as fast as that says?
+    /// Is this a flight of the scene's own, at its own speed?
     bool at_own_speed() const { return path && !around && clock.rate() == 1; }
-    /// Moves the flight on by so many seconds.
+    /// Moves the flight forward by so many seconds.
     void shift(double seconds, double now) { clock.set(clock.at(now) + seconds, now); }
     /// The moment of the flight, or where the last one ended, in seconds.
     double flight_time(double now) const;
     const std::optional<Flythrough>& flight_path() const { return path; }
-    /// The path as it is edited, or without keys if there is none, until the last key of the scene's motions if it does
-    /// not loop. Nothing if nothing moves.
+    /// Returns the flight: the path as it is edited, or a path without keys if only bodies move. Unless it loops it
+    /// lasts at least until the last key of motions and tracks. Nothing if nothing moves.
     std::optional<Flythrough> flight() const;
 
     std::shared_ptr<const Scene> scene;
     PathEditor editor;
     Camera camera;
-    double time = 0;  // of moving bodies, in seconds: as `camera` that of the last moment followed
+    double time = 0;  // of moving bodies, in seconds: like `camera`, of the last moment followed
     bool orbiting = false;
-    bool fill = false;  // the view is widened to fill the window: see framing.h
-    bool once = false;          // a path that loops ends after one round, too
-    bool driven = false;        // by an editor of tracks: flights go on after their end
-    std::shared_ptr<const std::vector<Track>> tracks;  // if any, in place of the scene's
+    bool fill = false;    // the view is widened to fill the window: see framing.h
+    bool once = false;    // end a path that loops after one round
+    bool driven = false;  // by an editor of tracks: flights continue after their end
+    /// If not null, instead of the scene's.
+    std::shared_ptr<const std::vector<Track>> tracks;
     double speed = 1;           // units of the scene per second
-    int finest = finest_level;  // while moving
+    int finest = finest_level;  // level in motion
     /// The view that a window of this size shows now.
     View view(int window_width, int window_height) const;
     int depth() const { return own_depth.value_or(scene->settings.max_trace_level); }
 
   private:
-    /// Is the camera where a flight has it?
+    /// Does the flight determine the camera?
     bool bound() const { return path && (!path->keys.empty() || !scene->camera_follows.empty()); }
     Answer play(double now);
     Answer pause(double now);
@@ -100,10 +101,10 @@ class Session {
 
     std::optional<int> own_depth;
     std::optional<std::vector<CameraMoment>> recorded;
-    std::optional<double> motion_end;  // the last key of what moves
-    std::optional<Flythrough> path;    // on which the camera flies now; without keys it is free, and only bodies move
-    bool around = false;               // that path is an orbit
-    FlightClock clock;                 // keeps the moment while no flight is under way
+    std::optional<double> motion_end;  // time of the last key of motions; none if nothing moves
+    std::optional<Flythrough> path;    // flown now; without keys the camera is free, and only bodies move
+    bool around = false;               // `path` is an orbit
+    FlightClock clock;                 // keeps the moment when a flight has ended
     std::array<std::optional<Camera>, 9> cameras;
 };
 

@@ -1,4 +1,4 @@
-// A flight by hand as a path of few keys.
+// Reduces a flight by hand to a path of few keys.
 #pragma once
 #include <vector>
 
@@ -6,19 +6,19 @@
 
 namespace strahl {
 
-/// Where the camera was.
+/// The camera at a moment.
 struct CameraMoment {
-    double time = 0;  // seconds; these rise strictly
+    double time = 0;  // seconds, strictly ascending
     Camera camera;
 };
 
 struct Thinned {
     Flythrough path;
-    double error = 0;  // the farthest that position or look_at are from where they were, at the moments given
+    double error = 0;  // largest distance of position or look_at from the given moments
 };
-/// A path through some of the moments, the first and the last among them, that is nowhere farther than `tolerance` from
-/// the others: it gets a key where it is farthest, until that holds. Times count from the first moment. At least two
-/// moments.
+/// Returns a path through some of the moments, the first and the last among them, that is nowhere farther than
+/// `tolerance` from the others: keys are added where it is farthest. Times count from the first moment. Needs at least
+/// two moments.
 Thinned thinned(const std::vector<CameraMoment>& moments, const Camera& scene_camera, double tolerance);
 
 }  // namespace strahl

@@ -5,7 +5,7 @@
 
 namespace strahl {
 
-/// In pixels; 0x0 if not given.
+/// A size in pixels; 0x0 if not given.
 struct PixelSize {
     int width = 0, height = 0;
 };
@@ -14,7 +14,7 @@ struct ViewOptions {
     std::string scene;         // a file, or "-" for standard input
     PixelSize size;            // of the window; by default 960 wide, with the aspect ratio of the scene's camera
     PixelSize still_size;      // of stills; by default that of the picture in the window
-    std::string still_folder;  // by default the one that the program was started in
+    std::string still_folder;  // by default the current folder
     std::string still_ending = ".bmp";  // or ".png"
     bool full_screen = false;
     std::optional<int> depth;    // 1 to 256; by default the scene's max_trace_level
@@ -22,14 +22,13 @@ struct ViewOptions {
     std::optional<double> time;  // seconds into the flythrough
     bool fly = false;
     double fps = 60;            // requested pictures per second in motion, above 0
-    std::optional<int> rocket;  // the port at which an editor of tracks listens, if it is to be asked
+    std::optional<int> rocket;  // the port of an editor of tracks, if one is to be used
     bool verbose = false;
-    // strahl play: the flight alone, from its start to its end, without panels; the window can only be closed or
-    // paused.
+    // strahl play: shows only the flight, without panels; the user can only pause it and close the window.
     bool play = false;
-    bool loop = false;       // again and again
-    bool benchmark = false;  // figures on standard output
-    std::string stats;       // and as JSON in this file, if given
+    bool loop = false;       // starts the flight again at its end
+    bool benchmark = false;  // prints figures at the end
+    std::string stats;       // the file for these figures as JSON, if given
 };
 
 }  // namespace strahl

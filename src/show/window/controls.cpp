@@ -1,4 +1,4 @@
-// Input from keys and mouse.
+// Collects input for the camera.
 #include "show/window/controls.h"
 
 #include <algorithm>
@@ -8,9 +8,9 @@
 namespace strahl {
 namespace {
 
-constexpr double still = 0.1;  // seconds without mouse movement after which a drag is at rest
-constexpr double fast = 4;     // factor of speed with Shift
-constexpr double turn = 1.5;   // radians per second of a stick
+constexpr double still = 0.1;  // seconds without mouse movement after which a drag has ended
+constexpr double fast = 4;     // factor of the speed while Shift is down
+constexpr double turn = 1.5;   // radians per second, with a stick at its end
 int number(Push key) { return static_cast<int>(key); }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Collects input from keys and mouse until the camera takes it.
+// Collects input from keys, mouse and gamepad until the camera takes it.
 #pragma once
 #include <array>
 #include <glm/vec2.hpp>
@@ -14,8 +14,8 @@ class Controls {
     void press(Push key);
     void release(Push key);
     void drag(double right, double upwards, double now);
-    /// The sticks of a gamepad, -1 to 1 in each direction: pushes as keys do, and turns to the right and upwards. Near
-    /// their middle they count as at rest.
+    /// Takes the position of a gamepad's sticks, -1 to 1 in each direction: they push like keys, and turn to the right
+    /// and upwards. Near their middle they count as at rest.
     void tilt(const DVec3& push, double right, double upwards);
     bool faster = false;
 
@@ -26,7 +26,7 @@ class Controls {
 
   private:
     struct KeyState {
-        bool down = false, fresh = false;  // fresh: pressed since the last take, even if released by now
+        bool down = false, fresh = false;  // fresh: pressed since the last take, even if released since
     };
 
     std::array<KeyState, 6> held;
@@ -34,12 +34,12 @@ class Controls {
     CameraInput tilted;  // per second
 };
 
-/// Tells from clicks how far the pointer is dragged. All in pixels of the window.
+/// Distinguishes drags from clicks. All in pixels of the window.
 class Pointer {
   public:
     void press(double x, double y) { held = true, dragging = false, last = {x, y}; }
     void release() { held = false; }
-    /// How far it was dragged by moving here. A hand that only clicks moves less than 4 pixels, which is no drag.
+    /// Returns how far the pointer was dragged by moving here. Less than 4 pixels is a click and not a drag.
     std::optional<glm::dvec2> move(double x, double y);
 
   private:

@@ -1,4 +1,4 @@
-// Draws the icon: a shaded sphere with a highlight, as the tracer would see it from far away.
+// Draws the icon: a shaded sphere with a highlight, as the tracer would show it from far away.
 #include "show/window/icon.h"
 
 #include <algorithm>

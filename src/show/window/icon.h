@@ -1,10 +1,10 @@
-// The program's icon: a ball over a horizon.
+// The program's icon: a ball.
 #pragma once
 #include "show/work/screen_image.h"
 
 namespace strahl {
 
-/// `size` x `size` pixels, transparent around the ball.
+/// Returns an icon of `size` x `size` pixels, transparent around the ball.
 ScreenImage icon(int size);
 
 }  // namespace strahl

@@ -18,18 +18,8 @@ Input& input_of(GLFWwindow* window) { return *static_cast<Input*>(glfwGetWindowU
 
 }  // namespace
 
-Input::Input(Screen& window_screen, const Session& window_session, Panels& window_panels, Pace& window_pace,
-             bool fixed_camera, InputHandlers input_handlers)
-    : screen(window_screen),
-      session(window_session),
-      panels(window_panels),
-      pace(window_pace),
-      fixed(fixed_camera),
-      handlers(std::move(input_handlers)) {
-    connect();
-}
-
-void Input::connect() {
+Input::Input(Screen& screen, const Session& session, Panels& panels, Pace& pace, bool fixed, InputHandlers handlers)
+    : screen(screen), session(session), panels(panels), pace(pace), fixed(fixed), handlers(std::move(handlers)) {
     GLFWwindow* const window = screen.window();
     glfwSetWindowUserPointer(window, this);
     glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int modifiers) {

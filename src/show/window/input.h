@@ -38,7 +38,6 @@ class Input {
     void hide_pointer();
 
   private:
-    void connect();
     void on_key(int key, int scancode, int action, int modifiers);
     void on_character(unsigned character);
     void on_button(int button, int action, int modifiers);

@@ -1,4 +1,4 @@
-// The panels of the overlay, with ImGui.
+// Draws the panels of the overlay with ImGui.
 #include "show/window/overlay.h"
 
 #include <imgui.h>
@@ -16,7 +16,7 @@ constexpr ImGuiWindowFlags plain = ImGuiWindowFlags_NoDecoration | ImGuiWindowFl
                                    ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoNav |
                                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing;
 
-/// A panel at a share of the screen above what is reserved: 0 is left or top, 1 right or bottom.
+/// Draws a panel at (x, y) of the window above what is reserved: 0 is left or top, 1 right or bottom.
 template <class Content>
 void panel(const char* name, float x, float y, float reserved, Content content) {
     const ImVec2 all = ImGui::GetIO().DisplaySize, size{all.x, std::max(all.y - reserved, 1.f)};
@@ -35,16 +35,21 @@ void cell(const ImVec4& color, const char* text) {
     ImGui::PopStyleColor();
 }
 
+void draw_key_table() {
+    for (const KeyHelp& line : key_help) {
+        ImGui::TableNextRow();
+        const bool heading = line.meaning[0] == 0;
+        cell(heading ? quiet : accent, line.keys);
+        cell(ImGui::GetStyleColorVec4(ImGuiCol_Text), line.meaning);
+    }
+    ImGui::EndTable();
+}
+
 void draw_help(const Overlay& overlay) {
     panel("help", 1, 0.5f, overlay.reserved, [] {
-        if (!ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) return;
-        for (const KeyHelp& line : key_help) {
-            ImGui::TableNextRow();
-            const bool heading = line.meaning[0] == 0;
-            cell(heading ? quiet : accent, line.keys);
-            cell(ImGui::GetStyleColorVec4(ImGuiCol_Text), line.meaning);
-        }
-        ImGui::EndTable();
+        ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {ImGui::GetStyle().CellPadding.x, 1});  // many lines
+        if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) draw_key_table();
+        ImGui::PopStyleVar();
     });
 }
 
@@ -61,7 +66,7 @@ void draw_info(const Overlay& overlay) {
     });
 }
 
-/// At most half of the window; the log has the rest.
+/// Draws the error on at most half of the window; the log has the rest.
 void draw_fault(const Overlay& overlay) {
     panel("fault", 0.5f, 1, overlay.reserved, [&] {
         const float font = ImGui::GetFontSize(), wide = ImGui::GetIO().DisplaySize.x - 4 * font;
@@ -97,8 +102,8 @@ void draw_notes(const Overlay& overlay) {
     });
 }
 
-/// Blue where nothing is proved; on it small crosses, since single pixels are hard to see: orange where float differs,
-/// red where double does.
+/// Draws pixels that are not proved in blue, and small crosses, because single pixels are hard to see: orange where
+/// only float differs, red where double does too.
 void draw_marks(const Overlay& overlay) {
     const float reach = ImGui::GetFontSize() / 5;
     ImDrawList& list = *ImGui::GetBackgroundDrawList();

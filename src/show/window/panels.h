@@ -9,7 +9,7 @@ namespace strahl {
 class Panels {
   public:
     /// `no_text`: no panel is shown until the user asks for one.
-    Panels(Pace& window_pace, bool no_text) : quiet(no_text), pace(window_pace) {}
+    Panels(Pace& pace, bool no_text) : quiet(no_text), pace(pace) {}
 
     /// Shows or hides what the action names: help, info, timeline, or all text (Action::quiet).
     void toggle(Action action);

@@ -13,7 +13,7 @@ namespace strahl {
 
 class SceneSound {
   public:
-    explicit SceneSound(Pace& window_pace) : pace(window_pace) {}
+    explicit SceneSound(Pace& pace) : pace(pace) {}
 
     /// Loads the sound that the scene names, if it is another file than before. `notify` is called from another thread
     /// when it is loaded.

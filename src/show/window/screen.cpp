@@ -1,4 +1,4 @@
-// GLFW, OpenGL and ImGui.
+// Opens the window with GLFW and draws with OpenGL and ImGui.
 #include "show/window/screen.h"
 
 #include <GLFW/glfw3.h>
@@ -20,14 +20,14 @@ namespace {
     const char* reason = nullptr;
     glfwGetError(&reason);
     throw WindowError("cannot open a window: " + why + (reason ? std::string(" (") + reason + ")" : "") +
-                             "\nTo render without a window: strahl render SCENE -o picture.png");
+                      "\nTo render without a window: strahl render SCENE -o picture.png");
 }
 
-/// DejaVu or Liberation Mono if the system has it, else the font of ImGui.
+/// Loads DejaVu or Liberation Mono if the system has it, else the font of ImGui.
 void load_font(float scale) {
     ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
     fonts.Clear();
-    // Latin, Greek, Cyrillic, punctuation and arrows: what messages quote from scene files.
+    // Latin, Greek, Cyrillic, punctuation and arrows: messages quote scene files.
     static constexpr ImWchar ranges[] = {0x20, 0x24f, 0x370, 0x3ff, 0x400, 0x52f, 0x2000, 0x22ff, 0};
     for (const char* path : {"/usr/share/fonts/truetype/dejavu/DejaVuSansMono.ttf",
                              "/usr/share/fonts/truetype/liberation/LiberationMono-Regular.ttf",
@@ -42,7 +42,7 @@ void load_font(float scale) {
     fonts.AddFontDefault(&config);
 }
 
-/// The monitor that shows this point, or null.
+/// Returns the monitor that shows this point, or null.
 GLFWmonitor* monitor_at(int x, int y) {
     int count = 0;
     GLFWmonitor* const* const monitors = glfwGetMonitors(&count);
@@ -149,7 +149,7 @@ void Screen::start_drawing() {
     if (!ImGui_ImplOpenGL3_Init("#version 130")) {
         ImGui_ImplGlfw_Shutdown();
         ImGui::DestroyContext();
-        fail("its OpenGL can't be used");
+        fail("its OpenGL cannot be used");
     }
     gl->GenTextures(1, &texture);
 }
@@ -213,7 +213,7 @@ void Screen::draw(const std::function<void()>& overlay) {
     if (columns == 0 || rows == 0) return;
     ImGui_ImplGlfw_NewFrame();
     ImGuiIO& io = ImGui::GetIO();
-    // It counts in units of the screen, we in pixels.
+    // ImGui counts in units of the screen, Strahl in pixels.
     io.MousePos = {io.MousePos.x * io.DisplayFramebufferScale.x, io.MousePos.y * io.DisplayFramebufferScale.y};
     io.DisplaySize = {static_cast<float>(columns), static_cast<float>(rows)};
     io.DisplayFramebufferScale = {1, 1};
@@ -245,7 +245,7 @@ WindowState Screen::window_state() const {
     return state;
 }
 
-/// Where the window was when it was closed, unless that is no longer on a monitor.
+/// Moves the window to where it was closed last, unless that is no longer on a monitor.
 void Screen::restore() {
     const auto last = read_window_state();
     if (!last || !monitor_at(last->x + last->width / 2, last->y + 1)) return;

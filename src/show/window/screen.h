@@ -14,7 +14,7 @@ struct GLFWwindow;
 
 namespace strahl {
 
-/// There is no display, or no suitable OpenGL; the message says what to do instead.
+/// Thrown if there is no display or no suitable OpenGL; the message says what to do instead.
 struct WindowError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
@@ -34,13 +34,13 @@ class Screen {
     int height() const;
 
     void upload(const Fresh& fresh);
-    /// Shows the uploaded picture, and on it what `overlay` draws with ImGui.
+    /// Draws the window: the uploaded picture, and on it what `overlay` draws with ImGui.
     void draw(const std::function<void()>& overlay);
     void toggle_full_screen();
     bool full_screen() const;
-    /// Writes down size and place for the next start; the size only if it is no longer the default one.
+    /// Stores the place for the next start, and the size if it is no longer the default one.
     void remember() const;
-    /// Where the picture is on the screen.
+    /// The area of the picture in the window.
     ScreenArea area() const;
 
   private:
@@ -55,10 +55,10 @@ class Screen {
     unsigned texture = 0;
     int texture_width = 0, texture_height = 0;
     int picture_width = 0, picture_height = 0;
-    float left = 0, top = 0, right = 1, bottom = 1;           // of the part of the texture that is shown
-    float scale = 0;                                          // of the overlay: 1 at a usual pixel density
-    WindowState before;                                       // full screen
-    WindowState opened;                                       // of the default size
+    float left = 0, top = 0, right = 1, bottom = 1;  // edges of the part of the texture that is shown
+    float scale = 0;                                 // of the overlay: 1 at a usual pixel density
+    WindowState before;                              // size and place before full screen
+    WindowState opened;                              // size and place at the start
 };
 
 }  // namespace strahl

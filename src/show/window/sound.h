@@ -1,4 +1,4 @@
-// Sound beside the picture: an Ogg Vorbis file that is played from any moment on.
+// Plays an Ogg Vorbis file from any moment on.
 #pragma once
 #include <functional>
 #include <memory>
@@ -14,14 +14,14 @@ class Sound {
     ~Sound();
     Sound(const Sound&) = delete;
 
-    /// While it does, nothing is played, and there is no fault yet.
+    /// Is the file still being decoded? Until then nothing is played, and fault() is empty.
     bool loading() const;
-    /// Why nothing will be heard: there is no device, or the file is damaged. Empty if it can be played.
+    /// The reason why nothing can be heard: there is no device, or the file is damaged. Empty if it can be played.
     std::string fault() const;
-    /// From a moment in seconds; after the end there is silence.
+    /// Plays from a moment, in seconds; after the end of the file there is silence.
     void play(double seconds);
     void pause();
-    /// The moment that leaves the loudspeakers now, as far as the device tells; nothing while there is silence.
+    /// The moment of the file that leaves the loudspeakers now, if the device tells its latency; nothing in silence.
     std::optional<double> heard() const;
 
   private:

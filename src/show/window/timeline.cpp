@@ -18,7 +18,7 @@ constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFl
 constexpr ImU32 line_color = IM_COL32(255, 255, 255, 70), text_color = IM_COL32(255, 255, 255, 150),
                 key_color = IM_COL32(140, 204, 255, 255), here_color = IM_COL32(255, 190, 90, 255);
 
-/// Seconds between marks, so that there are at most 20: 1, 2 or 5 times a power of ten.
+/// Returns the seconds between marks, so that there are at most 20: 1, 2 or 5 times a power of ten.
 double mark_interval(double range) {
     const double least = range / 20, ten = std::pow(10, std::floor(std::log10(least)));
     for (const double factor : {1., 2., 5.})
@@ -62,7 +62,7 @@ void Timeline::buttons(const TimelineView& view, TimelineInput& input) {
     button("redo", {Action::redo});
     button("new", {Action::clear_path});
     button("write", {Action::write_path});
-    ImGui::TextUnformatted(view.editor.changed() ? "not written yet" : "");
+    ImGui::TextUnformatted(view.editor.changed() ? "not written to the file yet" : "");
 }
 
 void Timeline::bar(const TimelineView& view, TimelineInput& input) {
@@ -118,7 +118,7 @@ void Timeline::values(const TimelineView& view, TimelineInput& input) {
     const auto here = key_at(view.editor.path(), view.time);
     if (!here) {
         typing = false;
-        ImGui::TextDisabled("no key at this moment: set makes one");
+        ImGui::TextDisabled("no key at this moment; 'set' adds one");
         return;
     }
     const Keyframe& key = view.editor.path().keys[*here];

@@ -1,4 +1,4 @@
-// The timeline at the bottom of the window: the keys of the path, where they are dragged and typed.
+// The timeline at the bottom of the window, in which the user drags the path's keys and types their values.
 #pragma once
 #include <optional>
 
@@ -7,7 +7,7 @@
 
 namespace strahl {
 
-/// What it shows.
+/// The state that the timeline shows.
 struct TimelineView {
     const PathEditor& editor;
     Camera scene_camera;
@@ -15,14 +15,14 @@ struct TimelineView {
     bool running = false;
 };
 
-/// What a hand asked for.
+/// What the user did on the timeline.
 struct TimelineInput {
     std::optional<Command> command;
     std::optional<double> go_to;  // seconds
     struct Change {
         std::size_t number;
         Keyframe key;
-        bool merged;  // part of the drag that the change before belongs to
+        bool merged;  // belongs to the same drag as the change before
     };
     std::optional<Change> change;
 };
@@ -40,10 +40,10 @@ class Timeline {
     void values(const TimelineView& view, TimelineInput& input);
 
     float tall = 0;
-    double range = 10;                  // seconds that the bar shows; stays while something is dragged
-    std::optional<std::size_t> dragged;  // key
-    bool drag_began = false;            // and has been moved
-    Keyframe draft;                     // of the values, while they are typed
+    double range = 10;                   // seconds that the bar shows; constant during a drag
+    std::optional<std::size_t> dragged;  // number of a key
+    bool drag_began = false;             // the key has been moved
+    Keyframe draft;                      // the key as it is being typed
     bool typing = false;
 };
 

@@ -1,4 +1,4 @@
-// The file of the window's size and place.
+// Reads and writes the file with the window's size and place.
 #include "show/window/window_state.h"
 
 #include <cstdlib>

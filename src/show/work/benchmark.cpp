@@ -1,4 +1,4 @@
-// Figures of a flight, as text and as JSON.
+// Computes figures of a flight, and reports them as text and as JSON.
 #include "show/work/benchmark.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace strahl {
 namespace {
 
-/// The least of the sorted values that at least this share of them does not exceed.
+/// Returns the least of the sorted values that at least this share of them does not exceed.
 double percentile(const std::vector<double>& sorted, double share) {
     const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(sorted.size())));
     return sorted[std::max<std::size_t>(rank, 1) - 1];
@@ -29,7 +29,7 @@ double percentile(const std::vector<double>& sorted, double share) {
 
 double rate(const Benchmark& b) { return b.seconds > 0 ? (b.pictures - 1) / b.seconds : 0; }
 
-/// As JSON has it. Control characters can't be in it: `printable` has replaced them.
+/// Quotes a text for JSON. `printable` replaces control characters, so none need an escape.
 std::string quoted_json(const std::string& text) {
     std::string json = "\"";
     for (const char c : printable(text)) {
@@ -66,8 +66,7 @@ std::string MotionLog::report(double now) const {
                   "%zu pictures in %.2f s (%.1f/s; the first after %.0f ms), %s, %.1f ms to draw each", shown.size(),
                   seconds, seconds > 0 ? static_cast<double>(shown.size()) / seconds : 0,
                   shown.empty() ? 0 : 1000 * (shown[0].time - start),
-                  sorted.empty() ? "none" : resolution_text(sorted[sorted.size() / 2]).c_str(),
-                  1000 * draw_seconds());
+                  sorted.empty() ? "none" : resolution_text(sorted[sorted.size() / 2]).c_str(), 1000 * draw_seconds());
     return text;
 }
 
@@ -90,9 +89,9 @@ Benchmark benchmark_of(const std::vector<ShownPicture>& shown) {
 }
 
 std::string report_of(const Benchmark& b, const BenchmarkSetting& s) {
-    std::string text = printable(s.scene) + format(", %dx%d, depth %d, %d threads, %s (%s), at most %g pictures/s\n",
-                                                   s.width, s.height, s.depth, s.threads, s.precision.c_str(),
-                                                   s.simd.c_str(), s.fps);
+    std::string text =
+        printable(s.scene) + format(", %dx%d, depth %d, %d threads, %s (%s), at most %g pictures/s\n", s.width,
+                                    s.height, s.depth, s.threads, s.precision.c_str(), s.simd.c_str(), s.fps);
     text += format("%d pictures in %.2f s, %.1f/s\n", b.pictures, b.seconds, rate(b));
     text += format("from one to the next: median %.2f ms, 99th percentile %.2f ms, worst %.2f ms\n", 1000 * b.median,
                    1000 * b.p99, 1000 * b.worst);

@@ -1,4 +1,4 @@
-// Figures of a flight that `strahl play --benchmark` reports, so that machines and versions can be compared.
+// Figures of a motion, for the log, and of a whole flight, by which `strahl play --benchmark` compares machines.
 #pragma once
 #include <map>
 #include <string>
@@ -6,22 +6,22 @@
 
 namespace strahl {
 
-/// A picture that was shown.
+/// A picture that was on the screen.
 struct ShownPicture {
     double time = 0;  // when, in seconds
     int level = 0;    // see progressive.h; averages count as all pixels
     double pixels = 0;
 };
-/// Of `width` x `height` pixels. The first picture of a flight may be the last one of the rest before it.
+/// Describes a picture of `width` x `height` pixels. The first one of a flight may be the last one of the rest before.
 ShownPicture shown_picture(double time, int level, int width, int height);
 
-/// Figures of a motion from start to end. Times are in seconds.
+/// Collects figures of a motion. Times are in seconds.
 class MotionLog {
   public:
     void begin(double now);
     void picture(const ShownPicture& picture) { shown.push_back(picture); }
     void drawn(double seconds);
-    /// The mean time to draw a picture, in seconds.
+    /// The mean time to draw the window.
     double draw_seconds() const { return draws ? drawing / draws : 0; }
     const std::vector<ShownPicture>& pictures() const { return shown; }
     /// Pictures per second over the last second.
@@ -39,18 +39,18 @@ struct Benchmark {
     int pictures = 0;
     double seconds = 0;                     // from the first picture to the last
     double median = 0, p99 = 0, worst = 0;  // times from one picture to the next, in seconds
-    std::map<int, double> levels;           // the shares of pictures at each level
-    double pixels_per_second = 0;           // that were traced
+    std::map<int, double> levels;           // share of the pictures by level
+    double pixels_per_second = 0;           // traced or filled
 };
 Benchmark benchmark_of(const std::vector<ShownPicture>& shown);
 
-/// What was measured.
+/// The conditions of a measurement.
 struct BenchmarkSetting {
     std::string scene, precision, simd;
     int width = 0, height = 0, depth = 0, threads = 0;
-    double fps = 0, draw_seconds = 0;  // pictures per second that were asked for; to draw one
+    double fps = 0, draw_seconds = 0;  // pictures per second requested; time to draw one
 };
-/// A few lines.
+/// Returns a few lines for people, or the same as JSON.
 std::string report_of(const Benchmark& benchmark, const BenchmarkSetting& setting);
 std::string json_of(const Benchmark& benchmark, const BenchmarkSetting& setting);
 

@@ -15,7 +15,7 @@ void log_line(const std::string& text);
 
 class Notes {
   public:
-    Notes(Pace& window_pace, bool log_all) : pace(window_pace), verbose(log_all) {}
+    Notes(Pace& pace, bool verbose) : pace(pace), verbose(verbose) {}
 
     /// Logs a line that only --verbose asks for.
     void log(const std::string& text) const;

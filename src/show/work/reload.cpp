@@ -1,4 +1,4 @@
-// Watches the scene file.
+// Watches the scene file, and writes into it, in a thread of its own.
 #include "show/work/reload.h"
 
 #include <sys/stat.h>
@@ -30,7 +30,7 @@ Loaded load(const std::string& path, const std::string& text) try {
     return {path, nullptr, error.what(), false};
 }
 
-/// Empty if the file can't be read now: editors remove files for a moment.
+/// Reads a file; nothing if it cannot be read now: editors remove files for a moment.
 std::optional<std::string> text_of(const std::string& path) try { return read_text(path); } catch (const FileError&) {
     return std::nullopt;
 }
@@ -105,7 +105,7 @@ void Reload::loop(std::stop_token quit) {
             wake.wait_for(lock, quit, std::chrono::milliseconds(200), [this] { return to_open || !to_write.empty(); });
             other = std::exchange(to_open, std::nullopt), requests = std::exchange(to_write, {});
         }
-        for (const Request& request : requests) {  // also when the window closes
+        for (const Request& request : requests) {  // before the window closes, too
             Written done = request.tracks ? write_tracks(*request.tracks) : write_path(request);
             std::lock_guard lock(mutex);
             written.push_back(std::move(done));
@@ -124,7 +124,7 @@ void Reload::open_file(const std::string& other) {
         // A device or a pipe might never end.
         std::error_code error;
         if (std::filesystem::exists(other, error) && !std::filesystem::is_regular_file(other, error))
-            throw FileError(other + ": this is no file");
+            throw FileError(other + ": not a regular file");
         content = read_text(other);
         loaded = load(other, content);
         loaded.opened = true;
@@ -150,11 +150,11 @@ Written Reload::write_path(const Request& request) try {
     if (path == "-") return {.fault = "the scene came from standard input; Shift+C copies the path"};
     const std::string content = read_text(path);
     if (content != text && !request.anyway) return {.file = path, .asks = true};
-    static_cast<void>(scene_for_window(content, path));  // where a text with errors has its blocks can't be told
+    static_cast<void>(scene_for_window(content, path));  // throws: in a text with errors the block cannot be found
     const std::string changed = with_path(content, request.flythrough);
     Loaded loaded = load(path, changed);
     if (!loaded.scene || loaded.scene->flythrough != request.flythrough)
-        return {.fault = "the path can't be written: " + loaded.fault};
+        return {.fault = "the path cannot be written: " + loaded.fault};
     Written done{.file = path};
     if (content != own_text) write_file(done.copy = path + "~", content);
     write_file(path, changed);
@@ -166,7 +166,8 @@ Written Reload::write_path(const Request& request) try {
 }
 
 Written Reload::write_tracks(const std::vector<Track>& tracks) try {
-    if (path == "-") return {.fault = "the scene came from standard input: its tracks have no place to be saved"};
+    if (path == "-")
+        return {.fault = "the scene came from standard input, so there is no file to save its tracks beside"};
     Written done{.file = tracks_path(path)};
     const std::string text_now = strahl::write_tracks(tracks);
     std::error_code error;

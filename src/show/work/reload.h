@@ -15,7 +15,7 @@
 
 namespace strahl {
 
-/// A scene from its text, or a FileError: also if it is too large for float, in which the window traces.
+/// Parses a scene. Throws FileError, also if the scene is too large for float, in which the window traces.
 Scene scene_for_window(const std::string& text, const std::string& path);
 
 /// Identifies a version of a file; all zero if there is none.
@@ -33,15 +33,15 @@ struct Loaded {
     std::string path;
     std::shared_ptr<const Scene> scene;  // null if it has an error
     std::string fault;                   // the message of the error
-    bool opened = false;                 // it is another file than before
+    bool opened = false;                 // it is a newly opened file
 };
 
-/// The result of writing a path into the scene file, or tracks beside it.
+/// The result of writing a path into the scene file, or tracks into the file beside it.
 struct Written {
-    std::string file{};  // that was written
-    std::string copy{};  // of the file as it was before, if one was made
-    bool asks = false;   // nothing was written: the file is no longer what was read, and may be someone else's work
-    std::string fault{};  // why nothing was written
+    std::string file{};   // that was written
+    std::string copy{};   // the name of a copy of the file as it was, if one was made
+    bool asks = false;    // nothing was written, because others have changed the file since it was read
+    std::string fault{};  // the reason if nothing was written
 };
 
 /// Checks the file a few times a second, in a thread of its own. Waits until a file is completely written.
@@ -55,11 +55,11 @@ class Reload {
     void open(std::string path);
     std::optional<Loaded> take();
 
-    /// Makes this the flythrough of the watched file, of which all else stays as it is. A file that is not what was
-    /// read last is changed only if `anyway`, and one with an error never. FILE~ becomes a copy of the file as it was,
-    /// unless that was written here, too.
+    /// Replaces the flythrough in the watched file and leaves the rest as it is. A file that others have changed since
+    /// it was read is only written if `anyway`, a file with an error never. FILE~ becomes a copy of the file as it was,
+    /// unless Strahl wrote that.
     void write(std::optional<Flythrough> flythrough, bool anyway);
-    /// Makes these the tracks beside the watched file; FILE~ likewise.
+    /// Writes these tracks into the file beside the watched one, with a copy likewise.
     void write(std::vector<Track> tracks);
     std::optional<Written> take_written();
 
@@ -82,8 +82,8 @@ class Reload {
     std::vector<Request> to_write;
     std::optional<Loaded> result;
     std::vector<Written> written;
-    // Of the thread alone. The file may have changed since it was read: the first check compares the text.
-    std::string path, text, own_text, own_tracks;  // own_: what was written here last
+    // Used by the thread alone. The file may have changed since it was read: the first check compares the text.
+    std::string path, text, own_text, own_tracks;  // own_: what Strahl wrote last
     FileStamp known, before;
     const std::function<void()> notify;
     std::jthread thread;

@@ -27,7 +27,7 @@ constexpr char get_track = 2, set_row = 3;
 constexpr std::uint32_t last_row = 1'000'000'000;
 constexpr std::size_t most_unsent = 1 << 20;
 
-/// The length of a command by its first byte; 0 if an editor has no such command.
+/// Returns the length of a command by its first byte; 0 if the protocol has no such command.
 std::size_t length_of(char command) {
     constexpr std::array<std::size_t, 6> lengths{14, 9, 0, 5, 2, 1};
     const auto number = static_cast<unsigned char>(command);
@@ -45,7 +45,7 @@ std::string bytes_of(std::uint32_t number) {
     return bytes;
 }
 
-/// A whole command; nothing if it is to be left out. `broken` if it is none.
+/// Decodes a whole command; nothing if it is to be ignored. Sets `broken` if it is invalid.
 std::optional<RocketCommand> command_of(std::string_view bytes, bool& broken) {
     using Kind = RocketCommand::Kind;
     switch (bytes[0]) {
@@ -76,9 +76,9 @@ std::optional<RocketCommand> command_of(std::string_view bytes, bool& broken) {
     }
 }
 
-std::string place_of(int port) { return "127.0.0.1:" + std::to_string(port); }
+std::string address_of(int port) { return "127.0.0.1:" + std::to_string(port); }
 
-/// What comes until it is as long as the greeting, the connection ends or nothing comes for 2 seconds.
+/// Receives as many bytes as the greeting has; fewer if the connection ends or nothing comes for 2 seconds.
 std::string greeting_from(int socket) {
     std::string text;
     char buffer[editor_greeting.size()];
@@ -122,16 +122,15 @@ Rocket::Rocket(int port) : socket(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 
     address.sin_port = htons(static_cast<std::uint16_t>(port));
     address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
     if (socket < 0 || ::connect(socket, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0)
-        fail("no GNU Rocket editor at " + place_of(port) + ": " + std::strerror(errno) +
-             ". Start one before this program");
+        fail("no GNU Rocket editor at " + address_of(port) + ": " + std::strerror(errno) + ". Start the editor first");
     const int on = 1;
     ::setsockopt(socket, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
     set_timeout(socket, 2);
     const ssize_t sent = ::send(socket, demo_greeting.data(), demo_greeting.size(), MSG_NOSIGNAL);
     const std::string answer = sent == ssize_t(demo_greeting.size()) ? greeting_from(socket) : "";
     if (answer != editor_greeting)
-        fail("what listens at " + place_of(port) + " is no GNU Rocket editor: it " +
-             (answer.empty() ? "does not greet" : "greets with " + strahl::quoted(answer)));
+        fail(address_of(port) + " is not a GNU Rocket editor: it " +
+             (answer.empty() ? "sends no greeting" : "greets with " + strahl::quoted(answer)));
     set_timeout(socket, 0);
 }
 
@@ -182,7 +181,7 @@ void Rocket::apply(const RocketCommand& command, RocketNews& news) {
     using Kind = RocketCommand::Kind;
     const bool of_key = command.kind == Kind::set_key || command.kind == Kind::delete_key;
     if (of_key && command.track >= asked.size()) {
-        news.lost = "it speaks of a track that it was not asked for";
+        news.lost = "it changed a track that Strahl did not ask for";
         return;
     }
     news.keys |= of_key;
@@ -193,7 +192,7 @@ void Rocket::apply(const RocketCommand& command, RocketNews& news) {
     if (command.kind == Kind::save) news.save = true;
 }
 
-/// What can't be sent now is sent later, before all else.
+/// Sends what is not sent yet, then these bytes. What cannot be sent now is kept for later.
 void Rocket::send(std::string_view bytes) {
     unsent += bytes;
     while (!unsent.empty()) {
@@ -204,7 +203,7 @@ void Rocket::send(std::string_view bytes) {
     }
     if (unsent.size() < most_unsent) return;
     std::lock_guard lock(mutex);
-    lost = "it does not listen";
+    lost = "it does not read what it is sent";
 }
 
 void Rocket::ask(const std::vector<std::string>& names) {

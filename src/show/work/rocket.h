@@ -1,5 +1,5 @@
-// The demo's side of GNU Rocket's protocol: an editor listens at the loopback address, and changes tracks meanwhile.
-// As github.com/rocket/rocket, lib/device.c, has it: numbers are big-endian, tracks are numbered as they are asked for.
+// The player's side of GNU Rocket's protocol, as in lib/device.c of github.com/rocket/rocket: an editor listens at the
+// loopback address and changes tracks. Numbers are big-endian; tracks are numbered in the order they are asked for.
 #pragma once
 #include <cstdint>
 #include <functional>
@@ -14,20 +14,20 @@
 
 namespace strahl {
 
-/// What an editor asks for.
+/// A command of the editor.
 struct RocketCommand {
     enum class Kind { set_key, delete_key, set_row, pause, save } kind;
-    std::uint32_t track = 0;  // of a key
-    TrackKey key{};           // or the row alone
+    std::uint32_t track = 0;  // for keys
+    TrackKey key{};           // for rows only its row
     bool paused = false;
 };
 
-/// Takes apart what an editor sends, however it is cut into packets.
+/// Decodes what an editor sends, however it is cut into packets.
 class RocketDecoder {
   public:
-    /// Adds what these bytes complete. A key whose value is no number or whose row is beyond 1e9 is left out, and
-    /// values stay within -1e9 to 1e9. False once there was something else than the protocol's commands: what follows
-    /// can't be read.
+    /// Adds the commands that these bytes complete. Keys whose value is NaN or infinite or whose row is beyond 1e9 are
+    /// ignored; values are clamped to -1e9 to 1e9. False once there was an invalid command: what follows cannot be
+    /// read.
     bool feed(std::string_view bytes, std::vector<RocketCommand>& commands);
 
   private:
@@ -35,13 +35,13 @@ class RocketDecoder {
     bool broken = false;
 };
 
-/// What has happened since it was asked last; of rows and pauses the last one.
+/// The news since they were taken last; of several rows or pauses only the last one.
 struct RocketNews {
     bool keys = false;
     std::optional<int> row;
     std::optional<bool> paused;
     bool save = false;
-    std::string lost;  // why the editor is gone, or empty
+    std::string lost;  // the reason why the connection has ended, or empty
 };
 
 class Rocket {
@@ -53,15 +53,15 @@ class Rocket {
     ~Rocket();
     Rocket(const Rocket&) = delete;
 
-    /// From now on `notify` is called, from another thread, when there are news.
+    /// Starts to receive. `notify` is called from another thread when there are news.
     void listen(std::function<void()> notify);
     RocketNews take();
 
-    /// Asks for the tracks of these names, those already asked for excepted. They have no keys until some arrive.
+    /// Asks for the tracks of these names, unless it has done so before. They have no keys until some arrive.
     void ask(const std::vector<std::string>& names);
-    /// Those asked for.
+    /// The tracks asked for, as the editor has them.
     const std::vector<Track>& tracks() const { return asked; }
-    /// Says where the flight is, if it was elsewhere before.
+    /// Tells the editor the row of the flight, if it has changed.
     void tell_row(int row);
 
   private:
@@ -80,7 +80,7 @@ class Rocket {
     std::jthread thread;
 };
 
-/// A scene's tracks with those of an editor in place of those that have their names.
+/// Returns `tracks` with those of `newer` added; of equal names the newer one counts.
 std::vector<Track> with_tracks(std::vector<Track> tracks, const std::vector<Track>& newer);
 
 }  // namespace strahl

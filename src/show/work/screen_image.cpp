@@ -1,4 +1,4 @@
-// From traced values to pixels of the screen.
+// Converts traced values to pixels of the screen.
 #include "show/work/screen_image.h"
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace strahl {
 namespace {
 
-/// a + (b - a) * weight / 2^shift in all four bytes at once.
+/// Computes a + (b - a) * weight / 2^shift in all four bytes at once.
 std::uint32_t blend(std::uint32_t a, std::uint32_t b, std::uint32_t weight, int shift) {
     constexpr std::uint32_t odd = 0x00ff00ff;
     const std::uint32_t rest = (1u << shift) - weight;

@@ -1,4 +1,4 @@
-// Pictures for the screen, and storing of traced values in them.
+// Pictures for the screen, and functions that store traced values in them.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -30,7 +30,7 @@ class TransferTable {
         return code;
     }
 
-    /// Of doubles, by the function itself: some lie between a float and the next code's least one.
+    /// Converts doubles without the table: some lie between a float and the least one of the next code.
     std::uint32_t operator()(double v) const;
 
   private:
@@ -40,14 +40,14 @@ class TransferTable {
     std::array<std::uint8_t, bins + 1> start;  // the code at the lower end of each bin
 };
 
-/// The pixels of a tile as 8-bit colours, row by row.
+/// Returns the pixels of a tile as 8-bit colours, row by row.
 std::vector<std::uint32_t> encoded(const Tile& tile, const TransferTable& table);
 
 /// Stores 8-bit pixels, row by row, in the image of a level: pixel (x, y) goes to column x / steps.x, row y / steps.y.
 void store(const Lattice& pixels, const std::uint32_t* rgba, Steps steps, ScreenImage& level);
 
-/// Makes of the image of a level that of a finer one, whose steps are smaller by `ratio`: known pixels are exact, those
-/// between are interpolated.
+/// Fills the image of a finer level, whose steps are smaller by `ratio`, from that of a level: known pixels stay exact,
+/// those between them are interpolated.
 void expand(const ScreenImage& level, Steps ratio, ScreenImage& finer);
 
 }  // namespace strahl

@@ -1,4 +1,4 @@
-// Renders in three precisions and once more with bounds, and lists the pixels that differ or are not proved.
+// Renders in three precisions, and again with bounds, and lists the pixels that differ or are not proved.
 #include "show/work/stability_check.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace strahl {
 namespace {
 
-/// Adds the runs of rows whose bounds leave more than one colour open, in extended precision as well.
+/// Finds the pixels whose bounds leave more than one colour open, both in double and in extended precision.
 class Undecided {
   public:
     Undecided(const Scene& scene, int threads)
@@ -69,7 +69,7 @@ void StabilityCheck::start(std::shared_ptr<const Scene> scene, const View& view)
         Agreements agreements(*scene, threads,
                               [linear = scene->settings.linear](double v) { return quantise(v, linear, 255); });
         std::optional<Undecided> undecided;
-        if (proves()) undecided.emplace(*scene, threads), found.proved = 0;
+        if (proves()) undecided.emplace(*scene, threads), collected.proved = 0;
         constexpr int band = 64;  // rows at a time
         for (int y = 0; y < view.height && !stop; y += band) {
             const Lattice rows{.y = y, .columns = view.width, .rows = std::min(band, view.height - y)};

@@ -15,18 +15,18 @@ namespace strahl {
 /// A pixel whose 8-bit colour differs from that of long double.
 struct Mark {
     int x = 0, y = 0;
-    bool in_double = false;  // in double too
+    bool in_double = false;  // double differs too
 };
 
-/// What a view depends on rounding in. All colours are of 8 bits.
+/// The pixels of a view that depend on rounding. All colours have 8 bits.
 struct Stability {
     std::vector<Mark> marks;
-    /// Rows of pixels that are not proved.
+    /// Consecutive pixels of a row that are not proved.
     struct Run {
         int x = 0, y = 0, columns = 0;
     };
     std::vector<Run> undecided;
-    std::optional<double> proved;  // share of the pixels; none if this program cannot prove
+    std::optional<double> proved;  // share of all pixels; none if this program cannot prove
 };
 
 class StabilityCheck {

@@ -6,10 +6,6 @@
 
 namespace strahl {
 
-StillRequests::StillRequests(const ViewOptions& view_options, Notes& window_notes, Pace& window_pace,
-                             std::function<void()> notify)
-    : options(view_options), notes(window_notes), pace(window_pace), stills(view_options.threads, std::move(notify)) {}
-
 void StillRequests::add(const Session& session, const std::string& scene_path, View view) {
     if (options.still_size.width > 0) view.width = options.still_size.width, view.height = options.still_size.height;
     const bool in_flight = session.flying() || session.time != 0;

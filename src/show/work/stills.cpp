@@ -1,4 +1,4 @@
-// The queue of stills, and their files.
+// Renders stills one after the other, and writes their files.
 #include "show/work/stills.h"
 
 #include <fcntl.h>
@@ -72,7 +72,7 @@ void Stills::loop(std::stop_token quit, int threads) {
         queue.pop_front();
         share = 0;
         if (queue.empty()) {
-            // What a still needed, some hundred bytes a pixel, goes back to the system.
+            // Gives memory back to the system: a still needs some hundred bytes a pixel.
             pool.reset();
             ::malloc_trim(0);
         }

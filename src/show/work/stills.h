@@ -22,7 +22,7 @@ struct Still {
     std::string ending = ".bmp";
 };
 
-/// A queue of stills. They are traced in double on all threads, at low priority: they use the processor time that the
+/// A queue of stills. They are traced in double on all threads, at low priority: they take the processor time that the
 /// window leaves.
 class Stills {
   public:
@@ -34,7 +34,7 @@ class Stills {
     void add(Still still);
     /// Number of stills that are not written yet.
     int pending() const;
-    /// Of the still being traced, 0 to 1.
+    /// The share of the current still that is done, 0 to 1.
     double progress() const { return share; }
     /// Stops at once. Returns the names of the stills that were not written.
     std::vector<std::string> drop();
@@ -47,7 +47,7 @@ class Stills {
 
   private:
     void loop(std::stop_token quit, int threads);
-    /// Empty if it was stopped.
+    /// Renders and writes a still. The outcome is empty if it was stopped.
     Outcome make(const Still& still, class ThreadPool& pool);
 
     mutable std::mutex mutex;
@@ -64,10 +64,11 @@ class Stills {
 /// FileError.
 std::string reserve_file(const std::string& name, const std::string& ending);
 
-/// "article-20260131-235959" for a scene file and now; with a moment of its flight "article-20260131-235959-at-1.5s".
+/// Returns a name made of the scene's, the current time and the moment of the flight, if given:
+/// "article-20260131-235959", "article-20260131-235959-at-1.5s".
 std::string still_name(const std::string& scene_path, std::optional<double> moment);
 
-/// Why no file can be made in the folder of this name, or "".
+/// Returns the reason why no file can be created under this name, or "".
 std::string folder_fault(const std::string& name);
 
 }  // namespace strahl

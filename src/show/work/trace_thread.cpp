@@ -1,4 +1,4 @@
-// Traces for the window.
+// Traces for the window, in a thread of its own.
 #include "show/work/trace_thread.h"
 
 #include <malloc.h>
@@ -11,7 +11,7 @@
 namespace strahl {
 namespace {
 
-/// Pixels that are filled may be off by half of it, as the screen shows them.
+/// Largest contrast of a cell that is filled; its pixels may be off by half of it on the screen.
 constexpr double most_off = 3. / 255;
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
@@ -33,13 +33,14 @@ TraceThread::~TraceThread() {
 }
 
 /// Should the picture in work be abandoned for `newer`? A coarse picture is finished first, or nothing would be shown
-/// in fast motion; unless it is useless now, or takes far longer than planned and a coarser one would not.
+/// in fast motion; unless it has become useless, or takes far longer than planned and a coarser one would not.
 bool TraceThread::outdated(const Order& newer) const {
     if (work == Work::none) return false;
     if (work == Work::refining) return newer.number != state.number;
-    const bool useless = newer.scene != scene_in_work || newer.view.width != view_in_work.width ||
-                         newer.view.height != view_in_work.height || newer.view.depth != view_in_work.depth;
-    const double planned = allowed_seconds(level_in_work, budget_in_work);
+    const View& view = order_in_work.view;
+    const bool useless = newer.scene != order_in_work.scene || newer.view.width != view.width ||
+                         newer.view.height != view.height || newer.view.depth != view.depth;
+    const double planned = allowed_seconds(level_in_work, order_in_work.budget);
     return useless || (level_in_work > 0 && seconds_since(work_began) > 4 * planned);
 }
 
@@ -79,7 +80,7 @@ bool TraceThread::accept(std::stop_token quit) {
         order = *std::exchange(next, std::nullopt);
     } while (!unfinished());
     work = done < 0 ? Work::first : Work::refining;
-    scene_in_work = order.scene, view_in_work = order.view, budget_in_work = order.budget;
+    order_in_work = order;
     const int finest = order.moving ? order.finest : finest_level;
     if (done < 0) level_in_work = resolution.choose(order.view.width, order.view.height, order.budget, finest);
     work_began = Clock::now();
@@ -94,7 +95,7 @@ void TraceThread::announce(std::unique_lock<std::mutex>& lock) {
 }
 
 void TraceThread::first_picture() {
-    // Built here and not when the scene arrives, because the window must not wait for it.
+    // The world is built here and not when the scene arrives, because the window must not wait for it.
     const bool built = tracer.has_value();
     if (!built) tracer.emplace(*order.scene, Precision::float32);
     const View& view = order.view;
@@ -102,7 +103,7 @@ void TraceThread::first_picture() {
     const Steps steps = steps_of(level);
     const Lattice pixels = pixels_of(level, view.width, view.height);
     spare.resize(pixels.columns, pixels.rows);
-    tracer->prepare(view, pool);  // a coarser picture would not save this time
+    tracer->prepare(view, pool);  // not counted: a coarser picture would need it too
     const auto start = Clock::now();
     const auto keep = [&](const Tile& tile) { store(tile.lattice, encoded(tile, *table).data(), steps, spare); };
     const double contrast = most_off / (order.scene->settings.linear ? steepest_srgb : 1);
@@ -120,7 +121,7 @@ void TraceThread::first_picture() {
     announce(lock);
 }
 
-/// Makes the image on the screen one of all pixels.
+/// Expands the image on the screen to all pixels.
 void TraceThread::begin_passes() {
     const View& view = order.view;
     cells.emplace(tracer->scene(), view, Lattice{.columns = view.width, .rows = view.height}, Sampling{}.error);
@@ -133,7 +134,7 @@ void TraceThread::begin_passes() {
     new_from = 0, new_to = shown.height;
 }
 
-/// The next pass of the picture's cells.
+/// Traces the next pass of the picture's cells.
 void TraceThread::refine() {
     if (!cells) begin_passes();
     const std::span<const Pass> left = passes_after(done);
@@ -162,7 +163,7 @@ void TraceThread::refine() {
     announce(lock);
     if (level != averaged_level) return;
     cells.reset();
-    ::malloc_trim(0);  // at rest the system may have what the passes needed
+    ::malloc_trim(0);  // gives the memory that the passes needed back to the system
 }
 
 }  // namespace strahl

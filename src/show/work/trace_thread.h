@@ -1,4 +1,4 @@
-// The thread that traces for the window: always the newest view, coarse at first, then refined.
+// The thread that traces for the window: always the newest view, first a coarse picture, which is then refined.
 #pragma once
 #include <atomic>
 #include <chrono>
@@ -22,23 +22,23 @@ struct Order {
     std::uint64_t number = 0;  // the same number means the same scene and view
     std::shared_ptr<const Scene> scene;
     View view;
-    bool moving = false;        // in motion pictures are not refined, as the next one comes soon
+    bool moving = false;        // pictures in motion are not refined: the next one comes soon
     double budget = 0.01;       // seconds for the first, coarse picture
-    int finest = finest_level;  // of the first picture, while moving
+    int finest = finest_level;  // level of the first picture in motion
 };
 
-/// Progress of the picture on the screen.
+/// The progress of the picture on the screen.
 struct Refinement {
     std::uint64_t number = 0;  // of the order; 0 before the first
     int width = 0, height = 0;
-    int level = 0;       // the finest complete one
-    double share = 0;    // of its passes
+    int level = 0;       // the finest that is complete
+    double share = 0;    // of its passes that is done
     double seconds = 0;  // spent tracing them
     Counts rays;
     bool finished() const { return number > 0 && level == averaged_level; }
 };
 
-/// New rows of the picture on the screen: of the image of a level, which represents `width` x `height` pixels.
+/// New rows of the picture on the screen. `image` is that of a level; it represents `width` x `height` pixels.
 struct Fresh {
     const ScreenImage& image;
     Steps steps;  // of that level; 1 for the whole picture
@@ -78,23 +78,21 @@ class TraceThread {
     void announce(std::unique_lock<std::mutex>& lock);
     bool outdated(const Order& order) const;
 
-    // Used by the thread alone.
+    // Used by the thread alone:
     Order order;
     std::optional<Tracer> tracer;
     std::optional<TransferTable> table;
     Resolution resolution;
-    ScreenImage spare;                       // pictures are made here and then swapped with the one on the screen
+    ScreenImage spare;                 // pictures are made here and then swapped with the one on the screen
     int done = -1;                     // the finest level of `order` that is complete
     std::optional<CellPicture> cells;  // of `order`, while it is refined
 
-    // Shared between threads.
+    // Shared between threads:
     std::mutex mutex;
     std::condition_variable_any wake;
     std::optional<Order> next;
-    std::shared_ptr<const Scene> scene_in_work;
-    View view_in_work;
     Work work = Work::none;
-    double budget_in_work = 0;
+    Order order_in_work;
     int level_in_work = 0;
     Clock::time_point work_began;
     std::atomic<bool> stop = false;

@@ -8,9 +8,9 @@
 
 namespace strahl {
 
-TrackEditor::TrackEditor(std::unique_ptr<Rocket> connection, Session& window_session, Notes& window_notes,
-                         Pace& window_pace, std::function<void()> notify)
-    : rocket(std::move(connection)), session(window_session), notes(window_notes), pace(window_pace) {
+TrackEditor::TrackEditor(std::unique_ptr<Rocket> connection, Session& session, Notes& notes, Pace& pace,
+                         std::function<void()> notify)
+    : rocket(std::move(connection)), session(session), notes(notes), pace(pace) {
     session.driven = connected();
     if (rocket) rocket->listen(std::move(notify));
 }

@@ -5,9 +5,6 @@
 
 namespace strahl {
 
-WindowPicture::WindowPicture(int threads, Notes& window_notes, Pace& window_pace, const std::function<void()>& notify)
-    : notes(window_notes), pace(window_pace), tracing(threads, notify), check(threads, notify) {}
-
 void WindowPicture::order(const Session& session, int width, int height) {
     if (width == 0 || height == 0) return;
     const View view = session.view(width, height), &last = wanted.view;
@@ -54,7 +51,7 @@ void WindowPicture::tell_marks() {
     char proved[40] = "; this program was built without proofs";
     if (const auto share = check.found().proved)
         std::snprintf(proved, sizeof proved, "; %.6g %% are proved", 100 * *share);
-    notes.note("rounding decides " + std::to_string(marks.size()) + " pixels in float, " + std::to_string(in_double) +
+    notes.note("rounding changes " + std::to_string(marks.size()) + " pixels in float, " + std::to_string(in_double) +
                " in double" + proved);
 }
 

@@ -13,7 +13,8 @@ namespace strahl {
 class WindowPicture {
   public:
     /// `notify` is called from other threads when there is something to take or to tell.
-    WindowPicture(int threads, Notes& notes, Pace& pace, const std::function<void()>& notify);
+    WindowPicture(int threads, Notes& notes, Pace& pace, const std::function<void()>& notify)
+        : notes(notes), pace(pace), tracing(threads, notify), check(threads, notify) {}
 
     /// Orders the picture that a window of this size should show, unless it is the one ordered last.
     void order(const Session& session, int width, int height);

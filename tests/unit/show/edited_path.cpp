@@ -1,4 +1,4 @@
-// The path that hands edit, without a window.
+// Editing of the path, without a window.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -15,7 +15,7 @@ TEST_CASE("keys make a path that can be pasted and flown") {
     session.perform({Action::play}, 0);  // around the scene, for a while
     session.perform({Action::play}, 1.8);
     session.perform({Action::reset}, 2);
-    CHECK(session.perform({Action::add_key}, 2).note == "key 1 added at 0 s; a path needs two");
+    CHECK(session.perform({Action::add_key}, 2).note == "key 1 added at 0 s; a path needs two keys");
     CHECK(session.perform({Action::copy_path}, 2).text == "");
     session.steer({.push = {0, 0, 0.1}}, 3);
     CHECK(session.perform({Action::add_key}, 3).note == "key 2 added at 3 s");
@@ -31,7 +31,7 @@ TEST_CASE("keys make a path that can be pasted and flown") {
     CHECK(session.flight_path() == pasted->flythrough);
 }
 
-TEST_CASE("one steps through a flight, and goes to its ends and keys") {
+TEST_CASE("steps through a flight, and jumps to its ends and keys") {
     Session session(scene_of(path_text));
     const auto note = [&](Action action, int number = 0) { return session.perform({action, number}, 9).note; };
     CHECK(note(Action::step, 25) == "at 1 s");
@@ -43,10 +43,10 @@ TEST_CASE("one steps through a flight, and goes to its ends and keys") {
     CHECK(note(Action::to_key, -1) == "key 2 at 2 s");
     CHECK(session.camera.position == DVec3(0, 2, 0));
     CHECK(note(Action::to_key, 1) == "key 3 at 4 s");
-    CHECK(note(Action::to_key, 1) == "there is no key after");
+    CHECK(note(Action::to_key, 1) == "no key after this moment");
     CHECK(note(Action::rewind) == "at 0 s");
     CHECK(session.camera.position == DVec3(1, 0, 0));
-    CHECK(Session(scene_of("")).perform({Action::step, 1}, 0).note == "there is no path, and nothing moves");
+    CHECK(Session(scene_of("")).perform({Action::step, 1}, 0).note == "there is no path and no motion");
 }
 
 TEST_CASE("keys are set, deleted and added, with undo and redo") {
@@ -69,7 +69,7 @@ TEST_CASE("keys are set, deleted and added, with undo and redo") {
     CHECK(times() == "0 1000 2000 4000 ");
     CHECK(note(Action::delete_key) == "key at 1 s deleted");
     CHECK(session.editor.path() == *session.scene->flythrough);
-    CHECK(note(Action::delete_key).starts_with("there is no key at 1 s"));
+    CHECK(note(Action::delete_key).starts_with("no key at 1 s"));
     CHECK(note(Action::undo) == "undone");
     CHECK(note(Action::undo) == "undone");
     CHECK(distance(session.editor.path().keys[1].position, there.position) < 1e-4);
@@ -77,13 +77,13 @@ TEST_CASE("keys are set, deleted and added, with undo and redo") {
     CHECK(distance(session.editor.path().keys[1].position, there.position) > 0.1);
     CHECK(note(Action::add_key) == "key 5 added at 7 s");
     CHECK(session.editor.path().duration == 7);
-    CHECK(note(Action::redo) == "there is nothing to redo");
+    CHECK(note(Action::redo) == "nothing to redo");
     for (int i = 0; i < 3; ++i) CHECK(note(Action::undo) == "undone");
-    CHECK(note(Action::undo) == "there is nothing to undo");
+    CHECK(note(Action::undo) == "nothing to undo");
     CHECK(session.editor.path() == *session.scene->flythrough);
-    // A new path replaces that of the scene, which stays within reach.
-    CHECK(note(Action::clear_path) == "a new path");
-    CHECK(note(Action::add_key) == "key 1 added at 0 s; a path needs two");
+    // A new path replaces the scene's; undo brings that back.
+    CHECK(note(Action::clear_path) == "new path");
+    CHECK(note(Action::add_key) == "key 1 added at 0 s; a path needs two keys");
     note(Action::undo), note(Action::undo);
     session.perform({Action::rewind}, 10), session.perform({Action::pause}, 10);
     CHECK(session.flight_path() == session.scene->flythrough);
@@ -110,12 +110,12 @@ TEST_CASE("values of a key are typed, and a drag of it is undone at once") {
     key.position = key.look_at;
     CHECK(session.change_key(2, key, false, 0).note.starts_with("the camera sees nothing there"));
     key.position = {1, 1, 7}, key.fov = 90;
-    CHECK(session.change_key(2, key, false, 0).note == "a camera can't be like this");
+    CHECK(session.change_key(2, key, false, 0).note == "these values make no camera");
     key.fov = NAN;
-    CHECK(session.change_key(2, key, false, 0).note == "a camera can't be like this");
+    CHECK(session.change_key(2, key, false, 0).note == "these values make no camera");
 }
 
-TEST_CASE("a flight by hand becomes a path of few keys that is nowhere farther from it than is said") {
+TEST_CASE("a flight by hand becomes a path of few keys, within the distance that is reported") {
     Session session(scene_of(""));
     CHECK(session.perform({Action::record}, 5).note.starts_with("recording"));
     std::vector<CameraMoment> flown;
@@ -148,7 +148,7 @@ TEST_CASE("a flight by hand becomes a path of few keys that is nowhere farther f
     session.perform({Action::undo}, 99);
     CHECK(session.editor.path().keys.empty());
     session.perform({Action::record}, 100);
-    CHECK(session.perform({Action::record}, 101).note == "nothing moved, nothing is recorded");
+    CHECK(session.perform({Action::record}, 101).note == "nothing was recorded, because nothing moved");
 }
 
 TEST_CASE("a path can be read again after any edits") {
@@ -175,7 +175,7 @@ TEST_CASE("a path can be read again after any edits") {
     }
 }
 
-TEST_CASE("a path that the file gets replaces the edited one, which can be had back") {
+TEST_CASE("a new path in the file replaces the edited one, and undo brings that back") {
     Session session(scene_of(""));
     for (int i = 0; i < 2; ++i) {
         session.perform({Action::add_key}, i);

@@ -129,7 +129,7 @@ TEST_CASE("a flight that is played once ends after a round") {
 }
 
 TEST_CASE("figures of a flight are those of its times and levels") {
-    // A picture of averages, from the rest before: all pixels, and no more.
+    // A picture of averages, from the rest before, counts as all pixels.
     CHECK(shown_picture(0, averaged_level, 40, 30).pixels == 1200);
     CHECK(shown_picture(0, averaged_level, 40, 30).level == finest_level);
     CHECK(shown_picture(0, 0, 40, 30).pixels == 6);

@@ -122,7 +122,7 @@ TEST_CASE("a picture keeps its camera's proportions, or the view is widened to f
     for (const auto& [width, height] : {std::pair{1920, 1080}, {600, 900}, {960, 720}}) {
         const Framing full = framing(camera, width, height, true);
         CHECK(full.area == ScreenArea{0, 0, width, height});
-        // Pixels are squares, and what was seen still is.
+        // Pixels are squares, and all that was visible still is.
         const CameraFrame before = frame_of(camera, 1), after = frame_of(full.camera, double(width) / height);
         CHECK(after.tan_x / width == doctest::Approx(after.tan_y / height));
         CHECK(after.tan_x >= before.tan_x - 1e-12);

@@ -1,4 +1,4 @@
-// A small editor that speaks GNU Rocket's protocol over a loopback socket, and what the window makes of it.
+// The connection to a GNU Rocket editor, tested with a small one on a loopback socket.
 #include "show/work/rocket.h"
 
 #include <doctest/doctest.h>
@@ -24,7 +24,7 @@ using namespace strahl;
 
 namespace {
 
-/// A client that is greeted so.
+/// Connects to an editor that sends this greeting.
 std::unique_ptr<Rocket> client_of(Editor& editor, const std::string& greeting = "hello, demo!") {
     auto client = std::async(std::launch::async, [&] { return std::make_unique<Rocket>(editor.port); });
     CHECK(editor.accept(greeting));
@@ -65,7 +65,7 @@ TEST_CASE("commands are the same however they are cut into packets") {
     }
 }
 
-TEST_CASE("garbage is noticed, and what is no number left out") {
+TEST_CASE("garbage is noticed, and values that are not numbers are ignored") {
     const auto fed = [](const std::string& bytes, std::size_t expected) {
         RocketDecoder decoder;
         std::vector<RocketCommand> commands;
@@ -119,7 +119,7 @@ TEST_CASE("an editor sets and deletes keys, moves and pauses") {
     rocket->tell_row(15), rocket->ask({"fourth"});  // has no effect
 }
 
-TEST_CASE("an editor that sends nonsense is left") {
+TEST_CASE("an editor that sends nonsense is disconnected") {
     for (const std::string& bytes : {std::string("GET / HTTP/1.0"), key_bytes(1, 0, 0, 0), delete_bytes(7, 0)}) {
         Editor editor;
         const auto rocket = client_of(editor);
@@ -138,13 +138,12 @@ TEST_CASE("without an editor there is a clear error") {
         port = none.port;
     }
     CHECK(fault_of([&] { Rocket rocket(port); }) == "no GNU Rocket editor at 127.0.0.1:" + std::to_string(port) +
-                                                        ": Connection refused. Start one before this program");
+                                                        ": Connection refused. Start the editor first");
     Editor other;
     CHECK(fault_of([&] { client_of(other, "SSH-2.0-OpenSSH"); }) ==
-          "what listens at 127.0.0.1:" + std::to_string(other.port) +
-              " is no GNU Rocket editor: it greets with 'SSH-2.0-Open'");
+          "127.0.0.1:" + std::to_string(other.port) + " is not a GNU Rocket editor: it greets with 'SSH-2.0-Open'");
     Editor silent;
-    CHECK(fault_of([&] { client_of(silent, ""); }).ends_with(" is no GNU Rocket editor: it does not greet"));
+    CHECK(fault_of([&] { client_of(silent, ""); }).ends_with(" is not a GNU Rocket editor: it sends no greeting"));
 }
 
 TEST_CASE("a flight that an editor drives follows tracks, and does not end") {
@@ -176,7 +175,7 @@ TEST_CASE("a flight that an editor drives follows tracks, and does not end") {
     CHECK(!session.tracks);  // those of another scene do not stay
 }
 
-TEST_CASE("tracks are saved beside the scene, and what was there before stays as a copy") {
+TEST_CASE("tracks are saved beside the scene, with a copy of the file as it was") {
     const Scratch folder;
     const std::string path = folder / "scene.rt", file = folder / "scene.tracks";
     std::ofstream(path) << scene_text;

@@ -32,7 +32,7 @@ inline const std::string save_bytes = "\5";
 /// Listens at a port of its own and takes one connection.
 class Editor {
   public:
-    /// Waits for so many seconds for what it reads.
+    /// Sets for how many seconds reads wait.
     explicit Editor(int patience = 10) : listener(::socket(AF_INET, SOCK_STREAM, 0)), patience(patience) {
         sockaddr_in address{};
         address.sin_family = AF_INET;

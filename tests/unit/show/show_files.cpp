@@ -90,7 +90,7 @@ TEST_CASE("a still is named after its scene and the time") {
     CHECK(still_name("-", 12.5).ends_with("-at-12.5s"));
 }
 
-TEST_CASE("a folder without stills is known before they are traced") {
+TEST_CASE("a folder in which stills cannot be written is found before they are traced") {
     const Scratch folder;
     CHECK(folder_fault(folder / "still") == "");
     CHECK(folder_fault("still") == "");
@@ -137,7 +137,7 @@ TEST_CASE("a changed scene file is read again, a broken one reported, a touched 
     CHECK(loaded->fault.find("nothing.rt") != std::string::npos);
     reload.open("/dev/zero");
     REQUIRE(next());
-    CHECK(loaded->fault == "/dev/zero: this is no file");
+    CHECK(loaded->fault == "/dev/zero: not a regular file");
     put(scene_text + " ");  // still the one that is watched
     REQUIRE(next());
     CHECK(loaded->path == path);
@@ -172,7 +172,7 @@ TEST_CASE("a path is written into the scene file, of which a copy stays; a file 
     const auto loaded = reload.take();
     REQUIRE(loaded);
     CHECK(loaded->scene->flythrough == flight);
-    // Once more: the copy stays that of the file which others wrote.
+    // Written again: the copy stays that of the file which others wrote.
     flight.duration = 5;
     REQUIRE(write(flight, false));
     CHECK(written->copy == "");

@@ -41,7 +41,7 @@ double mean(const std::vector<double>& values) {
     return std::accumulate(values.begin(), values.end(), 0.) / double(values.size());
 }
 
-TEST_CASE("the moment heard goes on as a clock does, from where it is played") {
+TEST_CASE("the moment heard follows the clock, from where playing starts") {
     ::setenv("ALSOFT_DRIVERS", "null", 1);
     Sound sound(clicks, [] {});
     load(sound);
@@ -80,7 +80,7 @@ TEST_CASE("a file that is not a sound, or only begins as one, is reported and ma
         CHECK(bool(sound.heard()) == sound.fault().empty());
         return sound.fault();
     };
-    CHECK(fault_of("no sound") == "'" + folder / "a.ogg" + "' is no Ogg Vorbis file");
+    CHECK(fault_of("no sound") == "'" + folder / "a.ogg" + "' is not an Ogg Vorbis file");
     CHECK(fault_of("") != "");
     CHECK(fault_of(whole.substr(0, 100)) != "");
     CHECK(fault_of(whole.substr(0, 4000)) != "");                  // headers alone
@@ -88,7 +88,7 @@ TEST_CASE("a file that is not a sound, or only begins as one, is reported and ma
     std::string torn = whole;
     for (std::size_t i = whole.size() * 3 / 4; i < whole.size(); i += 7) torn[i] = static_cast<char>(torn[i] + 1);
     fault_of(torn);
-    // Left alone while it is decoded.
+    // Destroyed while it is decoded.
     for (int i = 0; i < 5; ++i) Sound(clicks, [] {});
 }
 

@@ -1,4 +1,4 @@
-// Sound by OpenAL Soft (openal-soft.org) from what libvorbisfile decodes.
+// Plays by OpenAL Soft (openal-soft.org) what libvorbisfile decodes.
 #include "show/window/sound.h"
 
 #define AL_ALEXT_PROTOTYPES
@@ -8,8 +8,8 @@
 #include <AL/alext.h>
 #include <vorbis/vorbisfile.h>
 
-#include <atomic>
 #include <array>
+#include <atomic>
 #include <bit>
 #include <memory>
 #include <stop_token>
@@ -20,7 +20,7 @@
 namespace strahl {
 namespace {
 
-/// Of 16 bits each, one for every channel at every moment.
+/// Samples of 16 bits, one per channel and moment.
 struct Samples {
     std::vector<char> bytes;
     int channels = 0, rate = 0;
@@ -30,7 +30,7 @@ struct Samples {
 Samples decoded(const std::string& path, const std::stop_token& stop) {
     Samples samples;
     OggVorbis_File opened;
-    if (::ov_fopen(path.c_str(), &opened) != 0) return {{}, 0, 0, "'" + path + "' is no Ogg Vorbis file"};
+    if (::ov_fopen(path.c_str(), &opened) != 0) return {{}, 0, 0, "'" + path + "' is not an Ogg Vorbis file"};
     const std::unique_ptr<OggVorbis_File, int (*)(OggVorbis_File*)> file(&opened, ::ov_clear);
     const vorbis_info first = *::ov_info(&opened, -1);
     samples.channels = first.channels, samples.rate = static_cast<int>(first.rate);
@@ -44,7 +44,7 @@ Samples decoded(const std::string& path, const std::stop_token& stop) {
         if (got < 0) return {{}, 0, 0, "'" + path + "' is damaged"};
         if (got == 0) break;
         if (now->channels != first.channels || now->rate != first.rate || first.channels > 2)
-            return {{}, 0, 0, "'" + path + "' is neither mono nor stereo, or not so throughout"};
+            return {{}, 0, 0, "'" + path + "' must be mono or stereo, and the same throughout"};
         samples.bytes.insert(samples.bytes.end(), block.data(), block.data() + got);
         if (samples.bytes.size() > most) return {{}, 0, 0, "'" + path + "' is longer than a gigabyte of samples"};
     }
@@ -78,7 +78,7 @@ struct Sound::Implementation {
         ::alSourcei(source, AL_BUFFER, static_cast<ALint>(buffer));
         if (::alIsExtensionPresent("AL_SOFT_direct_channels")) ::alSourcei(source, AL_DIRECT_CHANNELS_SOFT, AL_TRUE);
         tells_latency = ::alIsExtensionPresent("AL_SOFT_source_latency");
-        if (::alGetError() != AL_NO_ERROR) fault = "the sound device does not take '" + path + "'";
+        if (::alGetError() != AL_NO_ERROR) fault = "the sound device does not accept '" + path + "'";
     }
     ~Implementation() {
         thread = {};
@@ -122,7 +122,7 @@ std::optional<double> Sound::heard() const {
     ALint state = 0;
     ::alGetSourcei(implementation->source, AL_SOURCE_STATE, &state);
     if (state != AL_PLAYING) return std::nullopt;
-    std::array<ALdouble, 2> place{};  // of what is mixed, and how long that takes to be heard
+    std::array<ALdouble, 2> place{};  // the moment that is mixed, and the time until it is heard
     if (implementation->tells_latency)
         ::alGetSourcedvSOFT(implementation->source, AL_SEC_OFFSET_LATENCY_SOFT, place.data());
     else

@@ -1,4 +1,4 @@
-// Replaces sound in builds without it.
+// Plays nothing, in builds without sound.
 #include "show/window/sound.h"
 
 namespace strahl {

@@ -9,11 +9,11 @@
 
 namespace strahl {
 
-class SceneFile {
+class WatchedScene {
   public:
     /// `first` is the scene and `text` its text. `notify` is called from another thread when there is something to
     /// take.
-    SceneFile(const Loaded& first, std::string text, Notes& notes, Pace& pace, std::function<void()> notify);
+    WatchedScene(const Loaded& first, std::string text, Notes& notes, Pace& pace, std::function<void()> notify);
 
     const std::string& path() const { return file; }
     /// Is there no scene yet, because the file is missing or has an error?

@@ -1,13 +1,13 @@
-#include "show/work/scene_file.h"
+#include "show/work/watched_scene.h"
 
 #include <utility>
 
 namespace strahl {
 
-SceneFile::SceneFile(const Loaded& first, std::string text, Notes& window_notes, Pace& window_pace,
-                     std::function<void()> notify)
-    : notes(window_notes),
-      pace(window_pace),
+WatchedScene::WatchedScene(const Loaded& first, std::string text, Notes& notes, Pace& pace,
+                           std::function<void()> notify)
+    : notes(notes),
+      pace(pace),
       file(first.path),
       reload(file, std::move(text), std::move(notify)),
       awaited(!first.scene),
@@ -15,7 +15,7 @@ SceneFile::SceneFile(const Loaded& first, std::string text, Notes& window_notes,
     if (awaited) log_line("waiting until the scene has no error\n" + error);
 }
 
-std::optional<Loaded> SceneFile::take() {
+std::optional<Loaded> WatchedScene::take() {
     auto loaded = reload.take();
     if (!loaded) return std::nullopt;
     pace.redraw();
@@ -31,17 +31,17 @@ std::optional<Loaded> SceneFile::take() {
     return std::nullopt;
 }
 
-void SceneFile::write(const Flythrough& flythrough) {
+void WatchedScene::write(const Flythrough& flythrough) {
     if (flythrough.keys.size() == 1) return notes.note("a path needs two keys");
     const bool confirmed = pace.now() < std::exchange(write_until, -1);
     reload.write(flythrough.keys.empty() ? std::nullopt : std::optional(flythrough), confirmed);
 }
 
-void SceneFile::write(const std::vector<Track>& tracks) {
+void WatchedScene::write(const std::vector<Track>& tracks) {
     if (!awaited) reload.write(tracks);
 }
 
-void SceneFile::tell_written() {
+void WatchedScene::tell_written() {
     const auto written = reload.take_written();
     if (!written) return;
     const std::string copy = written->copy.empty() ? "" : "; the file as it was is " + written->copy;
@@ -55,11 +55,11 @@ void SceneFile::tell_written() {
     }
 }
 
-void SceneFile::expire() {
+void WatchedScene::expire() {
     if (error_until <= pace.now()) error.clear();
 }
 
-std::string SceneFile::fault_title() const {
+std::string WatchedScene::fault_title() const {
     return awaited ? "The scene appears as soon as this error is corrected"
                    : "The scene file has an error; this is the previous picture";
 }
