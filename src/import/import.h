@@ -17,7 +17,7 @@ struct PictureSize {
 struct Imported {
     Scene scene;
     std::optional<PictureSize> size;
-    /// What the scene language cannot express, as "file:line: feature; substitute", in the order of lines.
+    /// Features that the scene language lacks, as "file:line: feature; substitute", in the order of lines.
     std::vector<std::string> warnings;
 };
 

@@ -72,7 +72,7 @@ Slice with_space(const std::string& text, Slice slice) {
     return slice;
 }
 
-/// What to remove with a key: its line, unless something else is on it.
+/// The slice to remove for a key: its line, unless something else is on it.
 Slice with_line(const std::string& text, Slice key) {
     const std::size_t next = text.find_first_not_of(" \t", key.end);
     return next == text.npos || text[next] == '\n' || text[next] == '\r' ? with_space(text, key) : key;
