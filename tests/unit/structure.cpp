@@ -217,8 +217,6 @@ const std::map<std::string, std::string> names_of_several_types{
     {"Band", "rows of a picture file; directions of a light buffer"},
     {"Cell", "of a grid of boxes; of a picture; of a lattice"},
     {"Entry", "of the stacks of two walks through the hierarchy, local to these functions"},
-    {"Held", "a key held down; the arrays that a workspace holds"},
-    {"Image", "a picture at its smaller sizes; the picture on the screen"},
     {"Parts", "of a cell on both sides of a chord; of a bound"},
     {"Place", "near a cone and near a torus, members of like structs; in a cell"},
     {"Spot", "the cone of a light; a place of a lattice"},
