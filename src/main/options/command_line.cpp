@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "files/streams.h"
-#include "main/options/commands.h"
 #include "main/options/options.h"
 #include "main/reference/reference.h"
 #include "scene/error.h"

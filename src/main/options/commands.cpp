@@ -1,6 +1,4 @@
 // The commands of the program, each with its options and what --help and the manual page say about them.
-#include "main/options/commands.h"
-
 #include "main/commands/command_bundle.h"
 #include "main/commands/command_check.h"
 #include "main/commands/command_compare.h"

@@ -2,6 +2,7 @@
 // folder include it, and they are compiled as one.
 #pragma once
 #include <CLI/CLI.hpp>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -9,11 +10,16 @@
 #include <utility>
 #include <vector>
 
-#include "main/options/commands.h"
 #include "main/render/values.h"
 #include "text/reading/messages.h"
 
 namespace strahl {
+
+/// The work that a command line asks for; returns the exit status. Empty until a command has been parsed.
+using ChosenCommand = std::function<int()>;
+
+/// Adds all commands with their options to `app`. When one has been parsed, `chosen` is its work.
+void add_commands(CLI::App& app, ChosenCommand& chosen);
 
 /// Adds a command: a struct of options, and the function that does the work.
 template <class Options>
