@@ -14,7 +14,7 @@
 namespace strahl {
 namespace {
 
-/// A transparent body: what of it is known exactly, and a box around it.
+/// A transparent body: a box around it, and its shape if that is one of two simple ones.
 struct TransparentBody {
     Box box;
     std::optional<Ball> ball;        // if it is one
@@ -125,7 +125,8 @@ struct OverlapSearch {
     void leave(const BoxTree::Subtree&) const {}
 };
 
-/// A ray that goes through a surface without an inside is in its medium until it goes through once more.
+/// Returns whether the shape has an inside. A ray that goes through a surface without one is in its medium until it
+/// goes through once more.
 bool closed(const Shape& shape) {
     return std::visit([]<class Kind>(const Kind&) { return Kind::closed; }, shape);
 }

@@ -90,7 +90,8 @@ void each_material(const Primitive& primitive, const Visit& visit) {
     each_part(primitive, [&](const Primitive& part) { each_material(part, visit); });
 }
 
-/// Has it more than one index of refraction? The whole has that of its own material, a part by itself its own.
+/// Returns whether there is more than one index of refraction. A whole has that of its own material, a part that is
+/// traced by itself has its own.
 bool several_media(const Primitive& whole, const std::vector<Material>& materials) {
     std::optional<double> ior;
     bool several = false;
@@ -112,7 +113,8 @@ bool glass(const UnionGroup& group, const std::vector<Material>& materials) {
     return any;
 }
 
-/// Is it the same on any of two faces that are in one plane? Patterns are where their parts are, or the whole is.
+/// Returns whether it does not matter which of two faces in one plane is seen: all have the material `first`, whose
+/// pattern, if any, goes on through the whole.
 bool one_look(const UnionGroup& group, const Primitive& whole, const std::vector<Material>& materials) {
     const int first = group.front().primitive.material;
     bool other = materials[static_cast<std::size_t>(first)].patterned() && first != whole.material;

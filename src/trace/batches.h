@@ -1,4 +1,4 @@
-// How one thread traces its tiles: pixels on a lattice, regular grids in each pixel, and cells.
+// Traces the tiles of one thread: pixels on a lattice, regular grids in each pixel, and cells.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -19,7 +19,7 @@
 
 namespace strahl {
 
-/// One thread's tracing of one picture.
+/// Traces one picture's tiles in one thread.
 template <class T>
 class Batches {
   public:
@@ -39,7 +39,7 @@ class Batches {
 
     Counts counts;  // its own memory: threads that count beside each other wait for each other
 
-    /// A tile of pixels, one ray each; a tile that was stopped is not handed on.
+    /// Traces a tile of pixels, one ray each; a tile that was stopped is not handed on.
     void trace_tile(const Lattice& tile, const Sink& sink) {
         trace_spots(tile, 0, 0);
         if (limits.stopped()) return;
@@ -56,7 +56,7 @@ class Batches {
         sink({tile, std::span<const Out>(values, 3 * pixels), std::span<const double>(most, prove ? pixels : 0)});
     }
 
-    /// A tile of pixels with a grid of rays in each.
+    /// Traces a tile of pixels with a grid of rays in each.
     void trace_grid(const Lattice& tile, const Sampling& sampling, const Sink& sink) {
         const int n = sampling.grid, pixels = tile.columns * tile.rows;
         double sums[3 * lattice_tile * lattice_tile] = {};
@@ -74,7 +74,7 @@ class Batches {
         sink({tile, std::span<const double>(sums, 3 * pixels)});
     }
 
-    /// Points of a tile whose top left corner is (x, y), in pixels.
+    /// Traces points of a tile whose top left corner is (x, y), in pixels.
     void trace_points(int x, int y, double scale, std::span<const Point> points, CellSample* samples) {
         for (std::size_t done = 0; done < points.size(); done += scattered_pixels) {
             const int count = static_cast<int>(std::min<std::size_t>(scattered_pixels, points.size() - done));
@@ -94,21 +94,21 @@ class Batches {
         }
     }
 
-    /// A tile of pixels, one ray each where cells are not smooth.
-    void trace_filled(const Lattice& tile, double contrast, const Thin& thin, double scale, LatticeCells<Out>& cells,
-                      const Sink& sink) {
-        using Spots = std::span<const typename LatticeCells<Out>::Spot>;
-        const auto each_batch = [&](Spots spots, const auto& trace) {
+    /// Traces a tile of pixels, one ray each where cells are not smooth.
+    void trace_filled(const Lattice& tile, double contrast, const ThinBodies& thin, double scale,
+                      LatticeCells<Out>& cells, const Sink& sink) {
+        using TilePixels = std::span<const typename LatticeCells<Out>::TilePixel>;
+        const auto each_batch = [&](TilePixels spots, const auto& trace) {
             for (std::size_t done = 0; done < spots.size(); done += scattered_pixels) {
                 const int count = static_cast<int>(std::min<std::size_t>(scattered_pixels, spots.size() - done));
                 for (int i = 0; i < count; ++i) aim(tile, spots[done + i].x, spots[done + i].y, 0, 0, i);
                 trace(count, done);
             }
         };
-        const auto seen = [&](Spots spots, CellSample* samples) {
+        const auto seen = [&](TilePixels spots, CellSample* samples) {
             each_batch(spots, [&](int count, std::size_t done) { look(count, scale, samples + done); });
         };
-        const auto plain = [&](Spots spots, Out* rgb) {
+        const auto plain = [&](TilePixels spots, Out* rgb) {
             each_batch(spots, [&](int count, std::size_t done) {
                 trace_batches(count, nullptr);
                 for (int i = 0; i < count; ++i)
@@ -120,8 +120,8 @@ class Batches {
     }
 
   private:
-    /// Of pixel i of the batch: what its rays may be off, and those not traced; and the rounding of fog's sums, which
-    /// is not in the bounds of hits.
+    /// Returns a bound on the error of pixel i of the batch: of its rays, of those not traced, and of the rounding of
+    /// fog's sums, which the bounds of hits do not contain.
     double bound_of(int i) const {
         const PixelSum<T>& sum = workspace.sums[i];
         const T most = std::max({sum.rgb[0], sum.rgb[1], sum.rgb[2]});
@@ -136,13 +136,13 @@ class Batches {
         return static_cast<To>(std::min(value, static_cast<T>(std::numeric_limits<To>::max())));
     }
 
-    /// Pixel i of the next batch is this one of a lattice.
+    /// Makes a pixel of a lattice pixel i of the next batch.
     void aim(const Lattice& tile, int x, int y, double shift_x, double shift_y, int i) {
         workspace.pixels_x[i] = static_cast<T>(tile.x + x * tile.step_x + shift_x);
         workspace.pixels_y[i] = static_cast<T>(tile.y + y * tile.step_y + shift_y);
     }
 
-    /// Traces the first pixels of the workspace, and tells what they saw.
+    /// Traces the first pixels of the workspace, and writes what they saw.
     void look(int count, double scale, CellSample* samples) {
         std::fill_n(workspace.sights.begin(), count, Sight<T>{});
         trace_batches(count, workspace.sights.data());
@@ -170,7 +170,7 @@ class Batches {
         trace_batches(filled, nullptr);
     }
 
-    /// The first pixels of the workspace, as many at once as fit.
+    /// Traces the first pixels of the workspace, as many at once as fit.
     void trace_batches(int pixels, Sight<T>* sights) {
         std::fill_n(workspace.sums.begin(), pixels, PixelSum<T>{});
         std::fill_n(workspace.past.begin(), pixels, T(0));
@@ -178,10 +178,11 @@ class Batches {
             const int count = std::min(workspace.batch, pixels - done);
             const Footprints<T> footprints{eye.forward, eye.scale_x * eye.right, eye.scale_y * eye.down,
                                            workspace.sides.data() + done, workspace.colors.data() + 3 * done};
-            const ProvingBatch<T> batch{{workspace.pixels_x.data() + done, workspace.pixels_y.data() + done,
-                                         workspace.sums.data() + done, workspace.past.data() + done, count,
-                                         sights ? sights + done : nullptr, world.mip_maps ? &footprints : nullptr},
-                                        prove ? bounds.data() + done : nullptr};
+            const ProvingBatch<T> batch{
+                {workspace.pixels_x.data() + done, workspace.pixels_y.data() + done, workspace.sums.data() + done,
+                 workspace.past.data() + done, count, sights ? sights + done : nullptr,
+                 world.mip_maps ? &footprints : nullptr},
+                prove ? bounds.data() + done : nullptr};
             if (kernel.trace(world, eye, limits, batch, workspace, counts)) {
                 done += count;
                 workspace.batch = std::min(scattered_pixels, 2 * workspace.batch);

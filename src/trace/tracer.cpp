@@ -34,20 +34,20 @@ Counts& Counts::operator+=(const Counts& other) {
 class AnyTracer {
   public:
     AnyTracer(Scene&& own, Precision of, Simd level)
-        : stage(with_split_unions(std::move(own))), precision(of), simd(level) {}
+        : in_time(with_split_unions(std::move(own))), precision(of), simd(level) {}
     virtual ~AnyTracer() = default;
     virtual void prepare(const View& view, ThreadPool& pool) = 0;
     virtual Counts trace(const Job& job, const TracedPixels& pixels) = 0;
-    const Scene& scene() const { return stage.scene(); }
+    const Scene& scene() const { return in_time.scene(); }
 
-    Stage stage;
+    SceneInTime in_time;
     const Precision precision;
     const Simd simd;
 };
 
 namespace {
 
-/// A bound in T; infinite before it could overflow when multiplied.
+/// Converts a bound to T; it becomes infinite before it could overflow when multiplied.
 template <class T>
 T upper(double value) {
     return value < 1e18 ? static_cast<T>(value) : std::numeric_limits<T>::infinity();
@@ -60,19 +60,21 @@ class TracerOf : public AnyTracer {
 
   public:
     TracerOf(Scene&& own, Precision precision, Simd simd)
-        : AnyTracer(std::move(own), precision, simd), extent(extent_of(scene())), kernel(kernel_for<T, ForPictures>(simd)) {
+        : AnyTracer(std::move(own), precision, simd),
+          extent(extent_of(scene())),
+          kernel(kernel_for<T, ForPictures>(simd)) {
         if constexpr (!std::is_same_v<T, float>) proving = kernel_for<T, ForProofs>(simd);
     }
 
     void prepare(const View& view, ThreadPool& pool) override {
-        const bool moved = stage.set(view.time, view.tracks, pool);
+        const bool moved = in_time.set(view.time, view.tracks, pool);
         if (moved) extent = extent_of(scene());
         const Placement wanted = placement(extent, view.camera.position);
         if (built && wanted == placed && !moved && (proves == view.prove || std::is_same_v<T, float>)) return;
         light_buffers.reset(), traced_pixels = 0;
-        if (moved) thin_bodies.reset();
+        if (moved) capsules.reset();
         built.reset(), slack.reset();
-        built = std::make_unique<BuiltWorld<T>>(scene(), wanted, pool, stage.moves() ? &moving : nullptr, images,
+        built = std::make_unique<BuiltWorld<T>>(scene(), wanted, pool, in_time.moves() ? &moving : nullptr, images,
                                                 view.prove);
         placed = wanted, proves = view.prove;
     }
@@ -97,11 +99,11 @@ class TracerOf : public AnyTracer {
 
     Counts traced(const Job& job, const FilledLattice& filled) {
         const auto& [lattice, contrast] = filled;
-        // To learn what is thin takes longer than cells save.
+        // With more bodies it takes longer to find the thin ones than cells save.
         constexpr std::size_t many = 10000, many_moving = 1000;
-        if (scene().primitives.size() > (stage.moves() ? many_moving : many)) return traced(job, lattice);
-        if (!thin_bodies) thin_bodies = std::make_shared<const ThinBodies>(scene());
-        const Thin thin(scene(), job.view, thin_bodies);
+        if (scene().primitives.size() > (in_time.moves() ? many_moving : many)) return traced(job, lattice);
+        if (!capsules) capsules = std::make_shared<const CapsuleTree>(scene());
+        const ThinBodies thin(scene(), job.view, capsules);
         lattice_cells.resize(std::max<std::size_t>(lattice_cells.size(), job.pool.size()));
         int side = LatticeCells<Out>::side;  // smaller where threads would wait for the last ones; pixels are the same
         const double few = 8. * job.pool.size(), all = double(lattice.columns) * lattice.rows;
@@ -215,7 +217,7 @@ class TracerOf : public AnyTracer {
         return all;
     }
 
-    /// Were bodies left out whose numbers in T are those of another? That they are the same in the scene is not known.
+    /// Returns whether bodies were left out whose numbers in T are those of another, which may differ in the scene.
     bool lacks_items(const World<T>& world) const {
         ItemCounts declared;
         for (const Primitive& primitive : scene().primitives) count_items<T>(primitive, declared);
@@ -229,13 +231,13 @@ class TracerOf : public AnyTracer {
     MovingHierarchy moving;
     const std::shared_ptr<Images> images = std::make_shared<Images>();
     Kernel<T> kernel, proving;      // none of float proves
-    std::optional<Slack<T>> slack;  // of the world's bodies, once proofs want it
+    std::optional<Slack<T>> slack;  // of the world's bodies; made when proofs first need it
     Placement placed;
     bool proves = false;  // is the world one for proofs?
     std::unique_ptr<BuiltWorld<T>> built;
-    std::unique_ptr<LightBuffers<T>> light_buffers;  // once they pay
+    std::unique_ptr<LightBuffers<T>> light_buffers;  // made when they are worth it
     std::int64_t traced_pixels = 0;                  // in this world
-    std::shared_ptr<const ThinBodies> thin_bodies;   // once they are asked for
+    std::shared_ptr<const CapsuleTree> capsules;     // made when first needed
     std::vector<std::unique_ptr<Workspace<T>>> workspaces;
     std::vector<LatticeCells<Out>> lattice_cells;  // one for each thread
 };

@@ -22,7 +22,7 @@ enum class Simd { automatic, scalar, v2, v3, v4, neon };
 
 const char* name(Precision precision);  // "float", "double", "extended"
 const char* name(Simd simd);            // "scalar", "x86-64-v2", ...
-/// The best level this processor and this build have.
+/// Returns the best level that this processor and this build have.
 Simd best_simd();
 /// Has this program its kernels, and can this processor run them?
 bool supported(Simd simd);
@@ -30,11 +30,11 @@ bool supported(Simd simd);
 bool proves();
 /// Does this program have a kernel that any processor of this kind can run, and not only the scalar one?
 bool for_other_processors();
-/// Lanes of a pack (1 for scalar and for extended precision).
+/// Returns the number of lanes of a pack; 1 for scalar and for extended precision.
 int lanes(Precision precision, Simd simd);
 
-/// Throws FileError if the scene has more surfaces than numbers of this precision can tell apart: 2^24 in float. So
-/// does a tracer when it prepares such a scene.
+/// Throws FileError if the scene has more surfaces than numbers of this precision can tell apart: 2^24 in float. A
+/// tracer does so too when it prepares such a scene.
 void check_capacity(const Scene& scene, Precision precision);
 
 /// Pixels of a lattice, with rays only where the picture is not smooth: what lies between is interpolated (see
@@ -56,7 +56,7 @@ struct CellPass {
     CellPicture& picture;
     int finest;
 };
-/// What can be traced: a lattice or a list of pixels with one ray in each, or one of the above.
+/// The pixels that a tracer can be asked for: a lattice or a list with one ray in each pixel, or one of the above.
 using TracedPixels = std::variant<Lattice, std::span<const Pixel>, FilledLattice, SampledRegion, CellPass>;
 
 class AnyTracer;
@@ -70,14 +70,15 @@ class Tracer {
     Tracer(Tracer&&) noexcept;
     Tracer& operator=(Tracer&&) noexcept;
 
-    /// Builds what tracing for this view needs, if it is not there yet: cameras near the scene share it, and where
-    /// nothing moves all times do. Otherwise `trace` does.
+    /// Builds the world for this view if it is not there yet: cameras near the scene share it, and if nothing moves all
+    /// times do. `trace` does so as well; call this before if scene() has to be that of the view.
     void prepare(const View& view, ThreadPool& pool);
 
     /// Traces the pixels and returns the rays that it took. Not to be called from two threads at once.
     Counts trace(const Job& job, const TracedPixels& pixels);
 
-    /// As it is at the time of the last view, with unions split (split_unions.h); at time 0 motions may be as declared.
+    /// Returns the scene at the time of the last view, with unions split (split_unions.h). At time 0 motions may be as
+    /// declared.
     const Scene& scene() const;
     Precision precision() const;
     Simd simd() const;
@@ -98,7 +99,7 @@ struct Frame {
     bool operator==(const Frame&) const = default;
 };
 
-/// The plain way: the whole view as a frame.
+/// Traces the whole view.
 Frame render(const Scene& scene, const View& view, Precision precision = Precision::float64, int threads = 0,
              Simd simd = Simd::automatic);
 

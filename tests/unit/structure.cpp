@@ -215,12 +215,8 @@ std::string type_defined_in(const std::string& line) {
 /// Names of several types, which no file sees together, and what these are.
 const std::map<std::string, std::string> names_of_several_types{
     {"Band", "rows of a picture file; directions of a light buffer"},
-    {"Cell", "of a grid of boxes; of a picture; of a lattice"},
     {"Entry", "of the stacks of two walks through the hierarchy, local to these functions"},
-    {"Parts", "of a cell on both sides of a chord; of a bound"},
-    {"Place", "near a cone and near a torus, members of like structs; in a cell"},
-    {"Spot", "the cone of a light; a place of a lattice"},
-    {"Stage", "a scene in time; of a cell's work"},
+    {"Place", "near a cone and near a torus, members of like structs"},
     {"Widening", "of both policies of kernels, whose members have the same names"},
 };
 

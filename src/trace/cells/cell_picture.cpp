@@ -46,7 +46,7 @@ void CellPicture::refine(int i, int finest, const Job& job, const TraceAt& trace
         trace(place.x, place.y, points, samples);
     });
     if (job.stopped()) return;
-    // Of tiles at the border of a crop only what is in it.
+    // Only the part of the tile that is in the crop is handed on.
     const int left = std::max(place.x, region.x), right = std::min(place.x + place.columns, region.x + region.columns);
     const int top = std::max(place.y, region.y), bottom = std::min(place.y + place.rows, region.y + region.rows);
     const Lattice part{.x = left, .y = top, .columns = right - left, .rows = bottom - top};

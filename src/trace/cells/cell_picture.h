@@ -1,4 +1,4 @@
-// A picture in cells: its tiles, which stay between passes.
+// Keeps a picture in cells between passes: its tiles and what they know.
 #pragma once
 #include <atomic>
 #include <memory>
@@ -12,21 +12,22 @@
 
 namespace strahl {
 
+/// A picture in cells, which is refined tile by tile.
 class CellPicture {
   public:
     CellPicture() = default;
-    /// A part of the view, with steps of 1; a pixel of it is the same as in the whole view. Cells of more than
+    /// Begins a part of the view, with steps of 1; a pixel of it is the same as in the whole view. Cells of more than
     /// `largest_filled` pixels are always divided: stills want 2 or less, or shadows and reflections of a few pixels
     /// are lost between the samples.
     CellPicture(const Scene& scene, const View& view, const Lattice& region, double error, int largest_filled = 2) {
         begin(scene, view, region, error, largest_filled);
     }
-    /// Begins anew, in the memory of the picture before.
+    /// Begins another picture in the memory of the one before.
     void begin(const Scene& scene, const View& view, const Lattice& region, double error, int largest_filled);
 
-    /// Of the tiles that are finished.
+    /// Returns how finished tiles were sampled.
     const Sampled& sampled() const { return sum; }
-    /// Are all tiles finished?
+    /// Returns whether all tiles are finished.
     bool finished() const { return done == tiles(); }
 
     int tiles() const { return static_cast<int>(places.size()); }
@@ -49,7 +50,7 @@ class CellPicture {
     std::vector<TilePlace> places;
     std::vector<std::unique_ptr<Cells>> made, spare;  // those in work, by tile; those of finished tiles
     std::vector<char> begun;
-    std::optional<Thin> thin;
+    std::optional<ThinBodies> thin;
     std::mutex mutex;  // of spare and sum
     Sampled sum;
     std::atomic<int> done = 0;

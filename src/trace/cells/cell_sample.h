@@ -1,6 +1,7 @@
-// What a camera ray brought back, and whether a cell between such rays is smooth.
+// The sample that a camera ray brings back, and how cells between such samples are interpolated.
 #pragma once
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -10,10 +11,10 @@ struct CellSample {
     double rgb[3];            // linear, unclamped
     std::uint32_t signature;  // equal ones: see Sight
     float glint;
-    // Of the surface seen:
+    // Values of the surface seen:
     float distance;  // in the scene's units; infinite for the background
     std::int32_t surface;
-    std::uint32_t lit;               // bit i: light i reaches it; the last one counts for all lights from most_lit on
+    std::uint32_t lit;               // bit i: light i reaches it; the last bit is for all lights from most_lit on
     float reflected[3], reflection;  // direction and weight of the reflected ray
     float further;                   // the longest way that rays went from there
     bool uneven;                     // see Sight
@@ -21,23 +22,43 @@ struct CellSample {
     float color[3];  // is what its light is multiplied by
 };
 
-/// What filtered samples of one signature, four corners and perhaps a middle, would have brought back if the image had
-/// one colour: the middle's, or else the mean of all. What colours explain of the differences, by least squares, is
-/// taken out.
+/// Takes four corners and perhaps a middle, filtered samples of one signature. Returns their values as if the image had
+/// one colour, that of the middle or else the mean of all: the part of the differences that colours explain, by least
+/// squares, is taken out.
 std::array<std::array<double, 3>, 5> without_image(std::span<const CellSample* const> samples);
 
 /// The largest difference of highlights between samples of a cell in which none lies, times the cell's share of a
 /// pixel.
 inline constexpr double most_glint = .1;
 
-/// The largest difference of blunt highlights between corners.
+/// Returns the largest difference of blunt highlights between corners.
 double glint_range(const std::array<const CellSample*, 4>& corners);
 
-/// By how much a channel of the middle is off the mean of the corners, at most.
+/// Returns the largest difference of a channel between the middle and the mean of the corners.
 double middle_off(const std::array<const CellSample*, 4>& corners, const CellSample& middle);
 
-/// May a cell of a pixel or more be filled between its corners? If all five saw the same, no highlight seems to lie
-/// between them, and the middle is not off by more than half the contrast.
+/// Interpolates between the corners of a square of n x n pixels, which are in order around it from the top left one on.
+/// Pixels lie `shift` pixels right of and below the square's corners. Writes the first `columns` of its first `rows`,
+/// 3 numbers each; rows are `stride` numbers apart.
+template <class T>
+void interpolate(const std::array<const CellSample*, 4>& corners, int n, int columns, int rows, T shift, T* first,
+                 std::size_t stride) {
+    const auto of = [&](int k, int c) { return static_cast<T>(corners[k]->rgb[c]); };
+    for (int y = 0; y < rows; ++y) {
+        const T v = (static_cast<T>(y) + shift) / static_cast<T>(n);
+        T from[3], step[3];
+        for (int c = 0; c < 3; ++c) {
+            from[c] = of(0, c) + v * (of(3, c) - of(0, c));
+            step[c] = (of(1, c) + v * (of(2, c) - of(1, c)) - from[c]) / static_cast<T>(n);
+        }
+        T* to = first + y * stride;
+        for (int x = 0; x < columns; ++x)
+            for (int c = 0; c < 3; ++c) *to++ = from[c] + (static_cast<T>(x) + shift) * step[c];
+    }
+}
+
+/// Returns whether a cell of a pixel or more may be filled between its corners: if all five samples saw the same, no
+/// highlight seems to lie between them, and the middle is off by no more than half the contrast.
 bool looks_smooth(const std::array<const CellSample*, 4>& corners, const CellSample& middle, double contrast);
 
 }  // namespace strahl

@@ -1,4 +1,3 @@
-// Cells of a tile.
 #include "trace/cells/cells.h"
 
 #include <algorithm>
@@ -12,11 +11,15 @@ namespace {
 
 constexpr std::int32_t least_cell = Point::unit / 32;
 constexpr int side = tile_pixels + 1;  // of the lattice
-/// Where the middle of a cell saw what its corners did not, and no thin body is known there, as much is thought to lie
-/// in cells whose middle did not see it: so many times the square of the middle's difference. Found by experiment, as
-/// `estimate` in cell_values.cpp.
+/// If only the middle of a cell saw a change, and no thin body is known there, cells whose middle missed one are
+/// assumed to hide as much: so many times the square of the middle's difference. Found by experiment, as `estimate`.
 constexpr double unseen = 3.5;
 constexpr double steepest_gradient = .06;  // across a cell of one signature
+/// The error of a cell over the difference between its samples, found by experiment on five worlds: estimates are .7 to
+/// 1.9 times the error there (tests/bench/sampling.md).
+constexpr double estimate = .17;
+/// The error of the filter of images over the difference of the middle from the corners, found likewise.
+constexpr double filter_off = .6;
 
 std::uint64_t key_of(Point p) { return std::uint64_t(std::uint32_t(p.x)) << 32 | std::uint32_t(p.y); }
 
@@ -33,8 +36,8 @@ Point on_side(std::int32_t x, std::int32_t y, std::int32_t size, int number, std
     }
 }
 
-/// The chord between the middles of the stretches where an edge crosses two sides of a cell.
-Parts chord_of(const std::array<Crossing, 2>& crossings, std::int32_t size) {
+/// Returns the chord between the middles of the stretches where an edge crosses two sides of a cell.
+ChordParts chord_of(const std::array<Crossing, 2>& crossings, std::int32_t size) {
     const auto& [first, second] = crossings;
     const auto position = [&](const Crossing& c) { return (c.low + c.high) / (2. * size); };
     return parts_of({first.number, second.number}, {position(first), position(second)});
@@ -43,7 +46,7 @@ Parts chord_of(const std::array<Crossing, 2>& crossings, std::int32_t size) {
 }  // namespace
 
 void Cells::begin(int x, int y, int new_columns, int new_rows, double new_contrast, int largest_filled,
-                  const Thin& bodies) {
+                  const ThinBodies& bodies) {
     left = x, top = y, columns = new_columns, rows = new_rows;
     contrast = new_contrast, largest = largest_filled * unit, thin = &bodies;
     samples.clear(), points.clear(), between.clear(), active.clear(), waiting.clear(), searches.clear();
@@ -77,7 +80,7 @@ int Cells::sample_at(Point point) {
 
 bool Cells::within(std::int32_t x, std::int32_t y) const { return x < columns * unit && y < rows * unit; }
 
-/// Its quarters share their corners, and some with the cell.
+/// Divides a cell into quarters, which share their corners with each other and some with the cell.
 void Cells::divide(const Cell& cell) {
     const std::int32_t half = cell.size / 2, x = cell.x + half, y = cell.y + half;
     const bool right = within(x, cell.y), below = within(cell.x, y);
@@ -127,7 +130,7 @@ void Cells::advance(Cell& cell, int finest) {
 
 bool Cells::hides_something(const Cell& cell) const {
     const double s = double(cell.size) / unit, least = contrast / 16 / (s * s);
-    std::array<Corner, 4> corners;
+    std::array<CellCorner, 4> corners;
     for (int k = 0; k < 4; ++k) {
         const Point& p = points[cell.corners[k]];
         corners[k] = {left + p.x / double(unit), top + p.y / double(unit), &samples[cell.corners[k]]};
@@ -142,7 +145,7 @@ std::array<const CellSample*, 4> Cells::corners_of(const Cell& cell) const {
 
 void Cells::ask_middle(Cell& cell) { cell.middle = sample_at({cell.x + cell.size / 2, cell.y + cell.size / 2}); }
 
-/// A cell of more than a pixel, with its middle.
+/// Fills or divides a cell of more than a pixel, whose middle is known.
 void Cells::look_at_large(const Cell& cell) {
     const auto corners = corners_of(cell);
     const CellSample& middle = samples[cell.middle];
@@ -157,7 +160,7 @@ void Cells::look_at_large(const Cell& cell) {
     smooth&& clear ? fill(cell) : divide(cell);
 }
 
-/// A cell of a pixel or less.
+/// Decides by the corners what happens to a cell of a pixel or less.
 void Cells::look_at_corners(Cell& cell, int finest) {
     const bool equal = equal_signatures(cell);
     const double s = double(cell.size) / unit, share = s * s;
@@ -174,7 +177,7 @@ void Cells::look_at_corners(Cell& cell, int finest) {
     active.push_back(cell);
 }
 
-/// What is neither smooth nor crossed by one edge.
+/// Divides a cell that is neither smooth nor crossed by one edge, or finishes it if it is one of the smallest.
 void Cells::go_on(Cell& cell) {
     if (cell.size > least_cell) return divide(cell);
     finish(cell, mean(cell), spread(cell));
@@ -230,7 +233,7 @@ void Cells::search(Cell& cell) {
         found = false;
     }
     if (found) {
-        const Parts parts = chord_of(crossings, cell.size);
+        const ChordParts parts = chord_of(crossings, cell.size);
         const double aside = std::min(fine / double(cell.size), parts.length / 4);
         for (int i = 0; i < 2; ++i) {
             const double away = i == 0 ? -aside : aside;
@@ -245,7 +248,8 @@ void Cells::search(Cell& cell) {
     active.push_back(cell);
 }
 
-/// Is the edge as straight as the chord between its ends? Then both parts have the colours of their samples.
+/// Finishes a cell if its edge is as straight as the chord between the ends: both parts have the colours of their
+/// samples then.
 void Cells::look_beside(Cell& cell) {
     const auto& [crossings, probes] = searches[cell.search];
     const auto& [first, second] = crossings;
@@ -280,6 +284,93 @@ void Cells::look_beside(Cell& cell) {
         }
     }
     finish(cell, color, uncertain);
+}
+
+bool Cells::equal_signatures(const Cell& cell) const {
+    const auto of = [&](int k) { return samples[cell.corners[k]].signature; };
+    return of(0) == of(1) && of(1) == of(2) && of(2) == of(3);
+}
+
+bool Cells::shows_image(const Cell& cell) const {
+    const CellSample& first = samples[cell.corners[0]];
+    if (!first.filtered) return false;
+    const auto same = [&](int k) { return samples[k].filtered && samples[k].signature == first.signature; };
+    return std::ranges::all_of(cell.corners, same) && (cell.middle < 0 || same(cell.middle));
+}
+
+/// Calls use(value), where value(k, c) is channel c of corner k or, for k = 4, of the middle if it is known. In cells
+/// that show an image values are as if it had one colour.
+template <class Use>
+auto Cells::with_values(const Cell& cell, const Use& use) const {
+    if (!shows_image(cell))
+        return use([&](int k, int c) { return samples[k < 4 ? cell.corners[k] : cell.middle].rgb[c]; });
+    std::array<const CellSample*, 5> all{};
+    std::ranges::copy(corners_of(cell), all.begin());
+    if (cell.middle >= 0) all[4] = &samples[cell.middle];
+    const auto values = without_image(std::span(all).first(cell.middle < 0 ? 4 : 5));
+    return use([&](int k, int c) { return values[k][c]; });
+}
+
+/// Returns the largest difference of a channel between two corners.
+double Cells::spread(const Cell& cell) const {
+    return with_values(cell, [](const auto& value) {
+        double most = 0;
+        for (int c = 0; c < 3; ++c) {
+            double low = value(0, c), high = low;
+            for (int k = 1; k < 4; ++k) low = std::min(low, value(k, c)), high = std::max(high, value(k, c));
+            most = std::max(most, high - low);
+        }
+        return most;
+    });
+}
+
+std::array<double, 3> Cells::mean(const Cell& cell) const {
+    return with_values(cell, [&](const auto& value) {
+        std::array<double, 3> color{};
+        for (int c = 0; c < 3; ++c) {
+            for (int k = 0; k < 4; ++k) color[c] += value(k, c);
+            color[c] *= .25;
+            // With the middle, of four triangles.
+            if (cell.middle >= 0) color[c] = (2 * color[c] + value(4, c)) / 3;
+        }
+        return color;
+    });
+}
+
+/// Returns the largest difference of a channel between the middle and the mean of the corners. If they show an image
+/// the middle has seen its mean, and the filter is assumed to be off by a share of the difference.
+double Cells::off_corners(const Cell& cell) const {
+    const double whole = middle_off(corners_of(cell), samples[cell.middle]);
+    if (!shows_image(cell)) return whole;
+    return with_values(cell, [&](const auto& value) {
+        double off = filter_off * whole;
+        for (int c = 0; c < 3; ++c)
+            off = std::max(off, std::abs(.25 * (value(0, c) + value(1, c) + value(2, c) + value(3, c)) - value(4, c)));
+        return off;
+    });
+}
+
+/// Adds a cell of a pixel or less to its pixel, with the difference between samples that were taken for equal.
+void Cells::finish(const Cell& cell, const std::array<double, 3>& color, double difference) {
+    const double area = double(cell.size) / unit * (double(cell.size) / unit);
+    squares += difference * area * (difference * area);
+    double* const sum = &sums[pixel_of(cell)];
+    for (int c = 0; c < 3; ++c) sum[c] += area * color[c];
+}
+
+/// Interpolates in a cell of a pixel or more.
+void Cells::fill(const Cell& cell) {
+    const int n = cell.size / unit, x = cell.x / unit, y = cell.y / unit;
+    interpolate(corners_of(cell), n, std::min(n, columns - x), std::min(n, rows - y), .5, &sums[pixel_of(cell)],
+                std::size_t(3) * columns);
+}
+
+void Cells::add_to(Sampled& sampled) const {
+    std::vector<std::uint32_t> counts(std::size_t(columns) * rows);
+    for (const Point& p : points)
+        if (p.x < columns * unit && p.y < rows * unit) ++counts[std::size_t(p.y / unit) * columns + p.x / unit];
+    for (const std::uint32_t count : counts) ++sampled.pixels[std::min<std::size_t>(count, sampled.pixels.size() - 1)];
+    sampled.squares += estimate * estimate * squares;
 }
 
 double contrast_for(double error) {

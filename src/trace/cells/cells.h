@@ -18,18 +18,18 @@
 
 namespace strahl {
 
-/// A place in a tile, in units from its top left corner.
+/// A point of a tile, in units from its top left corner.
 struct Point {
     std::int32_t x, y;
     static constexpr std::int32_t unit = 4096;  // in a pixel
     bool operator==(const Point&) const = default;
 };
 
-/// The side of a sample's footprint, in pixels: of the square that it stands for where cells have no edges. A middle is
-/// all that is asked of its cell then; others are corners of cells that large and small ones share.
+/// Returns the side of a sample's footprint in pixels: of the square that it stands for where cells have no edges. The
+/// middle of a cell stands for all of it; other points are corners that large and small cells share.
 double side_of(Point point);
 
-/// Traces points of a tile; answers in their order.
+/// Traces points of a tile, and writes their samples in the same order.
 using TracePoints = std::function<void(std::span<const Point>, CellSample*)>;
 
 inline constexpr int tile_pixels = 64;   // the side of a tile: enough samples at once to fill packs
@@ -42,16 +42,18 @@ class Cells {
   public:
     /// `contrast` is the difference of colour that a pixel may have, see contrast_for(). Cells of more than
     /// `largest_filled` pixels are always divided.
-    void begin(int x, int y, int columns, int rows, double contrast, int largest_filled, const Thin& thin);
+    void begin(int x, int y, int columns, int rows, double contrast, int largest_filled, const ThinBodies& thin);
 
-    /// Divides until no unfinished cell is larger than `pixels`, or with 0 until all are finished.
+    /// Divides cells until no unfinished one is larger than `pixels`, or with 0 until all are finished.
     void refine(int pixels, const TracePoints& trace);
     bool finished() const { return waiting.empty(); }
 
-    /// The average over each pixel's square, row by row. Where cells are unfinished, of what their corners tell.
+    /// Returns the average over each pixel's square, row by row. Unfinished cells count as interpolated between
+    /// corners.
     std::span<const double> values() const { return sums; }
 
-    /// Samples on a border count for the pixel to the right or below.
+    /// Adds how many samples each pixel took, and the errors. Samples on a border count for the pixel to the right or
+    /// below.
     void add_to(Sampled& sampled) const;
 
   private:
@@ -100,7 +102,7 @@ class Cells {
     int left = 0, top = 0, columns = 0, rows = 0;
     std::int32_t largest = 0;
     double contrast = 0;
-    const Thin* thin = nullptr;
+    const ThinBodies* thin = nullptr;
     std::vector<CellSample> samples;
     std::vector<Point> points;                       // of the samples
     std::vector<int> lattice;                        // samples at corners of pixels, -1 where there is none yet
@@ -111,7 +113,7 @@ class Cells {
     double squares = 0;
 };
 
-/// The contrast that makes the RMS error come out as asked for, found by experiment: tests/bench/sampling.md.
+/// Returns the contrast that leads to an RMS error, found by experiment: tests/bench/sampling.md.
 double contrast_for(double error);
 
 }  // namespace strahl

@@ -5,14 +5,14 @@
 namespace strahl {
 namespace {
 
-struct Place {
+struct SidePoint {
     double x, y;
 };
 // Corners around the square: side k leads from corner k to corner k + 1.
-constexpr Place corners[4] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+constexpr SidePoint corners[4] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
 
-Place on_side(int side, double position) {
-    const Place a = corners[side], b = corners[(side + 1) % 4];
+SidePoint on_side(int side, double position) {
+    const SidePoint a = corners[side], b = corners[(side + 1) % 4];
     return {a.x + position * (b.x - a.x), a.y + position * (b.y - a.y)};
 }
 
@@ -30,15 +30,15 @@ std::optional<std::array<int, 2>> changing_sides(const std::array<std::uint32_t,
     return found == 2 ? std::optional(sides) : std::nullopt;
 }
 
-Parts parts_of(const std::array<int, 2>& sides, const std::array<double, 2>& positions) {
-    const Place p = on_side(sides[0], positions[0]), q = on_side(sides[1], positions[1]);
-    std::array<Place, 6> polygon{p};
+ChordParts parts_of(const std::array<int, 2>& sides, const std::array<double, 2>& positions) {
+    const SidePoint p = on_side(sides[0], positions[0]), q = on_side(sides[1], positions[1]);
+    std::array<SidePoint, 6> polygon{p};
     int count = 1;
     for (int k = sides[0] + 1; k <= sides[1]; ++k) polygon[count++] = corners[k];
     polygon[count++] = q;
     double twice = 0;
     for (int i = 0; i < count; ++i) {
-        const Place a = polygon[i], b = polygon[(i + 1) % count];
+        const SidePoint a = polygon[i], b = polygon[(i + 1) % count];
         twice += a.x * b.y - a.y * b.x;
     }
     const double x = q.x - p.x, y = q.y - p.y, length = std::hypot(x, y);

@@ -29,9 +29,9 @@ void LatticeCells<Out>::ask(std::initializer_list<std::pair<int, int>> pixels) {
     }
 }
 
-/// Its corners and its middle.
+/// Asks for a cell's corners and its middle.
 template <class Out>
-void LatticeCells<Out>::ask(const Cell& cell) {
+void LatticeCells<Out>::ask(const LatticeCell& cell) {
     const int x = cell.x, y = cell.y, n = cell.size;
     ask({{x, y}, {x + n / 2, y + n / 2}, {x + n, y}, {x, y + n}, {x + n, y + n}});
 }
@@ -51,19 +51,20 @@ void LatticeCells<Out>::look(const Look& look) {
 }
 
 template <class Out>
-auto LatticeCells<Out>::corners_of(const Cell& cell) -> Corners {
+auto LatticeCells<Out>::corners_of(const LatticeCell& cell) -> Corners {
     const int x = cell.x, y = cell.y, n = cell.size;
     return {&samples[sample_at(x, y)], &samples[sample_at(x + n, y)], &samples[sample_at(x + n, y + n)],
             &samples[sample_at(x, y + n)]};
 }
 
 template <class Out>
-const CellSample& LatticeCells<Out>::middle_of(const Cell& cell) {
+const CellSample& LatticeCells<Out>::middle_of(const LatticeCell& cell) {
     return samples[sample_at(cell.x + cell.size / 2, cell.y + cell.size / 2)];
 }
 
 template <class Out>
-bool LatticeCells<Out>::smooth(const Cell& cell, const Corners& corners, double contrast, const Thin& thin) {
+bool LatticeCells<Out>::smooth(const LatticeCell& cell, const Corners& corners, double contrast,
+                               const ThinBodies& thin) {
     if (!looks_smooth(corners, middle_of(cell), contrast)) return false;
     const int x = cell.x, y = cell.y, n = cell.size;
     const double left = tile.x + .5 + x * tile.step_x, right = left + n * tile.step_x;
@@ -74,9 +75,9 @@ bool LatticeCells<Out>::smooth(const Cell& cell, const Corners& corners, double 
         contrast / 16 / pixels);
 }
 
-/// Is what lies in the middles of the sides between the corners too?
+/// Returns whether the middles of the sides, too, are smooth between the corners.
 template <class Out>
-bool LatticeCells<Out>::even_sides(const Cell& cell, const Corners& corners, double contrast) {
+bool LatticeCells<Out>::even_sides(const LatticeCell& cell, const Corners& corners, double contrast) {
     const int x = cell.x, y = cell.y, n = cell.size, half = n / 2;
     const std::array<std::pair<int, int>, 4> middles{
         {{x + half, y}, {x + n, y + half}, {x + half, y + n}, {x, y + half}}};
@@ -90,26 +91,14 @@ bool LatticeCells<Out>::even_sides(const Cell& cell, const Corners& corners, dou
 }
 
 template <class Out>
-void LatticeCells<Out>::fill(const Cell& cell, const Corners& corners) {
-    const int left = cell.x, top = cell.y, n = cell.size;
-    const int columns = std::min(n, tile.columns - left), rows = std::min(n, tile.rows - top);
-    const auto of = [&](int k, int c) { return static_cast<Out>(corners[k]->rgb[c]); };
-    for (int y = 0; y < rows; ++y) {
-        const Out v = static_cast<Out>(y) / static_cast<Out>(n);
-        Out from[3], step[3];
-        for (int c = 0; c < 3; ++c) {
-            from[c] = of(0, c) + v * (of(3, c) - of(0, c));
-            step[c] = (of(1, c) + v * (of(2, c) - of(1, c)) - from[c]) / static_cast<Out>(n);
-        }
-        Out* to = &rgb[3 * (std::size_t(top + y) * tile.columns + left)];
-        for (int x = 0; x < columns; ++x)
-            for (int c = 0; c < 3; ++c) *to++ = from[c] + static_cast<Out>(x) * step[c];
-    }
+void LatticeCells<Out>::fill(const LatticeCell& cell, const Corners& corners) {
+    interpolate(corners, cell.size, std::min(cell.size, tile.columns - cell.x), std::min(cell.size, tile.rows - cell.y),
+                Out(0), &rgb[3 * (std::size_t(cell.y) * tile.columns + cell.x)], std::size_t(3) * tile.columns);
 }
 
-/// All its pixels that are not known are traced in the end.
+/// Leaves a cell to be traced in the end, with all its pixels that are not known.
 template <class Out>
-void LatticeCells<Out>::leave(const Cell& cell) {
+void LatticeCells<Out>::leave(const LatticeCell& cell) {
     for (int i = 0; i < cell.size * cell.size; ++i) {
         const int x = cell.x + z_curve[i].x, y = cell.y + z_curve[i].y;
         if (!within(x, y) || sample_at(x, y) >= 0) continue;
@@ -117,9 +106,9 @@ void LatticeCells<Out>::leave(const Cell& cell) {
     }
 }
 
-/// Sees whether a cell whose samples are known is filled, left or divided.
+/// Fills, leaves or divides a cell whose samples are known.
 template <class Out>
-void LatticeCells<Out>::advance(const Cell& cell, double contrast, const Thin& thin) {
+void LatticeCells<Out>::advance(const LatticeCell& cell, double contrast, const ThinBodies& thin) {
     const int x = cell.x, y = cell.y, size = cell.size, half = size / 2;
     const Corners corners = corners_of(cell);
     const CellSample& middle = middle_of(cell);
@@ -129,12 +118,13 @@ void LatticeCells<Out>::advance(const Cell& cell, double contrast, const Thin& t
         return ask({{x + half, y}, {x + size, y + half}, {x + half, y + size}, {x, y + half}});
     }
     if (size == finest || count_signatures(corners, middle) > most_seen) return leave(cell);
-    for (const Cell& part : {Cell{x, y, half}, {x + half, y, half}, {x, y + half, half}, {x + half, y + half, half}})
+    for (const LatticeCell& part :
+         {LatticeCell{x, y, half}, {x + half, y, half}, {x, y + half, half}, {x + half, y + half, half}})
         if (within(part.x, part.y)) parts.push_back(part), ask(part);
 }
 
 template <class Out>
-void LatticeCells<Out>::trace(const Lattice& own, double contrast, const Thin& thin, const Look& look_at,
+void LatticeCells<Out>::trace(const Lattice& own, double contrast, const ThinBodies& thin, const Look& look_at,
                               const Trace& trace) {
     tile = own;
     rgb.resize(std::size_t(3) * tile.columns * tile.rows);
@@ -142,14 +132,14 @@ void LatticeCells<Out>::trace(const Lattice& own, double contrast, const Thin& t
     samples.clear(), places.clear(), rest.clear(), parts.clear(), filled.clear();
     constexpr int across_tile = side / coarsest;
     for (const auto [column, row] : std::span(z_curve).template first<across_tile * across_tile>()) {
-        const Cell cell{column * coarsest, row * coarsest, coarsest};
+        const LatticeCell cell{column * coarsest, row * coarsest, coarsest};
         if (within(cell.x, cell.y)) parts.push_back(cell), ask(cell);
     }
     while (!parts.empty()) {
         look(look_at);
         std::swap(cells, parts);
         parts.clear();
-        for (const Cell& cell : cells) advance(cell, contrast, thin);
+        for (const LatticeCell& cell : cells) advance(cell, contrast, thin);
     }
     traced.resize(3 * rest.size());
     if (!rest.empty()) trace(rest, traced.data());
@@ -159,7 +149,7 @@ void LatticeCells<Out>::trace(const Lattice& own, double contrast, const Thin& t
         for (int c = 0; c < 3; ++c) to[c] = *from++;
     }
     // Over what neighbours asked for, so that a pixel depends on its own cell alone.
-    for (const Cell& cell : filled) fill(cell, corners_of(cell));
+    for (const LatticeCell& cell : filled) fill(cell, corners_of(cell));
 }
 
 template class LatticeCells<float>;

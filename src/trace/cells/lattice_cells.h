@@ -1,4 +1,4 @@
-// A tile of a lattice in cells of 8 and of 4 of its pixels: those that are known to be smooth are filled.
+// Traces a tile of a lattice in cells of 8 and of 4 of its pixels, and fills those that are known to be smooth.
 //
 // In motion there is time for some of the pixels only, and where the picture is smooth a few tell all. Cells have their
 // corners on pixels. A cell whose corners and middle saw the same is filled between its corners, and where that is a
@@ -27,22 +27,22 @@ class LatticeCells {
     static constexpr int side = 64;  // of a tile, at most
 
     /// A pixel of the lattice, from the tile's first one. Corners of cells may be beyond the tile.
-    struct Spot {
+    struct TilePixel {
         std::uint8_t x, y;
     };
-    /// What pixels saw and brought back.
-    using Look = std::function<void(std::span<const Spot>, CellSample*)>;
-    /// Only what they brought back: 3 numbers each.
-    using Trace = std::function<void(std::span<const Spot>, Out*)>;
+    /// Traces pixels, and writes what they saw and brought back.
+    using Look = std::function<void(std::span<const TilePixel>, CellSample*)>;
+    /// Traces pixels, and writes only what they brought back: 3 numbers each.
+    using Trace = std::function<void(std::span<const TilePixel>, Out*)>;
 
-    /// `contrast` as in Cells: a filled pixel is thought to be off by half of it at most.
-    void trace(const Lattice& tile, double contrast, const Thin& thin, const Look& look, const Trace& trace);
+    /// Traces a tile. A filled pixel is assumed to be off by half of `contrast` at most.
+    void trace(const Lattice& tile, double contrast, const ThinBodies& thin, const Look& look, const Trace& trace);
 
-    /// Red, green, blue of the tile's pixels, row by row.
+    /// Returns red, green, blue of the tile's pixels, row by row.
     std::span<const Out> values() const { return rgb; }
 
   private:
-    struct Cell {
+    struct LatticeCell {
         int x, y, size;
         bool sides = false;  // the middles of its sides are known as well
     };
@@ -53,23 +53,23 @@ class LatticeCells {
     int& sample_at(int x, int y) { return known[y * across + x]; }
     bool within(int x, int y) const { return x < tile.columns && y < tile.rows; }
     void ask(std::initializer_list<std::pair<int, int>> pixels);
-    void ask(const Cell& cell);
+    void ask(const LatticeCell& cell);
     void look(const Look& look);
-    Corners corners_of(const Cell& cell);
-    const CellSample& middle_of(const Cell& cell);
-    bool smooth(const Cell& cell, const Corners& corners, double contrast, const Thin& thin);
-    bool even_sides(const Cell& cell, const Corners& corners, double contrast);
-    void fill(const Cell& cell, const Corners& corners);
-    void leave(const Cell& cell);
-    void advance(const Cell& cell, double contrast, const Thin& thin);
+    Corners corners_of(const LatticeCell& cell);
+    const CellSample& middle_of(const LatticeCell& cell);
+    bool smooth(const LatticeCell& cell, const Corners& corners, double contrast, const ThinBodies& thin);
+    bool even_sides(const LatticeCell& cell, const Corners& corners, double contrast);
+    void fill(const LatticeCell& cell, const Corners& corners);
+    void leave(const LatticeCell& cell);
+    void advance(const LatticeCell& cell, double contrast, const ThinBodies& thin);
 
     Lattice tile;
     std::vector<Out> rgb, traced;
     std::array<int, across * across> known;  // samples by place, -1 where there are none
     std::vector<CellSample> samples;
-    std::vector<Spot> places;  // of the samples
-    std::vector<Spot> rest;    // pixels of cells that are neither smooth nor divided
-    std::vector<Cell> cells, parts, filled;
+    std::vector<TilePixel> places;  // of the samples
+    std::vector<TilePixel> rest;    // pixels of cells that are neither smooth nor divided
+    std::vector<LatticeCell> cells, parts, filled;
 };
 
 }  // namespace strahl

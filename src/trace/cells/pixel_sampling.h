@@ -1,4 +1,4 @@
-// How the light of a pixel is gathered from samples.
+// Says how the light of a pixel is averaged from samples, and how many that took.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -7,8 +7,8 @@ namespace strahl {
 
 /// The exact value of a pixel is the average of the picture over the pixel's square, of unclamped values.
 struct Sampling {
-    /// n > 0: n x n rays, through the middles of equal squares; 1 is one ray through the pixel's middle. 0: as many as
-    /// the picture needs.
+    /// n > 0: n x n rays through the middles of equal squares; 1 is one ray through the pixel's middle. 0: as many rays
+    /// as the picture needs.
     int grid = 0;
     bool centre = false;      // a grid has one ray more, through the pixel's middle: what POV-Ray's +AM1 averages
     double error = 1. / 510;  // without a grid: the RMS error aimed at over all pixels and channels, not below 1e-4
@@ -17,7 +17,7 @@ struct Sampling {
 /// Averages aim no lower than this.
 inline constexpr double least_sampling_error = 1e-4;
 
-/// What the pixels of pictures without a grid needed.
+/// Counts the samples that pixels of pictures without a grid needed.
 struct Sampled {
     std::vector<std::uint64_t> pixels = std::vector<std::uint64_t>(4097);  // by their samples, the last one with more
     double squares = 0;  // of the errors that they are thought to have, in their worst channel
@@ -26,7 +26,7 @@ struct Sampled {
     std::uint64_t count() const;
     int median() const;
     int most() const;
-    /// The RMS error that is estimated, not bounded: within a factor of two in most scenes.
+    /// Returns an estimate of the RMS error, not a bound: within a factor of two in most scenes.
     double error() const;
 };
 

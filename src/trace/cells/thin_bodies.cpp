@@ -12,28 +12,26 @@
 namespace strahl {
 namespace {
 
-using Quad = std::array<DVec3, 4>;
-
-/// Reflected rays part at most so many times as fast as the camera's own, or they are not asked about: in mirrors more
-/// curved everything is small, so that there the price, two to three times the rays, is not worth it.
+/// Reflections are only looked for if reflected rays part at most so many times as fast as the camera's own. In mirrors
+/// more curved everything is small, and not worth two to three times the rays.
 constexpr double most_widening = 2;
 
 double square(const DVec3& v) { return dot_product(v, v); }
 DVec3 unit_of(const DVec3& v) { return (1 / std::sqrt(square(v))) * v; }
-DVec3 middle_of(const Quad& corners) { return .25 * (corners[0] + corners[1] + corners[2] + corners[3]); }
-/// As seen along a direction.
-double area(const Quad& corners, const DVec3& direction) {
+DVec3 middle_of(const FourPoints& corners) { return .25 * (corners[0] + corners[1] + corners[2] + corners[3]); }
+/// Returns the area of the square between the corners as seen along a direction.
+double area(const FourPoints& corners, const DVec3& direction) {
     return std::abs(dot_product(cross_product(corners[2] - corners[0], corners[3] - corners[1]), direction)) / 2;
 }
 
-double radius_of(const Quad& points) {
+double radius_of(const FourPoints& points) {
     const DVec3 middle = middle_of(points);
     double squared = 0;
     for (const DVec3& point : points) squared = std::max(squared, square(point - middle));
     return std::sqrt(squared);
 }
-/// The largest tangent of the angles between the directions and the axis.
-double growth_of(const Quad& directions, const DVec3& axis) {
+/// Returns the largest tangent of the angles between the directions and the axis.
+double growth_of(const FourPoints& directions, const DVec3& axis) {
     double squared = 0;
     for (const DVec3& direction : directions) {
         const double ahead = dot_product(direction, axis);
@@ -45,8 +43,8 @@ double growth_of(const Quad& directions, const DVec3& axis) {
 
 }  // namespace
 
-Thin::Thin(const Scene& scene, const View& view, std::shared_ptr<const ThinBodies> known)
-    : own(known ? std::move(known) : std::make_shared<const ThinBodies>(scene)),
+ThinBodies::ThinBodies(const Scene& scene, const View& view, std::shared_ptr<const CapsuleTree> known)
+    : own(known ? std::move(known) : std::make_shared<const CapsuleTree>(scene)),
       bodies(*own),
       lights(points_of(scene.lights)),
       eye(view.camera.position) {
@@ -57,12 +55,12 @@ Thin::Thin(const Scene& scene, const View& view, std::shared_ptr<const ThinBodie
     first = frame.forward + (view.shift_x - view.width / 2.) * right + (view.shift_y - view.height / 2.) * down;
 }
 
-bool Thin::hides_in(const std::array<Corner, 4>& corners, double least) const {
+bool ThinBodies::hides_in(const std::array<CellCorner, 4>& corners, double least) const {
     if (bodies.empty()) return false;
     double furthest = 0, nearest = end, brightest = 0, reflection = 0, further = 0;
     std::uint32_t lit = 0;
     bool one_surface = true;
-    for (const Corner& corner : corners) {
+    for (const CellCorner& corner : corners) {
         const CellSample& sample = *corner.sample;
         const double distance = std::min(double(sample.distance), end);
         furthest = std::max(furthest, distance), nearest = std::min(nearest, distance);
@@ -77,7 +75,7 @@ bool Thin::hides_in(const std::array<Corner, 4>& corners, double least) const {
     const double own_growth = std::max(corners[2].x - corners[0].x, corners[2].y - corners[0].y) * diagonal / 2;
     const double across = 2 * own_growth * (furthest + 2 * bodies.least());
     const bool wide = !(across + furthest - nearest < .99 * bodies.least());
-    Quad places, reflected;
+    FourPoints places, reflected;
     bool mirrors = one_surface && reflection > least && further > 0;
     if (mirrors) {
         for (int k = 0; k < 4; ++k) {
@@ -96,7 +94,7 @@ bool Thin::hides_in(const std::array<Corner, 4>& corners, double least) const {
            (mirrors && hides_reflection(places, radius, reflected, further, least / reflection));
 }
 
-Tube Thin::from_eye(const Quad& directions, double furthest) const {
+Tube ThinBodies::from_eye(const FourPoints& directions, double furthest) const {
     const DVec3 axis = unit_of(middle_of(directions));
     const double growth = growth_of(directions, axis);
     return {.from = eye,
@@ -107,14 +105,14 @@ Tube Thin::from_eye(const Quad& directions, double furthest) const {
             .area = area(directions, axis) / (growth * growth)};
 }
 
-bool Thin::hides_shadow(const Quad& points, double radius, std::uint32_t lit, double least) const {
+bool ThinBodies::hides_shadow(const FourPoints& points, double radius, std::uint32_t lit, double least) const {
     if (radius < bodies.least()) return false;
     const DVec3 middle = middle_of(points);
     for (std::size_t i = 0; i < lights.size(); ++i) {
         if (!(lit >> std::min<std::size_t>(i, most_lit) & 1)) continue;
         const Light& light = lights[i];
-        const DVec3 way = light.direction ? -2 * end / std::sqrt(square(*light.direction)) * *light.direction
-                                          : light.position - middle;
+        const DVec3 way =
+            light.direction ? -2 * end / std::sqrt(square(*light.direction)) * *light.direction : light.position - middle;
         const double far = std::sqrt(square(way));
         const Tube tube{.from = middle,
                         .direction = way / far,
@@ -127,8 +125,8 @@ bool Thin::hides_shadow(const Quad& points, double radius, std::uint32_t lit, do
     return false;
 }
 
-bool Thin::hides_reflection(const Quad& points, double radius, const Quad& directions, double furthest,
-                            double least) const {
+bool ThinBodies::hides_reflection(const FourPoints& points, double radius, const FourPoints& directions,
+                                  double furthest, double least) const {
     const DVec3 axis = unit_of(middle_of(directions)), middle = middle_of(points);
     const double growth = growth_of(directions, axis), start = radius * (1 + growth);
     const double longest = std::min(furthest, end + std::sqrt(square(middle - eye)));

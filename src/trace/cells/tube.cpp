@@ -4,14 +4,15 @@
 #include <cmath>
 
 #include "num/vec_math.h"
+#include "scene/box_tree.h"
 
 namespace strahl {
 namespace {
 
-/// Part of the way along a capsule, from 0 to 1.
+/// A part of the way along a capsule, from 0 to 1.
 struct Stretch {
     double low = 0, high = 1;
-    /// Only where a + b t >= 0.
+    /// Keeps only t with a + b t >= 0.
     void clip(double a, double b) {
         if (b > 0)
             low = std::max(low, -a / b);
@@ -32,7 +33,7 @@ double distance_to(const Capsule& capsule, const DVec3& p) {
     return norm(since - t * way);
 }
 
-/// Around capsules.
+/// Returns a ball around capsules.
 Capsule ball_around(std::span<const Capsule> capsules) {
     Box box;
     for (const Capsule& capsule : capsules) box.add(capsule.from), box.add(capsule.to);
@@ -84,7 +85,7 @@ double radius_at(const Tube& tube, const Capsule& capsule) {
     return std::max(radius(start + part.low * ahead), radius(start + part.high * ahead));
 }
 
-ThinBodies::ThinBodies(const Scene& scene) {
+CapsuleTree::CapsuleTree(const Scene& scene) {
     std::vector<Capsule> all;
     for (const Primitive& primitive : scene.primitives) {
         const std::vector<Capsule> own = capsules_of(primitive);
@@ -95,29 +96,23 @@ ThinBodies::ThinBodies(const Scene& scene) {
     add(all);
 }
 
-/// Halves them across the longest side of the box of their middles.
-void ThinBodies::add(std::span<Capsule> capsules) {
+/// Adds a node for them, and below it one for each half.
+void CapsuleTree::add(std::span<Capsule> capsules) {
     const std::size_t own = nodes.size();
     const bool leaf = capsules.size() == 1;
     const double least = std::ranges::min(capsules, {}, &Capsule::radius).radius;
     nodes.push_back({leaf ? capsules[0] : ball_around(capsules), least, 0, leaf});
     if (!leaf) {
-        const auto middle = [](const Capsule& capsule) { return capsule.from + capsule.to; };
-        Box box;
-        for (const Capsule& capsule : capsules) box.add(middle(capsule));
-        const DVec3 size = box.size();
-        const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+        halve(capsules, [](const Capsule& capsule) { return capsule.from + capsule.to; });
         const std::size_t half = capsules.size() / 2;
-        std::ranges::nth_element(capsules, capsules.begin() + std::ptrdiff_t(half), {},
-                                 [&](const Capsule& capsule) { return middle(capsule)[axis]; });
         add(capsules.first(half)), add(capsules.subspan(half));
     }
     nodes[own].next = static_cast<std::int32_t>(nodes.size());
 }
 
-bool ThinBodies::meets(const Tube& tube, double least, std::span<const DVec3> own) const {
+bool CapsuleTree::meets(const Tube& tube, double least, std::span<const DVec3> own) const {
     for (std::size_t i = 0; i < nodes.size();) {
-        const Node& node = nodes[i];
+        const CapsuleNode& node = nodes[i];
         const double radius = radius_at(tube, node.around);
         if (!(radius >= node.least)) {
             i = std::size_t(node.next);

@@ -1,4 +1,4 @@
-// Bodies in a tube: what a bundle of rays may meet that a few rays of it miss.
+// Finds bodies in a tube, which a bundle of rays may meet although a few rays of it miss them.
 //
 // Tubes stand for rays that are known by some of their bundle only: between the corners of a cell, from there to a
 // light. Compare cone tracing (J. Amanatides, "Ray Tracing with Cones", SIGGRAPH 1984); here it only tells where to
@@ -21,25 +21,26 @@ struct Tube {
     double area;            // of the bundle's cross section, which the tube contains, over the square of the radius
 };
 
-/// The largest radius of the tube where the capsule reaches into it; below 0 if it does not. A bound.
+/// Returns a bound on the radius of the tube where the capsule reaches into it; below 0 if it does not.
 double radius_at(const Tube& tube, const Capsule& capsule);
 
 /// The capsules of a scene's bodies in a binary tree of balls.
-class ThinBodies {
+class CapsuleTree {
   public:
-    explicit ThinBodies(const Scene& scene);
+    explicit CapsuleTree(const Scene& scene);
 
     bool empty() const { return nodes.empty(); }
-    /// The smallest radius, and a ball around all; not of no bodies.
+    /// Return the smallest radius, and a ball around all. There must be bodies.
     double least() const { return nodes[0].least; }
     const Capsule& around() const { return nodes[0].around; }
 
-    /// Is a body in the tube that is thinner than it there, so that the corners of the bundle may miss it, and that
-    /// hides at least `least` of the bundle? Bodies around all of `own` do not count: the rays start there.
+    /// Returns whether a body is in the tube that is thinner than the tube there, so that the corners of the bundle may
+    /// miss it, and that hides at least the share `least` of the bundle. Bodies around all of `own` do not count: the
+    /// rays start there.
     bool meets(const Tube& tube, double least, std::span<const DVec3> own = {}) const;
 
   private:
-    struct Node {
+    struct CapsuleNode {
         Capsule around;    // a ball, or the capsule of a leaf
         double least;      // radius of a capsule below
         std::int32_t next;  // node that follows all below this one
@@ -47,7 +48,7 @@ class ThinBodies {
     };
     void add(std::span<Capsule> capsules);
 
-    std::vector<Node> nodes;  // each before those below it
+    std::vector<CapsuleNode> nodes;  // each before those below it
 };
 
 }  // namespace strahl

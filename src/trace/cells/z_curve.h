@@ -1,4 +1,4 @@
-// A Z curve: pixels in an order in which neighbours stay near each other.
+// Orders pixels along a Z curve, on which neighbours stay near each other.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -6,7 +6,7 @@
 
 namespace strahl {
 
-/// The side of a tile of a plain lattice.
+/// The side of a tile of a plain lattice, in pixels.
 inline constexpr int lattice_tile = 16;
 
 /// Pixels of a tile along a Z curve: packs are blocks of 4x4 or 4x2 pixels, whose rays have more in common than a

@@ -22,20 +22,20 @@ constexpr int few_cells = 128;       // until a part has no more cells than thes
 constexpr int chunk_items = 8192;    // a thread's piece of other work on all items
 
 /// A node of the binary hierarchy: items [begin, end).
-struct Part {
+struct BinaryNode {
     Extents extents;
     Cut cut;  // of at most leaf_items
     std::int32_t begin, end;
     int depth;
     int side = 0;  // which of the two arrays they are in
     bool leaf = false;
-    const std::array<Part, 2>* halves = nullptr;  // those known already
+    const std::array<BinaryNode, 2>* halves = nullptr;  // those known already
     std::int32_t count() const { return end - begin; }
 };
 
-class Builder {
+class HierarchyBuilder {
   public:
-    Builder(Buffer<ItemBox> boxes, std::int32_t size, double margin, ThreadPool& workers)
+    HierarchyBuilder(Buffer<ItemBox> boxes, std::int32_t size, double margin, ThreadPool& workers)
         : entries{boxes.get()}, pool(workers) {
         result.order = uninitialized_buffer<std::int32_t>(size);
         Buffer<ItemBox> others = uninitialized_buffer<ItemBox>(size);
@@ -43,7 +43,7 @@ class Builder {
         std::vector<Extents> extents(size / chunk_items + 1);
         share_out(pool, size, chunk_items, [&](std::int32_t first, std::int32_t last) {
             for (ItemBox* e = entries[0] + first; e < entries[0] + last; ++e) {
-                const Bounds box = grown(bounds_of(*e), margin);
+                const QuadBox box = grown(bounds_of(*e), margin);
                 for (int c = 0; c < 3; ++c) e->low[c] = box.low[c], e->high[c] = box.high[c];
                 e->item = static_cast<std::int32_t>(e - entries[0]);
                 extents[first / chunk_items].add(box);
@@ -63,16 +63,16 @@ class Builder {
 
   private:
     struct Task {
-        Part part;
+        BinaryNode part;
         std::size_t node;
         int child;
     };
     ItemBox* entries[2];
     ThreadPool& pool;
     std::vector<Task> tasks;
-    std::deque<std::array<Part, 2>> halves;  // of the parts that a grid cuts
+    std::deque<std::array<BinaryNode, 2>> halves;  // of the parts that a grid cuts
 
-    /// The nodes of all tasks after those at the top.
+    /// Puts the nodes of all tasks behind those at the top.
     void join(std::vector<Node>& top, const std::vector<std::vector<Node>>& below) {
         std::size_t count = top.size();
         std::vector<std::size_t> starts;
@@ -96,24 +96,24 @@ class Builder {
         });
     }
 
-    ItemBox* first_of(const Part& part) const { return entries[part.side] + part.begin; }
-    ItemBox* last_of(const Part& part) const { return entries[part.side] + part.end; }
+    ItemBox* first_of(const BinaryNode& part) const { return entries[part.side] + part.begin; }
+    ItemBox* last_of(const BinaryNode& part) const { return entries[part.side] + part.end; }
 
-    Cut cut_of(const Part& part) const {
+    Cut cut_of(const BinaryNode& part) const {
         if (part.depth >= deepest_cut || part.count() <= 2) return {};
         const int count = bins_for(part.count());
         const BinScale scale(part.extents.middles, Quad{} + static_cast<float>(count));
         Bins bins(count, count, count);
         for (const ItemBox* e = first_of(part); e < last_of(part); ++e) {
-            const Bounds box = bounds_of(*e);
+            const QuadBox box = bounds_of(*e);
             const WholeQuad bin = scale.bins(box);
             for (int axis = 0; axis < 3; ++axis) bins.add(axis, bin[axis], box, 1);
         }
         return best_cut(bins, part.count());
     }
 
-    /// A part whose items and extents are known; if it has few items it may be a leaf.
-    Part finished(Part part) const {
+    /// Completes a part whose items and extents are known: if it has few items it may become a leaf.
+    BinaryNode finished(BinaryNode part) const {
         if (part.count() > leaf_items) return part;
         part.cut = cut_of(part);
         const float area = part.extents.all.half_area(), all = item_cost * static_cast<float>(part.count()) * area;
@@ -125,17 +125,17 @@ class Builder {
         }
         return part;
     }
-    Part part(std::int32_t begin, std::int32_t end, const Part& of) const {
-        Part part{{}, {}, begin, end, of.depth + 1, of.side};
+    BinaryNode part(std::int32_t begin, std::int32_t end, const BinaryNode& of) const {
+        BinaryNode part{{}, {}, begin, end, of.depth + 1, of.side};
         for (const ItemBox* e = first_of(part); e < last_of(part); ++e) part.extents.add(bounds_of(*e));
         return finished(part);
     }
 
-    /// Items before the cut go to the front. What remains of `from` is the part before; the other is returned.
-    Part open(Part& from) {
+    /// Cuts a part in two. `from` becomes the part before the cut; returns the part behind it.
+    BinaryNode open(BinaryNode& from) {
         if (!from.halves && from.count() > shared_items) cut_by_grid(from);
         if (from.halves) {
-            const std::array<Part, 2>& both = *from.halves;
+            const std::array<BinaryNode, 2>& both = *from.halves;
             from = both[0];
             return both[1];
         }
@@ -150,15 +150,15 @@ class Builder {
                 return (e.low[axis] + e.high[axis] - low) * per_bin < bin;
             });
         }
-        const Part left = part(from.begin, at, from), right = part(at, from.end, from);
+        const BinaryNode left = part(from.begin, at, from), right = part(at, from.end, from);
         from = left;
         return right;
     }
 
     /// Moves items for which `before` holds to the front and all others behind them, in the other array: so there is
-    /// no branch, which could not be predicted. Where the others begin.
+    /// no branch, which could not be predicted. Returns where the others begin.
     template <class Before>
-    std::int32_t divide(Part& part, const Before& before) const {
+    std::int32_t divide(BinaryNode& part, const Before& before) const {
         ItemBox* const to = entries[1 - part.side];
         std::int32_t front = part.begin, back = part.end - 1;
         for (const ItemBox* e = first_of(part); e < last_of(part); ++e) {
@@ -171,25 +171,25 @@ class Builder {
     }
 
     /// Cuts a part by the borders of a grid's cells, again and again, before any item moves; then all move at once.
-    /// Where that is no cut, all centres being in one place, it stays as it is.
-    void cut_by_grid(Part& from) {
+    /// If all centres are in one place there is no cut, and the part stays as it is.
+    void cut_by_grid(BinaryNode& from) {
         const Grid grid(from.extents.middles);
         const std::int32_t pieces = 2 * pool.size(), step = (from.count() - 1) / pieces + 1;
-        std::vector<std::vector<Cell>> seen(pieces);
+        std::vector<std::vector<GridCell>> seen(pieces);
         share_out(pool, from.count(), step, [&](std::int32_t first, std::int32_t last) {
-            std::vector<Cell>& cells = seen[first / step];
+            std::vector<GridCell>& cells = seen[first / step];
             cells.resize(grid.cells());
             for (const ItemBox* e = first_of(from) + first; e < first_of(from) + last; ++e) {
-                const Bounds box = bounds_of(*e);
-                Cell& cell = cells[grid.cell(box)];
+                const QuadBox box = bounds_of(*e);
+                GridCell& cell = cells[grid.cell(box)];
                 cell.extents.add(box), ++cell.count;
             }
         });
-        std::vector<Cell> cells = seen[0];
+        std::vector<GridCell> cells = seen[0];
         for (std::int32_t p = 1; p < pieces; ++p)
             for (std::size_t c = 0; c < seen[p].size(); ++c)
                 cells[c].extents.add(seen[p][c].extents), cells[c].count += seen[p][c].count;
-        std::vector<Part*> ends;
+        std::vector<BinaryNode*> ends;
         cut_cells(from, grid, grid.all, cells, ends);
         if (!from.halves) return;
         // The items of a cell come one after the other, piece by piece.
@@ -197,20 +197,20 @@ class Builder {
             for (std::int32_t p = 0, at = cells[c].count; p < pieces; ++p)
                 if (!seen[p].empty()) at += std::exchange(seen[p][c].count, at);
         share_out(pool, from.count(), step, [&](std::int32_t first, std::int32_t last) {
-            std::vector<Cell>& own = seen[first / step];
+            std::vector<GridCell>& own = seen[first / step];
             for (const ItemBox* e = first_of(from) + first; e < first_of(from) + last; ++e)
                 entries[1 - from.side][own[grid.cell(bounds_of(*e))].count++] = *e;
         });
-        for (Part* const end : ends) {
+        for (BinaryNode* const end : ends) {
             end->side = 1 - from.side;
             *end = finished(*end);
         }
     }
 
-    /// Cuts a part that consists of a range of cells. In cells of `ends`, which are not cut any more, counts become
-    /// places of the first items.
-    void cut_cells(Part& part, const Grid& grid, const CellRange& range, std::vector<Cell>& cells,
-                   std::vector<Part*>& ends) {
+    /// Cuts a part that consists of a range of cells, again and again. In the cells of parts that are not cut further,
+    /// which are added to `ends`, counts become the places of the first items.
+    void cut_cells(BinaryNode& part, const Grid& grid, const CellRange& range, std::vector<GridCell>& cells,
+                   std::vector<BinaryNode*>& ends) {
         Bins bins(range.size(0), range.size(1), range.size(2));
         part.extents = {};
         range.each(grid.shift, [&](int c, const int(&at)[3]) {
@@ -229,8 +229,8 @@ class Builder {
         }
         std::int32_t at = part.begin;
         for (int b = 0; b < cut.bin; ++b) at += bins.count[cut.axis][b];
-        auto& both = halves.emplace_back(
-            std::array{Part{{}, {}, part.begin, at, part.depth + 1}, Part{{}, {}, at, part.end, part.depth + 1}});
+        auto& both = halves.emplace_back(std::array{BinaryNode{{}, {}, part.begin, at, part.depth + 1},
+                                                    BinaryNode{{}, {}, at, part.end, part.depth + 1}});
         part.halves = &both;
         CellRange left = range, right = range;
         left.high[cut.axis] = right.low[cut.axis] = range.low[cut.axis] + cut.bin;
@@ -239,13 +239,13 @@ class Builder {
     }
 
     /// Makes a wide node and what is below it; or if others can do that, leaves them tasks.
-    std::int32_t node(const Part& root, std::vector<Node>& nodes, bool shared) {
+    std::int32_t node(const BinaryNode& root, std::vector<Node>& nodes, bool shared) {
         const std::size_t index = nodes.size();
         nodes.emplace_back();
-        Part parts[Node::width];
+        BinaryNode parts[Node::width];
         float areas[Node::width];  // of those that can be opened
         int order[Node::width]{};  // that of their items
-        const auto put = [&](int i, const Part& part) {
+        const auto put = [&](int i, const BinaryNode& part) {
             parts[i] = part;
             areas[i] = part.leaf ? -1 : part.extents.all.half_area();
         };
@@ -256,8 +256,8 @@ class Builder {
             for (int i = 1; i < count; ++i)
                 if (areas[order[i]] > areas[order[largest]]) largest = i;
             if (areas[order[largest]] < 0) break;
-            Part& left = parts[order[largest]];
-            const Part right = open(left);
+            BinaryNode& left = parts[order[largest]];
+            const BinaryNode right = open(left);
             put(order[largest], left), put(count, right);
             std::copy_backward(order + largest + 1, order + count, order + count + 1);
             order[largest + 1] = count;
@@ -265,7 +265,7 @@ class Builder {
         Node node{};
         node.children = count;
         for (int i = 0; i < node.children; ++i) {
-            const Part& child = parts[order[i]];
+            const BinaryNode& child = parts[order[i]];
             for (int c = 0; c < 3; ++c)
                 node.low[c][i] = child.extents.all.low[c], node.high[c][i] = child.extents.all.high[c];
             if (child.leaf) {
@@ -286,7 +286,7 @@ class Builder {
 }  // namespace
 
 Hierarchy build_hierarchy(Buffer<ItemBox> boxes, std::int32_t size, double margin, ThreadPool& pool) {
-    return std::move(Builder(std::move(boxes), size, margin, pool).result);
+    return std::move(HierarchyBuilder(std::move(boxes), size, margin, pool).result);
 }
 
 }  // namespace strahl

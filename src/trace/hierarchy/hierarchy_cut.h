@@ -1,4 +1,4 @@
-// Where to cut a range of items in two: boxes in bins, and the surface area heuristic.
+// Finds where to cut a range of items in two, by the surface area heuristic on boxes in bins.
 #pragma once
 #include <bit>
 #include <cmath>
@@ -15,10 +15,10 @@ inline constexpr float infinity = std::numeric_limits<float>::infinity();
 
 using WholeQuad [[gnu::vector_size(16)]] = std::int32_t;
 
-struct Bounds {
+struct QuadBox {
     Quad low, high;  // coordinates x, y, z, and something that does not matter
 
-    void add(const Bounds& b) { low = minimum(low, b.low), high = maximum(high, b.high); }
+    void add(const QuadBox& b) { low = minimum(low, b.low), high = maximum(high, b.high); }
     void add(Quad point) { low = minimum(low, point), high = maximum(high, point); }
     float half_area() const {
         const Quad size = maximum(high - low, Quad{}), area = size * __builtin_shufflevector(size, size, 1, 2, 0, 3);
@@ -26,12 +26,12 @@ struct Bounds {
     }
     Quad middle() const { return low + high; }  // twice the centre
 };
-inline const Bounds nothing{Quad{} + infinity, Quad{} - infinity};
-inline Bounds bounds_of(const ItemBox& box) { return std::bit_cast<Bounds>(box); }
+inline const QuadBox nothing{Quad{} + infinity, Quad{} - infinity};
+inline QuadBox bounds_of(const ItemBox& box) { return std::bit_cast<QuadBox>(box); }
 
-/// With a margin, and with what rounding cost: half a unit in the last place was lost when the corner was rounded, and
-/// half a one is lost here. The smallest floats have few places.
-inline Bounds grown(const Bounds& box, double margin) {
+/// Returns the box grown by a margin and by the loss of rounding: half a unit in the last place when its corners were
+/// rounded, and half a unit here. The smallest normal number is added because denormal floats have fewer places.
+inline QuadBox grown(const QuadBox& box, double margin) {
     const Quad grow = Quad{} + (static_cast<float>(margin) + std::numeric_limits<float>::min()),
                units = Quad{} + 0x1p-22f;
     return {box.low - (grow + maximum(box.low, -box.low) * units),
@@ -40,39 +40,39 @@ inline Bounds grown(const Bounds& box, double margin) {
 
 inline constexpr float item_cost = .25f;  // of that of a binary node
 
-/// Of a range of boxes: one around them, and one around their centres.
+/// A box around a range of boxes, and one around their centres.
 struct Extents {
-    Bounds all = nothing, middles = nothing;
+    QuadBox all = nothing, middles = nothing;
     void add(const Extents& e) { all.add(e.all), middles.add(e.middles); }
-    void add(const Bounds& box) { all.add(box), middles.add(box.middle()); }
+    void add(const QuadBox& box) { all.add(box), middles.add(box.middle()); }
 };
 
-/// Bins for so many items: an empty one costs as much as a full one.
+/// Returns how many bins so many items want: an empty bin costs as much as a full one.
 inline int bins_for(std::int32_t count) { return count <= 16 ? 4 : count <= 64 ? 8 : most_bins; }
 
-/// How far along the bins of each axis a box's centre is.
+/// Computes how far along the bins of each axis a box's centre is.
 struct BinScale {
     Quad from, per_bin, last;
-    BinScale(const Bounds& middles, Quad bins) : from(middles.low), per_bin(bins), last(bins - 1) {
+    BinScale(const QuadBox& middles, Quad bins) : from(middles.low), per_bin(bins), last(bins - 1) {
         per_bin /= middles.high - middles.low;
         for (int i = 0; i < 3; ++i)
             if (!std::isfinite(per_bin[i])) per_bin[i] = 0;
     }
-    Quad operator()(const Bounds& box) const { return minimum((box.middle() - from) * per_bin, last); }
-    WholeQuad bins(const Bounds& box) const { return __builtin_convertvector((*this)(box), WholeQuad); }
+    Quad operator()(const QuadBox& box) const { return minimum((box.middle() - from) * per_bin, last); }
+    WholeQuad bins(const QuadBox& box) const { return __builtin_convertvector((*this)(box), WholeQuad); }
 };
 
-/// What is in each bin of an axis: count boxes, and one around them.
+/// The number of boxes in each bin of each axis, and a box around them.
 struct Bins {
     int bins[3];
-    Bounds box[3][most_bins];
+    QuadBox box[3][most_bins];
     std::int32_t count[3][most_bins];
 
     Bins(int x, int y, int z) : bins{x, y, z} {
         for (int axis = 0; axis < 3; ++axis)
             for (int b = 0; b < bins[axis]; ++b) box[axis][b] = nothing, count[axis][b] = 0;
     }
-    void add(int axis, int bin, const Bounds& more, std::int32_t items) {
+    void add(int axis, int bin, const QuadBox& more, std::int32_t items) {
         box[axis][bin].add(more), count[axis][bin] += items;
     }
 };
@@ -89,7 +89,7 @@ inline Cut best_cut(const Bins& in, std::int32_t count) {
     Cut best;
     for (int axis = 0; axis < 3; ++axis) {
         float cost_left[most_bins];
-        Bounds sum = nothing;
+        QuadBox sum = nothing;
         std::int32_t n = 0;
         for (int b = 0; b + 1 < in.bins[axis]; ++b) {
             sum.add(in.box[axis][b]), n += in.count[axis][b];

@@ -1,11 +1,11 @@
-// Many boxes are cut by the cells of a grid: each box is looked at once, instead of once for every cut.
+// Cuts many boxes by the cells of a grid: each box is looked at once, instead of once for every cut.
 #pragma once
 #include "trace/hierarchy/hierarchy_cut.h"
 
 namespace strahl::hierarchy_cut {
 
 /// The boxes whose centres are in a cell.
-struct Cell {
+struct GridCell {
     Extents extents;
     std::int32_t count = 0;
 };
@@ -16,7 +16,7 @@ struct CellRange {
     int size(int axis) const { return high[axis] - low[axis]; }
     int cells() const { return size(0) * size(1) * size(2); }
 
-    /// act(the cell's number, its coordinates)
+    /// Calls act(number, coordinates) for each cell.
     template <class Act>
     void each(const int (&shift)[3], const Act& act) const {
         int at[3];
@@ -30,8 +30,8 @@ struct CellRange {
 class Grid {
   public:
     static constexpr int most_cells = 4096;
-    /// Of boxes whose centres have such extents.
-    explicit Grid(const Bounds& middles) : scale(middles, Quad{}) {
+    /// Divides the box around the centres of all boxes.
+    explicit Grid(const QuadBox& middles) : scale(middles, Quad{}) {
         int log[3]{};
         const Quad size = middles.high - middles.low;
         for (int cells = 2; cells <= most_cells; cells *= 2) {
@@ -53,7 +53,7 @@ class Grid {
         scale = BinScale(middles, bins);
     }
     int cells() const { return all.cells(); }
-    int cell(const Bounds& box) const {
+    int cell(const QuadBox& box) const {
         const WholeQuad at = scale.bins(box);
         return at[0] | at[1] << shift[1] | at[2] << shift[2];
     }

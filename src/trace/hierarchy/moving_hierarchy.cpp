@@ -14,21 +14,21 @@ using namespace hierarchy_cut;
 constexpr double most_growth = 1.25;    // of the cost
 constexpr std::int32_t share_nodes = 64;  // a thread's piece of work
 
-Bounds child_bounds(const Node& node, int child) {
-    Bounds box = nothing;
+QuadBox child_bounds(const Node& node, int child) {
+    QuadBox box = nothing;
     for (int c = 0; c < 3; ++c) box.low[c] = node.low[c][child], box.high[c] = node.high[c][child];
     return box;
 }
-void set_bounds(Node& node, int child, const Bounds& box) {
+void set_bounds(Node& node, int child, const QuadBox& box) {
     for (int c = 0; c < 3; ++c) node.low[c][child] = box.low[c], node.high[c][child] = box.high[c];
 }
-Bounds bounds_of(const Node& node) {
-    Bounds box = nothing;
+QuadBox bounds_of(const Node& node) {
+    QuadBox box = nothing;
     for (int child = 0; child < node.children; ++child) box.add(child_bounds(node, child));
     return box;
 }
 
-/// What a ray through the root's box is expected to test.
+/// Returns the cost of the tests that a ray through the root's box is expected to make.
 double cost_of(const Hierarchy& hierarchy) {
     double sum = 0;
     for (std::int32_t n = 0; n < hierarchy.size; ++n) {
@@ -46,14 +46,14 @@ Hierarchy copy(const Hierarchy& from, std::int32_t items) {
     return to;
 }
 
-/// Leaves first, by all threads; then what is above them, whose children have higher numbers.
+/// Fits the boxes of leaves, by all threads, and then the boxes above them: children have higher numbers than parents.
 void fit_boxes(Hierarchy& hierarchy, const ItemBox* boxes, double margin, ThreadPool& pool) {
     share_out(pool, hierarchy.size, share_nodes, [&](std::int32_t first, std::int32_t last) {
         for (std::int32_t n = first; n < last; ++n) {
             Node& node = hierarchy.nodes[n];
             for (int child = 0; child < node.children; ++child) {
                 const std::int32_t* const items = &hierarchy.order[node.first[child]];
-                Bounds box = nothing;
+                QuadBox box = nothing;
                 for (int i = 0; i < LeafCode::items(node.leaves[child]); ++i)
                     box.add(grown(hierarchy_cut::bounds_of(boxes[items[i]]), margin));
                 if (node.leaves[child] != 0) set_bounds(node, child, box);

@@ -12,8 +12,8 @@ namespace strahl {
 /// divided; the order of the leaves does.
 class MovingHierarchy {
   public:
-    /// As build_hierarchy. `starts` are where the items of each form begin; where they differ from those of the last
-    /// time, the hierarchy is built anew.
+    /// Does what build_hierarchy does. `starts` are where the items of each form begin; if they differ from those of
+    /// the last time, the hierarchy is built anew.
     Hierarchy fit(Buffer<ItemBox> boxes, std::span<const std::int32_t> starts, double margin, ThreadPool& pool);
 
   private:

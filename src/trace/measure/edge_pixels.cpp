@@ -35,7 +35,8 @@ struct Line {
         const std::vector<double> value = values_of(tracer, moved, pixel, pool, {.grid = 1}, stop);
         return {std::clamp(value[0], 0., 1.), std::clamp(value[1], 0., 1.), std::clamp(value[2], 0., 1.)};
     }
-    /// What varies smoothly becomes less than a step when looked at closely; a jump does not.
+    /// Returns whether the picture jumps between a and b: smooth differences fall below a step when halved again and
+    /// again, jumps do not.
     bool jumps(double a, const Sample& at_a, double b, const Sample& at_b) const {
         if (apart(at_a, at_b) <= step || (stop && *stop)) return false;
         if (b - a < 1e-5 * radius) return true;

@@ -1,4 +1,4 @@
-// Edges of a picture: where rounding may decide what is seen.
+// Finds edges of a picture, where rounding may decide what is seen.
 #pragma once
 #include <atomic>
 
@@ -6,10 +6,10 @@
 
 namespace strahl {
 
-/// Does the picture jump within `radius` pixels of this pixel's sampling point: another body, another shadow, another
-/// history of bounces? Eight lines from there are searched, and where the picture, clamped to [0, 1], changes by more
-/// than `step`, they are halved until the change has gone or its place is known. Light that varies fast is no edge.
-/// Once `stop` is true it ends at once, and says what it likes.
+/// Returns whether the picture jumps within `radius` pixels of this pixel's sampling point: to another body, another
+/// shadow, another history of bounces. Eight lines from there are searched, and where the picture, clamped to [0, 1],
+/// changes by more than `step`, they are halved until the change is gone or its place is known. Light that varies fast
+/// is no edge. Once `stop` is true it returns at once, and the result means nothing.
 bool on_edge(Tracer& tracer, const View& view, ThreadPool& pool, int x, int y, double radius, double step,
              const std::atomic<bool>* stop = nullptr);
 

@@ -1,4 +1,4 @@
-// The least work for a picture that may be off by so much.
+// Chooses how to trace with the least work a picture that may be off by a given error.
 #pragma once
 #include <optional>
 
@@ -6,9 +6,8 @@
 
 namespace strahl {
 
-/// How to trace, and what that leaves out of the exact picture, off the edges (see edge_pixels.h). Values are per channel.
-/// Generations past `depth` are left out too; how much light they could have brought is known when the picture is
-/// traced (Counts::past).
+/// Settings for tracing, and the errors off edges (see edge_pixels.h) that they lead to, per channel. Generations past
+/// `depth` are left out too; how much light they could have brought is known when the picture is traced (Counts::past).
 struct Accuracy {
     Precision precision = Precision::float64;
     int depth = 20;
@@ -16,11 +15,11 @@ struct Accuracy {
     std::optional<double> rounding{};  // measured on a sample of the pixels; none if nothing depended on it
 };
 
-/// Everything, or with `error` only what is needed: dropped rays add up to half of it at most, and rounding is measured
-/// by tracing about a thousand pixels in float and in double; float is chosen if that stays below a sixteenth of the
-/// error, and double's is taken for float's scaled by the ratio of their last bits. The depth is the scene's, since
-/// among bodies that lose no light no depth is enough, and rays multiply without end. A `depth` or `precision` that is
-/// given stays.
+/// Chooses settings for an error; if it is 0 nothing is left out. Dropped rays add up to half of the error at most.
+/// Rounding is measured by tracing about a thousand pixels in float and in double: float is chosen if its rounding
+/// stays below a sixteenth of the error, and that of double is taken for float's, scaled by the ratio of their last
+/// bits. The depth is the scene's, because among bodies that lose no light no depth is enough, and rays multiply
+/// without end. A `depth` or `precision` that is given stays.
 Accuracy choose_accuracy(const Scene& scene, const View& view, double error, std::optional<Precision> precision,
                          std::optional<int> depth, ThreadPool& pool, Simd simd = Simd::automatic);
 

@@ -1,4 +1,4 @@
-// Where a picture depends on the precision it is traced in.
+// Finds the pixels of a picture that depend on the precision it is traced in.
 #pragma once
 #include <array>
 #include <functional>
@@ -13,18 +13,18 @@ namespace strahl {
 /// file, and which way that is rounded says nothing about how a picture was traced. A 257th of such a step.
 inline constexpr double rounding_tie = 1. / 65535;
 
-/// Of a pixel: traced in float, double and long double, its codes are the same, or differ by a rounding tie; or float's
-/// differ from long double's; or even double's do.
+/// The agreement of the codes of a pixel that is traced in float, double and long double: all are the same or differ by
+/// a rounding tie; or float's differ from long double's; or even double's do.
 enum class Agreement { all, not_float32, not_float64 };
 
-/// A scene in all three precisions.
+/// Traces a scene in all three precisions.
 class Agreements {
   public:
-    /// `code` makes of a value what the file or screen holds.
+    /// `code` converts a value to the number that the file or screen holds.
     Agreements(const Scene& scene, int threads, std::function<int(double)> code);
 
-    /// Every pixel of the lattice (steps of 1), row by row. If `shown` is given it gets the values in double. Nothing
-    /// if `stop` became true.
+    /// Traces a lattice with steps of 1. Returns the agreement of every pixel, row by row, or nothing if `stop` became
+    /// true. If `shown` is given it gets the values in double.
     std::vector<Agreement> of(const View& view, const Lattice& lattice, std::vector<double>* shown = nullptr,
                               const std::atomic<bool>* stop = nullptr);
 

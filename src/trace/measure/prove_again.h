@@ -1,4 +1,4 @@
-// Proofs of what is undecided, more closely.
+// Traces pixels again that proofs left undecided.
 #pragma once
 #include <functional>
 #include <span>
@@ -8,8 +8,8 @@
 namespace strahl {
 
 /// Traces pixels again with bounds. `decides`, called from any thread, gets them one by one in place of the job's sink
-/// and tells whether that decides it. Where it hardly ever does, which pixels from all over tell, the others are left:
-/// what proofs do not know is unknown in every precision.
+/// and tells whether that decides it. A sample of the pixels comes first: if it decides hardly any, the others are
+/// left, because what proofs do not know is unknown in every precision.
 Counts prove_again(Tracer& tracer, Job job, std::span<const Pixel> pixels,
                    const std::function<bool(const Tile&)>& decides);
 

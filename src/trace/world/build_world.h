@@ -1,4 +1,4 @@
-// From Scene to World.
+// Builds a World from a Scene.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -13,7 +13,7 @@ class ThreadPool;
 class MovingHierarchy;
 class Images;
 
-/// Where a world's coordinates start and how long its unit is: world = (scene - origin) * scale. The scale is a power
+/// The origin and the unit of a world's coordinates: world = (scene - origin) * scale. The scale is a power
 /// of two and the origin on a coarse grid, so that both are exact wherever numbers are of a sane size.
 struct Placement {
     DVec3 origin{0};
@@ -21,17 +21,18 @@ struct Placement {
     bool operator==(const Placement&) const = default;
 };
 
-/// Where a scene's shapes mostly are. Outliers, huge ground spheres say, do not count.
+/// The region that most shapes of a scene are in. Outliers such as huge ground spheres do not count.
 struct Extent {
     DVec3 centre{0};
     double size = 1;
 };
 Extent extent_of(const Scene& scene);
 
-/// The same for all cameras near the scene; for one far off it follows from the camera's position alone.
+/// Returns the placement for a camera. It is the same for all cameras near the scene, and depends for one far off on
+/// its position alone.
 Placement placement(const Extent& extent, const DVec3& camera);
 
-/// How many surfaces the bodies have in all.
+/// Returns how many surfaces the bodies have in all.
 std::int64_t surfaces_of(const Scene& scene);
 /// Throws FileError if these are more than T can number.
 template <class T>
@@ -44,13 +45,13 @@ struct WorldArrays;
 template <class T>
 class BuiltWorld {
   public:
-    /// `moving` and `images` are what was kept of the same scene at other moments. For proofs a world in long double is
-    /// made in long double, see extended_numbers.h.
+    /// `moving` and `images` keep what the same scene has at all moments. For proofs a world in long double is computed
+    /// in long double, see extended_numbers.h.
     BuiltWorld(const Scene& scene, const Placement& placement, ThreadPool& pool, MovingHierarchy* moving = nullptr,
                const std::shared_ptr<Images>& images = nullptr, bool proves = false);
     ~BuiltWorld();
     const World<T>& world() const;
-    /// Transparent bodies, by surface number, that hold a point of the scene, in the order declared.
+    /// Returns the surface numbers of the transparent bodies that a point of the scene is in, in the order declared.
     std::vector<int> bodies_around(const DVec3& point) const;
 
   private:

@@ -1,4 +1,4 @@
-// Bodies declared twice in the same place.
+// Finds bodies declared twice in the same place.
 #pragma once
 #include <algorithm>
 #include <bit>
@@ -11,9 +11,9 @@
 
 namespace strahl {
 
-/// Items with the numbers of an earlier one, ascending: of bodies in the same place the first declared is seen, and
-/// rays that start on it would meet its duplicate a rounding error before or behind. Item i is at items[i * stride],
-/// and its first `size` numbers count.
+/// Returns the items that have the same numbers as an earlier one, ascending: of bodies in the same place the first
+/// declared is seen, and rays that start on it would meet its duplicate a rounding error before or behind. Item i is at
+/// items[i * stride], and its first `size` numbers count.
 ///
 /// Each item has a bit by its numbers, in a table that stays in the cache; only those that share one are compared.
 template <class T>

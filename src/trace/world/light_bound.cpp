@@ -13,7 +13,7 @@ namespace {
 
 double largest(const Color& c) { return std::max({std::abs(c.x), std::abs(c.y), std::abs(c.z)}); }
 
-/// How often a line crosses a shape at most.
+/// Returns how often a line crosses a shape at most.
 double most_crossings(const Shape& shape) {
     return std::visit(
         []<class Kind>(const Kind& kind) -> double {
@@ -25,7 +25,7 @@ double most_crossings(const Shape& shape) {
         shape);
 }
 
-/// Most by which the bodies on its way can multiply a light: glass of a colour above 1 brightens it.
+/// Returns by how much the bodies on its way can multiply a light at most: glass of a colour above 1 brightens it.
 double gain(const Scene& scene) {
     const auto filter = [](const Material& m) { return m.refraction * largest(m.rgb.color); };
     double product = 1;

@@ -1,4 +1,4 @@
-// How much light a ray can still bring, and so what need not be traced.
+// Bounds the light that a ray can still bring, so that weak rays need not be traced.
 #pragma once
 #include <vector>
 
@@ -6,17 +6,17 @@
 
 namespace strahl {
 
-/// The most that any ray of the scene can bring, in any channel.
+/// The most light that any ray of the scene can bring, in any channel.
 struct Bound {
     std::vector<double> brightest;  // [n]: with n generations to come, its own hit the first
     double limit;                   // with any number of them; infinite where no bound exists
     double gain;                    // by which bodies on its way can multiply a light; at least 1
 };
-/// For up to `depth` generations. Values may be infinite.
+/// Computes bounds for up to `depth` generations. Values may be infinite.
 Bound bound_for(const Scene& scene, int depth);
 
-/// By material: the most light of all light sources together that a surface sends on other than by reflection and
-/// refraction, highlights left out unless they are fainter than what it scatters.
+/// Returns for each material the most light of all light sources together that a surface sends on other than by
+/// reflection and refraction, without highlights unless these are fainter than what it scatters.
 std::vector<double> scattered_light(const Scene& scene);
 
 }  // namespace strahl

@@ -7,12 +7,12 @@
 namespace strahl {
 namespace {
 
-/// How far in front of a plane a point is.
+/// Returns how far in front of a plane a point is.
 double height(const BoundingVolume& plane, const DVec3& point) {
     return dot_product(plane.normal, point) - plane.distance;
 }
 
-/// Is the whole ball on the light's side of the plane, or on the other (side -1)?
+/// Returns whether the whole ball is on the light's side of the plane (side 1) or on the other (side -1).
 bool beside(const BoundingVolume& plane, const Ball& ball, const LightPlace& light, double margin, int side) {
     const double own = height(plane, ball.centre);
     const double lights = light.parallel ? dot_product(plane.normal, light.point) : height(plane, light.point);
@@ -21,7 +21,7 @@ bool beside(const BoundingVolume& plane, const Ball& ball, const LightPlace& lig
     return side * (lights > 0 ? own : -own) > ball.radius + margin;
 }
 
-/// Does a ball certainly not reach into what lies between the light and another ball?
+/// Returns whether a ball certainly does not reach between the light and another ball.
 bool apart(const Ball& other, const Ball& lit, const LightPlace& light, double margin) {
     if (light.parallel) {
         const DVec3 way = other.centre - lit.centre;
@@ -36,7 +36,7 @@ bool apart(const Ball& other, const Ball& lit, const LightPlace& light, double m
     return between > std::asin(r / d) + std::asin(s / e) + 1e-6;
 }
 
-/// Does the plane certainly not cross the body?
+/// Returns whether the plane certainly does not cross the body.
 bool clear_of(const BoundingVolume& plane, const BoundingVolume& body, double margin) {
     double reach = 0;  // of the box, along the normal
     for (int c = 0; c < 3; ++c) reach += std::abs(plane.normal[c]) * body.box.size()[c] / 2;

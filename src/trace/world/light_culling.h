@@ -1,4 +1,4 @@
-// Which of few bodies can be seen from a point, or be between a light and a body.
+// Finds which of few bodies can be between a light and a body, and how lights see them.
 #pragma once
 #include <algorithm>
 #include <limits>
@@ -9,7 +9,7 @@
 
 namespace strahl {
 
-/// Of the numbers of what culls: they are rounded to T, and made in double.
+/// The rounding unit of numbers used for culling, which are computed in double and rounded to T.
 template <class T>
 inline constexpr double culling_unit = static_cast<double>(
     std::max<long double>(std::numeric_limits<T>::epsilon(), std::numeric_limits<double>::epsilon()));
@@ -23,21 +23,21 @@ struct BoundingVolume {
     double distance = 0;
 };
 
-/// Where a light is; of parallel light the unit direction towards it.
+/// The place of a light, or the unit direction towards parallel light.
 struct LightPlace {
     DVec3 point{0};
     bool parallel = false;
 };
 
-/// The body as seen from a light. Nothing of it is outside the cone, by more than coordinates may be off (`margin`).
+/// Returns a cone in which a light sees the body, whose coordinates may be off by `margin`.
 template <class T>
 LightCone<T> cone_of(const BoundingVolume& body, const LightPlace& light, double margin);
 
-/// The bodies that may be between a light and points of bodies[body], itself included unless it is a plane.
+/// Returns the bodies that may be between a light and points of bodies[body], itself included unless it is a plane.
 BodySet occluders_of(const std::vector<BoundingVolume>& bodies, std::size_t body, const LightPlace& light,
                      double margin);
 
-/// Is bodies[body] bounded and apart from all others, planes not crossing it either?
+/// Returns whether bodies[body] is bounded and apart from all others, and no plane crosses it.
 bool isolated(const std::vector<BoundingVolume>& bodies, std::size_t body, double margin);
 
 }  // namespace strahl

@@ -6,10 +6,10 @@
 namespace strahl {
 namespace {
 
-/// Linear light from a value that is sRGB-encoded (IEC 61966-2-1).
+/// Returns the linear light of an sRGB-encoded value (IEC 61966-2-1).
 float decoded(float v) { return static_cast<float>(v <= .04045 ? v / 12.92 : std::pow((v + .055) / 1.055, 2.4)); }
 
-/// Which of `size` pixels side by side pixel `i` of `smaller` ones covers, and how much of each: shares of 1.
+/// The pixels, of `size` side by side, that pixel `i` of `smaller` ones covers, and its share of 1 in each.
 struct Covered {
     std::int32_t first, count = 0;
     double shares[4];

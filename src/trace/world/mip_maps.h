@@ -1,4 +1,4 @@
-// The pictures of a scene as kernels want them: in linear light where the scene declares that, and at smaller sizes.
+// Prepares the pictures of a scene for kernels: in linear light where the scene declares that, and at smaller sizes.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -15,7 +15,7 @@ namespace strahl {
 /// pictures one pixel high or wide as many as these.
 class MipMap {
   public:
-    /// Three values for each pixel, which the map refers to.
+    /// `values` has three values for each pixel; the map refers to them.
     MipMap(const float* values, std::int32_t width, std::int32_t height);
     MipMapKernel kernel() const { return {levels.data(), static_cast<std::int32_t>(levels.size())}; }
 
@@ -24,7 +24,7 @@ class MipMap {
     std::vector<MipLevel> levels;
 };
 
-/// Kept from moment to moment of a scene that moves.
+/// The pictures of a scene, kept from moment to moment if it moves.
 class Images {
   public:
     /// Pixels in linear light if `linear`, else as they are.
@@ -32,10 +32,10 @@ class Images {
         std::shared_ptr<const Pixels> given, own;
         bool linear, colors;
     };
-    /// The number of an image. Mip maps are made of those that are there for their colours.
+    /// Adds an image unless it is there, and returns its number. Mip maps are made of images used for their colours.
     int add(const std::shared_ptr<const Pixels>& pixels, bool linear, bool colors);
     const Image& operator[](int number) const { return images[number]; }
-    /// By number; null if no image is there for its colours. Made when first asked for.
+    /// Returns mip maps by number, made when first asked for; null if no image is used for its colours.
     const MipMapKernel* mip_maps();
 
   private:

@@ -1,4 +1,4 @@
-// Patterns become kernels in the spaces of bodies.
+// Makes kernels of patterns in the spaces of bodies.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -15,8 +15,8 @@ namespace strahl {
 template <class T>
 constexpr double border = std::max(1e-10, 0x1p6 * static_cast<double>(std::numeric_limits<T>::epsilon()));
 
-/// What is special about a kind: how the pattern's own space becomes the kernel's, whose coordinates may be shifted by
-/// `period` (0 where they may not).
+/// Finds for each kind of pattern how its own space becomes the kernel's, whose coordinates may be shifted by `period`
+/// (0 where they may not).
 template <class T>
 struct KernelSpace {
     PatternKernel<T>& kernel;
@@ -70,7 +70,7 @@ struct KernelSpace {
         if (image.once || image.map == ImageMap::spherical) return;
         period = image.map == ImageMap::cylindrical ? DVec3(0, 0, 1) : DVec3(1, 1, 0);
     }
-    /// Does the sum repeat itself as the noise does?
+    /// Takes the numbers of a sum of noises. Returns whether the sum repeats itself as noise does.
     bool sum(const Octaves& octaves, double turbulence) {
         kernel.turbulence = static_cast<T>(turbulence);
         kernel.octaves = static_cast<std::int32_t>(octaves.octaves);
@@ -82,12 +82,12 @@ struct KernelSpace {
 inline const ImagePattern* image_of(const std::shared_ptr<const Pattern>& pattern) {
     return pattern ? std::get_if<ImagePattern>(&pattern->kind) : nullptr;
 }
-/// What takes the pattern's own space into the world, or to where its body is by uv.
+/// Returns the matrix from the pattern's own space into the world, or to the places by uv.
 inline glm::dmat4 matrix_of(const Pattern& pattern, const glm::dmat4& to_world) {
     const glm::dmat4 own = matrix(pattern.transformations);
     return pattern.by_uv ? own : to_world * own;
 }
-/// The kernel of a pattern whose body's `to_world` is given, but for its stops, its pixels and its material.
+/// Returns the kernel of a pattern whose body has the matrix `to_world`, without its stops, pixels and material.
 template <class T>
 PatternKernel<T> kernel_of(const Pattern& pattern, const glm::dmat4& to_world, const Placement& world) {
     PatternKernel<T> kernel{};
@@ -107,8 +107,8 @@ PatternKernel<T> kernel_of(const Pattern& pattern, const glm::dmat4& to_world, c
     return kernel;
 }
 
-/// Tells proofs how far a kernel is off. `body` takes the body that has the pattern into the world, if it matters. The
-/// first one decides about the numbers of kernels in long double.
+/// Notes for proofs how far a kernel is off. `body` takes the body that has the pattern into the world, if that
+/// matters. The first call for a kernel sets its numbers if it is in long double.
 template <class T>
 void compare(const Pattern& pattern, const std::vector<Transformation>& body, const Placement& placement, bool first,
              PatternKernel<T>& kernel) {
@@ -126,7 +126,7 @@ void compare(const Pattern& pattern, const std::vector<Transformation>& body, co
         kernel.slack.moved = std::max(before.moved, kernel.slack.moved);
     }
 }
-/// The same of what bends the normals of a material.
+/// Does the same for a kernel that bends normals.
 template <class T>
 void compare(const Material& material, const std::vector<Transformation>& body, const Placement& placement, bool first,
              BendKernel<T>& kernel);

@@ -1,4 +1,4 @@
-// Where a world's coordinates start and how long its unit is.
+// Chooses the origin and the unit of a world's coordinates.
 #include <algorithm>
 #include <cmath>
 
@@ -9,7 +9,7 @@
 namespace strahl {
 namespace {
 
-/// How far bodies and lights reach from a point.
+/// Returns how far bodies and lights reach from a point.
 double reach_from(const DVec3& point, const Scene& scene) {
     double most = 0;
     for (const Primitive& primitive : scene.primitives) most = std::max(most, reach_from(point, primitive));
@@ -44,7 +44,7 @@ Extent extent_of(const Scene& scene) {
         spread = std::max(spread, quantile(along[c], 3) - quantile(along[c], 1));
     }
     // Boxes of bodies below the last bit of where they are have no size. What is smaller than this share of the way to
-    // the scene's camera can't be seen from there, and with such a unit that way would leave the range of float.
+    // the scene's camera cannot be seen from there, and with such a unit that way would leave the range of float.
     constexpr double least_share = 0x1p-40;
     const Camera& camera = scene.camera;
     const double way = std::max(length(camera.position - extent.centre), length(camera.position - camera.look_at));

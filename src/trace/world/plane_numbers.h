@@ -1,4 +1,4 @@
-// The planes that faces of a composite's parts lie in, by numbers that are equal for all in one plane.
+// Gives the planes that faces of a composite's parts lie in numbers that are equal for all faces in one plane.
 #pragma once
 #include <functional>
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace strahl {
 
-/// The plane that a face lies in, with its normal out of the body; nothing for a curved face.
+/// Returns the plane that a face lies in, with its normal out of the body; nothing for a curved face.
 inline std::optional<HalfSpace> plane_of(const Plane& plane, int) { return HalfSpace{plane.a, plane.normal()}; }
 template <class Kind>
 std::optional<HalfSpace> plane_of_ends(const Kind& body, int face) {
@@ -33,7 +33,7 @@ inline HalfSpace moved(const HalfSpace& space, const glm::dmat4& m) {
     return {transform_point(m, space.point), normalize(glm::transpose(glm::inverse(glm::dmat3(m))) * space.normal)};
 }
 
-/// A plane by numbers that are the same for all who lie in it, whichever side they are on.
+/// A plane as numbers that are the same for all faces in it, whichever side they are on.
 struct PlaneNumbers {
     DVec3 normal;
     double distance, side;  // side is 1 if the normal is that of the half-space, else -1
@@ -54,7 +54,7 @@ struct PlaneNumbers {
     };
 };
 
-/// The plane of a triangle, its corners moved.
+/// Returns the plane of a triangle whose corners are transformed.
 inline HalfSpace plane_of_triangle(const MeshData& mesh, const MeshData::Corners& corners, const glm::dmat4& m) {
     const auto point = [&](int k) { return transform_point(m, mesh.points[corners[k]]); };
     const DVec3 a = point(0);

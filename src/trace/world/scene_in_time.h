@@ -1,4 +1,4 @@
-// A scene whose bodies and lights may move, as it is at one moment after the other.
+// Moves a scene's bodies and lights from one moment to another.
 #pragma once
 #include <algorithm>
 #include <cstdint>
@@ -13,11 +13,11 @@
 
 namespace strahl {
 
-/// Begins at time 0, at which bodies are as they are declared (see matrix), unless they follow tracks. Whether any
-/// moves is looked up when another time is asked for, so that other scenes are not searched.
-class Stage {
+/// A scene as it is at one moment. That is time 0 at first, at which bodies are as they are declared (see matrix),
+/// unless they follow tracks. Whether any moves is only looked up when another time is asked for.
+class SceneInTime {
   public:
-    explicit Stage(Scene&& own) : now(std::move(own)) {
+    explicit SceneInTime(Scene&& own) : now(std::move(own)) {
         const auto moved = [](const Light& light) { return light.motion.has_value(); };
         if (now.tracks.empty() && std::ranges::none_of(now.lights, moved)) return;
         begin();

@@ -49,7 +49,8 @@ void place(const Tile& tile, const Lattice& whole, std::vector<T>& values) {
 /// Called from any thread, once per tile; tiles do not overlap.
 using Sink = std::function<void(const Tile&)>;
 
-/// What to trace. Everything is in pixels of the whole picture, so that a crop or a pass is the same pixels.
+/// The picture of a scene to trace. Sizes are in pixels of the whole picture, so that a crop or a pass has the same
+/// pixels.
 struct View {
     Camera camera;
     int width = 640, height = 480;
@@ -57,10 +58,10 @@ struct View {
     double shift_x = 0, shift_y = 0;  // of the sampling point from the pixel's centre, in pixels
     double error = 0;  // a pixel may lack this much light in a channel: weak rays are left out until they add up to it
     double time = 0;   // in seconds: where moving bodies and lights are
-    /// Tiles come with bounds of their errors; one ray in each pixel, in float64 or extended. What is exact goes through
-    /// the pixel's middle: by how much a shift changes it is in the bound.
+    /// Tiles come with bounds of their errors, with one ray in each pixel, in float64 or extended. The exact ray goes
+    /// through the pixel's middle; what a shift changes is in the bound.
     bool prove = false;
-    std::shared_ptr<const std::vector<Track>> tracks{};  // if any, in place of the scene's
+    std::shared_ptr<const std::vector<Track>> tracks{};  // if any, these replace the scene's
 };
 
 /// Work for the threads of a pool: all of it is done when it returns, or `stop` became true. Tiles that were handed to

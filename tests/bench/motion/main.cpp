@@ -39,7 +39,7 @@ Scene balls(int count, bool turning) {
 
 template <class T>
 void measure(const Scene& scene, const char* what, int frames, ThreadPool& pool) {
-    Stage stage{Scene(scene)};
+    SceneInTime stage{Scene(scene)};
     std::vector<double> moved, made, whole;
     std::unique_ptr<BuiltWorld<T>> world;
     MovingHierarchy moving;

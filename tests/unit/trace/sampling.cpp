@@ -173,7 +173,7 @@ TEST_CASE("a chord halves a cell") {
         CHECK(parts_of(opposite, {a, b}).first_area == doctest::Approx(((1 - a) + b) / 2));
         CHECK(parts_of(beside, {a, b}).first_area == doctest::Approx((1 - a) * b / 2));
         CHECK(parts_of(across, {a, b}).first_area == doctest::Approx(((1 - a) + b) / 2));
-        const Parts parts = parts_of(beside, {a, b});  // the first part has the corner (1, 0)
+        const ChordParts parts = parts_of(beside, {a, b});  // the first part has the corner (1, 0)
         CHECK((1 - parts.middle_x) * parts.normal_x - parts.middle_y * parts.normal_y < 0);
     }
     CHECK(!changing_sides({1, 1, 1, 1}));

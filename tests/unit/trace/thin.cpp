@@ -157,7 +157,7 @@ TEST_CASE("thin bodies in a tube are found, and no others") {
     const auto meets = [&](const Shape& shape, const Tube& where, double least, std::span<const DVec3> own = {}) {
         scene.primitives.resize(1);
         scene.primitives[0].shape = shape;
-        return ThinBodies(scene).meets(where, least, own);
+        return CapsuleTree(scene).meets(where, least, own);
     };
     const Sphere small{{0, 0, 0}, .1}, large{{0, 0, 0}, 1.5}, beside{{1.2, 0, 0}, .1};
     CHECK(meets(small, tube, .01));
@@ -170,7 +170,7 @@ TEST_CASE("thin bodies in a tube are found, and no others") {
     const std::vector<DVec3> own{{0, -.1, 0}, {0, 0, .1}};
     CHECK(!meets(small, tube, .01, own));
     scene.primitives.clear();
-    CHECK(!ThinBodies(scene).meets(tube, 0));
+    CHECK(!CapsuleTree(scene).meets(tube, 0));
 }
 
 TEST_CASE("wires and dust keep their light") {
