@@ -36,7 +36,7 @@ Buffer<I> uninitialized_buffer(std::size_t count) {
     return Buffer<I>(static_cast<I*>(p));
 }
 
-/// What was freed in pieces smaller than those that are the system's goes back to it.
+/// Gives freed memory that the allocator keeps in small pieces back to the system.
 inline void trim_memory() {
 #if defined(__GLIBC__)
     malloc_trim(0);

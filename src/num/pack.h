@@ -104,7 +104,7 @@ template <class T>
 STRAHL_INLINE Pack<T> abs(Pack<T> a) {
     return Pack<T>(std::experimental::abs(a.v));
 }
-// Of NaN and of signed zeros the second operand is the answer: as in the scalar functions.
+// As the scalar functions do, returns the second operand if one is NaN or both are zeros.
 template <class T>
 STRAHL_INLINE Pack<T> min(Pack<T> a, Pack<T> b) {
     return Pack<T>(typename Pack<T>::Register(minimum(raw(b), raw(a))));

@@ -1,4 +1,4 @@
-// What Pack needs of the instructions of aarch64: NEON, which every such processor has. Only for pack.h.
+// The instructions of aarch64 that Pack uses: NEON, which every such processor has. Only pack.h includes this.
 #pragma once
 #include <arm_neon.h>
 

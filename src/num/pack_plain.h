@@ -1,4 +1,4 @@
-// Of a processor without a kernel of packs: what pack.h asks about its instructions. Only for pack.h.
+// Tells pack.h that a processor has no instructions for packs. Only pack.h includes this.
 #pragma once
 
 namespace strahl {

@@ -1,4 +1,4 @@
-// What Pack needs of the instructions of x86-64: SSE2, AVX with fused multiply-adds, AVX-512. Only for pack.h.
+// The instructions of x86-64 that Pack uses: SSE2, AVX with FMA, AVX-512. Only pack.h includes this.
 #pragma once
 #include <immintrin.h>
 

@@ -7,7 +7,7 @@
 
 namespace strahl {
 
-// Of NaN and of signed zeros the second operand is the answer, as x86 has it in one instruction.
+// Returns the second operand if one is NaN or both are zeros, as one instruction of x86 does.
 #if defined(__x86_64__)
 using Quad = __m128;
 STRAHL_INLINE Quad minimum(Quad a, Quad b) { return _mm_min_ps(a, b); }

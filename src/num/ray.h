@@ -18,7 +18,7 @@ struct Ray {
 //     Crossings<S, N> crossings(const Ray<S>& ray, S start)       the same, if it is not
 //     SurfacePoint<S> at(const Ray<S>& ray, S t, S face)          the surface where it crosses this face, at t
 
-/// Where the line of a ray enters and leaves a convex body: near <= far where `hit`. A crossing counts if its t > 0. A
+/// The part of a ray's line inside a convex body: near <= far where `hit`. A crossing counts if its t > 0. A
 /// crossing at the ray's own source is exactly 0 and never counts.
 template <class S>
 struct Span {
@@ -36,8 +36,8 @@ STRAHL_INLINE S first_face(const Span<S>& span) {
     return select(span.near > S(0), span.near_face, span.far_face);
 }
 
-/// Where the line of a ray crosses a body of one face that is not convex: ascending, and -infinity for each crossing
-/// less than N. They count as those of a span do; of those behind the start no more is known than that.
+/// The crossings of a ray's line with a body of one face that is not convex: ascending, with -infinity for each one
+/// less than N. They count as those of a span do. Crossings behind the start may have any values below 0.
 template <class S, int N>
 struct Crossings {
     S t[N];

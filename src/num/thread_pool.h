@@ -14,7 +14,7 @@ namespace strahl {
 class ThreadPool {
   public:
     /// `threads` workers, the calling thread being one of them; 0 takes as many as the machine has processors. Throws
-    /// std::runtime_error, with advice, if so many can't be started.
+    /// std::runtime_error, with advice, if so many cannot be started.
     explicit ThreadPool(int threads = 0);
     ~ThreadPool();
     int size() const { return static_cast<int>(workers.size()) + 1; }

@@ -26,7 +26,7 @@ inline DVec3 normalize(const DVec3& v) {
     return w / length(w);
 }
 
-/// Of the angle between a unit vector and axis i, which 1 - v[i]^2 loses where it is small.
+/// Returns the sine of the angle between a unit vector and axis i. The root of 1 - v[i]^2 would lose small ones.
 inline double sine_to_axis(const DVec3& v, int i) {
     const double a = v[(i + 1) % 3], b = v[(i + 2) % 3];
     return std::sqrt(a * a + b * b);

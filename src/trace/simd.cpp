@@ -1,6 +1,6 @@
-// The SIMD levels: their names, and which of their kernels this program has. Their macros are defined for this file only,
-// by kernels.cmake: STRAHL_KERNEL_v3 and so on for the levels that are built, STRAHL_LEAST if only some of their kernels
-// are.
+// The SIMD levels: their names, and which of their kernels this program has. Their macros are defined for this file
+// only, by kernels.cmake: STRAHL_KERNEL_v3 and so on for the levels that are built, STRAHL_LEAST if only some of their
+// kernels are.
 #include <stdexcept>
 #include <type_traits>
 

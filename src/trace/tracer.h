@@ -38,8 +38,9 @@ int lanes(Precision precision, Simd simd);
 void check_capacity(const Scene& scene, Precision precision);
 
 /// Pixels of a lattice, with rays only where the picture is not smooth: what lies between is interpolated (see
-/// lattice_cells.h). Interpolated pixels are off by at most half of `contrast`, in linear values, but for a few: this is
-/// no bound. Worlds of very many bodies get a ray in each pixel. A crop must begin at multiples of 8 pixels of the lattice.
+/// lattice_cells.h). Interpolated pixels are off by at most half of `contrast`, in linear values, but for a few: this
+/// is no bound. Worlds of very many bodies get a ray in each pixel. A crop must begin at multiples of 8 pixels of the
+/// lattice.
 struct FilledLattice {
     Lattice lattice;
     double contrast;

@@ -32,8 +32,8 @@ inline double chance(std::uint64_t z) {
 }
 
 /// Calls put(centre, radius) for 9^generations + ... + 1 balls. Around each ball are nine, a third as large: six around
-/// its waist, three above. The layout of the sphere flake in E. Haines, "A Proposal for Standard Graphics Environments",
-/// 1987: the corners of a cuboctahedron except the three that point back.
+/// its waist, three above. The layout of the sphere flake in E. Haines, "A Proposal for Standard Graphics
+/// Environments", 1987: the corners of a cuboctahedron except the three that point back.
 void flake(const auto& put, const Point& centre, double radius, const Point& outwards, int generations) {
     put(centre, radius);
     if (generations == 0) return;

@@ -7,8 +7,8 @@ using namespace strahl::trial;
 
 namespace {
 
-/// Returns what mirrors in a body keep of a line, as in bound_inside: its spin about the centre. The way between two lines
-/// grows with the difference of their spins.
+/// Returns what mirrors in a body keep of a line, as in bound_inside: its spin about the centre. The way between two
+/// lines grows with the difference of their spins.
 Vector spin_of(const Line<R>& line, const Vector& centre) { return cross(line.origin - centre, line.direction); }
 R spin_error(const Case<Sphere>& ball, const Line<R>& exact, const Line<R>& computed) {
     return length(spin_of(exact, Vector(ball.shape.centre)) - spin_of(computed, vector(ball.kernel.centre))) /

@@ -51,7 +51,8 @@ const std::vector<std::pair<std::regex, std::string>> libraries{
     {std::regex("[a-z0-9]*intrin\\.h|arm_neon\\.h|experimental/simd"), "num"},
 };
 
-/// The room of a file, from its path below the folder of modules: "kernel" of trace/kernel/shade.h, "" of trace/tracer.h.
+/// The room of a file, from its path below the folder of modules: "kernel" of trace/kernel/shade.h, "" of
+/// trace/tracer.h.
 std::string room_of(const std::string& path) {
     const std::size_t first = path.find('/') + 1, second = path.find('/', first);
     return second == std::string::npos ? "" : path.substr(first, second - first);
@@ -89,8 +90,9 @@ std::string fault(const std::string& file, const std::string& line) {
     }
     if (!modules.contains(first))
         return module + " includes \"" + path + "\": name the module, as in \"scene/scene.h\"";
-    return modules.at(module).below.contains(first) ? ""
-                                                    : module + " includes " + path + ": this arrow points the wrong way";
+    return modules.at(module).below.contains(first)
+               ? ""
+               : module + " includes " + path + ": this arrow points the wrong way";
 }
 
 std::vector<fs::path> files_under(const fs::path& folder, const std::regex& name) {
@@ -188,7 +190,8 @@ TEST_CASE("no header includes itself, by others") {
     for (const auto& [file, path] : module_files()) {
         std::ifstream in(path);
         for (std::string line; std::getline(in, line);)
-            if (const auto include = include_in(line); include && include->quoted) includes[file].push_back(include->path);
+            if (const auto include = include_in(line); include && include->quoted)
+                includes[file].push_back(include->path);
     }
     enum class State { open, done };
     std::map<std::string, State> seen;
@@ -303,7 +306,8 @@ Header header_of(std::istream& in) {
         }
         for (std::size_t at = 0; at < line.size() && line.compare(at, 2, "//") != 0;) {
             std::size_t end = at;
-            while (end < line.size() && (std::isalnum(static_cast<unsigned char>(line[end])) || line[end] == '_')) ++end;
+            while (end < line.size() && (std::isalnum(static_cast<unsigned char>(line[end])) || line[end] == '_'))
+                ++end;
             if (end == at) {
                 if (line[at++] == '"')
                     while (at < line.size() && line[at++] != '"') at += line[at - 1] == '\\';
@@ -382,7 +386,9 @@ TEST_CASE("every header includes what it uses") {
     };
     const std::map<std::string, std::string> types{{"Box", "box.h"}};
     const Header box = of("#include <vector>\nstruct Box { std::vector<int> sides; };  // std::optional\n");
-    CHECK(lacking_includes({{"box.h", box}, {"a.h", of("#include \"box.h\"\nstd::vector<Box> a(\"std::map\");")}}, types).empty());
+    CHECK(
+        lacking_includes({{"box.h", box}, {"a.h", of("#include \"box.h\"\nstd::vector<Box> a(\"std::map\");")}}, types)
+            .empty());
     CHECK(lacking_includes({{"box.h", box}, {"a.h", of("class Box;\nvoid f(Box&);")}}, types).empty());
     CHECK(lacking_includes({{"box.h", box}, {"a.h", of("void f(Box&);")}}, types).size() == 1);
     CHECK(lacking_includes({{"box.h", of("struct Box { std::optional<int> side; };")}}, types).size() == 1);

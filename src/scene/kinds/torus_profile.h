@@ -42,7 +42,7 @@ struct TorusProfile {
         return {gap, fma(-pull, side, since), fma(-pull * k, y2 * (inverse * inverse), S(1)), side};
     }
 
-    /// Where the ray crosses the torus, if it does so at all: ascending. `nearest2` is its line's least squared
+    /// Finds the crossings of the ray with the torus, ascending. `nearest2` is its line's least squared
     /// distance from the centre, and `square` y^2 without a least value. What lies behind the ray is not looked for.
     STRAHL_INLINE Crossings<S, 4> crossings(S nearest2, S square, Mask<S> hit) const {
         constexpr E inf = std::numeric_limits<E>::infinity();
@@ -100,10 +100,10 @@ struct TorusProfile {
         return {select(mask, yes.deepest, no.deepest), select(mask, yes.other, no.other), select(mask, yes.top, no.top),
                 Mask<S>((yes.hump & mask) | (no.hump & !mask))};
     }
-    /// Of a torus that is no spindle, those of the quartic (F - minor^2) (F - minor^2 + 4 R rho), which has F's signs.
-    /// They are found more quickly: its derivative is a cubic without a square term, s^3 + p s + q for
-    /// s = (t - middle) / R, with q <= 0. The largest root is found by Halley's steps, and leaves a quadratic.
-    /// `nearest2` is the line's least squared distance from the centre.
+    /// Finds the extremes, for a torus that is no spindle, as those of the quartic (F - minor^2) (F - minor^2 + 4 R
+    /// rho), which has F's signs. They are found more quickly: its derivative is a cubic without a square term, s^3 + p
+    /// s + q for s = (t - middle) / R, with q <= 0. The largest root is found by Halley's steps, and leaves a
+    /// quadratic. `nearest2` is the line's least squared distance from the centre.
     STRAHL_INLINE Extremes extremes_of_quartic(S nearest2, Mask<S> going) const {
         constexpr E close = sizeof(E) == 4 ? E(0x1p-7) : E(0x1p-12);  // the error of a step is the cube of its length
         const S unit = S(1) / major, three(E(3)), half(E(.5)), zero(0);
@@ -120,7 +120,7 @@ struct TorusProfile {
         return {fma(major, s, middle), fma(major, -half * s - root, middle), fma(major, root - half * s, middle),
                 left > zero};
     }
-    /// Of a spindle torus the quartic has roots inside. `square` is y^2 without a least value.
+    /// Finds the extremes for a spindle torus, whose quartic has roots inside. `square` is y^2 without a least value.
     STRAHL_INLINE Extremes extremes_of_spindle(S square, Mask<S> wanted) const {
         const S pull = major * k;
         S found[3]{middle + pull, middle - pull, -x / k};

@@ -92,7 +92,7 @@ struct TriangleKernel {
         const SeenTriangle<S> triangle = seen(ray);
         return {S(-inf), triangle.depth(), Mask<S>(triangle.crossed & !(start == S(0)))};
     }
-    /// Where the line passes through the triangle.
+    /// Returns the point where the line passes through the triangle.
     template <class S>
     STRAHL_INLINE Vec3<S> position(const SeenTriangle<S>& triangle) const {
         const Vec3<S> p = splat<S>(a);
@@ -139,9 +139,9 @@ STRAHL_INLINE T height_above(const TriangleKernel<T>& first, const Vec3<T>& corn
     const T height = dot(n, v);
     return is_corner(first, corner) || !(abs(height) > unsure) ? T(0) : height;
 }
-/// Where a ray that starts on the first triangle crosses the other one; 0 if that is not ahead. Rounding may put the
-/// start behind or in front of the other triangle; what counts is on which side of the first one's plane the crossing
-/// lies.
+/// Returns where a ray that starts on the first triangle crosses the other one; 0 if that is not ahead. Rounding may
+/// put the start behind or in front of the other triangle; what counts is on which side of the first one's plane the
+/// crossing lies.
 template <class T>
 STRAHL_INLINE T crossing_beside(const TriangleKernel<T>& first, const TriangleKernel<T>& other, const Ray<T>& ray) {
     const SeenTriangle<T> seen = other.seen(ray);

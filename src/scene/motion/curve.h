@@ -100,8 +100,8 @@ Window<Key> window_between(const Key* keys, int count, double period, int i) {
     return w;
 }
 
-/// Where a time is among keys: at `key`, which is the first for all times before it and the last for all times after
-/// it; or else in `window`.
+/// The place of a time among keys: at `key`, which is the first for all times before it and the last for all times
+/// after it; or else in `window`.
 template <class Key>
 struct Moment {
     const Key* key = nullptr;

@@ -12,7 +12,7 @@
 
 namespace strahl {
 
-/// What the user does besides moving the camera. Called while events are processed.
+/// Functions that are called, while events are processed, for what the user does besides moving the camera.
 struct InputHandlers {
     std::function<void(Command)> perform;
     std::function<void(double)> turn_wheel;  // notches, up is positive

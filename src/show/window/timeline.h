@@ -15,7 +15,7 @@ struct TimelineView {
     bool running = false;
 };
 
-/// What the user did on the timeline.
+/// The user's actions on the timeline since the last picture.
 struct TimelineInput {
     std::optional<Command> command;
     std::optional<double> go_to;  // seconds

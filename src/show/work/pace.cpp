@@ -40,7 +40,7 @@ std::optional<Pace::Due> Pace::move(bool in_motion, bool update) {
 }
 
 double Pace::budget() const {
-    // Where drawing limits the rate there is more time to trace.
+    // There is more time to trace if drawing limits the rate.
     return 0.8 * std::clamp(draw_seconds, frame, 2 * frame);
 }
 

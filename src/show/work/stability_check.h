@@ -46,7 +46,7 @@ class StabilityCheck {
     double progress() const { return share; }
     /// Returns true once, when it has come to its end.
     bool take();
-    /// What was found. Empty until the end.
+    /// Returns the result, which is empty until the check has ended.
     const Stability& found() const { return result; }
 
   private:

@@ -30,7 +30,7 @@ class StillRequests {
 
     /// "A still: 30 %, 1 more waiting", or "".
     std::string progress_text() const;
-    /// Of the still being traced, 0 to 1.
+    /// Returns the progress of the still being traced, 0 to 1.
     double progress() const { return stills.progress(); }
 
   private:

@@ -75,7 +75,7 @@ std::string Diagnostics::tell(const Fault& fault) const {
 
     const auto column =
         1 + std::count_if(text.begin() + start, text.begin() + at, [](char c) { return !continues(c); });
-    // Of a long line show only the part around the error; where one side is short the other gets its space.
+    // Shows only the part of a long line around the error; if one side is short the other gets its space.
     const std::size_t reach = forth(text, at, end, line_width - before_fault);
     const auto right_of_fault = static_cast<int>(reach < end ? line_width - before_fault : reach - at);
     const std::size_t from = back(text, at, start, line_width - right_of_fault);

@@ -111,8 +111,8 @@ bool ThinBodies::hides_shadow(const FourPoints& points, double radius, std::uint
     for (std::size_t i = 0; i < lights.size(); ++i) {
         if (!(lit >> std::min<std::size_t>(i, most_lit) & 1)) continue;
         const Light& light = lights[i];
-        const DVec3 way =
-            light.direction ? -2 * end / std::sqrt(square(*light.direction)) * *light.direction : light.position - middle;
+        const DVec3 way = light.direction ? -2 * end / std::sqrt(square(*light.direction)) * *light.direction
+                                          : light.position - middle;
         const double far = std::sqrt(square(way));
         const Tube tube{.from = middle,
                         .direction = way / far,

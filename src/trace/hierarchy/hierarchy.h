@@ -54,9 +54,9 @@ struct Hierarchy {
 
 /// Boxes are finite, and are grown by `margin` and by what rounding may have cost them. Binned surface area heuristic
 /// (I. Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", 2007), of whose binary nodes the largest
-/// are opened until 16 are side by side. Where there are many boxes, cuts are along the cells of a grid, which each box is
-/// sorted into once (after K. Garanzha, J. Pantaleoni and D. McAllister, "Simpler and Faster HLBVH with Work Queues",
-/// 2011, whose cells are those of Morton codes). The same for any number of threads.
+/// are opened until 16 are side by side. Where there are many boxes, cuts are along the cells of a grid, which each box
+/// is sorted into once (after K. Garanzha, J. Pantaleoni and D. McAllister, "Simpler and Faster HLBVH with Work
+/// Queues", 2011, whose cells are those of Morton codes). The same for any number of threads.
 Hierarchy build_hierarchy(Buffer<ItemBox> boxes, std::int32_t size, double margin, ThreadPool& pool);
 
 }  // namespace strahl

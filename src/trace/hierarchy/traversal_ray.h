@@ -97,7 +97,7 @@ STRAHL_INLINE Mask<ForBoxes<S>> join_masks(const Mask<S> (&packs)[together<S>]) 
     for (int h = 0; h < together<S>; ++h) all |= bits(packs[h]) << h * width<S>;
     return mask_of<ForBoxes<S>>(all);
 }
-/// Of those lanes the ones of a pack.
+/// Returns the lanes of pack h among those of packs that go together.
 template <class S>
 STRAHL_INLINE Mask<S> pack_of(Mask<ForBoxes<S>> mask, int h) {
     if constexpr (together<S> == 1)

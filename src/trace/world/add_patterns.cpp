@@ -126,7 +126,8 @@ void WorldArrays<T>::add_patterns(const Scene& scene, const Placement& placement
 
 template void WorldArrays<float>::add_image(const std::shared_ptr<const Pixels>&, bool, bool, ImageKernel<float>&);
 template void WorldArrays<double>::add_image(const std::shared_ptr<const Pixels>&, bool, bool, ImageKernel<double>&);
-template void WorldArrays<long double>::add_image(const std::shared_ptr<const Pixels>&, bool, bool, ImageKernel<long double>&);
+template void WorldArrays<long double>::add_image(const std::shared_ptr<const Pixels>&, bool, bool,
+                                                  ImageKernel<long double>&);
 template void WorldArrays<float>::add_patterns(const Scene&, const Placement&, bool);
 template void WorldArrays<double>::add_patterns(const Scene&, const Placement&, bool);
 template void WorldArrays<long double>::add_patterns(const Scene&, const Placement&, bool);

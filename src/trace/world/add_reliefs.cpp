@@ -1,4 +1,4 @@
-// What bends normals becomes kernels, each in the spaces of the bodies that have it.
+// Makes kernels of bumps and normal maps, one for each space of a body that has them.
 #include "trace/world/pattern_space.h"
 
 namespace strahl {

@@ -79,7 +79,7 @@ void WorldArrays<T>::make_hierarchy(ThreadPool& pool) {
     for (int form = 0; form < Forms::size; ++form)
         if (forms[form].boxes != &boxes[starts[form]])
             std::copy_n(forms[form].boxes, forms[form].in_hierarchy, &boxes[starts[form]]);
-    // Where light passes bodies, their order in the leaves is that in which their colours are multiplied.
+    // The order of transparent bodies in the leaves is that in which their colours are multiplied: it must not change.
     hierarchy = moving && !world.transparent ? moving->fit(std::move(boxes), starts, rounding(reach), pool)
                                              : build_hierarchy(std::move(boxes), size, rounding(reach), pool);
     if (!moving && size > share_items) trim_memory();  // what moves needs as much again soon

@@ -25,7 +25,8 @@ T shines_from(double exponent) {
     return std::pow(std::numeric_limits<T>::epsilon() / 64, 1 / static_cast<T>(exponent));
 }
 
-/// What is around a kernel, from its box if need be, whose corners may be off by `slack`.
+/// Returns the bounding volume of a kernel; from its box, whose corners may be off by `slack`, if the kernel has no
+/// ball.
 template <class Kind, class K>
 BoundingVolume bounding_volume_of(const K& kernel, const ItemBox& rounded, double slack) {
     Box box;
@@ -60,7 +61,7 @@ LightKernel<T> light_kernel(const Light& light, const Placement& placement) {
             return cast<T>(std::max(own * placement.scale, shortest) / own * given);
         };
         kernel.area = true;
-        // What moves unevenly scaled may lose its right angles.
+        // Edges may lose their right angle if the light moves and is scaled unevenly.
         const DVec3 along = normalize(light.area->u);
         kernel.u = edge(light.area->u);
         kernel.v = edge(light.area->v - dot_product(light.area->v, along) * along);
@@ -139,7 +140,7 @@ void WorldArrays<T>::list_transparent(const Scene& scene) {
     }
 }
 
-/// What is known of each body, if there is a bin for each.
+/// Finds balls around all bodies, and which can shadow which, if there is a bin for each.
 template <class T>
 void WorldArrays<T>::bound_bodies() {
     const double margin = rounding(reach);

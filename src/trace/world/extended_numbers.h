@@ -97,7 +97,7 @@ SmoothTriangleKernel<Extended> extended_kernel(const SmoothTriangle& triangle, c
 /// Triangle number i of a mesh.
 Triangle triangle_of(const Mesh& mesh, std::size_t i);
 SmoothTriangle smooth_triangle_of(const Mesh& mesh, std::size_t i);
-/// What a shape is in the space of its own that affine() gives it, whose unit and centre are these in the primitive's.
+/// A shape in the space of its own that affine() gives it, whose unit and centre are these in the primitive's space.
 template <class K>
 struct InOwnSpace {
     DVec3 centre;
@@ -111,7 +111,7 @@ InOwnSpace<DiscKernel<Extended>> in_own_space(const Disc& disc);
 InOwnSpace<TorusKernel<Extended>> in_own_space(const Torus& torus);
 /// To vectors u, v, w those whose products with them are 1 and with the others 0.
 std::array<ExtendedVector, 3> dual_of(const std::array<ExtendedVector, 3>& vectors);
-/// Of a shape under any transformation; the box is the one that double has.
+/// Makes the kernel of a shape under any transformation; the box is the one that double has.
 template <class Shape>
 auto extended_affine(const Shape& shape, const ExtendedTransform& to_world, const HitBox<Extended>& box) {
     const auto [centre, unit, kernel] = in_own_space(shape);

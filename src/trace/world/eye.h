@@ -4,7 +4,8 @@
 
 namespace strahl {
 
-/// Where camera rays come from: pixel (x, y) looks along forward + u * right + v * down, with u, v in [-1, 1].
+/// The start and the directions of camera rays: pixel (x, y) looks along forward + u * right + v * down, with u, v in
+/// [-1, 1].
 template <class T>
 struct Eye {
     Vec3<T> position, forward, right, down;  // right and down scaled by the picture's half sizes at distance 1

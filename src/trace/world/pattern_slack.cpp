@@ -12,7 +12,7 @@ struct ExtendedPatternSpace {
     std::array<ExtendedVector, 3> rows{ExtendedVector{1, 0, 0}, ExtendedVector{0, 1, 0}, ExtendedVector{0, 0, 1}};
     ExtendedVector offset{0}, mortar{0};
 
-    /// Of a kind whose borders are this much before whole coordinates.
+    /// Makes the space of a kind whose borders are this much before whole coordinates.
     ExtendedPatternSpace(const PatternKind& kind, Extended border) {
         if (const Brick* const brick = std::get_if<Brick>(&kind)) {
             for (int c = 0; c < 3; ++c) {

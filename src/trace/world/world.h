@@ -16,8 +16,8 @@ struct LightBuffer;
 /// Shares and weights above 1, of glass brighter than white or of total reflection, grow no further than this, or in
 /// float they would become infinite and, times 0, NaN.
 inline constexpr float largest_gain = 1e18f;
-/// Where a hit can do without the light of its lights, it does without that of one light up to this many times what
-/// that light, straight above, would make it scatter.
+/// When a hit's direct light may be pruned, lights below this multiple of its diffuse term (of a light straight above)
+/// are skipped.
 inline constexpr float faint_share = 2;
 /// Lanes. Arrays hold as many elements more, because packs are loaded and stored whole.
 inline constexpr int widest_pack = 16;
@@ -59,7 +59,7 @@ struct LightKernel {
 };
 
 /// A body as seen from a point: around the direction `axis`, no further off than an angle with this cosine, and no
-/// nearer than `distance`. What can't be told is around (-2) and here (-infinity).
+/// nearer than `distance`. Of a body without a known bound the cosine is -2 and the distance -infinity.
 template <class T>
 struct LightCone {
     Vec3<T> axis{0};
@@ -74,11 +74,11 @@ inline constexpr int most_item_bins = 64;  // up to here each item has a bin of 
 struct ItemRange {
     std::int32_t form, first, count;
 };
-/// Where a surface's item is: its index among the items of its form, and the bin by which hits are sorted.
+/// The item of a surface: its index among the items of its form, and the bin by which hits are sorted.
 struct ItemReference {
     std::int32_t item, bin;
 };
-/// What hits of a bin are on: one item of this form and its material, or if these are -1 any item of the form.
+/// The items that hits of a bin are on: one of this form with its material, or any item of the form if these are -1.
 struct SortBin {
     std::int32_t form, item = -1, material = -1;
 };
@@ -197,7 +197,7 @@ struct World {
     const T* iors = nullptr;                // by surface; only in nested worlds
     const std::int32_t* bodies = nullptr;   // likewise: the first surface of the body
 
-    // What the scene contains; what it does not is not looked for.
+    // Features of the scene: kernels do nothing for those that are false.
     bool fog = false;
     T fog_per = 0;  // 1 over its distance
     Vec3<T> fog_color{0};

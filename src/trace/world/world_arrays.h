@@ -75,7 +75,7 @@ DVec3 to_double(const Vec3<T>& v) {
     return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
 }
 
-/// What is known of a form.
+/// The traits of a form.
 struct FormTraits {
     bool hot, bounded, convex;
     int faces;   // of an item
@@ -143,7 +143,7 @@ struct WorldArrays {
     WorldArrays(const Scene& scene, const Placement& placement, ThreadPool& pool, MovingHierarchy* moving,
                 std::shared_ptr<Images> kept, bool proves);
 
-    /// What coordinates may be off, the largest of them being `furthest`.
+    /// Returns by how much coordinates may be off, the largest of them being `furthest`.
     static double rounding(double furthest) { return 32 * culling_unit<T> * furthest; }
     // add_items.cpp
     void add_items(const Scene& scene, const Placement& placement, ThreadPool& pool, bool proves);
@@ -157,7 +157,7 @@ struct WorldArrays {
     void add_sky(const Scene& scene, bool proves);
     void add_patterns(const Scene& scene, const Placement& placement, bool proves);
     void add_colors(const Pigment& pigment, PatternKernel<T>& kernel, bool linear);
-    /// What patterns by uv know of a body, whose first surface is given.
+    /// Adds the uv coordinates of a mesh, whose first surface is given, and returns where they are.
     PlacesKernel add_places(const Shape& shape, int first_surface);
     BendKernel<T> bend_of(const Material& material, const glm::dmat4& to_world, const Placement& placement,
                           const PlacesKernel& places);

@@ -9,7 +9,7 @@ namespace strahl {
 
 enum class ImageMap : std::int32_t;
 
-/// What the value of a pattern is made from.
+/// The forms of patterns, by how their value is computed.
 enum class PatternForm : std::int32_t { checker, brick, ramp, noise, layers, rings, image, constant };
 /// A picture at one size: three values for each pixel, row by row from the top.
 struct MipLevel {
@@ -32,14 +32,15 @@ struct ImageKernel {
     T border;             // and how much before 0 and 1 it begins and ends
     std::int32_t number;  // among the world's mip maps
 };
-/// Where the corners of a mesh are by uv: its surfaces, the numbers of their corners' places, and these. Null of other
+/// The uv coordinates of a mesh: its surfaces, the numbers of their corners' coordinates, and these. Null for other
 /// bodies.
 struct PlacesKernel {
     std::int32_t first_surface, surfaces;
     const MeshData::Corners* corners;
     const MeshData::Place* places;
 };
-/// What proofs know of a pattern: how far its numbers may be off those of exact arithmetic, and what its colours are.
+/// Errors of a pattern, for proofs: how far its numbers may be off those of exact arithmetic, and bounds of its
+/// colours.
 template <class T>
 struct PatternSlack {
     T turned = std::numeric_limits<T>::infinity();  // each row, as the sum of its numbers' errors
@@ -62,12 +63,12 @@ struct PatternKernel {
     T diffuse, refraction;  // Kd, Kt
     PatternSlack<T> slack;  // only in worlds for proofs
 };
-/// What proofs know of a relief besides: how far its columns, each of its bends and each number of its steps are off.
+/// Errors of a relief besides, for proofs: of its columns, of each of its bends and of each number of its steps.
 template <class T>
 struct ReliefSlack {
     T columns = std::numeric_limits<T>::infinity(), bends = 0, steps = 0;
 };
-/// What bends the normals of a material in the space of one body.
+/// A relief: bends the normals of a material in the space of one body.
 template <class T>
 struct ReliefKernel {
     PatternKernel<T> pattern;
@@ -85,7 +86,7 @@ template <class T>
 struct NormalMapKernel : ReliefKernel<T> {
     T height;
 };
-/// What a material has of both.
+/// The normal map and the bump of a material; either may be flat.
 template <class T>
 struct BendKernel {
     NormalMapKernel<T> map;

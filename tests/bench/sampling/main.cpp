@@ -44,8 +44,9 @@ Result render(Tracer& tracer, const View& view, ThreadPool& pool, const std::fun
 /// With a grid of rays in every pixel.
 Result grid_picture(Tracer& tracer, const View& view, int grid, ThreadPool& pool) {
     const Lattice whole{.columns = view.width, .rows = view.height};
-    return render(tracer, view, pool,
-                  [&](const Sink& sink) { return tracer.trace({view, pool, sink}, SampledRegion{whole, {.grid = grid}}); });
+    return render(tracer, view, pool, [&](const Sink& sink) {
+        return tracer.trace({view, pool, sink}, SampledRegion{whole, {.grid = grid}});
+    });
 }
 
 /// An adaptive picture, and the RMS error that it is thought to have.

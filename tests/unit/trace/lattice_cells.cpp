@@ -34,7 +34,8 @@ Traced traced(const Scene& scene, const View& view, const Lattice& part, bool fi
     Tracer tracer(scene, Precision::float32, simd);
     Traced pixels{std::vector<float>(std::size_t(3) * part.columns * part.rows), {}};
     const auto keep = [&](const Tile& tile) { place(tile, part, pixels.rgb); };
-    pixels.rays = tracer.trace({view, pool, keep}, filled ? TracedPixels(FilledLattice{part, contrast}) : TracedPixels(part));
+    pixels.rays =
+        tracer.trace({view, pool, keep}, filled ? TracedPixels(FilledLattice{part, contrast}) : TracedPixels(part));
     return pixels;
 }
 
