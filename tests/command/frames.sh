@@ -28,7 +28,7 @@ expect_same film-0003.png good.png
 for frame in 4 5 6; do expect_same film-000$frame.png good/film-000$frame.png; done
 [[ $(stat -c %y film-0007.png) == "$date" ]] || fault "--resume wrote a frame that was there"
 : >film-0004.png
-expect 0 "film-0004.png' as a picture" render scene.rt -o 'film-%04d.png' --frames 4 "${options[@]}" --resume
+expect 0 "film-0004.png' is not a .bmp" render scene.rt -o 'film-%04d.png' --frames 4 "${options[@]}" --resume
 expect 2 "32x24 pixels and not 64x48" render scene.rt -o 'film-%04d.png' --frames 0-8 --size 64x48 --resume
 expect_same film-0003.png good.png
 rm -r good

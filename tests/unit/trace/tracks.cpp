@@ -176,8 +176,8 @@ TEST_CASE("a scene lasts until the last key of the tracks that it follows") {
 TEST_CASE("mistakes in what follows tracks") {
     check_fault(
         "sphere { <0,0,0>, track \"x\" 1 }",
-        "2:19: 'radius' of 'sphere' cannot follow a track; numbers of lights, materials, the camera, the fog, of "
-        "the background's colour and of the transformations of bodies can");
+        "2:19: 'radius' of 'sphere' cannot follow a track; numbers of lights, materials, the camera, the fog, the "
+        "background's colour and the transformations of bodies can");
     check_fault(
         "fog { distance track \"x\" color <0,0,0> }",
         "2:16: 'distance' of 'fog' cannot be 0: give its value for a track without keys, as in 'track \"x\" 1'");
