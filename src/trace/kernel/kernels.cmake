@@ -70,7 +70,6 @@ function(strahl_kernel level elements)
   # what else is linked changes the speed by about 5 %.
   target_compile_options(kernel_${level} PRIVATE -O3 -falign-functions=64
     $<$<CXX_COMPILER_ID:GNU>:-fno-tree-pta$<SEMICOLON>-fschedule-insns$<SEMICOLON>-fsched-pressure> ${ARGN})
-  target_precompile_headers(kernel_${level} PRIVATE ${CMAKE_SOURCE_DIR}/src/trace/forms/form_kernel.h)
   if(STRAHL_SANITIZE AND NOT level STREQUAL scalar)
     # Instrumented packs take g++ a quarter of an hour to compile. The scalar level is compiled from the same sources.
     set_target_properties(kernel_${level} PROPERTIES UNSANITIZED ON)
