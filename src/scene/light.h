@@ -49,7 +49,7 @@ struct Light {
 inline std::size_t points_of(const Light& light) {
     return light.area && light.area->columns > 0 ? std::size_t(light.area->columns) * light.area->rows : 1;
 }
-/// The same lights, with grids replaced by the points that they consist of, row by row.
+/// Returns the lights with grids replaced by the points that they consist of, row by row.
 inline std::vector<Light> points_of(const std::vector<Light>& lights) {
     std::vector<Light> all;
     for (const Light& light : lights) {

@@ -59,7 +59,7 @@ std::string room_of(const std::string& path) {
 }
 std::string module_of(const std::string& path) { return path.substr(0, path.find('/')); }
 
-/// What a line includes, and whether in quotes; nothing of other lines.
+/// Returns the path that a line includes, and whether it is in quotes; nothing for other lines.
 struct Include {
     std::string path;
     bool quoted;
@@ -286,7 +286,7 @@ TEST_CASE("the page on the source names only what there is") {
     CHECK(names > 40);
 }
 
-/// What a header says, as far as its includes are concerned.
+/// The names that a header uses, and the headers that it includes.
 struct Header {
     std::vector<std::string> own;    // project files that it includes
     std::set<std::string> standard;  // headers of libraries that it includes
