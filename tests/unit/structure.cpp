@@ -36,6 +36,7 @@ const std::map<std::string, Module> modules{
      {{"num", "scene"},
       {"hierarchy", "world", "patterns", "forms", "lights", "kernel", "proof", "cells", "", "measure"}}},
     {"import", {{"num", "scene", "files", "mesh", "text"}}},
+    {"pov", {{"num", "scene", "files", "mesh", "text"}, {"language", ""}}},
     {"image", {{"num", "scene", "files", "text"}, {"", "oiio"}}},
     {"povref", {{"num", "scene", "files", "text", "trace", "image"}, {"convert", "compare"}}},
     {"show", {{"num", "scene", "files", "text", "trace", "image"}, {"session", "work", "window", ""}}},

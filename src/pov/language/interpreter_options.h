@@ -1,0 +1,36 @@
+// Options and limits for reading a POV-Ray scene.
+#pragma once
+#include <atomic>
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace strahl::pov {
+
+/// More than these is an error. A scene is a program, which may never end.
+struct InterpreterLimits {
+    std::size_t steps = 2'000'000'000;         // tokens that are read, those of loops and macros each time
+    std::size_t bytes = std::size_t(2) << 30;  // of values of identifiers, and of arrays and strings
+    int nesting = 400;                         // of macro calls, loops, conditions, files, blocks and parentheses
+};
+
+struct InterpreterOptions {
+    std::string file;                  // the path of the scene; files are looked for in its folder first
+    std::vector<std::string> library;  // then in these, in order; nothing else may be read
+    std::string write_folder;          // where `#fopen` may write; empty: nowhere
+    /// Identifiers that are declared before the scene is read, with their numbers: frame_number and others.
+    std::vector<std::pair<std::string, double>> declared;
+    double clock = 0;
+    bool clock_on = false;
+    int width = 320, height = 240;                  // image_width and image_height
+    std::function<void(const std::string&)> print;  // called with the text of #debug, #warning and #render
+    const std::atomic<bool>* stop = nullptr;        // reading ends with `Interrupted` once it is true
+    InterpreterLimits limits;
+};
+
+/// Returns the folders where POV-Ray's package keeps its standard include files.
+std::vector<std::string> standard_library();
+
+}  // namespace strahl::pov
