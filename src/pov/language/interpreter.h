@@ -47,6 +47,9 @@ class Interpreter {
     bool at(TokenCode wanted) { return code() == wanted.value; }
     /// Takes the next token if it is this one.
     bool accept(TokenCode wanted);
+    /// Takes the next token if it is this one and stands right here, with no directive before it. Between the layers of
+    /// a declared texture POV-Ray executes none.
+    bool accept_here(TokenCode wanted);
     /// Takes this token, or fails: "'{' expected, but found ...".
     void expect(TokenCode wanted);
     /// Takes the next token, whatever it is.

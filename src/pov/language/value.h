@@ -79,11 +79,16 @@ struct NamedValue {
     std::shared_ptr<const Thing> thing;  // of all other kinds
 };
 
-/// An array; its elements have one kind, and may be arrays themselves.
+/// An array. Its elements may be arrays themselves.
 struct ArrayThing : Thing {
-    std::vector<int> sizes;            // of each dimension
-    std::vector<NamedValue> elements;  // the last index runs fastest
-    ValueKind kind = ValueKind::none;  // of all elements that have a value
+    std::vector<int> sizes;                // of each dimension
+    std::vector<NamedValue> elements;      // the last index runs fastest; those without a value have kind `none`
+    int levels = 1;                        // of arrays in arrays
+    std::shared_ptr<std::size_t> account;  // counts the bytes of all arrays
+
+    ~ArrayThing() override {
+        if (account) *account -= elements.size() * sizeof(NamedValue);
+    }
 };
 
 }  // namespace strahl::pov

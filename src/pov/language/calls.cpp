@@ -1,0 +1,456 @@
+// The built-in functions and constants of expressions.
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <numbers>
+
+#include "files/words.h"
+#include "pov/language/state.h"
+
+namespace strahl::pov {
+namespace {
+
+/// A C cast to a 32-bit integer, of numbers out of its range the least.
+double cut_off(double value) {
+    if (!(value > -2147483649. && value < 2147483648.)) return -2147483648.;
+    return static_cast<double>(static_cast<std::int32_t>(value));
+}
+
+double length(const DVec3& v) { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
+
+/// Turns a point about an axis through the origin, by an angle in degrees. The formula of O. Rodrigues.
+DVec3 turned(const DVec3& p, DVec3 axis, double degrees) {
+    axis /= length(axis);
+    const double angle = degrees * std::numbers::pi / 180, c = std::cos(angle), s = std::sin(angle);
+    const double along = axis.x * p.x + axis.y * p.y + axis.z * p.z;
+    const DVec3 cross{axis.y * p.z - axis.z * p.y, axis.z * p.x - axis.x * p.z, axis.x * p.y - axis.y * p.x};
+    return p * c + cross * s + axis * (along * (1 - c));
+}
+
+/// The word codes at which an expression may begin, besides signs and identifiers.
+bool is_function_word(std::uint16_t code) {
+    switch (code) {
+        case word("abs"):
+        case word("acos"):
+        case word("acosh"):
+        case word("asc"):
+        case word("asin"):
+        case word("asinh"):
+        case word("atan"):
+        case word("atan2"):
+        case word("atanh"):
+        case word("bitwise_and"):
+        case word("bitwise_or"):
+        case word("bitwise_xor"):
+        case word("ceil"):
+        case word("clock"):
+        case word("clock_on"):
+        case word("cos"):
+        case word("cosh"):
+        case word("defined"):
+        case word("degrees"):
+        case word("dimension_size"):
+        case word("dimensions"):
+        case word("div"):
+        case word("exp"):
+        case word("false"):
+        case word("file_exists"):
+        case word("floor"):
+        case word("inside"):
+        case word("int"):
+        case word("ln"):
+        case word("log"):
+        case word("max"):
+        case word("max_extent"):
+        case word("min"):
+        case word("min_extent"):
+        case word("mod"):
+        case word("no"):
+        case word("now"):
+        case word("off"):
+        case word("on"):
+        case word("pi"):
+        case word("pow"):
+        case word("radians"):
+        case word("rand"):
+        case word("seed"):
+        case word("select"):
+        case word("sin"):
+        case word("sinh"):
+        case word("sqr"):
+        case word("sqrt"):
+        case word("strcmp"):
+        case word("strlen"):
+        case word("t"):
+        case word("tan"):
+        case word("tanh"):
+        case word("trace"):
+        case word("true"):
+        case word("u"):
+        case word("v"):
+        case word("val"):
+        case word("vaxis_rotate"):
+        case word("vcross"):
+        case word("vdot"):
+        case word("version"):
+        case word("vlength"):
+        case word("vnormalize"):
+        case word("vrotate"):
+        case word("vturbulence"):
+        case word("x"):
+        case word("y"):
+        case word("yes"):
+        case word("z"):
+            return true;
+        default:
+            return false;
+    }
+}
+
+}  // namespace
+
+bool Interpreter::State::at_value() {
+    const std::uint16_t first = code();
+    if (first == value_code) {
+        const ValueKind kind = next.value->kind;
+        return kind <= ValueKind::color || kind == ValueKind::spline || kind == ValueKind::function ||
+               kind == ValueKind::vector_function;
+    }
+    return first == number_code || first == '<' || first == '-' || first == '+' || first == '(' || first == '!' ||
+           (first >= first_word_code && is_function_word(first));
+}
+
+double Interpreter::State::parameter() {
+    expect('(');
+    Components value;
+    full(value, 1);
+    expect(')');
+    if (value.count != 1) fail(last, "a number expected in these parentheses, but found a vector");
+    return value.value[0];
+}
+
+DVec3 Interpreter::State::vector_parameter() {
+    expect('(');
+    const DVec3 value = vector();
+    expect(')');
+    return value;
+}
+
+void Interpreter::State::arguments(double* values, int count) {
+    expect('(');
+    for (int i = 0; i < count; ++i) {
+        if (i > 0) accept(',');
+        values[i] = number();
+    }
+    expect(')');
+}
+
+std::shared_ptr<const Thing> Interpreter::State::object_argument() {
+    if (in.kind() != ValueKind::object) expected("the identifier of an object");
+    return in.take_value().thing;
+}
+
+void Interpreter::State::call(std::uint16_t function, Components& result) {
+    const TextPlace at = next.place;
+    const auto set = [&](double value) {
+        result.value[0] = value;
+        result.count = 1;
+    };
+    const auto set_vector = [&](const DVec3& value) {
+        result.value = {value.x, value.y, value.z, 0, 0};
+        result.count = 3;
+    };
+    // After the domain was checked, as POV-Ray does.
+    const auto clamped = [&](double value) {
+        if (std::abs(value) > 1) warn(at, name_of_code(function) + " of a number beyond 1");
+        return std::clamp(value, -1., 1.);
+    };
+    double a[4];
+    if (!is_function_word(function)) expected("a number, a vector or a colour");
+    take();
+    switch (function) {
+        case word("abs"):
+            return set(std::abs(parameter()));
+        case word("acos"):
+            return set(std::acos(clamped(parameter())));
+        case word("acosh"):
+            return set(std::acosh(parameter()));
+        case word("asin"):
+            return set(std::asin(clamped(parameter())));
+        case word("asinh"):
+            return set(std::asinh(parameter()));
+        case word("atan"):
+            return set(std::atan(parameter()));
+        case word("atan2"):
+            arguments(a, 2);
+            if (!is_true(a[0]) && !is_true(a[1])) fail(at, "atan2(0, 0) has no value");
+            return set(std::atan2(a[0], a[1]));
+        case word("atanh"):
+            return set(std::atanh(parameter()));
+        case word("ceil"):
+            return set(std::ceil(parameter()));
+        case word("cos"):
+            return set(std::cos(parameter()));
+        case word("cosh"):
+            return set(std::cosh(parameter()));
+        case word("degrees"):
+            return set(parameter() / (std::numbers::pi / 180));
+        case word("exp"):
+            return set(std::exp(parameter()));
+        case word("floor"):
+            return set(std::floor(parameter()));
+        case word("int"):
+            return set(cut_off(parameter()));
+        case word("radians"):
+            return set(parameter() * (std::numbers::pi / 180));
+        case word("sin"):
+            return set(std::sin(parameter()));
+        case word("sinh"):
+            return set(std::sinh(parameter()));
+        case word("tan"):
+            return set(std::tan(parameter()));
+        case word("tanh"):
+            return set(std::tanh(parameter()));
+        case word("sqr"): {
+            const double value = parameter();
+            return set(value * value);
+        }
+        case word("sqrt"): {
+            const double value = parameter();
+            if (value < 0) fail(at, "the square root of a negative number has no value");
+            return set(std::sqrt(value));
+        }
+        case word("ln"):
+        case word("log"): {
+            const double value = parameter();
+            if (value <= 0) fail(at, "the logarithm of a number that is not positive has no value");
+            return set(function == word("ln") ? std::log(value) : std::log10(value));
+        }
+        case word("pow"):
+            arguments(a, 2);
+            if (a[0] == 0 && a[1] == 0) fail(at, "pow(0, 0) has no value");
+            return set(std::pow(a[0], a[1]));
+        case word("div"):
+            arguments(a, 2);
+            return set(cut_off(a[0] / a[1]));
+        case word("mod"):
+            arguments(a, 2);
+            return set(std::fmod(a[0], a[1]));
+        case word("min"):
+        case word("max"): {
+            expect('(');
+            double value = number();
+            while (accept(',') || !in.at(')')) {
+                const double other = number();
+                value = function == word("min") ? std::min(value, other) : std::max(value, other);
+            }
+            expect(')');
+            return set(value);
+        }
+        case word("bitwise_and"):
+        case word("bitwise_or"):
+        case word("bitwise_xor"): {
+            expect('(');
+            std::int32_t value = static_cast<std::int32_t>(cut_off(number()));
+            while (accept(',') || !in.at(')')) {
+                const std::int32_t other = static_cast<std::int32_t>(cut_off(number()));
+                value = function == word("bitwise_and")  ? value & other
+                        : function == word("bitwise_or") ? value | other
+                                                         : value ^ other;
+            }
+            expect(')');
+            return set(value);
+        }
+        case word("select"): {
+            expect('(');
+            int count = 0;
+            for (; count < 4 && !in.at(')'); ++count) {
+                if (count > 0) accept(',');
+                a[count] = number();
+            }
+            expect(')');
+            if (count < 3) fail(at, "select needs three or four arguments");
+            if (a[0] < 0) return set(a[1]);
+            return set(count == 4 && a[0] > 0 ? a[3] : a[2]);
+        }
+        case word("defined"):
+            return set(read_defined());
+        case word("true"):
+        case word("yes"):
+        case word("on"):
+            return set(1);
+        case word("false"):
+        case word("no"):
+        case word("off"):
+            return set(0);
+        case word("pi"):
+            return set(std::numbers::pi);
+        case word("clock"):
+            return set(options.clock);
+        case word("clock_on"):
+            return set(options.clock_on);
+        case word("version"):
+            return set(version);
+        case word("now"):
+            return set((std::time(nullptr) - 946684800) / 86400.);  // days since 2000
+        case word("rand"): {
+            const double stream = parameter();
+            if (!(stream >= 0 && stream < static_cast<double>(streams.size())))
+                fail(at, "rand needs a number that seed() gave");
+            std::uint32_t& state = streams[static_cast<std::size_t>(stream)];
+            state = 1812433253u * state + 12345u;
+            return set(state / 4294967295.);
+        }
+        case word("seed"):
+            streams.push_back(static_cast<std::uint32_t>(static_cast<std::int32_t>(cut_off(parameter()))));
+            if ((streams.size() & 0xFFFFF) == 0) *bytes += 4 << 20;
+            return set(static_cast<double>(streams.size() - 1));
+        case word("asc"): {
+            expect('(');
+            const std::string text = string();
+            expect(')');
+            return set(text.empty() ? 0 : static_cast<unsigned char>(text[0]));
+        }
+        case word("val"): {
+            expect('(');
+            const std::string text = string();
+            expect(')');
+            return set(std::strtod(text.c_str(), nullptr));
+        }
+        case word("strlen"): {
+            expect('(');
+            const std::string text = string();
+            expect(')');
+            return set(static_cast<double>(text.size()));
+        }
+        case word("strcmp"): {
+            expect('(');
+            const std::string left = string();
+            accept(',');
+            const std::string right = string();
+            expect(')');
+            const std::size_t most = std::min(left.size(), right.size());
+            for (std::size_t i = 0; i <= most; ++i) {
+                const int difference = (i < left.size() ? static_cast<unsigned char>(left[i]) : 0) -
+                                       (i < right.size() ? static_cast<unsigned char>(right[i]) : 0);
+                if (difference) return set(difference);
+            }
+            return set(0);
+        }
+        case word("file_exists"): {
+            expect('(');
+            const std::string name = in.read_file_name();
+            expect(')');
+            return set(!find(name, {}, false).empty());
+        }
+        case word("dimensions"):
+        case word("dimension_size"): {
+            expect('(');
+            if (in.kind() != ValueKind::array) expected("the identifier of an array");
+            const auto array = std::static_pointer_cast<const ArrayThing>(in.take_value().thing);
+            double value = static_cast<double>(array->sizes.size());
+            if (function == word("dimension_size")) {
+                accept(',');
+                const double dimension = number() - 1 + tiny;
+                if (!(dimension >= 0 && dimension < value)) fail(at, "the array has no such dimension");
+                value = array->sizes[static_cast<std::size_t>(dimension)];
+            }
+            expect(')');
+            return set(value);
+        }
+        case word("x"):
+            return set_vector({1, 0, 0});
+        case word("y"):
+            return set_vector({0, 1, 0});
+        case word("z"):
+            return set_vector({0, 0, 1});
+        case word("u"):
+        case word("v"):
+            result.value = {function == word("u") ? 1. : 0., function == word("v") ? 1. : 0.};
+            result.count = 2;
+            return;
+        case word("t"):
+            result.value = {0, 0, 0, 1};
+            result.count = 4;
+            return;
+        case word("vlength"):
+            return set(length(vector_parameter()));
+        case word("vnormalize"): {
+            const DVec3 value = vector_parameter();
+            const double size = length(value);
+            if (size == 0) warn(at, "vnormalize of a vector of length 0");
+            return set_vector(size == 0 ? DVec3(0) : value / size);
+        }
+        case word("vdot"):
+        case word("vcross"):
+        case word("vrotate"):
+        case word("vaxis_rotate"): {
+            expect('(');
+            const DVec3 p = vector();
+            accept(',');
+            const DVec3 q = vector();
+            double degrees = 0;
+            if (function == word("vaxis_rotate")) {
+                accept(',');
+                degrees = number();
+            }
+            expect(')');
+            if (function == word("vdot")) return set(p.x * q.x + p.y * q.y + p.z * q.z);
+            if (function == word("vcross"))
+                return set_vector({p.y * q.z - p.z * q.y, p.z * q.x - p.x * q.z, p.x * q.y - p.y * q.x});
+            if (function == word("vaxis_rotate")) return set_vector(length(q) == 0 ? p : turned(p, q, degrees));
+            return set_vector(turned(turned(turned(p, {1, 0, 0}, q.x), {0, 1, 0}, q.y), {0, 0, 1}, q.z));
+        }
+        case word("vturbulence"): {
+            expect('(');
+            const double lambda = number();
+            accept(',');
+            const double omega = number();
+            accept(',');
+            const int octaves = static_cast<int>(std::clamp(number(), 1., 10.));
+            accept(',');
+            const DVec3 point = vector();
+            expect(')');
+            return set_vector(vector_turbulence(point, octaves, static_cast<float>(omega), static_cast<float>(lambda)));
+        }
+        case word("inside"): {
+            expect('(');
+            const auto object = object_argument();
+            accept(',');
+            const DVec3 point = vector();
+            expect(')');
+            return set(layer.inside(in, *object, point));
+        }
+        case word("min_extent"):
+        case word("max_extent"): {
+            expect('(');
+            const auto object = object_argument();
+            expect(')');
+            const auto [low, high] = layer.extent(in, *object);
+            return set_vector(function == word("min_extent") ? low : high);
+        }
+        case word("trace"): {
+            expect('(');
+            const auto object = object_argument();
+            accept(',');
+            const DVec3 from = vector();
+            accept(',');
+            const DVec3 direction = vector();
+            DVec3 hit(0), normal(0);
+            const bool found = layer.trace(in, *object, from, direction, hit, normal);
+            if (!found) hit = normal = DVec3(0);
+            if (accept(',')) {
+                if (in.kind() == ValueKind::none || in.kind() > ValueKind::color)
+                    expected("the identifier of a vector");
+                *next.value = {ValueKind::vector, {normal.x, normal.y, normal.z}, nullptr};
+                take();
+            }
+            expect(')');
+            return set_vector(hit);
+        }
+        default:
+            fail(at, name_of_code(function) + " is allowed in functions only");
+    }
+}
+
+}  // namespace strahl::pov

@@ -1,0 +1,457 @@
+// Directives: declarations, conditions, loops, macros and messages.
+#include <algorithm>
+#include <cmath>
+
+#include "files/words.h"
+#include "pov/language/state.h"
+#include "scene/error.h"
+
+namespace strahl::pov {
+namespace {
+
+using Control = Interpreter::State::Control;
+
+}  // namespace
+
+void Interpreter::State::directive(const RawToken& raw) {
+    const Depth guard(*this);
+    const TextPlace at = place_of(raw);
+    const auto open = [&](Control::Type type) -> Control& {
+        controls.push_back({type, false, &raw, nullptr, 0, 0, 0});
+        return controls.back();
+    };
+    const auto print = [&](const std::string& text) {
+        if (options.print) options.print(text);
+    };
+    switch (raw.directive) {
+        case word("if"):
+            open(Control::Type::condition);
+            if (!is_true(parenthesised_number())) branch(&raw);
+            break;
+        case word("ifdef"):
+        case word("ifndef"):
+            open(Control::Type::condition);
+            if (read_defined() != (raw.directive == word("ifdef"))) branch(&raw);
+            break;
+        case word("while"):
+            open(Control::Type::loop_while);
+            if (!is_true(parenthesised_number())) leave(raw);
+            break;
+        case word("for"): {
+            open(Control::Type::loop_for);
+            expect('(');
+            const RawToken& name = raw_name("the loop's variable");
+            accept(',');
+            const double first = number();
+            accept(',');
+            const double end = number();
+            double step = 1;
+            if (accept(',') || !in.at(')')) step = number();
+            expect(')');
+            if (is_true(step) == false) fail(at, "invalid #for: its step is 0");
+            Symbol* symbol = symbols.find(name.index);
+            if (!symbol || symbol->table != symbols.top()) symbol = &symbols.add(name.index, false);
+            value_of(*symbol) = {ValueKind::number, {first}, nullptr};
+            Control& loop = controls.back();
+            loop.variable = name.index;
+            loop.end = end;
+            loop.step = step;
+            loop.body = cursor;
+            if (!within(loop, first)) leave(raw);
+            break;
+        }
+        case word("switch"): {
+            open(Control::Type::choice);
+            const double value = parenthesised_number();
+            controls.back().end = value;
+            choose(&raw);
+            break;
+        }
+        case word("case"):
+        case word("range"):
+        case word("else"):
+        case word("elseif"):
+            if (controls.size() == readings.back().controls) fail(at, "this belongs to no block");
+            if (controls.back().type != Control::Type::choice) {
+                leave(raw);
+            } else if (raw.directive != word("else")) {  // cases fall through; their values are read over
+                expect('(');
+                number();
+                if (accept(',')) number();
+                expect(')');
+            }
+            break;
+        case word("end"):
+            end_block(raw);
+            break;
+        case word("break"):
+            break_block(raw);
+            break;
+        case word("declare"):
+        case word("local"):
+            declare(raw.directive == word("local"));
+            break;
+        case word("undef"):
+            undefine();
+            break;
+        case word("macro"):
+            define_macro(raw);
+            break;
+        case word("include"):
+            include_file();
+            break;
+        case word("version"):
+            set_version();
+            break;
+        case word("default"):
+            layer.read_default(in);
+            break;
+        case word("error"):
+            fail(at, "the scene says: " + string());
+        case word("warning"): {
+            const std::string text = string();
+            warn(at, "the scene warns: " + text);
+            print(text);
+            break;
+        }
+        case word("debug"):
+        case word("render"):
+        case word("statistics"):
+            print(string());
+            break;
+        case word("fopen"):
+            open_file();
+            break;
+        case word("fclose"): {
+            const RawToken& name = raw_name("a file's identifier");
+            Symbol* symbol = symbols.find(name.index);
+            if (!symbol || value_of(*symbol).kind != ValueKind::file) fail(last, "this is no open file");
+            symbols.remove(*symbol);
+            break;
+        }
+        case word("read"):
+            read_file();
+            break;
+        case word("write"):
+            write_file();
+            break;
+        default:  // also '#' before the name of a macro
+            if (cursor->code != new_name_code) warn(at, "'#' without a directive is read over");
+            break;
+    }
+}
+
+void Interpreter::State::read_old_directive(const RawToken& raw) {
+    last = place_of(raw);
+    warn(last, "'#' is missing before " + name_of_code(raw.code));
+    RawToken written = raw;
+    written.code = '#';
+    written.directive = raw.code;
+    directive(written);
+}
+
+double Interpreter::State::parenthesised_number() {
+    return with_directives(false, [&] { return parameter(); });
+}
+
+void Interpreter::State::leave(const RawToken& from) {
+    const RawToken* at = &from;
+    const RawToken* first = text().tokens.data();
+    do {
+        at = first + at->index;
+    } while (at->code == '#' && at->directive != word("end"));
+    cursor = at;  // '#end' closes the block itself
+    if (at->code != '#') return;
+    ++cursor;
+    controls.pop_back();
+}
+
+void Interpreter::State::branch(const RawToken* at) {
+    const RawToken* first = text().tokens.data();
+    for (;;) {
+        at = first + at->index;
+        cursor = at + 1;
+        if (at->code != '#') {
+            cursor = at;
+            return;
+        }
+        if (at->directive == word("end")) return controls.pop_back();
+        if (at->directive == word("else")) return;
+        if (at->directive == word("elseif") && is_true(parenthesised_number())) return;
+    }
+}
+
+bool Interpreter::State::within(const Control& loop, double value) const {
+    return loop.step > 0 ? value <= loop.end + tiny : value >= loop.end - tiny;
+}
+
+void Interpreter::State::choose(const RawToken* at) {
+    const RawToken* first = text().tokens.data();
+    const double value = controls.back().end;
+    for (;;) {
+        at = first + at->index;
+        cursor = at + 1;
+        if (at->code != '#') {
+            cursor = at;
+            return;
+        }
+        if (at->directive == word("end")) return controls.pop_back();
+        bool chosen = at->directive == word("else");
+        if (at->directive == word("case")) {
+            chosen = std::abs(parenthesised_number() - value) < tiny;
+        } else if (at->directive == word("range")) {
+            const auto [low, high] = with_directives(false, [&] {
+                expect('(');
+                const double from = number();
+                accept(',');
+                const double to = number();
+                expect(')');
+                return std::pair(from, to);
+            });
+            chosen = value >= low && value <= high;
+        }
+        if (chosen) return;
+    }
+}
+
+void Interpreter::State::end_block(const RawToken& raw) {
+    if (controls.size() == readings.back().controls) fail(place_of(raw), "'#end' without a block that it could close");
+    Control& control = controls.back();
+    if (control.type == Control::Type::loop_while) {
+        cursor = control.opener + 1;
+        if (!is_true(parenthesised_number())) leave(*controls.back().opener);
+    } else if (control.type == Control::Type::loop_for) {
+        Symbol* symbol = symbols.find(control.variable);
+        if (!symbol || value_of(*symbol).kind != ValueKind::number)
+            fail(place_of(raw), "the variable of #for is no number any more");
+        double& value = value_of(*symbol).number[0];
+        value += control.step;
+        if (within(control, value))
+            cursor = control.body;
+        else
+            controls.pop_back();
+    } else {
+        controls.pop_back();
+    }
+}
+
+void Interpreter::State::break_block(const RawToken& raw) {
+    while (controls.size() > readings.back().controls) {
+        if (controls.back().type != Control::Type::condition) return leave(*controls.back().opener);
+        controls.pop_back();
+    }
+    if (!readings.back().macro) fail(place_of(raw), "'#break' outside loops, cases and macros");
+    pop_reading();
+}
+
+const RawToken& Interpreter::State::raw_name(const std::string& what) {
+    const RawToken& raw = *cursor;
+    last = place_of(raw);
+    if (raw.code != new_name_code) {
+        if (raw.code >= first_word_code)
+            fail(last, name_of_code(raw.code) + " is a word of the language; choose another name");
+        fail(last, what + " expected, but found " + name_of_code(raw.code));
+    }
+    ++cursor;
+    return raw;
+}
+
+NamedValue* Interpreter::State::raw_element(NamedValue* value, std::shared_ptr<ArrayThing>& array, std::size_t& index) {
+    while (value->kind == ValueKind::array && cursor->code == '[') {
+        array = std::const_pointer_cast<ArrayThing>(std::static_pointer_cast<const ArrayThing>(value->thing));
+        index = subscripts(*array);
+        value = &array->elements[index];
+    }
+    return value;
+}
+
+bool Interpreter::State::read_defined() {
+    return with_directives(false, [&] {
+        expect('(');
+        bool known = false;
+        if (cursor->code == new_name_code) {
+            Symbol* symbol = symbols.find(cursor->index);
+            ++cursor;
+            if (symbol) {
+                std::shared_ptr<ArrayThing> array;
+                std::size_t index = 0;
+                known = raw_element(&value_of(*symbol), array, index)->kind != ValueKind::none;
+            }
+        } else {
+            take();
+            known = false;
+        }
+        expect(')');
+        return known;
+    });
+}
+
+void Interpreter::State::declare(bool local) {
+    if (cursor->code == word("deprecated")) {
+        take();
+        accept(word("once"));
+        if (at_string()) string();
+    }
+    const RawToken& name = raw_name("an identifier");
+    const TextPlace at = last;
+    Symbol* symbol = symbols.find(name.index);
+    std::shared_ptr<ArrayThing> array;
+    std::size_t index = 0;
+    if (symbol && value_of(*symbol).kind == ValueKind::array && cursor->code == '[') {
+        with_directives(true, [&] { return raw_element(&value_of(*symbol), array, index); });
+    } else {
+        if (symbol && local && symbol->table != symbols.top()) symbol = nullptr;
+        if (!symbol) symbol = &symbols.add(name.index, !local);
+        const ValueKind old = value_of(*symbol).kind;
+        if (old == ValueKind::macro) fail(at, quoted(names.text(name.index)) + " is a macro");
+        if (old == ValueKind::function || old == ValueKind::vector_function)
+            fail(at, "a function cannot be declared again; '#undef " + names.text(name.index) + "' first");
+    }
+    // The table may be gone when the right side has been read: a macro may end there.
+    struct Keep {
+        State& state;
+        Symbol* symbol;
+        ~Keep() { state.symbols.release(symbol); }
+    } keep{*this, symbol};
+    ++symbol->users;
+    with_directives(false, [&] { expect('='); });
+    NamedValue value = right_side(false);
+    with_directives(false, [&] {
+        const bool numbers = value.kind >= ValueKind::number && value.kind <= ValueKind::color;
+        if (!accept(';') && numbers && version >= 3.5) warn(at, "';' is missing after this declaration");
+    });
+    if (!array) {
+        value_of(*symbol) = std::move(value);
+        return;
+    }
+    if (value.kind == ValueKind::array) add_level(*array, value);
+    array->elements[index] = std::move(value);
+}
+
+void Interpreter::State::undefine() {
+    const RawToken& name = raw_name("an identifier");
+    Symbol* symbol = symbols.find(name.index);
+    if (!symbol) return warn(last, "'#undef' of an unknown name");
+    std::shared_ptr<ArrayThing> array;
+    std::size_t index = 0;
+    if (raw_element(&value_of(*symbol), array, index); array)
+        array->elements[index] = {};
+    else
+        symbols.remove(*symbol);
+}
+
+void Interpreter::State::define_macro(const RawToken& raw) {
+    const RawToken& name = raw_name("the macro's name");
+    const TextPlace at = last;
+    auto macro = std::make_shared<MacroThing>();
+    macro->name = name.index;
+    macro->file = readings.back().file;
+    const auto sign = [&](char wanted) {
+        if (cursor->code != wanted) return false;
+        ++cursor;
+        return true;
+    };
+    if (!sign('(')) fail(place_of(*cursor), "'(' expected after the macro's name");
+    while (!sign(')')) {
+        macro->parameters.push_back(raw_name("a parameter or ')'").index);
+        sign(',');
+    }
+    macro->first = static_cast<std::uint32_t>(cursor - text().tokens.data());
+    const RawToken& end = text().tokens[raw.index];
+    if (end.code != '#') fail(place_of(raw), "this macro is not closed: '#end' expected");
+    cursor = &end + 1;
+    Symbol* symbol = symbols.find(name.index);
+    if (symbol && value_of(*symbol).kind != ValueKind::macro)
+        fail(at, quoted(names.text(name.index)) + " is already " + strahl::pov::name_of(value_of(*symbol).kind));
+    if (!symbol) symbol = &symbols.add(name.index, true);
+    value_of(*symbol) = {ValueKind::macro, {}, std::move(macro)};
+}
+
+void Interpreter::State::call_macro(const RawToken& raw, std::shared_ptr<const MacroThing> macro) {
+    /// An argument: a value, or the identifier or element that the parameter will stand for.
+    struct Argument {
+        NamedValue value;
+        Symbol* target = nullptr;
+        NamedValue element;
+        std::size_t index = 0;
+    };
+    const Depth guard(*this);
+    const TextPlace called = place_of(raw);
+    expect('(');
+    std::vector<Argument> given(macro->parameters.size());
+    const int table = symbols.top();
+    for (Argument& argument : given) {
+        if (in.at(')'))
+            fail(next.place, "the macro " + quoted(names.text(macro->name)) + " needs " + std::to_string(given.size()) +
+                                 " arguments");
+        bool reference =
+            code() == value_code && next.symbol->table <= table && symbols.find(next.symbol->name) == next.symbol;
+        if (reference) {
+            const ValueKind kind = next.value->kind;
+            const std::uint16_t after = cursor->code;
+            const bool more =
+                after == '+' || after == '-' || after == '*' || after == '/' || after == '.' || after == '#';
+            if (kind == ValueKind::function || kind == ValueKind::vector_function)
+                reference = false;
+            else if (kind == ValueKind::spline)
+                reference = after != '(';
+            else if (kind <= ValueKind::color)
+                reference = !more;
+        }
+        if (!reference) {
+            argument.value = right_side(true);
+        } else {
+            if (next.array) {
+                argument.element = {ValueKind::array, {}, next.array};
+                argument.index = next.index;
+            } else if (next.symbol->element.thing) {
+                argument.element = next.symbol->element;
+                argument.index = next.symbol->index;
+            } else {
+                argument.target = next.symbol->target ? next.symbol->target : next.symbol;
+            }
+            take();
+        }
+        accept(',');
+    }
+    if (!in.at(')')) expected("')' after the arguments of the macro " + quoted(names.text(macro->name)));
+    take();
+    symbols.push();
+    for (std::size_t i = 0; i < given.size(); ++i) {
+        Symbol& parameter = symbols.add(macro->parameters[i], false);
+        parameter.value = std::move(given[i].value);
+        parameter.element = std::move(given[i].element);
+        parameter.index = given[i].index;
+        if (given[i].target) symbols.refer(parameter, given[i].target);
+    }
+    push_file(macro->file, called);
+    readings.back().macro = macro;
+    cursor += macro->first;
+    if (readings.size() > 2 * static_cast<std::size_t>(options.limits.nesting)) check_limits();
+}
+
+void Interpreter::State::include_file() {
+    const TextPlace at = last;
+    const std::string name = in.read_file_name();
+    if (readings.size() > static_cast<std::size_t>(options.limits.nesting))
+        fail(at, "files include each other without an end");
+    const std::string path = find(name, {".inc", ".INC"}, true);
+    auto [known, fresh] = file_numbers.emplace(path, static_cast<std::uint32_t>(files.size()));
+    if (fresh) files.push_back(std::make_unique<TextFile>(path, load(path), names));
+    symbols.push();
+    push_file(known->second, at);
+}
+
+void Interpreter::State::set_version() {
+    version_given = true;
+    const double wanted = with_directives(false, [&] {
+        if (code() == new_name_code && names.text(next.raw->index) == "unofficial") take();
+        const double value = number();
+        accept(';');
+        return value;
+    });
+    version = std::round(wanted * 100) / 100;
+    if (version > 3.7) warn(last, "#version " + std::to_string(version).substr(0, 4) + " is read as 3.7");
+}
+
+}  // namespace strahl::pov

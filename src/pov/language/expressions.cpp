@@ -1,0 +1,459 @@
+// Expressions with POV-Ray's rules: commas are optional, shorter vectors are padded, comparisons have a tolerance.
+#include <algorithm>
+#include <cmath>
+
+#include "files/words.h"
+#include "pov/language/spline.h"
+#include "pov/language/state.h"
+
+namespace strahl::pov {
+namespace {
+
+/// Makes an expression have at least `count` components: a number is repeated, a vector padded with 0.
+void promote(Components& value, int count) {
+    if (value.count >= count) return;
+    const double fill = value.count == 1 ? value.value[0] : 0;
+    std::fill(value.value.begin() + value.count, value.value.begin() + count, fill);
+    value.count = count;
+}
+
+/// Combines two expressions component by component.
+template <class Operation>
+void combine(Components& left, Components& right, const Operation& operation) {
+    if (left.count == 1 && right.count == 1) {
+        left.value[0] = operation(left.value[0], right.value[0]);
+        return;
+    }
+    const int count = std::max(left.count, right.count);
+    promote(left, count);
+    promote(right, count);
+    for (int i = 0; i < count; ++i) left.value[i] = operation(left.value[i], right.value[i]);
+}
+
+void set(Components& result, double value) {
+    result.value[0] = value;
+    result.count = 1;
+}
+
+bool compare(std::uint16_t code, double left, double right) {
+    switch (code) {
+        case '<':
+            return left < right;
+        case less_equal_code:
+            return left <= right + tiny;
+        case '=':
+            return std::abs(left - right) <= tiny;
+        case not_equal_code:
+            return std::abs(left - right) > tiny;
+        case greater_equal_code:
+            return left + tiny >= right;
+        default:
+            return left > right;
+    }
+}
+bool is_comparison(std::uint16_t code) {
+    return code == '<' || code == '=' || code == '>' || code == less_equal_code || code == greater_equal_code ||
+           code == not_equal_code;
+}
+
+}  // namespace
+
+void Interpreter::State::sum(Components& result) {
+    product(result);
+    for (;;) {
+        const std::uint16_t operation = code();
+        if (operation != '+' && operation != '-') return;
+        take();
+        Components right;
+        product(right);
+        if (operation == '+')
+            combine(result, right, [](double a, double b) { return a + b; });
+        else
+            combine(result, right, [](double a, double b) { return a - b; });
+    }
+}
+
+void Interpreter::State::product(Components& result) {
+    factor(result);
+    for (;;) {
+        const std::uint16_t operation = code();
+        if (operation != '*' && operation != '/') return;
+        take();
+        Components right;
+        factor(right);
+        if (operation == '*') {
+            combine(result, right, [](double a, double b) { return a * b; });
+        } else {
+            const auto divide = [&](double a, double b) {
+                if (b == 0) warn(last, "division by 0");
+                return b == 0 ? 1e10 * 1e300 * a : a / b;
+            };
+            combine(result, right, divide);
+        }
+    }
+}
+
+void Interpreter::State::factor(Components& result) {
+    const bool before = execute(true);
+    switch (code()) {
+        case number_code:
+            set(result, next.raw->number);
+            take();
+            break;
+        case value_code:
+            identifier(result);
+            break;
+        case '<':
+            vector_literal(result);
+            break;
+        case '-':
+        case '+':
+        case '!': {
+            const Depth guard(*this);
+            const std::uint16_t sign = next.code;
+            take();
+            execute(before);
+            factor(result);
+            for (int i = 0; i < result.count; ++i)
+                if (sign == '-')
+                    result.value[i] = -result.value[i];
+                else if (sign == '!')
+                    result.value[i] = is_true(result.value[i]) ? 0 : 1;
+            return;
+        }
+        case '(': {
+            const Depth guard(*this);
+            take();
+            full(result, 1);
+            expect(')');
+            break;
+        }
+        default:
+            if (next.code < first_word_code) expected("a number, a vector or a colour");
+            {
+                const Depth guard(*this);
+                call(next.code, result);
+            }
+    }
+    execute(before);
+    if (code() == '.') component(result);
+}
+
+void Interpreter::State::component(Components& result) {
+    take();
+    int index = 0;
+    switch (code()) {
+        case word("x"):
+        case word("u"):
+        case word("red"):
+            index = 0;
+            break;
+        case word("y"):
+        case word("v"):
+        case word("green"):
+            index = 1;
+            break;
+        case word("z"):
+        case word("blue"):
+            index = 2;
+            break;
+        case word("t"):
+        case word("filter"):
+            index = 3;
+            break;
+        case word("transmit"):
+            index = 4;
+            break;
+        case word("gray"):
+            index = 5;
+            break;
+        default:
+            expected("the name of a component, such as x or red,");
+    }
+    take();
+    const auto& v = result.value;
+    if (index == 5 && result.count >= 3) return set(result, .297 * v[0] + .589 * v[1] + .114 * v[2]);
+    if (index >= result.count || result.count == 1)
+        fail(last, "there is no such component: the value has " + std::to_string(result.count));
+    set(result, v[index]);
+}
+
+void Interpreter::State::vector_literal(Components& result) {
+    const Depth guard(*this);
+    take();
+    int count = 0;
+    std::array<double, 5> value{};
+    do {
+        if (count == 5) expected("'>'");
+        value[count++] = number();
+        accept(',');
+    } while (count < 2 || at_value());
+    expect('>');
+    result.value = value;
+    result.count = count;
+}
+
+void Interpreter::State::identifier(Components& result) {
+    NamedValue& value = *next.value;
+    switch (value.kind) {
+        case ValueKind::number:
+        case ValueKind::uv:
+        case ValueKind::vector:
+        case ValueKind::vector4:
+        case ValueKind::color:
+            result.count = 1 + static_cast<int>(value.kind) - static_cast<int>(ValueKind::number);
+            result.value = value.number;
+            take();
+            return;
+        case ValueKind::spline: {
+            const Depth guard(*this);
+            const auto curve = std::static_pointer_cast<const SplineThing>(value.thing);
+            take();
+            expect('(');
+            const double at = number();
+            SplineThing::Type type = curve->type;
+            if (accept(',')) {
+                if (!SplineThing::type_of(code(), type)) expected("the type of a spline");
+                take();
+            }
+            expect(')');
+            result.count = curve->components;
+            result.value = curve->at(at, type);
+            return;
+        }
+        case ValueKind::function:
+        case ValueKind::vector_function: {
+            const Depth guard(*this);
+            const auto function = std::static_pointer_cast<const FunctionThing>(value.thing);
+            take();
+            expect('(');
+            std::vector<double> given;
+            while (!in.at(')')) {
+                Components argument;
+                sum(argument);
+                // A vector gives the arguments x, y and z.
+                given.insert(given.end(), argument.value.begin(), argument.value.begin() + argument.count);
+                if (!accept(',') && !in.at(')')) expected("',' or ')'");
+            }
+            if (static_cast<int>(given.size()) != function->arguments)
+                fail(last, "this function needs " + std::to_string(function->arguments) + " arguments, not " +
+                               std::to_string(given.size()));
+            take();
+            function->evaluate(given.data(), result.value.data());
+            result.count = function->results;
+            return;
+        }
+        default:
+            expected("a number, a vector or a colour");
+    }
+}
+
+void Interpreter::State::full(Components& result, int wanted) {
+    logical(result);
+    if (code() != '?') return promote(result, wanted);
+    const Depth guard(*this);
+    if (result.count != 1) fail(last, "a condition must be a number");
+    take();
+    Components other, otherwise;
+    full(other, wanted);
+    expect(':');
+    full(otherwise, wanted);
+    result = is_true(result.value[0]) ? other : otherwise;
+}
+
+void Interpreter::State::logical(Components& result) {
+    relation(result);
+    for (;;) {
+        const std::uint16_t operation = code();
+        if (operation != '&' && operation != '|') return;
+        take();
+        Components right;
+        relation(right);
+        if (operation == '&')
+            combine(result, right, [](double a, double b) { return is_true(a) && is_true(b) ? 1. : 0.; });
+        else
+            combine(result, right, [](double a, double b) { return is_true(a) || is_true(b) ? 1. : 0.; });
+    }
+}
+
+void Interpreter::State::relation(Components& result) {
+    if (at_string()) {
+        const std::string left = string();
+        const std::uint16_t operation = code();
+        if (!is_comparison(operation)) expected("a comparison");
+        take();
+        return set(result, compare(operation, left.compare(string()), 0));
+    }
+    sum(result);
+    while (is_comparison(code())) {
+        const std::uint16_t operation = next.code;
+        take();
+        Components right;
+        sum(right);
+        combine(result, right, [&](double a, double b) { return compare(operation, a, b) ? 1. : 0.; });
+    }
+}
+
+double Interpreter::State::number() {
+    Components value;
+    sum(value);
+    if (value.count != 1)
+        fail(last, "a number expected, but found a value of " + std::to_string(value.count) + " components");
+    return value.value[0];
+}
+
+DVec3 Interpreter::State::vector() {
+    Components value;
+    sum(value);
+    if (value.count > 3)
+        fail(last, "a vector of three components expected, but this has " + std::to_string(value.count));
+    promote(value, 3);
+    return {value.value[0], value.value[1], value.value[2]};
+}
+
+bool Interpreter::State::at_color() {
+    switch (code()) {
+        case word("color"):
+        case word("rgb"):
+        case word("rgbf"):
+        case word("rgbt"):
+        case word("rgbft"):
+        case word("srgb"):
+        case word("srgbf"):
+        case word("srgbt"):
+        case word("srgbft"):
+        case word("red"):
+        case word("green"):
+        case word("blue"):
+        case word("filter"):
+        case word("transmit"):
+        case word("alpha"):
+            return true;
+        case value_code:
+            return next.value->kind == ValueKind::color;
+        default:
+            return false;
+    }
+}
+
+double Interpreter::State::decode(double value) const {
+    const double linear = value <= .04045 ? value / 12.92 : std::pow((value + .055) / 1.055, 2.4);
+    return in.assumed_gamma ? std::pow(linear, 1 / *in.assumed_gamma) : linear;
+}
+
+FilterColor Interpreter::State::color() {
+    std::array<double, 5> color{};
+    bool begun = false;
+    accept(word("color"));
+    const auto read = [&](int wanted) {
+        Components value;
+        full(value, wanted);
+        std::copy_n(value.value.begin(), value.count, color.begin());
+        begun = true;
+    };
+    for (;;) {
+        const std::uint16_t key = code();
+        switch (key) {
+            case word("rgb"):
+            case word("rgbf"):
+            case word("rgbt"):
+            case word("rgbft"):
+            case word("srgb"):
+            case word("srgbf"):
+            case word("srgbt"):
+            case word("srgbft"): {
+                if (begun) goto done;
+                const bool transmits = key == word("rgbt") || key == word("srgbt");
+                const bool filters = key == word("rgbf") || key == word("srgbf");
+                take();
+                read(transmits || filters ? 4 : key == word("rgb") || key == word("srgb") ? 3 : 5);
+                if (transmits) {
+                    color[4] = color[3];
+                    color[3] = 0;
+                }
+                if (key >= word("srgb") && key <= word("srgbt"))
+                    for (int i = 0; i < 3; ++i) color[i] = decode(color[i]);
+                break;
+            }
+            case word("red"):
+            case word("green"):
+            case word("blue"):
+            case word("filter"):
+            case word("alpha"):
+            case word("transmit"):
+                take();
+                color[key == word("red")        ? 0
+                      : key == word("green")    ? 1
+                      : key == word("blue")     ? 2
+                      : key == word("transmit") ? 4
+                                                : 3] = number();
+                begun = true;
+                break;
+            default:
+                if (begun || !at_value()) {
+                    if (!begun) expected("a colour");
+                    goto done;
+                }
+                read(5);
+        }
+    }
+done:
+    FilterColor result;
+    result.red = static_cast<float>(color[0]);
+    result.green = static_cast<float>(color[1]);
+    result.blue = static_cast<float>(color[2]);
+    result.filter = static_cast<float>(color[3]);
+    result.transmit = static_cast<float>(color[4]);
+    return result;
+}
+
+NamedValue Interpreter::State::named(const Components& value) const {
+    NamedValue result;
+    result.kind = static_cast<ValueKind>(static_cast<int>(ValueKind::number) + value.count - 1);
+    std::copy_n(value.value.begin(), value.count, result.number.begin());
+    if (value.count == 5)  // colours are in single precision
+        for (double& each : result.number) each = static_cast<float>(each);
+    return result;
+}
+
+NamedValue Interpreter::State::right_side(bool argument) {
+    const std::uint16_t first = code();
+    if (first == new_name_code) expected(argument ? "an argument with a value" : "a value");
+    if (at_string()) return named(string());
+    if (first == value_code) {
+        const ValueKind kind = next.value->kind;
+        const bool call = cursor->code == '(';
+        const bool callable =
+            kind == ValueKind::spline || kind == ValueKind::function || kind == ValueKind::vector_function;
+        if (kind > ValueKind::color && !(callable && call)) {
+            const NamedValue value = *next.value;
+            take();
+            return copy(value);
+        }
+    }
+    if (first == word("array")) return read_array();
+    if (first == word("spline")) return read_spline();
+    if (first == word("function")) {
+        auto read = function();
+        const ValueKind kind = read->results == 1 ? ValueKind::function : ValueKind::vector_function;
+        return {kind, {}, std::move(read)};
+    }
+    if (first != value_code && at_color()) {
+        const bool before = execute(false);
+        const FilterColor read = color();
+        execute(before);
+        return {ValueKind::color, {read.red, read.green, read.blue, read.filter, read.transmit}, nullptr};
+    }
+    if (at_value()) {
+        const bool before = execute(false);
+        Components value;
+        sum(value);
+        execute(before);
+        return named(value);
+    }
+    NamedValue thing = layer.read_thing(in);
+    if (thing.kind == ValueKind::none) expected(argument ? "an argument" : "a value");
+    return thing;
+}
+
+}  // namespace strahl::pov

@@ -1,0 +1,569 @@
+// Functions that a scene declares: read into a list of instructions for a small stack machine.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "files/words.h"
+#include "pov/language/internal_functions.h"
+#include "pov/language/spline.h"
+#include "pov/language/state.h"
+
+namespace strahl::pov {
+namespace {
+
+constexpr int most_numbers = 250;     // on the stack of one function: its arguments, and what expressions need
+constexpr int most_rounds = 100'000;  // of all loops in one evaluation
+constexpr int most_calls = 60;        // of functions that call functions
+
+/// An instruction: takes its operands from the stack, and puts its result there. Codes of words are functions of that
+/// name; those of signs, operators.
+struct Instruction {
+    std::uint16_t operation;
+    std::uint16_t count = 0;  // of arguments; of a loop: the instructions that it repeats
+    std::uint32_t index = 0;  // of a variable, of a function that is called, of a component
+    double number = 0;
+};
+// Operations besides signs and words.
+constexpr std::uint16_t constant = 1, variable = 2, call = 3, negate = 4;
+
+struct CompiledFunction : FunctionThing {
+    std::vector<Instruction> instructions;
+    std::vector<std::shared_ptr<const FunctionThing>> called;
+    int variables = 0;  // arguments, then variables of loops
+    int levels = 1;
+
+    void evaluate(const double* given, double* result) const override {
+        double numbers[most_numbers];
+        std::copy_n(given, arguments, numbers);
+        int rounds = 0;
+        const double* top = run(0, instructions.size(), numbers, numbers + variables, rounds);
+        *result = top[-1];
+    }
+
+  private:
+    double* run(std::size_t first, std::size_t last, double* numbers, double* top, int& rounds) const;
+};
+
+double truncated(double value) {
+    return value > -2147483649. && value < 2147483648. ? std::trunc(value) : -2147483648.;
+}
+
+double* CompiledFunction::run(std::size_t first, std::size_t last, double* numbers, double* top, int& rounds) const {
+    for (std::size_t i = first; i < last; ++i) {
+        const Instruction& step = instructions[i];
+        const auto unary = [&](auto&& operation) { top[-1] = operation(top[-1]); };
+        const auto binary = [&](auto&& operation) {
+            --top;
+            top[-1] = operation(top[-1], top[0]);
+        };
+        switch (step.operation) {
+            case constant:
+                *top++ = step.number;
+                break;
+            case variable:
+                *top++ = numbers[step.index];
+                break;
+            case negate:
+                top[-1] = -top[-1];
+                break;
+            case '+':
+                binary([](double a, double b) { return a + b; });
+                break;
+            case '-':
+                binary([](double a, double b) { return a - b; });
+                break;
+            case '*':
+                binary([](double a, double b) { return a * b; });
+                break;
+            case '/':
+                binary([](double a, double b) { return a / b; });
+                break;
+            case '<':
+                binary([](double a, double b) { return a < b ? 1. : 0.; });
+                break;
+            case '>':
+                binary([](double a, double b) { return a > b ? 1. : 0.; });
+                break;
+            case '=':
+                binary([](double a, double b) { return a == b ? 1. : 0.; });
+                break;
+            case less_equal_code:
+                binary([](double a, double b) { return a <= b ? 1. : 0.; });
+                break;
+            case greater_equal_code:
+                binary([](double a, double b) { return a >= b ? 1. : 0.; });
+                break;
+            case not_equal_code:
+                binary([](double a, double b) { return a != b ? 1. : 0.; });
+                break;
+            case '&':
+                binary([](double a, double b) { return a != 0 && b != 0 ? 1. : 0.; });
+                break;
+            case '|':
+                binary([](double a, double b) { return a != 0 || b != 0 ? 1. : 0.; });
+                break;
+            case word("abs"):
+                unary([](double v) { return std::abs(v); });
+                break;
+            case word("acos"):
+                unary([](double v) { return std::acos(v); });
+                break;
+            case word("acosh"):
+                unary([](double v) { return std::acosh(v); });
+                break;
+            case word("asin"):
+                unary([](double v) { return std::asin(v); });
+                break;
+            case word("asinh"):
+                unary([](double v) { return std::asinh(v); });
+                break;
+            case word("atan"):
+                unary([](double v) { return std::atan(v); });
+                break;
+            case word("atanh"):
+                unary([](double v) { return std::atanh(v); });
+                break;
+            case word("ceil"):
+                unary([](double v) { return std::ceil(v); });
+                break;
+            case word("cos"):
+                unary([](double v) { return std::cos(v); });
+                break;
+            case word("cosh"):
+                unary([](double v) { return std::cosh(v); });
+                break;
+            case word("degrees"):
+                unary([](double v) { return v * (180 / std::numbers::pi); });
+                break;
+            case word("exp"):
+                unary([](double v) { return std::exp(v); });
+                break;
+            case word("floor"):
+                unary([](double v) { return std::floor(v); });
+                break;
+            case word("int"):
+                unary(truncated);
+                break;
+            case word("ln"):
+                unary([](double v) { return std::log(v); });
+                break;
+            case word("log"):
+                unary([](double v) { return std::log10(v); });
+                break;
+            case word("radians"):
+                unary([](double v) { return v * (std::numbers::pi / 180); });
+                break;
+            case word("sin"):
+                unary([](double v) { return std::sin(v); });
+                break;
+            case word("sinh"):
+                unary([](double v) { return std::sinh(v); });
+                break;
+            case word("sqr"):
+                unary([](double v) { return v * v; });
+                break;
+            case word("sqrt"):
+                unary([](double v) { return std::sqrt(v); });
+                break;
+            case word("tan"):
+                unary([](double v) { return std::tan(v); });
+                break;
+            case word("tanh"):
+                unary([](double v) { return std::tanh(v); });
+                break;
+            case word("atan2"):
+                binary([](double a, double b) { return std::atan2(a, b); });
+                break;
+            case word("div"):
+                binary([](double a, double b) { return truncated(a / b); });
+                break;
+            case word("mod"):
+                binary([](double a, double b) { return std::fmod(a, b); });
+                break;
+            case word("pow"):
+                binary([](double a, double b) { return std::pow(a, b); });
+                break;
+            case word("min"):
+            case word("max"):
+                for (int k = 1; k < step.count; ++k)
+                    if (step.operation == word("min"))
+                        binary([](double a, double b) { return std::min(a, b); });
+                    else
+                        binary([](double a, double b) { return std::max(a, b); });
+                break;
+            case word("select"): {
+                top -= step.count;
+                const double by = top[0];
+                *top = by < 0 ? top[1] : step.count == 4 && by > 0 ? top[3] : top[2];
+                ++top;
+                break;
+            }
+            case call: {
+                double results[5];
+                top -= step.count;
+                called[step.index]->evaluate(top, results);
+                *top++ = results[static_cast<int>(step.number)];
+                break;
+            }
+            case word("sum"):
+            case word("prod"): {
+                top -= 2;
+                const bool adds = step.operation == word("sum");
+                double at = top[0], total = adds ? 0 : 1;
+                for (const double end = top[1]; at <= end; ++at) {
+                    if (++rounds > most_rounds) {
+                        total = std::numeric_limits<double>::quiet_NaN();
+                        break;
+                    }
+                    numbers[step.index] = at;
+                    const double value = run(i + 1, i + 1 + step.count, numbers, top, rounds)[-1];
+                    total = adds ? total + value : total * value;
+                }
+                *top++ = total;
+                i += step.count;
+                break;
+            }
+        }
+    }
+    return top;
+}
+
+/// A spline as a function of one number.
+struct SplineFunction : FunctionThing {
+    std::shared_ptr<const SplineThing> spline;
+    explicit SplineFunction(std::shared_ptr<const SplineThing> given) : spline(std::move(given)) {
+        arguments = 1;
+        results = spline->components;
+    }
+    void evaluate(const double* given, double* result) const override {
+        const auto value = spline->at(*given, spline->type);
+        std::copy_n(value.begin(), results, result);
+    }
+};
+
+int levels_of(const FunctionThing& function) {
+    const auto* compiled = dynamic_cast<const CompiledFunction*>(&function);
+    return compiled ? compiled->levels : 1;
+}
+
+}  // namespace
+
+/// Reads the expression of a function.
+class FunctionReader {
+  public:
+    explicit FunctionReader(Interpreter::State& state) : state(state) {}
+
+    /// Reads `(a, b) { E }` or `{ E }`.
+    std::shared_ptr<const FunctionThing> read() {
+        auto& made = *result;
+        if (state.cursor->code == '(') {
+            state.accept('(');
+            while (state.cursor->code != ')') {
+                const RawToken& raw = *state.cursor++;
+                state.last = state.place_of(raw);
+                if (raw.code != new_name_code && !coordinate(raw.code))
+                    state.fail(state.last, "the name of a parameter expected");
+                parameters.push_back(key(raw));
+                if (state.cursor->code == ',') ++state.cursor;
+                if (parameters.size() > 56) state.fail(state.last, "a function has at most 56 parameters");
+            }
+            state.accept(')');
+        } else {
+            parameters = {word("x"), word("y"), word("z")};
+        }
+        made.arguments = static_cast<int>(parameters.size());
+        state.expect('{');
+        switch (state.code()) {
+            case word("internal"):
+                return read_internal();
+            case word("pigment"):
+            case word("pattern"):
+            case word("transform"):
+                return closed(state.layer.read_function(state.in));
+            case word("spline"):
+                return closed(std::make_shared<SplineFunction>(
+                    std::static_pointer_cast<const SplineThing>(state.read_spline().thing)));
+            case value_code:
+                if (state.next.value->kind == ValueKind::transform) return closed(state.layer.read_function(state.in));
+        }
+        either();
+        made.variables = static_cast<int>(parameters.size() + loops);
+        if (made.variables + most > most_numbers) state.fail(state.last, "this function is too long");
+        return closed(result);
+    }
+
+  private:
+    static bool coordinate(std::uint16_t code) {
+        return code == word("x") || code == word("y") || code == word("z") || code == word("u") || code == word("v");
+    }
+    /// Identifies a parameter: the code of its word, or a number beyond those of its name.
+    static std::uint32_t key(const RawToken& raw) {
+        return raw.code == new_name_code ? (1u << 16) + raw.index : raw.code;
+    }
+
+    std::shared_ptr<const FunctionThing> closed(std::shared_ptr<const FunctionThing> function) {
+        if (!function) state.expected("a function");
+        state.expect('}');
+        return function;
+    }
+    std::shared_ptr<const FunctionThing> read_internal() {
+        state.take();
+        state.expect('(');
+        const int number = static_cast<int>(std::clamp(state.number(), -1., 1000.));
+        state.expect(')');
+        auto function = internal_function(number, state.in.noise_generator);
+        if (!function) state.fail(state.last, "there is no internal function of this number");
+        return closed(function);
+    }
+
+    void add(std::uint16_t operation, int change, std::size_t count = 0, std::uint32_t index = 0, double number = 0) {
+        result->instructions.push_back({operation, static_cast<std::uint16_t>(count), index, number});
+        depth += change;
+        most = std::max(most, depth);
+        if (result->instructions.size() > 60000) state.fail(state.last, "this function is too long");
+    }
+    void constant_of(double value) { add(constant, 1, 0, 0, value); }
+
+    // In functions '&' binds tighter than '|'.
+    void either() {
+        both();
+        while (state.accept('|')) both(), add('|', -1);
+    }
+    void both() {
+        relation();
+        while (state.accept('&')) relation(), add('&', -1);
+    }
+    void relation() {
+        sum();
+        for (;;) {
+            const std::uint16_t code = state.code();
+            if (code != '<' && code != '>' && code != '=' && code != less_equal_code && code != greater_equal_code &&
+                code != not_equal_code)
+                return;
+            state.take();
+            sum();
+            add(code, -1);
+        }
+    }
+    void sum() {
+        product();
+        for (std::uint16_t code = state.code(); code == '+' || code == '-'; code = state.code()) {
+            state.take();
+            product();
+            add(code, -1);
+        }
+    }
+    void product() {
+        factor();
+        for (std::uint16_t code = state.code(); code == '*' || code == '/'; code = state.code()) {
+            state.take();
+            factor();
+            add(code, -1);
+        }
+    }
+
+    /// Finds a variable by its token, the innermost first; -1 if it is none.
+    int find(const RawToken& raw) const {
+        for (std::size_t i = names.size(); i-- > 0;)
+            if (names[i].first == key(raw)) return names[i].second;
+        for (std::size_t i = 0; i < parameters.size(); ++i)
+            if (parameters[i] == key(raw)) return static_cast<int>(i);
+        if (raw.code == word("u") && parameters.size() > 0) return 0;
+        if (raw.code == word("v") && parameters.size() > 1) return 1;
+        return -1;
+    }
+
+    void factor() {
+        const Interpreter::State::Depth guard(state);
+        const std::uint16_t code = state.code();
+        const RawToken& raw = *state.next.raw;
+        if (code == '-' || code == '+') {
+            state.take();
+            factor();
+            if (code == '-') add(negate, 0);
+            return;
+        }
+        if (code == '(') {
+            state.take();
+            either();
+            state.expect(')');
+            return;
+        }
+        if (code == number_code) {
+            constant_of(raw.number);
+            state.take();
+            return;
+        }
+        if (raw.code == new_name_code || coordinate(code)) {
+            if (const int found = find(raw); found >= 0 && state.cursor->code != '(') {
+                state.take();
+                return add(variable, 1, 0, static_cast<std::uint32_t>(found));
+            }
+        }
+        if (code == value_code) return declared();
+        if (code == word("sum") || code == word("prod")) return loop(code);
+        if (code >= first_word_code && has_instruction(code)) {
+            state.take();
+            const int count = arguments();
+            const bool any = code == word("min") || code == word("max");
+            const bool two = code == word("atan2") || code == word("div") || code == word("mod") || code == word("pow");
+            const bool valid = any                      ? count >= 1
+                               : code == word("select") ? count == 3 || count == 4
+                                                        : count == (two ? 2 : 1);
+            if (!valid) state.fail(state.last, name_of_code(code) + " has another number of arguments");
+            return add(code, 1 - count, static_cast<std::size_t>(count));
+        }
+        switch (code) {
+            case word("pi"):
+            case word("clock"):
+            case word("clock_on"):
+            case word("version"):
+            case word("true"):
+            case word("false"):
+            case word("yes"):
+            case word("no"):
+            case word("on"):
+            case word("off"): {
+                Components value;
+                state.factor(value);
+                return constant_of(value.value[0]);
+            }
+        }
+        state.expected("a number, a parameter or a function");
+    }
+
+    static bool has_instruction(std::uint16_t code) {
+        switch (code) {
+            case word("abs"):
+            case word("acos"):
+            case word("acosh"):
+            case word("asin"):
+            case word("asinh"):
+            case word("atan"):
+            case word("atanh"):
+            case word("ceil"):
+            case word("cos"):
+            case word("cosh"):
+            case word("degrees"):
+            case word("exp"):
+            case word("floor"):
+            case word("int"):
+            case word("ln"):
+            case word("log"):
+            case word("radians"):
+            case word("sin"):
+            case word("sinh"):
+            case word("sqr"):
+            case word("sqrt"):
+            case word("tan"):
+            case word("tanh"):
+            case word("atan2"):
+            case word("div"):
+            case word("mod"):
+            case word("pow"):
+            case word("min"):
+            case word("max"):
+            case word("select"):
+                return true;
+            default:
+                return false;
+        }
+    }
+
+    int arguments() {
+        state.expect('(');
+        int count = 0;
+        while (state.code() != ')') {
+            either();
+            ++count;
+            if (!state.accept(',') && state.code() != ')') state.expected("',' or ')'");
+        }
+        state.take();
+        return count;
+    }
+
+    /// A declared identifier: a number, a component of a vector, or a call of a function or a spline.
+    void declared() {
+        NamedValue value = *state.next.value;
+        switch (value.kind) {
+            case ValueKind::spline:
+                value.thing =
+                    std::make_shared<SplineFunction>(std::static_pointer_cast<const SplineThing>(value.thing));
+                [[fallthrough]];
+            case ValueKind::function:
+            case ValueKind::vector_function: {
+                const auto function = std::static_pointer_cast<const FunctionThing>(value.thing);
+                state.take();
+                const int count = arguments();
+                if (count != function->arguments)
+                    state.fail(state.last, "this function needs " + std::to_string(function->arguments) +
+                                               " arguments, not " + std::to_string(count));
+                result->levels = std::max(result->levels, levels_of(*function) + 1);
+                if (result->levels > most_calls) state.fail(state.last, "functions call each other too deeply");
+                int component = 0;
+                if (function->results > 1) {
+                    if (state.code() != '.') state.expected("'.' and the name of a component");
+                    component = read_component(function->results);
+                }
+                result->called.push_back(function);
+                return add(call, 1 - count, static_cast<std::size_t>(count),
+                           static_cast<std::uint32_t>(result->called.size() - 1), component);
+            }
+            default: {
+                if (value.kind > ValueKind::color) state.expected("a number or a function");
+                Components number;
+                state.factor(number);  // with its component, if it is a vector
+                if (number.count != 1) state.fail(state.last, "a number expected in a function, but found a vector");
+                constant_of(number.value[0]);
+            }
+        }
+    }
+    int read_component(int count) {
+        Components indices;
+        indices.count = count;
+        for (int i = 0; i < 5; ++i) indices.value[i] = i;
+        state.component(indices);
+        return static_cast<int>(indices.value[0]);
+    }
+
+    /// sum(i, a, b, E) and prod(i, a, b, E).
+    void loop(std::uint16_t code) {
+        state.take();
+        state.expect('(');
+        const RawToken& name = *state.cursor++;
+        if (name.code != new_name_code && !coordinate(name.code))
+            state.fail(state.place_of(name), "a variable expected");
+        state.expect(',');
+        either();
+        state.expect(',');
+        either();
+        state.expect(',');
+        const std::uint32_t slot = static_cast<std::uint32_t>(parameters.size() + loops++);
+        names.emplace_back(key(name), static_cast<int>(slot));
+        const std::size_t start = result->instructions.size();
+        add(code, -2, 0, slot);
+        either();
+        names.pop_back();
+        state.expect(')');
+        result->instructions[start].count = static_cast<std::uint16_t>(result->instructions.size() - start - 1);
+    }
+
+    Interpreter::State& state;
+    std::shared_ptr<CompiledFunction> result = std::make_shared<CompiledFunction>();
+    std::vector<std::uint32_t> parameters;
+    std::vector<std::pair<std::uint32_t, int>> names;  // of the loops that are open, with their slots
+    std::size_t loops = 0;
+    int depth = 0, most = 0;
+};
+
+std::shared_ptr<const FunctionThing> Interpreter::State::function() {
+    const Depth guard(*this);
+    if (code() == value_code &&
+        (next.value->kind == ValueKind::function || next.value->kind == ValueKind::vector_function))
+        return std::static_pointer_cast<const FunctionThing>(in.take_value().thing);
+    expect(word("function"));
+    return FunctionReader(*this).read();
+}
+
+}  // namespace strahl::pov

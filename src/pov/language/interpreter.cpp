@@ -1,0 +1,318 @@
+#include "pov/language/interpreter.h"
+
+#include <algorithm>
+
+#include "files/utf8.h"
+#include "files/words.h"
+#include "pov/language/state.h"
+#include "scene/error.h"
+#include "text/reading/messages.h"
+
+namespace strahl::pov {
+
+Interpreter::State::State(Interpreter& in, InterpreterOptions given, SceneLayer& layer)
+    : in(in), options(std::move(given)), layer(layer) {}
+
+Interpreter::Interpreter(std::string text, InterpreterOptions options, SceneLayer& layer)
+    : state(std::make_unique<State>(*this, std::move(options), layer)) {
+    const auto declare = [&](const char* name, double value) {
+        std::uint32_t number = 0;
+        if (state->names.find(name, number) != end_code) return;
+        Symbol* known = state->symbols.find(number);
+        (known ? known : &state->symbols.add(number, true))->value = {ValueKind::number, {value}, nullptr};
+    };
+    const InterpreterOptions& o = state->options;
+    for (const char* name : {"clock_delta", "final_clock", "final_frame", "frame_number", "initial_frame"})
+        declare(name, 1);
+    declare("initial_clock", 0);
+    declare("image_width", o.width);
+    declare("image_height", o.height);
+    for (const auto& [name, value] : o.declared) declare(name.c_str(), value);
+    state->files.push_back(std::make_unique<TextFile>(o.file, std::move(text), state->names));
+    state->paths.push_back(o.file);
+    state->push_file(0, {});
+}
+
+Interpreter::~Interpreter() = default;
+
+// The stream of tokens.
+
+void Interpreter::State::push_file(std::uint32_t file, TextPlace called) {
+    if (!readings.empty()) readings.back().cursor = cursor;
+    readings.push_back({file, nullptr, nullptr, controls.size(), called});
+    cursor = files[file]->tokens.data();
+}
+
+void Interpreter::State::pop_reading() {
+    symbols.pop();
+    readings.pop_back();
+    cursor = readings.back().cursor;
+}
+
+void Interpreter::State::check_limits() {
+    if (options.stop && options.stop->load(std::memory_order_relaxed)) throw Interrupted("reading was stopped");
+    if (steps > options.limits.steps)
+        fail(last, "the scene does not end: more than " + std::to_string(options.limits.steps) + " words were read");
+    if (*bytes > options.limits.bytes) fail(last, "the scene's arrays and strings need too much memory");
+    if (readings.size() + controls.size() > 2 * static_cast<std::size_t>(options.limits.nesting))
+        fail(last, "macros, files and loops are nested too deeply");
+}
+
+void Interpreter::State::advance() {
+    for (;;) {
+        count_step();
+        const RawToken& raw = *cursor;
+        const auto is_next = [&](std::uint16_t code, bool postponed) {
+            next.code = code;
+            next.postponed = postponed;
+            next.place = place_of(raw);
+            next.raw = &raw;
+            peeked = true;
+        };
+        switch (raw.code) {
+            case '#': {
+                const Reading& reading = readings.back();
+                const bool returns =
+                    raw.directive == word("end") && reading.macro && controls.size() == reading.controls;
+                if (!executing && !returns) return is_next('#', true);
+                ++cursor;
+                last = place_of(raw);
+                if (returns)
+                    pop_reading();
+                else
+                    directive(raw);
+                if (peeked) return;
+                break;
+            }
+            case new_name_code: {
+                const Symbol* symbol = symbols.find(raw.index);
+                if (symbol && symbol->value.kind == ValueKind::macro && !executing) return is_next('#', true);
+                if (resolve(raw)) {
+                    peeked = true;
+                    return;
+                }
+                break;
+            }
+            case end_code:
+                if (controls.size() != readings.back().controls) {
+                    const TextPlace opener = place_of(*controls.back().opener);
+                    fail(opener, "this block is not closed: '#end' expected before the end of the file");
+                }
+                if (readings.back().macro) fail(place_of(raw), "the macro is not closed: '#end' expected");
+                if (readings.size() == 1) return is_next(end_code, false);
+                pop_reading();
+                break;
+            case bad_code: {
+                const char c = text().text[raw.at];
+                fail(place_of(raw), c == '"'   ? "this string is not closed: '\"' expected"
+                                    : c == '/' ? "this comment is not closed: '*/' expected"
+                                               : "this character is allowed in comments and strings only");
+            }
+            case word("declare"):
+            case word("include"):
+            case word("default"):
+                if (executing) {
+                    ++cursor;
+                    read_old_directive(raw);
+                    if (peeked) return;
+                    break;
+                }
+                [[fallthrough]];
+            default:
+                ++cursor;
+                return is_next(raw.code, false);
+        }
+    }
+}
+
+bool Interpreter::State::resolve(const RawToken& raw) {
+    ++cursor;
+    const TextPlace place = place_of(raw);
+    Symbol* symbol = symbols.find(raw.index);
+    while (symbol && value_of(*symbol).kind == ValueKind::none) symbol = symbol->outer;
+    if (!symbol) {
+        next = {};
+        next.code = new_name_code;
+        next.place = place;
+        next.raw = &raw;
+        return true;
+    }
+    NamedValue* value = &value_of(*symbol);
+    if (value->kind == ValueKind::macro) {
+        last = place;
+        call_macro(raw, std::static_pointer_cast<const MacroThing>(value->thing));
+        return false;
+    }
+    std::shared_ptr<ArrayThing> array;
+    std::size_t index = 0;
+    if (value->kind == ValueKind::array && cursor->code == '[') {
+        value = raw_element(value, array, index);
+        if (value->kind == ValueKind::none) fail(place, "this element of the array has no value yet");
+    }
+    next.code = value_code;
+    next.postponed = false;
+    next.place = place;
+    next.raw = &raw;
+    next.value = value;
+    next.symbol = symbol;
+    if (array || next.array) next.array = std::move(array);
+    next.index = index;
+    return true;
+}
+
+NamedValue& Interpreter::State::value_of(Symbol& symbol) {
+    if (symbol.target) return symbol.target->value;
+    if (!symbol.element.thing) return symbol.value;
+    return const_cast<ArrayThing&>(static_cast<const ArrayThing&>(*symbol.element.thing)).elements[symbol.index];
+}
+
+std::uint16_t Interpreter::code() { return state->code(); }
+bool Interpreter::accept(TokenCode wanted) { return state->accept(wanted.value); }
+bool Interpreter::accept_here(TokenCode wanted) {
+    return state->with_directives(false, [&] { return state->accept(wanted.value); });
+}
+void Interpreter::expect(TokenCode wanted) { state->expect(wanted.value); }
+void Interpreter::skip() { state->take(); }
+
+void Interpreter::begin_block() {
+    expect('{');
+    if (++state->depth > state->options.limits.nesting) fail("blocks are nested too deeply");
+}
+void Interpreter::end_block() {
+    expect('}');
+    --state->depth;
+}
+void Interpreter::skip_block() {
+    const TextPlace start = place();
+    expect('{');
+    for (std::size_t open = 1; open > 0; skip()) {
+        if (at('{')) ++open;
+        if (at('}')) --open;
+        if (at_end()) fail(start, "this block is not closed: '}' expected");
+    }
+}
+
+ValueKind Interpreter::kind() { return state->code() == value_code ? state->next.value->kind : ValueKind::none; }
+NamedValue Interpreter::take_value() {
+    if (kind() == ValueKind::none) expected("an identifier");
+    NamedValue value = *state->next.value;
+    state->take();
+    return value;
+}
+
+// Values.
+
+bool Interpreter::at_expression() { return state->at_value(); }
+double Interpreter::read_number() { return state->number(); }
+int Interpreter::read_integer() { return static_cast<int>(std::clamp(state->number(), -2147483648., 2147483647.)); }
+DVec3 Interpreter::read_vector() { return state->vector(); }
+std::array<double, 2> Interpreter::read_uv() {
+    Components result;
+    state->sum(result);
+    if (result.count > 2) fail("two components expected, but there are " + std::to_string(result.count));
+    return {result.value[0], result.value[result.count - 1]};
+}
+Components Interpreter::read_components() {
+    Components result;
+    state->sum(result);
+    return result;
+}
+Components Interpreter::read_parenthesised() {
+    Components result;
+    expect('(');
+    state->full(result, 1);
+    expect(')');
+    return result;
+}
+bool Interpreter::at_color() { return state->at_color(); }
+FilterColor Interpreter::read_color() { return state->color(); }
+bool Interpreter::at_string() { return state->at_string(); }
+std::string Interpreter::read_string() { return state->string(); }
+std::string Interpreter::read_file_name() {
+    if (code() != string_code) return read_string();
+    const std::string_view slice = std::string_view(state->files[state->next.place.file]->text)
+                                       .substr(state->next.place.at + 1, state->next.raw->index);
+    state->take();
+    return std::string(slice);
+}
+std::shared_ptr<const FunctionThing> Interpreter::read_function() { return state->function(); }
+
+// Files, messages and settings.
+
+std::string Interpreter::find_file(const std::string& name, const std::vector<std::string>& extensions) {
+    return state->find(name, extensions, true);
+}
+const std::vector<std::string>& Interpreter::files() const { return state->paths; }
+
+TextPlace Interpreter::place() {
+    state->code();
+    return state->next.place;
+}
+TextPlace Interpreter::last_place() const { return state->last; }
+
+void Interpreter::remark(Remark::Kind kind, TextPlace at, const std::string& text) {
+    const std::uint64_t key = (static_cast<std::uint64_t>(at.file) << 32) | at.at;
+    if (state->remarks.size() < 10'000 && state->told.emplace(key, text).second)
+        state->remarks.push_back({kind, at, text});
+}
+const std::vector<Remark>& Interpreter::remarks() const { return state->remarks; }
+void Interpreter::fail(TextPlace at, const std::string& text) { state->fail(at, text); }
+void Interpreter::expected(const std::string& what) { state->expected(what); }
+std::string Interpreter::name_of(TextPlace at) const { return state->where(at); }
+
+double Interpreter::version() const { return state->version; }
+bool Interpreter::version_given() const { return state->version_given; }
+const InterpreterOptions& Interpreter::options() const { return state->options; }
+
+std::string Interpreter::State::where(TextPlace at) const {
+    const TextFile& file = *files[at.file];
+    return file.path + ":" + std::to_string(line_number(file.text, at.at));
+}
+
+void Interpreter::State::fail(TextPlace at, const std::string& message) {
+    const TextFile& file = *files[at.file];
+    const std::string_view text = file.text;
+    const std::size_t start = text.substr(0, at.at).find_last_of("\r\n") + 1;
+    const Shown before = show(text.substr(start, std::min<std::size_t>(at.at - start, 90)));
+    const std::string_view rest =
+        text.substr(at.at, std::min<std::size_t>(text.find_first_of("\r\n", at.at), text.size()) - at.at);
+    std::string full = where(at) + ":" + std::to_string(at.at - start + 1) + ": " + message;
+    if (at.at - start <= 90)
+        full += "\n    " + before.text + show(rest.substr(0, 110 - std::min<std::size_t>(before.width, 90))).text +
+                "\n    " + std::string(before.width, ' ') + "^";
+    std::size_t told = 0;
+    for (std::size_t i = readings.size(); i-- > 1;) {
+        const Reading& reading = readings[i];
+        if (++told > 8) {
+            full += "\n  and so on, " + std::to_string(i) + " levels more";
+            break;
+        }
+        full += reading.macro ? "\n  in the macro " + quoted(names.text(reading.macro->name)) + ", called from "
+                              : "\n  included from ";
+        full += where(reading.called);
+    }
+    throw FileError(full);
+}
+
+void Interpreter::State::expected(const std::string& what) {
+    const std::uint16_t found = code();
+    std::string message = what + " expected, but found ";
+    if (found == new_name_code) {
+        const std::string& name = names.text(next.raw->index);
+        message = "unknown name " + quoted(name) + "; " + what + " expected";
+        std::vector<std::string_view> known(reserved_words.begin(), reserved_words.end());
+        for (std::uint32_t i = 0; i < names.size(); ++i)
+            if (i != next.raw->index && symbols.find(i)) known.push_back(names.text(i));
+        if (const std::string_view similar = nearest(name, known); !similar.empty())
+            message += "; did you mean " + quoted(similar) + "?";
+    } else if (found == value_code) {
+        message += quoted(names.text(next.raw->index)) + ", which is " + strahl::pov::name_of(next.value->kind);
+    } else if (found == '#' && next.raw->directive != end_code) {
+        message += quoted("#" + std::string(reserved_words[next.raw->directive - first_word_code]));
+    } else {
+        message += name_of_code(found);
+    }
+    fail(next.place, message);
+}
+
+}  // namespace strahl::pov

@@ -1,0 +1,283 @@
+// Files that a scene names: where they may be, and #fopen, #read and #write.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+
+#include "files/read_file.h"
+#include "files/words.h"
+#include "pov/language/state.h"
+#include "scene/error.h"
+
+namespace strahl::pov {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t most_text = 256u << 20;  // of one text
+
+bool is_file(const fs::path& path) {
+    std::error_code error;
+    return fs::is_regular_file(path, error);
+}
+
+/// Finds a file under a folder whose name differs in case only; empty if there is none.
+fs::path regardless_of_case(fs::path folder, const fs::path& name) {
+    for (const fs::path& part : name) {
+        std::error_code error;
+        fs::path found;
+        if (part == ".." || part == "." || fs::exists(folder / part, error)) {
+            found = folder / part;
+        } else {
+            for (const auto& entry : fs::directory_iterator(folder, error))
+                if (same_word(entry.path().filename().string(), part.string())) found = entry.path();
+        }
+        if (found.empty()) return {};
+        folder = found;
+    }
+    return folder;
+}
+
+}  // namespace
+
+std::vector<std::string> standard_library() {
+    std::vector<std::string> folders;
+    for (const char* parent : {"/usr/share", "/usr/local/share"})
+        for (const char* version : {"povray-3.7", "povray", "povray-3.8", "povray-3.6"}) {
+            const fs::path folder = fs::path(parent) / version / "include";
+            std::error_code error;
+            if (fs::is_directory(folder, error)) folders.push_back(folder.string());
+        }
+    return folders;
+}
+
+std::string Interpreter::State::load(const std::string& path) { return read_text(path, most_text); }
+
+std::string Interpreter::State::find(const std::string& name, const std::vector<std::string>& extensions, bool must) {
+    const TextPlace at = last;
+    const auto fault = [&](const std::string& text) {
+        if (must) fail(at, text);
+        return std::string();
+    };
+    if (name.empty()) return fault("the name of a file is empty");
+    std::vector<fs::path> folders{fs::path(options.file).parent_path()};
+    if (folders[0].empty()) folders[0] = ".";
+    folders.insert(folders.end(), options.library.begin(), options.library.end());
+
+    // Windows' names are understood as well.
+    std::string plain = name;
+    std::ranges::replace(plain, '\\', '/');
+    std::vector<std::string> names;
+    const bool extended = fs::path(plain).has_extension();
+    if (!extended)
+        for (const std::string& extension : extensions) names.push_back(plain + extension);
+    names.push_back(plain);
+
+    const auto allowed = [&](const fs::path& path) {
+        std::error_code error;
+        const fs::path real = fs::weakly_canonical(path, error);
+        return !error && std::ranges::any_of(folders, [&](const fs::path& folder) {
+            const fs::path root = fs::weakly_canonical(folder, error);
+            return !error && std::mismatch(root.begin(), root.end(), real.begin(), real.end()).first == root.end();
+        });
+    };
+    const auto accepted = [&](const fs::path& path) {
+        if (!allowed(path))
+            return fault(strahl::quoted(name) + " lies outside of the scene's folder and of the library folders");
+        const std::string found = path.string();
+        if (std::ranges::find(paths, found) == paths.end()) paths.push_back(found);
+        return found;
+    };
+    for (const fs::path& folder : folders)
+        for (const std::string& each : names)
+            if (const fs::path path = folder / each; is_file(path)) return accepted(path);
+    for (const fs::path& folder : folders)
+        for (const std::string& each : names)
+            if (const fs::path path = regardless_of_case(folder, each); !path.empty() && is_file(path)) {
+                warn(at, strahl::quoted(name) + " is read from " + strahl::quoted(path.filename().string()) +
+                             ", whose name has other case");
+                return accepted(path);
+            }
+    std::string message = "cannot find " + strahl::quoted(name) + " in the scene's folder";
+    const auto exists = [](const std::string& folder) {
+        std::error_code error;
+        return fs::is_directory(folder, error);
+    };
+    if (std::ranges::none_of(options.library, exists))
+        message += "; POV-Ray's standard include files are not installed (Debian's package povray-includes has them)";
+    else
+        message += " and in " + listed(options.library);
+    return fault(message);
+}
+
+void Interpreter::State::open_file() {
+    const RawToken& name = raw_name("a file's identifier");
+    const TextPlace at = last;
+    if (const Symbol* symbol = symbols.find(name.index); symbol && symbol->value.kind == ValueKind::file)
+        fail(at, "the file " + strahl::quoted(names.text(name.index)) + " is open already");
+    const std::string file_name = in.read_file_name();
+    auto file = std::make_shared<FileThing>();
+    if (accept(word("read"))) {
+        file->path = find(file_name, {}, true);
+        file->reading = std::make_unique<TextFile>(file->path, load(file->path), names);
+    } else {
+        const bool append = code() == word("append");
+        if (!append && !in.at("write")) expected("'read', 'write' or 'append'");
+        take();
+        const fs::path name_only(file_name);
+        if (options.write_folder.empty())
+            fail(at, "this scene writes a file, " + strahl::quoted(file_name) +
+                         "; it may do so only in a folder that an option allows");
+        if (name_only.has_parent_path() || file_name == ".." || file_name.find('\\') != file_name.npos)
+            fail(at, "a scene may write only to files right in the folder that is allowed, not to " +
+                         strahl::quoted(file_name));
+        file->path = (fs::path(options.write_folder) / name_only).string();
+        std::error_code error;
+        if (fs::exists(file->path, error) && !is_file(file->path))
+            fail(at, strahl::quoted(file->path) + " is no regular file");
+        file->writing.open(file->path, append ? std::ios::binary | std::ios::app : std::ios::binary);
+        if (!file->writing) throw OutputError("cannot write " + strahl::quoted(file->path));
+    }
+    Symbol* symbol = symbols.find(name.index);
+    if (!symbol) symbol = &symbols.add(name.index, true);
+    value_of(*symbol) = {ValueKind::file, {}, std::move(file)};
+}
+
+void Interpreter::State::read_file() {
+    expect('(');
+    const RawToken& name = raw_name("a file's identifier");
+    const TextPlace at = last;
+    Symbol* handle = symbols.find(name.index);
+    if (!handle || value_of(*handle).kind != ValueKind::file)
+        fail(at, strahl::quoted(names.text(name.index)) + " is no open file");
+    const auto file = std::static_pointer_cast<const FileThing>(value_of(*handle).thing);
+    if (!file->reading) fail(at, "the file is open for writing");
+    const TextFile& from = *file->reading;
+    const auto skip = [&](std::uint16_t code) {
+        const bool found = from.tokens[file->next].code == code;
+        if (found) ++file->next;
+        return found;
+    };
+    const auto number_in_file = [&] {
+        const bool negative = skip('-');
+        if (!negative) skip('+');
+        if (from.tokens[file->next].code != number_code)
+            fail(at, "a number expected in line " + std::to_string(line_number(from.text, from.tokens[file->next].at)) +
+                         " of " + strahl::quoted(file->path));
+        const double value = from.tokens[file->next++].number;
+        return negative ? -value : value;
+    };
+    const auto sign = [&](char wanted) {
+        if (cursor->code != wanted) return false;
+        ++cursor;
+        return true;
+    };
+    bool ended = false;
+    sign(',');
+    while (!sign(')')) {
+        const RawToken& target = raw_name("an identifier to read into");
+        NamedValue value;
+        const RawToken& token = from.tokens[file->next];
+        if (token.code == end_code) {
+            ended = true;
+        } else if (token.code == string_code) {
+            value = named(std::string(std::string_view(from.text).substr(token.at + 1, token.index)));
+            ++file->next;
+        } else if (skip('<')) {
+            Components read;
+            read.count = 0;
+            while (!skip('>')) {
+                if (read.count == 5)
+                    fail(at, "a vector in " + strahl::quoted(file->path) + " has more than five components");
+                read.value[read.count++] = number_in_file();
+                skip(',');
+            }
+            if (read.count < 2)
+                fail(at, "a vector in " + strahl::quoted(file->path) + " has fewer than two components");
+            value = named(read);
+        } else {
+            value = {ValueKind::number, {number_in_file()}, nullptr};
+        }
+        skip(',');
+        Symbol* symbol = symbols.find(target.index);
+        if (symbol && value_of(*symbol).kind == ValueKind::array && cursor->code == '[') {
+            std::shared_ptr<ArrayThing> array;
+            std::size_t index = 0;
+            raw_element(&value_of(*symbol), array, index);
+            if (!ended) array->elements[index] = std::move(value);
+        } else if (!ended) {
+            if (!symbol) symbol = &symbols.add(target.index, true);
+            value_of(*symbol) = std::move(value);
+        }
+        sign(',');
+    }
+    // The identifier is gone as soon as nothing is left, so that #while (defined(FILE)) ends.
+    if (from.tokens[file->next].code == end_code)
+        if (Symbol* symbol = symbols.find(name.index)) symbols.remove(*symbol);
+}
+
+void Interpreter::State::write_file() {
+    expect('(');
+    const RawToken& name = raw_name("a file's identifier");
+    const Symbol* handle = symbols.find(name.index);
+    if (!handle || handle->value.kind != ValueKind::file)
+        fail(last, strahl::quoted(names.text(name.index)) + " is no open file");
+    const auto file = std::static_pointer_cast<const FileThing>(handle->value.thing);
+    if (file->reading) fail(last, "the file is open for reading");
+    accept(',');
+    const auto print = [&](double value) {
+        char text[40];
+        std::snprintf(text, sizeof text, "%g", value);
+        file->writing << text;
+    };
+    std::uint16_t binary = 0;
+    while (!in.at(')')) {
+        switch (code()) {
+            case word("uint8"):
+            case word("sint8"):
+            case word("uint16le"):
+            case word("uint16be"):
+            case word("sint16le"):
+            case word("sint16be"):
+            case word("sint32le"):
+            case word("sint32be"):
+                binary = next.code;
+                take();
+                accept(',');
+                continue;
+        }
+        if (at_string()) {
+            file->writing << string();
+        } else {
+            Components value;
+            sum(value);
+            if (binary) {
+                const bool is_signed = reserved_words[binary - first_word_code][0] == 's';
+                const std::string_view type = reserved_words[binary - first_word_code];
+                const int size = type.find("32") != type.npos ? 4 : type.find("16") != type.npos ? 2 : 1;
+                const double most = std::ldexp(1., 8 * size - (is_signed ? 1 : 0)) - 1;
+                for (int c = 0; c < value.count; ++c) {
+                    const auto whole = static_cast<std::int64_t>(
+                        std::clamp(std::floor(value.value[c] + .5), is_signed ? -most - 1 : 0., most));
+                    for (int i = 0; i < size; ++i) {
+                        const int byte = type.ends_with("be") ? size - 1 - i : i;
+                        file->writing.put(static_cast<char>(whole >> (8 * byte) & 255));
+                    }
+                }
+            } else if (value.count == 1) {
+                print(value.value[0]);
+            } else {
+                for (int i = 0; i < value.count; ++i) {
+                    file->writing << (i ? "," : "<");
+                    print(value.value[i]);
+                }
+                file->writing << "> ";
+            }
+        }
+        accept(',');
+        if (!file->writing) throw OutputError("cannot write " + strahl::quoted(file->path));
+    }
+    expect(')');
+}
+
+}  // namespace strahl::pov
