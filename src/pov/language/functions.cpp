@@ -247,8 +247,6 @@ int levels_of(const FunctionThing& function) {
     return compiled ? compiled->levels : 1;
 }
 
-}  // namespace
-
 /// Reads the expression of a function.
 class FunctionReader {
   public:
@@ -556,6 +554,8 @@ class FunctionReader {
     std::size_t loops = 0;
     int depth = 0, most = 0;
 };
+
+}  // namespace
 
 std::shared_ptr<const FunctionThing> Interpreter::State::function() {
     const Depth guard(*this);

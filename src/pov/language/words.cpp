@@ -24,8 +24,8 @@ std::string name_of_code(std::uint16_t code) {
         case not_equal_code:
             return "'!='";
     }
-    if (code >= first_word_code) return quoted(reserved_words[code - first_word_code]);
-    return quoted(std::string(1, static_cast<char>(code)));
+    if (code >= first_word_code) return strahl::quoted(reserved_words[code - first_word_code]);
+    return strahl::quoted(std::string(1, static_cast<char>(code)));
 }
 
 const char* name_of(ValueKind kind) {
