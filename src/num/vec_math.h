@@ -1,19 +1,34 @@
-// Vector arithmetic in double, for everything but the kernels.
+// Vector arithmetic in double and long double, for everything but the kernels.
 //
 // `dot` and `cross` of lanes.h fuse multiplications and additions; these round every step. The names differ so that
 // neither replaces the other by accident, which would change the last bits of pictures.
 #pragma once
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <glm/mat4x4.hpp>
 
 #include "num/vec.h"
 
 namespace strahl {
 
-inline double dot_product(const DVec3& a, const DVec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-inline DVec3 cross_product(const DVec3& a, const DVec3& b) {
+template <std::floating_point T>
+T dot_product(const Vec3<T>& a, const Vec3<T>& b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+template <std::floating_point T>
+Vec3<T> cross_product(const Vec3<T>& a, const Vec3<T>& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+/// Squares may overflow or underflow, but it takes a tenth of the time of length().
+template <std::floating_point T>
+T quick_length(const Vec3<T>& v) {
+    return std::sqrt(dot_product(v, v));
+}
+/// Length 1, as far as quick_length() is right.
+template <std::floating_point T>
+Vec3<T> quick_unit(const Vec3<T>& v) {
+    return 1 / quick_length(v) * v;
 }
 /// Squares neither overflow nor underflow.
 inline double length(const DVec3& v) { return std::hypot(v.x, v.y, v.z); }

@@ -34,7 +34,7 @@ class Batches {
           workspace(own_workspace),
           prove(with_bounds) {
         if (prove) workspace.hold_extra(), bounds.resize(scattered_pixels);
-        if (world.mip_maps) workspace.hold_cones();
+        if (world.patterns.mip_maps) workspace.hold_cones();
     }
 
     Counts counts;  // its own memory: threads that count beside each other wait for each other
@@ -82,11 +82,11 @@ class Batches {
                 // Pixel 0 of the camera's lattice is the middle of the first pixel.
                 workspace.pixels_x[i] = static_cast<T>(x - .5 + points[done + i].x / double(Point::unit));
                 workspace.pixels_y[i] = static_cast<T>(y - .5 + points[done + i].y / double(Point::unit));
-                if (world.mip_maps) workspace.sides[i] = static_cast<T>(side_of(points[done + i]));
+                if (world.patterns.mip_maps) workspace.sides[i] = static_cast<T>(side_of(points[done + i]));
             }
-            if (world.mip_maps) std::fill_n(workspace.colors.begin(), 3 * count, T(-1));
+            if (world.patterns.mip_maps) std::fill_n(workspace.colors.begin(), 3 * count, T(-1));
             look(count, scale, samples + done);
-            for (int i = 0; i < count && world.mip_maps; ++i) {
+            for (int i = 0; i < count && world.patterns.mip_maps; ++i) {
                 CellSample& sample = samples[done + i];
                 for (int c = 0; c < 3; ++c) sample.color[c] = static_cast<float>(workspace.colors[3 * i + c]);
                 sample.filtered = sample.color[0] >= 0;
@@ -181,7 +181,7 @@ class Batches {
             const ProvingBatch<T> batch{
                 {workspace.pixels_x.data() + done, workspace.pixels_y.data() + done, workspace.sums.data() + done,
                  workspace.past.data() + done, count, sights ? sights + done : nullptr,
-                 world.mip_maps ? &footprints : nullptr},
+                 world.patterns.mip_maps ? &footprints : nullptr},
                 prove ? bounds.data() + done : nullptr};
             if (kernel.trace(world, eye, limits, batch, workspace, counts)) {
                 done += count;

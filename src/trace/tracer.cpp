@@ -167,7 +167,7 @@ class TracerOf : public AnyTracer {
         if (!light_buffers && LightBuffers<T>::pay(world, traced_pixels, view.prove))
             light_buffers = std::make_unique<LightBuffers<T>>(world, pool, view.prove);
         if (light_buffers) world.light_buffers = light_buffers->buffers();
-        if (filters_images) world.mip_maps = images->mip_maps();
+        if (filters_images) world.patterns.mip_maps = images->mip_maps();
         const ProvingLimits<T> limits{{.depth = view.depth,
                                        .error = static_cast<T>(view.error),
                                        .brightest = brightest.data(),

@@ -66,7 +66,7 @@ struct ColorDifferences {
         const T bound_of_place =
             static_cast<T>(length(known_exactly - in_world)) * (1 + 2 * std::numeric_limits<T>::epsilon());
         const Vector exact = paint.at(R(1) / R(placement.scale) * in_world + Vector(placement.origin));
-        const PatternKernel<T>& kernel = world.patterns[0];
+        const PatternKernel<T>& kernel = world.patterns.list[0];
         const Vec3<T> color = color_at(world, kernel, known, T(-1));
         const T bound = color_error(world, kernel, off_place(kernel, known, bound_of_place));
         Closest& kind = bound < kernel.slack.apart ? kinds[pigment.pattern->kind.index()] : untold;
@@ -104,7 +104,7 @@ struct DifferencesByUv {
         const Vector known_exactly{known.x, known.y, known.z};
         const T bound_of_point =
             static_cast<T>(length(known_exactly - in_world)) * (1 + 2 * std::numeric_limits<T>::epsilon());
-        const PatternKernel<T>& kernel = world.patterns[0];
+        const PatternKernel<T>& kernel = world.patterns.list[0];
         const OffPlace<T> computed = off_place(world, kernel, known, T(0), bound_of_point, slack);
         const T bound = color_error(world, kernel, computed),
                 color_off = static_cast<T>(

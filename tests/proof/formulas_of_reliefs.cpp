@@ -36,7 +36,7 @@ struct NormalDifferences {
         const Vector in_world = R(placement.scale) * (point - Vector(placement.origin));
         const Vec3<T> known = nearest(in_world + away * R(placement.scale) * along);
         const Vec3<T> flat = nearest(unit(n + turned * along));
-        const int materials[width<T>] = {world.first_pattern};
+        const int materials[width<T>] = {world.patterns.first};
         const Vec3<T> computed = PatternCalls<T>::bent(world, materials, known, T(0), flat);
         const BentBounds<T> bound =
             PatternBounds<T>::of_normals(world, materials, known, T(0), flat, length_above(n - unit(exactly(flat))),

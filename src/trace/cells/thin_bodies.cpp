@@ -17,7 +17,6 @@ namespace {
 constexpr double most_widening = 2;
 
 double square(const DVec3& v) { return dot_product(v, v); }
-DVec3 unit_of(const DVec3& v) { return (1 / std::sqrt(square(v))) * v; }
 DVec3 middle_of(const FourPoints& corners) { return .25 * (corners[0] + corners[1] + corners[2] + corners[3]); }
 /// Returns the area of the square between the corners as seen along a direction.
 double area(const FourPoints& corners, const DVec3& direction) {
@@ -50,7 +49,7 @@ ThinBodies::ThinBodies(const Scene& scene, const View& view, std::shared_ptr<con
       eye(view.camera.position) {
     const CameraFrame frame = frame_of(view.camera, static_cast<double>(view.width) / view.height);
     right = (2 * frame.tan_x / view.width) * frame.right, down = (2 * frame.tan_y / view.height) * frame.down;
-    diagonal = std::sqrt(square(right + down));
+    diagonal = quick_length(right + down);
     if (!bodies.empty()) end = length(bodies.around().from - eye) + bodies.around().radius;
     first = frame.forward + (view.shift_x - view.width / 2.) * right + (view.shift_y - view.height / 2.) * down;
 }
@@ -82,10 +81,10 @@ bool ThinBodies::hides_in(const std::array<CellCorner, 4>& corners, double least
             const float* const direction = corners[k].sample->reflected;
             reflected[k] = DVec3(direction[0], direction[1], direction[2]);
         }
-        mirrors = growth_of(reflected, unit_of(middle_of(reflected))) < most_widening * own_growth;
+        mirrors = growth_of(reflected, quick_unit(middle_of(reflected))) < most_widening * own_growth;
     }
     if (!wide && !mirrors) return false;
-    for (int k = 0; k < 4; ++k) places[k] = unit_of(first + corners[k].x * right + corners[k].y * down);
+    for (int k = 0; k < 4; ++k) places[k] = quick_unit(first + corners[k].x * right + corners[k].y * down);
     if (wide && bodies.meets(from_eye(places, furthest), least)) return true;
     if (!one_surface || (lit == 0 && !mirrors)) return false;
     for (int k = 0; k < 4; ++k) places[k] = eye + double(corners[k].sample->distance) * places[k];
@@ -95,7 +94,7 @@ bool ThinBodies::hides_in(const std::array<CellCorner, 4>& corners, double least
 }
 
 Tube ThinBodies::from_eye(const FourPoints& directions, double furthest) const {
-    const DVec3 axis = unit_of(middle_of(directions));
+    const DVec3 axis = quick_unit(middle_of(directions));
     const double growth = growth_of(directions, axis);
     return {.from = eye,
             .direction = axis,
@@ -111,9 +110,9 @@ bool ThinBodies::hides_shadow(const FourPoints& points, double radius, std::uint
     for (std::size_t i = 0; i < lights.size(); ++i) {
         if (!(lit >> std::min<std::size_t>(i, most_lit) & 1)) continue;
         const Light& light = lights[i];
-        const DVec3 way = light.direction ? -2 * end / std::sqrt(square(*light.direction)) * *light.direction
-                                          : light.position - middle;
-        const double far = std::sqrt(square(way));
+        const DVec3 way =
+            light.direction ? -2 * end / quick_length(*light.direction) * *light.direction : light.position - middle;
+        const double far = quick_length(way);
         const Tube tube{.from = middle,
                         .direction = way / far,
                         .length = far,
@@ -127,9 +126,9 @@ bool ThinBodies::hides_shadow(const FourPoints& points, double radius, std::uint
 
 bool ThinBodies::hides_reflection(const FourPoints& points, double radius, const FourPoints& directions,
                                   double furthest, double least) const {
-    const DVec3 axis = unit_of(middle_of(directions)), middle = middle_of(points);
+    const DVec3 axis = quick_unit(middle_of(directions)), middle = middle_of(points);
     const double growth = growth_of(directions, axis), start = radius * (1 + growth);
-    const double longest = std::min(furthest, end + std::sqrt(square(middle - eye)));
+    const double longest = std::min(furthest, end + quick_length(middle - eye));
     if (!(start + growth * longest >= .99 * bodies.least())) return false;
     const double near_area = area(points, axis) / (start * start);
     const double far_area = growth > 0 ? area(directions, axis) / (growth * growth) : near_area;

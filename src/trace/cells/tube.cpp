@@ -23,14 +23,11 @@ struct Stretch {
     }
 };
 
-/// Squares may overflow or underflow, but it takes a tenth of the time of length().
-double norm(const DVec3& v) { return std::sqrt(dot_product(v, v)); }
-
 double distance_to(const Capsule& capsule, const DVec3& p) {
     const DVec3 way = capsule.to - capsule.from, since = p - capsule.from;
     const double squared = dot_product(way, way);
     const double t = squared > 0 ? std::clamp(dot_product(since, way) / squared, 0., 1.) : 0.;
-    return norm(since - t * way);
+    return quick_length(since - t * way);
 }
 
 /// Returns a ball around capsules.
@@ -41,7 +38,7 @@ Capsule ball_around(std::span<const Capsule> capsules) {
     double radius = 0;
     for (const Capsule& capsule : capsules)
         for (const DVec3& end : {capsule.from, capsule.to})
-            radius = std::max(radius, norm(end - centre) + capsule.radius);
+            radius = std::max(radius, quick_length(end - centre) + capsule.radius);
     return {centre, centre, radius * (1 + 1e-12)};
 }
 
@@ -121,7 +118,7 @@ bool CapsuleTree::meets(const Tube& tube, double least, std::span<const DVec3> o
         ++i;
         if (!node.leaf) continue;
         const Capsule& body = node.around;
-        const double width = 2 * body.radius, across = std::min(2 * radius, norm(body.to - body.from)) + width;
+        const double width = 2 * body.radius, across = std::min(2 * radius, quick_length(body.to - body.from)) + width;
         if (width * across < least * tube.area * radius * radius) continue;
         const auto inside = [&](const DVec3& p) { return distance_to(body, p) < body.radius * (1 + 1e-3); };
         if (own.empty() || !std::ranges::all_of(own, inside)) return true;

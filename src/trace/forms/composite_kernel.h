@@ -20,7 +20,7 @@ class CompositeWalk {
                 (ray.source < S(static_cast<T>(composite.surface + composite.surfaces)))))
             start_key = keys_of(ray.source);
         for (int i = 0; i < composite.planes; ++i) {
-            const CompositePlane<T>& plane = world.planes[composite.first_plane + i];
+            const CompositePlane<T>& plane = world.composites.planes[composite.first_plane + i];
             const Vec3<S> n = splat<S>(plane.normal);
             const S t = (S(plane.distance) - dot(n, ray.origin)) / dot(n, ray.direction);
             planes[i] = select(start_key == S(static_cast<T>(i)), S(0), t);
@@ -33,7 +33,7 @@ class CompositeWalk {
     [[gnu::noinline]] Mask<S> inside_after(const S& t, int other = -1) const {
         Room<Mask<S>, most_leaves> stack;
         int height = 0, leaf = 0;
-        for (int i = 0; i < composite.steps; ++i) switch (world.steps[composite.first_step + i]) {
+        for (int i = 0; i < composite.steps; ++i) switch (world.composites.steps[composite.first_step + i]) {
                 case CompositeStep::leaf:
                     stack[height] = inside_leaf(leaf, t);
                     if (leaf++ == other) stack[height] = !stack[height];
@@ -116,7 +116,7 @@ class CompositeWalk {
         if (ends[i].pairs > 1) near = near | (ends[i].near[1] == t);
         visit(leaf(i), lanes, select(near, ends[i].near_face, ends[i].far_face));
     }
-    const CompositeLeaf& leaf(int i) const { return world.leaves[composite.first_leaf + i]; }
+    const CompositeLeaf& leaf(int i) const { return world.composites.leaves[composite.first_leaf + i]; }
 
     /// Returns the keys of the faces that rays start on, -1 for others.
     [[gnu::noinline]] S keys_of(const S& source) const {
@@ -124,7 +124,7 @@ class CompositeWalk {
         for (int k = 0; k < width<S>; ++k) {
             const int own = static_cast<int>(lane(source, k)) - composite.surface;
             const bool here = own >= 0 && own < composite.surfaces;
-            keys[k] = here ? static_cast<T>(world.face_keys[composite.first_key + own]) : T(-1);
+            keys[k] = here ? static_cast<T>(world.composites.face_keys[composite.first_key + own]) : T(-1);
         }
         return load_lanes<S>(keys);
     }
@@ -137,7 +137,8 @@ class CompositeWalk {
     /// by being one, others by their own equal formulas. A ray that starts on one of them starts on all.
     void cross(int i, Mask<S> lanes) {
         const CompositeLeaf& own = leaf(i);
-        const std::int32_t* const keys = world.face_keys + composite.first_key + (own.surface - composite.surface);
+        const std::int32_t* const keys =
+            world.composites.face_keys + composite.first_key + (own.surface - composite.surface);
         LeafEnds<S>& end = ends[i];
         if (own.half_space != 0) return cross_half_space(own, keys[0], planes[keys[0]], end);
         if (own.nodes) return cross_mesh(own, lanes, end);
@@ -156,7 +157,7 @@ class CompositeWalk {
     }
     void cross_half_space(const CompositeLeaf& own, int key, const S& t, LeafEnds<S>& end) const {
         const S zero(0), inf(std::numeric_limits<T>::infinity()), turn(static_cast<T>(own.half_space));
-        const CompositePlane<T>& plane = world.planes[composite.first_plane + key];
+        const CompositePlane<T>& plane = world.composites.planes[composite.first_plane + key];
         const Vec3<S> n = splat<S>(plane.normal);
         const S towards = turn * dot(n, ray.direction), height = turn * (dot(n, ray.origin) - S(plane.distance));
         const Mask<S> enters = towards<zero, leaves = towards> zero, along = !(enters | leaves);
@@ -178,7 +179,8 @@ class CompositeWalk {
     [[gnu::noinline]] S place_of(const CompositeLeaf& own, const MeshCrossing<S>& found) const {
         if (!own.in_planes) return found.t;
         S t = found.t;
-        const std::int32_t* const keys = world.face_keys + composite.first_key + (own.surface - composite.surface);
+        const std::int32_t* const keys =
+            world.composites.face_keys + composite.first_key + (own.surface - composite.surface);
         for (unsigned left = bits(found.surface >= S(0)); left; left &= left - 1) {
             const int k = std::countr_zero(left), key = keys[static_cast<int>(lane(found.surface, k))];
             if (key >= most_planes) continue;

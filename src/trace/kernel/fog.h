@@ -13,7 +13,7 @@ namespace strahl::inline STRAHL_LEVEL {
 template <class S>
 [[gnu::noinline]] S left_by_fog(const World<Element<S>>& world, const S& weight, const S& medium, const S& t) {
     alignas(64) Element<S> share[width<S>];
-    store_lanes(share, t * S(-world.fog_per));
+    store_lanes(share, t * S(-world.fog.per));
     for (auto& value : share) value = std::exp(value);
     const S left = weight * load_lanes<S>(share);
     return world.nested ? select(medium == S(0), left, weight) : left;

@@ -42,8 +42,8 @@ STRAHL_INLINE BodySet cull_packet(const World<T>& world, const Ray<S>& ray, Mask
     BodySet set = 0;
     for (int i = 0; i < world.bins; i += width<S>) {
         const auto at = [i](const T* values) { return load_lanes<S>(values + i); };
-        const Vec3<S> way = Vec3<S>(at(world.centres.x), at(world.centres.y), at(world.centres.z)) - origin;
-        const S reach = at(world.radii) + S(spread), along = dot(way, axis);
+        const Vec3<S> way = Vec3<S>(at(world.few.centres.x), at(world.few.centres.y), at(world.few.centres.z)) - origin;
+        const S reach = at(world.few.radii) + S(spread), along = dot(way, axis);
         const Vec3<S> across = fma(-along, axis, way);
         const S widest = fma(max(along + reach, S(0)), tangent, reach);
         const Mask<S> met = (dot(across, across) <= widest * widest) & (along >= -reach);
@@ -161,7 +161,7 @@ bool trace_generation(const World<T>& world, const Limits<T>& limits, const Gene
                                 workspace,
                                 counts,
                                 depth,
-                                batch.sights != nullptr || world.bends != nullptr};
+                                batch.sights != nullptr || world.patterns.bends != nullptr};
     shade_misses(shading);
     for (int bin = 0; bin < world.bins; ++bin)
         if (!shade_bin(shading, bin)) return false;

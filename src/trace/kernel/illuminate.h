@@ -60,7 +60,7 @@ template <class S, class P>
     const LightKernel<T>& light = shading.world.lights[number];
     const Vec3<S> reflected = reflect(hit);
     const LitHits<S> hits{lanes, hit.outside, hit.position, hit.normal,
-                          shading.world.bends ? notes.flat : hit.normal, reflected, hit.surface, hit.weight,
+                          shading.world.patterns.bends ? notes.flat : hit.normal, reflected, hit.surface, hit.weight,
                           largest(material.diffuse), material.specular, material.pow, material.shines_from, hit.bin};
     constexpr T usual = T(1) / 510;
     const T error = shading.limits.error > T(0) ? shading.limits.error : usual;
@@ -125,7 +125,7 @@ STRAHL_INLINE Vec3<S> illumination(const Shading<S, P>& shading, const Hit<S>& h
             faces = faces & (cosine > zero);
             if (any(glossy)) highlight = highlight_of(hit, reflected, l, glossy);
         }
-        if (world.bends) [[unlikely]]
+        if (world.patterns.bends) [[unlikely]]
             P::side(notes.own, notes.flat, Vec3<S>(l), own, faces);
         if (light.spot) [[unlikely]] {
             faces = faces & (spot_share(light, Vec3<S>(l)) > zero);
@@ -137,7 +137,7 @@ STRAHL_INLINE Vec3<S> illumination(const Shading<S, P>& shading, const Hit<S>& h
         Vec3<S> share = P::arriving(shading, hit, own, l, distance, faces, cosine, highlight, start, notes.own);
         if (shading.has_notes) [[unlikely]] {
             // A light that only the bent normal faces is behind the surface.
-            if (world.bends) share = select(dot(notes.flat, l) > S(0), share, splat<S>(Vec3<Element<S>>(0)));
+            if (world.patterns.bends) share = select(dot(notes.flat, l) > S(0), share, splat<S>(Vec3<Element<S>>(0)));
             if (notes_sights(shading)) note_light(shading, hit, notes, i, Vec3<S>(share), S(dot(reflected, l)), faces);
         }
         if (light.spot) [[unlikely]]

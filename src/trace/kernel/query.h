@@ -41,7 +41,7 @@ STRAHL_INLINE void each_hot_item(const World<T>& world, BodySet set, const Look&
 /// Calls look(items, bin) for ranges of items of other forms outside the hierarchy, until it returns true.
 template <class T, class Look>
 STRAHL_INLINE void each_cold_range(const World<T>& world, BodySet set, const Look& look) {
-    for (BodySet left = set & world.cold; left; left &= left - 1) {
+    for (BodySet left = set & world.few.cold; left; left &= left - 1) {
         const SortBin& bin = world.sort_bins[std::countr_zero(left)];
         if (look(ItemRange{bin.form, bin.item, 1}, std::countr_zero(left))) return;
     }
@@ -216,10 +216,10 @@ STRAHL_INLINE void occlude_in_hierarchy(const World<Element<S>>& world, const Ra
 template <class S>
 STRAHL_INLINE Mask<S> reached(const World<Element<S>>& world, int bin, const Ray<S>& ray, const S& distance,
                               Mask<S> active, const Start<S>& start) {
-    const LightCone<Element<S>>& cone = world.cones[start.light * world.bins + bin];
+    const LightCone<Element<S>>& cone = world.few.cones[start.light * world.bins + bin];
     Mask<S> mask =
         active & (dot(splat<S>(cone.axis), ray.direction) <= S(-cone.cosine)) & (distance > S(cone.distance));
-    if (bin == start.bin && (world.convex >> bin & 1)) mask = mask & !start.outside;
+    if (bin == start.bin && (world.few.convex >> bin & 1)) mask = mask & !start.outside;
     return mask;
 }
 
@@ -263,7 +263,7 @@ template <class S>
                                      Mask<S> active, const Start<S>& start) {
     const S one(1);
     Transmission<S> light{{one, one, one}, select(active, distance, S(-1))};
-    const BodySet set = world.bin_per_item ? world.occluders[start.light * world.bins + start.bin] & start.only : 0;
+    const BodySet set = world.bin_per_item ? world.few.occluders[start.light * world.bins + start.bin] & start.only : 0;
     bool dark = false;
     Mask<S> suspects = first_lanes<S>(0);
     const auto note = [&](const Span<S>&, Mask<S> exits) __attribute__((always_inline)) {

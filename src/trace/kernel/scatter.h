@@ -68,10 +68,10 @@ template <class S, class P>
     store_lanes(ratios, ratio), store_lanes(stacks, medium), store_lanes(bodies, hit.body);
     store_lanes(wanted, select(glass, S(1), S(0)));
     MediumStacks& all = mediums(shading.workspace);
-    const auto ior = [&](int body) { return body < 0 ? T(1) : shading.world.iors[body]; };
+    const auto ior = [&](int body) { return body < 0 ? T(1) : shading.world.media.iors[body]; };
     for (int k = 0; k < width<S>; ++k) {
         if (wanted[k] == 0) continue;
-        const int before = static_cast<int>(stacks[k]), body = shading.world.bodies[static_cast<int>(bodies[k])];
+        const int before = static_cast<int>(stacks[k]), body = shading.world.media.bodies[static_cast<int>(bodies[k])];
         const int inner = top(all, before);
         if (body == inner) {
             const int after = remove(all, before, body);
@@ -163,7 +163,7 @@ STRAHL_INLINE Mask<S> scatter(const Shading<S, P>& shading, const Hit<S>& hit, c
         return light.pruned;
     }
     const auto mirrored = [&]() __attribute__((always_inline)) {
-        if (has_notes && world.bends) [[unlikely]]
+        if (has_notes && world.patterns.bends) [[unlikely]]
             return reflect_bent(hit, notes.flat);
         return reflect(hit);
     };
@@ -180,7 +180,7 @@ STRAHL_INLINE Mask<S> scatter(const Shading<S, P>& shading, const Hit<S>& hit, c
     S b = select(hit.outside, S(1) / material.ior, material.ior), medium = hit.medium;
     if (world.nested) change_medium(shading, hit, glass, b, medium);
     Vec3<S> normal = hit.normal;
-    if (has_notes && world.bends) [[unlikely]]
+    if (has_notes && world.patterns.bends) [[unlikely]]
         normal = select(dot(hit.direction, normal) > S(0), -normal, normal);  // bent away from the ray: its other side
     const S s = -dot(hit.direction, normal);
     S k = fma(b * b, fma(s, s, S(-1)), S(1));
@@ -205,7 +205,7 @@ STRAHL_INLINE Mask<S> scatter(const Shading<S, P>& shading, const Hit<S>& hit, c
     refracted.mask = refracted.mask & !refracted_part.pruned;
     counts.reflected += count(reflected.mask);
     counts.refracted += count(refracted.mask);
-    if (world.enclosed >> hit.bin & 1) keep_inside(shading, hit, reflected, refracted, notes);
+    if (world.few.enclosed >> hit.bin & 1) keep_inside(shading, hit, reflected, refracted, notes);
     push(shading, refracted_queue, hit, refracted, notes);
     push(shading, next.open, hit, reflected, notes);
     return light.pruned;

@@ -21,13 +21,13 @@ void shade_misses(const Shading<S, P>& shading) {
         if (notes_sights(shading)) [[unlikely]]
             note_misses(shading, pick(shading.rays.open.source), S(weight), S(pixel), pick.lanes);
         Vec3<S> color = splat<S>(world.background);
-        if (world.sky) [[unlikely]] {
+        if (world.patterns.sky) [[unlikely]] {
             const auto& d = shading.rays.open.direction;
             color = filters(shading) ? filtered_sky(shading, pick)
                                      : PatternCalls<S>::sky(world, {pick(d.x), pick(d.y), pick(d.z)});
         }
-        if (world.fog) [[unlikely]]
-            color = splat<S>(world.fog_color);
+        if (world.fog.any) [[unlikely]]
+            color = splat<S>(world.fog.color);
         add_light(shading.batch, pixel, pick.lanes, scale(weight, color));
         P::miss(shading, pick, weight, pixel, color);
     }
@@ -93,10 +93,10 @@ STRAHL_INLINE SurfaceHit<S> surfaces_at(const World<Element<S>>& world, int form
     int items[width<S>];
     for (int k = 0; k < width<S>; ++k) items[k] = world.references[static_cast<int>(surfaces[pick.index[k]])].item;
     S faces(-1);
-    if (world.leaf_faces) {
+    if (world.composites.leaf_faces) {
         alignas(64) Element<S> known[width<S>];
         for (int k = 0; k < width<S>; ++k)
-            known[k] = static_cast<Element<S>>(world.leaf_faces[static_cast<int>(surfaces[pick.index[k]])]);
+            known[k] = static_cast<Element<S>>(world.composites.leaf_faces[static_cast<int>(surfaces[pick.index[k]])]);
         faces = load_lanes<S>(known);
     }
     const Ray<S> copy = ray;
@@ -117,14 +117,14 @@ STRAHL_INLINE Hit<S> make_hit(const Shading<S, P>& shading, int bin, const RayQu
     if (world.bin_per_item) {
         hit = surface_at(world, own, ray, pick(t));
         material.broadcast(world, own.material);
-        if (world.patterns) [[unlikely]] {
+        if (world.patterns.list) [[unlikely]] {
             std::fill_n(material.numbers, width<S>, own.material);
             if (patterned(world, own.material)) material.paint(shading, hit, from, pick, t);
         }
     } else {
         hit = surfaces_at(world, own.form, shading.hits.surface, pick, ray, pick(t), material.numbers);
         material.load(world);
-        if (world.patterns) [[unlikely]]
+        if (world.patterns.list) [[unlikely]]
             material.paint(shading, hit, from, pick, t);
     }
     const Mask<S> outside = dot(ray.direction, hit.point.normal) < S(0);
@@ -150,7 +150,7 @@ bool shade_bin(const Shading<S, P>& shading, int bin) {
     const Generation<Element<S>>& rays = shading.rays;
     Generation<Element<S>>& next = shading.next;
     const int found = shading.hits.count[bin];
-    const int inside = world.enclosed ? rays.inside_end[bin] - rays.inside_begin[bin] : 0;
+    const int inside = world.few.enclosed ? rays.inside_end[bin] - rays.inside_begin[bin] : 0;
     next.inside_begin[bin] = next.inside.count;
     HitMaterial<S> material;
     for (int i = -inside, left; i < found; i += std::min(left, width<S>)) {
@@ -162,13 +162,13 @@ bool shade_bin(const Shading<S, P>& shading, int bin) {
         const RayQueue<Element<S>>& from = within ? rays.inside : rays.open;
         const Element<S>* const t = within ? rays.inside.t : shading.hits.t;
         Hit<S> hit = make_hit(shading, bin, from, pick, t, material);
-        if (world.fog) [[unlikely]]
+        if (world.fog.any) [[unlikely]]
             hit.weight = left_by_fog(world, S(hit.weight), S(hit.medium), pick(t));
         HitNotes<S, P> notes;
         P::meet(shading, hit, from, pick, t, within, material, notes.own);
         if (shading.has_notes) [[unlikely]] {
             notes.flat = hit.normal;
-            if (world.bends) {
+            if (world.patterns.bends) {
                 hit.normal = PatternCalls<S>::bent(world, material.numbers, hit.position, hit.surface, notes.flat);
                 P::bend(shading, material.numbers, hit, notes.flat, pick(from.weight), pick.lanes, notes.own);
             }
@@ -179,7 +179,7 @@ bool shade_bin(const Shading<S, P>& shading, int bin) {
                     filtered = notes.cone.width > S(0);
                 }
                 S seen_from = pick(from.source);
-                if (world.patterns)
+                if (world.patterns.list)
                     seen_from = seen_from +
                                 PatternCalls<S>::piece(world, material.numbers, hit.position, hit.surface, filtered);
                 note_hits(shading, hit, seen_from, pick(t), pick.lanes, material.numbers, notes);
@@ -191,8 +191,8 @@ bool shade_bin(const Shading<S, P>& shading, int bin) {
         else
             truncate(shading, hit);
         Vec3<S> light = scale(hit.weight, illumination(shading, hit, dim, notes));
-        if (world.fog) [[unlikely]]
-            light = fma(pick(from.weight) - hit.weight, splat<S>(world.fog_color), light);
+        if (world.fog.any) [[unlikely]]
+            light = fma(pick(from.weight) - hit.weight, splat<S>(world.fog.color), light);
         add_light(shading.batch, hit.pixel, pick.lanes, light);
         P::shade(shading, hit, from, pick, t, light, notes.own);
     }

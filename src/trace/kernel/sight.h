@@ -27,7 +27,7 @@ STRAHL_INLINE std::uint32_t bits_of(T value) {
 /// magnitude, since fog dims rays by degrees.
 template <class T>
 STRAHL_INLINE std::uint32_t weight_word(const World<T>& world, T weight) {
-    return world.fog ? static_cast<std::uint32_t>(std::ilogb(weight)) : bits_of(weight);
+    return world.fog.any ? static_cast<std::uint32_t>(std::ilogb(weight)) : bits_of(weight);
 }
 
 /// Patterns count as visible at hits that weigh more than this many times `Limits::noticed`.
@@ -61,7 +61,7 @@ template <class S, class P>
     for (int k = 0; k < lanes; ++k) {
         Sight<T>& sight = shading.batch.sights[static_cast<int>(pixels[k])];
         sight.signature += notes.words[k];
-        if (shading.world.patterns && weights[k] > least_uneven * shading.limits.noticed &&
+        if (shading.world.patterns.list && weights[k] > least_uneven * shading.limits.noticed &&
             uneven(shading.world, materials[k]))
             sight.uneven = true;
         if (shading.depth == 2) sight.further = std::max(sight.further, distances[k]);

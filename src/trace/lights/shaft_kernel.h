@@ -106,16 +106,16 @@ BodySet bodies_in(const World<T>& world, const Shaft<T>& shaft, const ShaftStart
     BodySet reach = 0;
     for (int i = 0; i < world.bins; i += width<S>) {
         const auto at = [i](const T* values) { return load_lanes<S>(values + i); };
-        const Vec3<S> centre(at(world.centres.x), at(world.centres.y), at(world.centres.z));
-        reach |= BodySet(bits(!shaft.beside_ball(centre, at(world.radii)))) << i;
+        const Vec3<S> centre(at(world.few.centres.x), at(world.few.centres.y), at(world.few.centres.z));
+        reach |= BodySet(bits(!shaft.beside_ball(centre, at(world.few.radii)))) << i;
     }
-    if (start.outside && (world.convex >> start.bin & 1)) reach &= ~(BodySet(1) << start.bin);
+    if (start.outside && (world.few.convex >> start.bin & 1)) reach &= ~(BodySet(1) << start.bin);
     world.groups.each([&](const auto& group) {
         if constexpr (!std::remove_cvref_t<decltype(group)>::Form::Kind::bounded)
             for (int i = 0; i < group.count; ++i)
                 if (beside_item(shaft, group.items[i], start)) reach &= ~(BodySet(1) << (group.first_bin + i));
     });
-    return reach & world.occluders[start.light * world.bins + start.bin];
+    return reach & world.few.occluders[start.light * world.bins + start.bin];
 }
 
 /// Returns true if anything may reach into the shaft. For worlds with a hierarchy.

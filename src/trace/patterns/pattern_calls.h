@@ -9,16 +9,17 @@ namespace strahl::inline STRAHL_LEVEL {
 /// Returns true if this material has a pattern.
 template <class T>
 STRAHL_INLINE bool patterned(const World<T>& world, int material) {
-    return material >= world.first_pattern;
+    return material >= world.patterns.first;
 }
 
 /// Returns true if colours or normals of this material may vary within a piece of its pattern, see PatternCalls::piece.
 template <class T>
 STRAHL_INLINE bool uneven(const World<T>& world, int material) {
     if (!patterned(world, material)) return false;
-    const int which = material - world.first_pattern;
-    if (world.bends && !(world.bends[which].map.flat && world.bends[which].bump.flat)) return true;
-    const PatternForm form = world.patterns[which].form;
+    const int which = material - world.patterns.first;
+    if (world.patterns.bends && !(world.patterns.bends[which].map.flat && world.patterns.bends[which].bump.flat))
+        return true;
+    const PatternForm form = world.patterns.list[which].form;
     return form != PatternForm::checker && form != PatternForm::brick && form != PatternForm::constant;
 }
 

@@ -21,7 +21,7 @@ template <class S>
     const Vec3<S> p = place_of(world, pattern, position, surface);
     if (pattern.form == PatternForm::image) return image_color(pattern.image, p);
     const S value = value_at(pattern, p);
-    const auto* stop = world.stops + pattern.first_stop;
+    const auto* stop = world.patterns.stops + pattern.first_stop;
     Vec3<S> color = splat<S>(stop->color);
     for (int i = 1; i < pattern.stops; ++i) {
         const auto *const before = stop++, *const after = stop;
@@ -63,7 +63,7 @@ template <class S>
     } else {
         across = along(footprint.across, footprint.normal), down = along(footprint.down, footprint.normal);
     }
-    return filtered_color(pattern.image, world.mip_maps[pattern.image.number], in_space_of(pattern, place),
+    return filtered_color(pattern.image, world.patterns.mip_maps[pattern.image.number], in_space_of(pattern, place),
                           turned(across), turned(down), lanes, color);
 }
 
@@ -74,11 +74,11 @@ STRAHL_INLINE void each_pattern(const World<Element<S>>& world, const int* mater
     alignas(64) T numbers[width<S>];
     for (int k = 0; k < width<S>; ++k) numbers[k] = static_cast<T>(materials[k]);
     const S number = load_lanes<S>(numbers);
-    Mask<S> left = number >= S(static_cast<T>(world.first_pattern));
+    Mask<S> left = number >= S(static_cast<T>(world.patterns.first));
     while (any(left)) {
         const T own = lane(number, first(left));
         const Mask<S> lanes = left & (number == S(own));
-        visit(static_cast<int>(own) - world.first_pattern, lanes);
+        visit(static_cast<int>(own) - world.patterns.first, lanes);
         left = left & !lanes;
     }
 }
@@ -97,7 +97,7 @@ template <class S>
 void PatternCalls<S>::paint(const World<T>& world, const int* materials, const Vec3<S>& position, const S& surface,
                             MaterialKernel<S>& values) {
     each_pattern<S>(world, materials, [&](int which, Mask<S> lanes) {
-        const PatternKernel<T>& pattern = world.patterns[which];
+        const PatternKernel<T>& pattern = world.patterns.list[which];
         set_colors(pattern, lanes, color_at(world, pattern, position, surface), values);
     });
 }
@@ -107,7 +107,7 @@ S PatternCalls<S>::paint_filtered(const World<T>& world, const int* materials, c
                                   const S& surface, const Footprint<S>& footprint, MaterialKernel<S>& values) {
     S all(0);
     each_pattern<S>(world, materials, [&](int which, Mask<S> lanes) {
-        const PatternKernel<T>& pattern = world.patterns[which];
+        const PatternKernel<T>& pattern = world.patterns.list[which];
         Vec3<S> color;
         const S longer = filtered_at(world, pattern, position, surface, footprint, lanes, color);
         set_colors(pattern, lanes, color, values);
@@ -121,7 +121,7 @@ Vec3<S> PatternCalls<S>::bent(const World<T>& world, const int* materials, const
                               const Vec3<S>& normal) {
     Vec3<S> all = normal;
     each_pattern<S>(world, materials, [&](int which, Mask<S> lanes) {
-        const BendKernel<T>& own = world.bends[which];
+        const BendKernel<T>& own = world.patterns.bends[which];
         Vec3<S> n = normal;
         if (!own.map.flat) n = bent_by(world, own.map, position, surface, n);
         if (!own.bump.flat) n = bent_by(world, own.bump, position, surface, normal, n);
@@ -162,7 +162,7 @@ S PatternCalls<S>::piece(const World<T>& world, const int* materials, const Vec3
                          Mask<S> filtered) {
     S all(0);
     each_pattern<S>(world, materials, [&](int which, Mask<S> lanes) {
-        const Vec3<S> p = piece_at(world, world.patterns[which], position, surface, filtered);
+        const Vec3<S> p = piece_at(world, world.patterns.list[which], position, surface, filtered);
         // With square roots of primes as factors no two sums are the same, as long as numbers have the digits.
         const S number =
             fma(S(T(1.4142135623730951)), p.x, fma(S(T(1.7320508075688772)), p.y, S(T(2.23606797749979)) * p.z));
@@ -173,19 +173,20 @@ S PatternCalls<S>::piece(const World<T>& world, const int* materials, const Vec3
 
 template <class S>
 Vec3<S> PatternCalls<S>::sky(const World<T>& world, const Vec3<S>& direction) {
-    return color_at(world, *world.sky, direction, S(-1));
+    return color_at(world, *world.patterns.sky, direction, S(-1));
 }
 
 template <class S>
 S PatternCalls<S>::sky_filtered(const World<T>& world, const Footprint<S>& footprint, Vec3<S>& color) {
-    return filtered_at(world, *world.sky, footprint.direction, S(-1), footprint, first_lanes<S>(width<S>), color);
+    return filtered_at(world, *world.patterns.sky, footprint.direction, S(-1), footprint, first_lanes<S>(width<S>),
+                       color);
 }
 
 template <class S>
 void PatternCalls<S>::filter(const World<T>& world, int material, const S& surface, const Ray<S>& ray, const S& t,
                              Mask<S> lanes, Vec3<S>& share) {
     if (none(lanes)) return;
-    const PatternKernel<T>& pattern = world.patterns[material - world.first_pattern];
+    const PatternKernel<T>& pattern = world.patterns.list[material - world.patterns.first];
     const Vec3<S> color = color_at(world, pattern, fma(t, ray.direction, ray.origin), surface);
     for (int c = 0; c < 3; ++c)
         share[c] = select(lanes, min(share[c] * (S(pattern.refraction) * color[c]), S(largest_gain)), share[c]);

@@ -113,7 +113,7 @@ class KnownComposite {
     bool known = true;
 
   private:
-    const CompositeLeaf& leaf(int i) const { return world.leaves[composite.first_leaf + i]; }
+    const CompositeLeaf& leaf(int i) const { return world.composites.leaves[composite.first_leaf + i]; }
 
     /// Says on which side of a body a place is: certainly inside, certainly outside, or undecided.
     struct Side {
@@ -138,7 +138,7 @@ class KnownComposite {
         Room<Side, most_leaves> with, without;
         int height = 0, next = 0;
         for (int n = 0; n < composite.steps; ++n) {
-            const CompositeStep step = world.steps[composite.first_step + n];
+            const CompositeStep step = world.composites.steps[composite.first_step + n];
             if (step == CompositeStep::leaf) {
                 with[height] = without[height] = side_of(next, low, high);
                 if (next++ == i) with[height] = {everywhere, nowhere}, without[height] = {nowhere, everywhere};

@@ -162,10 +162,10 @@ template <class S>
     constexpr auto u = unit_error<S>;
     const auto& world = shading.world;
     const S distance = sqrt(dot(way, way)), off = away + abs(t - distance) + S(4 * u) * (t + distance);
-    const S share = fma(S(Element<S>(1.01) * world.fog_per), off, S(2 * u * world.fog_per) * t + S(4 * u));
+    const S share = fma(S(Element<S>(1.01) * world.fog.per), off, S(2 * u * world.fog.per) * t + S(4 * u));
     const S least(std::numeric_limits<Element<S>>::min());  // for weights that underflow
     const S lost = select(share < S(.01f), fma(left, share, least), weight);
-    return lost * (S(brightest_of(shading.limits, shading.depth)) + largest(splat<S>(world.fog_color)));
+    return lost * (S(brightest_of(shading.limits, shading.depth)) + largest(splat<S>(world.fog.color)));
 }
 
 /// Bounds the errors of normals that materials bend. Bends make normals steeper than what is known of the surface, so
@@ -197,13 +197,13 @@ STRAHL_INLINE void bound_hit(const ProvedShading<S>& shading, const Hit<S>& hit,
     const auto& world = shading.world;
     const Ray<S> ray{{pick(from.origin.x), pick(from.origin.y), pick(from.origin.z)}, hit.direction, pick(from.source)};
     const Slack<Element<S>>& slack = proving(shading.limits).slack;
-    const bool unknown = (world.fog && !slack.medium) || (within && !slack.fits());
+    const bool unknown = (world.fog.any && !slack.medium) || (within && !slack.fits());
     const DoubtArrays<Element<S>> doubts(from);
     const Doubt<S> doubt{pick(doubts.away), pick(doubts.turn), pick(doubts.side),
                          world.transparent ? pick(doubts.spin) : Doubt<S>{}.spin};
     bounds = bound_hits(shading, hit, ray, doubt, pick(t), pick(from.weight), pick.lanes,
                         first_lanes<S>(unknown ? 0 : width<S>));
-    if (world.patterns) [[unlikely]] {
+    if (world.patterns.list) [[unlikely]] {
         const ColorErrors<S> errors = PatternBounds<S>::of_hits(world, material.numbers, Vec3<S>(hit.position),
                                                                 S(hit.surface), S(bounds.away), slack);
         bounds.off = errors.ambient, bounds.diffuse = errors.diffuse;
@@ -219,7 +219,7 @@ STRAHL_INLINE void bound_miss(const ProvedShading<S>& shading, const LaneIndices
     const DoubtArrays<Element<S>> doubts(shading.rays.open);
     const Mask<S> followed = first_lanes<S>(pick.lanes) & (pick(doubts.away) >= S(0));
     S off = rounding_of(scale(weight, color), shading.depth, 0);
-    if (world.sky && !world.fog) [[unlikely]]
+    if (world.patterns.sky && !world.fog.any) [[unlikely]]
         off = fma(weight, PatternBounds<S>::of_sky(world, {pick(d.x), pick(d.y), pick(d.z)}, pick(doubts.turn)), off);
     add_bounds(shading.batch, pixel, pick.lanes, select(followed, off, S(0)));
 }
@@ -230,7 +230,7 @@ STRAHL_INLINE void bound_light(const ProvedShading<S>& shading, const Hit<S>& hi
                                const LaneIndices<S>& pick, const Element<S>* t, const Vec3<S>& light,
                                const HitBounds<S>& known) {
     S off = fma(hit.weight, known.off, rounding_of(light, shading.depth, shading.world.light_count));
-    if (shading.world.fog) [[unlikely]] {
+    if (shading.world.fog.any) [[unlikely]] {
         const Vec3<S> origin(pick(from.origin.x), pick(from.origin.y), pick(from.origin.z));
         const S lost =
             fog_error(shading, Vec3<S>(hit.position - origin), S(known.away + pick(DoubtArrays<Element<S>>(from).away)),

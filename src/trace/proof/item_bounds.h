@@ -110,7 +110,7 @@ template <class S>
                                     const Slack<Element<S>>& slack, LightBounds<S>& light) {
     using T = Element<S>;
     if (none(crossed)) return;
-    const PatternKernel<T>& pattern = world.patterns[material - world.first_pattern];
+    const PatternKernel<T>& pattern = world.patterns.list[material - world.patterns.first];
     const S t = S(T(.5)) * (low + high), most(pattern.refraction * pattern.slack.largest);
     const Vec3<S> place = fma(t, own.ray.direction, own.ray.origin);
     const S away = S(T(1.01)) * (own.doubt.away + (high - low) + t * (own.doubt.turn + S(4 * unit_error<S>))) +

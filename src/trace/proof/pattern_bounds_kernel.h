@@ -210,7 +210,7 @@ template <class S>
     S steepest(0);
     Mask<S> jumps = first_lanes<S>(0);
     for (int i = 1; i < pattern.stops; ++i) {
-        const ColorStopKernel<T>&before = world.stops[pattern.first_stop + i - 1], &after = (&before)[1];
+        const ColorStopKernel<T>&before = world.patterns.stops[pattern.first_stop + i - 1], &after = (&before)[1];
         const Mask<S> near = (value + off >= S(before.at)) & (value - off <= S(after.at));
         if (before.at == after.at) {
             jumps = jumps | near;
@@ -229,7 +229,7 @@ ColorErrors<S> PatternBounds<S>::of_hits(const World<T>& world, const int* mater
                                          const S& surface, const S& away, const Slack<T>& slack) {
     ColorErrors<S> errors;
     each_pattern<S>(world, materials, [&](int which, Mask<S> lanes) {
-        const PatternKernel<T>& pattern = world.patterns[which];
+        const PatternKernel<T>& pattern = world.patterns.list[which];
         const S error = color_error(world, pattern, off_place(world, pattern, position, surface, away, slack));
         const T ambient =
             std::max({std::abs(pattern.ambient.x), std::abs(pattern.ambient.y), std::abs(pattern.ambient.z)});
@@ -242,13 +242,14 @@ ColorErrors<S> PatternBounds<S>::of_hits(const World<T>& world, const int* mater
 /// Directions may be 3 u longer or shorter than 1, which counts as an error of the place.
 template <class S>
 S PatternBounds<S>::of_sky(const World<T>& world, const Vec3<S>& direction, const S& turn) {
-    return color_error(world, *world.sky, off_place(*world.sky, direction, turn + S(3 * unit_error<S>)));
+    return color_error(world, *world.patterns.sky,
+                       off_place(*world.patterns.sky, direction, turn + S(3 * unit_error<S>)));
 }
 
 template <class S>
 S PatternBounds<S>::of_filter(const World<T>& world, int material, const Vec3<S>& position, const S& surface,
                               const S& away, const Slack<T>& slack) {
-    const PatternKernel<T>& pattern = world.patterns[material - world.first_pattern];
+    const PatternKernel<T>& pattern = world.patterns.list[material - world.patterns.first];
     const OffPlace<S> place = off_place(world, pattern, position, surface, away, slack);
     return S(pattern.refraction) * color_error(world, pattern, place);
 }

@@ -70,7 +70,7 @@ struct Proving {
                                       const HitNotes<S, Proving>& notes, const S& share,
                                       Branch<S, Proving>& reflected) {
         reflected.own = bound_reflection(notes.own);
-        if (shading.world.bends) [[unlikely]]
+        if (shading.world.patterns.bends) [[unlikely]]
             bound_bent_reflection(shading, hit, notes, share, reflected);
     }
     template <class S, class Put>

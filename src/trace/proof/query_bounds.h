@@ -67,7 +67,8 @@ template <class S>
 [[gnu::noinline]] SpanBounds<S> span_around(const World<Element<S>>& world, int bin, const DoubtfulRay<S>& own,
                                             const Slack<Element<S>>& slack) {
     using T = Element<S>;
-    const SphereKernel<T> ball{{world.centres.x[bin], world.centres.y[bin], world.centres.z[bin]}, world.radii[bin]};
+    const SphereKernel<T> ball{{world.few.centres.x[bin], world.few.centres.y[bin], world.few.centres.z[bin]},
+                               world.few.radii[bin]};
     return span_bounds(ball, own.ray, own.doubt, S(-1), slack);
 }
 
@@ -89,8 +90,9 @@ STRAHL_INLINE BodySet met_bodies(const World<Element<S>>& world, const DoubtfulR
     BodySet met = 0;
     for (BodySet left = set; left; left &= left - 1) {
         const int bin = std::countr_zero(left);
-        const Vec3<S> way = Vec3<S>(S(world.centres.x[bin]), S(world.centres.y[bin]), S(world.centres.z[bin])) - origin;
-        const S reach = S(world.radii[bin]) + off, along = dot(way, direction);
+        const Vec3<S> way =
+            Vec3<S>(S(world.few.centres.x[bin]), S(world.few.centres.y[bin]), S(world.few.centres.z[bin])) - origin;
+        const S reach = S(world.few.radii[bin]) + off, along = dot(way, direction);
         const Vec3<S> across = fma(-along, direction, way);
         met |= BodySet(any(active & !((dot(across, across) > reach * reach) | (along < -reach)))) << bin;
     }
@@ -125,7 +127,7 @@ template <class S>
         return false;
     });
     if (world.nodes) candidates_in_hierarchy(world, own, active, slack, found);
-    if (world.nodes || world.composites) {
+    if (world.nodes || world.composites.list) {
         const Mask<S> beyond = (found.bin < S(0)) & (found.surface >= S(0));
         if (any(beyond)) found.bin = select(beyond, bins_of(world, select(beyond, found.surface, S(-1))), found.bin);
     }
@@ -169,8 +171,8 @@ template <class S>
 STRAHL_INLINE BodySet bodies_in_cones(const World<Element<S>>& world, int light, const DoubtfulRay<S>& own,
                                       const S& furthest, Mask<S> active, BodySet set) {
     using T = Element<S>;
-    constexpr int stride = World<T>::cone_stride;
-    const T* const columns = world.cone_columns + light * (5 * stride);
+    constexpr int stride = FewBodies<T>::cone_stride;
+    const T* const columns = world.few.cone_columns + light * (5 * stride);
     const auto most = [&](const S& value) { return S(-least(select(active, -value, S(0)))); };
     const S turn = most(own.doubt.turn), end = most(furthest);
     Vec3<S> directions[width<S>];  // lanes that are not active have that of one that is
@@ -197,9 +199,9 @@ STRAHL_INLINE BodySet reached_bodies(const World<Element<S>>& world, const Doubt
                                      Mask<S> active, const Start<S>& start, Mask<S>* reached) {
     const Vec3<S> direction = own.ray.direction;
     const S turn = own.doubt.turn;
-    const LightCone<Element<S>>* const cones = world.cones + start.light * world.bins;
+    const LightCone<Element<S>>* const cones = world.few.cones + start.light * world.bins;
     constexpr int many = 8;
-    BodySet left = world.occluders[start.light * world.bins + start.bin], set = 0;
+    BodySet left = world.few.occluders[start.light * world.bins + start.bin], set = 0;
     if (std::popcount(left) > many && any(active))
         left = bodies_in_cones(world, start.light, own, furthest, active, left);
     for (; left; left &= left - 1) {
@@ -207,7 +209,7 @@ STRAHL_INLINE BodySet reached_bodies(const World<Element<S>>& world, const Doubt
         const LightCone<Element<S>>& cone = cones[bin];
         Mask<S> mask =
             active & !(dot(splat<S>(cone.axis), direction) > S(-cone.cosine) + turn) & (furthest > S(cone.distance));
-        if (bin == start.bin && (world.convex >> bin & 1)) mask = mask & !start.outside;
+        if (bin == start.bin && (world.few.convex >> bin & 1)) mask = mask & !start.outside;
         reached[bin] = mask;
         set |= BodySet(any(mask)) << bin;
     }

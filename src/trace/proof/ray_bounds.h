@@ -101,7 +101,7 @@ STRAHL_INLINE void bound_refraction(const ProvedShading<S>& shading, const Hit<S
     const Mask<S> told = abs(k) > k_error,
                   all_told = first_lanes<S>(proving(shading.limits).slack.medium ? width<S> : 0);
     Mask<S> doubt = glass & known.followed & !(told & all_told & !far);
-    if (shading.world.bends) [[unlikely]]
+    if (shading.world.patterns.bends) [[unlikely]]
         doubt = doubt | (glass & known.followed & bent_side_in_doubt(known, c));
     refracted.own.away = select(known.followed & !doubt, known.away, S(-1));
     refracted.own.turn = select(known.followed & !doubt, turn_refracted(known, b, c, k, k_error), S(0));

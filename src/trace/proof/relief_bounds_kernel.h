@@ -170,7 +170,7 @@ BentBounds<S> PatternBounds<S>::of_normals(const World<T>& world, const int* mat
                                            const Slack<T>& slack) {
     BentBounds<S> all{normal_off, first_lanes<S>(0), first_lanes<S>(0)};
     each_pattern<S>(world, materials, [&](int which, Mask<S> lanes) {
-        const auto& [map, bump] = world.bends[which];
+        const auto& [map, bump] = world.patterns.bends[which];
         if (map.flat && bump.flat) return;
         const auto place = [&](const PatternKernel<T>& own) {
             return off_place(world, own, position, surface, away, slack);

@@ -32,8 +32,8 @@ struct Comparison {
         const PlaneKernel<Extended> own = extended_kernel(plane, to_world);
         const ExtendedVector a = extended(plane.a), u = to_world.turn(extended(plane.b) - a),
                              v = to_world.turn(extended(plane.c) - a), p = to_world.point(plane.a);
-        const Extended condition = length_of(u) * length_of(v) / length_of(cross_of(u, v));
-        raise(slack.turn, length_of(extended(kernel.normal) - own.normal) + to_world.rounding() * condition);
+        const Extended condition = quick_length(u) * quick_length(v) / quick_length(cross_product(u, v));
+        raise(slack.turn, quick_length(extended(kernel.normal) - own.normal) + to_world.rounding() * condition);
         raise(slack.plane, std::abs(kernel.distance - own.distance) + to_world.rounding(plane.a) +
                                to_world.rounding() * condition * (sum_of(p) + std::abs(Extended(kernel.distance))));
     }
@@ -56,7 +56,7 @@ struct Comparison {
         const Extended off = apart(kernel.base, own.base) + place + std::abs(kernel.radius - own.radius) +
                              std::abs(kernel.height - own.height) + rounding * (kernel.radius + kernel.height);
         raise(slack.share, off / (sum_of(extended(kernel.base)) + kernel.radius + kernel.height));
-        raise(slack.turn, length_of(extended(kernel.axis) - own.axis) + rounding);
+        raise(slack.turn, quick_length(extended(kernel.axis) - own.axis) + rounding);
     }
     void compare(const ConeKernel<T>& kernel, const ConeKernel<Extended>& own, Extended place,
                  Extended rounding) const {
@@ -65,7 +65,7 @@ struct Comparison {
                              std::abs(kernel.height - own.height) + 2 * rounding * size;
         const ExtendedVector angle{kernel.cosine - own.cosine, kernel.sine - own.sine, 0};
         raise(slack.share, off / (sum_of(extended(kernel.base)) + size));
-        raise(slack.turn, std::max(length_of(extended(kernel.axis) - own.axis), length_of(angle)) + rounding);
+        raise(slack.turn, std::max(quick_length(extended(kernel.axis) - own.axis), quick_length(angle)) + rounding);
     }
     void compare(const TorusKernel<T>& kernel, const TorusKernel<Extended>& own, Extended place,
                  Extended rounding) const {
@@ -73,7 +73,7 @@ struct Comparison {
         const Extended off = apart(kernel.centre, own.centre) + place + std::abs(kernel.major - own.major) +
                              std::abs(kernel.minor - own.minor) + rounding * size;
         raise(slack.share, off / (sum_of(extended(kernel.centre)) + size));
-        raise(slack.turn, length_of(extended(kernel.axis) - own.axis) + rounding);
+        raise(slack.turn, quick_length(extended(kernel.axis) - own.axis) + rounding);
     }
     void compare(const DiscKernel<T>& kernel, const DiscKernel<Extended>& own, Extended place,
                  Extended rounding) const {
@@ -81,7 +81,7 @@ struct Comparison {
                              std::abs(kernel.hole - own.hole) + rounding * (kernel.radius + kernel.hole);
         const Extended whole = sum_of(extended(kernel.centre)) + kernel.radius;
         raise(slack.share, off / whole);
-        raise(slack.turn, length_of(extended(kernel.normal) - own.normal) + rounding);
+        raise(slack.turn, quick_length(extended(kernel.normal) - own.normal) + rounding);
     }
     /// In its own space a ball is exact.
     void compare(const SphereKernel<T>&, const SphereKernel<Extended>&, Extended, Extended) const {}
@@ -97,15 +97,15 @@ struct Comparison {
         raise(slack.share, off / (sum_of(extended(kernel.centre)) + sum_of(extended(kernel.box.half))));
         const std::array made{extended(kernel.row_x), extended(kernel.row_y), extended(kernel.row_z)};
         const std::array rows{own.row_x, own.row_y, own.row_z}, columns = dual_of(made);
-        Extended condition = 0, narrow = std::abs(dot_of(made[0], cross_of(made[1], made[2])));
+        Extended condition = 0, narrow = std::abs(dot_product(made[0], cross_product(made[1], made[2])));
         ExtendedVector wrong[3]{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};  // rows of E
         for (int i = 0; i < 3; ++i) {
-            condition += length_of(columns[i]) * length_of(made[i]);
-            narrow *= length_of(columns[i]);
+            condition += quick_length(columns[i]) * quick_length(made[i]);
+            narrow *= quick_length(columns[i]);
             for (int j = 0; j < 3; ++j) wrong[j] = wrong[j] + columns[i][j] * (rows[i] - made[i]);
         }
-        const Extended size =
-            std::sqrt(dot_of(wrong[0], wrong[0]) + dot_of(wrong[1], wrong[1]) + dot_of(wrong[2], wrong[2]));
+        const Extended size = std::sqrt(dot_product(wrong[0], wrong[0]) + dot_product(wrong[1], wrong[1]) +
+                                        dot_product(wrong[2], wrong[2]));
         raise(slack.turn, size + to_world.rounding() * condition + few * narrow);
         compare(kernel.shape, own.shape, 0, few);
     }
@@ -116,14 +116,14 @@ struct Comparison {
         const std::array made{extended(kernel.row_x), extended(kernel.row_y), extended(kernel.row_z)};
         const auto edges = dual_of(rows), made_edges = dual_of(made);
         Extended condition = 0;  // the most by which rows are further off than edges
-        for (int i = 0; i < 3; ++i) condition += length_of(edges[i]) * length_of(rows[i]);
+        for (int i = 0; i < 3; ++i) condition += quick_length(edges[i]) * quick_length(rows[i]);
         const Extended rounding = 2 * condition * to_world.rounding();
         const ExtendedVector centre = extended(box.corner) + extended(box.opposite);
         Extended off = apart(kernel.centre, own.centre) + to_world.rounding(box.corner) +
                        to_world.rounding(box.opposite) + ExtendedTransform::unit * to_world.length(sum_of(centre));
         for (int i = 0; i < 3; ++i) {
             off += sum_of(made_edges[i] - edges[i]) + rounding * sum_of(edges[i]);
-            raise(slack.turn, length_of(made[i] - rows[i]) / length_of(made[i]) + rounding);
+            raise(slack.turn, quick_length(made[i] - rows[i]) / quick_length(made[i]) + rounding);
         }
         raise(slack.share, off / (sum_of(extended(kernel.centre)) + sum_of(extended(kernel.box.half))));
     }
@@ -141,9 +141,9 @@ struct Comparison {
         (*this)(Triangle{triangle.a, triangle.b, triangle.c}, kernel.flat);
         Extended longest = 0;
         for (const DVec3& n : {triangle.normal_a, triangle.normal_b, triangle.normal_c})
-            longest = std::max(longest, length_of(to_world.normal(unit_of(extended(n)))));
+            longest = std::max(longest, quick_length(to_world.normal(quick_unit(extended(n)))));
         const Extended rounding = 6 * to_world.rounding() * to_world.normal_size() / longest;
-        const auto off = [](const Vec3<T>& a, const ExtendedVector& b) { return length_of(extended(a) - b); };
+        const auto off = [](const Vec3<T>& a, const ExtendedVector& b) { return quick_length(extended(a) - b); };
         raise(slack.turn, rounding + std::max({off(kernel.normal_a, own.normal_a), off(kernel.normal_b, own.normal_b),
                                                off(kernel.normal_c, own.normal_c)}));
     }
@@ -211,9 +211,9 @@ void add_eye(Slack<T>& slack, const View& view, const Placement& placement) {
                        .scale_y = static_cast<T>(2 / height - eye.scale_y),
                        .bias_x = static_cast<T>(1 / width - 1 - eye.bias_x),
                        .bias_y = static_cast<T>(1 / height - 1 - eye.bias_y)};
-    const Extended sine = length_of(cross_of(unit_of(extended(view.camera.up)), own.forward));
-    slack.eye_turn = static_cast<T>(rounding / sine * (1 + length_of(own.right) + length_of(own.down)));
-    slack.eye_away = static_cast<T>(length_of(extended(slack.eye_lacks.position)) + rounding * sum_of(own.position));
+    const Extended sine = quick_length(cross_product(quick_unit(extended(view.camera.up)), own.forward));
+    slack.eye_turn = static_cast<T>(rounding / sine * (1 + quick_length(own.right) + quick_length(own.down)));
+    slack.eye_away = static_cast<T>(quick_length(extended(slack.eye_lacks.position)) + rounding * sum_of(own.position));
 }
 
 namespace {

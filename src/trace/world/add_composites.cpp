@@ -1,4 +1,4 @@
-// Composites become leaves, steps and planes.
+// Makes leaves, steps and planes of composites.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -27,16 +27,17 @@ class CompositeBuilder {
                      const Primitive& whole, int surface, std::int32_t first_leaf, const Placement& placement,
                      ThreadPool& pool, bool proves)
         : arrays(arrays),
+          tables(arrays.composites),
           leaf_numbers(leaf_numbers),
           placement(placement),
           pool(pool),
           proves(proves),
           outer(matrix(whole.transformations)),
           next_leaf(first_leaf) {
-        info.first_leaf = static_cast<std::int32_t>(arrays.leaves.size());
-        info.first_step = static_cast<std::int32_t>(arrays.steps.size());
-        info.first_plane = static_cast<std::int32_t>(arrays.planes.size());
-        info.first_key = static_cast<std::int32_t>(arrays.face_keys.size());
+        info.first_leaf = static_cast<std::int32_t>(tables.leaves.size());
+        info.first_step = static_cast<std::int32_t>(tables.steps.size());
+        info.first_plane = static_cast<std::int32_t>(tables.planes.size());
+        info.first_key = static_cast<std::int32_t>(tables.face_keys.size());
         info.surface = next_surface = surface;
         for_each_leaf_within(
             whole,
@@ -47,13 +48,13 @@ class CompositeBuilder {
                     },
                     leaf.shape);
             },
-            [&](Operation operation) { arrays.steps.push_back(step(operation)); });
+            [&](Operation operation) { tables.steps.push_back(step(operation)); });
         share_planes();
-        info.leaves = static_cast<std::int32_t>(arrays.leaves.size()) - info.first_leaf;
-        info.steps = static_cast<std::int32_t>(arrays.steps.size()) - info.first_step;
-        info.planes = static_cast<std::int32_t>(arrays.planes.size()) - info.first_plane;
+        info.leaves = static_cast<std::int32_t>(tables.leaves.size()) - info.first_leaf;
+        info.steps = static_cast<std::int32_t>(tables.steps.size()) - info.first_step;
+        info.planes = static_cast<std::int32_t>(tables.planes.size()) - info.first_plane;
         info.surfaces = next_surface - surface;
-        arrays.composites.push_back(info);
+        tables.list.push_back(info);
     }
 
   private:
@@ -84,24 +85,24 @@ class CompositeBuilder {
         };
         emit_in<T>(shape, to_world, way.steps, put, proves);
         if constexpr (std::is_same_v<Kind, Mesh>) {
-            meshes.push_back({shape.data.get(), m, arrays.leaves.size()});
+            meshes.push_back({shape.data.get(), m, tables.leaves.size()});
             return add_mesh(leaf, boxes);
         }
         for (int face = 0; face < Kind::faces; ++face) {
             const std::optional<HalfSpace> plane = plane_of(shape, face);
             if (plane) {
                 const PlaneNumbers numbers(moved(*plane, m));
-                arrays.face_keys.push_back(plane_key(numbers));
+                tables.face_keys.push_back(plane_key(numbers));
                 if constexpr (!Kind::bounded) leaf.half_space = static_cast<std::int32_t>(numbers.side);
             } else {
-                arrays.face_keys.push_back(most_planes + 8 * equal_leaf(leaf) + face);
+                tables.face_keys.push_back(most_planes + 8 * equal_leaf(leaf) + face);
             }
         }
         next_surface += Kind::faces;
-        arrays.leaves.push_back(leaf);
-        arrays.steps.push_back(CompositeStep::leaf);
+        tables.leaves.push_back(leaf);
+        tables.steps.push_back(CompositeStep::leaf);
     }
-    /// Its triangles are put into the order of a hierarchy of their own.
+    /// Adds a mesh, whose triangles are put into the order of a hierarchy of their own.
     void add_mesh(CompositeLeaf& leaf, const std::vector<ItemBox>& boxes) {
         const std::size_t fields = WorldArrays<T>::traits[leaf.form].fields;
         T* const numbers = &leaf_numbers[leaf.form][(leaf.item - arrays.forms[leaf.form].count) * fields];
@@ -120,18 +121,18 @@ class CompositeBuilder {
                 if (node->leaves[c] != 0) node->first[c] += leaf.item;
         own.order.reset();
         leaf.nodes = own.nodes.get();
-        arrays.leaf_hierarchies.push_back(std::move(own));
+        tables.mesh_hierarchies.push_back(std::move(own));
         leaf.first_key = mesh_key(leaf);
-        for (std::int32_t i = 0; i < size; ++i) arrays.face_keys.push_back(leaf.first_key + i);
+        for (std::int32_t i = 0; i < size; ++i) tables.face_keys.push_back(leaf.first_key + i);
         next_surface += size;
-        arrays.leaves.push_back(leaf);
-        arrays.steps.push_back(CompositeStep::leaf);
+        tables.leaves.push_back(leaf);
+        tables.steps.push_back(CompositeStep::leaf);
     }
-    /// The key of a mesh's first triangle: that of the first mesh with the same numbers.
+    /// Returns the key of a mesh's first triangle: that of the first mesh with the same numbers.
     std::int32_t mesh_key(const CompositeLeaf& own) const {
         const int equal = equal_leaf(own);
-        const std::size_t count = arrays.leaves.size() - info.first_leaf;
-        if (equal < static_cast<int>(count)) return arrays.leaves[info.first_leaf + equal].first_key;
+        const std::size_t count = tables.leaves.size() - info.first_leaf;
+        if (equal < static_cast<int>(count)) return tables.leaves[info.first_leaf + equal].first_key;
         return most_planes + 8 * most_leaves + own.surface - info.surface;
     }
     std::int32_t plane_key(const PlaneNumbers& own) {
@@ -140,12 +141,12 @@ class CompositeBuilder {
         planes.push_back(own);
         const HalfSpace there = moved({own.distance * own.normal, own.normal}, outer);
         const DVec3 point = (there.point - placement.origin) * placement.scale;
-        arrays.planes.push_back({cast<T>(there.normal), static_cast<T>(dot_product(there.normal, point))});
+        tables.planes.push_back({cast<T>(there.normal), static_cast<T>(dot_product(there.normal, point))});
         return static_cast<std::int32_t>(planes.size()) - 1;
     }
-    /// Triangles in a plane with a face of another part get the key of that plane, as long as there is one left.
+    /// Gives triangles in a plane with a face of another part the key of that plane, as long as there is one left.
     void share_planes() {
-        if (meshes.empty() || arrays.leaves.size() - info.first_leaf < 2) return;
+        if (meshes.empty() || tables.leaves.size() - info.first_leaf < 2) return;
         constexpr std::int32_t none = -1;
         struct User {
             std::int32_t key, mesh;  // that of the plane, and of the first triangle of the mesh that has it alone
@@ -156,7 +157,7 @@ class CompositeBuilder {
             for (const MeshLeaf& mesh : meshes)
                 for (std::size_t i = 0; i < mesh.data->triangles.size(); ++i) {
                     const PlaneNumbers plane(plane_of_triangle(*mesh.data, mesh.data->triangles[i], mesh.matrix));
-                    if (std::isfinite(plane.distance)) visit(arrays.leaves[mesh.leaf], static_cast<int>(i), plane);
+                    if (std::isfinite(plane.distance)) visit(tables.leaves[mesh.leaf], static_cast<int>(i), plane);
                 }
         };
         each_triangle([&](const CompositeLeaf& leaf, int, const PlaneNumbers& plane) {
@@ -167,19 +168,19 @@ class CompositeBuilder {
         each_triangle([&](CompositeLeaf& leaf, int triangle, const PlaneNumbers& plane) {
             const std::int32_t key = users.find(plane)->second.key;
             if (key == none) return;
-            arrays.face_keys[info.first_key + leaf.surface - info.surface + triangle] = key;
+            tables.face_keys[info.first_key + leaf.surface - info.surface + triangle] = key;
             leaf.in_planes = true;
         });
     }
-    /// The number, in the composite, of the first leaf with the same numbers.
+    /// Returns the number, in the composite, of the first leaf with the same numbers.
     int equal_leaf(const CompositeLeaf& own) const {
         const std::size_t fields = WorldArrays<T>::traits[own.form].fields;
         const auto numbers = [&](const CompositeLeaf& leaf) {
             return leaf_numbers[own.form].data() + (leaf.item - arrays.forms[own.form].count) * fields;
         };
-        const std::size_t count = arrays.leaves.size() - info.first_leaf;
+        const std::size_t count = tables.leaves.size() - info.first_leaf;
         for (std::size_t i = 0; i < count; ++i) {
-            const CompositeLeaf& other = arrays.leaves[info.first_leaf + i];
+            const CompositeLeaf& other = tables.leaves[info.first_leaf + i];
             const int items = own.nodes ? own.faces : 1;
             bool same = other.form == own.form && (other.nodes ? other.faces : 1) == items;
             for (int k = 0; same && k < items; ++k)
@@ -191,6 +192,7 @@ class CompositeBuilder {
     }
 
     WorldArrays<T>& arrays;
+    CompositeArrays<T>& tables;
     std::array<std::vector<T>, Forms::size>& leaf_numbers;
     const Placement& placement;
     ThreadPool& pool;
@@ -215,7 +217,7 @@ int faces_of(const Shape& shape) {
     return sum_of_leaves(shape, [&](const auto& kind) { return item ? Mesh::faces : faces_of_leaf(kind); });
 }
 
-/// The leaves follow the items of their forms.
+/// Adds the leaves of all composites. They follow the items of their forms.
 template <class T>
 void WorldArrays<T>::add_composites(const Scene& scene, const Placement& placement, ThreadPool& pool, bool proves) {
     if (forms[place_of<CompositeForm>(Forms{})].count == 0) return;
@@ -237,6 +239,7 @@ void WorldArrays<T>::add_composites(const Scene& scene, const Placement& placeme
         std::copy_n(leaf_numbers[form].data(), more, longer.get() + size);
         own.numbers = std::move(longer);
     }
+    auto& [list, leaves, steps, planes, hierarchies, face_keys, leaf_faces] = composites;
     leaf_faces.assign(surfaces, -1);
     for (const CompositeLeaf& leaf : leaves) {
         const auto refer = [&](std::int32_t surface, std::int32_t item, int face) {
@@ -251,12 +254,7 @@ void WorldArrays<T>::add_composites(const Scene& scene, const Placement& placeme
             else
                 refer(leaf.surface + i, leaf.item, i);
     }
-    world.composites = composites.data();
-    world.leaves = leaves.data();
-    world.steps = steps.data();
-    world.planes = planes.data();
-    world.face_keys = face_keys.data();
-    world.leaf_faces = leaf_faces.data();
+    world.composites = {list.data(), leaves.data(), steps.data(), planes.data(), face_keys.data(), leaf_faces.data()};
 }
 
 template void WorldArrays<float>::add_composites(const Scene&, const Placement&, ThreadPool&, bool);

@@ -1,4 +1,4 @@
-// Primitives become items: all threads at once, each item where it would be if one came after the other.
+// Makes items of primitives by all threads. Each item goes where it would be if they were made one after the other.
 #include <algorithm>
 #include <cmath>
 #include <numeric>

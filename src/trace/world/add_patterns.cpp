@@ -1,4 +1,4 @@
-// Patterns become kernels, each in the spaces of the bodies that have it.
+// Makes kernels of patterns, each in the spaces of the bodies that have it.
 #include <algorithm>
 #include <array>
 #include <map>
@@ -11,7 +11,7 @@
 namespace strahl {
 namespace {
 
-/// That of a material, but for its stops, its pixels and its ambient light.
+/// Returns the kernel of a material's pattern, without its stops, its pixels and its ambient light.
 template <class T>
 PatternKernel<T> kernel_of(const Material& material, const glm::dmat4& to_world, const Placement& placement) {
     PatternKernel<T> kernel{};
@@ -37,10 +37,11 @@ void WorldArrays<T>::add_colors(const Pigment& pigment, PatternKernel<T>& kernel
     const Pattern* const pattern = pigment.pattern.get();
     const ImagePattern* const image = image_of(pigment.pattern);
     if (image) add_image(image->pixels, linear, true, kernel.image);
-    kernel.first_stop = static_cast<std::int32_t>(stops.size());
+    kernel.first_stop = static_cast<std::int32_t>(patterns.stops.size());
     const std::vector<ColorStop> colors = pattern ? pattern->colors : std::vector{ColorStop{0, pigment.color}};
     for (double before = 0; const ColorStop& stop : colors) {
-        stops.push_back({static_cast<T>(stop.at), static_cast<T>(1 / (M(stop.at) - before)), cast<T>(stop.color)});
+        patterns.stops.push_back(
+            {static_cast<T>(stop.at), static_cast<T>(1 / (M(stop.at) - before)), cast<T>(stop.color)});
         before = stop.at;
     }
     kernel.stops = static_cast<std::int32_t>(colors.size());
@@ -51,7 +52,7 @@ template <class T>
 PlacesKernel WorldArrays<T>::add_places(const Shape& shape, int first_surface) {
     const Mesh* const mesh = std::get_if<Mesh>(&shape);
     if (!mesh || mesh->data->places.empty()) return {};
-    meshes.push_back(mesh->data);
+    patterns.meshes.push_back(mesh->data);
     return {first_surface, static_cast<std::int32_t>(mesh->data->triangles.size()), mesh->data->place_numbers(),
             mesh->data->places.data()};
 }
@@ -60,10 +61,10 @@ template <class T>
 void WorldArrays<T>::add_sky(const Scene& scene, bool proves) {
     const Pattern* const pattern = scene.background.pattern.get();
     if (!pattern) return;
-    sky = kernel_of<T>(*pattern, glm::dmat4(1), {});
-    add_colors(scene.background, sky, scene.settings.linear);
-    if (proves) compare(*pattern, {}, {}, true, sky);
-    world.sky = &sky, world.stops = stops.data();
+    patterns.sky = kernel_of<T>(*pattern, glm::dmat4(1), {});
+    add_colors(scene.background, patterns.sky, scene.settings.linear);
+    if (proves) compare(*pattern, {}, {}, true, patterns.sky);
+    world.patterns.sky = &patterns.sky, world.patterns.stops = patterns.stops.data();
 }
 template <class T>
 void WorldArrays<T>::add_patterns(const Scene& scene, const Placement& placement, bool proves) {
@@ -72,7 +73,8 @@ void WorldArrays<T>::add_patterns(const Scene& scene, const Placement& placement
     const bool any_bent = std::ranges::any_of(scene.materials, &Material::bends);
     const auto varies = [&](const Material& m) { return any_bent || m.patterned(); };
     if (std::ranges::none_of(scene.materials, varies)) return;
-    world.first_pattern = static_cast<int>(materials.size());
+    auto& [list, bends, stops, sky, meshes, leaf_materials, first_leaf] = patterns;
+    world.patterns.first = static_cast<int>(materials.size());
     std::vector<PatternKernel<T>> ranges(scene.materials.size());
     for (std::size_t i = 0; i < ranges.size(); ++i)
         if (varies(scene.materials[i])) add_colors(scene.materials[i].rgb, ranges[i], scene.settings.linear);
@@ -96,8 +98,8 @@ void WorldArrays<T>::add_patterns(const Scene& scene, const Placement& placement
             leaf_materials.push_back(entry->second);
             if (!is_new) {
                 // The same matrix by other steps may be another one in exact arithmetic.
-                const int known = entry->second - world.first_pattern;
-                if (compared) compare(*material.rgb.pattern, ways[own_way].material, placement, false, patterns[known]);
+                const int known = entry->second - world.patterns.first;
+                if (compared) compare(*material.rgb.pattern, ways[own_way].material, placement, false, list[known]);
                 if (proves && any_bent) compare(material, ways[own_way].material, placement, false, bends[known]);
                 return;
             }
@@ -110,7 +112,7 @@ void WorldArrays<T>::add_patterns(const Scene& scene, const Placement& placement
             kernel.slack = ranges[leaf.material].slack;
             if (compared) compare(*material.rgb.pattern, ways[own_way].material, placement, true, kernel);
             kernel.ambient = Vec3<T>(cast<M>(scene.settings.ambient_light) * M(material.ambient));
-            patterns.push_back(kernel);
+            list.push_back(kernel);
             if (any_bent) bends.push_back(bend_of(material, matrices.material, placement, kernel.places));
             if (proves && any_bent) compare(material, ways[own_way].material, placement, true, bends.back());
         });
@@ -119,9 +121,9 @@ void WorldArrays<T>::add_patterns(const Scene& scene, const Placement& placement
         throw FileError(
             "this scene has patterns in more bodies than can be told apart in this precision; trace it with "
             "--precision double");
-    world.patterns = patterns.data();
-    if (any_bent) world.bends = bends.data();
-    world.stops = stops.data();
+    world.patterns.list = list.data();
+    if (any_bent) world.patterns.bends = bends.data();
+    world.patterns.stops = stops.data();
 }
 
 template void WorldArrays<float>::add_image(const std::shared_ptr<const Pixels>&, bool, bool, ImageKernel<float>&);

@@ -4,7 +4,7 @@
 namespace strahl {
 namespace {
 
-/// How much the space of a relief's pattern is scaled, in the direction of the most.
+/// Sets what both reliefs have. Returns the largest factor by which the space of the pattern is scaled.
 template <class T>
 double set_relief(const Relief& relief, const glm::dmat4& to_world, const Placement& placement,
                   ReliefKernel<T>& kernel) {

@@ -1,4 +1,4 @@
-// Items get their places: duplicates go, leaves of the hierarchy hold items that lie side by side, bins are numbered.
+// Puts items into their places: removes duplicates, makes leaves of items that lie side by side, and numbers the bins.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,7 +16,7 @@ bool finite(const ItemBox& box) {
 }
 
 /// Removes the items whose numbers are given, ascending. The others move together, and what was removed comes after
-/// them if it is to be kept. How many others are there?
+/// them if it is to be kept. Returns how many others there are.
 template <class T>
 int remove_items(FormItems<T>& own, int fields, const std::vector<std::int32_t>& removed, bool keep = false) {
     int left = removed.empty() ? own.count : removed[0];
@@ -32,7 +32,7 @@ int remove_items(FormItems<T>& own, int fields, const std::vector<std::int32_t>&
     return left;
 }
 
-/// The items of the leaves once more, see Group::columns.
+/// Adds the items of the leaves once more, field by field, see Group::columns.
 template <class T>
 void add_columns(std::array<FormItems<T>, Forms::size>& forms, const Hierarchy& hierarchy, ThreadPool& pool) {
     constexpr auto& traits = WorldArrays<T>::traits;
@@ -60,7 +60,7 @@ void add_columns(std::array<FormItems<T>, Forms::size>& forms, const Hierarchy& 
 
 }  // namespace
 
-/// One hierarchy of all bounded items, which are put into the order of its leaves.
+/// Makes one hierarchy of all bounded items, and puts these into the order of its leaves.
 template <class T>
 void WorldArrays<T>::make_hierarchy(ThreadPool& pool) {
     std::array<std::int32_t, Forms::size + 1> starts{};
@@ -125,7 +125,7 @@ void WorldArrays<T>::make_hierarchy(ThreadPool& pool) {
     world.nodes = hierarchy.nodes.get();
 }
 
-/// Numbers the bins, and notes of each surface where its item is.
+/// Numbers the bins, and notes for each surface where its item is.
 template <class T>
 void WorldArrays<T>::number_bins(ThreadPool& pool) {
     references = uninitialized_buffer<ItemReference>(surfaces + 1);
@@ -147,9 +147,9 @@ void WorldArrays<T>::number_bins(ThreadPool& pool) {
             for (int i = 0; i < own.count; ++i) {
                 const int material = static_cast<int>(own.numbers[i * fields + fields - 1]);
                 const BodySet body = BodySet(1) << sort_bins.size();
-                if (materials[material].refraction > 0) glass |= body;
-                if (!traits[form].hot) world.cold |= body;
-                if (traits[form].convex) world.convex |= body;
+                if (materials[material].refraction > 0) few.glass |= body;
+                if (!traits[form].hot) world.few.cold |= body;
+                if (traits[form].convex) world.few.convex |= body;
                 sort_bins.push_back({form, i, material});
             }
         }
@@ -165,7 +165,7 @@ void WorldArrays<T>::number_bins(ThreadPool& pool) {
     if (hierarchy_forms > 1 || forms[place_of<CompositeForm>(Forms{})].count > 0) world.hierarchy_bin = -1;
     world.loops = loops.data();
     world.loop_count = static_cast<int>(loops.size());
-    world.beyond_loops = world.nodes || world.cold || !loops.empty();
+    world.beyond_loops = world.nodes || world.few.cold || !loops.empty();
 }
 
 template <class T>

@@ -19,7 +19,7 @@
 namespace strahl {
 namespace {
 
-/// The cosine whose power is a 64th of the last bit of 1.
+/// Returns the cosine whose power is a 64th of the last bit of 1.
 template <class T>
 T shines_from(double exponent) {
     return std::pow(std::numeric_limits<T>::epsilon() / 64, 1 / static_cast<T>(exponent));
@@ -48,7 +48,7 @@ LightKernel<T> light_kernel(const Light& light, const Placement& placement) {
     LightKernel<T> kernel{Vec3<T>(position), cast<T>(light.color)};
     if (light.direction) {
         if constexpr (std::is_same_v<M, Extended>)
-            kernel.position = -unit_of(extended(*light.direction));
+            kernel.position = -quick_unit(extended(*light.direction));
         else
             kernel.position = cast<T>(-normalize(*light.direction));
         kernel.finite = 0, kernel.far = std::numeric_limits<T>::infinity();
@@ -74,7 +74,7 @@ LightKernel<T> light_kernel(const Light& light, const Placement& placement) {
         const M radius = less_cosine(light.spot->radius), falloff = less_cosine(light.spot->falloff);
         kernel.spot = true;
         if constexpr (std::is_same_v<M, Extended>)
-            kernel.axis = unit_of(extended(light.spot->look_at) - extended(light.position));
+            kernel.axis = quick_unit(extended(light.spot->look_at) - extended(light.position));
         else
             kernel.axis = cast<T>(normalize(light.spot->look_at - light.position));
         kernel.radius = static_cast<T>(radius), kernel.falloff = static_cast<T>(falloff);
@@ -86,7 +86,7 @@ LightKernel<T> light_kernel(const Light& light, const Placement& placement) {
 
 }  // namespace
 
-/// The kernels' view of the items, and of few items the volumes around them.
+/// Gives kernels access to the items, and of few items finds the volumes around them.
 template <class T>
 void WorldArrays<T>::fill_groups() {
     int form = 0, bin = 0;
@@ -100,7 +100,7 @@ void WorldArrays<T>::fill_groups() {
         bin += world.bin_per_item ? own.count : 1;
         if (world.bin_per_item)
             for (int i = 0; i < own.count; ++i)
-                volumes.push_back(
+                few.volumes.push_back(
                     bounding_volume_of<typename Form::Kind>(group.items[i].shape, own.boxes[i], reach * 0x1p-23));
     });
     boxes.reset();
@@ -131,19 +131,21 @@ void WorldArrays<T>::list_transparent(const Scene& scene) {
             if (!(medium->refraction > 0) && own.refraction > 0) medium = &own;
         });
         if (medium->refraction > 0)
-            transparent.push_back(
+            media.transparent.push_back(
                 {static_cast<int>(before.surfaces), primitive.shape, glm::inverse(matrix(primitive.transformations))});
         const auto body = static_cast<std::int32_t>(before.surfaces);
         count_items<T>(primitive, before);
-        bodies.resize(before.surfaces, body);
-        iors.resize(before.surfaces, static_cast<T>(medium->ior));
+        media.bodies.resize(before.surfaces, body);
+        media.iors.resize(before.surfaces, static_cast<T>(medium->ior));
     }
+    world.media = {media.iors.data(), media.bodies.data()};
 }
 
 /// Finds balls around all bodies, and which can shadow which, if there is a bin for each.
 template <class T>
 void WorldArrays<T>::bound_bodies() {
     const double margin = rounding(reach);
+    auto& [volumes, glass, balls, cones, columns, occluders] = few;
     const std::size_t stride = most_item_bins + widest_pack;
     balls.assign(4 * stride, -std::numeric_limits<T>::infinity());
     std::fill_n(balls.begin(), 3 * stride, T(0));
@@ -151,16 +153,17 @@ void WorldArrays<T>::bound_bodies() {
         const auto [centre, radius] = volumes[i].ball;
         for (int c = 0; c < 3; ++c) balls[c * stride + i] = static_cast<T>(centre[c]);
         balls[3 * stride + i] = volumes[i].plane ? std::numeric_limits<T>::infinity() : static_cast<T>(radius + margin);
-        if ((glass & world.convex) >> i & 1 && !world.nested && isolated(volumes, i, margin))
-            world.enclosed |= BodySet(1) << i;
+        if ((glass & world.few.convex) >> i & 1 && !world.nested && isolated(volumes, i, margin))
+            world.few.enclosed |= BodySet(1) << i;
     }
     const T* const first = balls.data();
-    world.centres = {first, first + stride, first + 2 * stride};
-    world.radii = first + 3 * stride;
+    world.few.centres = {first, first + stride, first + 2 * stride};
+    world.few.radii = first + 3 * stride;
 }
 
 template <class T>
 void WorldArrays<T>::cull_for_lights() {
+    auto& [volumes, glass, balls, cones, columns, occluders] = few;
     for (const LightKernel<T>& light : lights) {
         const LightPlace place{to_double(light.position), light.finite == 0};
         const DVec3& point = place.point;
@@ -170,17 +173,17 @@ void WorldArrays<T>::cull_for_lights() {
             occluders.push_back(light.area ? ~BodySet(0) : occluders_of(volumes, i, place, margin));
         }
     }
-    world.cones = cones.data();
-    world.occluders = occluders.data();
-    constexpr std::size_t stride = World<T>::cone_stride;
-    cone_columns.resize(5 * stride * lights.size());
+    world.few.cones = cones.data();
+    world.few.occluders = occluders.data();
+    constexpr std::size_t stride = FewBodies<T>::cone_stride;
+    columns.resize(5 * stride * lights.size());
     for (std::size_t n = 0; n < cones.size(); ++n) {
-        T* const to = cone_columns.data() + n / volumes.size() * 5 * stride + n % volumes.size();
+        T* const to = columns.data() + n / volumes.size() * 5 * stride + n % volumes.size();
         const auto& [axis, cosine, distance] = cones[n];
         to[0] = axis.x, to[stride] = axis.y, to[2 * stride] = axis.z, to[3 * stride] = cosine,
         to[4 * stride] = distance;
     }
-    world.cone_columns = cone_columns.data();
+    world.few.cone_columns = columns.data();
 }
 
 template <class T>
@@ -191,22 +194,19 @@ WorldArrays<T>::WorldArrays(const Scene& scene, const Placement& placement, Thre
     add_patterns(scene, placement, proves);
     for (const Light& light : points_of(scene.lights)) lights.push_back(light_kernel<T>(light, placement));
     if (scene.fog) {
-        world.fog = true;
-        world.fog_per = static_cast<T>(
-            std::min<long double>(1 / (scene.fog->distance * placement.scale), std::numeric_limits<T>::max()));
-        world.fog_color = cast<T>(scene.fog->color);
+        const long double per = 1 / (scene.fog->distance * placement.scale);
+        world.fog = {true, static_cast<T>(std::min<long double>(per, std::numeric_limits<T>::max())),
+                     cast<T>(scene.fog->color)};
     }
     const auto bent_glass = [](const Material& m) { return m.refraction > 0 && m.bends(); };
     // With fog rays have to know whether they are in a transparent body.
-    world.nested = world.transparent && (world.fog || transparent_bodies_overlap(scene) ||
+    world.nested = world.transparent && (world.fog.any || transparent_bodies_overlap(scene) ||
                                          std::any_of(scene.materials.begin(), scene.materials.end(), bent_glass));
     world.background = cast<T>(scene.background.color);
     world.materials = materials.data();
     world.lights = lights.data();
     world.light_count = static_cast<int>(lights.size());
     if (world.nested) list_transparent(scene);
-    world.iors = iors.data();
-    world.bodies = bodies.data();
 
     add_items(scene, placement, pool, proves);
     world.rounding = static_cast<T>(rounding(reach));
@@ -233,7 +233,7 @@ const World<T>& BuiltWorld<T>::world() const {
 template <class T>
 std::vector<int> BuiltWorld<T>::bodies_around(const DVec3& eye) const {
     std::vector<int> bodies;
-    for (const auto& body : arrays->transparent)
+    for (const auto& body : arrays->media.transparent)
         if (arrays->world.references[body.surface].item >= 0 &&
             std::visit([&](const auto& shape) { return shape.contains(transform_point(body.inverse, eye)); },
                        body.shape))

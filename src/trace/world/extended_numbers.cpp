@@ -60,20 +60,20 @@ SphereKernel<Extended> extended_kernel(const Sphere& sphere, const ExtendedTrans
 PlaneKernel<Extended> extended_kernel(const Plane& plane, const ExtendedTransform& to_world) {
     const ExtendedVector a = extended(plane.a), u = to_world.turn(extended(plane.b) - a),
                          v = to_world.turn(extended(plane.c) - a);
-    const ExtendedVector normal = Extended(to_world.mirrors() ? -1 : 1) * unit_of(cross_of(u, v));
-    return {normal, dot_of(normal, to_world.point(plane.a))};
+    const ExtendedVector normal = Extended(to_world.mirrors() ? -1 : 1) * quick_unit(cross_product(u, v));
+    return {normal, dot_product(normal, to_world.point(plane.a))};
 }
 CylinderKernel<Extended> extended_kernel(const Cylinder& cylinder, const ExtendedTransform& to_world) {
     const ExtendedVector rise = extended(cylinder.cap) - extended(cylinder.base);
-    return {to_world.point(cylinder.base), unit_of(to_world.turn(rise)), to_world.length(cylinder.radius),
-            to_world.length(length_of(rise))};
+    return {to_world.point(cylinder.base), quick_unit(to_world.turn(rise)), to_world.length(cylinder.radius),
+            to_world.length(quick_length(rise))};
 }
 ConeKernel<Extended> extended_kernel(const Cone& cone, const ExtendedTransform& to_world) {
     const ExtendedVector rise = extended(cone.cap) - extended(cone.base);
-    const Extended height = length_of(rise), widening = Extended(cone.cap_radius) - cone.base_radius;
+    const Extended height = quick_length(rise), widening = Extended(cone.cap_radius) - cone.base_radius;
     const Extended slant = std::sqrt(height * height + widening * widening);
     return {to_world.point(cone.base),
-            unit_of(to_world.turn(rise)),
+            quick_unit(to_world.turn(rise)),
             to_world.length(cone.base_radius),
             to_world.length(height),
             height / slant,
@@ -81,11 +81,11 @@ ConeKernel<Extended> extended_kernel(const Cone& cone, const ExtendedTransform& 
             to_world.length(std::max(cone.base_radius, cone.cap_radius))};
 }
 TorusKernel<Extended> extended_kernel(const Torus& torus, const ExtendedTransform& to_world) {
-    return {to_world.point(torus.centre), unit_of(to_world.turn(extended(torus.axis))), to_world.length(torus.major),
+    return {to_world.point(torus.centre), quick_unit(to_world.turn(extended(torus.axis))), to_world.length(torus.major),
             to_world.length(torus.minor)};
 }
 DiscKernel<Extended> extended_kernel(const Disc& disc, const ExtendedTransform& to_world) {
-    return {to_world.point(disc.centre), unit_of(to_world.turn(extended(disc.normal))), to_world.length(disc.radius),
+    return {to_world.point(disc.centre), quick_unit(to_world.turn(extended(disc.normal))), to_world.length(disc.radius),
             to_world.length(disc.hole)};
 }
 
@@ -94,7 +94,8 @@ InOwnSpace<SphereKernel<Extended>> in_own_space(const Sphere& sphere) {
 }
 InOwnSpace<CylinderKernel<Extended>> in_own_space(const Cylinder& cylinder) {
     const ExtendedVector rise = extended(cylinder.cap) - extended(cylinder.base);
-    return {cylinder.base, cylinder.radius, {ExtendedVector(0), unit_of(rise), 1, length_of(rise) / cylinder.radius}};
+    return {
+        cylinder.base, cylinder.radius, {ExtendedVector(0), quick_unit(rise), 1, quick_length(rise) / cylinder.radius}};
 }
 InOwnSpace<ConeKernel<Extended>> in_own_space(const Cone& cone) {
     const double unit = std::max(cone.base_radius, cone.cap_radius);
@@ -105,20 +106,20 @@ InOwnSpace<ConeKernel<Extended>> in_own_space(const Cone& cone) {
 InOwnSpace<DiscKernel<Extended>> in_own_space(const Disc& disc) {
     return {disc.centre,
             disc.radius,
-            {ExtendedVector(0), unit_of(extended(disc.normal)), 1, Extended(disc.hole) / disc.radius}};
+            {ExtendedVector(0), quick_unit(extended(disc.normal)), 1, Extended(disc.hole) / disc.radius}};
 }
 InOwnSpace<TorusKernel<Extended>> in_own_space(const Torus& torus) {
     const double unit = torus.major + torus.minor;
-    return {
-        torus.centre,
-        unit,
-        {ExtendedVector(0), unit_of(extended(torus.axis)), Extended(torus.major) / unit, Extended(torus.minor) / unit}};
+    return {torus.centre,
+            unit,
+            {ExtendedVector(0), quick_unit(extended(torus.axis)), Extended(torus.major) / unit,
+             Extended(torus.minor) / unit}};
 }
 
 std::array<ExtendedVector, 3> dual_of(const std::array<ExtendedVector, 3>& vectors) {
     const auto& [u, v, w] = vectors;
-    const Extended scale = 1 / dot_of(u, cross_of(v, w));
-    return {scale * cross_of(v, w), scale * cross_of(w, u), scale * cross_of(u, v)};
+    const Extended scale = 1 / dot_product(u, cross_product(v, w));
+    return {scale * cross_product(v, w), scale * cross_product(w, u), scale * cross_product(u, v)};
 }
 BoxKernel<Extended> extended_kernel(const Cuboid& box, const ExtendedTransform& to_world) {
     const ExtendedVector corner = extended(box.corner), opposite = extended(box.opposite), ways = opposite - corner;
@@ -144,7 +145,7 @@ TriangleKernel<Extended> extended_kernel(const Triangle& triangle, const Extende
 SmoothTriangleKernel<Extended> extended_kernel(const SmoothTriangle& triangle, const ExtendedTransform& to_world) {
     std::array normals{extended(triangle.normal_a), extended(triangle.normal_b), extended(triangle.normal_c)};
     Extended longest = 0;
-    for (ExtendedVector& n : normals) n = to_world.normal(unit_of(n)), longest = std::max(longest, length_of(n));
+    for (ExtendedVector& n : normals) n = to_world.normal(quick_unit(n)), longest = std::max(longest, quick_length(n));
     for (ExtendedVector& n : normals) n = 1 / longest * n;
     return {extended_kernel(Triangle{triangle.a, triangle.b, triangle.c}, to_world), normals[0], normals[1],
             normals[2]};
@@ -164,14 +165,14 @@ SmoothTriangle smooth_triangle_of(const Mesh& mesh, std::size_t i) {
 Eye<Extended> extended_eye(const View& view, const Placement& placement) {
     const Camera& camera = view.camera;
     const ExtendedVector position = extended(camera.position);
-    const ExtendedVector forward = unit_of(extended(camera.look_at) - position);
-    const ExtendedVector right = unit_of(cross_of(unit_of(extended(camera.up)), forward));
+    const ExtendedVector forward = quick_unit(extended(camera.look_at) - position);
+    const ExtendedVector right = quick_unit(cross_product(quick_unit(extended(camera.up)), forward));
     const Extended aspect = camera.aspectratio ? Extended(*camera.aspectratio) : Extended(view.width) / view.height;
     const Extended tangent = std::tan(Extended(camera.fov) * degree);
     return {.position = Extended(placement.scale) * (position - extended(placement.origin)),
             .forward = forward,
             .right = tangent * right,
-            .down = tangent / aspect * cross_of(forward, right),
+            .down = tangent / aspect * cross_product(forward, right),
             .scale_x = Extended(2) / view.width,
             .scale_y = Extended(2) / view.height,
             .bias_x = (1 + 2 * Extended(view.shift_x)) / view.width - 1,

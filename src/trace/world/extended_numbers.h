@@ -1,5 +1,5 @@
-// The numbers of bodies and of a camera in long double: what extended precision traces, and what slack.cpp takes for
-// exact. Of bodies that proofs know.
+// Computes the numbers of bodies and of a camera in long double, for the kinds that proofs know. Extended precision
+// traces them, and slack.cpp takes them for exact.
 #pragma once
 #include <array>
 #include <cmath>
@@ -7,6 +7,7 @@
 #include <span>
 #include <type_traits>
 
+#include "num/vec_math.h"
 #include "scene/kinds/kinds.h"
 #include "trace/world/build_world.h"
 #include "trace/world/eye.h"
@@ -21,13 +22,7 @@ template <class T>
 ExtendedVector extended(const Vec3<T>& v) {
     return {v.x, v.y, v.z};
 }
-inline Extended dot_of(const ExtendedVector& a, const ExtendedVector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-inline Extended length_of(const ExtendedVector& v) { return std::sqrt(dot_of(v, v)); }
 inline Extended sum_of(const ExtendedVector& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
-inline ExtendedVector unit_of(const ExtendedVector& v) { return Extended(1) / length_of(v) * v; }
-inline ExtendedVector cross_of(const ExtendedVector& a, const ExtendedVector& b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
 
 /// The way from a primitive's own space into the world's, as WorldTransform has it in double.
 class ExtendedTransform {
@@ -40,26 +35,26 @@ class ExtendedTransform {
     ExtendedVector way(const ExtendedVector& v) const { return scale * turn(v); }
     ExtendedVector point(const ExtendedVector& p) const { return scale * (turn(p) + moved - origin); }
     ExtendedVector point(const DVec3& p) const { return point(extended(p)); }
-    /// Under transformations that do not keep angles, the most that a length can become.
+    /// Returns the most that a length can become under transformations that do not keep angles.
     Extended length(Extended own) const { return own * stretch * scale; }
-    /// Normals go by the inverse's transpose, but for its length and sign.
+    /// Transforms a normal, but for length and sign, by the transpose of the inverse.
     ExtendedVector normal(const ExtendedVector& n) const {
         const auto& [x, y, z] = columns;
-        return n.x * cross_of(y, z) + n.y * cross_of(z, x) + n.z * cross_of(x, y);
+        return n.x * cross_product(y, z) + n.y * cross_product(z, x) + n.z * cross_product(x, y);
     }
-    /// By how much the rounding of one of length 1 is more than that of a direction.
+    /// Returns by how many times the rounding of a normal of length 1 is more than that of a direction.
     Extended normal_size() const {
-        const Extended x = length_of(columns[0]), y = length_of(columns[1]), z = length_of(columns[2]);
+        const Extended x = quick_length(columns[0]), y = quick_length(columns[1]), z = quick_length(columns[2]);
         return x * y + y * z + z * x;
     }
-    bool mirrors() const { return dot_of(columns[0], cross_of(columns[1], columns[2])) < 0; }
+    bool mirrors() const { return dot_product(columns[0], cross_product(columns[1], columns[2])) < 0; }
 
-    /// Are all steps known? Motions are not.
+    /// Returns whether all steps are known. Motions are not.
     bool known() const { return size < std::numeric_limits<Extended>::infinity(); }
-    /// How far lengths and directions may be off by rounding, as a share.
+    /// Returns the rounding error of lengths and directions, as a share.
     Extended rounding() const { return roundings * unit * unevenness; }
-    /// And points, as a distance in the world. The numbers of the scene are exact, so that to move by them costs digits
-    /// of what comes out alone.
+    /// Returns the rounding error of a point, as a distance in the world. The numbers of the scene are exact, so that
+    /// moving by them only costs digits of the result.
     Extended rounding(const DVec3& p) const {
         const Extended steps = roundings == few ? 0 : roundings * unit * (length(sum_of(extended(p))) + scale * size);
         return steps + 4 * unit * sum_of(point(p));
@@ -94,7 +89,7 @@ DiscKernel<Extended> extended_kernel(const Disc& disc, const ExtendedTransform& 
 BoxKernel<Extended> extended_kernel(const Cuboid& box, const ExtendedTransform& to_world);
 TriangleKernel<Extended> extended_kernel(const Triangle& triangle, const ExtendedTransform& to_world);
 SmoothTriangleKernel<Extended> extended_kernel(const SmoothTriangle& triangle, const ExtendedTransform& to_world);
-/// Triangle number i of a mesh.
+/// Return triangle i of a mesh.
 Triangle triangle_of(const Mesh& mesh, std::size_t i);
 SmoothTriangle smooth_triangle_of(const Mesh& mesh, std::size_t i);
 /// A shape in the space of its own that affine() gives it, whose unit and centre are these in the primitive's space.
@@ -109,7 +104,7 @@ InOwnSpace<CylinderKernel<Extended>> in_own_space(const Cylinder& cylinder);
 InOwnSpace<ConeKernel<Extended>> in_own_space(const Cone& cone);
 InOwnSpace<DiscKernel<Extended>> in_own_space(const Disc& disc);
 InOwnSpace<TorusKernel<Extended>> in_own_space(const Torus& torus);
-/// To vectors u, v, w those whose products with them are 1 and with the others 0.
+/// Returns for vectors u, v, w those whose product with each is 1 and with the two others 0.
 std::array<ExtendedVector, 3> dual_of(const std::array<ExtendedVector, 3>& vectors);
 /// Makes the kernel of a shape under any transformation; the box is the one that double has.
 template <class Shape>
@@ -120,7 +115,7 @@ auto extended_affine(const Shape& shape, const ExtendedTransform& to_world, cons
     return AffineKernel<std::remove_const_t<decltype(kernel)>, Extended>{to_world.point(centre), x, y, z, box, kernel};
 }
 
-/// Emits the numbers from above, if there are any for this shape under these transformations.
+/// Emits kernels in long double, if there are any for this shape under these transformations. Returns whether it did.
 template <class Shape, class Emit>
 bool emit_extended(const Shape& shape, const WorldTransform& to_world, std::span<const Transformation> steps,
                    const Emit& emit) {
@@ -148,8 +143,8 @@ bool emit_extended(const Shape& shape, const WorldTransform& to_world, std::span
     }
     return false;
 }
-/// Emits what a shape does. For proofs long double gets numbers from above where there are any, and not such that were
-/// rounded to double before. In pictures these would differ from patterns, which are made in double.
+/// Emits the kernels of a shape. For proofs those in long double are computed in it where possible, instead of rounded
+/// from double. Without proofs they are not, because they would not fit patterns, which are computed in double.
 template <class T, class Shape, class Emit>
 void emit_in(const Shape& shape, const WorldTransform& to_world, std::span<const Transformation> steps,
              const Emit& emit, bool proves = true) {

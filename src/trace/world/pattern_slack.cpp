@@ -7,7 +7,7 @@
 namespace strahl {
 namespace {
 
-/// How a pattern's own space becomes the kernel's, exactly but for rounding to long double.
+/// The way from a pattern's own space to the kernel's, exact but for rounding to long double.
 struct ExtendedPatternSpace {
     std::array<ExtendedVector, 3> rows{ExtendedVector{1, 0, 0}, ExtendedVector{0, 1, 0}, ExtendedVector{0, 0, 1}};
     ExtendedVector offset{0}, mortar{0};
@@ -22,7 +22,7 @@ struct ExtendedPatternSpace {
                 mortar[c] = brick->mortar / size;
             }
         } else if (const Gradient* const gradient = std::get_if<Gradient>(&kind)) {
-            rows = {unit_of(extended(gradient->axis)), ExtendedVector(0), ExtendedVector(0)};
+            rows = {quick_unit(extended(gradient->axis)), ExtendedVector(0), ExtendedVector(0)};
             offset = {border, 0, 0};
         } else if (std::holds_alternative<Checker>(kind)) {
             offset = ExtendedVector(border);
@@ -42,7 +42,7 @@ struct ReliefColumns {
     Extended longest = 0;
     explicit ReliefColumns(std::span<const Transformation> steps) : to_world(steps, DVec3(0), 1) {
         columns = {to_world.turn({1, 0, 0}), to_world.turn({0, 1, 0}), to_world.turn({0, 0, 1})};
-        for (const ExtendedVector& column : columns) longest = std::max(longest, length_of(column));
+        for (const ExtendedVector& column : columns) longest = std::max(longest, quick_length(column));
     }
 };
 template <class T>
@@ -73,20 +73,20 @@ void compare_pattern(const Pattern& pattern, std::span<const Transformation> ste
                              to_world.way(ExtendedVector{0, 0, 1})};
     const std::array back = dual_of(columns);
     Extended condition = 0;
-    for (int i = 0; i < 3; ++i) condition += length_of(columns[i]) * length_of(back[i]);
+    for (int i = 0; i < 3; ++i) condition += quick_length(columns[i]) * quick_length(back[i]);
     constexpr Extended unit = ExtendedTransform::unit;
     const Extended share = condition * (2 * to_world.rounding() + 8 * unit);
     const ExtendedVector origin = to_world.point(ExtendedVector(0));
-    const Extended origin_off = to_world.rounding(DVec3(0)), far = length_of(origin);
+    const Extended origin_off = to_world.rounding(DVec3(0)), far = quick_length(origin);
     const ExtendedPatternSpace own(pattern.kind, border);
     Extended turned = 0, moved = 0;
     for (int c = 0; c < 3; ++c) {
         const ExtendedVector& within = own.rows[c];
         const ExtendedVector row = within.x * back[0] + within.y * back[1] + within.z * back[2];
-        const Extended length = std::abs(within.x) * length_of(back[0]) + std::abs(within.y) * length_of(back[1]) +
-                                std::abs(within.z) * length_of(back[2]);
+        const Extended length = std::abs(within.x) * quick_length(back[0]) +
+                                std::abs(within.y) * quick_length(back[1]) + std::abs(within.z) * quick_length(back[2]);
         const auto modulo = [&](Extended x) { return period[c] > 0 ? x - period[c] * std::round(x / period[c]) : x; };
-        const Extended exact = own.offset[c] - dot_of(row, origin), offset = modulo(exact);
+        const Extended exact = own.offset[c] - dot_product(row, origin), offset = modulo(exact);
         if (replace && std::is_same_v<T, Extended>) {
             for (int k = 0; k < 3; ++k) kernel.rows[c][k] = static_cast<T>(row[k]);
             kernel.offset[c] = static_cast<T>(offset), kernel.mortar[c] = static_cast<T>(own.mortar[c]);
@@ -106,8 +106,8 @@ void compare_relief(const Bump& bump, std::span<const Transformation> steps, boo
     const std::array back = dual_of(own.columns);
     Extended condition = 0, whole = 0;
     for (int c = 0; c < 3; ++c) {
-        condition += length_of(own.columns[c]) * length_of(back[c]);
-        whole += length_of(back[c]);
+        condition += quick_length(own.columns[c]) * quick_length(back[c]);
+        whole += quick_length(back[c]);
     }
     constexpr Extended unit = ExtendedTransform::unit;
     const Extended share = condition * (2 * own.to_world.rounding() + 8 * unit), step = bump.step();
@@ -118,7 +118,7 @@ void compare_relief(const Bump& bump, std::span<const Transformation> steps, boo
         const ExtendedVector v = extended(Bump::corners[i]);
         const ExtendedVector bend = strength * (v.x * back[0] + v.y * back[1] + v.z * back[2]);
         ExtendedVector by{0};
-        for (int c = 0; c < 3; ++c) by[c] = step * dot_of(space.rows[c], v);
+        for (int c = 0; c < 3; ++c) by[c] = step * dot_product(space.rows[c], v);
         for (int k = 0; replace && std::is_same_v<T, Extended> && k < 3; ++k)
             kernel.bends[i][k] = static_cast<T>(bend[k]), kernel.steps[i][k] = static_cast<T>(by[k]);
         bends =

@@ -13,7 +13,7 @@ template <class T>
 STRAHL_INLINE const TriangleKernel<T>& flat(const SmoothTriangleKernel<T>& triangle) {
     return triangle.flat;
 }
-/// The triangle that a surface is, or null.
+/// Returns the triangle that a surface is, or null.
 template <class T>
 STRAHL_INLINE const TriangleKernel<T>* triangle_of(const World<T>& world, int surface) {
     const ItemReference& reference = world.references[surface];

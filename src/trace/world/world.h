@@ -19,11 +19,12 @@ inline constexpr float largest_gain = 1e18f;
 /// When a hit's direct light may be pruned, lights below this multiple of its diffuse term (of a light straight above)
 /// are skipped.
 inline constexpr float faint_share = 2;
-/// Lanes. Arrays hold as many elements more, because packs are loaded and stored whole.
+/// The most lanes of a pack. Arrays hold as many elements more, because packs are loaded and stored whole.
 inline constexpr int widest_pack = 16;
 
-/// A kernel with its numbers. Made of elements only, so that it can be gathered lane by lane; whole numbers are exact
-/// in every element type (in float up to 2^24, see `World::capacity`).
+/// A kernel with the numbers of its surface and its material. It is made of elements of one type only, so that packs of
+/// items are gathered lane by lane, and those two numbers come with the others as lanes. That is why they are stored as
+/// T although they are integers, which T holds exactly up to `World::capacity`: 2^24 in float.
 template <class Form, class T>
 struct Item {
     using Kind = typename Form::Kind;
@@ -66,7 +67,7 @@ struct LightCone {
     T cosine = -2, distance = -std::numeric_limits<T>::infinity();
 };
 
-/// Bodies by sort bin, a bit for each.
+/// A set of bodies, with a bit for each by its sort bin.
 using BodySet = std::uint64_t;
 inline constexpr int most_item_bins = 64;  // up to here each item has a bin of its own, and there is no hierarchy
 
@@ -111,12 +112,13 @@ struct CompositePlane {
 struct CompositeLeaf {
     std::int32_t form, item, material;
     std::int32_t surface, faces;  // the number of its first face, and how many it has
-    std::int32_t half_space;      // 0 if it is none; else whether it is behind its plane's normal (1) or before it (-1)
+    std::int32_t half_space;      // of a half-space 1 if it is behind its plane's normal, -1 if before it; else 0
     const Node* nodes = nullptr;  // of a mesh: the hierarchy of its triangles, which are the items from `item` on
     std::int32_t first_key = 0;   // of a mesh: the key of its first triangle, if that has one of its own
     bool in_planes = false;       // of a mesh: some of its triangles have the keys of planes
 };
-/// How the insides of leaves make the inside of the whole: the next leaf, or the last two results as one.
+/// The steps that combine the insides of leaves to that of the whole: take the next leaf, or make one of the last two
+/// results.
 enum class CompositeStep : std::uint8_t { leaf, unite, intersect, subtract };
 /// Ranges of the world's arrays. Faces have keys: those below `most_planes` are numbers of planes. A triangle has that
 /// of its plane if a face of another part lies there.
@@ -145,6 +147,61 @@ struct GroupsOf<T, FormList<F...>> : Group<F, T>... {
     }
 };
 
+/// Bodies of a world with a bin for each item, by bin. Empty in other worlds.
+template <class T>
+struct FewBodies {
+    Vec3<const T*> centres{nullptr};      // of balls around the bodies; a pack may be read past the end
+    const T* radii = nullptr;             // of these; infinite for planes, and -infinite past the end
+    const LightCone<T>* cones = nullptr;  // by light * bins + bin: each body as seen from the light
+    const BodySet* occluders = nullptr;   // likewise: bodies that can keep the light from it, itself only from inside
+    BodySet cold = 0;                     // bodies of other than hot forms
+    BodySet convex = 0;                   // bodies that never shadow their own outside
+    // Transparent convex bodies that nothing else reaches into: a ray inside meets the same body again.
+    BodySet enclosed = 0;
+    // For proofs the cones by columns: by light the axes' x, y and z, the cosines and the distances of all bins.
+    const T* cone_columns = nullptr;
+    static constexpr int cone_stride = most_item_bins + 16;  // a pack may be read past the end
+};
+
+/// Arrays of all composites and their leaves. Null in worlds without composites.
+template <class T>
+struct CompositeTables {
+    const CompositeInfo* list = nullptr;  // by the number in a composite's kernel
+    const CompositeLeaf* leaves = nullptr;
+    const CompositeStep* steps = nullptr;
+    const CompositePlane<T>* planes = nullptr;
+    const std::int32_t* face_keys = nullptr;
+    const std::int32_t* leaf_faces = nullptr;  // by surface: which face of its leaf it is, -1 if it is of none
+};
+
+/// Patterns of materials and of the background. Materials with patterns follow those without: each as often as there
+/// are bodies in spaces of their own that have it, with the largest colour of the pattern as its colour. Where normals
+/// are bent all materials are repeated in this way, and the first ones are not used.
+template <class T>
+struct PatternTables {
+    int first = std::numeric_limits<int>::max();  // the first material with patterns
+    const PatternKernel<T>* list = nullptr;       // of the materials from there on; null if there are none
+    const BendKernel<T>* bends = nullptr;         // likewise; null if no normals are bent
+    const ColorStopKernel<T>* stops = nullptr;
+    const MipMapKernel* mip_maps = nullptr;  // by the numbers of images; null where these are not filtered
+    const PatternKernel<T>* sky = nullptr;   // of the background, by direction; null if it has none
+};
+
+/// Transparent bodies of nested worlds, by surface. Null in other worlds.
+template <class T>
+struct MediumTables {
+    const T* iors = nullptr;
+    const std::int32_t* bodies = nullptr;  // the first surface of the body
+};
+
+/// Fog of the whole scene. Kernels skip it if there is none.
+template <class T>
+struct FogKernel {
+    bool any = false;
+    T per = 0;  // 1 over its distance
+    Vec3<T> color{0};
+};
+
 template <class T>
 struct World {
     /// Surfaces that can be numbered exactly in T.
@@ -161,58 +218,28 @@ struct World {
     const ItemRange* loops = nullptr;  // where there is a hierarchy: items of other than hot forms that it lacks,
     int loop_count = 0;                // and how many such ranges
 
-    // Only if there is a bin per item, by bin; the last two by light * bins + bin.
-    Vec3<const T*> centres{nullptr};      // of balls around the bodies; a pack may be read past the end
-    const T* radii = nullptr;             // of these; infinite for planes, and -infinite past the end
-    const LightCone<T>* cones = nullptr;  // each body as seen from the light
-    const BodySet* occluders = nullptr;   // bodies that can keep light from this one; itself only from its inside
-    BodySet cold = 0;                     // bodies of other than hot forms
-    BodySet convex = 0;                   // bodies that never shadow their own outside
-    // Transparent convex bodies that nothing else reaches into: a ray inside meets the same body again.
-    BodySet enclosed = 0;
-
-    // Only where there are composites.
-    const CompositeInfo* composites = nullptr;
-    const CompositeLeaf* leaves = nullptr;
-    const CompositeStep* steps = nullptr;
-    const CompositePlane<T>* planes = nullptr;
-    const std::int32_t* face_keys = nullptr;
-    const std::int32_t* leaf_faces = nullptr;  // by surface: which face of its leaf it is, -1 if it is of none
+    FewBodies<T> few;
+    CompositeTables<T> composites;
+    PatternTables<T> patterns;
+    MediumTables<T> media;
 
     Vec3<T> eye{0};  // of the view that is traced
     T rounding = 0;  // what the coordinates of points on bodies may be off
     const MaterialKernel<T>* materials = nullptr;
-    // Materials with patterns follow those without: each as often as there are bodies in spaces of their own that have
-    // it, with the largest colour of the pattern as its colour. The first ones are not used where normals are bent.
-    int first_pattern = std::numeric_limits<int>::max();
-    const PatternKernel<T>* patterns = nullptr;  // of these materials; null if there are none
-    const BendKernel<T>* bends = nullptr;  // likewise; then all materials are among these. Null if no normals are bent
-    const ColorStopKernel<T>* stops = nullptr;
-    const MipMapKernel* mip_maps = nullptr;  // by the numbers of images; null where these are not filtered
     const LightKernel<T>* lights = nullptr;
     int light_count = 0;
     const LightBuffer<T>* light_buffers = nullptr;  // by light; null if there are none
     Vec3<T> background{0};
-    const PatternKernel<T>* sky = nullptr;  // the pattern of the background, by direction; null if it has none
-    const T* iors = nullptr;                // by surface; only in nested worlds
-    const std::int32_t* bodies = nullptr;   // likewise: the first surface of the body
-
-    // Features of the scene: kernels do nothing for those that are false.
-    bool fog = false;
-    T fog_per = 0;  // 1 over its distance
-    Vec3<T> fog_color{0};
+    FogKernel<T> fog;
+    // Kernels do not look for what the scene does not contain.
     bool transparent = false;  // some body lets light through
     bool nested = false;       // such bodies overlap, or bumps bend rays back: rays carry the list of those entered
-
-    // For proofs, the cones by columns: by light the axes' x, y and z, the cosines and the distances of all bins.
-    const T* cone_columns = nullptr;
-    static constexpr int cone_stride = most_item_bins + 16;  // a pack may be read past the end
 };
 
 /// A composite by its item.
 template <class T>
 STRAHL_INLINE const CompositeInfo& composite_of(const World<T>& world, int item) {
-    return world.composites[static_cast<int>(world.groups.template get<CompositeForm>().items[item].shape.number)];
+    return world.composites.list[static_cast<int>(world.groups.template get<CompositeForm>().items[item].shape.number)];
 }
 
 }  // namespace strahl

@@ -1,4 +1,4 @@
-// The arrays that a World points into, while they are made and ever after.
+// Makes and holds the arrays that a World points into.
 #pragma once
 #include <array>
 #include <atomic>
@@ -37,7 +37,7 @@ consteval int form_number(FormList<F...>) {
     ((std::is_same_v<typename F::template Kernel<T>, K> ? found = number++ : ++number), ...);
     return found;
 }
-/// How many faces an item has that a shape emits, or the leaves of a composite.
+/// Returns how many faces an item has that a shape emits, or the leaves of a composite together.
 int faces_of(const Shape& shape);
 
 /// An emitter that counts.
@@ -66,7 +66,7 @@ void count_items(const Primitive& primitive, ItemCounts& counts) {
         primitive.shape);
 }
 
-/// In which the numbers of a world are reckoned.
+/// The type in which the numbers of a world are computed.
 template <class T>
 using Made = std::conditional_t<std::is_same_v<T, long double>, long double, double>;
 
@@ -95,6 +95,46 @@ struct FormItems {
 };
 
 template <class T>
+struct FewBodiesArrays {
+    std::vector<BoundingVolume> volumes;  // by bin
+    BodySet glass = 0;                    // the transparent ones
+    std::vector<T> balls;
+    std::vector<LightCone<T>> cones;
+    std::vector<T> cone_columns;
+    std::vector<BodySet> occluders;
+};
+template <class T>
+struct CompositeArrays {
+    std::vector<CompositeInfo> list;
+    std::vector<CompositeLeaf> leaves;
+    std::vector<CompositeStep> steps;
+    std::vector<CompositePlane<T>> planes;
+    std::vector<Hierarchy> mesh_hierarchies;  // of meshes that are leaves
+    std::vector<std::int32_t> face_keys, leaf_faces;
+};
+template <class T>
+struct PatternArrays {
+    std::vector<PatternKernel<T>> list;
+    std::vector<BendKernel<T>> bends;
+    std::vector<ColorStopKernel<T>> stops;
+    PatternKernel<T> sky;
+    std::vector<std::shared_ptr<const MeshData>> meshes;  // those with places in pictures
+    // The material of each leaf of the scene, and the first leaf of each primitive; empty in worlds without patterns.
+    std::vector<std::int32_t> leaf_materials, first_leaf;
+};
+template <class T>
+struct MediumArrays {
+    struct TransparentShape {
+        int surface;
+        Shape shape;
+        glm::dmat4 inverse;
+    };
+    std::vector<T> iors;
+    std::vector<std::int32_t> bodies;
+    std::vector<TransparentShape> transparent;
+};
+
+template <class T>
 struct WorldArrays {
     World<T> world;
     static constexpr auto traits = traits_of<T>(Forms{});
@@ -105,37 +145,13 @@ struct WorldArrays {
     std::vector<SortBin> sort_bins;
     std::vector<ItemRange> loops;
     std::vector<MaterialKernel<T>> materials;
-    std::vector<PatternKernel<T>> patterns;
-    std::vector<BendKernel<T>> bends;
-    std::vector<ColorStopKernel<T>> stops;
-    PatternKernel<T> sky;
-    std::vector<std::shared_ptr<const MeshData>> meshes;  // those with places in pictures
-    // Only where there are patterns: the material of each leaf of the scene, and the first leaf of each primitive.
-    std::vector<std::int32_t> leaf_materials, first_leaf;
     std::vector<LightKernel<T>> lights;
-    std::vector<CompositeInfo> composites;
-    std::vector<CompositeLeaf> leaves;
-    std::vector<CompositeStep> steps;
-    std::vector<CompositePlane<T>> planes;
-    std::vector<Hierarchy> leaf_hierarchies;  // of meshes that are leaves
-    std::vector<std::int32_t> face_keys, leaf_faces;
-    std::vector<T> iors;
-    std::vector<std::int32_t> bodies;
-    std::vector<BoundingVolume> volumes;  // by bin, if there is one for each item
-    BodySet glass = 0;                    // of these the transparent ones
-    std::vector<T> balls;
-    std::vector<LightCone<T>> cones;
-    std::vector<T> cone_columns;
-    std::vector<BodySet> occluders;
+    FewBodiesArrays<T> few;
+    CompositeArrays<T> composites;
+    PatternArrays<T> patterns;
+    MediumArrays<T> media;
     double reach = 0;  // the largest coordinate of a bounded body
     int surfaces = 0;
-
-    struct Body {
-        int surface;
-        Shape shape;
-        glm::dmat4 inverse;
-    };
-    std::vector<Body> transparent;  // only in nested worlds
 
     MovingHierarchy* const moving;  // of the world at the moments before, or nullptr
     const std::shared_ptr<Images> images;
@@ -162,12 +178,14 @@ struct WorldArrays {
     BendKernel<T> bend_of(const Material& material, const glm::dmat4& to_world, const Placement& placement,
                           const PlacesKernel& places);
     void add_image(const std::shared_ptr<const Pixels>& from, bool linear, bool colors, ImageKernel<T>& kernel);
-    /// The number of a primitive's material, or of its leaf's, the number of which goes on by one.
+    /// Returns the number of a primitive's material, or of the next leaf's, and goes on to the leaf after it.
     int material_of(const Primitive& primitive, std::int32_t& leaf) const {
-        return leaf_materials.empty() ? primitive.material : leaf_materials[leaf++];
+        return patterns.leaf_materials.empty() ? primitive.material : patterns.leaf_materials[leaf++];
     }
-    std::int32_t leaf_of(std::int32_t primitive) const { return first_leaf.empty() ? 0 : first_leaf[primitive]; }
-    // build.cpp
+    std::int32_t leaf_of(std::int32_t primitive) const {
+        return patterns.first_leaf.empty() ? 0 : patterns.first_leaf[primitive];
+    }
+    // build_world.cpp
     void add_materials(const Scene& scene);
     void list_transparent(const Scene& scene);
     void fill_groups();

@@ -1,4 +1,4 @@
-// Patterns of a world, which colour its materials and bend their normals, as the kernels read them.
+// The patterns of a world as the kernels read them: they colour materials and bend normals.
 #pragma once
 #include <cstdint>
 #include <limits>
@@ -16,7 +16,7 @@ struct MipLevel {
     const float* pixels;
     std::int32_t width, height;
 };
-/// From its own size to one pixel, see mip_maps.h.
+/// A picture at all sizes from its own to one pixel, see mip_maps.h.
 struct MipMapKernel {
     const MipLevel* levels = nullptr;
     std::int32_t count = 0;
@@ -28,7 +28,7 @@ struct ImageKernel {
     std::int32_t width, height;
     ImageMap map;
     bool once;
-    Vec3<T> around;       // where it is there once: the colour outside
+    Vec3<T> around;       // the colour outside, if it is there once
     T border;             // and how much before 0 and 1 it begins and ends
     std::int32_t number;  // among the world's mip maps
 };
