@@ -7,6 +7,9 @@
 #include <fstream>
 #include <functional>
 #include <optional>
+#include <random>
+#include <span>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -60,12 +63,21 @@ Result refine(Tracer& tracer, const View& view, double error, ThreadPool& pool) 
     return result;
 }
 
-/// The reference, from a file of this scene's text and size if there is one.
+/// The reference, from a file of this scene's text and size if there is one: grid x grid rays a pixel, each anywhere in
+/// its own part of the pixel. On a regular grid edges along its rows would be off by up to half a row in every pixel.
 std::vector<double> reference(Tracer& tracer, const View& view, int grid, const std::string& path, ThreadPool& pool) {
     std::vector<double> rgb(std::size_t(3) * view.width * view.height);
     const auto bytes = static_cast<std::streamsize>(rgb.size() * sizeof(double));
     if (std::ifstream file(path, std::ios::binary); file.read(reinterpret_cast<char*>(rgb.data()), bytes)) return rgb;
-    rgb = grid_picture(tracer, view, grid, pool).rgb;
+    std::fill(rgb.begin(), rgb.end(), 0.);
+    std::mt19937 random(1);
+    const auto within = [&](int part) { return (part + random() * 0x1p-32) / grid - .5; };
+    for (int i = 0; i < grid * grid; ++i) {
+        View shifted = view;
+        shifted.shift_x = within(i % grid), shifted.shift_y = within(i / grid);
+        const std::vector<double> one = grid_picture(tracer, shifted, 1, pool).rgb;
+        for (std::size_t k = 0; k < rgb.size(); ++k) rgb[k] += one[k] / (double(grid) * grid);
+    }
     std::ofstream(path, std::ios::binary).write(reinterpret_cast<const char*>(rgb.data()), bytes);
     return rgb;
 }
@@ -91,37 +103,47 @@ void print(const std::string& name, const Result& result, const std::vector<doub
                 result.seconds, 510 * result.estimate);
 }
 
-int compare(int argc, char** argv) {
-    const std::string path = argv[1];
-    const int width = argc > 2 ? std::atoi(argv[2]) : 320, grid = argc > 3 ? std::atoi(argv[3]) : 32;
-    const double time = argc > 4 ? std::atof(argv[4]) : -1;
-    const bool in_float = std::getenv("STRAHL_FLOAT");
-    const std::string text = read_text(path);
+/// A scene at a moment and a size, and where it is kept how it looks with a grid of rays in every pixel.
+struct Measured {
+    std::string path;
+    int width, grid;
+    double time = -1;
+    std::string text = read_text(path);
     Scene scene = parse_scene(text, path, {}, read_pixels);
-    View view{.camera = scene.camera, .width = width, .height = width * 3 / 4};
-    if (time >= 0 && scene.flythrough) view.camera = camera_at(*scene.flythrough, scene.camera, time);
-    view.depth = scene.settings.max_trace_level;
-    view.error = 1. / 510;
+
+    View view() const {
+        View view{.camera = scene.camera, .width = width, .height = width * 3 / 4};
+        if (time >= 0 && scene.flythrough) view.camera = camera_at(*scene.flythrough, scene.camera, time);
+        view.depth = scene.settings.max_trace_level, view.error = 1. / 510, view.time = std::max(time, 0.);
+        return view;
+    }
+    std::string kept() const {
+        const char* const folder = std::getenv("TMPDIR");
+        std::ostringstream name;
+        name << (folder ? folder : "/tmp") << "/strahl-" << std::filesystem::path(path).stem().string() << '-'
+             << std::hash<std::string>()(text) << '-' << width << '-' << grid << '-' << time << "-random.raw";
+        return name.str();
+    }
+};
+
+Precision precision() { return std::getenv("STRAHL_FLOAT") ? Precision::float32 : Precision::float64; }
+
+int compare(const Measured& own, std::span<char*> pictures) {
+    const View view = own.view();
     const double pixels = double(view.width) * view.height;
     ThreadPool pool(0);
-    Tracer tracer(scene, in_float ? Precision::float32 : Precision::float64);
-    const char* const folder = std::getenv("TMPDIR");
-    const std::string kept = std::string(folder ? folder : "/tmp") + "/strahl-" +
-                             std::filesystem::path(path).stem().string() + "-" +
-                             std::to_string(std::hash<std::string>()(text)) + "-" + std::to_string(width) + "-" +
-                             std::to_string(grid) + "-" + std::to_string(time) + ".raw";
-    const std::vector<double> exact = reference(tracer, view, grid, kept, pool);
-    if (argc > 5) {  // other programs' pictures
-        for (int i = 5; i < argc; ++i) {
-            const Picture picture = read_picture(argv[i]);
+    Tracer tracer(own.scene, precision());
+    const std::vector<double> exact = reference(tracer, view, own.grid, own.kept(), pool);
+    if (!pictures.empty()) {  // other programs' pictures
+        for (const char* const path : pictures) {
             Result result;
-            result.rgb = picture.values;
+            result.rgb = read_picture(path).values;
             result.rays.camera = static_cast<std::uint64_t>(pixels);
-            print(std::filesystem::path(argv[i]).stem().string(), result, exact, pixels);
+            print(std::filesystem::path(path).stem().string(), result, exact, pixels);
         }
         return 0;
     }
-    std::printf("%s, %dx%d, reference %dx%d\n", path.c_str(), view.width, view.height, grid, grid);
+    std::printf("%s, %dx%d, reference %dx%d\n", own.path.c_str(), view.width, view.height, own.grid, own.grid);
     std::printf("%-14s %7s %8s %8s %8s %8s %8s %9s %9s\n", "", "samples", "rays", "RMS*510", "99%*255", "99.9%", "most",
                 "seconds", "estimate");
     for (const int n : {1, 2, 4, 8})
@@ -134,10 +156,51 @@ int compare(int argc, char** argv) {
     return 0;
 }
 
+/// Prints a row of the table of worlds: values are not clamped here. Light is the sum over pixels of the mean of the
+/// channels: how much the picture has too much or too little of it.
+void print_row(const Measured& own) {
+    const View view = own.view();
+    ThreadPool pool(0);
+    Tracer tracer(own.scene, precision());
+    const std::vector<double> exact = reference(tracer, view, own.grid, own.kept(), pool);
+    const Result result = refine(tracer, view, 1. / 510, pool);
+    double squares = 0, worst = 0, light = 0;
+    for (std::size_t i = 0; i < exact.size(); ++i) {
+        const double off = result.rgb[i] - exact[i];
+        squares += off * off, light += off / 3, worst = std::max(worst, std::abs(off));
+    }
+    const double rms = std::sqrt(squares / double(exact.size())), pixels = double(view.width) * view.height;
+    std::printf("| %s | %.2f | %.1f | %.2f | %.2f | %.2f | %.3f | %+.1f |\n",
+                std::filesystem::path(own.path).stem().string().c_str(), double(result.rays.camera) / pixels,
+                double(result.rays.total()) / pixels, 510 * rms, 510 * result.estimate, result.estimate / rms, worst,
+                light);
+    std::fflush(stdout);
+}
+
+int table(int width, int grid, std::span<char*> scenes) {
+    std::puts("| world | samples a pixel | all rays | RMS, 1/510 | estimate, 1/510 | over RMS | worst | light |");
+    std::puts("|---|--:|--:|--:|--:|--:|--:|--:|");
+    for (const std::string scene : scenes) {
+        const std::size_t at = scene.rfind('@');
+        const double time = at == std::string::npos ? -1 : std::atof(scene.c_str() + at + 1);
+        print_row({scene.substr(0, at), width, grid, time});
+    }
+    return 0;
+}
+
 }  // namespace
 }  // namespace strahl
 
 int main(int argc, char** argv) {
-    if (argc < 2) return std::puts("usage: strahl_sampling SCENE [WIDTH [GRID [TIME [PICTURE...]]]]"), 2;
-    return strahl::compare(argc, argv);
+    using namespace strahl;
+    const std::span all(argv, static_cast<std::size_t>(argc));
+    const auto number = [&](int i, int otherwise) { return argc > i ? std::atoi(argv[i]) : otherwise; };
+    if (argc > 4 && std::string(argv[1]) == "--table") return table(number(2, 0), number(3, 0), all.subspan(4));
+    if (argc > 1 && argv[1][0] != '-') {
+        const Measured own{argv[1], number(2, 320), number(3, 32), argc > 4 ? std::atof(argv[4]) : -1};
+        return compare(own, all.subspan(std::min(argc, 5)));
+    }
+    return std::puts("usage: bench_sampling SCENE [WIDTH [GRID [TIME [PICTURE...]]]]\n"
+                     "       bench_sampling --table WIDTH GRID SCENE[@TIME]..."),
+           2;
 }
