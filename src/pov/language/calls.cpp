@@ -1,5 +1,6 @@
 // The built-in functions and constants of expressions.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <ctime>
 #include <numbers>
@@ -18,13 +19,29 @@ double cut_off(double value) {
 
 double length(const DVec3& v) { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
 
-/// Turns a point about an axis through the origin, by an angle in degrees. The formula of O. Rodrigues.
-DVec3 turned(const DVec3& p, DVec3 axis, double degrees) {
-    axis /= length(axis);
-    const double angle = degrees * std::numbers::pi / 180, c = std::cos(angle), s = std::sin(angle);
-    const double along = axis.x * p.x + axis.y * p.y + axis.z * p.z;
-    const DVec3 cross{axis.y * p.z - axis.z * p.y, axis.z * p.x - axis.x * p.z, axis.x * p.y - axis.y * p.x};
-    return p * c + cross * s + axis * (along * (1 - c));
+/// The rows of a matrix; a point is a row, to the left of it.
+using Rows = std::array<DVec3, 3>;
+DVec3 times(const DVec3& p, const Rows& m) { return p.x * m[0] + p.y * m[1] + p.z * m[2]; }
+
+/// Rotation about the axes x, y and z in this order, by angles in degrees.
+Rows rotation(const DVec3& degrees) {
+    const DVec3 angle = degrees * (std::numbers::pi / 180);
+    const DVec3 c{std::cos(angle.x), std::cos(angle.y), std::cos(angle.z)};
+    const DVec3 s{std::sin(angle.x), std::sin(angle.y), std::sin(angle.z)};
+    const Rows about_y{DVec3{c.y, 0, -s.y}, DVec3{0, 1, 0}, DVec3{s.y, 0, c.y}};
+    const Rows about_z{DVec3{c.z, s.z, 0}, DVec3{-s.z, c.z, 0}, DVec3{0, 0, 1}};
+    Rows rows{DVec3{1, 0, 0}, DVec3{0, c.x, s.x}, DVec3{0, -s.x, c.x}};
+    for (DVec3& row : rows) row = times(times(row, about_y), about_z);
+    return rows;
+}
+
+/// Rotation about an axis through the origin. The formula of O. Rodrigues.
+Rows rotation(DVec3 a, double degrees) {
+    a /= length(a);
+    const double angle = degrees * (std::numbers::pi / 180), c = std::cos(angle), s = std::sin(angle), r = 1 - c;
+    return {DVec3{a.x * a.x + c * (1 - a.x * a.x), a.x * a.y * r + a.z * s, a.x * a.z * r - a.y * s},
+            DVec3{a.x * a.y * r - a.z * s, a.y * a.y + c * (1 - a.y * a.y), a.y * a.z * r + a.x * s},
+            DVec3{a.x * a.z * r + a.y * s, a.y * a.z * r - a.x * s, a.z * a.z + c * (1 - a.z * a.z)}};
 }
 
 /// The word codes at which an expression may begin, besides signs and identifiers.
@@ -77,7 +94,6 @@ bool is_function_word(std::uint16_t code) {
         case word("select"):
         case word("sin"):
         case word("sinh"):
-        case word("sqr"):
         case word("sqrt"):
         case word("strcmp"):
         case word("strlen"):
@@ -152,10 +168,7 @@ std::shared_ptr<const Thing> Interpreter::State::object_argument() {
 
 void Interpreter::State::call(std::uint16_t function, Components& result) {
     const TextPlace at = next.place;
-    const auto set = [&](double value) {
-        result.value[0] = value;
-        result.count = 1;
-    };
+    const auto set = [&](double value) { std::fill_n(result.value.begin(), result.count, value); };
     const auto set_vector = [&](const DVec3& value) {
         result.value = {value.x, value.y, value.z, 0, 0};
         result.count = 3;
@@ -211,10 +224,6 @@ void Interpreter::State::call(std::uint16_t function, Components& result) {
             return set(std::tan(parameter()));
         case word("tanh"):
             return set(std::tanh(parameter()));
-        case word("sqr"): {
-            const double value = parameter();
-            return set(value * value);
-        }
         case word("sqrt"): {
             const double value = parameter();
             if (value < 0) fail(at, "the square root of a negative number has no value");
@@ -398,8 +407,9 @@ void Interpreter::State::call(std::uint16_t function, Components& result) {
             if (function == word("vdot")) return set(p.x * q.x + p.y * q.y + p.z * q.z);
             if (function == word("vcross"))
                 return set_vector({p.y * q.z - p.z * q.y, p.z * q.x - p.x * q.z, p.x * q.y - p.y * q.x});
-            if (function == word("vaxis_rotate")) return set_vector(length(q) == 0 ? p : turned(p, q, degrees));
-            return set_vector(turned(turned(turned(p, {1, 0, 0}, q.x), {0, 1, 0}, q.y), {0, 0, 1}, q.z));
+            if (function == word("vaxis_rotate"))
+                return set_vector(length(q) == 0 ? p : times(p, rotation(q, degrees)));
+            return set_vector(times(p, rotation(q)));
         }
         case word("vturbulence"): {
             expect('(');

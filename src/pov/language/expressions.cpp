@@ -1,6 +1,8 @@
 // Expressions with POV-Ray's rules: commas are optional, shorter vectors are padded, comparisons have a tolerance.
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "files/words.h"
 #include "pov/language/spline.h"
@@ -30,10 +32,8 @@ void combine(Components& left, Components& right, const Operation& operation) {
     for (int i = 0; i < count; ++i) left.value[i] = operation(left.value[i], right.value[i]);
 }
 
-void set(Components& result, double value) {
-    result.value[0] = value;
-    result.count = 1;
-}
+/// Makes an expression a number, repeated as often as components are wanted.
+void set(Components& result, double value) { std::fill_n(result.value.begin(), result.count, value); }
 
 bool compare(std::uint16_t code, double left, double right) {
     switch (code) {
@@ -65,6 +65,7 @@ void Interpreter::State::sum(Components& result) {
         if (operation != '+' && operation != '-') return;
         take();
         Components right;
+        right.count = result.count;
         product(right);
         if (operation == '+')
             combine(result, right, [](double a, double b) { return a + b; });
@@ -80,13 +81,14 @@ void Interpreter::State::product(Components& result) {
         if (operation != '*' && operation != '/') return;
         take();
         Components right;
+        right.count = result.count;
         factor(right);
         if (operation == '*') {
             combine(result, right, [](double a, double b) { return a * b; });
         } else {
             const auto divide = [&](double a, double b) {
                 if (b == 0) warn(last, "division by 0");
-                return b == 0 ? 1e10 * 1e300 * a : a / b;
+                return b == 0 ? std::numeric_limits<double>::infinity() : a / b;
             };
             combine(result, right, divide);
         }
@@ -124,7 +126,7 @@ void Interpreter::State::factor(Components& result) {
         case '(': {
             const Depth guard(*this);
             take();
-            full(result, 1);
+            full(result, result.count);
             expect(')');
             break;
         }
@@ -172,9 +174,9 @@ void Interpreter::State::component(Components& result) {
     }
     take();
     const auto& v = result.value;
-    if (index == 5 && result.count >= 3) return set(result, .297 * v[0] + .589 * v[1] + .114 * v[2]);
-    if (index >= result.count || result.count == 1)
-        fail(last, "there is no such component: the value has " + std::to_string(result.count));
+    const int count = std::exchange(result.count, 1);
+    if (index == 5 && count >= 3) return set(result, .297 * v[0] + .589 * v[1] + .114 * v[2]);
+    if (index >= count || count == 1) fail(last, "there is no such component: the value has " + std::to_string(count));
     set(result, v[index]);
 }
 
@@ -197,6 +199,9 @@ void Interpreter::State::identifier(Components& result) {
     NamedValue& value = *next.value;
     switch (value.kind) {
         case ValueKind::number:
+            set(result, value.number[0]);
+            take();
+            return;
         case ValueKind::uv:
         case ValueKind::vector:
         case ValueKind::vector4:
@@ -240,7 +245,10 @@ void Interpreter::State::identifier(Components& result) {
                                std::to_string(given.size()));
             take();
             function->evaluate(given.data(), result.value.data());
-            result.count = function->results;
+            if (function->results > 1)
+                result.count = function->results;
+            else
+                set(result, result.value[0]);
             return;
         }
         default:
@@ -249,6 +257,7 @@ void Interpreter::State::identifier(Components& result) {
 }
 
 void Interpreter::State::full(Components& result, int wanted) {
+    result.count = 1;
     logical(result);
     if (code() != '?') return promote(result, wanted);
     const Depth guard(*this);
@@ -268,6 +277,7 @@ void Interpreter::State::logical(Components& result) {
         if (operation != '&' && operation != '|') return;
         take();
         Components right;
+        right.count = result.count;
         relation(right);
         if (operation == '&')
             combine(result, right, [](double a, double b) { return is_true(a) && is_true(b) ? 1. : 0.; });
@@ -289,6 +299,7 @@ void Interpreter::State::relation(Components& result) {
         const std::uint16_t operation = next.code;
         take();
         Components right;
+        right.count = result.count;
         sum(right);
         combine(result, right, [&](double a, double b) { return compare(operation, a, b) ? 1. : 0.; });
     }

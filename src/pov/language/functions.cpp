@@ -160,9 +160,6 @@ double* CompiledFunction::run(std::size_t first, std::size_t last, double* numbe
             case word("sinh"):
                 unary([](double v) { return std::sinh(v); });
                 break;
-            case word("sqr"):
-                unary([](double v) { return v * v; });
-                break;
             case word("sqrt"):
                 unary([](double v) { return std::sqrt(v); });
                 break;
@@ -452,8 +449,7 @@ class FunctionReader {
             case word("radians"):
             case word("sin"):
             case word("sinh"):
-            case word("sqr"):
-            case word("sqrt"):
+                case word("sqrt"):
             case word("tan"):
             case word("tanh"):
             case word("atan2"):

@@ -159,7 +159,8 @@ struct Interpreter::State {
     NamedValue named(const Components& value) const;
     NamedValue named(std::string text);
 
-    // Expressions.
+    // Expressions. `count` of the result says beforehand how many components are wanted: a number becomes so many, as in
+    // POV-Ray, where <1, 2> + 2 * <3, 4, 5> is <7, 10, 0>.
     void sum(Components& result);
     void product(Components& result);
     void factor(Components& result);

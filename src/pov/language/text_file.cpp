@@ -103,15 +103,15 @@ class Cutter {
     void skip_digits() {
         while (next < text.size() && is_digit(text[next])) ++next;
     }
-    /// A number ends where it cannot go on: "2x" is 2 and x, "1e" is 1 and e.
+    /// A number ends where it cannot go on: "2x" is 2 and x. The exponent may lack its digits, as for POV-Ray.
     void cut_number() {
         const std::size_t start = next;
         skip_digits();
         if (next < text.size() && text[next] == '.') ++next, skip_digits();
         if (next < text.size() && lower(text[next]) == 'e') {
-            std::size_t exponent = next + 1;
-            if (exponent < text.size() && (text[exponent] == '+' || text[exponent] == '-')) ++exponent;
-            if (exponent < text.size() && is_digit(text[exponent])) next = exponent, skip_digits();
+            ++next;
+            if (next < text.size() && (text[next] == '+' || text[next] == '-')) ++next;
+            skip_digits();
         }
         double value = 0;
         const auto result = std::from_chars(text.data() + start, text.data() + next, value);
