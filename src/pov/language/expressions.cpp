@@ -40,13 +40,13 @@ bool compare(std::uint16_t code, double left, double right) {
         case '<':
             return left < right;
         case less_equal_code:
-            return left <= right + tiny;
+            return left - right <= tiny;
         case '=':
             return std::abs(left - right) <= tiny;
         case not_equal_code:
             return std::abs(left - right) > tiny;
         case greater_equal_code:
-            return left + tiny >= right;
+            return left - right >= -tiny;
         default:
             return left > right;
     }

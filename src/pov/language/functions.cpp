@@ -12,9 +12,9 @@
 namespace strahl::pov {
 namespace {
 
-constexpr int most_numbers = 250;     // on the stack of one function: its arguments, and what expressions need
-constexpr int most_rounds = 100'000;  // of all loops in one evaluation
-constexpr int most_calls = 60;        // of functions that call functions
+constexpr int most_numbers = 250;        // on the stack of one function: its arguments, and what expressions need
+constexpr long most_steps = 20'000'000;  // in one evaluation, with those of the functions that it calls
+constexpr int most_calls = 60;           // of functions that call functions
 
 /// An instruction: takes its operands from the stack, and puts its result there. Codes of words are functions of that
 /// name; those of signs, operators.
@@ -34,22 +34,34 @@ struct CompiledFunction : FunctionThing {
     int levels = 1;
 
     void evaluate(const double* given, double* result) const override {
+        static thread_local long steps_left = 0;
+        const bool outermost = levels_open == 0;
         double numbers[most_numbers];
         std::copy_n(given, arguments, numbers);
-        int rounds = 0;
-        const double* top = run(0, instructions.size(), numbers, numbers + variables, rounds);
-        *result = top[-1];
+        if (outermost) steps_left = most_steps;
+        ++levels_open;
+        *result = run(0, instructions.size(), numbers, numbers + variables, steps_left)[-1];
+        --levels_open;
     }
 
   private:
-    double* run(std::size_t first, std::size_t last, double* numbers, double* top, int& rounds) const;
+    double* run(std::size_t first, std::size_t last, double* numbers, double* top, long& steps_left) const;
+    static inline thread_local int levels_open = 0;
 };
 
 double truncated(double value) {
     return value > -2147483649. && value < 2147483648. ? std::trunc(value) : -2147483648.;
 }
 
-double* CompiledFunction::run(std::size_t first, std::size_t last, double* numbers, double* top, int& rounds) const {
+/// Executes instructions, and returns the stack with their result on top: no number if there are no steps left.
+double* CompiledFunction::run(std::size_t first, std::size_t last, double* numbers, double* top,
+                              long& steps_left) const {
+    double* const base = top;
+    const auto stop = [&] {
+        *base = std::numeric_limits<double>::quiet_NaN();
+        return base + 1;
+    };
+    if ((steps_left -= static_cast<long>(last - first) + 1) < 0) return stop();
     for (std::size_t i = first; i < last; ++i) {
         const Instruction& step = instructions[i];
         const auto unary = [&](auto&& operation) { top[-1] = operation(top[-1]); };
@@ -200,6 +212,7 @@ double* CompiledFunction::run(std::size_t first, std::size_t last, double* numbe
                 double results[5];
                 top -= step.count;
                 called[step.index]->evaluate(top, results);
+                if (steps_left < 0) return stop();
                 *top++ = results[static_cast<int>(step.number)];
                 break;
             }
@@ -209,12 +222,9 @@ double* CompiledFunction::run(std::size_t first, std::size_t last, double* numbe
                 const bool adds = step.operation == word("sum");
                 double at = top[0], total = adds ? 0 : 1;
                 for (const double end = top[1]; at <= end; ++at) {
-                    if (++rounds > most_rounds) {
-                        total = std::numeric_limits<double>::quiet_NaN();
-                        break;
-                    }
                     numbers[step.index] = at;
-                    const double value = run(i + 1, i + 1 + step.count, numbers, top, rounds)[-1];
+                    const double value = run(i + 1, i + 1 + step.count, numbers, top, steps_left)[-1];
+                    if (steps_left < 0) return stop();
                     total = adds ? total + value : total * value;
                 }
                 *top++ = total;
@@ -449,7 +459,7 @@ class FunctionReader {
             case word("radians"):
             case word("sin"):
             case word("sinh"):
-                case word("sqrt"):
+            case word("sqrt"):
             case word("tan"):
             case word("tanh"):
             case word("atan2"):

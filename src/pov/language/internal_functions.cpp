@@ -32,6 +32,8 @@ void around_axis(double& x, double& y, double z, const double* p) {
     y = from * s + y * c;
 }
 
+int generator_of(double number) { return static_cast<int>(std::clamp(number, 1., 3.)); }
+
 /// Sums of noise over octaves, of which the last may count in part. `add(i, share)` adds an octave.
 template <class Add>
 void octaves(double count, const Add& add) {
@@ -40,34 +42,45 @@ void octaves(double count, const Add& add) {
     if (const double rest = count - whole; rest > 0) add(whole, rest);
 }
 
+/// F. K. Musgrave's heterogeneous terrain ("Texturing and Modeling", 1994); a fraction of an octave counts in part.
 double hetero_terrain(DVec3 point, const double* p) {
-    const int generator = std::clamp(static_cast<int>(p[5]), 1, 3);
-    double sum = 0, strength = 1;
-    octaves(p[2], [&](int i, double share) {
-        const double value = 2 * noise(point, generator) - 1 + p[3];
-        const double weight = i == 0 ? 1 : std::pow(sum, std::trunc(p[4])) * strength;
-        sum += share * value * weight;
+    const int generator = generator_of(p[5]);
+    double strength = 1, sum = 2 * noise(point, generator) - 1 + p[3];
+    const auto next = [&] {
         point *= p[1];
         strength *= std::pow(p[1], -p[0]);
-    });
+        return (2 * noise(point, generator) - 1 + p[3]) * strength;
+    };
+    const int count = static_cast<int>(std::clamp(std::ceil(p[2]), 0., 30.));
+    const int power = static_cast<int>(std::clamp(p[4], 0., 30.));
+    for (int i = 1; i < count; ++i) {
+        double step = next();
+        for (int k = 0; k < power; ++k) step *= sum;
+        sum += step;
+    }
+    if (const double rest = p[2] - std::trunc(p[2]); rest != 0) sum += rest * next() * sum;
     return sum;
 }
 
+/// His ridged multifractal: the octave before decides how much each one counts.
 double ridged_terrain(DVec3 point, const double* p) {
-    const int generator = std::clamp(static_cast<int>(p[5]), 1, 3);
-    double sum = 0, weight = 1, strength = 1;
-    octaves(p[2], [&](int, double share) {
-        double signal = sqr(p[3] - std::abs(2 * noise(point, generator) - 1)) * weight;
-        sum += share * signal * strength;
-        weight = std::clamp(signal * p[4], 0., 1.);
+    const int generator = generator_of(p[5]);
+    const auto ridge = [&] {
+        const double value = p[3] - std::abs(2 * noise(point, generator) - 1);
+        return value * value;
+    };
+    double signal = ridge(), sum = signal;
+    const int count = static_cast<int>(std::clamp(std::ceil(p[2]), 0., 30.));
+    for (int i = 1; i < count; ++i) {
         point *= p[1];
-        strength *= std::pow(p[1], -p[0]);
-    });
+        signal = std::clamp(signal * p[4], 0., 1.) * ridge();
+        sum += signal * std::pow(p[1], -p[0] * i);
+    }
     return sum;
 }
 
 double ridge(DVec3 point, const double* p) {
-    const int generator = std::clamp(static_cast<int>(p[5]), 1, 3);
+    const int generator = generator_of(p[5]);
     const double ridge = p[4], offset = p[3];
     double sum = 0, most = 0, strength = 1;
     octaves(p[1], [&](int, double share) {
@@ -101,18 +114,36 @@ double helix1(double x, double y, double z, const double* p) {
 }
 
 double helix2(double x, double y, double z, const double* p) {
-    const double turn = y * p[1], cx = p[3] * std::cos(turn), cz = p[3] * std::sin(turn), dx = x - cx, dz = z - cz;
-    const double angle = turn + p[6] * (pi / 180), c = std::cos(angle), s = std::sin(angle);
+    const double c = std::cos(y * p[1]), s = std::sin(y * p[1]), dx = x - p[3] * c, dz = z - p[3] * s;
     return section(dx * c + dz * s, -dx * s + dz * c, p[5]) - p[2];
 }
 
-/// The place in a grid of hexagons with the periods √3 and 3.
+double spiral(double x, double y, double z, const double* p) {
+    if (x == 0 && z == 0) x = .000001;
+    const double away = std::sqrt(x * x + z * z) + p[0] * std::atan2(z, x) / (2 * pi);
+    const double r = std::sqrt(x * x + y * y + z * z);
+    return -std::min(p[2] - r, p[1] - std::min(section(std::fmod(away, p[0]) - p[0] * .5, y, p[5]), r));
+}
+
+/// The distances along and across an edge of a grid of hexagons with the periods √3 and 3.
 DVec3 hexagonal(double x, double y) {
-    const double width = std::numbers::sqrt3;
-    const auto wrapped = [](double v, double period) { return v - period * std::floor(v / period + .5); };
-    const double ax = wrapped(x, width), ay = wrapped(y, 3), bx = wrapped(x - width / 2, width),
-                 by = wrapped(y - 1.5, 3);
-    return ax * ax + ay * ay <= bx * bx + by * by ? DVec3(ax, ay, 0) : DVec3(bx, by, 0);
+    const double half = std::numbers::sqrt3 / 2;
+    double a = std::abs(std::fmod(std::abs(x), 2 * half) - half), b = std::abs(std::fmod(std::abs(y), 3) - 1.5);
+    if (a * a + b * b > sqr(half - a) + sqr(1.5 - b)) a = half - a, b = 1.5 - b;
+    if (std::atan2(b, a) < pi / 6) return {a, b, 0};
+    const double c = std::cos(pi / 3), s = std::sin(pi / 3);
+    return {c * a + s * b, std::abs(c * b - s * a), 0};
+}
+
+/// A mesh of threads along x and z that go over and under each other.
+double woven(double x, double y, double z, const double* p) {
+    const auto thread = [&](double across, double along, double spacing, double other, double sign) {
+        double r = std::fmod(across, 2 * spacing);
+        if (r < 0) r += 2 * spacing;
+        return std::hypot(std::abs(r - spacing) * p[2], (y + sign * std::cos(along * pi / other) * p[3]) * p[4]);
+    };
+    return std::min({thread(x, z, p[0], p[1], -1), thread(x - p[0], z, p[0], p[1], 1), thread(z, x, p[1], p[0], 1),
+                     thread(z - p[1], x, p[1], p[0], -1)});
 }
 
 /// Formulas of "The POV-Ray documentation", functions.inc; q = x² + y² + z², C(v) limits p[0] v to -10 to 10.
@@ -182,7 +213,7 @@ double value_of(int number, double x, double y, double z, const double* p, int g
         case 16: {
             const double r = sqr(p[5]), b = sqr(p[2]), d = sqr(p[4]), a = sqr(p[1]);
             const double product = (b - d - sqr(p[3] + p[1])) * (b - d - sqr(p[3] - p[1]));
-            return C(-(product * q +
+            return C(-(product * q * q +
                        2 * r * ((b + a - d - sqr(p[3])) * (2 * x * p[3] + 2 * y * p[4] - r) - 4 * p[4] * b * y) * q +
                        4 * r * r * (p[3] * x + p[4] * y) * (p[4] * y + p[3] * x - r) + 4 * r * r * a * yy +
                        r * r * r * r));
@@ -191,7 +222,7 @@ double value_of(int number, double x, double y, double z, const double* p, int g
             return std::sqrt(xx * sqr(p[0]) + yy * sqr(p[1]) + zz * sqr(p[2]));
         case 18: {
             if (std::abs(z) < .2) z = .2;
-            const double r = (yy - xx) / (2 * z) + 2 * z * z / 9, s = (yy - xx) / (4 * z);
+            const double r = (yy - xx) / (2 * z) + 2 * zz / 9, s = (yy - xx) / (4 * z);
             return C(6 * s * s - cube(r));
         }
         case 19:
@@ -248,15 +279,8 @@ double value_of(int number, double x, double y, double z, const double* p, int g
         case 39:
             around(3);
             return C(-(y * y - sqr(p[1]) * sqr(p[2]) * x * x + sqr(p[2]) * sqr(x * x)));
-        case 40: {
-            const auto thread = [&](double along, double across, double spacing, double other) {
-                const double wave = std::cos(along / other * pi) * p[3];
-                const double nearest = across - spacing * std::floor(across / spacing + .5);
-                const double sign = std::fmod(std::floor(across / spacing + .5), 2) == 0 ? 1 : -1;
-                return std::sqrt(sqr(nearest * p[2]) + sqr((y - sign * wave) * p[4]));
-            };
-            return std::min(thread(x, z, p[1], p[0]), thread(z, x, p[0], p[1]));
-        }
+        case 40:
+            return woven(x, y, z, p);
         case 41:
             return C(-(4 * xx * q - yy * (1 - yy - zz)));
         case 42:
@@ -278,7 +302,7 @@ double value_of(int number, double x, double y, double z, const double* p, int g
             return C(xx * xx - xx * x + yy + zz);
         case 50:
             around(4);
-            return C(-(sqr(y * y) - p[1] * sqr(p[3]) * cube(x) - p[2] * sqr(p[3]) * sqr(x * x)));
+            return C(-(y * y - p[1] * sqr(p[3]) * cube(x) - p[2] * sqr(p[3]) * sqr(x * x)));
         case 51:
             return std::sqrt(xx + zz) - std::max(-5., p[0] + p[1] * y + p[2] * yy + p[3] * yy * y + p[4] * yy * yy);
         case 52: {
@@ -300,7 +324,7 @@ double value_of(int number, double x, double y, double z, const double* p, int g
         case 55:
             return C(y - xx * xx + zz * zz);
         case 56:
-            return C((xx + zz) * yy + sqr(p[2]) * (xx + zz) - sqr(p[1]) * sqr(p[2]));
+            return C(sqr(p[1]) * sqr(p[2]) - (xx + zz) * yy - sqr(p[2]) * (xx + zz));
         case 57:
             return std::sqrt(q);
         case 58:
@@ -317,6 +341,8 @@ double value_of(int number, double x, double y, double z, const double* p, int g
             return p[2] * (ellipsoids(0) + ellipsoids(1) + ellipsoids(2) - p[4] * std::exp(-p[3] * q));
         case 63:
             return y - p[0] * std::cos(p[1] * x) * std::cos(p[2] * z) * std::exp(-p[3] * (xx + zz));
+        case 64:
+            return spiral(x, y, z, p);
         case 65:
             return C(-(xx * yy + xx * zz + yy * zz + x * y * z));
         case 66:
@@ -349,7 +375,7 @@ double value_of(int number, double x, double y, double z, const double* p, int g
         case 76:
             return noise({x, y, z}, generator);
         case 78:
-            return noise({x, y, z}, std::clamp(static_cast<int>(p[0]), 1, 3));
+            return noise({x, y, z}, generator_of(p[0]));
     }
     return std::numeric_limits<double>::quiet_NaN();
 }

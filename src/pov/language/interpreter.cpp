@@ -300,11 +300,12 @@ void Interpreter::State::expected(const std::string& what) {
     if (found == new_name_code) {
         const std::string& name = names.text(next.raw->index);
         message = "unknown name " + quoted(name) + "; " + what + " expected";
-        std::vector<std::string_view> known(reserved_words.begin(), reserved_words.end());
+        std::vector<std::string_view> known;
         for (std::uint32_t i = 0; i < names.size(); ++i)
             if (i != next.raw->index && symbols.find(i)) known.push_back(names.text(i));
-        if (const std::string_view similar = nearest(name, known); !similar.empty())
-            message += "; did you mean " + quoted(similar) + "?";
+        std::string_view similar = nearest(name, known);
+        if (similar.empty()) similar = nearest(name, reserved_words);
+        if (!similar.empty()) message += "; did you mean " + quoted(similar) + "?";
     } else if (found == value_code) {
         message += quoted(names.text(next.raw->index)) + ", which is " + strahl::pov::name_of(next.value->kind);
     } else if (found == '#' && next.raw->directive != end_code) {
