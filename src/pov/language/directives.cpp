@@ -16,7 +16,7 @@ using Control = Interpreter::State::Control;
 void Interpreter::State::directive(const RawToken& raw) {
     const Depth guard(*this);
     const TextPlace at = place_of(raw);
-    const auto open = [&](Control::Type type) -> Control& {
+    const auto open = [&](Control::ControlType type) -> Control& {
         controls.push_back({type, false, &raw, nullptr, 0, 0, 0});
         return controls.back();
     };
@@ -25,20 +25,20 @@ void Interpreter::State::directive(const RawToken& raw) {
     };
     switch (raw.directive) {
         case word("if"):
-            open(Control::Type::condition);
+            open(Control::ControlType::condition);
             if (!is_true(parenthesised_number())) branch(&raw);
             break;
         case word("ifdef"):
         case word("ifndef"):
-            open(Control::Type::condition);
+            open(Control::ControlType::condition);
             if (read_defined() != (raw.directive == word("ifdef"))) branch(&raw);
             break;
         case word("while"):
-            open(Control::Type::loop_while);
+            open(Control::ControlType::loop_while);
             if (!is_true(parenthesised_number())) leave(raw);
             break;
         case word("for"): {
-            open(Control::Type::loop_for);
+            open(Control::ControlType::loop_for);
             expect('(');
             const RawToken& name = raw_name("the loop's variable");
             accept(',');
@@ -61,7 +61,7 @@ void Interpreter::State::directive(const RawToken& raw) {
             break;
         }
         case word("switch"): {
-            open(Control::Type::choice);
+            open(Control::ControlType::choice);
             const double value = parenthesised_number();
             controls.back().end = value;
             choose(&raw);
@@ -72,7 +72,7 @@ void Interpreter::State::directive(const RawToken& raw) {
         case word("else"):
         case word("elseif"):
             if (controls.size() == readings.back().controls) fail(at, "this belongs to no block");
-            if (controls.back().type != Control::Type::choice) {
+            if (controls.back().type != Control::ControlType::choice) {
                 leave(raw);
             } else if (raw.directive != word("else")) {  // cases fall through; their values are read over
                 expect('(');
@@ -217,10 +217,10 @@ void Interpreter::State::choose(const RawToken* at) {
 void Interpreter::State::end_block(const RawToken& raw) {
     if (controls.size() == readings.back().controls) fail(place_of(raw), "'#end' without a block that it could close");
     Control& control = controls.back();
-    if (control.type == Control::Type::loop_while) {
+    if (control.type == Control::ControlType::loop_while) {
         cursor = control.opener + 1;
         if (!is_true(parenthesised_number())) leave(*controls.back().opener);
-    } else if (control.type == Control::Type::loop_for) {
+    } else if (control.type == Control::ControlType::loop_for) {
         Symbol* symbol = symbols.find(control.variable);
         if (!symbol || value_of(*symbol).kind != ValueKind::number)
             fail(place_of(raw), "the variable of #for is no number any more");
@@ -237,7 +237,7 @@ void Interpreter::State::end_block(const RawToken& raw) {
 
 void Interpreter::State::break_block(const RawToken& raw) {
     while (controls.size() > readings.back().controls) {
-        if (controls.back().type != Control::Type::condition) return leave(*controls.back().opener);
+        if (controls.back().type != Control::ControlType::condition) return leave(*controls.back().opener);
         controls.pop_back();
     }
     if (!readings.back().macro) fail(place_of(raw), "'#break' outside loops, cases and macros");

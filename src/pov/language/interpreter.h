@@ -22,9 +22,13 @@ struct TextPlace {
     std::uint32_t file = 0, at = 0;
 };
 
+/// How much a remark matters: the picture is approximated, lacks something, or is as the scene says.
+enum class RemarkKind { approximated, left_out, warning };
+
 /// A message about a place. Each message about a place is kept once, also if a loop brings it a thousand times.
 struct Remark {
-    enum class Kind { approximated, left_out, warning } kind;
+    using Kind = RemarkKind;
+    Kind kind;
     TextPlace place;
     std::string text;
 };

@@ -49,7 +49,7 @@ struct Interpreter::State {
     };
     /// A conditional block or a loop that is open.
     struct Control {
-        enum class Type : std::uint8_t { condition, loop_while, loop_for, choice } type = Type::condition;
+        enum class ControlType : std::uint8_t { condition, loop_while, loop_for, choice } type = ControlType::condition;
         bool chosen = false;               // of a choice: is a case of it being read?
         const RawToken* opener = nullptr;  // '#' of its first directive
         const RawToken* body = nullptr;    // of #for: after its parentheses
