@@ -10,7 +10,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
-#include <filesystem>
+#include <cstring>
 #include <new>
 #include <regex>
 #include <stdexcept>
@@ -26,13 +26,17 @@ extern char** environ;
 namespace strahl {
 namespace {
 
-namespace fs = std::filesystem;
-
-/// A temporary folder, removed with its content.
+/// A temporary folder, in the one that TMPDIR names or else in /tmp; removed with its content.
 class Scratch {
   public:
-    Scratch() : folder((fs::temp_directory_path() / "strahl-povray-XXXXXX").string()) {
-        if (!::mkdtemp(folder.data())) throw std::runtime_error("cannot make a folder in " + folder);
+    Scratch() {
+        const char* const given = std::getenv("TMPDIR");
+        const bool named = given && given[0] != 0;
+        const std::string parent = named ? given : "/tmp";
+        folder = parent + "/strahl-povray-XXXXXX";
+        if (::mkdtemp(folder.data())) return;
+        throw std::runtime_error("cannot make a folder in '" + parent + (named ? "', which TMPDIR names: " : "': ") +
+                                 std::strerror(errno));
     }
     /// Removes the files that are always there without needing memory, or a folder that can be listed; others need
     /// both.

@@ -82,3 +82,14 @@ TEST_CASE("POV-Ray's folder goes where there is no memory to list it") {
 }
 
 }  // namespace strahl
+
+TEST_CASE("TMPDIR may be empty; one that is missing is named") {
+    const StandIn povray;
+    ::setenv("TMPDIR", "", 1);
+    CHECK_NOTHROW(povray.run());
+    CHECK(povray.has_run());
+    ::setenv("TMPDIR", (povray.temporary / "missing").c_str(), 1);
+    const std::string message =
+        "cannot make a folder in '" + povray.temporary / "missing" + "', which TMPDIR names: No such file or directory";
+    CHECK_THROWS_WITH(povray.run(), message.c_str());
+}
