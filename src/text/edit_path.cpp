@@ -90,7 +90,7 @@ std::string indentation(const std::string& text, const PathSlices& slices) {
 
 /// Changes keys. Those of the same time stay where they are, as do all if there are as many as before.
 void edit_keys(std::vector<Edit>& edits, const std::string& text, const PathSlices& slices,
-               const std::vector<Keyframe>& old, const std::vector<Keyframe>& keys) {
+               const std::vector<Keyframe>& old, const std::vector<Keyframe>& keys, EyeWords words) {
     const std::string indent = indentation(text, slices);
     const bool in_step = old.size() == keys.size();
     std::size_t i = 0, j = 0, after = std::max(slices.duration.end, slices.loop.value_or(Slice{}).end);
@@ -98,13 +98,13 @@ void edit_keys(std::vector<Edit>& edits, const std::string& text, const PathSlic
     while (i < old.size() || j < keys.size()) {
         const bool both = i < old.size() && j < keys.size();
         if (both && (in_step || old[i].time == keys[j].time)) {
-            if (old[i] != keys[j]) edits.push_back({slices.keys[i], write_key(keys[j])});
+            if (old[i] != keys[j]) edits.push_back({slices.keys[i], write_key(keys[j], words)});
             after = slices.keys[i].end;
             ++i, ++j;
         } else if (j == keys.size() || (both && old[i].time < keys[j].time)) {
             edits.push_back({with_line(text, slices.keys[i++]), ""});
         } else {
-            edits.push_back({{after, after}, indent + write_key(keys[j++])});
+            edits.push_back({{after, after}, indent + write_key(keys[j++], words)});
         }
     }
 }
@@ -131,16 +131,38 @@ std::optional<Flythrough> path_of(const std::string& music, const std::string& b
 
 }  // namespace
 
+EyeWords eye_words(const std::string& text) {
+    Diagnostics diagnostics(text, "");
+    Lexer lexer(text, diagnostics);
+    EyeWords words;
+    int depth = 0;
+    for (bool camera = false; !lexer.at_end() && !(camera && depth == 0 && lexer.peek() != '{');) {
+        if (lexer.peek() == '"') {
+            lexer.quotation("");
+            continue;
+        }
+        const std::string_view token = lexer.token();
+        lexer.rewind(token.substr(token.size()));
+        if (token == "{") ++depth;
+        if (token == "}") --depth;
+        if (depth == 0 && token == "camera") camera = true;
+        if (camera && token == "sky") words.sky = true;
+        if (camera && token == "angle") words.angle = true;
+    }
+    return words;
+}
+
 std::string with_path(const std::string& text, const std::optional<Flythrough>& path) {
     const auto slices = find_path(text);
+    const EyeWords words = eye_words(text);
     if (!slices) {
         if (!path) return text;
-        return text + (text.empty() || text.back() == '\n' ? "\n" : "\n\n") + write_flythrough(*path);
+        return text + (text.empty() || text.back() == '\n' ? "\n" : "\n\n") + write_flythrough(*path, words);
     }
     const Slice block = slices->block;
     if (!path) return applied(text, {{with_space(text, block), ""}});
     const auto old = path_of(slices->music, text.substr(block.begin, block.end - block.begin));
-    const std::string whole = write_flythrough(*path);
+    const std::string whole = write_flythrough(*path, words);
     const Edit anew{block, whole.substr(0, whole.size() - 1)};
     if (!old) return applied(text, {anew});
 
@@ -148,7 +170,7 @@ std::string with_path(const std::string& text, const std::optional<Flythrough>& 
     if (old->duration != path->duration) edits.push_back({slices->duration, text_of(path->duration)});
     if (path->loop && !old->loop) edits.push_back({{slices->duration.end, slices->duration.end}, "  loop"});
     if (!path->loop && old->loop) edits.push_back({with_space(text, *slices->loop), ""});
-    edit_keys(edits, text, *slices, old->keys, path->keys);
+    edit_keys(edits, text, *slices, old->keys, path->keys, words);
     std::string changed = applied(text, edits);
     const std::size_t length = changed.size() - (text.size() - (block.end - block.begin));
     // Nothing that was written in an unusual way may get lost.

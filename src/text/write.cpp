@@ -176,12 +176,12 @@ std::string primitives_text(const std::vector<Primitive>& primitives, const std:
 
 }  // namespace
 
-std::string write_camera(const Camera& camera, const std::vector<Follow>& follows) {
+std::string write_camera(const Camera& camera, const std::vector<Follow>& follows, EyeWords words) {
     const auto is_times = [&](const char* parameter, double factor) {
         return std::ranges::any_of(follows,
                                    [=](const Follow& f) { return f.parameter == parameter && f.factor == factor; });
     };
-    const bool sky = is_times("up", -1), angle = is_times("fov", .5);
+    const bool sky = words.sky || is_times("up", -1), angle = words.angle || is_times("fov", .5);
     std::string text = "camera {\n  position " + text_of(camera.position, follows, "position") + "\n  look_at " +
                        text_of(camera.look_at, follows, "look_at") + (sky ? "\n  sky " : "\n  up ") +
                        text_of(sky ? DVec3(0) - camera.up : camera.up, follows, "up") +
@@ -191,18 +191,18 @@ std::string write_camera(const Camera& camera, const std::vector<Follow>& follow
     return text + "}\n";
 }
 
-std::string write_key(const Keyframe& key) {
+std::string write_key(const Keyframe& key, EyeWords words) {
     std::string text =
         "key { time " + text_of(key.time) + "  position " + text_of(key.position) + "  look_at " + text_of(key.look_at);
-    if (key.up) text += "  up " + text_of(*key.up);
-    if (key.fov) text += "  fov " + text_of(*key.fov);
+    if (key.up) text += words.sky ? "  sky " + text_of(DVec3(0) - *key.up) : "  up " + text_of(*key.up);
+    if (key.fov) text += words.angle ? "  angle " + text_of(2 * *key.fov) : "  fov " + text_of(*key.fov);
     return text + " }";
 }
 
-std::string write_flythrough(const Flythrough& path) {
+std::string write_flythrough(const Flythrough& path, EyeWords words) {
     std::string text = "flythrough {\n  duration " + text_of(path.duration) + "\n";
     if (path.loop) text += "  loop\n";
-    for (const Keyframe& key : path.keys) text.append("  ").append(write_key(key)).append("\n");
+    for (const Keyframe& key : path.keys) text.append("  ").append(write_key(key, words)).append("\n");
     return text + "}\n";
 }
 

@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include <utility>
+
 #include "text/parse.h"
 #include "text/write.h"
 
@@ -52,7 +54,23 @@ TEST_CASE("a path is written into a scene, and all else stays as it is") {
     CHECK(with_path(text, newer).ends_with("}" + after));
 
     // A block that is not there yet, and one that is no longer wanted.
-    CHECK(with_path(before + camera, path) == before + camera + "\n" + write_flythrough(path));
+    CHECK(with_path(before + camera, path) == before + camera + "\n" + write_flythrough(path, {true, true}));
     CHECK(with_path(text, {}) == before + camera.substr(0, camera.size() - 1) + after);
     CHECK(with_path(before + camera, {}) == before + camera);
+}
+
+TEST_CASE("keys are written in the words of the scene's camera") {
+    const Keyframe key{1, {1, 2, 3}, {0, 0, 0}, 20, DVec3{0, 0, -1}};
+    const Flythrough path{1, false, {{0, {0, 0, 0}, {1, 1, 1}, {}, {}}, key}};
+    const std::string start = "camera { position <0,-9,1>  look_at <0,0,0>  ";
+    for (const auto& [words, written] : {std::pair("sky <0,0,1>  angle 40 }", "sky <0, 0, 1>  angle 40"),
+                                         {"up <0,0,-1> fov 9}", "up <0, 0, -1>  fov 20"},
+                                         {"sky <0,0,1>  fov 4 } // angle", "sky <0, 0, 1>  fov 20"}}) {
+        const std::string text = "// camera { angle\n" + start + words + "\n";
+        const std::string changed = with_path(text, path);
+        CHECK(changed.find(written) != std::string::npos);
+        CHECK(parse_scene(changed, "test").flythrough == path);
+        const Scene scene = parse_scene(text, "test");
+        CHECK(parse_scene(write_camera(scene.camera, {}, eye_words(text)), "test").camera == scene.camera);
+    }
 }
