@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "num/decimal.h"
+#include "scene/moving_scene.h"
 #include "text/reading/reader.h"
 #include "text/reading/scene_files.h"
 
@@ -82,6 +83,19 @@ std::vector<Track> parse_tracks(std::string_view text, std::string_view file) {
     diagnostics.check_encoding();
     SceneFiles none("", {});
     return TracksReader(text, diagnostics, none).read();
+}
+
+std::vector<std::string> unfollowed_tracks(const Scene& scene) {
+    const std::vector<std::string> followed = followed_tracks(scene);
+    const std::vector<std::string_view> names(followed.begin(), followed.end());
+    std::vector<std::string> messages;
+    for (const Track& track : scene.tracks) {
+        if (track.keys.empty() || std::ranges::find(followed, track.name) != followed.end()) continue;
+        const std::string_view meant = nearest(track.name, names);
+        messages.push_back("track " + strahl::quoted(track.name) + " is followed by nothing" +
+                           (meant.empty() ? "" : "; did you mean " + strahl::quoted(meant) + "?"));
+    }
+    return messages;
 }
 
 std::string write_tracks(const std::vector<Track>& tracks) {

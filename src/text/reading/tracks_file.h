@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "scene/motion/track.h"
+#include "scene/scene.h"
 
 namespace strahl {
 
@@ -14,6 +15,9 @@ std::string tracks_path(std::string_view scene);
 /// Parses a text such as `track "fade" { 0 1 linear  64 0 step }`: row, value, and interpolation to the next key.
 /// Throws FileError as parse_scene does; `file` is the name in messages.
 std::vector<Track> parse_tracks(std::string_view text, std::string_view file);
+/// Returns a message for each track with keys that no number of the scene follows: "track 'zom' is followed by nothing;
+/// did you mean 'zoom'?"
+std::vector<std::string> unfollowed_tracks(const Scene& scene);
 /// Text that parses to the same tracks.
 std::string write_tracks(const std::vector<Track>& tracks);
 

@@ -173,6 +173,15 @@ TEST_CASE("a scene lasts until the last key of the tracks that it follows") {
     CHECK(flight_of(parse("camera { position <0,-9,0> look_at <0,0,0> up <0,0,-1> fov track \"x\" 9 }"))->keys.empty());
 }
 
+TEST_CASE("tracks that nothing follows are named, with the one that was meant") {
+    Scene scene = with_eye("sphere { <0,0,0>, 1 translate <track \"height\", 0, 0> }");
+    const TrackKey key{0, 1, {}};
+    scene.tracks = {{"height", {key}}, {"hieght", {key}}, {"other", {key}}, {"empty", {}}};
+    CHECK(unfollowed_tracks(scene) == std::vector<std::string>{"track 'hieght' is followed by nothing; did you mean "
+                                                               "'height'?",
+                                                               "track 'other' is followed by nothing"});
+}
+
 TEST_CASE("mistakes in what follows tracks") {
     check_fault(
         "sphere { <0,0,0>, track \"x\" 1 }",
