@@ -9,7 +9,9 @@
 #include <utility>
 
 #include "files/output_file.h"
+#include "scene/moving_scene.h"
 #include "show/info.h"
+#include "text/reading/tracks_file.h"
 #include "text/write.h"
 
 namespace strahl {
@@ -21,6 +23,8 @@ std::string window_title(const std::string& path) {
     const std::string name = path == "-" ? "standard input" : std::filesystem::path(path).filename().string();
     return name + " - strahl (H: help)";
 }
+
+std::string whole_seconds(double seconds) { return std::to_string(static_cast<int>(seconds)) + " s"; }
 
 PixelSize window_size(const ViewOptions& options, const Scene& scene) {
     if (options.size.width > 0) return options.size;
@@ -39,13 +43,19 @@ std::shared_ptr<const Scene> scene_to_show(const Loaded& loaded) {
 
 }  // namespace
 
-Viewer::Viewer(const ViewOptions& o, const Loaded& first, std::string text, Pace::Clock::time_point began,
-               std::unique_ptr<Rocket> rocket)
+void check_options(const ViewOptions& options, const Scene& scene) {
+    if (options.time) flight_for("--time", scene, options.scene);
+    if (options.rocket && followed_tracks(scene).empty())
+        throw UsageError("--rocket needs a scene with a track, and " + options.scene + " has none");
+}
+
+Viewer::Viewer(const ViewOptions& o, const Loaded& first, std::unique_ptr<Reload>& reload,
+               Pace::Clock::time_point began)
     : options(o),
       pace(began, o.fps),
       notes(pace, o.verbose),
       session(scene_to_show(first), o.depth),
-      screen(window_title(first.path), window_size(o, *session.scene), o.size.width == 0, o.full_screen),
+      screen(window_title(first.path), window_size(o, *session.scene), o.size.width == 0, o.full_screen, !o.benchmark),
       panels(pace, o.play),
       input(screen, session, panels, pace, o.play,
             {.perform = [this](Command command) { perform(command); },
@@ -53,9 +63,10 @@ Viewer::Viewer(const ViewOptions& o, const Loaded& first, std::string text, Pace
              .drop = [this](std::string path) { file.open(std::move(path)); }}),
       picture(o.threads, notes, pace, glfwPostEmptyEvent),
       stills(options, notes, pace, glfwPostEmptyEvent),
-      file(first, std::move(text), notes, pace, glfwPostEmptyEvent),
-      tracks(std::move(rocket), session, notes, pace, glfwPostEmptyEvent),
-      sound(pace) {
+      file(first, error_is_final(o), std::move(reload), notes, pace, glfwPostEmptyEvent),
+      tracks(o.rocket, session, notes, pace, glfwPostEmptyEvent),
+      sound(notes, pace) {
+    session.editor.words = first.words;
     if (!file.waiting()) start_scene();
 }
 
@@ -65,9 +76,9 @@ void Viewer::perform(Command command) {
     if (options.play && !playing) return;
     switch (command.action) {
         case Action::quit:
-            return stills.finish();
+            return quit();
         case Action::still:
-            if (screen.width() == 0) return;  // an icon
+            if (screen.width() == 0 || file.waiting()) return;  // an icon, or nothing to see
             return stills.add(session, file.path(), session.view(screen.width(), screen.height()));
         case Action::write_path:
             return file.write(session.editor.path());
@@ -113,8 +124,9 @@ void Viewer::move() {
 /// The time of the next drawing; infinite if there is nothing to draw.
 double Viewer::next_draw() const {
     const double for_picture = pace.next_draw(picture.has_update(), tracks.awaited() || picture.finished());
-    const double for_still = stills.progress_text().empty() ? Pace::forever : pace.last_draw() + 0.25;
-    return std::min({for_picture, for_still, notes.next_change(), file.next_change()});
+    const bool counting = !stills.progress_text().empty() || file.reading() || picture.seconds_built() > 0;
+    const double for_count = counting ? pace.last_draw() + 0.25 : Pace::forever;
+    return std::min({for_picture, for_count, notes.next_change(), file.next_change()});
 }
 
 void Viewer::draw() {
@@ -135,7 +147,7 @@ void Viewer::draw() {
         sound.picture_shown(session, picture.moment());
         pace.motion.picture(shown_picture(pace.now(), state.level, state.width, state.height));
     }
-    if (options.play && !tracks.connected() && state.number > 0 && !sound.loading() && !std::exchange(started, true))
+    if (options.play && !tracks.wanted() && state.number > 0 && !sound.loading() && !std::exchange(started, true))
         session.perform({Action::pause}, pace.now());
     apply(done);
     if (update && picture.newest()) tracks.shown();
@@ -163,10 +175,15 @@ void Viewer::take_scene() {
     const bool first = file.waiting();
     const auto loaded = file.take();
     if (!loaded) return;
-    session.replace(loaded->scene, loaded->opened || first);
+    if (loaded->opened) print_paths();
+    const std::vector<std::string> unfollowed = first ? std::vector<std::string>() : unfollowed_tracks(*session.scene);
+    if (session.replace(loaded->scene, loaded->opened || first))
+        notes.announce("the file has another path now, which replaces yours; Ctrl+Z brings yours back");
+    session.editor.words = loaded->words;
     if (first || (options.play && loaded->opened)) {
         start_scene();
     } else {
+        if (unfollowed_tracks(*session.scene) != unfollowed) tell_unfollowed();
         tracks.ask();
         sound.load(*session.scene, file.path(), glfwPostEmptyEvent);
     }
@@ -174,12 +191,23 @@ void Viewer::take_scene() {
     if (loaded->opened) glfwSetWindowTitle(screen.window(), window_title(file.path()).c_str());
 }
 
+/// Tells the user about tracks that have no effect.
+void Viewer::tell_unfollowed() {
+    for (const std::string& message : unfollowed_tracks(*session.scene)) notes.fail(message);
+}
+
 /// Does with a scene that is shown for the first time what the options ask for.
 void Viewer::start_scene() {
+    tell_unfollowed();
+    try {
+        check_options(options, *session.scene);
+    } catch (const UsageError& error) {
+        notes.fail(error.what());
+    }
     tracks.ask();
     sound.load(*session.scene, file.path(), glfwPostEmptyEvent);
     const double now = pace.now();
-    if (tracks.connected()) return static_cast<void>(session.go_to(options.time.value_or(0), now));
+    if (tracks.wanted()) return static_cast<void>(session.go_to(options.time.value_or(0), now));
     if (options.play) return start_playing();
     if (options.time) session.go_to(*options.time, now);
     if (options.fly) log_line(session.perform({session.flying() ? Action::pause : Action::play}, now).note);
@@ -200,19 +228,29 @@ void Viewer::flight_ended(const Answer& answer) {
         closed = true;
 }
 
+/// Says what the user waits for, if that takes long; else "".
+std::string Viewer::work_under_way() const {
+    if (file.reading()) return "reading " + file.name() + ", " + whole_seconds(pace.now());
+    const double seconds = picture.seconds_built();
+    if (seconds < 0.5) return "";
+    return "building the scene, " + whole_seconds(seconds);
+}
+
 Overlay Viewer::overlay() const {
     const Refinement& state = picture.state();
     const StabilityCheck& check = picture.marks();
     Overlay overlay;
     overlay.marks = check.found(), overlay.width = state.width, overlay.height = state.height;
     overlay.area = screen.area();
+    const std::string work = work_under_way();
+    if (!work.empty() && (!panels.quiet || state.number == 0)) overlay.notes.push_back({work});
     if (panels.quiet) return overlay;
     overlay.reserved = panels.reserved();
     overlay.help = panels.help, overlay.share = state.share;
     overlay.fault = file.fault(), overlay.fault_title = file.fault_title();
     if (panels.info) overlay.info = info_lines(session, pace, picture);
-    overlay.notes = notes.shown();
-    if (session.recording()) overlay.notes.insert(overlay.notes.begin(), "recording; K ends it");
+    if (session.recording()) overlay.notes.push_back({"recording; K ends it"});
+    overlay.notes.insert(overlay.notes.end(), notes.shown().begin(), notes.shown().end());
     if (const std::string text = stills.progress_text(); !text.empty())
         overlay.bars.push_back({text, stills.progress()});
     if (check.under_way()) overlay.bars.push_back({"checking rounding", check.progress()});
@@ -226,6 +264,8 @@ void Viewer::report_benchmark() const {
                                    .simd = name(best_simd()),
                                    .width = picture.state().width,
                                    .height = picture.state().height,
+                                   .window = {screen.width(), screen.height()},
+                                   .wanted = options.size,
                                    .depth = session.depth(),
                                    .threads = picture.threads(),
                                    .fps = options.fps,
@@ -239,14 +279,14 @@ int Viewer::run(const std::atomic<bool>& interrupted) {
     while (!closed) {
         sound.follow(session);
         move();
-        picture.order(session, screen.width(), screen.height());
+        if (!file.waiting()) picture.order(session, screen.width(), screen.height());
         draw();
         picture.log_finished();
         input.hide_pointer();
         wait();
+        file.tell_written();  // before the scene is taken that the file has now
         take_scene();
         picture.tell_marks();
-        file.tell_written();
         if (tracks.follow()) file.write(*session.tracks);
         // A signal ends the window as Esc does; the next one ends the program at once.
         if (interrupted && !std::exchange(signalled, true)) {
@@ -260,13 +300,28 @@ int Viewer::run(const std::atomic<bool>& interrupted) {
     return stills.failed() ? 1 : 0;
 }
 
-void Viewer::end() const {
-    if (session.editor.changed() && session.editor.path().keys.size() >= 2 && !options.play) {
-        log_line("the path was not written into the file; here it is:");
-        std::fputs(write_flythrough(session.editor.path()).c_str(), stdout), std::fflush(stdout);
+/// Ends the program as soon as all stills are done. Asks first, once, if the path is not written.
+void Viewer::quit() {
+    notes.tell(session.end_recording(pace.now()));
+    if (!options.play && session.editor.asks())
+        return notes.announce("the path is not written: " + file.way_to_keep() + "; Esc again quits");
+    stills.finish();
+}
+
+/// Prints the paths that would be lost now.
+void Viewer::print_paths() {
+    notes.tell(session.end_recording(pace.now()));
+    for (const Flythrough& path : session.editor.unwritten()) {
+        log_line("a path that was not written into the file:");
+        std::fputs(write_flythrough(path, session.editor.words).c_str(), stdout), std::fflush(stdout);
     }
+}
+
+void Viewer::end() {
+    print_paths();
     if (options.benchmark) report_benchmark();
     if (options.size.width == 0 && !options.play) screen.remember();
+    screen.hide();
     notes.log("quit");
 }
 

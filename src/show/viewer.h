@@ -14,7 +14,6 @@
 #include "show/work/notes.h"
 #include "show/work/pace.h"
 #include "show/work/reload.h"
-#include "show/work/rocket.h"
 #include "show/work/still_requests.h"
 #include "show/work/track_editor.h"
 #include "show/work/watched_scene.h"
@@ -22,14 +21,19 @@
 
 namespace strahl {
 
+/// Throws UsageError if the scene lacks what the options need.
+void check_options(const ViewOptions& options, const Scene& scene);
+/// Does an error in the scene end the program, because nobody can mend it?
+inline bool error_is_final(const ViewOptions& options) { return options.scene == "-" || options.play; }
+
 class Viewer {
   public:
-    /// `first` is the scene and `text` its text; `began` is when the user started the program. `rocket` is the
-    /// connection to an editor of tracks, or null.
-    Viewer(const ViewOptions& options, const Loaded& first, std::string text, Pace::Clock::time_point began,
-           std::unique_ptr<Rocket> rocket);
+    /// `first` is the scene as far as `reload` has read it; `began` is when the user started the program. Throws
+    /// WindowError, and leaves `reload` as it was then.
+    Viewer(const ViewOptions& options, const Loaded& first, std::unique_ptr<Reload>& reload,
+           Pace::Clock::time_point began);
     /// Runs until the user quits, or until `interrupted` becomes true, which asks for the same. Returns the exit
-    /// status.
+    /// status. Throws FileError for an error in a scene that nobody can mend.
     int run(const std::atomic<bool>& interrupted);
 
   private:
@@ -45,13 +49,17 @@ class Viewer {
     void take_scene();
 
     // Flights
+    void tell_unfollowed();
     void start_scene();
     void start_playing();
     void flight_ended(const Answer& answer);
 
+    std::string work_under_way() const;
     Overlay overlay() const;
     void report_benchmark() const;
-    void end() const;
+    void quit();
+    void print_paths();
+    void end();
 
     const ViewOptions options;
     Pace pace;

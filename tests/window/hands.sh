@@ -18,6 +18,22 @@ put "$flat" "$world" "$path"
 await 'read again'
 await 'finished 320x160'
 
+echo "-- nobody has to wait for a pipe; what comes through it is shown, as from standard input"
+[[ $(cat log) != *'finished 320x240'* ]] || fault "a picture of nothing was traced"
+quit
+mkfifo pipe.rt
+start_log 'reading pipe.rt' pipe.rt --size 320x240
+quit
+start_log 'reading pipe.rt' pipe.rt --size 320x240
+cat scene.rt >pipe.rt
+await 'finished 320x160'
+quit
+input=scene.rt start - --size 320x240
+await 'finished 320x160'
+quit
+start scene.rt --size 320x240 --depth 2
+await 'finished 320x160'
+
 echo "-- the picture keeps its camera's proportions, or fills the window"
 still picture.png --size 320x160 --depth 2
 convert -size 320x240 xc:black picture.png -geometry +0+40 -composite bars.png
@@ -59,9 +75,10 @@ await 'interrupted'
 wait "$pid"
 (($? == 130)) || fault "after a signal the exit status is not 130"
 grep -qF 'still saved: ' log || fault "after a signal the still was not saved" # sometimes it is before
-start_log 'first picture' scene.rt --size 64x48 --still-folder missing --still-format png
+start_log "stills cannot be written into 'missing'" scene.rt --size 64x48 --still-folder missing --still-format png
+await 'first picture'
 xdotool key F12
-await "cannot write 'missing/scene-"
+await "stills cannot be written into 'missing'"
 xdotool key Escape
 wait "$pid"
 (($? == 1)) || fault "a still was not written, and the exit status is not 1"
@@ -69,14 +86,25 @@ pid=
 
 echo "-- size and place are remembered"
 export XDG_STATE_HOME=$work/state
+# placed: waits until the window has the size and place of this test.
+placed() {
+    local i geometry
+    for ((i = 0; i < 200; ++i)); do
+        geometry=$(xdotool getwindowgeometry --shell "$id" | tr '\n' ' ')
+        [[ $geometry == *'X=30 Y=40 WIDTH=200 HEIGHT=160 '* ]] && return
+        sleep 0.05
+    done
+    fault "the window is not where it was: $geometry"
+}
 start scene.rt --depth 2
-xdotool windowsize --sync "$id" 200 160 windowmove --sync "$id" 30 40
+xdotool windowsize "$id" 200 160 windowmove "$id" 30 40
+placed
 await 'finished 200x160'
 quit
+[[ $(<state/strahl/window) == '30 40 200 160' ]] || fault "not that is remembered, but: $(<state/strahl/window)"
 start scene.rt --depth 2
+placed
 await 'finished 200x160'
-geometry=$(xdotool getwindowgeometry --shell "$id")
-[[ $geometry == *$'\nX=30\n'* ]] || fault "the window is not where it was, $(<state/strahl/window), but: $geometry"
 quit
 
 echo "-- a flight is played once and measured"

@@ -62,9 +62,12 @@ for ((actions = 0; SECONDS < end; ++actions)); do
     kill -0 "$pid" 2>/dev/null || break
     act
 done
-xdotool mouseup 1 mousemove --window "$id" 0 0 key Escape
-sleep 1
-kill -0 "$pid" 2>/dev/null && xdotool key Escape
+xdotool mouseup 1 mousemove --window "$id" 0 0
+# For a path that is not written, for stills that are not done, and to drop those.
+for ((i = 0; i < 3; ++i)); do
+    kill -0 "$pid" 2>/dev/null && xdotool key Escape
+    sleep 0.5
+done
 wait "$pid"
 status=$?
 pid=

@@ -1,6 +1,6 @@
 // A small GNU Rocket editor for tests of the window. Says "port P"; once a client is there "connected", and then what
 // it sends: "asks NAME", "row R". Its own commands are lines of standard input: `key TRACK ROW VALUE WAY`, `delete
-// TRACK ROW`, `row R`, `pause 0|1`, `save`; the numbers are those of the protocol.
+// TRACK ROW`, `row R`, `pause 0|1`, `save`; the numbers are those of the protocol. Its argument is the port.
 #include "tests/unit/show/rocket_editor.h"
 
 #include <cstdio>
@@ -34,8 +34,8 @@ void hear(Editor& editor) {
 
 }  // namespace
 
-int main() {
-    Editor editor(600);
+int main(int argc, char** argv) {
+    Editor editor(600, argc > 1 ? std::atoi(argv[1]) : 0);
     std::printf("port %d\n", editor.port), std::fflush(stdout);
     if (!editor.accept()) return 1;
     std::puts("connected"), std::fflush(stdout);

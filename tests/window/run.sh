@@ -141,9 +141,14 @@ xdotool key F11
 await 'finished 400x300'
 shows larger.png
 
-echo "-- quitting waits for stills"
-xdotool key ctrl+s ctrl+s
+echo "-- quitting asks about a path that is not written, and waits for stills; a path that the file replaces is printed"
+xdotool key ctrl+s ctrl+s Escape
+await 'F2 writes it into scene.rt; Esc again quits'
+put "$camera" "$world" "${path//60/50}"
+await 'Ctrl+Z brings yours back'
 quit
+await 'not written into the file'
+await 'key { time 63'
 grep -q 'quit' log || fault "the window did not say that it quits"
 count=$(grep -c 'still saved' log)
 ((count == 3)) || fault "$count of 3 stills were saved"

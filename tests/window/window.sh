@@ -33,17 +33,21 @@ own_display() {
 
 # start ARGUMENT...: opens the window and waits for its first picture.
 start() { start_log 'first picture' "$@"; }
-# start_log TEXT ARGUMENT...: opens the window and waits for this in its log.
+# start_log TEXT ARGUMENT...: opens the window, with the file $input if that is set as its standard input, and waits for
+# this in its log.
 start_log() {
     : >log
     read_lines=0
-    "$strahl" "${@:2}" --verbose >log 2>&1 &
+    "$strahl" "${@:2}" --verbose <"${input-/dev/null}" >log 2>&1 &
     pid=$!
     await "$1" || {
         cat log
         exit 1
     }
-    id=$(xdotool search --pid "$pid" | tail -n 1)
+    # The window may not be there yet, and one that another program closes meanwhile ends the search.
+    until id=$(xdotool search --pid "$pid" 2>/dev/null | tail -n 1) && [[ -n $id ]] || ! kill -0 "$pid"; do
+        sleep 0.05
+    done
     # Without a window manager keys go where the mouse is.
     xdotool mousemove --window "$id" 100 100
 }

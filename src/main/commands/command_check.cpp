@@ -14,6 +14,7 @@
 #include "scene/leaves.h"
 #include "scene/moving_scene.h"
 #include "scene/overlap.h"
+#include "text/reading/tracks_file.h"
 #include "text/write.h"
 
 namespace strahl {
@@ -108,6 +109,8 @@ std::string summary(const Scene& scene) {
         });
         text << "  tracks       " << names.size() << ", " << saved << " with keys; " << scene.music.bpm
              << " beats a minute of " << scene.music.rows << " rows\n";
+        for (const std::string& message : unfollowed_tracks(scene))
+            text << "               " << printable(message) << '\n';
     }
     return text.str();
 }

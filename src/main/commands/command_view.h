@@ -8,8 +8,8 @@ namespace strahl {
 
 /// Returns the exit status: 1 if a still could not be written. A scene with an error, or none yet, is waited for in the
 /// window. Once `interrupted` becomes true the window closes as if by Esc: when the stills are done. Throws UsageError
-/// for options that do not suit the scene, FileError if there is no editor of tracks but should be one, and if no
-/// window can be opened FileError for the scene, or std::runtime_error with advice.
+/// for options that do not suit the scene, FileError for an error in a scene that cannot be mended, and if no window
+/// can be opened FileError for the scene, or std::runtime_error with advice.
 int view_command(const ViewOptions& options, const std::atomic<bool>* interrupted);
 
 }  // namespace strahl

@@ -80,7 +80,9 @@ std::vector<char*> with_command(const CLI::App& app, int argc, char** argv) {
     const std::string_view first = argc < 2 ? "" : argv[1];
     const auto commands = commands_of(app);
     const bool known = std::ranges::any_of(commands, [&](auto* command) { return command->get_name() == first; });
-    const bool scene = first.ends_with(".rt") || (!first.starts_with('-') && std::filesystem::is_regular_file(first));
+    std::error_code error;
+    const bool file = std::filesystem::exists(first, error) && !std::filesystem::is_directory(first, error);
+    const bool scene = first == "-" || first.ends_with(".rt") || (!first.starts_with('-') && file);
     if (!known && scene) arguments.insert(arguments.begin() + 1, view);
     return arguments;
 }

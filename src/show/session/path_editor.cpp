@@ -89,10 +89,12 @@ std::optional<std::size_t> key_at(const Flythrough& path, double time) {
     return std::nullopt;
 }
 
-void PathEditor::reload(const std::optional<Flythrough>& in_file) {
+bool PathEditor::reload(const std::optional<Flythrough>& in_file) {
     Flythrough newer = in_file.value_or(Flythrough{});
-    if (newer != saved && newer != present) change(newer);
+    const bool other = newer != saved && newer != present, lost = other && changed();
+    if (other) replace(newer);
     saved = std::move(newer);
+    return lost;
 }
 
 void PathEditor::change(Flythrough newer, bool merged) {
@@ -101,6 +103,24 @@ void PathEditor::change(Flythrough newer, bool merged) {
     if (past.size() > most_steps) past.erase(past.begin());
     future.clear();
     present = std::move(newer);
+}
+
+void PathEditor::replace(Flythrough newer) {
+    if (changed() && newer != present && !present.keys.empty()) replaced.push_back(present);
+    change(std::move(newer));
+}
+
+std::vector<Flythrough> PathEditor::unwritten() const {
+    std::vector<Flythrough> paths = replaced;
+    std::erase_if(paths, [this](const Flythrough& path) { return path == saved || path == present; });
+    if (changed() && !present.keys.empty()) paths.push_back(present);
+    return paths;
+}
+
+bool PathEditor::asks() {
+    if (!changed() || asked_about == present) return false;
+    asked_about = present;
+    return true;
 }
 
 bool PathEditor::undo() {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "scene/camera.h"
+#include "text/write.h"
 
 namespace strahl {
 
@@ -34,17 +35,29 @@ class PathEditor {
     bool changed() const { return present != saved; }
 
     /// To be called when the scene file was read, with its path. If that has changed it replaces the edited one, which
-    /// undo brings back.
-    void reload(const std::optional<Flythrough>& in_file);
+    /// undo brings back. Returns whether the edited one had changes that were not written.
+    bool reload(const std::optional<Flythrough>& in_file);
 
     /// Replaces the path. If `merged`, undo takes back this change and the one before together, as for steps of a drag.
     void change(Flythrough newer, bool merged = false);
+    /// Replaces the path by one that is not made from it.
+    void replace(Flythrough newer);
     bool undo();
     bool redo();
+
+    EyeWords words;  // in which the scene says directions up and angles of view
+
+    /// Returns the paths that would be lost now: those that were replaced before they were written, the oldest first,
+    /// and the present one.
+    std::vector<Flythrough> unwritten() const;
+    /// Is the present path not written, and was this not asked about it before?
+    bool asks();
 
   private:
     Flythrough present, saved;
     std::vector<Flythrough> past, future;
+    std::vector<Flythrough> replaced;  // before they were written
+    std::optional<Flythrough> asked_about;
 };
 
 }  // namespace strahl

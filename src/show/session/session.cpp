@@ -12,7 +12,6 @@
 #include "scene/moving_scene.h"
 #include "show/session/framing.h"
 #include "text/reading/parameter.h"
-#include "text/write.h"
 
 namespace strahl {
 namespace {
@@ -35,17 +34,19 @@ Session::Session(std::shared_ptr<const Scene> first_scene, std::optional<int> de
       own_depth(depth),
       motion_end(motion_end_of(*scene)) {}
 
-void Session::replace(std::shared_ptr<const Scene> newer, bool opened) {
+bool Session::replace(std::shared_ptr<const Scene> newer, bool opened) {
     const bool moved = opened || newer->camera != scene->camera;
     scene = std::move(newer);
     motion_end = motion_end_of(*scene);
+    bool lost = false;
     if (opened)
         tracks.reset(), path.reset(), recorded.reset(), editor = PathEditor(scene->flythrough), cameras = {},
                                                         clock = {}, time = 0;
     else
-        editor.reload(scene->flythrough);
+        lost = editor.reload(scene->flythrough);
     if (path && !around) path = flight();
     if (moved && !path) camera = scene->camera, speed = default_speed(camera);
+    return lost;
 }
 
 std::optional<Flythrough> Session::flight() const {
@@ -85,7 +86,7 @@ Answer Session::perform(Command command, double now) {
             return record(now);
         case Action::copy_path:
             if (editor.path().keys.size() < 2) return {"there is no path to copy", ""};
-            return {"path copied", write_flythrough(editor.path())};
+            return {"path copied", write_flythrough(editor.path(), editor.words)};
         case Action::change_style:
             orbiting = !orbiting;
             return {orbiting ? "orbiting" : "flying freely", ""};
@@ -114,7 +115,7 @@ Answer Session::perform(Command command, double now) {
             stop(now);
             return recall(command.number);
         case Action::copy_camera:
-            return {"camera copied", write_camera(camera)};
+            return {"camera copied", write_camera(camera, {}, editor.words)};
         default:
             return {};
     }
@@ -184,7 +185,7 @@ Answer Session::edit(Action action, double now) {
             note = editor.redo() ? "redone" : "nothing to redo";
             break;
         case Action::clear_path:
-            editor.change({}), clock.set(0, now);
+            editor.replace({}), clock.set(0, now);
             note = "new path";
             break;
         case Action::set_key:
@@ -248,7 +249,7 @@ Answer Session::record(double now) {
     if (moments.size() < 2) return {"nothing was recorded, because nothing moved", ""};
     const double tolerance = length(scene->camera.look_at - scene->camera.position) / 100;
     const Thinned flown = thinned(moments, scene->camera, tolerance);
-    editor.change(flown.path);
+    editor.replace(flown.path);
     stop(now), clock.set(0, now);
     char text[120];
     std::snprintf(text, sizeof text, "recorded %.1f s as %zu keys, at most %.2g from the flight", flown.path.duration,

@@ -28,8 +28,8 @@ class Session {
     explicit Session(std::shared_ptr<const Scene> scene, std::optional<int> depth = {});
 
     /// To be called when the file has changed or, if `opened`, is another one. The camera stays unless it changed in
-    /// the file.
-    void replace(std::shared_ptr<const Scene> scene, bool opened);
+    /// the file. Returns whether the file's path replaced one that was not written.
+    bool replace(std::shared_ptr<const Scene> scene, bool opened);
 
     /// Commands that concern only the window (quit, still, full screen, panels) have no effect here.
     Answer perform(Command command, double now);
@@ -47,6 +47,8 @@ class Session {
     /// step of the camera. If the recording has become too long, ends it and returns an answer.
     std::optional<Answer> observe(double now);
     bool recording() const { return recorded.has_value(); }
+    /// Makes a path of the recording under way, if any, because the window closes or opens another scene.
+    Answer end_recording(double now) { return recorded ? record(now) : Answer{}; }
 
     /// Gives a key of the path other values, if they make a camera that sees something, and goes to the key's time.
     /// `merged`: see PathEditor::change.
@@ -57,8 +59,14 @@ class Session {
     std::optional<Answer> follow(double now);
 
     bool flying() const { return path.has_value(); }
+    /// Does the flight determine the camera?
+    bool bound() const { return path && (!path->keys.empty() || !scene->camera_follows.empty()); }
+    /// Does the flight go around the scene, because that has no path?
+    bool circling() const { return path && around; }
     bool paused() const { return flying() && !clock.running(); }
     bool under_way() const { return flying() && clock.running(); }
+    /// Seconds of the flight per second.
+    double rate() const { return clock.rate(); }
     /// Is this a flight of the scene's own, at its own speed?
     bool at_own_speed() const { return path && !around && clock.rate() == 1; }
     /// Moves the flight forward by so many seconds.
@@ -87,8 +95,6 @@ class Session {
     int depth() const { return own_depth.value_or(scene->settings.max_trace_level); }
 
   private:
-    /// Does the flight determine the camera?
-    bool bound() const { return path && (!path->keys.empty() || !scene->camera_follows.empty()); }
     Answer play(double now);
     Answer pause(double now);
     Answer step_to(double seconds, double now);

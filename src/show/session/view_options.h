@@ -8,6 +8,7 @@ namespace strahl {
 /// A size in pixels; 0x0 if not given.
 struct PixelSize {
     int width = 0, height = 0;
+    bool operator==(const PixelSize&) const = default;
 };
 
 struct ViewOptions {

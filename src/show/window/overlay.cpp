@@ -16,16 +16,27 @@ constexpr ImGuiWindowFlags plain = ImGuiWindowFlags_NoDecoration | ImGuiWindowFl
                                    ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoNav |
                                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing;
 
-/// Draws a panel at (x, y) of the window above what is reserved: 0 is left or top, 1 right or bottom.
+/// The part of the window that no panel covers yet, in pixels.
+struct FreeArea {
+    float left, top, right, bottom;
+    float width() const { return std::max(right - left, 1.f); }
+    float height() const { return std::max(bottom - top, 1.f); }
+};
+
+/// The distance between panels, and to the edge of the window.
+float gap() { return ImGui::GetFontSize() * 0.8f; }
+
+/// Draws a panel at (x, y) of the free area: 0 is left or top, 1 right or bottom. Returns its size with a gap beside
+/// it.
 template <class Content>
-void panel(const char* name, float x, float y, float reserved, Content content) {
-    const ImVec2 all = ImGui::GetIO().DisplaySize, size{all.x, std::max(all.y - reserved, 1.f)};
-    const float edge = ImGui::GetFontSize() * 0.8f;
-    ImGui::SetNextWindowPos({edge + (size.x - 2 * edge) * x, edge + (size.y - 2 * edge) * y}, ImGuiCond_Always, {x, y});
-    ImGui::SetNextWindowSizeConstraints({0, 0}, {size.x - 2 * edge, size.y - 2 * edge});
+ImVec2 panel(const char* name, const FreeArea& free, float x, float y, Content content) {
+    ImGui::SetNextWindowPos({free.left + free.width() * x, free.top + free.height() * y}, ImGuiCond_Always, {x, y});
+    ImGui::SetNextWindowSizeConstraints({0, 0}, {free.width(), free.height()});
     ImGui::Begin(name, nullptr, plain);
     content();
+    const ImVec2 size = ImGui::GetWindowSize();
     ImGui::End();
+    return {size.x + gap(), size.y + gap()};
 }
 
 void cell(const ImVec4& color, const char* text) {
@@ -45,16 +56,21 @@ void draw_key_table() {
     ImGui::EndTable();
 }
 
-void draw_help(const Overlay& overlay) {
-    panel("help", 1, 0.5f, overlay.reserved, [] {
-        ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {ImGui::GetStyle().CellPadding.x, 1});  // many lines
+/// Draws the help as large as it fits, but for windows in which nobody could read it.
+ImVec2 draw_help(const FreeArea& free) {
+    return panel("help", free, 1, 0.5f, [&] {
+        const float space = 2, lines = key_help.size();
+        const float high = free.height() - 2 * ImGui::GetStyle().WindowPadding.y - lines * space;
+        ImGui::SetWindowFontScale(std::clamp(high / (lines * ImGui::GetFontSize()), 0.3f, 1.f));
+        ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {ImGui::GetStyle().CellPadding.x, space / 2});
         if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) draw_key_table();
         ImGui::PopStyleVar();
+        ImGui::SetWindowFontScale(1);
     });
 }
 
-void draw_info(const Overlay& overlay) {
-    panel("info", 0, 0, overlay.reserved, [&] {
+ImVec2 draw_info(const Overlay& overlay, const FreeArea& free) {
+    return panel("info", free, 0, 0, [&] {
         if (!ImGui::BeginTable("values", 2, ImGuiTableFlags_SizingFixedFit)) return;
         for (const auto& [name, value] : overlay.info) {
             ImGui::TableNextRow();
@@ -67,10 +83,10 @@ void draw_info(const Overlay& overlay) {
 }
 
 /// Draws the error on at most half of the window; the log has the rest.
-void draw_fault(const Overlay& overlay) {
-    panel("fault", 0.5f, 1, overlay.reserved, [&] {
-        const float font = ImGui::GetFontSize(), wide = ImGui::GetIO().DisplaySize.x - 4 * font;
-        const float lowest = ImGui::GetIO().DisplaySize.y / 2;
+void draw_fault(const Overlay& overlay, const FreeArea& free) {
+    panel("fault", free, 0.5f, 1, [&] {
+        const float font = ImGui::GetFontSize(), wide = free.width() - 2 * font;
+        const float lowest = std::min(ImGui::GetIO().DisplaySize.y / 2, free.height());
         ImGui::PushTextWrapPos(wide);
         ImGui::PushStyleColor(ImGuiCol_Text, alarm);
         ImGui::TextUnformatted(overlay.fault_title.c_str());
@@ -89,10 +105,14 @@ void draw_fault(const Overlay& overlay) {
     });
 }
 
-void draw_notes(const Overlay& overlay) {
-    panel("notes", 1, 0, overlay.reserved, [&] {
-        ImGui::PushTextWrapPos(ImGui::GetIO().DisplaySize.x - 4 * ImGui::GetFontSize());
-        for (const std::string& note : overlay.notes) ImGui::TextUnformatted(note.c_str());
+ImVec2 draw_notes(const Overlay& overlay, const FreeArea& free, float x) {
+    return panel("notes", free, x, 0, [&] {
+        ImGui::PushTextWrapPos(free.width() - 2 * ImGui::GetFontSize());
+        for (const Note& note : overlay.notes) {
+            ImGui::PushStyleColor(ImGuiCol_Text, note.failure ? alarm : ImGui::GetStyleColorVec4(ImGuiCol_Text));
+            ImGui::TextUnformatted(note.text.c_str());
+            ImGui::PopStyleColor();
+        }
         for (const Overlay::Bar& bar : overlay.bars) {
             ImGui::TextUnformatted(bar.text.c_str());
             ImGui::ProgressBar(static_cast<float>(bar.share), {ImGui::GetFontSize() * 18, ImGui::GetFontSize() * 0.4f},
@@ -125,10 +145,13 @@ void draw_marks(const Overlay& overlay) {
 
 void draw_overlay(const Overlay& overlay) {
     draw_marks(overlay);
-    if (!overlay.info.empty()) draw_info(overlay);
-    if (!overlay.fault.empty()) draw_fault(overlay);
-    if (!overlay.notes.empty() || !overlay.bars.empty()) draw_notes(overlay);
-    if (overlay.help) draw_help(overlay);
+    const ImVec2 all = ImGui::GetIO().DisplaySize;
+    FreeArea free{gap(), gap(), all.x - gap(), all.y - overlay.reserved - gap()};
+    if (overlay.help) free.right -= draw_help(free).x;
+    const bool info = !overlay.info.empty();
+    if (info) free.top += draw_info(overlay, free).y;
+    if (!overlay.notes.empty() || !overlay.bars.empty()) free.top += draw_notes(overlay, free, info ? 0 : 1).y;
+    if (!overlay.fault.empty()) draw_fault(overlay, free);
 }
 
 }  // namespace strahl

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "show/session/framing.h"
+#include "show/work/notes.h"
 #include "show/work/stability_check.h"
 
 namespace strahl {
@@ -14,7 +15,7 @@ struct Overlay {
     std::vector<std::pair<std::string, std::string>> info;  // names and values; if empty, no panel
     double share = 1;                                       // of the picture's passes that are done
     std::string fault_title, fault;                         // the error in the scene file, if any
-    std::vector<std::string> notes;                         // the oldest first
+    std::vector<Note> notes;                                // the oldest first
     struct Bar {
         std::string text;
         double share = 0;

@@ -5,7 +5,6 @@
 #include <cstdio>
 #include <utility>
 
-#include "show/work/notes.h"
 #include "text/parse.h"
 
 namespace strahl {
@@ -23,7 +22,7 @@ void SceneSound::follow(Session& session) {
     if (!sound || sound->loading()) return;
     if (!std::exchange(told, true)) {
         pace.redraw(1);
-        if (const std::string why = sound->fault(); !why.empty()) log_line("no sound: " + why);
+        if (const std::string why = sound->fault(); !why.empty()) notes.fail("no sound: " + why);
     }
     const double moment = pace.now();
     if (!session.under_way() || !session.at_own_speed()) {

@@ -7,13 +7,14 @@
 
 #include "show/session/session.h"
 #include "show/window/sound.h"
+#include "show/work/notes.h"
 #include "show/work/pace.h"
 
 namespace strahl {
 
 class SceneSound {
   public:
-    explicit SceneSound(Pace& pace) : pace(pace) {}
+    SceneSound(Notes& notes, Pace& pace) : notes(notes), pace(pace) {}
 
     /// Loads the sound that the scene names, if it is another file than before. `notify` is called from another thread
     /// when it is loaded.
@@ -30,6 +31,7 @@ class SceneSound {
     std::string report();
 
   private:
+    Notes& notes;
     Pace& pace;
     std::unique_ptr<Sound> sound;
     std::string file;

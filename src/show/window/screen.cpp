@@ -103,11 +103,13 @@ struct Screen::Functions {
     decltype(&::glClear) Clear = Found{"glClear"};
 };
 
-Screen::Screen(const std::string& title, PixelSize size, bool default_size, bool full) {
+Screen::Screen(const std::string& title, PixelSize size, bool default_size, bool full, bool framed) {
     if (!glfwInit()) fail("no display");
+    glfwWindowHint(GLFW_DECORATED, framed ? GLFW_TRUE : GLFW_FALSE);
     try {
         make_window(title, size, default_size, full);
         start_drawing();
+        draw([] {});
     } catch (...) {
         gl.reset();
         glfwTerminate();
@@ -232,7 +234,8 @@ void Screen::draw(const std::function<void()>& overlay) {
     overlay();
     ImGui::Render();
     gl->Viewport(0, 0, columns, rows);
-    gl->ClearColor(0, 0, 0, 1);
+    const float brightness = texture_width > 0 ? 0 : 0.12f;  // grey, until there is a picture
+    gl->ClearColor(brightness, brightness, brightness, 1);
     gl->Clear(GL_COLOR_BUFFER_BIT);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     glfwSwapBuffers(glfw);
@@ -258,6 +261,8 @@ void Screen::remember() const {
     if (state.width == opened.width && state.height == opened.height) state.width = state.height = 0;
     write_window_state(state);
 }
+
+void Screen::hide() { glfwHideWindow(glfw); }
 
 bool Screen::full_screen() const { return glfwGetWindowMonitor(glfw); }
 

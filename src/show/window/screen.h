@@ -22,8 +22,9 @@ struct WindowError : std::runtime_error {
 class Screen {
   public:
     /// Size in pixels; a default size grows with the monitor's scale, and gives way to the remembered one. Throws
-    /// WindowError. Only one at a time.
-    Screen(const std::string& title, PixelSize size, bool default_size, bool full);
+    /// WindowError. Only one at a time. A window manager should not add a frame unless `framed`, so that it leaves the
+    /// size as it is.
+    Screen(const std::string& title, PixelSize size, bool default_size, bool full, bool framed);
     ~Screen();
     Screen(const Screen&) = delete;
     Screen& operator=(const Screen&) = delete;
@@ -37,6 +38,8 @@ class Screen {
     /// Draws the window: the uploaded picture, and on it what `overlay` draws with ImGui.
     void draw(const std::function<void()>& overlay);
     void toggle_full_screen();
+    /// Removes the window from the screen.
+    void hide();
     bool full_screen() const;
     /// Stores the place for the next start, and the size if it is no longer the default one.
     void remember() const;

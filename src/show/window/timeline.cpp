@@ -62,7 +62,9 @@ void Timeline::buttons(const TimelineView& view, TimelineInput& input) {
     button("redo", {Action::redo});
     button("new", {Action::clear_path});
     button("write", {Action::write_path});
-    ImGui::TextUnformatted(view.editor.changed() ? "not written to the file yet" : "");
+    const char* const state = view.editor.changed() ? "not written to the file yet" : "";
+    if (ImGui::CalcTextSize(state).x > ImGui::GetContentRegionAvail().x) ImGui::NewLine();
+    ImGui::TextUnformatted(state);
 }
 
 void Timeline::bar(const TimelineView& view, TimelineInput& input) {
@@ -125,25 +127,40 @@ void Timeline::values(const TimelineView& view, TimelineInput& input) {
     if (!typing) draft = key;
     typing = false;
     bool typed = false;
-    const auto field = [&](const char* name, double* values, int count, float columns) {
-        ImGui::SameLine();
+    ImGui::AlignTextToFramePadding();
+    ImGui::Text("key %d:", static_cast<int>(*here) + 1);
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float right = ImGui::GetWindowPos().x + ImGui::GetWindowSize().x - style.WindowPadding.x;
+    // Each field is as wide as its longest number, and begins a new line if there is no room for it.
+    const auto field = [&](const char* name, double* values, int count) {
+        const char* const form = "%.6g";
+        float column = ImGui::CalcTextSize("-0.0000").x;
+        for (int i = 0; i < count; ++i) {
+            char text[32];
+            std::snprintf(text, sizeof text, form, values[i]);
+            column = std::max(column, ImGui::CalcTextSize(text).x);
+        }
+        column += 2 * style.FramePadding.x + 2;
+        const float width = static_cast<float>(count) * (column + style.ItemInnerSpacing.x);
+        const float all = ImGui::CalcTextSize(name).x + 2 * style.ItemSpacing.x + width;
+        if (ImGui::GetItemRectMax().x + all <= right) ImGui::SameLine();
+        ImGui::AlignTextToFramePadding();
         ImGui::TextUnformatted(name);
         ImGui::SameLine();
-        ImGui::SetNextItemWidth(columns * ImGui::GetFontSize());
+        ImGui::SetNextItemWidth(width);
         const std::string id = std::string("##") + name;
-        ImGui::InputScalarN(id.c_str(), ImGuiDataType_Double, values, count, nullptr, nullptr, "%.6g");
+        ImGui::InputScalarN(id.c_str(), ImGuiDataType_Double, values, count, nullptr, nullptr, form);
         typing |= ImGui::IsItemActive();
         typed |= ImGui::IsItemDeactivatedAfterEdit();
     };
-    ImGui::AlignTextToFramePadding();
-    ImGui::Text("key %d:", static_cast<int>(*here) + 1);
-    field("time", &draft.time, 1, 3.5f);
-    field("position", &draft.position.x, 3, 10.5f);
-    field("look_at", &draft.look_at.x, 3, 10.5f);
-    double fov = draft.fov.value_or(view.scene_camera.fov);
+    field("time", &draft.time, 1);
+    field("position", &draft.position.x, 3);
+    field("look_at", &draft.look_at.x, 3);
+    const double times = view.editor.words.angle ? 2 : 1;  // the angle is twice the fov
+    double fov = times * draft.fov.value_or(view.scene_camera.fov);
     const double before = fov;
-    field("fov", &fov, 1, 3.5f);
-    if (fov != before) draft.fov = fov;
+    field(view.editor.words.angle ? "angle" : "fov", &fov, 1);
+    if (fov != before) draft.fov = fov / times;
     if (typed && draft != key) input.change = {*here, draft, false};
     typing &= !typed;
 }

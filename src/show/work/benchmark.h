@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "show/session/view_options.h"
+
 namespace strahl {
 
 /// A picture that was on the screen.
@@ -47,7 +49,9 @@ Benchmark benchmark_of(const std::vector<ShownPicture>& shown);
 /// The conditions of a measurement.
 struct BenchmarkSetting {
     std::string scene, precision, simd;
-    int width = 0, height = 0, depth = 0, threads = 0;
+    int width = 0, height = 0;  // of the picture, which may be smaller than the window
+    PixelSize window, wanted;   // wanted: 0x0 if none was given
+    int depth = 0, threads = 0;
     double fps = 0, draw_seconds = 0;  // pictures per second requested; time to draw one
 };
 /// Returns a few lines for people, or the same as JSON.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <iostream>
+#include <utility>
 
 #include "files/utf8.h"
 
@@ -16,17 +17,20 @@ void Notes::log(const std::string& text) const {
     if (verbose) log_line(text);
 }
 
-void Notes::show(const std::string& text, double seconds) {
+void Notes::show(Note note, double seconds) {
     if (notes.size() >= 3) notes.pop_front();
-    notes.push_back({text, pace.now() + seconds});
+    note.until = pace.now() + seconds;
+    notes.push_back(std::move(note));
     pace.redraw();
 }
 
 void Notes::note(const std::string& text) {
-    if (!text.empty()) log(text), show(text, 3);
+    if (!text.empty()) log(text), show({text}, 3);
 }
 
-void Notes::announce(const std::string& text) { log_line(text), show(text, 6); }
+void Notes::announce(const std::string& text) { log_line(text), show({text}, 6); }
+
+void Notes::fail(const std::string& text) { log_line(text), show({text, true}, 10); }
 
 void Notes::tell(const Answer& answer) {
     note(answer.note);
@@ -37,12 +41,6 @@ void Notes::tell(const Answer& answer) {
 
 void Notes::expire() {
     std::erase_if(notes, [now = pace.now()](const Note& n) { return n.until <= now; });
-}
-
-std::vector<std::string> Notes::shown() const {
-    std::vector<std::string> texts;
-    for (const Note& n : notes) texts.push_back(n.text);
-    return texts;
 }
 
 double Notes::next_change() const {

@@ -2,7 +2,6 @@
 #pragma once
 #include <deque>
 #include <string>
-#include <vector>
 
 #include "show/session/session.h"
 #include "show/work/pace.h"
@@ -12,6 +11,12 @@ namespace strahl {
 /// Prints a line on standard output. It begins with "// ", so that it may be pasted into a scene together with the text
 /// printed before or after it.
 void log_line(const std::string& text);
+
+struct Note {
+    std::string text;
+    bool failure = false;  // something that the user asked for was not done
+    double until = 0;      // it disappears at this time
+};
 
 class Notes {
   public:
@@ -23,22 +28,20 @@ class Notes {
     void note(const std::string& text);
     /// Shows a note for 6 seconds and logs it in any case.
     void announce(const std::string& text);
+    /// The same for something that failed; shows it for 10 seconds.
+    void fail(const std::string& text);
     /// Shows the note of an answer; its text goes to the clipboard and to standard output.
     void tell(const Answer& answer);
 
     /// The notes to show, the oldest first.
-    std::vector<std::string> shown() const;
+    const std::deque<Note>& shown() const { return notes; }
     /// The time at which the first of them expires; infinite if there are none.
     double next_change() const;
     /// Removes the notes that have expired.
     void expire();
 
   private:
-    struct Note {
-        std::string text;
-        double until;
-    };
-    void show(const std::string& text, double seconds);
+    void show(Note note, double seconds);
 
     Pace& pace;
     const bool verbose;

@@ -1,14 +1,17 @@
-// Watches the scene file, and writes into it, in a thread of its own.
+// Reads and watches the scene file, and writes into it, in a thread of its own.
 #include "show/work/reload.h"
 
 #include <sys/stat.h>
 
 #include <chrono>
+#include <condition_variable>
 #include <filesystem>
+#include <mutex>
 #include <utility>
 
 #include "files/output_file.h"
 #include "files/read_file.h"
+#include "files/regular_file.h"
 #include "image/pixels.h"
 #include "text/edit_path.h"
 #include "text/parse.h"
@@ -18,22 +21,28 @@
 namespace strahl {
 namespace {
 
+/// All zero, unless it is a regular file: reading another one again would take something else from it.
 FileStamp stamp_of(const std::string& path) {
     struct stat s {};
-    if (path == "-" || ::stat(path.c_str(), &s) != 0) return {};
+    if (path == "-" || ::stat(path.c_str(), &s) != 0 || !S_ISREG(s.st_mode)) return {};
     return {s.st_dev, s.st_ino, s.st_size, s.st_mtim.tv_sec, s.st_mtim.tv_nsec};
 }
 
-Loaded load(const std::string& path, const std::string& text) try {
-    return {path, std::make_shared<const Scene>(scene_for_window(text, path)), "", false};
+Loaded load(const std::string& path, const std::string& text, bool opened) try {
+    const std::string name = path == "-" ? "standard input" : path;
+    auto scene = std::make_shared<const Scene>(scene_for_window(text, name));
+    return {.path = path, .scene = std::move(scene), .opened = opened, .words = eye_words(text)};
 } catch (const FileError& error) {
-    return {path, nullptr, error.what(), false};
+    return {.path = path, .fault = error.what(), .opened = opened};
 }
 
 /// Reads a file; nothing if it cannot be read now: editors remove files for a moment.
 std::optional<std::string> text_of(const std::string& path) try { return read_text(path); } catch (const FileError&) {
     return std::nullopt;
 }
+
+/// Thrown in a thread that was left behind.
+struct LeftBehind {};
 
 }  // namespace
 
@@ -43,121 +52,207 @@ Scene scene_for_window(const std::string& text, const std::string& path) {
     return scene;
 }
 
-Reload::Reload(std::string path_now, std::string text_now, std::function<void()> notify_function)
-    : path(std::move(path_now)),
-      text(std::move(text_now)),
-      notify(std::move(notify_function)),
-      thread([this](std::stop_token quit) { loop(quit); }) {}
+/// The data that the window and the thread share.
+struct Reload::Desk {
+    std::mutex mutex;
+    std::condition_variable wake, changed;  // wake: there is something to do; changed: something is done
+    bool quit = false, ended = false, left = false;
+    bool away = false, writing = false;  // away: in a file that may give no answer
+    std::optional<std::string> to_open;
+    std::vector<Request> to_write;
+    std::optional<Loaded> result;
+    std::vector<Written> written;
+    std::function<void()> notify;
+};
 
-Reload::~Reload() = default;
+/// The thread's own part. The file may have changed since it was read: the first check compares the text.
+class Reload::FileThread {
+  public:
+    FileThread(std::shared_ptr<Desk> shared, std::string first) : desk(std::move(shared)), path(std::move(first)) {}
+    void run();
+
+  private:
+    /// Calls a function that a file may keep waiting for ever. Throws LeftBehind if the window was closed meanwhile.
+    template <class Access>
+    auto answer(Access access) {
+        const auto set_away = [this](bool away) {
+            std::lock_guard lock(desk->mutex);
+            if (desk->left) throw LeftBehind();
+            desk->away = away;
+            desk->changed.notify_all();
+        };
+        set_away(true);
+        try {
+            auto result = access();
+            set_away(false);
+            return result;
+        } catch (const FileError&) {
+            set_away(false);
+            throw;
+        }
+    }
+    std::string read(const std::string& file) {
+        return answer([&] { return read_text(file); });
+    }
+    void write(const std::string& file, const std::string& content) {
+        answer([&] { return write_file(file, content), true; });
+    }
+    void tell(Loaded loaded);
+    void notify();
+    void open_file(const std::string& file, bool first);
+    void check_file();
+    Written write_path(const Request& request);
+    Written write_tracks(const std::vector<Track>& tracks);
+
+    const std::shared_ptr<Desk> desk;
+    std::string path, text, own_text, own_tracks;  // own_: what Strahl wrote last
+    FileStamp known, before;
+};
+
+Reload::Reload(const std::string& path)
+    : desk(std::make_shared<Desk>()), thread([desk = desk, path] {
+          try {
+              FileThread(desk, path).run();
+          } catch (const LeftBehind&) {
+              return;
+          }
+          std::lock_guard lock(desk->mutex);
+          desk->ended = true;
+          desk->changed.notify_all();
+      }) {}
+
+Reload::~Reload() {
+    using namespace std::chrono_literals;
+    std::unique_lock lock(desk->mutex);
+    desk->quit = true;
+    desk->wake.notify_one();
+    const auto waits = [this] { return desk->away && !desk->writing && desk->to_write.empty(); };
+    desk->changed.wait_for(lock, 5s, [&] { return desk->ended || waits(); });
+    desk->changed.wait_for(lock, 30s, [this] { return desk->ended || desk->away; });
+    desk->left = !desk->ended;
+    lock.unlock();
+    desk->left ? thread.detach() : thread.join();
+}
+
+void Reload::listen(std::function<void()> notify) {
+    std::lock_guard lock(desk->mutex);
+    desk->notify = std::move(notify);
+}
 
 void Reload::open(std::string other) {
-    {
-        std::lock_guard lock(mutex);
-        to_open = std::move(other);
-    }
-    wake.notify_one();
+    std::lock_guard lock(desk->mutex);
+    desk->to_open = std::move(other);
+    desk->wake.notify_one();
 }
 
-std::optional<Loaded> Reload::take() {
-    std::lock_guard lock(mutex);
-    return std::exchange(result, std::nullopt);
-}
-
-void Reload::tell(Loaded loaded) {
-    {
-        std::lock_guard lock(mutex);
-        result = std::move(loaded);
-    }
-    notify();
+std::optional<Loaded> Reload::take(double seconds) {
+    std::unique_lock lock(desk->mutex);
+    desk->changed.wait_for(lock, std::chrono::duration<double>(seconds), [this] { return desk->result.has_value(); });
+    return std::exchange(desk->result, std::nullopt);
 }
 
 void Reload::write(std::optional<Flythrough> flythrough, bool anyway) {
-    {
-        std::lock_guard lock(mutex);
-        to_write.push_back({std::move(flythrough), anyway});
-    }
-    wake.notify_one();
+    std::lock_guard lock(desk->mutex);
+    desk->to_write.push_back({std::move(flythrough), anyway});
+    desk->wake.notify_one();
 }
 
 void Reload::write(std::vector<Track> tracks) {
-    {
-        std::lock_guard lock(mutex);
-        to_write.push_back({{}, true, std::move(tracks)});
-    }
-    wake.notify_one();
+    std::lock_guard lock(desk->mutex);
+    desk->to_write.push_back({{}, true, std::move(tracks)});
+    desk->wake.notify_one();
 }
 
 std::optional<Written> Reload::take_written() {
-    std::lock_guard lock(mutex);
-    if (written.empty()) return std::nullopt;
-    Written first = std::move(written.front());
-    written.erase(written.begin());
+    std::lock_guard lock(desk->mutex);
+    if (desk->written.empty()) return std::nullopt;
+    Written first = std::move(desk->written.front());
+    desk->written.erase(desk->written.begin());
     return first;
 }
 
-void Reload::loop(std::stop_token quit) {
+void Reload::FileThread::run() {
+    open_file(path, true);
     while (true) {
         std::optional<std::string> other;
         std::vector<Request> requests;
+        bool quit;
         {
-            std::unique_lock lock(mutex);
-            wake.wait_for(lock, quit, std::chrono::milliseconds(200), [this] { return to_open || !to_write.empty(); });
-            other = std::exchange(to_open, std::nullopt), requests = std::exchange(to_write, {});
+            std::unique_lock lock(desk->mutex);
+            desk->writing = false;
+            desk->wake.wait_for(lock, std::chrono::milliseconds(200),
+                                [this] { return desk->quit || desk->to_open || !desk->to_write.empty(); });
+            other = std::exchange(desk->to_open, std::nullopt), requests = std::exchange(desk->to_write, {});
+            desk->writing = !requests.empty(), quit = desk->quit;
         }
         for (const Request& request : requests) {  // before the window closes, too
             Written done = request.tracks ? write_tracks(*request.tracks) : write_path(request);
-            std::lock_guard lock(mutex);
-            written.push_back(std::move(done));
+            std::lock_guard lock(desk->mutex);
+            desk->written.push_back(std::move(done));
         }
-        if (quit.stop_requested()) return;
+        if (quit) return;
         if (!requests.empty()) notify();
-        if (other) open_file(*other);
+        if (other) open_file(*other, false);
         if (requests.empty() && !other) check_file();
     }
 }
 
-void Reload::open_file(const std::string& other) {
+void Reload::FileThread::tell(Loaded loaded) {
+    {
+        std::lock_guard lock(desk->mutex);
+        desk->result = std::move(loaded);
+        desk->changed.notify_all();
+    }
+    notify();
+}
+
+void Reload::FileThread::notify() {
+    std::unique_lock lock(desk->mutex);
+    const std::function<void()> function = desk->notify;
+    lock.unlock();
+    if (function) function();
+}
+
+/// Reads the `first` file, which is watched from now on, or another one, which is if it has no error.
+void Reload::FileThread::open_file(const std::string& file, bool first) {
     std::string content;
-    Loaded loaded{other, nullptr, "", true};
+    Loaded loaded{.path = file, .opened = true};
     try {
-        // A device or a pipe might never end.
-        std::error_code error;
-        if (std::filesystem::exists(other, error) && !std::filesystem::is_regular_file(other, error))
-            throw FileError(other + ": not a regular file");
-        content = read_text(other);
-        loaded = load(other, content);
-        loaded.opened = true;
+        content = answer([&] {
+            if (!first) static_cast<void>(RegularFile(file));  // throws for a pipe, which might never end
+            return read_text(file);
+        });
+        loaded = load(file, content, true);
     } catch (const FileError& error) {
         loaded.fault = error.what();
     }
-    if (loaded.scene) path = other, text = std::move(content), known = before = {};
+    if (loaded.scene || first) path = file, text = std::move(content), known = before = {};
     tell(std::move(loaded));
 }
 
-void Reload::check_file() {
-    const FileStamp now = stamp_of(path);
+void Reload::FileThread::check_file() {
+    const FileStamp now = answer([this] { return stamp_of(path); });
     const bool settled = now == std::exchange(before, now);
     if (now == FileStamp{} || now == known || !settled) return;
     known = now;
-    std::optional<std::string> content = text_of(path);
+    std::optional<std::string> content = answer([this] { return text_of(path); });
     if (!content || *content == text) return;
     text = std::move(*content);
-    tell(load(path, text));
+    tell(load(path, text, false));
 }
 
-Written Reload::write_path(const Request& request) try {
+Written Reload::FileThread::write_path(const Request& request) try {
     if (path == "-") return {.fault = "the scene came from standard input; Shift+C copies the path"};
-    const std::string content = read_text(path);
+    const std::string content = read(path);
     if (content != text && !request.anyway) return {.file = path, .asks = true};
     static_cast<void>(scene_for_window(content, path));  // throws: in a text with errors the block cannot be found
     const std::string changed = with_path(content, request.flythrough);
-    Loaded loaded = load(path, changed);
+    Loaded loaded = load(path, changed, false);
     if (!loaded.scene || loaded.scene->flythrough != request.flythrough)
         return {.fault = "the path cannot be written: " + loaded.fault};
     Written done{.file = path};
-    if (content != own_text) write_file(done.copy = path + "~", content);
-    write_file(path, changed);
+    if (content != own_text) write(done.copy = path + "~", content);
+    write(path, changed);
     text = own_text = changed;
     tell(std::move(loaded));
     return done;
@@ -165,15 +260,17 @@ Written Reload::write_path(const Request& request) try {
     return {.fault = error.what()};
 }
 
-Written Reload::write_tracks(const std::vector<Track>& tracks) try {
+Written Reload::FileThread::write_tracks(const std::vector<Track>& tracks) try {
     if (path == "-")
         return {.fault = "the scene came from standard input, so there is no file to save its tracks beside"};
     Written done{.file = tracks_path(path)};
     const std::string text_now = strahl::write_tracks(tracks);
-    std::error_code error;
-    const std::string before = std::filesystem::exists(done.file, error) ? read_text(done.file) : "";
-    if (!before.empty() && before != own_tracks && before != text_now) write_file(done.copy = done.file + "~", before);
-    write_file(done.file, text_now);
+    const std::string old = answer([&] {
+        std::error_code error;
+        return std::filesystem::exists(done.file, error) ? read_text(done.file) : "";
+    });
+    if (!old.empty() && old != own_tracks && old != text_now) write(done.copy = done.file + "~", old);
+    write(done.file, text_now);
     own_tracks = text_now;
     return done;
 } catch (const FileError& error) {

@@ -2,16 +2,15 @@
 #pragma once
 #include <sys/types.h>
 
-#include <condition_variable>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "scene/scene.h"
+#include "text/write.h"
 
 namespace strahl {
 
@@ -31,9 +30,10 @@ struct FileStamp {
 /// The result of reading a scene file.
 struct Loaded {
     std::string path;
-    std::shared_ptr<const Scene> scene;  // null if it has an error
-    std::string fault;                   // the message of the error
-    bool opened = false;                 // it is a newly opened file
+    std::shared_ptr<const Scene> scene{};  // null if it has an error, or is still being read
+    std::string fault{};                   // the message of the error
+    bool opened = false;                   // it is a newly opened file
+    EyeWords words{};                      // those of its camera
 };
 
 /// The result of writing a path into the scene file, or tracks into the file beside it.
@@ -44,16 +44,23 @@ struct Written {
     std::string fault{};  // the reason if nothing was written
 };
 
-/// Checks the file a few times a second, in a thread of its own. Waits until a file is completely written.
+/// Checks the file a few times a second, in a thread of its own. Waits until a file is completely written. The thread
+/// may be left behind in a file that gives no answer, a pipe without a writer or a share without a server: it touches
+/// nothing but its `Desk` then.
 class Reload {
   public:
-    /// Watches `path`, whose content now is `text`; "-" is not watched. `notify` is called from another thread.
-    Reload(std::string path, std::string text, std::function<void()> notify);
+    /// Reads `path`, whatever sort of file it is, or standard input for "-". Then watches it, if it is a regular file.
+    explicit Reload(const std::string& path);
+    /// Waits until everything asked for is written, unless the disk gives no answer.
     ~Reload();
+    Reload(const Reload&) = delete;
 
+    /// From now on calls `notify`, from another thread, when there is something to take.
+    void listen(std::function<void()> notify);
     /// Reads this file instead, and watches it if it is a valid scene.
     void open(std::string path);
-    std::optional<Loaded> take();
+    /// Returns what was read last, if it was not taken yet. Waits for it this long.
+    std::optional<Loaded> take(double seconds = 0);
 
     /// Replaces the flythrough in the watched file and leaves the rest as it is. A file that others have changed since
     /// it was read is only written if `anyway`, a file with an error never. FILE~ becomes a copy of the file as it was,
@@ -69,24 +76,11 @@ class Reload {
         bool anyway;
         std::optional<std::vector<Track>> tracks{};  // instead of the flythrough
     };
-    void loop(std::stop_token quit);
-    void tell(Loaded loaded);
-    void open_file(const std::string& other);
-    void check_file();
-    Written write_path(const Request& request);
-    Written write_tracks(const std::vector<Track>& tracks);
+    struct Desk;
+    class FileThread;
 
-    std::mutex mutex;
-    std::condition_variable_any wake;
-    std::optional<std::string> to_open;
-    std::vector<Request> to_write;
-    std::optional<Loaded> result;
-    std::vector<Written> written;
-    // Used by the thread alone. The file may have changed since it was read: the first check compares the text.
-    std::string path, text, own_text, own_tracks;  // own_: what Strahl wrote last
-    FileStamp known, before;
-    const std::function<void()> notify;
-    std::jthread thread;
+    std::shared_ptr<Desk> desk;
+    std::thread thread;
 };
 
 }  // namespace strahl

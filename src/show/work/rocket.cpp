@@ -122,7 +122,7 @@ Rocket::Rocket(int port) : socket(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 
     address.sin_port = htons(static_cast<std::uint16_t>(port));
     address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
     if (socket < 0 || ::connect(socket, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0)
-        fail("no GNU Rocket editor at " + address_of(port) + ": " + std::strerror(errno) + ". Start the editor first");
+        fail("no GNU Rocket editor at " + address_of(port) + ": " + std::strerror(errno));
     const int on = 1;
     ::setsockopt(socket, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
     set_timeout(socket, 2);

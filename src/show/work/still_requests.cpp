@@ -6,15 +6,21 @@
 
 namespace strahl {
 
+StillRequests::StillRequests(const ViewOptions& options, Notes& notes, Pace& pace, std::function<void()> notify)
+    : options(options), notes(notes), pace(pace), stills(options.threads, std::move(notify)) {
+    if (options.still_folder.empty()) return;
+    if (const std::string why = folder_fault(options.still_folder); !why.empty()) notes.fail(why);
+}
+
 void StillRequests::add(const Session& session, const std::string& scene_path, View view) {
     if (options.still_size.width > 0) view.width = options.still_size.width, view.height = options.still_size.height;
     const bool in_flight = session.flying() || session.time != 0;
     const std::string name =
         std::filesystem::path(options.still_folder) /
         still_name(scene_path, in_flight ? std::optional(rounded_time(session.time)) : std::nullopt);
-    if (const std::string why = folder_fault(name); !why.empty()) {
+    if (const std::string why = folder_fault(options.still_folder); !why.empty()) {
         any_failed = true;
-        return notes.announce(why);
+        return notes.fail(why);
     }
     stills.add({session.scene, view, name, options.still_ending});
     log_line("still queued: " + name + ", " + std::to_string(view.width) + "x" + std::to_string(view.height));
@@ -25,7 +31,10 @@ void StillRequests::add(const Session& session, const std::string& scene_path, V
 void StillRequests::tell_done() {
     for (const Stills::Outcome& outcome : stills.outcomes()) {
         any_failed |= !outcome.fault.empty();
-        notes.announce(outcome.fault.empty() ? "still saved: " + outcome.path : outcome.fault);
+        if (outcome.fault.empty())
+            notes.announce("still saved: " + outcome.path);
+        else
+            notes.fail(outcome.fault);
     }
     const int pending = stills.pending();
     if (pending == 0 || pace.now() - told <= 2) return;

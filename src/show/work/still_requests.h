@@ -2,7 +2,6 @@
 #pragma once
 #include <functional>
 #include <string>
-#include <utility>
 
 #include "show/session/view_options.h"
 #include "show/work/notes.h"
@@ -12,9 +11,9 @@ namespace strahl {
 
 class StillRequests {
   public:
-    /// `notify` is called from another thread when there is something to tell.
-    StillRequests(const ViewOptions& options, Notes& notes, Pace& pace, std::function<void()> notify)
-        : options(options), notes(notes), pace(pace), stills(options.threads, std::move(notify)) {}
+    /// Tells the user if the folder for stills cannot be used. `notify` is called from another thread when there is
+    /// something to tell.
+    StillRequests(const ViewOptions& options, Notes& notes, Pace& pace, std::function<void()> notify);
 
     /// Queues a still of this view.
     void add(const Session& session, const std::string& scene_path, View view);

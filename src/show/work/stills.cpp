@@ -131,10 +131,9 @@ std::string still_name(const std::string& scene_path, std::optional<double> mome
     return stem + text + (moment ? "-at-" + text_of(*moment) + "s" : "");
 }
 
-std::string folder_fault(const std::string& name) {
-    const std::string parent = std::filesystem::path(name).parent_path(), folder = parent.empty() ? "." : parent;
-    if (::access(folder.c_str(), W_OK | X_OK) == 0) return "";
-    return "cannot write '" + name + "': " + std::generic_category().message(errno);
+std::string folder_fault(const std::string& folder) {
+    if (::access((folder.empty() ? "./" : folder + "/").c_str(), W_OK | X_OK) == 0) return "";
+    return "stills cannot be written into '" + folder + "': " + std::generic_category().message(errno);
 }
 
 }  // namespace strahl

@@ -68,7 +68,7 @@ std::string reserve_file(const std::string& name, const std::string& ending);
 /// "article-20260131-235959", "article-20260131-235959-at-1.5s".
 std::string still_name(const std::string& scene_path, std::optional<double> moment);
 
-/// Returns the reason why no file can be created under this name, or "".
-std::string folder_fault(const std::string& name);
+/// Returns the reason why no file can be created in this folder, the current one if it is empty; or "".
+std::string folder_fault(const std::string& folder);
 
 }  // namespace strahl

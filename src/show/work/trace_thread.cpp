@@ -62,6 +62,11 @@ std::optional<Refinement> TraceThread::take(const Upload& upload) {
     return state;
 }
 
+double TraceThread::seconds_built() const {
+    const Clock::time_point since = building;
+    return since == Clock::time_point() ? 0 : seconds_since(since);
+}
+
 void TraceThread::loop(std::stop_token quit) {
     while (accept(quit)) done < 0 ? first_picture() : refine();
 }
@@ -97,6 +102,7 @@ void TraceThread::announce(std::unique_lock<std::mutex>& lock) {
 void TraceThread::first_picture() {
     // The world is built here and not when the scene arrives, because the window must not wait for it.
     const bool built = tracer.has_value();
+    building = Clock::now();
     if (!built) tracer.emplace(*order.scene, Precision::float32);
     const View& view = order.view;
     const int level = level_in_work;
@@ -104,6 +110,7 @@ void TraceThread::first_picture() {
     const Lattice pixels = pixels_of(level, view.width, view.height);
     spare.resize(pixels.columns, pixels.rows);
     tracer->prepare(view, pool);  // not counted: a coarser picture would need it too
+    building = Clock::time_point();
     const auto start = Clock::now();
     const auto keep = [&](const Tile& tile) { store(tile.lattice, encoded(tile, *table).data(), steps, spare); };
     const double contrast = most_off / (order.scene->settings.linear ? steepest_srgb : 1);

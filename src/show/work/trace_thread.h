@@ -65,6 +65,8 @@ class TraceThread {
     /// Is the last order finished?
     bool finished() const { return complete; }
     int threads() const { return pool.size(); }
+    /// Returns for how many seconds it has been making a scene ready; 0 if it is not.
+    double seconds_built() const;
 
   private:
     using Clock = std::chrono::steady_clock;
@@ -100,6 +102,7 @@ class TraceThread {
     Steps shown_steps;
     int new_from = 0, new_to = 0;  // rows of `shown` that are new
     std::atomic<bool> fresh = false, complete = false;
+    std::atomic<Clock::time_point> building;  // since then; zero if it is not
     Refinement state;
 
     const std::function<void()> notify;

@@ -1,18 +1,63 @@
 #include "show/work/track_editor.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <condition_variable>
 #include <utility>
 
+#include "scene/error.h"
 #include "scene/moving_scene.h"
 
 namespace strahl {
 
-TrackEditor::TrackEditor(std::unique_ptr<Rocket> connection, Session& session, Notes& notes, Pace& pace,
-                         std::function<void()> notify)
-    : rocket(std::move(connection)), session(session), notes(notes), pace(pace) {
-    session.driven = connected();
-    if (rocket) rocket->listen(std::move(notify));
+TrackEditor::TrackEditor(std::optional<int> port, Session& session, Notes& notes, Pace& pace,
+                         std::function<void()> notify_function)
+    : port(port), session(session), notes(notes), pace(pace), notify(std::move(notify_function)) {
+    if (port) await_editor();
+}
+
+/// Tries to connect, a few times a second, in a thread of its own.
+void TrackEditor::await_editor() {
+    thread = std::jthread([this](const std::stop_token& quit) {
+        std::condition_variable_any wake;
+        for (std::unique_lock lock(mutex, std::defer_lock); !quit.stop_requested();) {
+            std::unique_ptr<Rocket> connection;
+            std::string fault;
+            try {
+                connection = std::make_unique<Rocket>(*port);
+            } catch (const FileError& error) {
+                fault = error.what();
+            }
+            lock.lock();
+            found = std::move(connection);
+            const bool done = found != nullptr, news = done || fault != last_fault;
+            if (news) why = fault;
+            if (!done) last_fault = fault;
+            lock.unlock();
+            if (news) notify();
+            if (done) return;
+            lock.lock();
+            wake.wait_for(lock, quit, std::chrono::milliseconds(300), [] { return false; });
+            lock.unlock();
+        }
+    });
+}
+
+/// Takes over the connection, once there is one.
+void TrackEditor::take_editor() {
+    std::string fault;
+    {
+        std::lock_guard lock(mutex);
+        rocket = std::move(found), fault = std::exchange(why, "");
+    }
+    if (!fault.empty()) notes.announce(fault + "; waiting for one");
+    if (!rocket) return;
+    notes.announce("connected to the GNU Rocket editor");
+    session.driven = true;
+    rocket->listen(notify);
+    ask();
+    if (!session.under_way()) session.go_to(session.time, pace.now());
 }
 
 void TrackEditor::ask() {
@@ -26,6 +71,7 @@ void TrackEditor::take_tracks() {
 }
 
 bool TrackEditor::follow() {
+    if (port && !rocket) take_editor();
     if (!rocket) return false;
     const RocketNews news = rocket->take();
     const Music& music = session.scene->music;
@@ -39,9 +85,10 @@ bool TrackEditor::follow() {
     if (news.paused && *news.paused == session.under_way()) session.perform({Action::pause}, now);
     if (news.keys || session.time != time_before) heard = now;
     if (!news.lost.empty()) {
-        notes.announce("the Rocket editor is gone: " + news.lost);
+        notes.fail("the Rocket editor is gone: " + news.lost + "; waiting for it");
         session.driven = false;
         rocket.reset();
+        await_editor();
         return news.save;
     }
     const double moment = session.flying() ? session.flight_time(now) : session.time;

@@ -2,7 +2,10 @@
 #pragma once
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
+#include <string>
+#include <thread>
 
 #include "show/work/notes.h"
 #include "show/work/rocket.h"
@@ -11,12 +14,12 @@ namespace strahl {
 
 class TrackEditor {
   public:
-    /// `rocket` is the connection to the editor; null if there is none, and then nothing here has an effect. `notify`
-    /// is called from another thread when there is something to follow.
-    TrackEditor(std::unique_ptr<Rocket> rocket, Session& session, Notes& notes, Pace& pace,
-                std::function<void()> notify);
+    /// `port` is that of the editor; without one nothing here has an effect. While there is no editor, waits for one.
+    /// `notify` is called from another thread when there is something to follow.
+    TrackEditor(std::optional<int> port, Session& session, Notes& notes, Pace& pace, std::function<void()> notify);
 
-    bool connected() const { return rocket != nullptr; }
+    /// Is there an editor, or is one waited for?
+    bool wanted() const { return port.has_value(); }
     /// Asks the editor for the tracks that the scene follows. To be called for every new scene.
     void ask();
     /// Applies what the editor has sent since the last call, and tells it where the flight is. Returns whether it wants
@@ -29,13 +32,23 @@ class TrackEditor {
     void shown();
 
   private:
+    void await_editor();
+    void take_editor();
     void take_tracks();
 
-    std::unique_ptr<Rocket> rocket;
+    const std::optional<int> port;
     Session& session;
     Notes& notes;
     Pace& pace;
+    const std::function<void()> notify;
+    std::unique_ptr<Rocket> rocket;
     std::optional<double> heard;  // when the editor sent a change that is not on the screen yet
+    // Shared with the thread that waits for an editor:
+    std::mutex mutex;
+    std::unique_ptr<Rocket> found;
+    std::string why;         // there is no editor, if that is news
+    std::string last_fault;  // that the thread met
+    std::jthread thread;
 };
 
 }  // namespace strahl

@@ -1,29 +1,36 @@
 #include "show/work/watched_scene.h"
 
+#include <filesystem>
 #include <utility>
+
+#include "scene/error.h"
 
 namespace strahl {
 
-WatchedScene::WatchedScene(const Loaded& first, std::string text, Notes& notes, Pace& pace,
+WatchedScene::WatchedScene(const Loaded& first, bool final, std::unique_ptr<Reload> reader, Notes& notes, Pace& pace,
                            std::function<void()> notify)
     : notes(notes),
       pace(pace),
       file(first.path),
-      reload(file, std::move(text), std::move(notify)),
+      final(final),
+      reload(std::move(reader)),
       awaited(!first.scene),
       error(first.fault) {
-    if (awaited) log_line("waiting until the scene has no error\n" + error);
+    reload->listen(std::move(notify));
+    if (reading()) log_line("reading " + name());
+    if (!error.empty()) log_line("waiting until the scene has no error\n" + error);
 }
 
 std::optional<Loaded> WatchedScene::take() {
-    auto loaded = reload.take();
+    auto loaded = reload->take();
     if (!loaded) return std::nullopt;
     pace.redraw();
+    if (reading() && final && !loaded->scene) throw FileError(loaded->fault);
     error = loaded->fault;
     if (loaded->scene) {
-        awaited = false;
+        const bool first = std::exchange(awaited, false);
         file = loaded->path;
-        log_line((loaded->opened ? "opened " : "read again: ") + file);
+        if (!first || !loaded->opened) log_line((loaded->opened ? "opened " : "read again: ") + file);
         return loaded;
     }
     error_until = loaded->opened && !awaited ? pace.now() + 10 : Pace::forever;
@@ -34,25 +41,33 @@ std::optional<Loaded> WatchedScene::take() {
 void WatchedScene::write(const Flythrough& flythrough) {
     if (flythrough.keys.size() == 1) return notes.note("a path needs two keys");
     const bool confirmed = pace.now() < std::exchange(write_until, -1);
-    reload.write(flythrough.keys.empty() ? std::nullopt : std::optional(flythrough), confirmed);
+    reload->write(flythrough.keys.empty() ? std::nullopt : std::optional(flythrough), confirmed);
 }
 
 void WatchedScene::write(const std::vector<Track>& tracks) {
-    if (!awaited) reload.write(tracks);
+    if (!awaited) reload->write(tracks);
 }
 
 void WatchedScene::tell_written() {
-    const auto written = reload.take_written();
+    const auto written = reload->take_written();
     if (!written) return;
     const std::string copy = written->copy.empty() ? "" : "; the file as it was is " + written->copy;
     if (written->asks) {
         write_until = pace.now() + 10;
         notes.announce(file + " has changed since it was read; F2 again writes the path into it");
     } else if (!written->fault.empty()) {
-        notes.announce(written->fault);
+        notes.fail(written->fault);
     } else {
         notes.announce((written->file == file ? "path written into " : "tracks saved: ") + written->file + copy);
     }
+}
+
+std::string WatchedScene::name() const {
+    return file == "-" ? "standard input" : std::filesystem::path(file).filename().string();
+}
+
+std::string WatchedScene::way_to_keep() const {
+    return file == "-" ? "Shift+C prints it" : "F2 writes it into " + file;
 }
 
 void WatchedScene::expire() {

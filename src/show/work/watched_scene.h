@@ -1,6 +1,7 @@
 // The scene file as the window sees it: its errors, its changes on disk, and what the user writes into it.
 #pragma once
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -11,16 +12,22 @@ namespace strahl {
 
 class WatchedScene {
   public:
-    /// `first` is the scene and `text` its text. `notify` is called from another thread when there is something to
-    /// take.
-    WatchedScene(const Loaded& first, std::string text, Notes& notes, Pace& pace, std::function<void()> notify);
+    /// `first` is the scene, as far as `reader` has read it. An error in it ends the program if it is `final`. `notify`
+    /// is called from another thread when there is something to take.
+    WatchedScene(const Loaded& first, bool final, std::unique_ptr<Reload> reader, Notes& notes, Pace& pace,
+                 std::function<void()> notify);
 
     const std::string& path() const { return file; }
-    /// Is there no scene yet, because the file is missing or has an error?
+    /// The name for messages and titles.
+    std::string name() const;
+    /// Is there no scene yet, because the file is still being read, missing or has an error?
     bool waiting() const { return awaited; }
+    /// Is the first file still being read?
+    bool reading() const { return awaited && error.empty(); }
     /// Opens another file, unless it has an error.
-    void open(std::string path) { reload.open(std::move(path)); }
-    /// Returns a scene that was read since the last call. Shows the error if there is one instead.
+    void open(std::string path) { reload->open(std::move(path)); }
+    /// Returns a scene that was read since the last call. Shows the error if there is one instead, or throws it as
+    /// FileError.
     std::optional<Loaded> take();
 
     /// Writes this path into the file, or removes the one in it if it has no keys. A file that others have changed is
@@ -30,6 +37,8 @@ class WatchedScene {
     void write(const std::vector<Track>& tracks);
     /// Tells the user about what was written since the last call.
     void tell_written();
+    /// Says which key keeps the edited path.
+    std::string way_to_keep() const;
 
     /// The error to show, or "".
     const std::string& fault() const { return error; }
@@ -43,7 +52,8 @@ class WatchedScene {
     Notes& notes;
     Pace& pace;
     std::string file;
-    Reload reload;
+    const bool final;  // the first file's error is
+    std::unique_ptr<Reload> reload;
     bool awaited;
     std::string error;
     double error_until = Pace::forever;  // only the error of another file, which was not opened, expires

@@ -32,6 +32,8 @@ class WindowPicture {
     /// The moment of the flight that it shows, in seconds.
     double moment() const { return moments[progress.number % moments.size()]; }
     int threads() const { return tracing.threads(); }
+    /// Returns for how many seconds a scene is being made ready for it; 0 if none is.
+    double seconds_built() const { return tracing.seconds_built(); }
 
     /// To be called when a motion ends: its last picture may have been finished before.
     void rest() { logged = 0; }

@@ -45,6 +45,7 @@ std::vector<Track> SceneFiles::tracks() const {
     std::error_code error;
     if (scene.empty() || !std::filesystem::exists(path, error)) return {};
     constexpr std::size_t limit = std::size_t(1) << 26;
+    const RegularFile regular(path);  // throws for a pipe, which might never end
     return parse_tracks(read_text(path, limit), path);
 }
 

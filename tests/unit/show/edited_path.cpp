@@ -183,12 +183,40 @@ TEST_CASE("a new path in the file replaces the edited one, and undo brings that 
     }
     const Flythrough edited = session.editor.path();
     CHECK(session.editor.changed());
-    session.replace(scene_of("sphere { <0,0,0>, 1 }"), false);  // still without a path
+    CHECK(!session.replace(scene_of("sphere { <0,0,0>, 1 }"), false));  // still without a path
     CHECK(session.editor.path() == edited);
-    session.replace(scene_of(path_text), false);
+    CHECK(session.replace(scene_of(path_text), false));
+    CHECK(session.editor.unwritten() == std::vector{edited});
     session.perform({Action::play}, 5);
     CHECK(session.flight_path() == session.scene->flythrough);
     CHECK(!session.editor.changed());
     session.perform({Action::undo}, 6);
     CHECK(session.editor.path() == edited);
+    CHECK(session.editor.unwritten() == std::vector{edited});  // once, although it was replaced and is back
+    CHECK(!session.replace(scene_of(write_flythrough(edited)), false));
+    CHECK(session.editor.unwritten().empty());
+}
+
+TEST_CASE("a path that is not written is asked about once, and none made by hand is forgotten") {
+    Session session(scene_of(path_text));
+    CHECK(!session.editor.asks());
+    session.perform({Action::add_key}, 1);
+    CHECK(session.editor.asks());
+    CHECK(!session.editor.asks());
+    const Flythrough first = session.editor.path();
+    session.perform({Action::clear_path}, 2);
+    session.perform({Action::add_key}, 3);  // a single key, which cannot be written, is asked about and kept as well
+    CHECK(session.editor.asks());
+    const Flythrough second = session.editor.path();
+    session.perform({Action::record}, 4);
+    session.steer({.push = {1, 0, 0}}, 5), session.observe(5);
+    session.steer({.push = {1, 0, 0}}, 6), session.observe(6);
+    CHECK(session.end_recording(7).note.starts_with("recorded"));
+    CHECK(!session.recording());
+    CHECK(session.end_recording(8).note == "");
+    CHECK(session.editor.unwritten() == std::vector{first, second, session.editor.path()});
+    CHECK(session.editor.asks());
+    session.replace(scene_of(write_flythrough(first)), false);  // written by hand into the file
+    CHECK(session.editor.unwritten().size() == 2);
+    CHECK(!session.editor.asks());
 }

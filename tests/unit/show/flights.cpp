@@ -148,10 +148,29 @@ TEST_CASE("figures of a flight are those of its times and levels") {
     CHECK(b.levels.size() == 2);
     CHECK(b.levels.at(finest_level) == doctest::Approx(51. / 101));
     CHECK(b.pixels_per_second == doctest::Approx(100000 / 1.98));
-    const BenchmarkSetting setting{"a \"b\".rt", "float", "scalar", 640, 480, 20, 2, 60, 0.002};
+    const BenchmarkSetting setting{.scene = "a \"b\".rt",
+                                   .precision = "float",
+                                   .simd = "scalar",
+                                   .width = 640,
+                                   .height = 480,
+                                   .window = {640, 481},
+                                   .wanted = {640, 480},
+                                   .depth = 20,
+                                   .threads = 2,
+                                   .fps = 60,
+                                   .draw_seconds = 0.002};
     const std::string text = report_of(b, setting), json = json_of(b, setting);
     CHECK(text.find("median 10.00 ms, 99th percentile 20.00 ms, worst 500.00 ms") != std::string::npos);
     CHECK(text.find("all pixels in 50.5 %, 1/4 of the pixels in 49.5 %") != std::string::npos);
+    const auto says_size = [&](BenchmarkSetting other) {
+        return report_of(b, other).find("the window manager made the window 640x481 instead of 640x480") != text.npos;
+    };
+    CHECK(says_size(setting));
+    BenchmarkSetting other = setting;
+    other.wanted = {};
+    CHECK(!says_size(other));
+    other.wanted = other.window;
+    CHECK(!says_size(other));
     CHECK(json.find("\"scene\": \"a \\\"b\\\".rt\"") != std::string::npos);
     CHECK(json.find("\"1/4\": 0.495") != std::string::npos);
     CHECK(benchmark_of({}).pictures == 0);

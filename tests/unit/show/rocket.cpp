@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <functional>
@@ -13,7 +14,9 @@
 
 #include "scene/error.h"
 #include "show/session/session.h"
+#include "show/work/notes.h"
 #include "show/work/reload.h"
+#include "show/work/track_editor.h"
 #include "tests/unit/faults.h"
 #include "tests/unit/scratch.h"
 #include "tests/unit/show/rocket_editor.h"
@@ -137,13 +140,45 @@ TEST_CASE("without an editor there is a clear error") {
         Editor none;
         port = none.port;
     }
-    CHECK(fault_of([&] { Rocket rocket(port); }) == "no GNU Rocket editor at 127.0.0.1:" + std::to_string(port) +
-                                                        ": Connection refused. Start the editor first");
+    CHECK(fault_of([&] { Rocket rocket(port); }) ==
+          "no GNU Rocket editor at 127.0.0.1:" + std::to_string(port) + ": Connection refused");
     Editor other;
     CHECK(fault_of([&] { client_of(other, "SSH-2.0-OpenSSH"); }) ==
           "127.0.0.1:" + std::to_string(other.port) + " is not a GNU Rocket editor: it greets with 'SSH-2.0-Open'");
     Editor silent;
     CHECK(fault_of([&] { client_of(silent, ""); }).ends_with(" is not a GNU Rocket editor: it sends no greeting"));
+}
+
+TEST_CASE("an editor is waited for, and again when it is gone") {
+    auto editor = std::make_unique<Editor>();
+    const int port = editor->port;
+    editor.reset();
+    Session session(std::make_shared<const Scene>(
+        parse_scene("camera { position <5,-20,18> look_at <0,0,0> up <0,0,-1> fov track \"zoom\" 12 }", "test")));
+    Pace pace(Pace::Clock::now(), 60);
+    Notes notes(pace, false);
+    TrackEditor tracks(port, session, notes, pace, [] {});
+    const auto soon = [&](const std::function<bool()>& done) {
+        for (int i = 0; i < 10000 && !done(); ++i) {
+            tracks.follow();
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+        return done();
+    };
+    const auto told = [&](const std::string& text) {
+        return std::ranges::any_of(notes.shown(), [&](const Note& n) { return n.text.starts_with(text); });
+    };
+    CHECK(soon([&] { return told("no GNU Rocket editor at"); }));
+    CHECK(tracks.wanted());
+    for (int times = 0; times < 2; ++times) {
+        editor = std::make_unique<Editor>(10, port);
+        REQUIRE(editor->accept());
+        CHECK(soon([&] { return session.driven; }));
+        CHECK(editor->read(9) == "\2" + big_endian(4) + "zoom");
+        editor.reset();
+        CHECK(soon([&] { return !session.driven; }));
+        CHECK(told("the Rocket editor is gone: "));
+    }
 }
 
 TEST_CASE("a flight that an editor drives follows tracks, and does not end") {
@@ -180,7 +215,8 @@ TEST_CASE("tracks are saved beside the scene, with a copy of the file as it was"
     const std::string path = folder / "scene.rt", file = folder / "scene.tracks";
     std::ofstream(path) << scene_text;
     std::ofstream(file) << "// mine\n";
-    Reload reload(path, scene_text, [] {});
+    Reload reload(path);
+    REQUIRE(reload.take(10));
     const auto save = [&](const std::vector<Track>& tracks) {
         reload.write(tracks);
         for (int i = 0; i < 1000; ++i) {
@@ -209,7 +245,7 @@ TEST_CASE("tracks are saved beside the scene, with a copy of the file as it was"
     CHECK(save(first).copy == "");
     std::filesystem::remove(file);
     {
-        Reload closing(path, scene_text, [] {});
+        Reload closing(path);
         closing.write(second);
     }
     CHECK(parse_tracks(bytes_of(file), file) == second);  // although it was closed at once

@@ -32,10 +32,14 @@ inline const std::string save_bytes = "\5";
 /// Listens at a port of its own and takes one connection.
 class Editor {
   public:
-    /// Sets for how many seconds reads wait.
-    explicit Editor(int patience = 10) : listener(::socket(AF_INET, SOCK_STREAM, 0)), patience(patience) {
+    /// Sets for how many seconds reads wait. Any free port is taken if none is given.
+    explicit Editor(int patience = 10, int wanted = 0)
+        : listener(::socket(AF_INET, SOCK_STREAM, 0)), patience(patience) {
+        const int on = 1;
+        ::setsockopt(listener, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
         sockaddr_in address{};
         address.sin_family = AF_INET;
+        address.sin_port = htons(static_cast<std::uint16_t>(wanted));
         address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
         socklen_t size = sizeof address;
         const auto own = reinterpret_cast<sockaddr*>(&address);

@@ -1,5 +1,7 @@
 // The files of the window's threads: stills written in the background, and the scene file read again.
 #include <doctest/doctest.h>
+#include <fcntl.h>
+#include <sys/stat.h>
 
 #include <chrono>
 #include <filesystem>
@@ -11,7 +13,9 @@
 #include "image/picture.h"
 #include "num/thread_pool.h"
 #include "show/window/window_state.h"
+#include "show/work/notes.h"
 #include "show/work/reload.h"
+#include "show/work/still_requests.h"
 #include "show/work/stills.h"
 #include "tests/unit/scratch.h"
 #include "tests/unit/show/show_scene.h"
@@ -92,9 +96,20 @@ TEST_CASE("a still is named after its scene and the time") {
 
 TEST_CASE("a folder in which stills cannot be written is found before they are traced") {
     const Scratch folder;
-    CHECK(folder_fault(folder / "still") == "");
-    CHECK(folder_fault("still") == "");
-    CHECK(folder_fault(folder / "missing/still").find("No such file") != std::string::npos);
+    CHECK(folder_fault(folder / "") == "");
+    CHECK(folder_fault("") == "");
+    std::ofstream(folder / "file") << "mine";
+    CHECK(folder_fault(folder / "file").ends_with("Not a directory"));
+    const std::string fault = "stills cannot be written into '" + folder / "missing" + "': No such file or directory";
+    CHECK(folder_fault(folder / "missing") == fault);
+    Pace pace(Pace::Clock::now(), 60);
+    Notes notes(pace, false);
+    ViewOptions options;
+    options.still_folder = folder / "missing";
+    const StillRequests told(options, notes, pace, [] {});
+    REQUIRE(notes.shown().size() == 1);
+    CHECK(notes.shown()[0].text == fault);
+    CHECK(notes.shown()[0].failure);
 }
 
 TEST_CASE("a changed scene file is read again, a broken one reported, a touched one ignored") {
@@ -105,9 +120,12 @@ TEST_CASE("a changed scene file is read again, a broken one reported, a touched 
         std::filesystem::rename(folder / "new", path);
     };
     put(scene_text);
-    Reload reload(path, scene_text, [] {});
+    Reload reload(path);
     std::optional<Loaded> loaded;
-    const auto next = [&] { return soon([&] { return (loaded = reload.take()).has_value(); }); };
+    const auto next = [&] { return (loaded = reload.take(10)).has_value(); };
+    REQUIRE(next());
+    CHECK(loaded->scene);
+    CHECK(loaded->opened);
 
     put(scene_text + "light { position <0,0,9> color <1,1,1> }");
     REQUIRE(next());
@@ -137,7 +155,7 @@ TEST_CASE("a changed scene file is read again, a broken one reported, a touched 
     CHECK(loaded->fault.find("nothing.rt") != std::string::npos);
     reload.open("/dev/zero");
     REQUIRE(next());
-    CHECK(loaded->fault == "/dev/zero: not a regular file");
+    CHECK(loaded->fault == "cannot read '/dev/zero': it is not a regular file");
     put(scene_text + " ");  // still the one that is watched
     REQUIRE(next());
     CHECK(loaded->path == path);
@@ -152,12 +170,36 @@ TEST_CASE("a changed scene file is read again, a broken one reported, a touched 
     CHECK(loaded->scene->lights.size() == 2);
 }
 
+TEST_CASE("a pipe is read when somebody writes into it, and never again; nobody waits for it") {
+    const Scratch folder;
+    const std::string path = folder / "pipe.rt";
+    REQUIRE(::mkfifo(path.c_str(), 0600) == 0);
+    {
+        Reload reload(path);
+        CHECK(!reload.take(.01));
+        std::ofstream(path) << scene_text;
+        const auto loaded = reload.take(10);
+        REQUIRE(loaded);
+        CHECK(loaded->scene);
+        CHECK(::open(path.c_str(), O_WRONLY | O_NONBLOCK) == -1);  // has no reader
+    }
+    const auto began = std::chrono::steady_clock::now();
+    {
+        Reload reload(path);
+        CHECK(!reload.take(.01));
+    }
+    CHECK(std::chrono::steady_clock::now() - began < std::chrono::seconds(4));
+    // The thread that was left behind reads this, and ends.
+    std::ofstream(path) << scene_text;
+}
+
 TEST_CASE("a path is written into the scene file, of which a copy stays; a file changed meanwhile is asked about") {
     const Scratch folder;
     const std::string path = folder / "scene.rt", comment = "// mine\n";
     const auto put = [&](const std::string& content) { std::ofstream(path) << content; };
     put(scene_text + comment);
-    Reload reload(path, scene_text + comment, [] {});
+    Reload reload(path);
+    REQUIRE(reload.take(10));
     std::optional<Written> written;
     const auto write = [&](std::optional<Flythrough> flythrough, bool anyway) {
         reload.write(std::move(flythrough), anyway);

@@ -1,8 +1,11 @@
 // Numbers that follow tracks: their values, the language, the file of tracks, and pictures.
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 
 #include "num/thread_pool.h"
@@ -256,6 +259,9 @@ TEST_CASE("the tracks of a scene are in a file beside it") {
     CHECK(parse_scene(scene, folder / "x.rt").tracks == tracks);
     CHECK(parse_scene(eye, folder / "x.rt").tracks.empty());  // nobody asks for them
     std::ofstream(folder / "x.tracks") << "track \"b\" { 0 1 }";
+    CHECK_THROWS_AS(parse_scene(scene, folder / "x.rt"), FileError);
+    std::filesystem::remove(folder / "x.tracks");
+    REQUIRE(::mkfifo((folder / "x.tracks").c_str(), 0600) == 0);
     CHECK_THROWS_AS(parse_scene(scene, folder / "x.rt"), FileError);
 }
 

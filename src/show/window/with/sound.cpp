@@ -6,11 +6,13 @@
 #include <AL/al.h>
 #include <AL/alc.h>
 #include <AL/alext.h>
+#include <dlfcn.h>
 #include <vorbis/vorbisfile.h>
 
 #include <array>
 #include <atomic>
 #include <bit>
+#include <cstdlib>
 #include <memory>
 #include <stop_token>
 #include <thread>
@@ -26,6 +28,17 @@ struct Samples {
     int channels = 0, rate = 0;
     std::string fault;
 };
+
+/// A handler of ALSA's messages: file, line, function, error, form.
+void ignore_message(const char*, int, const char*, int, const char*, ...) {}
+
+/// Keeps the messages of OpenAL and of ALSA, which it loads, off the terminal: fault() says why there is no sound.
+void quieten() {
+    ::setenv("ALSOFT_LOGLEVEL", "0", 0);
+    void* const alsa = ::dlopen("libasound.so.2", RTLD_LAZY);
+    if (void* const set = alsa ? ::dlsym(alsa, "snd_lib_error_set_handler") : nullptr)
+        reinterpret_cast<int (*)(decltype(&ignore_message))>(set)(ignore_message);
+}
 
 Samples decoded(const std::string& path, const std::stop_token& stop) {
     Samples samples;
@@ -92,6 +105,7 @@ struct Sound::Implementation {
 
 Sound::Sound(const std::string& path, std::function<void()> notify)
     : implementation(std::make_unique<Implementation>()) {
+    quieten();
     implementation->thread = std::jthread([own = implementation.get(), path, notify](const std::stop_token& stop) {
         own->load(path, stop);
         own->done = true;
