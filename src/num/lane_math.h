@@ -6,7 +6,7 @@
 
 namespace strahl::inline STRAHL_LEVEL {
 
-/// x^p for x > 0, p >= 0. Whole exponents, which is what scenes have, by squaring: the same bits on every machine.
+/// Returns x^p for x > 0, p >= 0. Whole p, as in most scenes, is computed by squaring: the same bits on every machine.
 template <class S>
 STRAHL_INLINE S power(S x, S p) {
     using T = Element<S>;
@@ -27,7 +27,7 @@ STRAHL_INLINE S power(S x, S p) {
     return result;
 }
 
-/// The same where all lanes have the same exponent.
+/// Returns x^p for an exponent that all lanes share.
 template <class S>
 STRAHL_INLINE S power_of_uniform(S x, Element<S> p) {
     if (!(std::floor(p) == p && p <= 1024)) return power(x, S(p));
@@ -39,7 +39,7 @@ STRAHL_INLINE S power_of_uniform(S x, Element<S> p) {
     return result;
 }
 
-/// Puts lengths that are right but for rounding back to 1.
+/// Renormalises vectors whose lengths are 1 but for rounding: one step of Newton's method for 1 / sqrt(v.v).
 template <class S>
 STRAHL_INLINE Vec3<S> unit(const Vec3<S>& v) {
     using T = Element<S>;

@@ -29,7 +29,7 @@ concept Scalar = std::is_floating_point_v<S>;
 
 #define STRAHL_INLINE [[gnu::always_inline]] inline
 
-/// Long double has no such instruction, only a library function a hundred times as slow, and does not need it.
+/// Returns a * b + c, rounded once; twice in long double, for which there is only a library function 100 times as slow.
 template <Scalar S>
 STRAHL_INLINE S fma(S a, S b, S c) {
     if constexpr (std::is_same_v<S, long double>) return a * b + c;
@@ -61,7 +61,7 @@ STRAHL_INLINE S select(bool mask, S yes, S no) {
 STRAHL_INLINE bool any(bool mask) { return mask; }
 STRAHL_INLINE bool all(bool mask) { return mask; }
 STRAHL_INLINE bool none(bool mask) { return !mask; }
-// Masks combine with & | !, those of scalars and of packs.
+// Masks, of scalars and of packs alike, combine with & | !.
 template <class S>
 STRAHL_INLINE S dot(const Vec3<S>& a, const Vec3<S>& b) {
     return fma(a.x, b.x, fma(a.y, b.y, a.z * b.z));
@@ -70,7 +70,7 @@ template <class S>
 STRAHL_INLINE Vec3<S> cross(const Vec3<S>& a, const Vec3<S>& b) {
     return {fma(a.y, b.z, -(a.z * b.y)), fma(a.z, b.x, -(a.x * b.z)), fma(a.x, b.y, -(a.y * b.x))};
 }
-/// a + s * b
+/// Returns a + s * b.
 template <class S>
 STRAHL_INLINE Vec3<S> fma(S s, const Vec3<S>& b, const Vec3<S>& a) {
     return {fma(s, b.x, a.x), fma(s, b.y, a.y), fma(s, b.z, a.z)};
@@ -83,7 +83,7 @@ template <class S>
 STRAHL_INLINE Vec3<S> select(Mask<S> mask, const Vec3<S>& yes, const Vec3<S>& no) {
     return {select(mask, yes.x, no.x), select(mask, yes.y, no.y), select(mask, yes.z, no.z)};
 }
-/// The same vector in every lane.
+/// Returns the vector in every lane.
 template <class S, class T>
 STRAHL_INLINE Vec3<S> splat(const Vec3<T>& v) {
     return {S(v.x), S(v.y), S(v.z)};

@@ -15,7 +15,7 @@ STRAHL_INLINE S load_lanes(const Element<S>* from) {
     else
         return S(typename S::Register(from, std::experimental::element_aligned));
 }
-/// The same from numbers of another kind.
+/// Loads lanes from numbers of another type and converts them.
 template <class S, class T>
 STRAHL_INLINE S load_converted(const T* from) {
     if constexpr (width<S> == 1)
@@ -30,7 +30,7 @@ STRAHL_INLINE void store_lanes(Element<S>* to, S value) {
     else
         value.v.copy_to(to, std::experimental::element_aligned);
 }
-/// 0, 1, 2, ... in the lanes.
+/// Returns 0, 1, 2, ... in the lanes.
 template <class S>
 STRAHL_INLINE S iota() {
     if constexpr (width<S> == 1)
@@ -38,12 +38,12 @@ STRAHL_INLINE S iota() {
     else
         return S(typename S::Register([](auto i) { return static_cast<Element<S>>(i); }));
 }
-/// The first n lanes.
+/// Returns the mask of the first n lanes.
 template <class S>
 STRAHL_INLINE Mask<S> first_lanes(int n) {
     return iota<S>() < S(static_cast<Element<S>>(n));
 }
-/// base[index[lane]] for every lane.
+/// Loads base[index[lane]] into every lane.
 template <class S>
 STRAHL_INLINE S gather(const Element<S>* base, const int* index) {
     if constexpr (width<S> == 1)
@@ -54,7 +54,7 @@ STRAHL_INLINE S gather(const Element<S>* base, const int* index) {
         return load_lanes<S>(lanes);
     }
 }
-/// items[index[lane]] for a struct I of elements; R is the same struct of packs.
+/// Loads items[index[lane]] into every lane, for a struct I of elements; R is the same struct of packs.
 template <class R, class S, class I>
 STRAHL_INLINE R gather_items(const I* items, const int* index) {
     using T = Element<S>;
@@ -83,15 +83,15 @@ STRAHL_INLINE R gather_items(const I* items, const int* index) {
     for (int f = 0; f < fields; ++f) packs[f] = load_lanes<S>(lanes[f]);
     return std::bit_cast<R>(packs);
 }
-/// Items [first, first + width), stored by columns: field f begins at columns + f * stride.
+/// Loads items [first, first + width), which are stored by columns: field f begins at columns + f * stride.
 template <class R, class S>
 STRAHL_INLINE R load_items(const Element<S>* columns, std::size_t stride, int first) {
     std::array<S, sizeof(R) / sizeof(S)> packs;
     for (std::size_t f = 0; f < packs.size(); ++f) packs[f] = load_lanes<S>(columns + f * stride + first);
     return std::bit_cast<R>(packs);
 }
-/// to[4 * index + c] += v[c] for the first `lanes`, one lane after the other: equal indices add up in this order.
-/// to[4 * index + 3] is unchanged.
+/// Adds v[c] to to[4 * index + c] for the first `lanes`, one lane after the other, so that equal indices add up in this
+/// order. to[4 * index + 3] is unchanged.
 template <class S>
 STRAHL_INLINE void add_lanes(Element<S>* to, const S& index, int lanes, const Vec3<S>& v) {
     using T = Element<S>;
@@ -108,7 +108,7 @@ STRAHL_INLINE void add_lanes(Element<S>* to, const S& index, int lanes, const Ve
     for (int k = 0; k < lanes; ++k)
         for (int c = 0; c < 3; ++c) to[4 * static_cast<int>(at[k]) + c] += terms[c][k];
 }
-/// The same item in every lane.
+/// Returns the item in every lane.
 template <class R, class S, class I>
 STRAHL_INLINE R splat_item(const I& item) {
     using T = Element<S>;

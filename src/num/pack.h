@@ -1,5 +1,5 @@
-// Pack: as many numbers as one SIMD register holds, with the words of lanes.h. What a processor says in instructions of
-// its own stands in pack_x86.h and pack_neon.h; on any other processor only the scalar kernel is built.
+// Pack: as many numbers as one SIMD register holds, with the functions of lanes.h. Those that take instructions of one
+// processor are in pack_x86.h and pack_neon.h; on any other processor only the scalar kernel is built.
 //
 // It is compiled once per instruction set, inside an inline namespace named by STRAHL_LEVEL (v2, v3, v4, neon), so that
 // packs of different width are different types and never merge at link time. The wrapper around std::experimental::simd
@@ -78,7 +78,7 @@ template <class T>
 STRAHL_INLINE Pack<T> sqrt(Pack<T> a) {
     return Pack<T>(std::experimental::sqrt(a.v));
 }
-/// Bit i is lane i.
+/// Returns the mask as bits: bit i is lane i.
 template <class T>
 STRAHL_INLINE unsigned bits(PackMask<T> mask) {
     return static_cast<unsigned>(mask.m.__to_bitset().to_ulong());
@@ -169,7 +169,7 @@ STRAHL_INLINE void compress(T* to, Pack<T> value, PackMask<T> mask) {
     }
 }
 
-/// Whole numbers as such.
+/// Stores numbers that are whole as integers.
 template <class T>
 STRAHL_INLINE void store_whole(int* to, const Pack<T>& numbers) {
     if constexpr (has_fours)
@@ -178,12 +178,12 @@ STRAHL_INLINE void store_whole(int* to, const Pack<T>& numbers) {
         for (int i = 0; i < Pack<T>::size; ++i) to[i] = static_cast<int>(numbers.v[i]);
 }
 
-/// How many fields load_fields() reads at once; 1: there is none.
+/// The number of fields that load_fields() reads at once; 1 where there is no load_fields().
 template <class S>
 inline constexpr int fields_at_once = 1;
 template <class T>
 inline constexpr int fields_at_once<Pack<T>> = has_fours ? 4 : 1;
-/// to[f] are the numbers at from[k] + f.
+/// Loads the numbers at from[k] + f into lane k of to[f].
 template <class T>
 STRAHL_INLINE void load_fields(const T* const* from, Pack<T>* to) {
     typename Native<T, sizeof(Pack<T>)>::Register registers[fields_at_once<Pack<T>>];
@@ -201,7 +201,7 @@ template <class T>
 STRAHL_INLINE void interleave(T* to, Pack<T> x, Pack<T> y, Pack<T> z) {
     interleave(to, raw(x), raw(y), raw(z));
 }
-/// As unpacking leaves them: every fourth float beside each other, every second double.
+/// Returns where interleave() writes lane k: in unpacking's order, every fourth float or every second double in a row.
 template <class S>
 constexpr int interleaved(int k) {
     constexpr int rows = 16 / sizeof(Element<S>);

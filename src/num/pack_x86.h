@@ -21,13 +21,13 @@ inline constexpr bool has_mask_registers = false, has_least = false;
 
 namespace strahl {
 
-/// __m128, __m256d and so on.
+/// The processor's type for a register: __m128, __m256d and so on.
 template <class T, int bytes>
 struct Native {
     using Register [[gnu::vector_size(bytes)]] = T;
 };
 
-// One register, one instruction; of four floats in quad.h.
+// Each function is one instruction on one register. Those of four floats are in quad.h.
 STRAHL_INLINE __m128d minimum(__m128d a, __m128d b) { return _mm_min_pd(a, b); }
 STRAHL_INLINE __m128d maximum(__m128d a, __m128d b) { return _mm_max_pd(a, b); }
 #if defined(__FMA__)
@@ -39,7 +39,7 @@ STRAHL_INLINE __m256 fused(__m256 a, __m256 b, __m256 c) { return _mm256_fmadd_p
 STRAHL_INLINE __m256d fused(__m256d a, __m256d b, __m256d c) { return _mm256_fmadd_pd(a, b, c); }
 #endif
 #if defined(__FMA__)
-// Whole numbers, for addresses. g++ would take the lanes out of the register one by one if it knew what is in memory.
+// Store whole numbers, for addresses. If g++ knew what is in memory, it would extract the lanes one by one.
 STRAHL_INLINE void store_whole(int* to, __m256 numbers) {
     _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm256_cvttps_epi32(numbers));
     asm("" : "+m"(*reinterpret_cast<int(*)[8]>(to)));
@@ -49,7 +49,7 @@ STRAHL_INLINE void store_whole(int* to, __m256d numbers) {
     asm("" : "+m"(*reinterpret_cast<int(*)[4]>(to)));
 }
 
-/// Four numbers from each of 8 places: to[f] has those at from[k] + f.
+/// Loads four numbers from each of 8 places: lane k of to[f] is the one at from[k] + f.
 STRAHL_INLINE void load_fours(const float* const* from, __m256* to) {
     const auto row = [from](int j) __attribute__((always_inline)) {
         return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(from[j])), _mm_loadu_ps(from[4 + j]), 1);
@@ -64,7 +64,7 @@ STRAHL_INLINE void load_fours(const float* const* from, __m256* to) {
     to[2] = _mm256_castpd_ps(_mm256_unpacklo_pd(high_ab, high_cd));
     to[3] = _mm256_castpd_ps(_mm256_unpackhi_pd(high_ab, high_cd));
 }
-/// The same from each of 4 places.
+/// Loads four numbers from each of 4 places.
 STRAHL_INLINE void load_fours(const double* const* from, __m256d* to) {
     const __m256d a = _mm256_loadu_pd(from[0]), b = _mm256_loadu_pd(from[1]);
     const __m256d c = _mm256_loadu_pd(from[2]), d = _mm256_loadu_pd(from[3]);

@@ -1,4 +1,4 @@
-// Rays, and where they cross a body.
+// Rays and their crossings with a body.
 #pragma once
 #include "num/lanes.h"
 
@@ -14,9 +14,9 @@ struct Ray {
 
 // The kernel of every kind has two functions. `start` is the number of the face (0, 1, ...) on which the ray starts, or
 // any other number if it starts elsewhere.
-//     Span<S> span(const Ray<S>& ray, S start)                    where the ray crosses the body, if that is convex
-//     Crossings<S, N> crossings(const Ray<S>& ray, S start)       the same, if it is not
-//     SurfacePoint<S> at(const Ray<S>& ray, S t, S face)          the surface where it crosses this face, at t
+//     Span<S> span(const Ray<S>& ray, S start)                    finds the ray's crossings with a convex body
+//     Crossings<S, N> crossings(const Ray<S>& ray, S start)       finds those with a body that is not convex
+//     SurfacePoint<S> at(const Ray<S>& ray, S t, S face)          returns the surface at the crossing t with a face
 
 /// The part of a ray's line inside a convex body: near <= far where `hit`. A crossing counts if its t > 0. A
 /// crossing at the ray's own source is exactly 0 and never counts.
@@ -26,7 +26,7 @@ struct Span {
     Mask<S> hit;
     S near_face{0}, far_face{0};
 };
-/// The first crossing ahead, and its face; what is behind is not above 0.
+/// Return the first crossing ahead and its face. If all crossings are behind the start, it is not above 0.
 template <class S>
 STRAHL_INLINE S first_crossing(const Span<S>& span) {
     return select(span.near > S(0), span.near, span.far);
@@ -36,8 +36,8 @@ STRAHL_INLINE S first_face(const Span<S>& span) {
     return select(span.near > S(0), span.near_face, span.far_face);
 }
 
-/// The crossings of a ray's line with a body of one face that is not convex: ascending, with -infinity for each one
-/// less than N. They count as those of a span do. Crossings behind the start may have any values below 0.
+/// The crossings of a ray's line with a body of one face that is not convex: ascending; if there are fewer than N, the
+/// first ones are -infinity. They count as those of a span do. Those behind the start may have any values below 0.
 template <class S, int N>
 struct Crossings {
     S t[N];

@@ -1,11 +1,11 @@
-// Room for values that are made later.
+// An array whose values are made later.
 #pragma once
 #include <cstddef>
 #include <type_traits>
 
 namespace strahl {
 
-/// Room for n values, none of which is made: that alone would take longer than most walks.
+/// Memory for n values that is not initialised: to do so would take longer than most traversals.
 template <class V, int n>
 class Room {
   public:

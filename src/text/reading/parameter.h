@@ -26,7 +26,6 @@ inline constexpr double largest_coordinate = 1e9;
 inline constexpr NumberRange coordinates{-largest_coordinate, largest_coordinate, "from -1e9 to 1e9"};
 inline constexpr NumberRange lengths{smallest_positive, largest_coordinate,
                                 "greater than 0 (at least 2.3e-308) and at most 1e9"};
-inline constexpr NumberRange lengths_or_zero{0, largest_coordinate, "from 0 to 1e9"};
 inline constexpr NumberRange seconds{0, largest_coordinate, "from 0 to 1e9"};
 inline constexpr NumberRange shares{0, 1, "from 0 to 1"};
 // Products of three of these are numbers in float too.
@@ -49,6 +48,7 @@ constexpr NumberRange range_of(Range range) {
     switch (range) {
         case Range::positive:
             return positive;
+        case Range::length_or_zero:
         case Range::zero_or_more:
             return not_negative;
         case Range::zero_to_one:
@@ -65,10 +65,7 @@ constexpr NumberRange range_of(Range range) {
 }
 /// The values of a body's argument in this range: arguments are points, directions and lengths.
 constexpr NumberRange argument_range(Range range) {
-    return range == Range::positive         ? lengths
-           : range == Range::length_or_zero ? lengths_or_zero
-           : range == Range::any            ? coordinates
-                                            : range_of(range);
+    return range == Range::positive ? lengths : range == Range::any ? coordinates : range_of(range);
 }
 
 inline constexpr std::string_view required = "required";

@@ -86,7 +86,7 @@ struct FormFunctions {
     static void hit_each(const Item<Form, S>& items, const Ray<S>& ray, const S& t, const S& faces, SurfaceHit<S>& hit);
 };
 
-/// The same functions, for a form that is only known by its number.
+/// Pointers to these functions, for a form that is known by its number.
 template <class S>
 struct FormCalls {
     using W = World<Element<S>>;

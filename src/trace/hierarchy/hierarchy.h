@@ -9,7 +9,7 @@ namespace strahl {
 
 class ThreadPool;
 
-/// How many items a leaf holds, and their form, as one number above 0: traversal keeps many of them.
+/// The number of items in a leaf and their form as one number above 0: stacks of traversal hold many of these.
 struct LeafCode {
     static constexpr int most_items = 31;
     static constexpr int make(int form, int items) { return (most_items + 1) * form + items; }
@@ -17,8 +17,8 @@ struct LeafCode {
     static constexpr int form(int code) { return static_cast<int>(static_cast<unsigned>(code) / (most_items + 1)); }
 };
 
-/// Up to 16 children, their boxes side by side. Boxes are of floats for every kind of number, rounded outwards. A leaf
-/// holds items of one form.
+/// A node with up to 16 children, whose boxes are stored side by side, in float for every element type, rounded
+/// outwards. A leaf holds items of one form.
 struct alignas(64) Node {
     static constexpr int width = 16;
     float low[3][width], high[3][width];
@@ -27,7 +27,7 @@ struct alignas(64) Node {
     std::int32_t children = 0;   // lanes from here on are empty
 };
 
-/// The box around an item of a form, its corners rounded to the nearest floats. Which item is for the builder to note.
+/// The box around an item of a form, its corners rounded to the nearest floats. The builder sets `item`.
 struct alignas(16) ItemBox {
     float low[3];
     std::int32_t item;
@@ -45,18 +45,18 @@ inline ItemBox item_box(const Box& box, int form) {
 
 /// Nodes, root first, and the order in which the leaves hold the items.
 struct Hierarchy {
-    /// Most nodes on a way from the root to a leaf.
+    /// The most nodes on a path from the root to a leaf.
     static constexpr int most_levels = 64;
     Buffer<Node> nodes;
     std::int32_t size = 0;  // of nodes
     Buffer<std::int32_t> order;
 };
 
-/// Boxes are finite, and are grown by `margin` and by what rounding may have cost them. Binned surface area heuristic
-/// (I. Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", 2007), of whose binary nodes the largest
-/// are opened until 16 are side by side. Where there are many boxes, cuts are along the cells of a grid, which each box
-/// is sorted into once (after K. Garanzha, J. Pantaleoni and D. McAllister, "Simpler and Faster HLBVH with Work
-/// Queues", 2011, whose cells are those of Morton codes). The same for any number of threads.
+/// Builds the hierarchy of finite boxes, each grown by `margin` and the rounding of its corners, by the binned surface
+/// area heuristic (I. Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", 2007): the largest of its
+/// binary nodes are opened until a node has 16 children. Many boxes are first sorted into the cells of a grid, along
+/// which they are cut (after K. Garanzha, J. Pantaleoni and D. McAllister, "Simpler and Faster HLBVH with Work Queues",
+/// 2011, who use cells of Morton codes). The result does not depend on the number of threads.
 Hierarchy build_hierarchy(Buffer<ItemBox> boxes, std::int32_t size, double margin, ThreadPool& pool);
 
 }  // namespace strahl

@@ -77,7 +77,7 @@ struct Bins {
     }
 };
 
-/// Items are cut in the middle, along the bins of an axis, or by their forms: those of form `bin` come first.
+/// Ways to cut items: in the middle, along the bins of an axis, or by their forms, those of form `bin` first.
 enum CutAxis { in_the_middle = -1, by_form = 3 };
 struct Cut {
     float cost = infinity;  // in boxes' half areas

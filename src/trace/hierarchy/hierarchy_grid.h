@@ -26,7 +26,7 @@ struct CellRange {
     }
 };
 
-/// Cells about as long as wide, a power of two along each axis.
+/// A grid of nearly cubic cells, a power of two of them along each axis.
 class Grid {
   public:
     static constexpr int most_cells = 4096;

@@ -7,9 +7,9 @@
 
 namespace strahl {
 
-/// Keeps the division of the items and fits its boxes to where they are now, which takes a tenth of the time, until
-/// rays would pass so much more of them that it is built anew. What is nearest does not depend on how items are
-/// divided; the order of the leaves does.
+/// Keeps the hierarchy of the last frame and refits its boxes, which takes a tenth of the time of building, until rays
+/// would cross so many more boxes that it is built anew. Nearest hits do not depend on how items are divided; the
+/// order of the leaves does.
 class MovingHierarchy {
   public:
     /// Does what build_hierarchy does. `starts` are where the items of each form begin; if they differ from those of

@@ -1,5 +1,5 @@
-// Rays as boxes of the hierarchy see them: one, a pack, or several packs together; rounded outwards where boxes have
-// fewer bits.
+// Rays in the form that is tested against boxes of the hierarchy: one, a pack, or several packs together. They are
+// rounded outwards where boxes have fewer bits.
 #pragma once
 #include <cstdint>
 #include <limits>
@@ -10,7 +10,7 @@
 
 namespace strahl::inline STRAHL_LEVEL {
 
-/// Lanes that hold boxes: floats are as good for rays in double and twice as many, if rays are rounded outwards too.
+/// The lanes that hold boxes. Rays in double, rounded outwards, are tested in float: twice as many boxes at a time.
 template <class S>
 struct BoxLanes {
     using Type = S;
@@ -22,7 +22,7 @@ struct BoxLanes<Pack<double>> {
 template <class S>
 using ForBoxes = typename BoxLanes<S>::Type;
 
-/// Away from 0 if `up`, else towards it, if F has fewer bits than T.
+/// Converts x to F; if that has fewer bits than T, rounds away from 0 if `up`, else towards 0.
 template <class F, class T>
 STRAHL_INLINE F rounded(T x, bool up) {
     if constexpr (std::is_same_v<F, T>) return x;
@@ -30,7 +30,7 @@ STRAHL_INLINE F rounded(T x, bool up) {
     return static_cast<F>(x) * (up ? 1 + unit : 1 - unit);
 }
 
-/// Rays as boxes see them, with finite reciprocals of the direction.
+/// A ray to be tested against boxes, with finite reciprocals of its direction.
 template <class S>
 struct TraversalRay {
     Vec3<S> origin, inverse;
@@ -51,10 +51,10 @@ STRAHL_INLINE TraversalRay<S> traversal_ray(const Ray<S>& ray) {
     const auto reciprocal = [](S d) { return S(1) / select(abs(d) < S(tiny), select(d < S(0), S(-tiny), S(tiny)), d); };
     return {ray.origin, {reciprocal(ray.direction.x), reciprocal(ray.direction.y), reciprocal(ray.direction.z)}};
 }
-/// Coordinates from here on are not rounded but taken to be anywhere within `anywhere`: no float may overflow.
+/// Coordinates from `farthest` on are replaced by the interval from -anywhere to anywhere, so that no float overflows.
 inline constexpr double farthest = 1e18, anywhere = 1e19;
 
-/// One ray in all lanes, rounded outwards where boxes have fewer bits.
+/// Returns ray k of the pack in all lanes, rounded outwards where boxes have fewer bits.
 template <class S>
 STRAHL_INLINE RoundedTraversalRay<ForBoxes<S>> lane_of(const RoundedTraversalRay<S>& ray, int k) {
     using F = ForBoxes<S>;
@@ -79,10 +79,10 @@ STRAHL_INLINE auto lane_of(const TraversalRay<S>& ray, int k) {
     }
 }
 
-/// Packs of rays that go through a hierarchy together: as many rays as there are lanes for boxes.
+/// The number of packs that are traversed together: they have as many rays as there are lanes for boxes.
 template <class S>
 inline constexpr int together = width<ForBoxes<S>> / width<S>;
-/// The lanes for boxes, which are those of these packs in turn.
+/// Returns the lanes of the packs, one pack after the other, as lanes for boxes.
 template <class S>
 STRAHL_INLINE ForBoxes<S> join(const S (&packs)[together<S>]) {
     if constexpr (together<S> == 1) return packs[0];
@@ -105,7 +105,7 @@ STRAHL_INLINE Mask<S> pack_of(Mask<ForBoxes<S>> mask, int h) {
     else
         return mask_of<S>(bits(mask) >> h * width<S>);
 }
-/// Rays of several packs, rounded outwards if boxes have fewer bits.
+/// Returns the rays of several packs as one, rounded outwards if boxes have fewer bits.
 template <class S>
 STRAHL_INLINE auto traversal_ray(const Ray<S> (&rays)[together<S>]) {
     using F = ForBoxes<S>;

@@ -9,12 +9,12 @@
 
 namespace strahl::inline STRAHL_LEVEL {
 
-/// Most entries of a stack: on each level all children of a node but the one gone into, and this one.
+/// The most entries of a stack: on each level the children of a node but the one that is entered, and that one.
 inline constexpr int most_entries = Hierarchy::most_levels * (Node::width - 1) + 1;
 
-/// Does the line cross the box before `limit`, and where at the earliest? Boxes are grown when built and their far ends
-/// here (T. Ize, "Robust BVH Ray Traversal", JCGT 2013): rounding never hides a hit. One ray in each lane and the same
-/// box, or the other way round.
+/// Returns whether rays cross boxes before `limit`, and sets `near` to where they enter. Boxes are grown when they are
+/// built and far ends here, so that rounding hides no hit (T. Ize, "Robust BVH Ray Traversal", JCGT 2013). Lanes hold
+/// rays and one box, or boxes and one ray.
 template <class S, class L>
 STRAHL_INLINE Mask<S> crosses(const Vec3<S>& low, const Vec3<S>& high, const L& ray, const S& limit, S& near) {
     const S grow(1 + 8 * std::numeric_limits<Element<S>>::epsilon());
@@ -28,19 +28,19 @@ STRAHL_INLINE Mask<S> crosses(const Vec3<S>& low, const Vec3<S>& high, const L& 
     return near <= min(far * grow, limit);
 }
 
-/// Boxes of the children from `c` on, one in each lane.
+/// Returns one side of the boxes of the children from `c` on, one child in each lane.
 template <class S>
 STRAHL_INLINE Vec3<S> boxes(const float (&side)[3][Node::width], int c) {
     return {load_converted<S>(side[0] + c), load_converted<S>(side[1] + c), load_converted<S>(side[2] + c)};
 }
-/// The box of child `c` in all lanes.
+/// Returns one side of the box of child `c` in all lanes.
 template <class S>
 STRAHL_INLINE Vec3<S> box(const float (&side)[3][Node::width], int c) {
     using T = Element<S>;
     return {S(static_cast<T>(side[0][c])), S(static_cast<T>(side[1][c])), S(static_cast<T>(side[2][c]))};
 }
 
-/// All rays of a pack, as intervals: what none of them can cross need not be tested ray by ray.
+/// Intervals that hold all rays of a pack: a box that none of them can cross need not be tested ray by ray.
 template <class S>
 class PacketBounds {
     using T = Element<S>;
@@ -89,7 +89,7 @@ class PacketBounds {
 template <class Entry>
 class Stack {
   public:
-    /// To be read before anything is pushed.
+    /// Removes the topmost entry. The reference is valid until something is pushed.
     STRAHL_INLINE const Entry& pop() { return entries[--size]; }
     STRAHL_INLINE bool empty() const { return size == 0; }
     STRAHL_INLINE int height() const { return size; }
@@ -106,7 +106,7 @@ class Stack {
     int size = 0;
 };
 
-/// A leaf's items, or with the code 0 an inner node, whose number `first` is then.
+/// The items of a leaf; if `code` is 0, the inner node whose number is `first`.
 struct Leaf {
     std::int32_t first, code;
     STRAHL_INLINE int count() const { return LeafCode::items(code); }
@@ -147,7 +147,7 @@ STRAHL_INLINE void traverse_single(const Node* nodes, int root, const R<S>& ray,
             const Mask<S> hit =
                 crosses(boxes<S>(node.low, c), boxes<S>(node.high, c), ray, S(rounded<T>(limit, true)), near) &
                 first_lanes<S>(node.children - c);
-            // Too large for this kind of number need not be for the other.
+            // A distance that overflows in this type need not in the other.
             store_lanes(nears + c, fewer_bits ? min(near * S(shrink), S(std::numeric_limits<T>::max())) : near);
             return bits(hit);
         };
@@ -170,7 +170,7 @@ STRAHL_INLINE void traverse_single(const Node* nodes, int root, const R<S>& ray,
 
 /// Traverses a hierarchy with a pack of rays: visit(leaf, mask) for leaves, with the lanes whose rays cross its box,
 /// until that returns true. Where few rays are left, each goes on by itself: single(lane, leaf), which may be an inner
-/// node. What is asked of a ray does not depend on its neighbours if `sorted` is false, and else but for the order.
+/// node. If `sorted` is false, the visits of a ray do not depend on its neighbours; else only their order does.
 template <bool sorted, template <class> class R, class S, class Visit, class Single>
 STRAHL_INLINE void traverse(const Node* nodes, const R<S>& ray, Mask<S> active, const S& limit,
                             const Visit& visit, const Single& single) {
@@ -194,7 +194,7 @@ STRAHL_INLINE void traverse(const Node* nodes, const R<S>& ray, Mask<S> active, 
         const Mask<S> mask = top.mask & (top.enters <= limit);
         const int rays = count(mask);
         if (rays == 0) continue;
-        // Items beside each other for one ray after the other, or rays for one item after the other?
+        // Few rays: test packs of items for one ray after the other. Many: test the pack of rays for each item.
         if (leaf.code != 0 ? rays * cost_ratio * ((leaf.count() - 1) / width<S> + 1) <= leaf.count()
                            : rays <= threshold) {
             for (unsigned left = bits(mask); left; left &= left - 1) single(std::countr_zero(left), leaf);

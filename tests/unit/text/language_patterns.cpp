@@ -228,6 +228,7 @@ TEST_CASE("every pattern can be mapped by uv, which only meshes have") {
                                                "uv, and no triangle has 'uv_vectors'"),
                              FileError);
     }
+    check_pattern("brick { <1,1,1> <0,0,0> mortar -.2 }", "3:32", "'mortar' of 'brick' must be from 0 to 1e9, not '-.2'");
     check_pattern("checker { <1,1,1>, <0,0,0> map planar }", "3:32",
                   "unknown word 'planar' after 'map'; known here: uv");
 }
