@@ -125,8 +125,8 @@ void Interpreter::State::directive(const RawToken& raw) {
         case word("fclose"): {
             const RawToken& name = raw_name("a file's identifier");
             Symbol* symbol = symbols.find(name.index);
-            if (!symbol || value_of(*symbol).kind != ValueKind::file) fail(last, "this is no open file");
-            symbols.remove(*symbol);
+            // Reading to the end has closed it already.
+            if (symbol && value_of(*symbol).kind == ValueKind::file) symbols.remove(*symbol);
             break;
         }
         case word("read"):

@@ -27,6 +27,14 @@ struct Instruction {
 // Operations besides signs and words.
 constexpr std::uint16_t constant = 1, variable = 2, call = 3, negate = 4;
 
+// Components of colours besides their own: their gray value, and the height that red and green stand for.
+constexpr int gray_component = 5, height_component = 6;
+double component_of(const double* value, int component) {
+    if (component == gray_component) return .297 * value[0] + .589 * value[1] + .114 * value[2];
+    if (component == height_component) return (value[0] + value[1] / 255) * .996093;
+    return value[component];
+}
+
 struct CompiledFunction : FunctionThing {
     std::vector<Instruction> instructions;
     std::vector<std::shared_ptr<const FunctionThing>> called;
@@ -213,7 +221,7 @@ double* CompiledFunction::run(std::size_t first, std::size_t last, double* numbe
                 top -= step.count;
                 called[step.index]->evaluate(top, results);
                 if (steps_left < 0) return stop();
-                *top++ = results[static_cast<int>(step.number)];
+                *top++ = component_of(results, static_cast<int>(step.number));
                 break;
             }
             case word("sum"):
@@ -507,7 +515,6 @@ class FunctionReader {
                 if (result->levels > most_calls) state.fail(state.last, "functions call each other too deeply");
                 int component = 0;
                 if (function->results > 1) {
-                    if (state.code() != '.') state.expected("'.' and the name of a component");
                     component = read_component(function->results);
                 }
                 result->called.push_back(function);
@@ -523,12 +530,27 @@ class FunctionReader {
             }
         }
     }
+    /// Reads the component of a vector function that counts: its number, or that of a mean of colours.
     int read_component(int count) {
-        Components indices;
-        indices.count = count;
-        for (int i = 0; i < 5; ++i) indices.value[i] = i;
-        state.component(indices);
-        return static_cast<int>(indices.value[0]);
+        state.expect('.');
+        static constexpr std::uint16_t names_of[]{word("x"),   word("y"),     word("z"),    word("t"),
+                                                  word("red"), word("green"), word("blue"), word("filter")};
+        const std::uint16_t code = state.code();
+        int index = static_cast<int>(std::ranges::find(names_of, code) - names_of) % 4;
+        if (code == word("u") || code == word("v"))
+            index = code == word("v");
+        else if (code == word("transmit"))
+            index = 4;
+        else if (code == word("gray"))
+            index = gray_component;
+        else if (code == new_name_code && state.names.text(state.next.raw->index) == "hf")
+            index = height_component;
+        else if (std::ranges::find(names_of, code) == std::end(names_of))
+            state.expected("the name of a component, such as x or red,");
+        state.take();
+        if (index >= gray_component ? count < 3 : index >= count)
+            state.fail(state.last, "there is no such component: the value has " + std::to_string(count));
+        return index;
     }
 
     /// sum(i, a, b, E) and prod(i, a, b, E).
@@ -563,12 +585,18 @@ class FunctionReader {
 
 }  // namespace
 
-std::shared_ptr<const FunctionThing> Interpreter::State::function() {
+std::shared_ptr<const FunctionThing> Interpreter::State::function(std::array<int, 2>* size) {
     const Depth guard(*this);
     if (code() == value_code &&
         (next.value->kind == ValueKind::function || next.value->kind == ValueKind::vector_function))
         return std::static_pointer_cast<const FunctionThing>(in.take_value().thing);
     expect(word("function"));
+    if (size && code() == number_code) {
+        for (int& each : *size) {
+            each = in.read_integer();
+            accept(',');
+        }
+    }
     return FunctionReader(*this).read();
 }
 

@@ -111,13 +111,11 @@ void Interpreter::State::advance() {
             case word("declare"):
             case word("include"):
             case word("default"):
-                if (executing) {
-                    ++cursor;
-                    read_old_directive(raw);
-                    if (peeked) return;
-                    break;
-                }
-                [[fallthrough]];
+                if (!executing) return is_next(raw.code, true);
+                ++cursor;
+                read_old_directive(raw);
+                if (peeked) return;
+                break;
             default:
                 ++cursor;
                 return is_next(raw.code, false);
@@ -235,7 +233,9 @@ std::string Interpreter::read_file_name() {
     state->take();
     return std::string(slice);
 }
-std::shared_ptr<const FunctionThing> Interpreter::read_function() { return state->function(); }
+std::shared_ptr<const FunctionThing> Interpreter::read_function(std::array<int, 2>* size) {
+    return state->function(size);
+}
 
 // Files, messages and settings.
 

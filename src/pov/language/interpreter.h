@@ -105,8 +105,9 @@ class Interpreter {
     std::string read_string();
     /// Reads a string in which backslashes are literal.
     std::string read_file_name();
-    /// Reads function { ... }, or the identifier of a function.
-    std::shared_ptr<const FunctionThing> read_function();
+    /// Reads function { ... }, or the identifier of a function. With `size`, `function 300, 200 { ... }` as well, which
+    /// is a picture of this size.
+    std::shared_ptr<const FunctionThing> read_function(std::array<int, 2>* size = nullptr);
 
     // Files.
     /// Finds a file that the scene names, with one of these extensions added to it if need be; fails if there is none,

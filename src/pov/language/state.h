@@ -1,5 +1,6 @@
 // The interpreter's state: where it reads, what identifiers stand for, and the readers of the language's own parts.
 #pragma once
+#include <array>
 #include <deque>
 #include <fstream>
 #include <memory>
@@ -159,8 +160,8 @@ struct Interpreter::State {
     NamedValue named(const Components& value) const;
     NamedValue named(std::string text);
 
-    // Expressions. `count` of the result says beforehand how many components are wanted: a number becomes so many, as in
-    // POV-Ray, where <1, 2> + 2 * <3, 4, 5> is <7, 10, 0>.
+    // Expressions. `count` of the result says beforehand how many components are wanted: a number becomes so many, as
+    // in POV-Ray, where <1, 2> + 2 * <3, 4, 5> is <7, 10, 0>.
     void sum(Components& result);
     void product(Components& result);
     void factor(Components& result);
@@ -182,7 +183,7 @@ struct Interpreter::State {
     bool at_color();
     FilterColor color();
     std::shared_ptr<const Thing> object_argument();
-    std::shared_ptr<const FunctionThing> function();
+    std::shared_ptr<const FunctionThing> function(std::array<int, 2>* size = nullptr);
     double decode(double value) const;
 
     // Files.

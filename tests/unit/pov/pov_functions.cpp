@@ -149,6 +149,14 @@ TEST_CASE("POV-Ray's noise") {
           DVec3(-0.45008756420277585, -0.28017641330973836, -0.2922448223910093));
 }
 
+TEST_CASE("components of functions with several results") {
+    const std::string colors = "#declare c = function { spline { 0, <.2,.4,.6,0,0> } }";
+    check_prints(colors + "#declare f = function(a) { c(a).gray } #debug str(f(0), 0, 4)", "0.3634");
+    check_prints(colors + "#declare f = function(a) { c(a).hf } #debug str(f(0), 0, 6)", "0.200781");
+    check_prints(colors + "#declare f = function(a) { c(a).blue - c(a).x } #debug str(f(0), 0, 4)", "0.4000");
+    check_fails(colors + "#declare f = function(a) { c(a) }", "'.' expected");
+}
+
 TEST_CASE("functions say what is wrong with them, and always end") {
     check_fails("#declare f = function { x + q }", "unknown name 'q'");
     check_fails("#declare f = function(a) { a } #debug str(f(1, 2), 0, 0)", "this function needs 1 arguments, not 2");

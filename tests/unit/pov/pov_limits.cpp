@@ -61,6 +61,14 @@ TEST_CASE("messages say where, why, and by which macros") {
     CHECK(run_script("#for (i, 1, 5) #warning \"careful\" #end").remarks == "scene.pov:1: the scene warns: careful\n");
 }
 
+TEST_CASE("forms of old scenes") {
+    check_prints("declare a = 3 declare b = sphere { 0, 1 } declare c = b #debug str(a,0,0)", "3");
+    check_prints("#version 3.1; #declare i = 0 #while (i < 3) #declare i = i+1 #end #debug str(i,0,0)", "3");
+    check_prints("#declare T = texture { } #declare U = texture { T } texture { } #declare V = U #debug \"read\"",
+                 "read");
+    check_prints("#declare a = 2;# #debug str(a,0,0)", "2");
+}
+
 TEST_CASE("what never ends is an error") {
     check_fails("#while (1) #end", "the scene does not end", short_run());
     check_fails("#for (i, 0, 1e18) #end", "the scene does not end", short_run());
@@ -134,6 +142,9 @@ TEST_CASE("files that a scene reads and writes") {
         "\") #end "
         "#debug concat(str(a,0,0), vstr(2,b,\",\",0,1), c)";
     CHECK(run_script(reading, options).printed == "-5 6 12.0,-3.5four");
+    CHECK(
+        run_script("#fopen F \"data.txt\" read #read (F, a, b, c, d, e) #debug str(defined(F),0,0) #fclose F", options)
+            .printed == "0");
     const std::string writing = "#fopen F \"y.txt\" write #write (F, \"a\", 1.5, <1,2,3>, 1e10, \"\\n\") #fclose F";
     CHECK(run_script(writing, options).error.find("only in a folder that an option allows") != std::string::npos);
     CHECK(!std::filesystem::exists(folder / "y.txt"));
