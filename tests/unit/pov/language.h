@@ -19,10 +19,9 @@ struct BlankLayer : SceneLayer {
     NamedValue read_thing(Interpreter& in) override {
         const ValueKind kind = in.at("texture") ? ValueKind::texture : ValueKind::object;
         if (!in.at("sphere") && !in.at("texture")) return {};
-        do {
-            in.skip();
-            in.skip_block();
-        } while (kind == ValueKind::texture && in.accept_here("texture"));
+        in.skip();
+        in.skip_block();
+        while (kind == ValueKind::texture && in.accept_here("texture")) in.skip_block();
         return {kind, {}, std::make_shared<Blank>()};
     }
     void read_default(Interpreter& in) override { in.skip_block(); }
