@@ -27,10 +27,36 @@ std::optional<int> only_material(const Scene& scene, const Primitive& primitive)
     return same ? first : std::nullopt;
 }
 
-/// Returns a body without its closing brace. POV-Ray's own word `union` keeps the surfaces inside; `dress(material)`
-/// returns the words that give a part of a composite a material of its own; its pattern then has the whole's space.
+/// Returns the material whose index of refraction the body has as a whole: its own, or that of its first glass part.
+int medium_of(const Scene& scene, const Primitive& primitive) {
+    int medium = primitive.material;
+    for_each_leaf(primitive, [&](const Primitive& leaf, const glm::dmat4&) {
+        if (scene.materials[medium].refraction == 0 && scene.materials[leaf.material].refraction > 0)
+            medium = leaf.material;
+    });
+    return medium;
+}
+
+/// Returns whether all transformations certainly keep angles.
+bool keeps_angles(const std::vector<Transformation>& steps) {
+    const auto moves = [](const Transformation& step) { return std::holds_alternative<Motion>(step); };
+    return similarity(steps) > 0 && std::ranges::none_of(steps, moves);
+}
+
+/// Returns a simple body without its closing brace. POV-Ray makes the normals of a smooth triangle unit vectors once it
+/// has transformed them, which changes how they bend between the corners. In a mesh it transforms what it interpolated.
+std::string leaf_text(const Primitive& leaf) {
+    const SmoothTriangle* const smooth = std::get_if<SmoothTriangle>(&leaf.shape);
+    if (!smooth || keeps_angles(leaf.transformations)) return sentence(leaf.shape);
+    const auto& [a, b, c, normal_a, normal_b, normal_c] = *smooth;
+    const MeshData alone{{a, b, c}, {normal_a, normal_b, normal_c}, {{0, 1, 2}}, {{0, 1, 2}}};
+    return sentence(Mesh{std::make_shared<const MeshData>(alone), ""});
+}
+
+/// Returns a body without its closing brace, which will have the material `whole`. POV-Ray's own word `union` keeps the
+/// surfaces inside; `dress(material, indent)` returns the words that give a part of a composite a material of its own.
 template <class Dress>
-std::string head_of(const Primitive& primitive, PovMotions& motions, const Dress& dress,
+std::string head_of(const Primitive& primitive, int whole, PovMotions& motions, const Dress& dress,
                     const std::string& indent = "") {
     return std::visit(
         [&]<class Kind>(const Kind& kind) {
@@ -39,14 +65,13 @@ std::string head_of(const Primitive& primitive, PovMotions& motions, const Dress
                 const std::string inner = indent + "  ";
                 for (const Primitive& part : *kind.parts) {
                     Items items = statements(part.transformations, motions);
-                    if (part.material != primitive.material) items.insert(items.begin(), dress(part.material));
-                    std::erase(items, "");
-                    text += "\n" + inner + block(head_of(part, motions, dress, inner), items, inner);
+                    if (part.material != whole) items.insert(items.begin(), dress(part.material, inner + "  "));
+                    text += "\n" + inner + block(head_of(part, part.material, motions, dress, inner), items, inner);
                     text.pop_back();
                 }
                 return text;
             } else {
-                return sentence(primitive.shape);
+                return leaf_text(primitive);
             }
         },
         primitive.shape);
@@ -59,14 +84,17 @@ class BodyWriter {
     std::string text() const;
 
   private:
-    void add_mixed(const Primitive& primitive, bool clear_one);
+    void add_mixed(const Scene& scene, const Primitive& primitive);
     void add_clear(const Primitive& primitive, const std::string& head, const PovMaterial& material, Items items);
 
-    /// Returns the material of a visible body, or of the copy that casts its shadow.
-    std::string dressed(int number, bool copy) const {
+    std::string dressed(int number) const {
         const PovMaterial& material = how.materials[number];
-        if (copy && material.own_shadow) return "texture { " + material.name + "_Shadow }";
         return (material.transparent ? "material { " : "texture { ") + material.name + " }";
+    }
+
+    /// Returns the words of a copy that only casts a shadow. The eye may be in it.
+    Items copy_items(const std::string& texture = "") const {
+        return {texture, "no_image", "no_reflection", how.hollow ? "hollow" : ""};
     }
 
     const PovBodies& how;
@@ -76,35 +104,58 @@ class BodyWriter {
 
 void BodyWriter::add(const Scene& scene, const Primitive& primitive) {
     const std::optional<int> number = only_material(scene, primitive);
-    if (!number) return add_mixed(primitive, transparent(scene, primitive));
+    if (!number || scene.materials[*number].ior != scene.materials[medium_of(scene, primitive)].ior)
+        return add_mixed(scene, primitive);
     const PovMaterial& material = how.materials[*number];
     Items items = statements(primitive.transformations, how.motions);
     if (how.scaled) items.push_back("scale Unit");
-    const std::string head = head_of(primitive, how.motions, [](int) { return ""; });
+    const std::string head =
+        head_of(primitive, primitive.material, how.motions, [](int, const std::string&) { return ""; });
     if (material.transparent && how.shadow_copies) return add_clear(primitive, head, material, items);
-    items.insert(items.begin(), dressed(*number, false));
+    items.insert(items.begin(), dressed(*number));
     if (how.hollow && !material.transparent) items.push_back("hollow");
     (material.transparent ? clear : solid) += block(head, items);
 }
 
-/// Adds a composite whose parts have materials of their own.
-void BodyWriter::add_mixed(const Primitive& primitive, bool clear_one) {
+/// Adds a composite whose parts have materials of their own. A transparent one has one interior, as POV-Ray knows by it
+/// what a ray is in: a part that had another could be entered, and never left.
+void BodyWriter::add_mixed(const Scene& scene, const Primitive& primitive) {
     Items items = statements(primitive.transformations, how.motions);
     if (how.scaled) items.push_back("scale Unit");
-    const auto text = [&](bool copy, std::initializer_list<const char*> more) {
-        Items all{dressed(primitive.material, copy)};
-        all.insert(all.end(), items.begin(), items.end());
+    const int medium_number = medium_of(scene, primitive);
+    // POV-Ray looks first for the shadow of the body that was in the way of a light last, if its own texture, not those
+    // of its parts, is opaque; and dims light by its transparent parts once more afterwards. A pattern of the whole
+    // must continue through the parts.
+    const int whole = scene.materials[primitive.material].patterned() ? primitive.material : medium_number;
+    const auto text = [&](const auto& dress, const Items& more) {
+        Items all = items;
+        all.insert(all.begin(), dress(whole, std::string("  ")));
         all.insert(all.end(), more.begin(), more.end());
-        return block(head_of(primitive, how.motions, [&](int number) { return dressed(number, copy); }), all);
+        return block(head_of(primitive, whole, how.motions, dress), all);
     };
-    if (!clear_one) {
-        solid += how.hollow ? text(false, {"hollow"}) : text(false, {});
-    } else if (!how.shadow_copies) {
-        clear += text(false, {});
-    } else {
-        shadows += text(true, {"no_image", "no_reflection"});
-        seen += text(false, {"no_shadow"});
+    if (!transparent(scene, primitive)) {
+        solid += text([&](int number, const std::string&) { return dressed(number); },
+                      how.hollow ? Items{"hollow"} : Items{});
+        return;
     }
+    const PovMaterial& medium = how.materials[medium_number];
+    bool weighs = false;
+    for_each_leaf(primitive, [&](const Primitive& leaf, const glm::dmat4&) {
+        weighs |= !how.materials[leaf.material].weight.empty();
+    });
+    const std::string weight = !weighs ? "" : medium.weight.empty() ? "1" : medium.weight;
+    const auto seen_dress = [&](int number, const std::string& indent) {
+        return part_texture(scene.materials[number], weight, indent);
+    };
+    const auto shadow_dress = [&](int number, const std::string& indent) {
+        return how.materials[number].transparent ? shadow_texture(scene.materials[number], indent) : dressed(number);
+    };
+    Items more{"interior { ior " + medium.ior + " }"};
+    if (how.shadow_copies) {
+        shadows += text(shadow_dress, copy_items());
+        more.push_back("no_shadow");
+    }
+    (how.shadow_copies ? seen : clear) += text(seen_dress, more);
 }
 
 void BodyWriter::add_clear(const Primitive& primitive, const std::string& head, const PovMaterial& material,
@@ -117,8 +168,7 @@ void BodyWriter::add_clear(const Primitive& primitive, const std::string& head, 
     if (material.patterned)
         for (const std::string& item : items) moved += " " + item;
     if (material.own_shadow)
-        shadows += block("object { " + name, {"texture { " + material.name + "_Shadow" + moved + " }", "no_image",
-                                              "no_reflection"});
+        shadows += block("object { " + name, copy_items("texture { " + material.name + "_Shadow" + moved + " }"));
     seen += block("object { " + name, {"material { " + material.name + moved + " }"});
     if (material.own_shadow) seen.insert(seen.size() - 3, " no_shadow");
 }
@@ -138,9 +188,14 @@ std::string BodyWriter::text() const {
 
 }  // namespace
 
-bool mixed(const Scene& scene, const Primitive& primitive) {
-    const std::optional<int> number = only_material(scene, primitive);
-    return !number || scene.materials[*number].ior != scene.materials[primitive.material].ior;
+bool weighs_unevenly(const Scene& scene, const Primitive& primitive) {
+    const Material& medium = scene.materials[medium_of(scene, primitive)];
+    bool uneven = false;
+    for_each_leaf(primitive, [&](const Primitive& leaf, const glm::dmat4&) {
+        const Material& own = scene.materials[leaf.material];
+        uneven |= own.refraction > 0 && own.reflection + own.refraction != medium.reflection + medium.refraction;
+    });
+    return uneven && medium.ior != 1;
 }
 
 std::string body_sections(const Scene& scene, const PovBodies& how) {

@@ -10,15 +10,16 @@
 namespace strahl {
 
 struct PovBodies {
-    const std::vector<PovMaterial>& materials;
+    const std::vector<PovMaterial>& materials;  // in the order of the scene's
     bool shadow_copies;  // some body has a copy that casts its shadow
     bool scaled;         // Unit is declared
     bool hollow;         // opaque bodies have fog in them as well
     PovMotions& motions;
 };
 
-/// Returns whether a composite has parts of several materials, or of one with another ior than its own.
-bool mixed(const Scene& scene, const Primitive& primitive);
+/// Returns whether parts of a transparent body send different shares of the light on, where some of it may be reflected
+/// totally: POV-Ray has one share for all.
+bool weighs_unevenly(const Scene& scene, const Primitive& primitive);
 
 /// Returns all bodies. Opaque ones come first: POV-Ray lists the bodies around the camera in this order, and rays start
 /// in the last one listed.

@@ -9,7 +9,8 @@ namespace {
 constexpr std::size_t columns = 100;
 }
 
-std::string block(const std::string& head, const std::vector<std::string>& items, const std::string& indent) {
+std::string block(const std::string& head, std::vector<std::string> items, const std::string& indent) {
+    std::erase(items, "");
     std::size_t length = indent.size() + head.size() + 2;
     for (const std::string& item : items) length += 1 + item.size();
     const bool broken = length > columns || head.find('\n') != head.npos;

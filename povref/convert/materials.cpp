@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "num/decimal.h"
 #include "povref/convert/layout.h"
@@ -31,19 +32,19 @@ Circumstances circumstances_of(const Scene& scene, int depth) {
 }
 
 /// Returns the share of light that continues from a transparent body, Kr + Kt, in single precision as in POV-Ray.
-std::string weight(const Material& m) {
+std::string weight_of(const Material& m) {
     char digits[32];
     return {digits, std::to_chars(digits, digits + sizeof digits, static_cast<float>(m.reflection + m.refraction)).ptr};
 }
 
 /// Returns the terms of a finish. POV-Ray multiplies ambient and diffuse light by the opacity of the pigment, so they
-/// are divided by it. `opacity` is text, "" for 1.
-std::vector<std::string> finish(const Material& m, const std::string& opacity, bool keyword) {
+/// are divided by it. `opacity` is text, "" for 1; `weight` is that of the keyword `refraction`, "" without it.
+std::vector<std::string> finish(const Material& m, const std::string& opacity, const std::string& weight) {
     const auto lit = [&](double k) { return text_of(k) + (k == 0 || opacity.empty() ? "" : "/" + opacity); };
     std::vector<std::string> terms{"ambient " + lit(m.ambient), "diffuse " + lit(m.diffuse)};
     if (m.specular > 0) terms.push_back("phong " + text_of(m.specular) + " phong_size " + text_of(m.pow));
     if (m.reflection > 0) terms.push_back("reflection { rgb " + text_of(m.reflection) + " }");
-    if (keyword) terms.push_back("refraction " + weight(m));
+    if (!weight.empty()) terms.push_back("refraction " + weight);
     return terms;
 }
 
@@ -56,28 +57,28 @@ std::string texture(const std::string& pigment, const std::vector<std::string>& 
 }
 
 /// Returns the transmitted share for the pigment. With the keyword, which also applies to total reflection, it is
-/// relative to Kr + Kt.
-double transmitted(const Material& m, bool keyword) {
-    return keyword ? m.refraction / (m.reflection + m.refraction) : m.refraction;
+/// relative to its weight.
+double transmitted(const Material& m, const std::string& weight) {
+    return weight.empty() ? m.refraction : m.refraction / std::stod(weight);
 }
-std::string transmitted_text(const Material& m, bool keyword) {
-    if (!keyword) return text_of(m.refraction);
-    return m.reflection == 0 ? "1" : text_of(m.refraction) + "/" + weight(m);
+std::string transmitted_text(const Material& m, const std::string& weight) {
+    if (weight.empty()) return text_of(m.refraction);
+    return m.reflection == 0 && weight == weight_of(m) ? "1" : text_of(m.refraction) + "/" + weight;
 }
 
 /// Returns whether the material needs two layers: POV-Ray does not light a pigment that is (almost) clear.
-bool needs_layers(const Material& m, bool keyword) {
-    return transmitted(m, keyword) > 0.95 && (m.ambient > 0 || m.diffuse > 0);
+bool needs_layers(const Material& m, const std::string& weight) {
+    return transmitted(m, weight) > 0.95 && (m.ambient > 0 || m.diffuse > 0);
 }
 
 /// Returns the texture of a transparent body, but for its shadow.
-std::string seen_through(const Material& m, bool keyword) {
-    const std::string share = transmitted_text(m, keyword);
-    if (!needs_layers(m, keyword))
-        return texture(pigment_text(m.rgb, " transmit " + share), finish(m, "(1 - " + share + ")", keyword), "  ",
+std::string seen_through(const Material& m, const std::string& weight, const std::string& indent) {
+    const std::string share = transmitted_text(m, weight);
+    if (!needs_layers(m, weight))
+        return texture(pigment_text(m.rgb, " transmit " + share), finish(m, "(1 - " + share + ")", weight), indent,
                        m.bump);
-    return texture("rgb 0 transmit 2" + (share == "1" ? "" : "*" + share), {"ambient 0", "diffuse 0"}, "  ", m.bump) +
-           "\n  " + texture(pigment_text(m.rgb, " transmit 0.5"), finish(m, "0.5", keyword), "  ", m.bump);
+    return texture("rgb 0 transmit 2" + (share == "1" ? "" : "*" + share), {"ambient 0", "diffuse 0"}, indent, m.bump) +
+           "\n" + indent + texture(pigment_text(m.rgb, " transmit 0.5"), finish(m, "0.5", weight), indent, m.bump);
 }
 
 PovMaterial describe(const Material& m, const std::string& name, const Circumstances& scene) {
@@ -85,27 +86,31 @@ PovMaterial describe(const Material& m, const std::string& name, const Circumsta
     pov.patterned = m.patterned();
     pov.transparent = m.refraction > 0;
     if (!pov.transparent) {
-        pov.declaration =
-            "#declare " + name + " = " + texture(pigment_text(m.rgb), finish(m, "", false), "", m.bump) + "\n";
+        pov.declaration = "#declare " + name + " = " + part_texture(m, "", "") + "\n";
         return pov;
     }
     // Total reflection has the share Kr + Kt here, and 1 in POV-Ray unless the old keyword `refraction` changes it.
-    pov.keyword = scene.bends && std::fabs(m.reflection + m.refraction - 1) > 1e-9;
-    pov.layered = needs_layers(m, pov.keyword);
-    pov.own_shadow = scene.lights && (pov.keyword || m.rgb != Pigment(Color(1)));
+    if (scene.bends && std::fabs(m.reflection + m.refraction - 1) > 1e-9) pov.weight = weight_of(m);
+    pov.layered = needs_layers(m, pov.weight);
+    pov.own_shadow = scene.lights && (!pov.weight.empty() || m.rgb != Pigment(Color(1)));
     pov.near_one = m.ior == 1 && scene.depth_shows;
     // POV-Ray keeps the ior in single precision; this is the next number after 1.
-    const std::string ior = pov.near_one ? "1.00000012" : text_of(m.ior);
-    pov.declaration = "#declare " + name + " = material {\n  " + seen_through(m, pov.keyword) + "\n  interior { ior " +
-                      ior + " }\n}\n";
-    if (pov.own_shadow)
-        pov.declaration +=
-            "#declare " + name + "_Shadow = " +
-            texture(pigment_text(m.rgb, " filter " + text_of(m.refraction)), {"ambient 0", "diffuse 0"}, "") + "\n";
+    pov.ior = pov.near_one ? "1.00000012" : text_of(m.ior);
+    pov.declaration = "#declare " + name + " = material {\n  " + part_texture(m, pov.weight, "  ") +
+                      "\n  interior { ior " + pov.ior + " }\n}\n";
+    if (pov.own_shadow) pov.declaration += "#declare " + name + "_Shadow = " + shadow_texture(m, "") + "\n";
     return pov;
 }
 
 }  // namespace
+
+std::string part_texture(const Material& m, const std::string& weight, const std::string& indent) {
+    if (m.refraction > 0) return seen_through(m, weight, indent);
+    return texture(pigment_text(m.rgb), finish(m, "", weight), indent, m.bump);
+}
+std::string shadow_texture(const Material& m, const std::string& indent) {
+    return texture(pigment_text(m.rgb, " filter " + text_of(m.refraction)), {"ambient 0", "diffuse 0"}, indent);
+}
 
 std::vector<PovMaterial> pov_materials(const Scene& scene, int depth) {
     const Circumstances all = circumstances_of(scene, depth);

@@ -15,7 +15,8 @@ struct PovMaterial {
     std::string declaration{};
     bool transparent = false;
     bool own_shadow = false;  // needs that copy
-    bool keyword = false;     // uses the finish keyword `refraction`, about which POV-Ray warns
+    std::string ior{};        // of a transparent one
+    std::string weight{};     // of the finish keyword `refraction`, about which POV-Ray warns; empty if it is not used
     bool layered = false;     // has two layers of texture
     bool patterned = false;   // has a pattern, which moves with the body
     bool near_one = false;    // an ior of 1 is written as the next larger number
@@ -23,5 +24,11 @@ struct PovMaterial {
 
 /// Returns the materials in the order of scene.materials. `depth` is the number of generations of rays.
 std::vector<PovMaterial> pov_materials(const Scene& scene, int depth);
+
+/// Returns the texture of a part of a transparent body that has one interior. POV-Ray takes the weight of the keyword
+/// `refraction` for the interior's, so all parts have the same, or none.
+std::string part_texture(const Material& material, const std::string& weight, const std::string& indent);
+/// Returns the texture of a copy that only casts a transparent shadow.
+std::string shadow_texture(const Material& material, const std::string& indent);
 
 }  // namespace strahl

@@ -33,7 +33,7 @@ struct Plan {
     bool keyword = false;         // some material uses `refraction`
     bool shadow_copies = false;   // some body has a copy that casts its shadow
     bool bodies_overlap = false;  // transparent ones share space
-    bool mixed = false;           // some transparent composite is of several materials
+    bool uneven = false;          // parts of a transparent composite send different shares of light on
     bool rectangles = false;      // some light is a rectangle without a grid
     bool near_one = false;        // some ior of 1 is written as a larger number
     bool normal_maps = false;     // some material has one
@@ -50,7 +50,7 @@ Plan plan_for(const Scene& scene, const PovRequest& request) {
         for (const Primitive& primitive : moment.primitives)
             if (transparent(moment, primitive)) {
                 for (const Camera& camera : cameras) plan.inside |= contains(primitive, camera.position);
-                plan.mixed |= mixed(moment, primitive);
+                plan.uneven |= weighs_unevenly(moment, primitive);
             }
     };
     plan.moves = Movers(scene).any();
@@ -60,7 +60,7 @@ Plan plan_for(const Scene& scene, const PovRequest& request) {
     plan.scale = scale_for(sizes);
     plan.scaled = plan.scale.factor != 1;
     for (const PovMaterial& material : plan.materials) {
-        plan.keyword |= material.keyword;
+        plan.keyword |= !material.weight.empty();
         plan.shadow_copies |= material.own_shadow;
         plan.near_one |= material.near_one;
     }
@@ -78,9 +78,9 @@ std::vector<std::string> warnings_of(const Plan& plan) {
         {plan.near_one,
          "POV-Ray does not count an unrefracted ray as a generation; transparent bodies of ior 1 get an ior of "
          "1.00000012 instead, which refracts by less than can be seen"},
-        {plan.mixed,
-         "in a transparent body made of bodies POV-Ray refracts by the ior of each part, and strahl by the ior of the "
-         "whole body"},
+        {plan.uneven,
+         "POV-Ray has one share for all light that is reflected totally in a transparent body made of bodies, here "
+         "that of its own material; parts with another sum of reflection and refraction have the wrong one"},
         {plan.rectangles,
          "POV-Ray makes grids of lights with an area, here of 16 by 16 points, and multiplies the mean of their light "
          "by the mean of their shadows; with `grid` each point becomes a light of its own, and the pictures are equal"},

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "num/decimal.h"
+#include "num/vec_math.h"
 #include "scene/kinds/kinds.h"
 #include "scene/motion/transformation.h"
 
@@ -30,8 +31,12 @@ inline std::string step_text(const Transformation& step) {
 }
 
 /// Returns a mesh without its closing brace. A closed one gets a direction in which POV-Ray counts whether a point is
-/// inside.
+/// inside. POV-Ray keeps the points in single precision, so one that is far from the origin is moved there and back.
 inline std::string sentence(const Mesh& mesh) {
+    const Box box = mesh.bounds();
+    const DVec3 size = box.size();
+    const bool far = dot_product(box.centre(), box.centre()) > dot_product(size, size);
+    const DVec3 middle = far ? box.centre() : DVec3(0);
     const auto &points = mesh.data->points, &normals = mesh.data->normals;
     const auto &triangles = mesh.data->triangles, &corner_normals = mesh.data->corner_normals;
     const MeshData::Corners* const places = mesh.data->place_numbers();
@@ -39,7 +44,7 @@ inline std::string sentence(const Mesh& mesh) {
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         text += corner_normals.empty() ? "\n  triangle {" : "\n  smooth_triangle {";
         for (int k = 0; k < 3; ++k) {
-            text += (k > 0 ? ", " : " ") + text_of(points[triangles[i][k]]);
+            text += (k > 0 ? ", " : " ") + text_of(points[triangles[i][k]] - middle);
             if (!corner_normals.empty()) text += ", " + text_of(normals[corner_normals[i][k]]);
         }
         for (int k = 0; places && k < 3; ++k) {
@@ -48,7 +53,8 @@ inline std::string sentence(const Mesh& mesh) {
         }
         text += " }";
     }
-    return text + (open_side(*mesh.data) ? "\n " : "\n  inside_vector <0, 0, 1>");
+    text += open_side(*mesh.data) ? "\n " : "\n  inside_vector <0, 0, 1>";
+    return far ? text + " translate " + text_of(middle) : text;
 }
 
 /// Returns a simple body without its closing brace, in the shape's own space.

@@ -144,16 +144,42 @@ TEST_CASE("bodies made of bodies: a material for each part, or one for all of a 
               "\n#declare Intersection_1 = intersection {\n  sphere { <0, 0, 1>, 1 }\n"
               "  sphere { <0, 0.5, 1>, 1 translate <0, 0, 0.5> }\n  scale 2\n  scale Unit\n}\n"));
     CHECK(count(clear.pov, "object { Intersection_1 ") == 2);
+    // Parts with materials of their own have textures, and the whole has the one interior that POV-Ray follows.
+    const auto bodies = [](const PovFiles& files) { return files.pov.substr(files.pov.find("---- Transparent")); };
+    const PovFiles mixed = convert(lens("material { rgb <0, 1, 0> ior 1.2 }", glass));
+    CHECK_FALSE(has(bodies(mixed), "material {"));
+    CHECK(count(bodies(mixed), "interior {") == 1);
+    CHECK(has(bodies(mixed), "interior { ior 1.5 }"));
+    CHECK(count(bodies(mixed), "pigment { rgb <0, 1, 0> transmit 1 }") == 1);
+    CHECK(count(bodies(mixed), "pigment { rgb <0, 1, 0> filter 1 }") == 1);
     const auto says = [](const PovFiles& files) {
-        return std::ranges::any_of(files.warnings, [](const auto& w) { return has(w, "the ior of each part"); });
+        return std::ranges::any_of(files.warnings, [](const auto& w) { return has(w, "reflected totally"); });
     };
-    CHECK_FALSE(says(clear));
-    const PovFiles mixed = convert(lens("material { rgb <0, 1, 0> }", glass));
-    CHECK(says(mixed));
-    CHECK(count(mixed.pov, "material { Green_Glass }") == 1);
-    CHECK(count(mixed.pov, "texture { Green_Glass_Shadow }") == 1);
-    CHECK(says(convert(lens("material { reflection 0 refraction 0 }", glass))));
+    CHECK_FALSE(says(mixed));
+    CHECK_FALSE(says(convert(lens("material { reflection 0 refraction 0 }", glass))));
+    CHECK(says(convert(lens("material { refraction .4 }", glass))));
+    CHECK(has(bodies(convert(lens("material { refraction .5 ior 2 }", "material { reflection 0 }"))), "{ ior 2 }"));
+    CHECK(has(bodies(convert(lens("material { refraction .5 ior 2 }", "material { rgb <0, 0, 1> reflection 0 }"))),
+              "  sphere { <0, 0.5, 1>, 1\n    texture {\n      pigment { rgb <0, 0, 1> }"));
+    // So if all parts share a material that is not the whole's.
+    const std::string part = "sphere { <0, 0, 1>, 1 material { ior 1.2 } } ";
+    CHECK(has(bodies(convert(camera + light + "union { " + part + part + glass + " }")), "{ ior 1.5 }"));
     CHECK(has(convert(camera + "union { sphere { <0, 0, 1>, 1 } sphere { <0, 1, 1>, 1 } }").pov, "\nmerge {\n"));
+}
+
+TEST_CASE("copies that cast shadows keep no fog out") {
+    const std::string glass = "sphere { <0, 0, 1>, 1 material { refraction .8 reflection .2 rgb <1, .5, .5> } }";
+    CHECK(has(convert(camera + light + "fog { distance 5 color <1, 1, 1> } " + glass).pov, "no_reflection hollow }"));
+    CHECK_FALSE(has(convert(camera + light + glass).pov, "hollow"));
+}
+
+TEST_CASE("what POV-Ray keeps in single precision, or interpolates after it was transformed") {
+    const std::string far = convert(camera + "mesh { triangle { <1000, 0, 0>, <1001, 0, 0>, <1000, 1, 0> } }").pov;
+    CHECK(has(far, "triangle { <-0.5, -0.5, 0>, <0.5, -0.5, 0>, <-0.5, 0.5, 0> }\n  translate <1000.5, 0.5, 0>"));
+    CHECK_FALSE(has(convert(camera + "mesh { triangle { <0, 0, 0>, <1, 0, 0>, <0, 1, 0> } }").pov, "translate"));
+    const std::string bent = "smooth_triangle { <0,0,0>, <1,0,0>, <0,1,0>, <0,0,1>, <1,0,1>, <0,1,1> ";
+    CHECK(has(convert(camera + bent + "scale <1, 2, 1> }").pov, "mesh {\n  smooth_triangle {"));
+    CHECK_FALSE(has(convert(camera + bent + "scale 2 }").pov, "mesh {"));
 }
 
 TEST_CASE("patterns move with their bodies, and go through the parts that share them") {
