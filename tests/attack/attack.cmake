@@ -13,6 +13,13 @@ if(CMAKE_CXX_COMPILER_ID MATCHES Clang)
   target_link_options(attack_libfuzzer PRIVATE -fsanitize=fuzzer)
 endif()
 
+# Bodies with degenerate values, against the referee.
+add_library(strahl_body_check STATIC ${attack}/bodies/body_check.cpp ${attack}/bodies/degenerate_scene.cpp)
+target_link_libraries(strahl_body_check PUBLIC strahl_trace strahl_referee)
+add_executable(attack_bodies ${attack}/bodies/bodies.cpp)
+target_link_libraries(attack_bodies PRIVATE strahl_body_check strahl_text)
+add_dependencies(attack attack_bodies)
+
 # The renderer. In the sanitize preset only the scalar level is instrumented.
 add_library(strahl_picture_check STATIC ${attack}/renderer/picture_check.cpp
             ${attack}/renderer/shrink.cpp)
@@ -20,9 +27,16 @@ target_link_libraries(strahl_picture_check PUBLIC strahl_text strahl_trace)
 add_executable(attack_renderer ${attack}/renderer/renderer.cpp ${attack}/renderer/wild_scene.cpp
                ${attack}/renderer/wild_materials.cpp ${attack}/renderer/wild_values.cpp)
 target_link_libraries(attack_renderer PRIVATE strahl_picture_check)
-strahl_tests(test_attacked unit/trace strahl_picture_check attacked)
+strahl_tests(test_attacked unit/trace "strahl_picture_check;strahl_body_check" attacked)
 add_dependencies(attack attack_renderer)
 add_test(NAME attack_renderer COMMAND attack_renderer --seconds 5)
+
+# Random scenes, against POV-Ray, which must be installed.
+add_library(strahl_povray_scene STATIC ${attack}/povray/povray_scene.cpp)
+target_link_libraries(strahl_povray_scene PUBLIC strahl_referee)
+add_executable(attack_povray ${attack}/povray/povray.cpp)
+target_link_libraries(attack_povray PRIVATE strahl_povray_scene strahl_povref strahl_picture_check)
+add_dependencies(attack attack_povray)
 
 # The readers of pictures and of meshes.
 add_library(strahl_file_attack STATIC ${attack}/file_attack.cpp)

@@ -167,7 +167,7 @@ Scene random_scene(std::uint64_t seed, const RandomScene& what) {
     }
     const auto put = [&](Shape shape, const Material& material, std::vector<Transformation> transformations) {
         const int number = add(material, scene);
-        furnish(shape, number, 1, scene, dice, what);
+        furnish(shape, number, what.levels, scene, dice, what);
         scene.primitives.push_back({std::move(shape), number, std::move(transformations)});
     };
     for (int i = dice.upto(2); i > 0; --i) {
@@ -175,10 +175,10 @@ Scene random_scene(std::uint64_t seed, const RandomScene& what) {
         put(floor, dice.chance(.5) ? mirror(dice) : matt(dice), {});
     }
     for (int i = dice.upto(5); i >= -1; --i) {
-        const Shape shape = dice.chance(.2)    ? any_kind(dice, std::type_identity<Shape>{})
-                            : dice.chance(.55) ? sphere(dice)
-                            : dice.chance(.95) ? cylinder(dice)
-                                               : plane(dice, scene.camera.position);
+        const Shape shape = dice.chance(what.any_kind) ? any_kind(dice, std::type_identity<Shape>{})
+                            : dice.chance(.55)         ? sphere(dice)
+                            : dice.chance(.95)         ? cylinder(dice)
+                                                       : plane(dice, scene.camera.position);
         const Material material = any_material(dice, what.transparent);
         put(shape, material, what.transformed && dice.chance(.5) ? steps(dice) : std::vector<Transformation>{});
     }

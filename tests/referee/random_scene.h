@@ -14,6 +14,8 @@ struct RandomScene {
     bool bumps = false;          // most materials have one
     bool normals = false;        // most materials have a normal map
     bool camera_inside = false;  // the eye is in at least one transparent body
+    double any_kind = .2;        // share of bodies of any kind; the others are mostly spheres and cylinders
+    int levels = 1;              // of composites in composites
 };
 
 /// 2 to 9 bodies, mostly spheres, planes and cylinders, of every kind of material, 1 to 4 lights, within about 4 of the

@@ -12,6 +12,18 @@ struct AffineKernel {
     HitBox<T> box;
     K shape;
 
+    /// Does a ray that starts on face `start` meet the body there? If so it is in the box, however thin that is.
+    template <class S>
+    STRAHL_INLINE Mask<S> meets_box(const Ray<S>& ray, S t, S start) const {
+        constexpr int faces = [] {
+            if constexpr (requires { K::faces; })
+                return K::faces;
+            else
+                return 1;
+        }();
+        return box.holds(ray, t, abs(t)) | ((start >= S(0)) & (start < S(faces)));
+    }
+
     template <class S>
     struct Local {
         Ray<S> ray;
@@ -35,7 +47,7 @@ struct AffineKernel {
         const Local<S> local = to_local(ray);
         auto crossings = shape.crossings(local.ray, start);
         for (S& t : crossings.t) t = t / local.stretch;
-        crossings.hit = crossings.hit & box.holds(ray, first_crossing(crossings));
+        crossings.hit = crossings.hit & meets_box(ray, first_crossing(crossings), start);
         return crossings;
     }
     template <class S>
@@ -47,7 +59,7 @@ struct AffineKernel {
         Span<S> span = shape.span(local.ray, start);
         if (none(span.hit)) return span;
         span.near = span.near / local.stretch, span.far = span.far / local.stretch;
-        span.hit = span.hit & box.holds(ray, first_crossing(span));
+        span.hit = span.hit & meets_box(ray, first_crossing(span), start);
         return span;
     }
     template <class S>
@@ -62,13 +74,14 @@ struct AffineKernel {
 };
 
 /// Makes such a kernel. `shape` stands at the origin of a space whose origin is `centre` in the primitive's own space,
-/// and whose unit is `unit` there. `bounds` is the box around the transformed shape.
+/// and whose unit is `unit` there. `bounds` is the box around the transformed shape, `local` that in the primitive's
+/// own space.
 template <class T, class K>
-AffineKernel<K, T> affine(const K& shape, const DVec3& centre, double unit, const Box& bounds,
+AffineKernel<K, T> affine(const K& shape, const DVec3& centre, double unit, const Box& bounds, const Box& local,
                           const WorldTransform& to_world) {
     const glm::dmat3 inverse = glm::inverse(glm::dmat3(to_world.matrix)) * (1 / (unit * to_world.scale));
     const auto row = [&](int i) { return cast<T>(DVec3(inverse[0][i], inverse[1][i], inverse[2][i])); };
-    return {cast<T>(to_world.point(centre)), row(0), row(1), row(2), HitBox<T>::of(bounds, to_world), shape};
+    return {cast<T>(to_world.point(centre)), row(0), row(1), row(2), HitBox<T>::of(bounds, local, to_world), shape};
 }
 
 }  // namespace strahl

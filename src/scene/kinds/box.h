@@ -62,7 +62,8 @@ struct BoxKernel {
         span.hit = span.near <= span.far;
         span.near = span.near + shift;
         span.far = span.far + shift;
-        span.hit = span.hit & box.holds(ray, first_crossing(span));
+        const S first = first_crossing(span);
+        span.hit = span.hit & box.holds(ray, first, abs(first) + abs(shift));
         if (any(starts_here)) {
             // A convex body is never entered again from its own surface. The normal that at() returned tells whether
             // the ray leaves.
@@ -143,7 +144,7 @@ struct Cuboid {
             return cast<T>(r * std::min(2 / (size[i] * to_world.scale), most / largest));
         };
         emit(BoxKernel<T>{cast<T>(to_world.point(box.centre())), row(0), row(1), row(2),
-                          HitBox<T>::of(transformed(box, to_world.matrix), to_world)});
+                          HitBox<T>::of(transformed(box, to_world.matrix), box, to_world)});
     }
 };
 

@@ -30,7 +30,7 @@ struct ConeKernel {
                            static_cast<double>(std::numeric_limits<T>::min())});
         const double slant = length({height, widening, 0});  // not hypot of two, whose last bit is the processor's
         return {cast<T>(base),
-                cast<T>(axis),
+                cast_unit<T>(axis),
                 static_cast<T>(base_radius),
                 static_cast<T>(height),
                 static_cast<T>(height / slant),
@@ -228,7 +228,7 @@ struct Cone {
         else
             emit(affine<T>(
                 ConeKernel<T>::frustum(DVec3(0), axis(), base_radius / unit, cap_radius / unit, height() / unit), base,
-                unit, transformed(bounds(), to_world.matrix), to_world));
+                unit, transformed(bounds(), to_world.matrix), bounds(), to_world));
     }
 };
 

@@ -120,11 +120,12 @@ struct Cylinder {
         const DVec3 rise = cap - base;
         const double height = std::sqrt(dot_product(rise, rise));
         if (to_world.similar())
-            emit(CylinderKernel<T>{cast<T>(to_world.point(base)), cast<T>(to_world.direction(axis())),
+            emit(CylinderKernel<T>{cast<T>(to_world.point(base)), cast_unit<T>(to_world.direction(axis())),
                                    static_cast<T>(to_world.length(radius)), static_cast<T>(to_world.length(height))});
         else
-            emit(affine<T>(CylinderKernel<T>{Vec3<T>(T(0)), cast<T>(axis()), T(1), static_cast<T>(height / radius)},
-                           base, radius, transformed(bounds(), to_world.matrix), to_world));
+            emit(
+                affine<T>(CylinderKernel<T>{Vec3<T>(T(0)), cast_unit<T>(axis()), T(1), static_cast<T>(height / radius)},
+                          base, radius, transformed(bounds(), to_world.matrix), bounds(), to_world));
     }
 };
 

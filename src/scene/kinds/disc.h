@@ -74,11 +74,11 @@ struct Disc {
     void emit(const WorldTransform& to_world, const Emit& emit) const {
         const DVec3 n = normalize(normal);
         if (to_world.similar())
-            emit(DiscKernel<T>{cast<T>(to_world.point(centre)), cast<T>(to_world.direction(n)),
+            emit(DiscKernel<T>{cast<T>(to_world.point(centre)), cast_unit<T>(to_world.direction(n)),
                                static_cast<T>(to_world.length(radius)), static_cast<T>(to_world.length(hole))});
         else
-            emit(affine<T>(DiscKernel<T>{Vec3<T>(0), cast<T>(n), T(1), static_cast<T>(hole / radius)}, centre, radius,
-                           transformed(bounds(), to_world.matrix), to_world));
+            emit(affine<T>(DiscKernel<T>{Vec3<T>(0), cast_unit<T>(n), T(1), static_cast<T>(hole / radius)}, centre,
+                           radius, transformed(bounds(), to_world.matrix), bounds(), to_world));
     }
 };
 

@@ -16,20 +16,27 @@ template <class T>
 struct HitBox {
     Vec3<T> middle, half;
 
-    /// The hit box for a box in the world, larger by what the rounding of its numbers to T may cost.
-    static HitBox of(const Box& bounds, const WorldTransform& to_world) {
-        constexpr double rounding = 4 * std::max(static_cast<double>(std::numeric_limits<T>::epsilon()),
-                                                 std::numeric_limits<double>::epsilon());
+    /// The hit box for a box in the world, larger by what the rounding of its numbers to T may cost, and by what that
+    /// of points before they are placed cost; `local` is the box in the body's own space.
+    static HitBox of(const Box& bounds, const Box& local, const WorldTransform& to_world) {
+        constexpr double last_bit = std::numeric_limits<double>::epsilon();
+        constexpr double rounding = 4 * std::max(static_cast<double>(std::numeric_limits<T>::epsilon()), last_bit);
         const DVec3 middle = to_world.place(bounds.centre()), size = bounds.size() * to_world.scale;
         DVec3 half;
-        for (int c = 0; c < 3; ++c) half[c] = size[c] / 2 + rounding * (std::fabs(middle[c]) + size[c]);
+        for (int c = 0; c < 3; ++c) {
+            double terms = std::fabs(to_world.matrix[3][c]);
+            for (int i = 0; i < 3; ++i)
+                terms += std::fabs(to_world.matrix[i][c]) * std::max(std::fabs(local.low[i]), std::fabs(local.high[i]));
+            half[c] = size[c] / 2 + rounding * (std::fabs(middle[c]) + size[c]) + 4 * last_bit * terms * to_world.scale;
+        }
         return {cast<T>(middle), cast<T>(half)};
     }
-    /// Is the point of the ray at `t` in the box, up to the rounding of t?
+    /// Is the point of the ray at `t` in the box, up to the rounding of t? `terms` is the sum of what t was added up
+    /// from.
     template <class S>
-    STRAHL_INLINE Mask<S> holds(const Ray<S>& ray, S t) const {
+    STRAHL_INLINE Mask<S> holds(const Ray<S>& ray, S t, S terms) const {
         const Vec3<S> p = fma(t, ray.direction, ray.origin - splat<S>(middle));
-        const S slack = S(16 * std::numeric_limits<Element<S>>::epsilon()) * abs(t);
+        const S slack = S(16 * std::numeric_limits<Element<S>>::epsilon()) * terms;
         return (abs(p.x) <= S(half.x) + slack) & (abs(p.y) <= S(half.y) + slack) & (abs(p.z) <= S(half.z) + slack);
     }
 };

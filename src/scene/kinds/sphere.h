@@ -91,7 +91,8 @@ struct Sphere {
         if (to_world.similar())
             emit(SphereKernel<T>{cast<T>(to_world.point(centre)), static_cast<T>(to_world.length(radius))});
         else
-            emit(affine<T>(SphereKernel<T>{Vec3<T>(T(0)), T(1)}, centre, radius, bounds(to_world.matrix), to_world));
+            emit(affine<T>(SphereKernel<T>{Vec3<T>(T(0)), T(1)}, centre, radius, bounds(to_world.matrix), bounds(),
+                           to_world));
     }
 };
 

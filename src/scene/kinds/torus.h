@@ -163,12 +163,12 @@ struct Torus {
         const DVec3 a = normalize(axis);
         const double unit = major + minor;
         if (to_world.similar())
-            emit(TorusKernel<T>{cast<T>(to_world.point(centre)), cast<T>(to_world.direction(a)),
+            emit(TorusKernel<T>{cast<T>(to_world.point(centre)), cast_unit<T>(to_world.direction(a)),
                                 static_cast<T>(to_world.length(major)), static_cast<T>(to_world.length(minor))});
         else
             emit(affine<T>(
-                TorusKernel<T>{Vec3<T>(0), cast<T>(a), static_cast<T>(major / unit), static_cast<T>(minor / unit)},
-                centre, unit, transformed(bounds(), to_world.matrix), to_world));
+                TorusKernel<T>{Vec3<T>(0), cast_unit<T>(a), static_cast<T>(major / unit), static_cast<T>(minor / unit)},
+                centre, unit, transformed(bounds(), to_world.matrix), bounds(), to_world));
     }
 };
 

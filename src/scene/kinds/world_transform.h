@@ -3,6 +3,7 @@
 #include <cmath>
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
+#include <limits>
 
 #include "num/bounding_box.h"
 #include "num/vec_math.h"
@@ -47,6 +48,16 @@ struct WorldTransform {
 template <class T>
 Vec3<T> cast(const DVec3& v) {
     return {static_cast<T>(v.x), static_cast<T>(v.y), static_cast<T>(v.z)};
+}
+/// Converts a unit vector to one of T's digits: in long double the length of double's is 1 to half of the digits alone,
+/// and whether a point is on a body would depend on how it was computed.
+template <class T>
+Vec3<T> cast_unit(const DVec3& v) {
+    const Vec3<T> u = cast<T>(v);
+    if constexpr (std::numeric_limits<T>::digits <= std::numeric_limits<double>::digits)
+        return u;
+    else
+        return T(1) / std::sqrt(u.x * u.x + u.y * u.y + u.z * u.z) * u;
 }
 
 }  // namespace strahl

@@ -1,8 +1,12 @@
 // Scenes that tests/attack found faults in, as small as they could be made.
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <array>
 #include <stdexcept>
 
+#include "tests/attack/bodies/body_check.h"
+#include "tests/attack/bodies/degenerate_scene.h"
 #include "tests/attack/renderer/picture_check.h"
 #include "tests/attack/renderer/shrink.h"
 #include "text/parse.h"
@@ -120,4 +124,54 @@ TEST_CASE("bodies of which one is the unit of length, and the square of the othe
                  "sphere { <0, 0, 0>, 1 scale -5.671912830527493e-78 }"
                  "plane { <0, 0, 0>, <0, 0, 1>, <1, 0, 0> }",
                  30, 21) == std::vector<std::string>{});
+}
+
+TEST_CASE("bodies with degenerate values are those of the referee in every precision") {
+    constexpr int scenes = 150;
+    int checked[3] = {};
+    for (std::uint64_t seed = 1; seed <= scenes; ++seed) {
+        const DegenerateScene made = degenerate_scene(seed);
+        const BodyFaults faults = faults_of(made.scene, made.condition);
+        CAPTURE(seed);
+        CAPTURE(made.words);
+        for (int p = 0; p < 3; ++p) checked[p] += faults.checked[p];
+        CHECK(faults.pixels == std::array{0, 0, 0});
+    }
+    CHECK(checked[0] > scenes / 4);
+    CHECK(std::min(checked[1], checked[2]) > scenes / 2);
+}
+
+TEST_CASE("bodies that once had holes") {
+    const auto pixels = [](const std::string& scene, double condition) {
+        const std::string sky = "background { color <.4, .1, .2> } ";
+        return faults_of(parse_scene(sky + scene, "text"), condition).pixels;
+    };
+    const std::string glass = " material { reflection .4 refraction .6 diffuse .6 ambient .2 ior 1.3 } } ";
+    // The axis was a unit vector in double alone, and points were off the widest radius in long double.
+    CHECK(pixels("camera { position <0, -8, 0> look_at <0, 0, 0> sky <0, 0, 1> fov 12 }"
+                 "light { position <-5, -5, 2> color <1, 1, 1> } cone { <0, 0, -1>, 1, <.3, .7, 1>, 1 }",
+                 1e2) == std::array{0, 0, 0});
+    // Where bodies are moved far, points were rounded before the origin came near the eye.
+    for (const std::string body : {"box { <0, 0, 0>, <1, .7, .01> rotate <0, 0, 20>", "box { <0, 0, 0>, <1, .7, .3>",
+                                   "sphere { <.5, .3, .1>, .4 scale <1, 1, .001>",
+                                   "cone { <0, 0, 0>, 1, <0, 0, .2>, 1"
+                                   " scale <1, 1, .3>"}) {
+        CAPTURE(body);
+        CHECK(
+            pixels("camera { position <5003.2, 1364.6, -343.6> look_at <5005.4, 1365.3, -343.1> sky <0, 0, 1> fov 14 }"
+                   "light { position <5001.6, 1360.5, -330> color <1, 1, 1> }" +
+                       body + " translate <5004.934302364035, 1364.8925089996787, -343.14558009553747>" + glass,
+                   1e7) == std::array{0, 0, 0});
+    }
+    // The eye is close to a wide thin box, whose middle is far: crossings are counted from there.
+    CHECK(pixels("camera { position <-24.43, .0891, -9.92> look_at <-18.18, 0, -12.05> sky <0, 1, 0> fov 60 }"
+                 "light { position <-165, 122, -59> color <1, 1, 1> }"
+                 "box { <0, 0, 0>, <-36, 8.5e-9, -36> material { reflection 0 ambient .2 } }",
+                 1e9) == std::array{0, 0, 0});
+    // A ray that is in a body thinner than the rounding of where it starts.
+    CHECK(pixels("camera { position <1.2, .65, -1.48> look_at <0, -.3, 0> sky <0, 0, 1> fov 20 }"
+                 "light { position <2.6, 3.7, -8.6> color <1, 1, 1> }"
+                 "cone { <.02265251371, -.13, -.38>, 1, <.022652513714, -.13, -.38>, 1 scale <1, 1, .13>" +
+                     glass,
+                 1e12) == std::array{0, 0, 0});
 }
