@@ -49,7 +49,7 @@ std::string to_json(const Stats& stats) {
     const double rounding = accuracy.rounding.value_or(std::numeric_limits<double>::quiet_NaN());
     json << "  \"error\": { \"allowed\": " << number(stats.error) << ", \"dropped\": " << number(stats.rays.dropped)
          << ", \"past_depth\": " << number(stats.rays.past) << ", \"rounding\": " << number(rounding)
-         << ", \"guaranteed\": " << number(stats.rays.lost()) << " },\n";
+         << ", \"omitted\": " << number(stats.rays.lost()) << " },\n";
     json << "  \"samples\": " << samples(stats) << ",\n";
     if (const auto& proved = stats.proved)
         json << "  \"proof\": { \"bits\": " << proved->bits << ", \"proved\": " << proved->proved

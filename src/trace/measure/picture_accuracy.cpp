@@ -14,6 +14,7 @@ namespace {
 constexpr double safety = 16;        // of the sample's largest rounding over the error
 constexpr double least_jump = 1e-3;  // smaller differences are not taken for edges
 constexpr double edge_radius = .1;   // pixels; in float edges are this wide where mirrors magnify
+constexpr int few_edges = 4, many_edges = 64;  // pixels on edges that may differ: so many and one in so many
 
 /// Pixels spread over the picture, about a thousand.
 Lattice sample_of(const View& view) {
@@ -22,25 +23,38 @@ Lattice sample_of(const View& view) {
     return {start, start, (view.width - start + step - 1) / step, (view.height - start + step - 1) / step, step, step};
 }
 
-/// The largest difference between float and double on the sample, off the edges; or the first found that is more than
-/// `enough`.
-double rounding_of_float(const Scene& scene, const View& view, double enough, ThreadPool& pool, Simd simd) {
-    const Lattice lattice = sample_of(view);
-    Tracer float32(scene, Precision::float32, simd), float64(scene, Precision::float64, simd);
-    const std::vector<double> a = values_of(float32, view, lattice, pool), b = values_of(float64, view, lattice, pool);
-    ThreadPool alone(1);  // a float32 pixel is not worth waking others for
+/// The largest difference between two precisions on the sample, off the edges; or the first found that is more than
+/// enough.
+struct Rounding {
     double most = 0;
+    bool known = true;  // or so many pixels differ on edges that these are no edges of the picture
+};
+
+/// Compares a precision with the next one. If an eye is exactly on a surface, rounding decides in each pixel which side
+/// of it is seen, and all of them look like edges.
+Rounding rounding_of(Precision precision, Precision next, const Scene& scene, const View& view, double enough,
+                     ThreadPool& pool, Simd simd) {
+    const Lattice lattice = sample_of(view);
+    Tracer coarse(scene, precision, simd), fine(scene, next, simd);
+    const std::vector<double> a = values_of(coarse, view, lattice, pool), b = values_of(fine, view, lattice, pool);
+    ThreadPool alone(1);  // a single pixel is not worth waking others for
+    Rounding rounding;
+    int edges = 0;
     for (int i = 0; i < lattice.columns * lattice.rows; ++i) {
         double off = 0;
         for (int c = 0; c < 3; ++c) off = std::max(off, std::abs(a[3 * i + c] - b[3 * i + c]));
-        if (off <= most) continue;
+        if (off <= rounding.most) continue;
         const int x = lattice.x + i % lattice.columns * lattice.step_x;
         const int y = lattice.y + i / lattice.columns * lattice.step_y;
-        if (off > std::max(enough, least_jump) && on_edge(float64, view, alone, x, y, edge_radius, off / 4)) continue;
-        most = off;
-        if (most > enough) break;
+        if (off > std::max(enough, least_jump) && on_edge(fine, view, alone, x, y, edge_radius, off / 4)) {
+            rounding.known = ++edges <= few_edges + lattice.columns * lattice.rows / many_edges;
+            if (!rounding.known) break;
+            continue;
+        }
+        rounding.most = off;
+        if (rounding.most > enough) break;
     }
-    return most;
+    return rounding;
 }
 
 }  // namespace
@@ -54,12 +68,21 @@ Accuracy choose_accuracy(const Scene& scene, const View& view, double error, std
 
     View sampled = view;
     sampled.depth = choice.depth, sampled.error = choice.dropped;
-    choice.rounding = rounding_of_float(scene, sampled, error / safety, pool, simd);
+    const auto compare = [&](Precision own, Precision next) {
+        return rounding_of(own, next, scene, sampled, error / safety, pool, simd);
+    };
+    choice.precision = Precision::float32;
+    Rounding rounding = compare(choice.precision, Precision::float64);
+    if (!rounding.known)
+        choice.precision = Precision::float64, rounding = compare(choice.precision, Precision::extended);
+    if (!rounding.known) choice.precision = Precision::extended;
+    if (!rounding.known) return choice;
+    choice.rounding = rounding.most;
     constexpr double ratio = std::numeric_limits<double>::epsilon() / std::numeric_limits<float>::epsilon();
     constexpr double extended_ratio =
         static_cast<double>(std::numeric_limits<long double>::epsilon() / std::numeric_limits<double>::epsilon());
-    choice.precision = Precision::float32;
-    if (*choice.rounding > error / safety) choice.precision = Precision::float64, *choice.rounding *= ratio;
+    if (choice.precision == Precision::float32 && *choice.rounding > error / safety)
+        choice.precision = Precision::float64, *choice.rounding *= ratio;
     if (*choice.rounding > error / safety) choice.precision = Precision::extended, *choice.rounding *= extended_ratio;
     return choice;
 }

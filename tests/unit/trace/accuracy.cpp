@@ -82,6 +82,24 @@ TEST_CASE("precision and depth follow from the error unless given") {
     CHECK(accuracy.dropped + *accuracy.rounding <= 1e-2);
 }
 
+TEST_CASE("with the eye on a surface, where rounding decides what is seen, float is not chosen") {
+    const Sphere ball{{-1.634281781449563, -1.0717790055709413, 2.5716379031527428}, 0.6124516512331188};
+    Scene scene;
+    scene.camera = {{-1.5979235824601914, -0.4637984682529408, 2.507335704847098},
+                    {-2.4351113700995084, -0.3845538665752724, 2.305251977067223},
+                    {-.1, -.2, -1},
+                    15,
+                    {}};
+    scene.background = {.2, .3, .9};
+    scene.materials = {{.rgb = {.8, .6, .3}, .reflection = 0, .diffuse = .6, .ambient = .2, .specular = 0}};
+    scene.primitives = {{ball, 0, {}}};
+    const View view{.camera = scene.camera, .width = 40, .height = 30};
+    ThreadPool pool(1);
+    CHECK(choose_accuracy(scene, view, 1e-2, {}, {}, pool).precision != Precision::float32);
+    scene.primitives[0].shape = Sphere{ball.centre, ball.radius * .99};
+    CHECK(choose_accuracy(scene, view, 1e-2, {}, {}, pool).precision == Precision::float32);
+}
+
 TEST_CASE("pictures of any size can be sampled") {
     ThreadPool pool(1);
     const Scene scene = read_scene("crosscheck/ambient");
