@@ -1,0 +1,91 @@
+// The panels over the picture, laid out without a display.
+#include <doctest/doctest.h>
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include <string>
+#include <utility>
+
+#include "show/info.h"
+#include "show/window/overlay.h"
+#include "tests/unit/show/show_scene.h"
+
+using namespace strahl;
+
+namespace {
+
+/// ImGui for a window of this size, with its own font.
+struct PanelLayout {
+    PanelLayout(float width, float height) {
+        ImGui::CreateContext();
+        ImGuiIO& io = ImGui::GetIO();
+        io.IniFilename = nullptr, io.DisplaySize = {width, height};
+        unsigned char* pixels = nullptr;
+        int columns = 0, rows = 0;
+        io.Fonts->GetTexDataAsRGBA32(&pixels, &columns, &rows);
+    }
+    ~PanelLayout() { ImGui::DestroyContext(); }
+
+    /// Draws it until all sizes are known.
+    void draw(const Overlay& overlay) {
+        for (int i = 0; i < 4; ++i) ImGui::NewFrame(), draw_overlay(overlay), ImGui::Render();
+    }
+    static const ImGuiWindow& window(const char* name) {
+        const ImGuiWindow* const found = ImGui::FindWindowByName(name);
+        REQUIRE(found);
+        return *found;
+    }
+};
+
+std::string moving_line(const Session& session, const Pace& pace, const WindowPicture& picture) {
+    for (const auto& [name, value] : info_lines(session, pace, picture))
+        if (name == "moving") return value;
+    return "";
+}
+
+}  // namespace
+
+TEST_CASE("panels do not cover each other, and the help is whole") {
+    Overlay overlay;
+    overlay.help = true;
+    for (int i = 0; i < 13; ++i) overlay.info.emplace_back("position", "<-7.2603, -15, 6>");
+    overlay.notes = {{"the path is not written: F2 writes it into scene.rt; Esc again quits"}, {"no sound", true}};
+    overlay.fault_title = "The scene file has an error; this is the previous picture";
+    overlay.fault = "scene.rt:6:1: unknown word 'shpere'; did you mean 'sphere'?\n    shpere {\n    ^~~~~~";
+    for (const auto& [width, height] : {std::pair(960.f, 720.f), {1920.f, 1080.f}, {960.f, 540.f}}) {
+        CAPTURE(height);
+        PanelLayout layout(width, height);
+        layout.draw(overlay);
+        const char* const names[] = {"help", "info", "notes", "fault"};
+        for (const char* const one : names)
+            for (const char* const other : names) {
+                CAPTURE(one);
+                CAPTURE(other);
+                const bool same = one == other;
+                CHECK(same == PanelLayout::window(one).Rect().Overlaps(PanelLayout::window(other).Rect()));
+            }
+        const ImGuiWindow& help = PanelLayout::window("help");
+        CHECK(help.ContentSize.y + 2 * help.WindowPadding.y <= help.Size.y + 1);
+    }
+    for (const float size : {1.f, 13.f, 100.f}) PanelLayout(size, size).draw(overlay);  // too small to read
+}
+
+TEST_CASE("the information says what moves the camera") {
+    Pace pace(Pace::Clock::now(), 60);
+    Notes notes(pace, false);
+    const WindowPicture picture(1, notes, pace, [] {});
+    Session around(shown_scene());
+    CHECK(moving_line(around, pace, picture).starts_with("free flight, speed "));
+    around.perform({Action::play}, 0);
+    CHECK(moving_line(around, pace, picture) == "around the scene");
+    around.change_speed(.5, 0);
+    CHECK(moving_line(around, pace, picture) == "around the scene, 0.5 times its speed");
+    around.steer({.right = .1}, 1);
+    around.perform({Action::change_style}, 1);
+    CHECK(moving_line(around, pace, picture).starts_with("orbit, "));
+    Session along(
+        shown_scene("flythrough { duration 2 key { time 0 position <0,-9,2> look_at <0,0,0> }"
+                    " key { time 2 position <1,-9,2> look_at <0,0,0> } }"));
+    along.perform({Action::play}, 0);
+    CHECK(moving_line(along, pace, picture) == "along the path");
+}
