@@ -16,6 +16,13 @@ namespace {
 /// more curved everything is small, and not worth two to three times the rays.
 constexpr double most_widening = 2;
 
+/// Cells of less than so many pixels are not divided for what facets that some of their corners meet may leave.
+constexpr double finest_doubt = 1. / 8;
+/// Facets at the very eye or light do not count.
+constexpr double nearest_depth = 1e-9;
+/// Facets nearer to a surface than so many times the distance between corners count as parts of it.
+constexpr double own_depth = 1e-3;
+
 double square(const DVec3& v) { return dot_product(v, v); }
 DVec3 middle_of(const FourPoints& corners) { return .25 * (corners[0] + corners[1] + corners[2] + corners[3]); }
 /// Returns the area of the square between the corners as seen along a direction.
@@ -58,7 +65,7 @@ bool ThinBodies::hides_in(const std::array<CellCorner, 4>& corners, double least
     if (bodies.empty()) return false;
     double furthest = 0, nearest = end, brightest = 0, reflection = 0, further = 0;
     std::uint32_t lit = 0;
-    bool one_surface = true;
+    bool one_surface = true, same = true;
     for (const CellCorner& corner : corners) {
         const CellSample& sample = *corner.sample;
         const double distance = std::min(double(sample.distance), end);
@@ -68,6 +75,7 @@ bool ThinBodies::hides_in(const std::array<CellCorner, 4>& corners, double least
         further = std::max(further, double(sample.further));
         lit |= sample.lit;
         one_surface = one_surface && sample.surface == corners[0].sample->surface;
+        same = same && sample.signature == corners[0].sample->signature;
     }
     one_surface = one_surface && corners[0].sample->surface >= 0;
     // How far apart the corners are, at most. Where all bodies are larger, neither they nor their shadows are thin.
@@ -85,12 +93,14 @@ bool ThinBodies::hides_in(const std::array<CellCorner, 4>& corners, double least
     }
     if (!wide && !mirrors) return false;
     for (int k = 0; k < 4; ++k) places[k] = quick_unit(first + corners[k].x * right + corners[k].y * down);
-    if (wide && bodies.meets(from_eye(places, furthest), least)) return true;
+    const bool small = corners[2].x - corners[0].x < finest_doubt;
+    const FacetsSeen seen = small ? FacetsSeen::any : same ? FacetsSeen::same : FacetsSeen::split;
+    if (wide && hides_camera(corners, places, furthest, seen, least)) return true;
     if (!one_surface || (lit == 0 && !mirrors)) return false;
     for (int k = 0; k < 4; ++k) places[k] = eye + double(corners[k].sample->distance) * places[k];
     const double radius = radius_of(places);
-    return (wide && hides_shadow(places, radius, lit, least / brightest)) ||  // all that a shadow can take
-           (mirrors && hides_reflection(places, radius, reflected, further, least / reflection));
+    return (wide && hides_shadow(places, radius, lit, seen, least / brightest)) ||  // all that a shadow can take
+           (mirrors && hides_reflection(places, radius, reflected, further, seen, least / reflection));
 }
 
 Tube ThinBodies::from_eye(const FourPoints& directions, double furthest) const {
@@ -104,7 +114,27 @@ Tube ThinBodies::from_eye(const FourPoints& directions, double furthest) const {
             .area = area(directions, axis) / (growth * growth)};
 }
 
-bool ThinBodies::hides_shadow(const FourPoints& points, double radius, std::uint32_t lit, double least) const {
+bool ThinBodies::hides_camera(const std::array<CellCorner, 4>& corners, const FourPoints& directions,
+                              double furthest, FacetsSeen seen, double least) const {
+    const CellCorner &low = corners[0], &high = corners[2];
+    const DVec3 corner = first + low.x * right + low.y * down;
+    double depth = 0;  // along `forward`
+    for (const CellCorner& own : corners) {
+        const DVec3 way = first + own.x * right + own.y * down;
+        depth = std::max(depth, std::min(double(own.sample->distance), end) / quick_length(way));
+    }
+    const RayBundle bundle{.from = eye,
+                           .corner = corner,
+                           .across = (high.x - low.x) * right,
+                           .down = (high.y - low.y) * down,
+                           .parallel = false,
+                           .nearest = nearest_depth,
+                           .furthest = depth * (1 + own_depth)};
+    return bodies.meets(from_eye(directions, furthest), bundle, least, seen);
+}
+
+bool ThinBodies::hides_shadow(const FourPoints& points, double radius, std::uint32_t lit, FacetsSeen seen,
+                              double least) const {
     if (radius < bodies.least()) return false;
     const DVec3 middle = middle_of(points);
     for (std::size_t i = 0; i < lights.size(); ++i) {
@@ -119,26 +149,44 @@ bool ThinBodies::hides_shadow(const FourPoints& points, double radius, std::uint
                         .radius = radius,
                         .growth = light.direction ? 0 : -radius / far,
                         .area = area(points, way / far) / (radius * radius)};
-        if (bodies.meets(tube, least, points)) return true;
+        const RayBundle bundle{.from = light.direction ? points[0] : light.position,
+                               .corner = light.direction ? way / far : points[0] - light.position,
+                               .across = points[1] - points[0],
+                               .down = points[3] - points[0],
+                               .parallel = light.direction.has_value(),
+                               .nearest = light.direction ? own_depth * radius : nearest_depth,
+                               .furthest = light.direction ? far : 1 - own_depth * radius / far};
+        if (bodies.meets(tube, bundle, least, seen, points)) return true;
     }
     return false;
 }
 
 bool ThinBodies::hides_reflection(const FourPoints& points, double radius, const FourPoints& directions,
-                                  double furthest, double least) const {
+                                  double furthest, FacetsSeen seen, double least) const {
     const DVec3 axis = quick_unit(middle_of(directions)), middle = middle_of(points);
     const double growth = growth_of(directions, axis), start = radius * (1 + growth);
     const double longest = std::min(furthest, end + quick_length(middle - eye));
     if (!(start + growth * longest >= .99 * bodies.least())) return false;
     const double near_area = area(points, axis) / (start * start);
     const double far_area = growth > 0 ? area(directions, axis) / (growth * growth) : near_area;
-    return bodies.meets({.from = middle,
-                         .direction = axis,
-                         .length = furthest,
-                         .radius = start,
-                         .growth = growth,
-                         .area = std::min(near_area, far_area)},
-                        least, points);
+    const Tube tube{.from = middle,
+                    .direction = axis,
+                    .length = furthest,
+                    .radius = start,
+                    .growth = growth,
+                    .area = std::min(near_area, far_area)};
+    // Rays from a flat mirror come from the eye's image behind it.
+    FourPoints ways;
+    for (int k = 0; k < 4; ++k) ways[k] = quick_length(points[k] - eye) * quick_unit(directions[k]);
+    const double distance = quick_length(ways[0]);
+    const RayBundle bundle{.from = middle_of(points) - middle_of(ways),
+                           .corner = ways[0],
+                           .across = ways[1] - ways[0],
+                           .down = ways[3] - ways[0],
+                           .parallel = false,
+                           .nearest = 1 + own_depth * radius / distance,
+                           .furthest = 1 + furthest / distance};
+    return bodies.meets(tube, bundle, least, seen, points);
 }
 
 }  // namespace strahl

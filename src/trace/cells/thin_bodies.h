@@ -34,9 +34,12 @@ class ThinBodies {
 
   private:
     Tube from_eye(const FourPoints& directions, double furthest) const;
-    bool hides_shadow(const FourPoints& points, double radius, std::uint32_t lit, double least) const;
+    bool hides_camera(const std::array<CellCorner, 4>& corners, const FourPoints& directions, double furthest,
+                      FacetsSeen seen, double least) const;
+    bool hides_shadow(const FourPoints& points, double radius, std::uint32_t lit, FacetsSeen seen,
+                      double least) const;
     bool hides_reflection(const FourPoints& points, double radius, const FourPoints& directions, double furthest,
-                          double least) const;
+                          FacetsSeen seen, double least) const;
 
     const std::shared_ptr<const CapsuleTree> own;
     const CapsuleTree& bodies;

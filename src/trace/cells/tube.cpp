@@ -1,7 +1,10 @@
 #include "trace/cells/tube.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <glm/matrix.hpp>
+#include <utility>
 
 #include "num/vec_math.h"
 #include "scene/box_tree.h"
@@ -30,19 +33,83 @@ double distance_to(const Capsule& capsule, const DVec3& p) {
     return quick_length(since - t * way);
 }
 
-/// Returns a ball around capsules.
-Capsule ball_around(std::span<const Capsule> capsules) {
+/// Returns a ball around points, each with a radius of its own.
+template <class Each>
+Capsule ball_around(const Each& each) {
     Box box;
-    for (const Capsule& capsule : capsules) box.add(capsule.from), box.add(capsule.to);
+    each([&](const DVec3& point, double) { box.add(point); });
     const DVec3 centre = box.centre();
     double radius = 0;
-    for (const Capsule& capsule : capsules)
-        for (const DVec3& end : {capsule.from, capsule.to})
-            radius = std::max(radius, quick_length(end - centre) + capsule.radius);
+    each([&](const DVec3& point, double own) { radius = std::max(radius, quick_length(point - centre) + own); });
     return {centre, centre, radius * (1 + 1e-12)};
 }
 
+/// A convex polygon that is cut along planes, in the coordinates of a bundle: w u, w v and w.
+class CutPolygon {
+  public:
+    static constexpr std::size_t most = 272;  // a circle's sides, and one more for each cut
+
+    void add(const DVec3& corner) {
+        if (count < most) corners[count++] = corner;
+    }
+    /// Keeps only points with plane . p + constant >= 0.
+    void cut(const DVec3& plane, double constant) {
+        CutPolygon rest;
+        for (std::size_t k = 0; k < count; ++k) {
+            const DVec3 &from = corners[k], &to = corners[k + 1 < count ? k + 1 : 0];
+            const double a = dot_product(plane, from) + constant, b = dot_product(plane, to) + constant;
+            if (a >= 0) rest.add(from);
+            if ((a >= 0) != (b >= 0)) rest.add(from + a / (a - b) * (to - from));
+        }
+        count = rest.count;
+        std::copy_n(rest.corners.begin(), count, corners.begin());
+    }
+    std::span<DVec3> points() { return std::span(corners).first(count); }
+
+  private:
+    std::array<DVec3, most> corners;
+    std::size_t count = 0;
+};
+
 }  // namespace
+
+glm::dmat3 RayBundle::coordinates() const { return glm::inverse(glm::dmat3(across, down, corner)); }
+
+RayBundle::Met RayBundle::met(std::span<const DVec3> polygon, const glm::dmat3& to_own) const {
+    CutPolygon part;
+    for (const DVec3& point : polygon) part.add(to_own * (point - from));
+    // With w as the unit of u and v the bundle's sides are planes.
+    const double unit = parallel ? 0 : 1, one = parallel ? 1 : 0;
+    part.cut({0, 0, 1}, -nearest);
+    if (std::isfinite(furthest)) part.cut({0, 0, -1}, furthest);
+    part.cut({1, 0, 0}, 0), part.cut({-1, 0, unit}, one);
+    part.cut({0, 1, 0}, 0), part.cut({0, -1, unit}, one);
+    const std::span<DVec3> points = part.points();
+    Met result;
+    if (points.size() < 3) return result;
+    constexpr double edge = 1e-9;
+    for (DVec3& point : points) {
+        if (!parallel) point *= 1 / point.z;
+        const bool left = point.x < edge, right = point.x > 1 - edge, top = point.y < edge, bottom = point.y > 1 - edge;
+        if (top && left) result.corners |= 1;
+        if (top && right) result.corners |= 2;
+        if (bottom && right) result.corners |= 4;
+        if (bottom && left) result.corners |= 8;
+    }
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        const DVec3 &from = points[k], &to = points[k + 1 < points.size() ? k + 1 : 0];
+        const double low_x = std::min(from.x, to.x), high_x = std::max(from.x, to.x);
+        const double low_y = std::min(from.y, to.y), high_y = std::max(from.y, to.y);
+        result.sides += !(high_x < edge || low_x > 1 - edge || high_y < edge || low_y > 1 - edge);
+    }
+    double sum = 0;
+    for (std::size_t k = 2; k < points.size(); ++k) {
+        const DVec3 a = points[k - 1] - points[0], b = points[k] - points[0];
+        sum += a.x * b.y - a.y * b.x;
+    }
+    result.share = std::abs(sum) / 2;
+    return result;
+}
 
 double radius_at(const Tube& tube, const Capsule& capsule) {
     const DVec3 since = capsule.from - tube.from, way = capsule.to - capsule.from;
@@ -82,11 +149,18 @@ double radius_at(const Tube& tube, const Capsule& capsule) {
     return std::max(radius(start + part.low * ahead), radius(start + part.high * ahead));
 }
 
-CapsuleTree::CapsuleTree(const Scene& scene) {
-    std::vector<Capsule> all;
+CapsuleTree::CapsuleTree(const Scene& scene, bool with_facets) {
+    std::vector<TreeLeaf> all;
     for (const Primitive& primitive : scene.primitives) {
-        const std::vector<Capsule> own = capsules_of(primitive);
-        all.insert(all.end(), own.begin(), own.end());
+        for (const Capsule& capsule : capsules_of(primitive)) all.push_back({capsule, capsule.radius, -1});
+        if (!with_facets) continue;
+        for (Facet& facet : facets_of(primitive)) {
+            const Capsule around = ball_around([&](const auto& add) {
+                for (const DVec3& corner : facet.corners) add(corner, 0);
+            });
+            all.push_back({around, facet.least, static_cast<std::int32_t>(facets.size())});
+            facets.push_back(std::move(facet));
+        }
     }
     if (all.empty()) return;
     nodes.reserve(2 * all.size() - 1);
@@ -94,34 +168,56 @@ CapsuleTree::CapsuleTree(const Scene& scene) {
 }
 
 /// Adds a node for them, and below it one for each half.
-void CapsuleTree::add(std::span<Capsule> capsules) {
+void CapsuleTree::add(std::span<TreeLeaf> leaves) {
     const std::size_t own = nodes.size();
-    const bool leaf = capsules.size() == 1;
-    const double least = std::ranges::min(capsules, {}, &Capsule::radius).radius;
-    nodes.push_back({leaf ? capsules[0] : ball_around(capsules), least, 0, leaf});
-    if (!leaf) {
-        halve(capsules, [](const Capsule& capsule) { return capsule.from + capsule.to; });
-        const std::size_t half = capsules.size() / 2;
-        add(capsules.first(half)), add(capsules.subspan(half));
+    const bool single = leaves.size() == 1;
+    const Capsule around = single ? leaves[0].around : ball_around([&](const auto& add) {
+        for (const TreeLeaf& leaf : leaves)
+            add(leaf.around.from, leaf.around.radius), add(leaf.around.to, leaf.around.radius);
+    });
+    const double least = std::ranges::min(leaves, {}, &TreeLeaf::least).least;
+    nodes.push_back({around, least, 0, single, single ? leaves[0].facet : -1});
+    if (!single) {
+        halve(leaves, [](const TreeLeaf& leaf) { return leaf.around.from + leaf.around.to; });
+        const std::size_t half = leaves.size() / 2;
+        add(leaves.first(half)), add(leaves.subspan(half));
     }
     nodes[own].next = static_cast<std::int32_t>(nodes.size());
 }
 
-bool CapsuleTree::meets(const Tube& tube, double least, std::span<const DVec3> own) const {
+bool CapsuleTree::meets(const Tube& tube, const RayBundle& bundle, double least, FacetsSeen seen,
+                        std::span<const DVec3> own) const {
+    const glm::dmat3 to_own = facets.empty() ? glm::dmat3(1) : bundle.coordinates();
+    constexpr unsigned all = 15;
+    double largest[all + 1] = {};  // share of the facets that these corners meet
     for (std::size_t i = 0; i < nodes.size();) {
         const CapsuleNode& node = nodes[i];
         const double radius = radius_at(tube, node.around);
-        if (!(radius >= node.least)) {
+        if (!(radius >= 0 && radius >= node.least)) {
             i = std::size_t(node.next);
             continue;
         }
         ++i;
-        if (!node.leaf) continue;
+        if (!node.is_leaf) continue;
+        if (node.facet >= 0) {
+            const auto [share, corners, sides] = bundle.met(facets[node.facet].corners, to_own);
+            if (corners == 0 && share >= least) return true;
+            if (corners == 0 || corners == all) continue;
+            if (seen == FacetsSeen::split && sides > 1 && std::min(share, 1 - share) >= least) return true;
+            largest[corners] = std::max(largest[corners], share);
+            continue;
+        }
         const Capsule& body = node.around;
         const double width = 2 * body.radius, across = std::min(2 * radius, quick_length(body.to - body.from)) + width;
         if (width * across < least * tube.area * radius * radius) continue;
         const auto inside = [&](const DVec3& p) { return distance_to(body, p) < body.radius * (1 + 1e-3); };
         if (own.empty() || !std::ranges::all_of(own, inside)) return true;
+    }
+    for (unsigned corners = 1; corners < all; ++corners) {
+        const double share = largest[corners], other = largest[all - corners];
+        const bool whole = other > 0 && share + other > 1 - least;
+        if (seen == FacetsSeen::same && std::min(share, 1 - share) >= least && !whole) return true;
+        if (seen == FacetsSeen::split && share > 0 && other > 0 && !whole) return true;
     }
     return false;
 }

@@ -5,10 +5,12 @@
 // look.
 #pragma once
 #include <cstdint>
+#include <glm/mat3x3.hpp>
 #include <span>
 #include <vector>
 
 #include "scene/capsules.h"
+#include "scene/facets.h"
 #include "scene/scene.h"
 
 namespace strahl {
@@ -24,31 +26,67 @@ struct Tube {
 /// Returns a bound on the radius of the tube where the capsule reaches into it; below 0 if it does not.
 double radius_at(const Tube& tube, const Capsule& capsule);
 
-/// The capsules of a scene's bodies in a binary tree of balls.
+/// Rays through a parallelogram: those from one point, or parallel ones. Points are from + w (corner + u across + v
+/// down) with u and v from 0 to 1; for parallel rays the corner is their direction, and only it is multiplied by w.
+struct RayBundle {
+    DVec3 from, corner, across, down;
+    bool parallel;
+    double nearest, furthest;  // the part of the rays, in w
+
+    /// Takes vectors to w u, w v and w.
+    glm::dmat3 coordinates() const;
+    /// The share of the rays that meet a convex polygon, in this part of them, and which of those at the corners do:
+    /// bits 0 to 3, around the parallelogram from `corner` on; and how many of the polygon's sides lie in between.
+    struct Met {
+        double share = 0;
+        unsigned corners = 0;
+        int sides = 0;
+    };
+    /// Returns what a polygon meets; `to_own` is coordinates().
+    Met met(std::span<const DVec3> polygon, const glm::dmat3& to_own) const;
+};
+
+/// Says what the corners of a bundle tell about facets that some of them meet.
+enum class FacetsSeen {
+    same,   // all corners saw the same: what only some of them meet is not there, but something next to it may be
+    split,  // they saw different things: there may be a gap between two facets, or one with two sides in the cell
+    any,    // nothing
+};
+
+/// The capsules around a scene's bodies, and their facets, in a binary tree of balls.
 class CapsuleTree {
   public:
-    explicit CapsuleTree(const Scene& scene);
+    /// Pictures in motion go without facets: it would take too long to make them for every frame.
+    explicit CapsuleTree(const Scene& scene, bool with_facets = true);
 
     bool empty() const { return nodes.empty(); }
-    /// Return the smallest radius, and a ball around all. There must be bodies.
+    /// Return the smallest radius, 0 for facets that are thin, and a ball around all. There must be bodies.
     double least() const { return nodes[0].least; }
     const Capsule& around() const { return nodes[0].around; }
 
     /// Returns whether a body is in the tube that is thinner than the tube there, so that the corners of the bundle may
-    /// miss it, and that hides at least the share `least` of the bundle. Bodies around all of `own` do not count: the
-    /// rays start there.
-    bool meets(const Tube& tube, double least, std::span<const DVec3> own = {}) const;
+    /// miss it, and that hides at least the share `least` of the bundle; or facets that hide as much and yet are not
+    /// seen at the corners, see hides(). Bodies around all of `own` do not count: the rays start there.
+    bool meets(const Tube& tube, const RayBundle& bundle, double least, FacetsSeen seen,
+               std::span<const DVec3> own = {}) const;
 
   private:
-    struct CapsuleNode {
-        Capsule around;    // a ball, or the capsule of a leaf
-        double least;      // radius of a capsule below
-        std::int32_t next;  // node that follows all below this one
-        bool leaf;
+    struct TreeLeaf {
+        Capsule around;  // a ball around a facet
+        double least;
+        std::int32_t facet;  // its number, -1 for capsules
     };
-    void add(std::span<Capsule> capsules);
+    struct CapsuleNode {
+        Capsule around;     // a ball, or that of a leaf
+        double least;       // the smallest radius below, or half a facet's thickness
+        std::int32_t next;  // node that follows all below this one
+        bool is_leaf;
+        std::int32_t facet;
+    };
+    void add(std::span<TreeLeaf> leaves);
 
     std::vector<CapsuleNode> nodes;  // each before those below it
+    std::vector<Facet> facets;
 };
 
 }  // namespace strahl

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <random>
 #include <span>
+#include <string>
+#include <tuple>
 #include <vector>
 
 #include "files/read_file.h"
@@ -82,10 +84,10 @@ cylinder { <-2.5, .7, 12>, <2.7, 1.7, 12>, .0048 }
 )";
 
 /// Checks how much light of a scene's thin last body our samples find, against a fine grid.
-void check_last_body(Scene scene) {
-    const std::vector<double> exact = picture(scene, 160, {.grid = 20}), ours = picture(scene, 160, {});
+void check_last_body(Scene scene, int width = 160, double share = .01) {
+    const std::vector<double> exact = picture(scene, width, {.grid = 20}), ours = picture(scene, width, {});
     scene.primitives.pop_back();
-    const std::vector<double> without = picture(scene, 160, {});
+    const std::vector<double> without = picture(scene, width, {});
     double sum = 0, exact_sum = 0;
     int missed = 0, concerned = 0;
     for (std::size_t i = 0; i < exact.size(); i += 3) {
@@ -94,9 +96,9 @@ void check_last_body(Scene scene) {
         concerned += right > .02, missed += right > .02 && own < right / 4;
     }
     CAPTURE(concerned);
-    CHECK(concerned > 80);
+    CHECK(concerned > 40);
     CHECK(missed == 0);
-    CHECK(sum == doctest::Approx(exact_sum).epsilon(.01));
+    CHECK(sum == doctest::Approx(exact_sum).epsilon(share));
 }
 
 }  // namespace
@@ -157,7 +159,7 @@ TEST_CASE("thin bodies in a tube are found, and no others") {
     const auto meets = [&](const Shape& shape, const Tube& where, double least, std::span<const DVec3> own = {}) {
         scene.primitives.resize(1);
         scene.primitives[0].shape = shape;
-        return CapsuleTree(scene).meets(where, least, own);
+        return CapsuleTree(scene).meets(where, RayBundle{}, least, FacetsSeen::any, own);
     };
     const Sphere small{{0, 0, 0}, .1}, large{{0, 0, 0}, 1.5}, beside{{1.2, 0, 0}, .1};
     CHECK(meets(small, tube, .01));
@@ -170,7 +172,7 @@ TEST_CASE("thin bodies in a tube are found, and no others") {
     const std::vector<DVec3> own{{0, -.1, 0}, {0, 0, .1}};
     CHECK(!meets(small, tube, .01, own));
     scene.primitives.clear();
-    CHECK(!CapsuleTree(scene).meets(tube, 0));
+    CHECK(!CapsuleTree(scene).meets(tube, RayBundle{}, 0, FacetsSeen::any));
 }
 
 TEST_CASE("wires and dust keep their light") {
@@ -192,3 +194,96 @@ TEST_CASE("wires and dust keep their light") {
 TEST_CASE("shadows of wires keep their darkness") { check_last_body(parse_scene(shadow_of_wire, "shadow_of_wire")); }
 
 TEST_CASE("wires in a mirror keep their light") { check_last_body(parse_scene(wire_in_mirror, "wire_in_mirror")); }
+
+TEST_CASE("the share of rays that a polygon takes is that of many rays") {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> within(-1, 1);
+    const auto vector = [&] { return DVec3(within(random), within(random), within(random)); };
+    int between = 0;
+    for (int i = 0; i < 400; ++i) {
+        const bool parallel = i % 2 == 1;
+        const RayBundle bundle{.from = vector(),
+                               .corner = DVec3(0, 0, 2) + .3 * vector(),
+                               .across = DVec3(1, 0, 0) + .3 * vector(),
+                               .down = DVec3(0, 1, 0) + .3 * vector(),
+                               .parallel = parallel,
+                               .nearest = .2,
+                               .furthest = 2};
+        const DVec3 middle = bundle.from + (parallel ? DVec3(.5, .5, 2) : DVec3(.5, .5, 2.5)) + vector();
+        const DVec3 polygon[3]{middle + .8 * vector(), middle + .8 * vector(), middle + .8 * vector()};
+        // Where rays meet the triangle, from the sides that a point of its plane is on.
+        const DVec3 normal = cross_product(polygon[1] - polygon[0], polygon[2] - polygon[0]);
+        const auto meets = [&](double u, double v) {
+            const DVec3 beside = u * bundle.across + v * bundle.down;
+            const DVec3 from = parallel ? bundle.from + beside : bundle.from;
+            const DVec3 way = parallel ? bundle.corner : bundle.corner + beside;
+            const double w = dot_product(polygon[0] - from, normal) / dot_product(way, normal);
+            const DVec3 point = from + w * way;
+            for (int k = 0; k < 3; ++k) {
+                const DVec3 side = polygon[(k + 1) % 3] - polygon[k];
+                if (dot_product(cross_product(side, point - polygon[k]), normal) < 0) return false;
+            }
+            return w > bundle.nearest && w < bundle.furthest;
+        };
+        constexpr int rays = 60;
+        int met = 0;
+        for (int k = 0; k < rays * rays; ++k) met += meets((k % rays + .5) / rays, (k / rays + .5) / rays);
+        unsigned corners = 0;
+        for (const auto& [u, v, bit] : {std::tuple(0, 0, 1), {1, 0, 2}, {1, 1, 4}, {0, 1, 8}})
+            if (meets(u, v)) corners |= unsigned(bit);
+        const RayBundle::Met own = bundle.met(polygon, bundle.coordinates());
+        CHECK(own.corners == corners);
+        CHECK(std::abs(own.share - met / double(rays * rays)) < .02);
+        between += corners == 0 && met > 0;
+    }
+    CHECK(between > 50);
+}
+
+TEST_CASE("flat bodies seen edge-on, rings, slivers and what differences leave keep their light") {
+    const std::string seen =
+        "camera { position <0, 0, 1000>  look_at <0, 0, 0>  sky <0, 1, 0>  fov .5 }  background { color <1, 1, 1> }\n"
+        "light { position <0, 0, 500>  color <0, 0, 0> }\n"
+        "defaultmaterial { ambient 0  diffuse 0  specular 0  reflection 0 }\n";
+    const std::string floor =
+        "camera { position <0, -1, 10>  look_at <0, 0, 0>  sky <0, 1, 0>  angle 20 }\n"
+        "light { position <3, 5, 40>  color <1, 1, 1> }\n"
+        "defaultmaterial { rgb <1, 1, 1>  diffuse .8  ambient .1  specular 0  reflection 0 }\n"
+        "plane { <0, 0, 0>, <1, 0, 0>, <0, 1, 0> }\n";
+    const std::string mirror =
+        "camera { position <0, -1, 10>  look_at <0, 0, 0>  sky <0, 1, 0>  angle 20 }\n"
+        "light { position <30, 5, 40>  color <1, 1, 1> }\n"
+        "plane { <0, 0, 0>, <1, 0, 0>, <0, 1, 0>  material { diffuse 0  ambient .1  specular 0  reflection .5 } }\n"
+        "defaultmaterial { rgb <1, 1, 1>  diffuse 0  ambient 1  specular 0  reflection 0 }\n";
+    for (const std::string& text : {
+             seen + "disc { <.03, .02, 0>, <0, 1, 1>, 5, 4.96 }",
+             seen + "disc { <0, .03, 0>, <0, 1, .008>, 5 }",
+             seen + "triangle { <-6, .033, 0>, <6, .75, 0>, <6, .8, 0> }",
+             seen + "box { <-6, .033, -3>, <6, .073, 0>  rotate <0, 0, 7> }",
+             seen + "cylinder { <0, .033, 0>, <0, .073, 0>, 5  rotate <0, 0, 7> }",
+             seen + "mesh { triangle { <-6, .033, 0>, <6, .75, 0>, <6, .79, 0> } "
+                    "triangle { <-6, .033, 0>, <6, .79, 0>, <-6, .073, 0> } }",
+             seen + "difference { cylinder { <.03, .02, -1>, <.03, .02, 1>, 5 } "
+                    "cylinder { <.03, .02, -2>, <.03, .02, 2>, 4.96 } }",
+             floor + "disc { <.1, .3, 1>, <0, 0, 1>, .8, .78 }",
+             mirror + "triangle { <-2.5, .7, 12>, <2.7, 1.7, 12>, <2.7, 1.73, 12> }",
+         }) {
+        CAPTURE(text);
+        // Bodies of a sixth of a pixel lose up to 7 % of their light in this small picture, of a fifth up to 3 %.
+        check_last_body(parse_scene(text, "flat"), 80, .08);
+    }
+}
+
+TEST_CASE("a gap between two bodies is seen") {
+    Scene scene = parse_scene(
+        "camera { position <0, 0, 1000>  look_at <0, 0, 0>  sky <0, 1, 0>  fov .5 }  background { color <1, 1, 1> }\n"
+        "light { position <0, 0, 500>  color <0, 0, 0> }\n"
+        "defaultmaterial { ambient 0  diffuse 0  specular 0  reflection 0 }\n"
+        "box { <-6, -4, -.001>, <.033, 4, 0>  rotate <0, 0, 7> }\n"
+        "box { <.073, -4, -.001>, <6, 4, 0>  rotate <0, 0, 7> }\n",
+        "gap");
+    const std::vector<double> exact = picture(scene, 80, {.grid = 20}), ours = picture(scene, 80, {});
+    double sum = 0, exact_sum = 0;
+    for (int y = 20; y < 40; ++y)
+        for (int x = 20; x < 60; ++x) sum += ours[3 * (80 * y + x)], exact_sum += exact[3 * (80 * y + x)];
+    CHECK(sum == doctest::Approx(exact_sum).epsilon(.08));  // a sixth of a pixel, as above
+}
