@@ -26,15 +26,16 @@ class Batches {
     using Out = std::conditional_t<std::is_same_v<T, float>, float, double>;
 
     Batches(const World<T>& own_world, const Kernel<T>& own_kernel, const Eye<T>& own_eye, const Limits<T>& own_limits,
-            Workspace<T>& own_workspace, bool with_bounds)
+            Workspace<T>& own_workspace, bool with_bounds, bool with_footprints)
         : world(own_world),
           kernel(own_kernel),
           eye(own_eye),
           limits(own_limits),
           workspace(own_workspace),
-          prove(with_bounds) {
+          prove(with_bounds),
+          filters(with_footprints) {
         if (prove) workspace.hold_extra(), bounds.resize(scattered_pixels);
-        if (world.patterns.mip_maps) workspace.hold_cones();
+        if (filters) workspace.hold_cones();
     }
 
     Counts counts;  // its own memory: threads that count beside each other wait for each other
@@ -82,14 +83,15 @@ class Batches {
                 // Pixel 0 of the camera's lattice is the middle of the first pixel.
                 workspace.pixels_x[i] = static_cast<T>(x - .5 + points[done + i].x / double(Point::unit));
                 workspace.pixels_y[i] = static_cast<T>(y - .5 + points[done + i].y / double(Point::unit));
-                if (world.patterns.mip_maps) workspace.sides[i] = static_cast<T>(side_of(points[done + i]));
+                if (filters) workspace.sides[i] = static_cast<T>(side_of(points[done + i]));
             }
-            if (world.patterns.mip_maps) std::fill_n(workspace.colors.begin(), 3 * count, T(-1));
+            if (filters) std::fill_n(workspace.colors.begin(), 4 * count, T(-1));
             look(count, scale, samples + done);
-            for (int i = 0; i < count && world.patterns.mip_maps; ++i) {
+            for (int i = 0; i < count && filters; ++i) {
                 CellSample& sample = samples[done + i];
-                for (int c = 0; c < 3; ++c) sample.color[c] = static_cast<float>(workspace.colors[3 * i + c]);
+                for (int c = 0; c < 3; ++c) sample.color[c] = static_cast<float>(workspace.colors[4 * i + c]);
                 sample.filtered = sample.color[0] >= 0;
+                sample.loose = static_cast<float>(workspace.colors[4 * i + 3]);
             }
         }
     }
@@ -177,11 +179,11 @@ class Batches {
         for (int done = 0; done < pixels;) {
             const int count = std::min(workspace.batch, pixels - done);
             const Footprints<T> footprints{eye.forward, eye.scale_x * eye.right, eye.scale_y * eye.down,
-                                           workspace.sides.data() + done, workspace.colors.data() + 3 * done};
+                                           workspace.sides.data() + done, workspace.colors.data() + 4 * done};
             const ProvingBatch<T> batch{
                 {workspace.pixels_x.data() + done, workspace.pixels_y.data() + done, workspace.sums.data() + done,
                  workspace.past.data() + done, count, sights ? sights + done : nullptr,
-                 world.patterns.mip_maps ? &footprints : nullptr},
+                 filters ? &footprints : nullptr},
                 prove ? bounds.data() + done : nullptr};
             if (kernel.trace(world, eye, limits, batch, workspace, counts)) {
                 done += count;
@@ -205,6 +207,7 @@ class Batches {
     const Limits<T>& limits;
     Workspace<T>& workspace;
     const bool prove;       // the kernel is a proving one
+    const bool filters;     // samples have footprints
     std::vector<T> bounds;  // of the pixels, by proving kernels
 };
 

@@ -102,7 +102,7 @@ class TracerOf : public AnyTracer {
         // With more bodies it takes longer to find the thin ones than cells save.
         constexpr std::size_t many = 10000, many_moving = 1000;
         if (scene().primitives.size() > (in_time.moves() ? many_moving : many)) return traced(job, lattice);
-        if (!capsules) capsules = std::make_shared<const CapsuleTree>(scene());
+        if (!capsules) capsules = std::make_shared<const CapsuleTree>(scene(), false);
         const ThinBodies thin(scene(), job.view, capsules);
         lattice_cells.resize(std::max<std::size_t>(lattice_cells.size(), job.pool.size()));
         int side = LatticeCells<Out>::side;  // smaller where threads would wait for the last ones; pixels are the same
@@ -151,7 +151,7 @@ class TracerOf : public AnyTracer {
 
     /// Calls work(batches, i, thread) for 0 <= i < tiles, on all threads.
     template <class Work>
-    Counts each(const Job& job, int tiles, double noticed, const Work& work, bool filters_images = false) {
+    Counts each(const Job& job, int tiles, double noticed, const Work& work, bool averages = false) {
         const View& view = job.view;
         ThreadPool& pool = job.pool;
         while (static_cast<int>(workspaces.size()) < pool.size())
@@ -167,7 +167,8 @@ class TracerOf : public AnyTracer {
         if (!light_buffers && LightBuffers<T>::pay(world, traced_pixels, view.prove))
             light_buffers = std::make_unique<LightBuffers<T>>(world, pool, view.prove);
         if (light_buffers) world.light_buffers = light_buffers->buffers();
-        if (filters_images) world.patterns.mip_maps = images->mip_maps();
+        if (averages) world.patterns.mip_maps = images->mip_maps();
+        const bool filters = averages && (world.patterns.list || world.patterns.sky);
         const ProvingLimits<T> limits{{.depth = view.depth,
                                        .error = static_cast<T>(view.error),
                                        .brightest = brightest.data(),
@@ -184,7 +185,8 @@ class TracerOf : public AnyTracer {
             int list = 0;
             for (const int body : around) list = push(workspace.mediums, list, body);
             own.medium = static_cast<T>(list);
-            Batches<T> batches(world, view.prove ? proving : kernel, own, limits, workspace, view.prove);
+            Batches<T> batches(world, view.prove ? proving : kernel, own, limits, workspace, view.prove,
+                               filters);
             for (int i; !limits.stopped() && (i = next++) < tiles;) work(batches, i, thread);
             counts[thread] = batches.counts;
         };

@@ -22,7 +22,7 @@ double middle_off(const std::array<const CellSample*, 4>& corners, const CellSam
     return off;
 }
 
-std::array<std::array<double, 3>, 5> without_image(std::span<const CellSample* const> samples) {
+std::array<std::array<double, 3>, 5> without_pattern(std::span<const CellSample* const> samples) {
     std::array<std::array<double, 3>, 5> result{};
     for (int c = 0; c < 3; ++c) {
         const double per = 1 / static_cast<double>(samples.size());

@@ -18,14 +18,16 @@ struct CellSample {
     float reflected[3], reflection;  // direction and weight of the reflected ray
     float further;                   // the longest way that rays went from there
     bool uneven;                     // see Sight
-    bool filtered;   // it has the colour of an image that is not seen magnified; then
-    float color[3];  // is what its light is multiplied by
+    bool filtered;   // it shows means of patterns; then
+    float color[3];  // is what its light is multiplied by,
+    float loose;     // and this says how loose the filter is, from 0 to 1, or below 0 if nothing varies around
+    bool detailed() const { return filtered && loose >= 0; }
 };
 
-/// Takes four corners and perhaps a middle, filtered samples of one signature. Returns their values as if the image had
-/// one colour, that of the middle or else the mean of all: the part of the differences that colours explain, by least
-/// squares, is taken out.
-std::array<std::array<double, 3>, 5> without_image(std::span<const CellSample* const> samples);
+/// Takes four corners and perhaps a middle, filtered samples of one signature. Returns their values as if the pattern
+/// had one colour, that of the middle or else the mean of all: the part of the differences that colours explain, by
+/// least squares, is taken out.
+std::array<std::array<double, 3>, 5> without_pattern(std::span<const CellSample* const> samples);
 
 /// The largest difference of highlights between samples of a cell in which none lies, times the cell's share of a
 /// pixel.

@@ -18,8 +18,11 @@ constexpr double steepest_gradient = .06;  // across a cell of one signature
 /// The error of a cell over the difference between its samples, found by experiment on five worlds: estimates are .7 to
 /// 1.9 times the error there (tests/bench/sampling.md).
 constexpr double estimate = .17;
-/// The error of the filter of images over the difference of the middle from the corners, found likewise.
+/// The error of the loosest filter of patterns over the difference of the middle from the corners, found likewise.
 constexpr double filter_off = .6;
+/// What the error of a filter in closed form is at least in the estimate, over the same difference: surfaces that are
+/// not flat and light that is not even. Cells are not divided for it.
+constexpr double least_doubt = .07;
 
 std::uint64_t key_of(Point p) { return std::uint64_t(std::uint32_t(p.x)) << 32 | std::uint32_t(p.y); }
 
@@ -151,8 +154,8 @@ void Cells::look_at_large(const Cell& cell) {
     const CellSample& middle = samples[cell.middle];
     if (cell.size > largest) return divide(cell);
     const bool surprising = equal_signatures(cell) && middle.signature != corners[0]->signature;
-    const auto filtered = [](const CellSample* sample) { return sample->filtered; };
-    if (std::ranges::any_of(corners, filtered)) return divide(cell);  // half of the image lies between footprints
+    const auto detailed = [](const CellSample* sample) { return sample->detailed(); };
+    if (std::ranges::any_of(corners, detailed)) return divide(cell);  // half of the pattern lies between footprints
     const bool smooth = looks_smooth(corners, middle, contrast);
     const bool clear = (smooth || surprising) && !hides_something(cell);
     const double off = middle_off(corners, middle) * (cell.size / unit);
@@ -168,7 +171,7 @@ void Cells::look_at_corners(Cell& cell, int finest) {
     const double difference = spread(cell) * share;
     const bool rough = glints || hidden ||
                        !(equal ? difference <= std::min(16 * contrast, steepest_gradient) : difference <= contrast);
-    const bool small = equal ? cell.size <= unit / 4 && !shows_image(cell) : cell.size < unit / 2;
+    const bool small = equal ? cell.size <= unit / 4 && !shows_pattern(cell) : cell.size < unit / 2;
     if (!rough && small) return finish(cell, mean(cell), spread(cell));
     if (cell.size <= finest) return waiting.push_back(cell);
     if (rough) return !hidden && begin_search(cell) ? active.push_back(cell) : go_on(cell);
@@ -186,7 +189,8 @@ void Cells::go_on(Cell& cell) {
 void Cells::look_at_middle(Cell& cell) {
     const double s = double(cell.size) / unit, off = off_corners(cell);
     const bool equal = equal_signatures(cell) && samples[cell.middle].signature == samples[cell.corners[0]].signature;
-    if (off * s * s <= contrast) return finish(cell, mean(cell), equal ? off : spread(cell));  // slopes are no errors
+    // Slopes are no errors.
+    if (off * s * s <= contrast) return finish(cell, mean(cell), equal ? std::max(off, doubt(cell)) : spread(cell));
     cell.middle = -1;
     if (begin_search(cell)) return active.push_back(cell);
     go_on(cell);
@@ -291,23 +295,27 @@ bool Cells::equal_signatures(const Cell& cell) const {
     return of(0) == of(1) && of(1) == of(2) && of(2) == of(3);
 }
 
-bool Cells::shows_image(const Cell& cell) const {
+/// Returns whether all samples show the same, with a pattern in which some see detail.
+bool Cells::shows_pattern(const Cell& cell) const {
     const CellSample& first = samples[cell.corners[0]];
-    if (!first.filtered) return false;
-    const auto same = [&](int k) { return samples[k].filtered && samples[k].signature == first.signature; };
-    return std::ranges::all_of(cell.corners, same) && (cell.middle < 0 || same(cell.middle));
+    bool detailed = false;
+    const auto same = [&](int k) {
+        detailed = detailed || samples[k].detailed();
+        return samples[k].filtered && samples[k].signature == first.signature;
+    };
+    return std::ranges::all_of(cell.corners, same) && (cell.middle < 0 || same(cell.middle)) && detailed;
 }
 
 /// Calls use(value), where value(k, c) is channel c of corner k or, for k = 4, of the middle if it is known. In cells
-/// that show an image values are as if it had one colour.
+/// that show a pattern values are as if it had one colour.
 template <class Use>
 auto Cells::with_values(const Cell& cell, const Use& use) const {
-    if (!shows_image(cell))
+    if (!shows_pattern(cell))
         return use([&](int k, int c) { return samples[k < 4 ? cell.corners[k] : cell.middle].rgb[c]; });
     std::array<const CellSample*, 5> all{};
     std::ranges::copy(corners_of(cell), all.begin());
     if (cell.middle >= 0) all[4] = &samples[cell.middle];
-    const auto values = without_image(std::span(all).first(cell.middle < 0 ? 4 : 5));
+    const auto values = without_pattern(std::span(all).first(cell.middle < 0 ? 4 : 5));
     return use([&](int k, int c) { return values[k][c]; });
 }
 
@@ -337,17 +345,24 @@ std::array<double, 3> Cells::mean(const Cell& cell) const {
     });
 }
 
-/// Returns the largest difference of a channel between the middle and the mean of the corners. If they show an image
+/// Returns the largest difference of a channel between the middle and the mean of the corners. If they show a pattern
 /// the middle has seen its mean, and the filter is assumed to be off by a share of the difference.
 double Cells::off_corners(const Cell& cell) const {
     const double whole = middle_off(corners_of(cell), samples[cell.middle]);
-    if (!shows_image(cell)) return whole;
+    if (!shows_pattern(cell)) return whole;
     return with_values(cell, [&](const auto& value) {
-        double off = filter_off * whole;
+        double loose = samples[cell.middle].loose;
+        for (const CellSample* corner : corners_of(cell)) loose = std::max(loose, double(corner->loose));
+        double off = filter_off * loose * whole;
         for (int c = 0; c < 3; ++c)
             off = std::max(off, std::abs(.25 * (value(0, c) + value(1, c) + value(2, c) + value(3, c)) - value(4, c)));
         return off;
     });
+}
+
+/// Returns how much a filter counts as off in the estimate, at least.
+double Cells::doubt(const Cell& cell) const {
+    return shows_pattern(cell) ? least_doubt * middle_off(corners_of(cell), samples[cell.middle]) : 0;
 }
 
 /// Adds a cell of a pixel or less to its pixel, with the difference between samples that were taken for equal.

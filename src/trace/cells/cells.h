@@ -90,12 +90,13 @@ class Cells {
     void look_beside(Cell& cell);
     bool hides_something(const Cell& cell) const;
     bool equal_signatures(const Cell& cell) const;
-    bool shows_image(const Cell& cell) const;
+    bool shows_pattern(const Cell& cell) const;
     template <class Use>
     auto with_values(const Cell& cell, const Use& use) const;
     double spread(const Cell& cell) const;
     std::array<double, 3> mean(const Cell& cell) const;
     double off_corners(const Cell& cell) const;
+    double doubt(const Cell& cell) const;
     void fill(const Cell& cell);
     void finish(const Cell& cell, const std::array<double, 3>& color, double difference);
 

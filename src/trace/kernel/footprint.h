@@ -1,4 +1,4 @@
-// Footprints of samples, by which images are filtered. Computed only if a batch has `footprints`.
+// Footprints of samples, over which patterns are averaged. Computed only if a batch has `footprints`.
 #pragma once
 #include "trace/kernel/ray_cone.h"
 
@@ -28,26 +28,34 @@ Footprint<S> footprint_of(const Vec3<S>& d, const S& size, const Vec3<S>& normal
 /// show.
 inline constexpr float coarse_pixel = .25f;
 
-/// Adds the colours of surfaces to `Footprints::colors` where footprints, `longer` pixels of an image long, exceed that
-/// limit: over all surfaces that a sample sees, each by the share of its light that reaches the sample. Weights up to
-/// `Limits::noticed` do not count.
+/// Adds the colours of patterns, of images where footprints exceed that limit, to `Footprints::colors`: over all that a
+/// sample sees, each by the share of its light that reaches the sample; and notes the loosest filter among them.
+/// Weights up to `Limits::noticed` do not count.
 template <class S, class P>
-STRAHL_INLINE void note_colors(const Shading<S, P>& shading, const S& longer, const Vec3<S>& color, const S& pixel,
-                               const S& weight, int lanes) {
+STRAHL_INLINE void note_colors(const Shading<S, P>& shading, const Filtering<S>& filtering, const Vec3<S>& color,
+                               const S& pixel, const S& weight, int lanes) {
     using T = Element<S>;
     const Footprints<T>& all = *shading.batch.footprints;
-    alignas(64) T colors[3][width<S>], lengths[width<S>], pixels[width<S>], weights[width<S>];
+    alignas(64) T colors[3][width<S>], lengths[width<S>], looseness[width<S>], pixels[width<S>], weights[width<S>];
     for (int c = 0; c < 3; ++c) store_lanes(colors[c], color[c]);
-    store_lanes(lengths, longer), store_lanes(pixels, pixel), store_lanes(weights, weight);
+    store_lanes(lengths, filtering.length), store_lanes(looseness, filtering.loose);
+    store_lanes(pixels, pixel), store_lanes(weights, weight);
     for (int k = 0; k < lanes; ++k) {
         const int own = static_cast<int>(pixels[k]);
         if (!(lengths[k] > coarse_pixel * all.sides[own]) || !(weights[k] > shading.limits.noticed)) continue;
-        T* const sum = all.colors + std::ptrdiff_t(3) * own;
+        T* const sum = all.colors + std::ptrdiff_t(4) * own;
         for (int c = 0; c < 3; ++c) sum[c] = std::max(sum[c], T(0)) + weights[k] * colors[c][k];
+        sum[3] = std::max(sum[3], looseness[k]);
     }
 }
 
-/// Sets the colours of patterned materials, images filtered.
+/// Counts filters as loose where the cones of rays are only bounds.
+template <class S>
+STRAHL_INLINE void loosen(Filtering<S>& filtering, const S& width) {
+    filtering.loose = select(width < S(0), select(filtering.loose < S(0), filtering.loose, S(1)), filtering.loose);
+}
+
+/// Sets the colours of patterned materials to means over footprints.
 template <class S, class P>
 [[gnu::noinline]] void paint_filtered(const Shading<S, P>& shading, const int* materials, const SurfaceHit<S>& hit,
                                       const RayQueue<Element<S>>& from, const LaneIndices<S>& pick, const S& t,
@@ -55,15 +63,16 @@ template <class S, class P>
     const auto& d = from.direction;
     const Vec3<S> direction(pick(d.x), pick(d.y), pick(d.z)), &normal = hit.point.normal;
     const S pixel = pick(from.pixel);
+    const S wide = shading.depth > 1 ? cone_at(shading, from, pick, direction, t).width : S(0);
     const Footprint<S> footprint =
-        shading.depth > 1 ? footprint_of(direction, cone_at(shading, from, pick, direction, t).width, normal)
-                          : footprint_of(shading, pixel, direction, t, normal);
-    const S longer =
+        shading.depth > 1 ? footprint_of(direction, wide, normal) : footprint_of(shading, pixel, direction, t, normal);
+    Filtering<S> filtering =
         PatternCalls<S>::paint_filtered(shading.world, materials, hit.point.position, hit.surface, footprint, values);
-    note_colors(shading, longer, values.ambient + values.diffuse, pixel, pick(from.weight), pick.lanes);
+    loosen(filtering, wide);
+    note_colors(shading, filtering, values.ambient + values.diffuse, pixel, pick(from.weight), pick.lanes);
 }
 
-/// Returns the background, images filtered.
+/// Returns the mean background over footprints.
 template <class S, class P>
 [[gnu::noinline]] Vec3<S> filtered_sky(const Shading<S, P>& shading, const LaneIndices<S>& pick) {
     const RayQueue<Element<S>>& from = shading.rays.open;
@@ -72,8 +81,9 @@ template <class S, class P>
     Vec3<S> color;
     const Footprint<S> footprint = shading.depth > 1 ? footprint_of(direction, pick(from.spread), direction)
                                                      : footprint_of(shading, pixel, direction, S(1), direction);
-    const S longer = PatternCalls<S>::sky_filtered(shading.world, footprint, color);
-    note_colors(shading, longer, color, pixel, pick(from.weight), pick.lanes);
+    Filtering<S> filtering = PatternCalls<S>::sky_filtered(shading.world, footprint, color);
+    loosen(filtering, shading.depth > 1 ? pick(from.width) : S(0));
+    note_colors(shading, filtering, color, pixel, pick(from.weight), pick.lanes);
     return color;
 }
 

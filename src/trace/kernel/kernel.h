@@ -25,7 +25,7 @@ struct RayQueue {
     T* t;       // where it leaves its body; only of rays inside an enclosed one
     int count = 0;
     T* extra[4] = {};                       // values that the kernel's policy keeps, see plain.h
-    T *width = nullptr, *spread = nullptr;  // see RayCone; only where images are filtered
+    T *width = nullptr, *spread = nullptr;  // see RayCone; only where patterns are filtered
 };
 
 /// Says which rays have an array: all; those inside an enclosed body; those of a policy that keeps more; those with
@@ -121,13 +121,13 @@ struct PixelSum {
     T rgb[3], pruned;
 };
 
-/// The squares of the view around samples, by which images are filtered.
+/// The squares of the view around samples, over which patterns are averaged.
 template <class T>
 struct Footprints {
     Vec3<T> forward, right, down;  // in the plane at distance 1: to its middle, and from one pixel to the next ones
     const T* sides;                // of the samples' squares, in pixels
-    /// Three values for each sample: the colours of the images that it sees, see note_colors; unchanged if it sees
-    /// none, or only much enlarged ones.
+    /// Four values for each sample: the colours of the patterns that it sees and how loosely they are filtered, see
+    /// note_colors; unchanged if it sees none, or only much enlarged ones.
     T* colors;
 };
 

@@ -1,4 +1,4 @@
-// Cones around rays: how much of an image a sample sees in mirrors and behind glass. Computed only where images are
+// Cones around rays: how much of a pattern a sample sees in mirrors and behind glass. Computed only where these are
 // filtered. Where the width of a cone is not known it counts as narrow: too much filtering loses detail, too little
 // only needs more samples.
 #pragma once
@@ -14,7 +14,7 @@ STRAHL_INLINE bool notes_sights(const Shading<S, P>& shading) {
     return P::notes && shading.batch.sights;
 }
 
-/// Returns true if images are filtered.
+/// Returns true if patterns are filtered.
 template <class S, class P>
 STRAHL_INLINE bool filters(const Shading<S, P>& shading) {
     return P::notes && shading.batch.footprints;
@@ -35,8 +35,8 @@ template <class S, class P>
 RayCone<S> cone_at(const Shading<S, P>& shading, const RayQueue<Element<S>>& from, const LaneIndices<S>& pick,
                    const Vec3<S>& direction, const S& t) {
     if (shading.depth > 1) {
-        const S spread = pick(from.spread);
-        return {fma(t, spread, pick(from.width)), spread};
+        const S spread = pick(from.spread), width = pick(from.width);
+        return {fma(select(width < S(0), -t, t), spread, width), spread};
     }
     const Footprints<Element<S>>& all = *shading.batch.footprints;
     const S cosine = dot(direction, splat<S>(all.forward)), right(dot(all.right, all.right)),
@@ -77,7 +77,7 @@ Bending<S> bending_of(const World<Element<S>>& world, int form, const S& surface
 /// times the width to the spread across the plane of incidence, and more in it. A flat surface between two media
 /// multiplies spreads by the ratio of indices and, in that plane, also by the ratio of the cosines; widths in that
 /// plane are multiplied by the inverse of the latter (both Igehy 1999). After bumps, concave mirrors and curved or
-/// nested glass the width is not known, and 0.
+/// nested glass the width is not known, and 0. After curved mirrors it is only a bound, and below 0.
 template <class S, class P>
 [[gnu::noinline, gnu::cold]] void put_cones(const Shading<S, P>& shading, RayQueue<Element<S>>& to, const Hit<S>& hit,
                                             const Vec3<S>& direction, Mask<S> lanes, const HitNotes<S, P>& notes) {
@@ -91,9 +91,10 @@ template <class S, class P>
         (hit.normal.x == notes.flat.x) & (hit.normal.y == notes.flat.y) & (hit.normal.z == notes.flat.z);
     const S ratio = select(hit.outside, one / hit.material.ior, hit.material.ior), narrower = -along / cosine;
     RayCone<S> cone = notes.cone;
-    cone.spread = select(mirrored, fma(S(2) * bending.curvature * cosine, cone.width, cone.spread),
+    cone.spread = select(mirrored, fma(S(2) * bending.curvature * cosine, abs(cone.width), cone.spread),
                          ratio * min(one, one / narrower) * cone.spread);
     cone.width = select(mirrored, cone.width, min(one, narrower) * cone.width);
+    cone.width = select(flat, cone.width, -abs(cone.width));
     const Mask<S> follows = even & ((mirrored & parted) | (flat & all_if(!world.nested) & !mirrored));
     const auto put = [&](Element<S>* place, const S& value) {
         compress(place + to.count, select(follows & (cone.spread < S(1)), value, zero), lanes);

@@ -176,7 +176,7 @@ bool shade_bin(const Shading<S, P>& shading, int bin) {
                 Mask<S> filtered = first_lanes<S>(0);
                 if (filters(shading)) {
                     notes.cone = cone_at(shading, from, pick, hit.direction, pick(t));
-                    filtered = notes.cone.width > S(0);
+                    filtered = !(notes.cone.width == S(0));
                 }
                 S seen_from = pick(from.source);
                 if (world.patterns.list)

@@ -58,7 +58,7 @@ struct Hit {
 /// of that along the ray (J. Amanatides, "Ray Tracing with Cones", 1984).
 template <class S>
 struct RayCone {
-    S width;   // where the ray starts or, of hits, ends; 0 if not known
+    S width;   // where the ray starts or, of hits, ends; 0 if not known, negative if some way wider than that
     S spread;  // growth of the width per length along the ray
 };
 
@@ -67,7 +67,7 @@ template <class S, class P>
 struct HitNotes {
     std::uint32_t words[width<S>];  // hashes of these hits for their samples' signatures; 0 if too faint
     Vec3<S> flat;                   // normals before they were bent
-    RayCone<S> cone;                // only set where images are filtered
+    RayCone<S> cone;                // only set where patterns are filtered
     [[no_unique_address]] typename P::template OfHit<S> own;
 };
 

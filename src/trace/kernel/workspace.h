@@ -38,7 +38,7 @@ class Workspace {
     int batch = scattered_pixels;  // number of pixels that fitted last time
     /// Allocates the arrays of a policy's data of rays.
     void hold_extra();
-    /// Allocates the arrays of ray cones, for filtering images.
+    /// Allocates the arrays of ray cones, for filtering patterns.
     void hold_cones();
 
   private:

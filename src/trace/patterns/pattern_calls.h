@@ -31,6 +31,13 @@ struct Footprint {
     Vec3<S> across, down;  // from the hit to where rays a side of the square beside this one are as far as it is
 };
 
+/// Says how well a filtered colour stands for what samples beside it see.
+template <class S>
+struct Filtering {
+    S length{0};  // the pixels of an image along a footprint; of other patterns 1, and 0 where there is none
+    S loose{0};   // how loose the filter is, from 0 for exact means to 1; -1 if nothing varies around
+};
+
 template <class S>
 struct PatternCalls {
     using T = Element<S>;
@@ -38,20 +45,20 @@ struct PatternCalls {
     /// positions of these surfaces.
     static void paint(const World<T>& world, const int* materials, const Vec3<S>& position, const S& surface,
                       MaterialKernel<S>& values);
-    /// Does the same with images filtered. Returns how many of the image's pixels long footprints are, 0 where there is
-    /// no image.
-    static S paint_filtered(const World<T>& world, const int* materials, const Vec3<S>& position, const S& surface,
-                            const Footprint<S>& footprint, MaterialKernel<S>& values);
+    /// Does the same with means over footprints.
+    static Filtering<S> paint_filtered(const World<T>& world, const int* materials, const Vec3<S>& position,
+                                       const S& surface, const Footprint<S>& footprint, MaterialKernel<S>& values);
     /// Returns the normals at these positions of these surfaces as the materials bend them, of length 1.
     static Vec3<S> bent(const World<T>& world, const int* materials, const Vec3<S>& position, const S& surface,
                         const Vec3<S>& normal);
     /// Returns a number for the piece of the pattern at each position. Pieces have edges in between: checks, bricks,
-    /// ramps, repetitions of images. 0 where there are none, as between repetitions of filtered images.
+    /// ramps, repetitions of images. 0 where there are none, and where patterns are filtered, but for images that are
+    /// there once.
     static S piece(const World<T>& world, const int* materials, const Vec3<S>& position, const S& surface,
                    Mask<S> filtered);
-    /// Returns the background in these directions; the second one with images filtered, as paint_filtered.
+    /// Returns the background in these directions; the second one finds its means over footprints.
     static Vec3<S> sky(const World<T>& world, const Vec3<S>& direction);
-    static S sky_filtered(const World<T>& world, const Footprint<S>& footprint, Vec3<S>& color);
+    static Filtering<S> sky_filtered(const World<T>& world, const Footprint<S>& footprint, Vec3<S>& color);
     /// Attenuates light in these lanes by a surface of a transparent material, at `t` along the ray.
     static void filter(const World<T>& world, int material, const S& surface, const Ray<S>& ray, const S& t,
                        Mask<S> lanes, Vec3<S>& share);

@@ -1,7 +1,10 @@
 // Colours and normals of patterns. scene/pattern.h defines the patterns.
 #pragma once
+#include <bit>
+
 #include "trace/patterns/footprint_kernel.h"
 #include "trace/patterns/pattern_calls.h"
+#include "trace/patterns/pattern_means.h"
 #include "trace/patterns/relief_kernel.h"
 
 namespace strahl::inline STRAHL_LEVEL {
@@ -35,15 +38,82 @@ template <class S>
     return color;
 }
 
-/// Finds the same with images filtered; lanes not in `lanes` get any colour. Returns how many of an image's pixels long
-/// footprints are.
+/// Calls visit(which, lanes) for each lane among `lanes`.
+template <class S, class Visit>
+STRAHL_INLINE void each_lane(Mask<S> lanes, const Visit& visit) {
+    for (unsigned left = bits(lanes); left != 0; left &= left - 1) visit(std::countr_zero(left));
+}
+/// Returns a lane of a vector.
 template <class S>
-[[gnu::noinline]] S filtered_at(const World<Element<S>>& world, const PatternKernel<Element<S>>& pattern,
-                                const Vec3<S>& position, const S& surface, const Footprint<S>& footprint, Mask<S> lanes,
-                                Vec3<S>& color) {
-    if (pattern.form != PatternForm::image) {
+STRAHL_INLINE DVec3 lane_of(const Vec3<S>& v, int k) {
+    return {static_cast<double>(lane(v.x, k)), static_cast<double>(lane(v.y, k)), static_cast<double>(lane(v.z, k))};
+}
+
+/// Means in lanes, one after the other.
+template <class S>
+struct PatternMeans {
+    using T = Element<S>;
+    alignas(64) T values[4][width<S>] = {};
+    void set(int k, const PatternMean& mean) {
+        for (int c = 0; c < 3; ++c) values[c][k] = static_cast<T>(mean.color[c]);
+        values[3][k] = mean.detailed ? static_cast<T>(mean.loose) : T(-1);
+    }
+    Filtering<S> get(Vec3<S>& color) const {
+        for (int c = 0; c < 3; ++c) color[c] = load_lanes<S>(values[c]);
+        return {S(1), load_lanes<S>(values[3])};
+    }
+};
+
+/// Finds mean colours of noise, layers or rings around p: from their values on a grid over the footprint, between which
+/// these are taken for linear. Octaves that are finer than the grid fade away.
+template <class S>
+[[gnu::noinline]] Filtering<S> mean_of_values(const World<Element<S>>& world, const PatternKernel<Element<S>>& pattern,
+                                              const Vec3<S>& p, const Vec3<S>& across, const Vec3<S>& down,
+                                              Mask<S> lanes, Vec3<S>& color) {
+    using T = Element<S>;
+    const bool noisy = pattern.form == PatternForm::noise || pattern.turbulence != 0;
+    const S finest(noisy ? finest_octave(pattern) : T(1)), one(1);
+    const S lengths[2] = {sqrt(dot(across, across)), sqrt(dot(down, down))};
+    // Three steps of the grid for each cell of the finest noise, if these are not too many.
+    const auto steps_along = [&](const S& own, const S& other) {
+        const S most = select(own < other, S(T(ValueGrid::most_steps / 2)), S(T(ValueGrid::most_steps)));
+        return min(max(-floor(S(-3) * finest * own), one), most);
+    };
+    const S columns = steps_along(lengths[0], lengths[1]), rows = steps_along(lengths[1], lengths[0]);
+    const S step = max(lengths[0] / columns, lengths[1] / rows);
+    const auto most_of = [&](const S& steps) { return static_cast<int>(-least(select(lanes, -steps, S(-1)))); };
+    const int most_columns = most_of(columns), most_rows = most_of(rows), stride = most_columns + 1;
+    alignas(64) T values[ValueGrid::most_values][width<S>], spreads[width<S>];
+    for (int j = 0; j <= most_rows; ++j)
+        for (int i = 0; i <= most_columns; ++i) {
+            const S x = S(static_cast<T>(i)) / columns - S(T(.5)), y = S(static_cast<T>(j)) / rows - S(T(.5));
+            store_lanes(values[j * stride + i], smoothed_value(pattern, fma(x, across, fma(y, down, p)), step));
+        }
+    store_lanes(spreads, lost_octaves(pattern, step));
+    const S fine = finest * (lengths[0] + lengths[1]), cells = finest * step;
+    PatternMeans<S> means;
+    each_lane<S>(lanes, [&](int k) {
+        ValueGrid grid{.columns = static_cast<int>(lane(columns, k)),
+                       .rows = static_cast<int>(lane(rows, k)),
+                       .spread = static_cast<double>(spreads[k]),
+                       .step = static_cast<double>(lane(cells, k)),
+                       .cells = static_cast<double>(lane(fine, k))};
+        for (int j = 0, n = 0; j <= grid.rows; ++j)
+            for (int i = 0; i <= grid.columns; ++i)
+                grid.values[n++] = static_cast<double>(values[j * stride + i][k]);
+        means.set(k, mean_over(pattern, world.patterns.stops + pattern.first_stop, grid));
+    });
+    return means.get(color);
+}
+
+/// Finds mean colours of a pattern over footprints; lanes not in `lanes` get any colour.
+template <class S>
+[[gnu::noinline]] Filtering<S> filtered_at(const World<Element<S>>& world, const PatternKernel<Element<S>>& pattern,
+                                           const Vec3<S>& position, const S& surface, const Footprint<S>& footprint,
+                                           Mask<S> lanes, Vec3<S>& color) {
+    if (pattern.form == PatternForm::constant) {
         color = color_at(world, pattern, position, surface);
-        return S(0);
+        return {};
     }
     const auto along = [&](const Vec3<S>& way, const Vec3<S>& normal) {
         return fma(-dot(way, normal) / dot(footprint.direction, normal), footprint.direction, way);
@@ -63,8 +133,24 @@ template <class S>
     } else {
         across = along(footprint.across, footprint.normal), down = along(footprint.down, footprint.normal);
     }
-    return filtered_color(pattern.image, world.patterns.mip_maps[pattern.image.number], in_space_of(pattern, place),
-                          turned(across), turned(down), lanes, color);
+    const Vec3<S> p = in_space_of(pattern, place);
+    across = turned(across), down = turned(down);
+    if (pattern.form == PatternForm::image) {
+        const MipMapKernel& map = world.patterns.mip_maps[pattern.image.number];
+        return {filtered_color(pattern.image, map, p, across, down, lanes, color), S(1)};
+    }
+    // Where footprints are not known, or go beyond the horizon, colours are those of points.
+    const S longest = dot(across, across) + dot(down, down);
+    const Mask<S> known = longest < S(largest_gain);
+    across = select(known, across, splat<S>(Vec3<Element<S>>(0)));
+    down = select(known, down, splat<S>(Vec3<Element<S>>(0)));
+    if (!has_mean(pattern.form)) return mean_of_values(world, pattern, p, across, down, lanes, color);
+    PatternMeans<S> means;
+    each_lane<S>(lanes, [&](int k) {
+        means.set(k, mean_over(pattern, world.patterns.stops + pattern.first_stop,
+                               PatternArea{lane_of(p, k), lane_of(across, k), lane_of(down, k)}));
+    });
+    return means.get(color);
 }
 
 /// Calls visit(which, lanes) for each different patterned material of a pack.
@@ -103,15 +189,16 @@ void PatternCalls<S>::paint(const World<T>& world, const int* materials, const V
 }
 
 template <class S>
-S PatternCalls<S>::paint_filtered(const World<T>& world, const int* materials, const Vec3<S>& position,
-                                  const S& surface, const Footprint<S>& footprint, MaterialKernel<S>& values) {
-    S all(0);
+Filtering<S> PatternCalls<S>::paint_filtered(const World<T>& world, const int* materials, const Vec3<S>& position,
+                                             const S& surface, const Footprint<S>& footprint,
+                                             MaterialKernel<S>& values) {
+    Filtering<S> all;
     each_pattern<S>(world, materials, [&](int which, Mask<S> lanes) {
         const PatternKernel<T>& pattern = world.patterns.list[which];
         Vec3<S> color;
-        const S longer = filtered_at(world, pattern, position, surface, footprint, lanes, color);
+        const Filtering<S> own = filtered_at(world, pattern, position, surface, footprint, lanes, color);
         set_colors(pattern, lanes, color, values);
-        all = select(lanes, longer, all);
+        all.length = select(lanes, own.length, all.length), all.loose = select(lanes, own.loose, all.loose);
     });
     return all;
 }
@@ -138,20 +225,21 @@ template <class S>
     const Vec3<S> p = place_of(world, pattern, position, surface);
     const Vec3<S> whole(floor(p.x), floor(p.y), floor(p.z));
     const S zero(0);
+    const auto unfiltered = [&](const Vec3<S>& piece) { return select(filtered, splat<S>(Vec3<T>(0)), piece); };
     switch (pattern.form) {
         case PatternForm::checker:
-            return whole;
+            return unfiltered(whole);
         case PatternForm::brick: {
             const S half = S(T(.5)), shift = select(fraction(p.y * half) > half, half, zero);
             const S mortar = select(brick_at(pattern.mortar, p) > zero, zero, half);
-            return {floor(p.x + shift), whole.y + mortar, floor(p.z + (half - shift))};
+            return unfiltered({floor(p.x + shift), whole.y + mortar, floor(p.z + (half - shift))});
         }
         case PatternForm::ramp:
-            return {whole.x, zero, zero};
+            return unfiltered({whole.x, zero, zero});
         case PatternForm::image:
             if (pattern.image.map == ImageMap::spherical || pattern.image.map == ImageMap::cylindrical) break;
             if (pattern.image.once) return {whole.x, whole.y, zero};
-            return {select(filtered, zero, whole.x), select(filtered, zero, whole.y), zero};
+            return unfiltered({whole.x, whole.y, zero});
         default:
             break;
     }
@@ -177,9 +265,9 @@ Vec3<S> PatternCalls<S>::sky(const World<T>& world, const Vec3<S>& direction) {
 }
 
 template <class S>
-S PatternCalls<S>::sky_filtered(const World<T>& world, const Footprint<S>& footprint, Vec3<S>& color) {
-    return filtered_at(world, *world.patterns.sky, footprint.direction, S(-1), footprint, first_lanes<S>(width<S>),
-                       color);
+Filtering<S> PatternCalls<S>::sky_filtered(const World<T>& world, const Footprint<S>& footprint, Vec3<S>& color) {
+    const Mask<S> all = first_lanes<S>(width<S>);
+    return filtered_at(world, *world.patterns.sky, footprint.direction, S(-1), footprint, all, color);
 }
 
 template <class S>

@@ -73,6 +73,52 @@ STRAHL_INLINE S octaves_at(const PatternKernel<Element<S>>& pattern, const Vec3<
     return sum;
 }
 
+/// Returns how many times finer the finest octave is than the first one.
+template <class T>
+T finest_octave(const PatternKernel<T>& pattern) {
+    T finest = 1;
+    for (int i = 1; i < pattern.octaves && pattern.lambda > T(1); ++i) finest *= pattern.lambda;
+    return finest;
+}
+/// Returns how much of an octave is left, from 1 to 0, if points are `step` of its cells apart. All of it is if its
+/// cells have two points; none if they are smaller than one and a half steps (A. Apodaca and L. Gritz, "Advanced
+/// RenderMan", 1999, chapter 12, on frequency clamping).
+template <class S>
+STRAHL_INLINE S left_of_octave(const S& step) {
+    using T = Element<S>;
+    return min(max(S(T(1.5)) - step, S(0)), S(1));
+}
+/// Returns the value of noise, layers or rings before it is folded or limited, without octaves finer than points of a
+/// grid which are `step` apart.
+template <class S>
+[[gnu::noinline]] S smoothed_value(const PatternKernel<Element<S>>& pattern, const Vec3<S>& p, const S& step) {
+    using T = Element<S>;
+    const bool noise = pattern.form == PatternForm::noise;
+    S sum(0);
+    T strength = noise ? T(1) : pattern.turbulence, fineness = 1;
+    for (int i = 0; i < pattern.octaves && strength != 0; ++i) {
+        const S left = left_of_octave(S(fineness) * step);
+        if (!none(left > S(0))) sum = fma(S(strength) * left, noise_at(scale(S(fineness), p)), sum);
+        strength *= pattern.omega, fineness *= pattern.lambda;
+    }
+    if (noise) return sum + S(T(.5));
+    return sum + (pattern.form == PatternForm::layers ? p.x : sqrt(fma(p.x, p.x, p.y * p.y)));
+}
+/// Returns the standard deviation of the octaves that smoothed_value leaves out.
+template <class S>
+S lost_octaves(const PatternKernel<Element<S>>& pattern, const S& step) {
+    using T = Element<S>;
+    constexpr T deviation = T(.17);  // of one octave, found by experiment
+    S squares(0);
+    T strength = pattern.form == PatternForm::noise ? T(1) : pattern.turbulence, fineness = 1;
+    for (int i = 0; i < pattern.octaves && strength != 0; ++i) {
+        const S lost = S(strength * deviation) * (S(1) - left_of_octave(S(fineness) * step));
+        squares = fma(lost, lost, squares);
+        strength *= pattern.omega, fineness *= pattern.lambda;
+    }
+    return sqrt(squares);
+}
+
 /// Returns whole numbers modulo 2.
 template <class S>
 STRAHL_INLINE S parity(const S& x) {

@@ -1,0 +1,378 @@
+#include "trace/patterns/pattern_means.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace strahl {
+namespace {
+
+/// Shorter ways than this along a coordinate count as none: there, differences of integrals would be rounding errors.
+constexpr double shortest = 1e-6;
+/// Most pieces that are summed up along the coordinate that changes second most. Over more, coordinates are taken for
+/// independent.
+constexpr double most_pieces = 24;
+
+/// How loose filters count, found by experiment: those in closed form, which take surfaces for flat and their light for
+/// even, and those from grids with a step of one cell of the finest noise (tests/bench/sampling.md).
+constexpr double exact = .03, from_values = 1;
+/// Noise is detailed from so many of its finest cells on.
+constexpr double finely = .25;
+
+double fraction(double x) { return x - std::floor(x); }
+
+/// A periodic function less its mean, and its integrals, which are periodic too.
+struct Square {  // 1 from 0 to 1 and -1 from 1 to 2
+    static constexpr double mean = 0;
+    double value(double x) const { return fraction(x / 2) < .5 ? 1 : -1; }
+    double integral(double x) const { return std::abs(2 * fraction(x / 2) - 1) * -1 + .5; }
+    double second(double x) const {
+        const double t = 2 * fraction(x / 2);
+        return t < 1 ? t * (t - 1) / 2 : (t - 1) * (2 - t) / 2;
+    }
+};
+struct Course {  // 0 from 0 to `mortar` and 1 from there to 1
+    double mortar, mean = 1 - mortar;
+    double value(double x) const { return fraction(x) > mortar ? mortar : -mean; }
+    double integral(double x) const {
+        const double t = fraction(x), least = -mean * mortar;
+        return (t < mortar ? -mean * t : least + mortar * (t - mortar)) - least / 2;
+    }
+    double second(double x) const {
+        const double t = fraction(x), start = mean * mortar / 2;
+        if (t < mortar) return t * (start - mean * t / 2);
+        const double since = t - mortar;
+        return mortar * (start - mean * mortar / 2) + since * (-start + mortar * since / 2);
+    }
+};
+
+/// Returns the mean of a function less its mean, whose argument is x in the middle of a parallelogram and changes by a
+/// and by b along its sides: the two boxes, one after the other, are a trapezoid.
+template <class Function>
+auto mean_of(const Function& function, double x, double a, double b) {
+    a = std::abs(a), b = std::abs(b);
+    if (a < b) std::swap(a, b);
+    if (a < shortest) return function.value(x);
+    if (b < shortest) return (function.integral(x + a / 2) - function.integral(x - a / 2)) / a;
+    const double outer = (a + b) / 2, inner = (a - b) / 2;
+    return (function.second(x + outer) - function.second(x + inner) - function.second(x - inner) +
+            function.second(x - outer)) /
+           (a * b);
+}
+
+/// A convex part of a parallelogram, whose area is 1: where its corners are along both sides, and in the pattern's
+/// space.
+struct Part {
+    struct PartCorner {
+        double i, j;
+        DVec3 at;
+    };
+    std::array<PartCorner, 12> corners;
+    int count = 0;
+
+    explicit Part(const PatternArea& area) {
+        for (const auto& [i, j] : {std::pair(-.5, -.5), {.5, -.5}, {.5, .5}, {-.5, .5}})
+            add({i, j, area.middle + i * area.across + j * area.down});
+    }
+    void add(const PartCorner& corner) { corners[count++] = corner; }
+
+    std::pair<double, double> range(int axis) const {
+        double low = HUGE_VAL, high = -HUGE_VAL;
+        for (int k = 0; k < count; ++k) {
+            low = std::min(low, corners[k].at[axis]);
+            high = std::max(high, corners[k].at[axis]);
+        }
+        return {low, high};
+    }
+    /// Returns the part of it that is on one side of a plane across an axis.
+    Part cut(int axis, double place, double side) const {
+        Part rest = *this;
+        rest.count = 0;
+        for (int k = 0; k < count; ++k) {
+            const PartCorner &from = corners[k], &to = corners[k + 1 < count ? k + 1 : 0];
+            const double a = side * (from.at[axis] - place), b = side * (to.at[axis] - place);
+            if (a >= 0) rest.add(from);
+            if ((a >= 0) == (b >= 0)) continue;
+            const double share = a / (a - b);
+            PartCorner between{from.i + share * (to.i - from.i), from.j + share * (to.j - from.j),
+                               from.at + share * (to.at - from.at)};
+            between.at[axis] = place;
+            rest.add(between);
+        }
+        return rest;
+    }
+    Part between(int axis, double low, double high) const {
+        const auto [least, most] = range(axis);
+        if (least >= low && most <= high) return *this;
+        return cut(axis, low, 1).cut(axis, high, -1);
+    }
+    double area() const {
+        double sum = 0;
+        for (int k = 2; k < count; ++k)
+            sum += (corners[k - 1].i - corners[0].i) * (corners[k].j - corners[0].j) -
+                   (corners[k].i - corners[0].i) * (corners[k - 1].j - corners[0].j);
+        return sum / 2;
+    }
+    DVec3 middle() const {
+        DVec3 sum(0);
+        for (int k = 0; k < count; ++k) sum += corners[k].at;
+        return (1. / count) * sum;
+    }
+    /// Returns the integral of a function of a coordinate, which changes by a and by b along the parallelogram's sides:
+    /// that of its integral around the border (by the divergence theorem).
+    template <class Function>
+    double integral(const Function& function, int axis, double a, double b) const {
+        if (count < 3) return 0;
+        const double squared = a * a + b * b;
+        double sum = 0;
+        if (squared < shortest * shortest) return area() * (function.mean + function.value(middle()[axis]));
+        for (int k = 0; k < count; ++k) {
+            const PartCorner &from = corners[k], &to = corners[k + 1 < count ? k + 1 : 0];
+            const double x = from.at[axis], way = to.at[axis] - x;
+            const double mean = std::abs(way) < shortest ? function.integral(x + way / 2)
+                                                         : (function.second(x + way) - function.second(x)) / way;
+            sum += (a * (to.j - from.j) - b * (to.i - from.i)) * mean;
+        }
+        return area() * function.mean + sum / squared;
+    }
+};
+
+/// Points further out count as anywhere: rounding leaves nothing of where in a piece they are.
+constexpr double furthest = 1e9;
+bool is_far(const PatternArea& area) {
+    double sum = 0;
+    for (int c = 0; c < 3; ++c) sum += std::abs(area.middle[c]) + std::abs(area.across[c]) + std::abs(area.down[c]);
+    return !(sum < furthest);
+}
+
+double extent(const PatternArea& area, int axis) { return std::abs(area.across[axis]) + std::abs(area.down[axis]); }
+
+/// Returns whether a coordinate comes to a whole number within three times the area.
+bool has_border(const PatternArea& area, int axis, double shift = 0) {
+    const double middle = area.middle[axis] + shift, reach = 1.5 * extent(area, axis);
+    return std::floor(middle - reach) != std::floor(middle + reach);
+}
+
+/// Returns the mean of the product of square waves of all coordinates.
+double mean_of_checks(const PatternArea& area) {
+    std::array<int, 3> axes{0, 1, 2};
+    std::ranges::sort(axes, {}, [&](int axis) { return extent(area, axis); });
+    const auto [first, second, last] = axes;
+    const Square square;
+    if (is_far(area)) return 0;
+    if (extent(area, second) > most_pieces) {
+        double product = 1;
+        for (const int axis : axes)
+            product *= mean_of(square, area.middle[axis], area.across[axis], area.down[axis]);
+        return product;
+    }
+    const Part whole(area);
+    const auto each = [](const Part& part, int axis, const auto& visit) {
+        if (part.count < 3) return;
+        const auto [low, high] = part.range(axis);
+        for (double k = std::floor(low); k <= std::floor(high); ++k) visit(part.between(axis, k, k + 1), k);
+    };
+    double sum = 0;
+    each(whole, first, [&](const Part& slab, double i) {
+        each(slab, second, [&](const Part& part, double j) {
+            const double own = part.integral(square, last, area.across[last], area.down[last]);
+            sum += std::fmod(std::abs(i + j), 2) == 0 ? own : -own;
+        });
+    });
+    return sum;
+}
+
+/// Returns the share of bricks; the rest is mortar.
+double share_of_bricks(const PatternArea& area, const DVec3& mortar) {
+    const Course courses[3] = {{mortar.x}, {mortar.y}, {mortar.z}};
+    const int fewer = extent(area, 0) < extent(area, 2) ? 0 : 2, last = 2 - fewer;
+    const auto mean = [&](int axis, double shift = 0) {
+        return courses[axis].mean +
+               mean_of(courses[axis], area.middle[axis] + shift, area.across[axis], area.down[axis]);
+    };
+    if (is_far(area)) return courses[0].mean * courses[1].mean * courses[2].mean;
+    if (extent(area, 1) > most_pieces)  // as many layers of one shift as of the other
+        return mean(1) * (mean(0) * mean(2, .5) + mean(0, .5) * mean(2)) / 2;
+    const Part whole(area);
+    const auto [low, high] = whole.range(1);
+    double sum = 0;
+    for (double k = std::floor(low); k <= std::floor(high); ++k) {
+        Part layer = whole.between(1, k + mortar.y, k + 1);
+        if (layer.count < 3) continue;
+        const double shift = std::fmod(std::abs(k), 2) == 1 ? .5 : 0, shifts[3] = {shift, 0, .5 - shift};
+        if (extent(area, fewer) > most_pieces) {
+            sum += layer.area() * mean(0, shifts[0]) * mean(2, shifts[2]);
+            continue;
+        }
+        for (int c = 0; c < layer.count; ++c) layer.corners[c].at += DVec3(shifts[0], 0, shifts[2]);
+        const auto [least, most] = layer.range(fewer);
+        for (double i = std::floor(least); i <= std::floor(most); ++i)
+            sum += layer.between(fewer, i + mortar[fewer], i + 1)
+                       .integral(courses[last], last, area.across[last], area.down[last]);
+    }
+    return sum;
+}
+
+/// How the argument of a map becomes a value from 0 to 1.
+enum class Fold {
+    repeat,  // from 0 to 1, over and over
+    wave,    // up to 1 and down again within a length of 1
+    limit,   // smaller ones are 0 and larger ones 1
+};
+
+/// The colours of a map by its argument; of periodic ones less their mean.
+template <class T>
+class MapFunction {
+  public:
+    MapFunction(const ColorStopKernel<T>* own, int own_count, Fold own_fold)
+        : stops(own), count(own_count), fold(own_fold) {
+        if (fold == Fold::limit) return;
+        const Sums period = sums(1);
+        mean = period.first, middle = period.second - .5 * mean;
+    }
+    DVec3 mean{0};
+
+    DVec3 value(double x) const {
+        x = fold == Fold::limit ? std::clamp(x, 0., 1.) : fraction(x);
+        if (fold == Fold::wave) x = 1 - std::abs(2 * x - 1);
+        DVec3 color = color_of(0);
+        for (int i = 1; i < count && x > at(i - 1); ++i) {
+            const double share = at(i) > at(i - 1) ? std::min((x - at(i - 1)) / (at(i) - at(i - 1)), 1.) : 1;
+            color = color_of(i - 1) + share * (color_of(i) - color_of(i - 1));
+        }
+        return color - mean;
+    }
+    DVec3 integral(double x) const {
+        if (fold != Fold::limit) x = fraction(x);
+        const Sums own = sums(x);
+        return own.first - x * mean - middle;
+    }
+    DVec3 second(double x) const {
+        if (fold != Fold::limit) x = fraction(x);
+        const Sums own = sums(x);
+        return own.second - x * x / 2 * mean - x * middle;
+    }
+    /// Returns whether a colour jumps, or a value begins anew, for an argument in this range.
+    bool has_jump(double low, double high) const {
+        const auto within = [&](double place) {
+            return fold == Fold::limit ? low < place && place < high
+                                       : std::floor(low - place) != std::floor(high - place);
+        };
+        if (fold == Fold::repeat && within(0)) return true;
+        for (int i = 1; i < count; ++i) {
+            if (at(i) > at(i - 1)) continue;
+            if (fold == Fold::wave ? within(at(i) / 2) || within(1 - at(i) / 2) : within(at(i))) return true;
+        }
+        return false;
+    }
+
+  private:
+    /// The integral of the colours from 0 on, and the integral of that.
+    struct Sums {
+        DVec3 first{0}, second{0};
+    };
+    double at(int i) const { return double(stops[i].at); }
+    DVec3 color_of(int i) const {
+        return {double(stops[i].color.x), double(stops[i].color.y), double(stops[i].color.z)};
+    }
+    Sums sums(double x) const {
+        if (fold != Fold::wave) return sums_of_map(x);
+        const Sums half = sums_of_map(1);
+        if (x <= .5) {
+            const Sums own = sums_of_map(2 * x);
+            return {.5 * own.first, .25 * own.second};
+        }
+        const Sums rest = sums_of_map(2 - 2 * x);
+        return {half.first - .5 * rest.first, (x - .5) * half.first + .25 * rest.second};
+    }
+    Sums sums_of_map(double x) const {
+        if (x < 0) return {x * color_of(0), x * x / 2 * color_of(0)};
+        Sums sums;
+        double since = 0;
+        const auto add = [&](double until, const DVec3& from, const DVec3& to) {
+            const double full = until - since, way = std::min(until, x) - since;
+            if (!(way > 0)) return;
+            const DVec3 slope = (1 / full) * (to - from);
+            sums.second += way * sums.first + way * way / 2 * from + way * way * way / 6 * slope;
+            sums.first += way * from + way * way / 2 * slope;
+            since = until;
+        };
+        add(at(0), color_of(0), color_of(0));
+        for (int i = 1; i < count; ++i) add(at(i), color_of(i - 1), color_of(i));
+        add(std::max(1., x), color_of(count - 1), color_of(count - 1));
+        return sums;
+    }
+
+    const ColorStopKernel<T>* stops;
+    int count;
+    Fold fold;
+    DVec3 middle{0};  // of the integral
+};
+
+}  // namespace
+
+template <class T>
+PatternMean mean_over(const PatternKernel<T>& pattern, const ColorStopKernel<T>* stops, const PatternArea& area) {
+    const auto mixed = [&](double share) {
+        share = std::clamp(share, 0., 1.);  // rounding may lead out of this
+        DVec3 color;
+        for (int c = 0; c < 3; ++c)
+            color[c] = double(stops[0].color[c]) + share * (double(stops[1].color[c]) - double(stops[0].color[c]));
+        return color;
+    };
+    const auto any_border = [&] { return has_border(area, 0) || has_border(area, 1) || has_border(area, 2); };
+    switch (pattern.form) {
+        case PatternForm::checker:
+            return {mixed((1 - mean_of_checks(area)) / 2), any_border(), exact};
+        case PatternForm::brick: {
+            const DVec3 mortar(double(pattern.mortar.x), double(pattern.mortar.y), double(pattern.mortar.z));
+            bool detailed = false;
+            for (int c = 0; c < 3; ++c)
+                for (const double border : {0., mortar[c]})
+                    for (const double shift : {0., c == 1 ? 0. : .5})
+                        detailed = detailed || has_border(area, c, shift - border);
+            return {mixed(share_of_bricks(area, mortar)), detailed, exact};
+        }
+        default: {
+            const MapFunction<T> map(stops, pattern.stops, Fold::repeat);
+            const double x = area.middle.x - double(pattern.border), reach = 1.5 * extent(area, 0);
+            const bool detailed = reach > .25 || map.has_jump(x - reach, x + reach);
+            if (is_far(area)) return {map.mean, true, exact};
+            return {max(map.mean + mean_of(map, x, area.across.x, area.down.x), DVec3(0)), detailed, exact};
+        }
+    }
+}
+
+template <class T>
+PatternMean mean_over(const PatternKernel<T>& pattern, const ColorStopKernel<T>* stops, const ValueGrid& grid) {
+    const MapFunction<T> map(stops, pattern.stops, pattern.form == PatternForm::noise ? Fold::limit : Fold::wave);
+    const double spread = grid.spread * std::sqrt(12.);  // the width of a box of this deviation
+    DVec3 sum(0);
+    double low = HUGE_VAL, high = -HUGE_VAL;
+    for (int j = 0; j < grid.rows; ++j)
+        for (int i = 0; i < grid.columns; ++i) {
+            const double* const top = &grid.values[j * (grid.columns + 1) + i];
+            const double* const bottom = top + grid.columns + 1;
+            const double a = (top[1] - top[0] + bottom[1] - bottom[0]) / 2;
+            const double b = std::hypot((bottom[0] - top[0] + bottom[1] - top[1]) / 2, spread);
+            const double x = (top[0] + top[1] + bottom[0] + bottom[1]) / 4, reach = 1.5 * (std::abs(a) + b);
+            sum += mean_of(map, x, a, b);
+            low = std::min(low, x - reach), high = std::max(high, x + reach);
+        }
+    const bool detailed = grid.cells > finely || high - low > .25 || map.has_jump(low, high);
+    const DVec3 color = map.mean + 1. / (grid.rows * grid.columns) * sum;
+    const bool known = std::abs(color.x) + std::abs(color.y) + std::abs(color.z) < furthest;
+    return {known ? max(color, DVec3(0)) : map.mean + map.value(0), detailed, std::clamp(from_values * grid.step, exact, 1.)};
+}
+
+template PatternMean mean_over(const PatternKernel<float>&, const ColorStopKernel<float>*, const PatternArea&);
+template PatternMean mean_over(const PatternKernel<double>&, const ColorStopKernel<double>*, const PatternArea&);
+template PatternMean mean_over(const PatternKernel<long double>&, const ColorStopKernel<long double>*,
+                               const PatternArea&);
+template PatternMean mean_over(const PatternKernel<float>&, const ColorStopKernel<float>*, const ValueGrid&);
+template PatternMean mean_over(const PatternKernel<double>&, const ColorStopKernel<double>*, const ValueGrid&);
+template PatternMean mean_over(const PatternKernel<long double>&, const ColorStopKernel<long double>*,
+                               const ValueGrid&);
+
+}  // namespace strahl

@@ -1,0 +1,46 @@
+// Means of patterns over footprints: what a sample's square of the view shows of them. Compiled once, in double,
+// because it works on one sample at a time.
+//
+// Over a parallelogram a coordinate changes linearly. The mean of a periodic function of one coordinate follows from
+// the function's second integral; of products of such functions, one for each coordinate, from sums over the pieces in
+// which all but one of them are constant. Compare A. Apodaca and L. Gritz, "Advanced RenderMan", 1999, chapter 11, on
+// antialiasing by analytic integration; it has boxes along the axes, here parallelograms are what they are.
+#pragma once
+#include "num/vec.h"
+#include "trace/world/world_patterns.h"
+
+namespace strahl {
+
+/// A parallelogram in a pattern's space, around a point.
+struct PatternArea {
+    DVec3 middle, across, down;
+};
+
+/// Values of noise, layers or rings, not yet folded or limited, at the corners of a parallelogram's columns and rows.
+struct ValueGrid {
+    static constexpr int most_steps = 6, most_values = (most_steps + 1) * (most_steps + 1);
+    int columns, rows;
+    double spread;  // the standard deviation of what the values lack of the finest noise
+    double step;    // of columns and rows, in cells of that noise
+    double cells;   // how many of these the sides of the area cross
+    double values[most_values] = {};  // row by row
+};
+
+/// The mean colour of a pattern over an area. It is detailed if colours have edges in an area three times as long and
+/// wide: samples around may see what this one does not.
+struct PatternMean {
+    DVec3 color;
+    bool detailed;
+    double loose;  // see Filtering
+};
+template <class T>
+PatternMean mean_over(const PatternKernel<T>& pattern, const ColorStopKernel<T>* stops, const PatternArea& area);
+template <class T>
+PatternMean mean_over(const PatternKernel<T>& pattern, const ColorStopKernel<T>* stops, const ValueGrid& grid);
+
+/// Returns whether patterns of this form have means in closed form.
+inline bool has_mean(PatternForm form) {
+    return form == PatternForm::checker || form == PatternForm::brick || form == PatternForm::ramp;
+}
+
+}  // namespace strahl

@@ -1,0 +1,151 @@
+// Means of patterns over footprints, beside means over many points.
+#include "trace/patterns/pattern_means.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "num/thread_pool.h"
+#include "tests/referee/dice.h"
+#include "tests/unit/sanitized.h"
+#include "text/parse.h"
+#include "trace/cells/cell_picture.h"
+#include "trace/tracer.h"
+
+namespace strahl::pattern_means {
+
+using Stops = std::array<ColorStopKernel<double>, 6>;
+const Stops two{{{0, 0, {1, .9, .8}}, {1, 1, {.1, 0, .2}}}};
+const Stops six{{{.1, 0, {1, 1, 1}},
+                 {.4, 0, {.3, 1, 0}},
+                 {.4, 0, {0, 0, 1}},
+                 {.7, 0, {.6, .2, .1}},
+                 {.95, 0, {0, .2, 1}},
+                 {.95, 0, {1, 0, 0}}}};
+
+double fraction(double x) { return x - std::floor(x); }
+DVec3 mixed(const Stops& stops, double share) { return stops[0].color + share * (stops[1].color - stops[0].color); }
+DVec3 mapped(const Stops& stops, double value) {
+    if (value <= stops[0].at) return stops[0].color;
+    for (std::size_t i = 1; i < stops.size(); ++i)
+        if (value <= stops[i].at) {
+            const double share = (value - stops[i - 1].at) / (stops[i].at - stops[i - 1].at);
+            return stops[i - 1].color + share * (stops[i].color - stops[i - 1].color);
+        }
+    return stops.back().color;
+}
+/// The colour at a point, from the definition of the pattern.
+DVec3 color_at(const PatternKernel<double>& pattern, const DVec3& p) {
+    const double shift = fraction(p.y / 2) > .5 ? .5 : 0;
+    switch (pattern.form) {
+        case PatternForm::checker:
+            return mixed(two, fraction((std::floor(p.x) + std::floor(p.y) + std::floor(p.z)) / 2) < .25 ? 0 : 1);
+        case PatternForm::brick:
+            return mixed(two, fraction(p.x + shift) > pattern.mortar.x && fraction(p.y) > pattern.mortar.y &&
+                                      fraction(p.z + .5 - shift) > pattern.mortar.z
+                                  ? 1
+                                  : 0);
+        default:
+            return mapped(six, fraction(p.x));
+    }
+}
+
+TEST_CASE("means of checks, bricks and ramps are those of many points") {
+    Dice dice(7);
+    for (const PatternForm form : {PatternForm::checker, PatternForm::brick, PatternForm::ramp}) {
+        PatternKernel<double> pattern{};
+        pattern.form = form, pattern.stops = form == PatternForm::ramp ? 6 : 2;
+        for (int i = 0; i < 48; ++i) {
+            const auto vector = [&] { return DVec3(dice.in(-1, 1), dice.in(-1, 1), dice.in(-1, 1)); };
+            PatternArea area{10. * vector(), vector(), vector()};
+            if (i % 3 == 0) area.across = {1, 0, 0}, area.down = {0, 1, 0};  // as on a floor
+            if (i % 3 == 1) area.across.z = area.down.z = 0;
+            area.across *= std::pow(10, dice.in(-3, .8)), area.down *= std::pow(10, dice.in(-3, .8));
+            pattern.mortar = .1 * (DVec3(1.1) + vector());
+            const PatternMean mean = mean_over(pattern, (form == PatternForm::ramp ? six : two).data(), area);
+            constexpr int points = 200;
+            DVec3 sum(0), low(2), high(-1);
+            for (int j = 0; j < points; ++j)
+                for (int k = 0; k < points; ++k) {
+                    const double x = (k + dice.in(0, 1)) / points - .5, y = (j + dice.in(0, 1)) / points - .5;
+                    const DVec3 color = color_at(pattern, area.middle + x * area.across + y * area.down);
+                    sum += color, low = min(low, color), high = max(high, color);
+                }
+            for (int c = 0; c < 3; ++c) {
+                CHECK(std::abs(mean.color[c] - sum[c] / (points * points)) < 2e-3);
+                if (form != PatternForm::ramp && high[c] > low[c]) CHECK(mean.detailed);
+            }
+        }
+    }
+}
+
+TEST_CASE("means of patterns end and are finite, whatever the footprint") {
+    const double infinite = std::numeric_limits<double>::infinity();
+    for (const PatternForm form : {PatternForm::checker, PatternForm::brick, PatternForm::ramp, PatternForm::layers})
+        for (const double size : {0., 1e-300, 1e-9, 1e3, 1e12, 1e30, infinite, infinite - infinite})
+            for (const double place : {0., -.5, 1e8, 1e17, 1e300, infinite, -infinite, infinite - infinite}) {
+                PatternKernel<double> pattern{};
+                pattern.form = form, pattern.stops = 2, pattern.mortar = {.1, .1, .1};
+                ValueGrid grid{.columns = 1, .rows = 1, .spread = size, .step = size, .cells = size};
+                grid.values[1] = size, grid.values[3] = place;
+                const PatternMean mean =
+                    form == PatternForm::layers
+                        ? mean_over(pattern, two.data(), grid)
+                        : mean_over(pattern, two.data(), {{place, 1, place}, {size, 1, 0}, {0, -size, 1}});
+                for (int c = 0; c < 3; ++c) {
+                    CHECK(mean.color[c] > -1e-6);
+                    CHECK(mean.color[c] < 1 + 1e-6);
+                }
+            }
+}
+
+const char* const floors[]{
+    "checker { <1, 1, 1>, <.05, .05, .05> }",
+    "checker { <1, 1, 1>, <.05, .05, .05>  scale .4  rotate <0, 0, 20> }",
+    "brick { <1, 1, 1>, <.5, .05, .05>  brick_size <.4, .2, .3>  mortar .02 }",
+    "gradient { axis <0, 1, 0>  colors { 0 <1, 1, 1>  .98 <1, 1, 1>  .98 <0, 0, 0>  1 <0, 0, 0> }  scale .5 }",
+};
+
+TEST_CASE("floors of checks, bricks and lines come out as the mean of many rays") {
+    if (sanitized()) return;  // only figures count
+    for (const std::string text : floors) {
+        CAPTURE(text);
+        const Scene scene = parse_scene("camera { position <0, -10, 4>  look_at <0, 0, 1>  sky <0, 0, 1>  angle 40 }\n"
+                                        "light { position <-6, -8, 10>  color <1, 1, 1> }\n"
+                                        "plane { <0, 0, 0>, <1, 0, 0>, <0, 1, 0>  material { rgb " +
+                                            text + "  diffuse .9  specular 0  reflection 0 } }\n",
+                                        "floor", {}, {});
+        const View view{.camera = scene.camera, .width = 80, .height = 60};
+        const Lattice all{.columns = view.width, .rows = view.height};
+        ThreadPool pool(2);
+        Tracer tracer(scene, Precision::float64);
+        // Each ray is anywhere in its part of the pixel: on regular grids lines along the rows would be off.
+        constexpr int grid = 12;
+        Dice dice(3);
+        std::vector<double> exact(std::size_t(3) * view.width * view.height);
+        for (int i = 0; i < grid * grid; ++i) {
+            View shifted = view;
+            shifted.shift_x = (i % grid + dice.in(0, 1)) / grid - .5;
+            shifted.shift_y = (i / grid + dice.in(0, 1)) / grid - .5;
+            const std::vector<double> one = values_of(tracer, shifted, all, pool, {.grid = 1});
+            for (std::size_t k = 0; k < one.size(); ++k) exact[k] += one[k] / (grid * grid);
+        }
+        CellPicture picture(scene, view, all, 1. / 510);
+        double squares = 0;
+        std::vector<double> rgb(exact.size());
+        const Counts counts =
+            tracer.trace({view, pool, [&](const Tile& tile) { place(tile, all, rgb); }}, CellPass{picture, 0});
+        for (std::size_t i = 0; i < exact.size(); ++i) squares += (rgb[i] - exact[i]) * (rgb[i] - exact[i]);
+        const double rms = 510 * std::sqrt(squares / double(exact.size()));
+        const double estimate = 510 * picture.sampled().error(), taken = double(counts.camera) / (80 * 60);
+        MESSAGE("RMS ", rms, ", estimate ", estimate, ", samples ", taken);
+        CHECK(rms < 5);  // most of it the reference's; with colours of points 6 to 31, with 3 to 13 samples a pixel
+        CHECK(taken < 3);
+    }
+}
+
+}  // namespace strahl::pattern_means
