@@ -1,17 +1,9 @@
-// Quadruple: numbers of 113 bits, to judge by. On aarch64 that is long double; on x86-64 a type of the compiler's, for
-// which the C library has functions.
+// Quadruple: numbers of 113 bits, to judge by. On aarch64 that is long double; on x86-64 a type of g++'s, for which the
+// C library's <math.h> has functions. From g++ 13 on these take _Float128, a type of its own with the same values.
 #pragma once
 #include <cfloat>
 #include <cmath>
 #include <concepts>
-
-#if LDBL_MANT_DIG < 113
-// <cmath> declares them for g++ only.
-extern "C" __float128 sqrtf128(__float128) noexcept;
-extern "C" __float128 powf128(__float128, __float128) noexcept;
-extern "C" __float128 sinf128(__float128) noexcept;
-extern "C" __float128 atan2f128(__float128, __float128) noexcept;
-#endif
 
 namespace strahl {
 
