@@ -4,13 +4,25 @@
 
 build_packages=(g++ cmake ninja-build pkg-config libglfw3-dev libgl-dev libglm-dev libopenimageio-dev zlib1g-dev
     libimgui-dev libcli11-dev libopenal-dev libvorbis-dev)
-test_packages=(doctest-dev povray xvfb xauth libgl1-mesa-dri xdotool imagemagick openimageio-tools parallel)
+test_packages=(doctest-dev povray xvfb xauth libgl1-mesa-dri xdotool imagemagick openimageio-tools parallel
+    dpkg-dev)
 attack_packages=(clang-16 libclang-rt-16-dev)
 
 say() { printf 'strahl: %s\n' "$*" >&2; }
 die() {
     say "$@"
     exit 1
+}
+
+# Makes the build folder, takes its lock, and leaves it in $lock. Says so if another build holds it.
+lock_build() { # ROOT
+    mkdir -p "$1/build" 2>/dev/null || true
+    [[ -w $1/build ]] ||
+        die "cannot write to $1/build, where the program is built: copy the tree to a folder of your own and start it there"
+    exec {lock}>"$1/build/lock"
+    flock -n "$lock" && return
+    say "waiting for another build of this tree to end"
+    flock "$lock"
 }
 
 # Runs a command with its output in a log; shows the log's end if it fails. Standard input stays the caller's scene.

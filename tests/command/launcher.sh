@@ -134,10 +134,27 @@ launch 7 ""
 sleep 0.02
 touch "$root/src/a.cpp"
 rm -f "$LOG"
-for i in 1 2; do (SLOW=1 "$root/strahl" $i >"$work/out$i" 2>/dev/null </dev/null) & done
+for i in 1 2; do (SLOW=1 "$root/strahl" $i >"$work/out$i" 2>"$work/err$i" </dev/null) & done
 wait
+[[ $(grep -l "waiting for another build" "$work"/err?) ]] || fault "none says that it waits: $(cat "$work"/err?)"
 [[ $(grep -c build "$LOG") == 1 ]] || fault "two at once: $(<"$LOG")"
 [[ $(<"$work/out1") == *": 1" && $(<"$work/out2") == *": 2" ]] || fault "two at once: $(cat "$work"/out?)"
+
+# tests/run -N configures, builds nothing, and lists the tests of both presets.
+cp "$source_folder/tests/run" "$root/tests/run"
+tool ctest <<'TOOL'
+#!/bin/bash
+echo "ctest $*" >>"$LOG"
+printf 'Could not find executable x\n  Test #1: a_test\n\nTotal Tests: 1\n'
+TOOL
+by="$root/tests/run" launch 0 "configure --preset release -DSTRAHL_TESTS=ON -DSTRAHL_LEVELS=runnable
+ctest --test-dir $root/build/release -N -R a
+ctest --test-dir $root/build/release -LE slow|window -N -R a" -N -R a
+says "  Test #1: a_test
+Total Tests: 1
+  Test #1: a_test
+Total Tests: 1"
+rm "$root/tests/run"
 
 # A copy of the tree does not use the build of the original.
 cp -a "$root" "$work/copy"
@@ -177,6 +194,14 @@ fi
 PATH="$tools:$work/bin"
 "${as_user[@]}" "$root/strahl" 2>"$work/stderr" && fault "went on without the packages"
 warns "only root (or sudo) can install them: apt-get install --no-install-recommends cmake libimgui-dev"
+
+# In a tree that it cannot write to it says where to build.
+rm -rf "$root/build"
+chmod a-w "$root"
+"${as_user[@]}" "$root/strahl" 2>"$work/stderr" && fault "built in a tree without permission to write"
+grep -qxF "strahl: cannot write to $root/build, where the program is built: copy the tree to a folder of your own and\
+ start it there" "$work/stderr" || fault "in a tree without permission to write it says: $(<"$work/stderr")"
+chmod u+w "$root"
 
 # On other systems it prints what is needed, and tries to build.
 rm "$tools/dpkg-query"
