@@ -12,6 +12,7 @@
 #include "text/blocks/motion_block.h"
 #include "text/blocks/settings_block.h"
 #include "text/parse.h"
+#include "text/reading/other_files.h"
 #include "text/reading/reader.h"
 
 namespace strahl {
@@ -258,6 +259,8 @@ void Parser::check(const Kind& shape, const Primitive& primitive, Block& block, 
 Scene parse_scene(std::string_view text, std::string_view file, const TextLimits& limits, const ReadPixels& read_pixels,
                   FileNames* names) {
     if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+    refuse_other_files(text, file);
+    refuse_other_scenes(text, file);
     Diagnostics diagnostics(text, file);
     diagnostics.check_encoding();
     SceneFiles files(file, read_pixels);

@@ -1,10 +1,21 @@
 #include "text/blocks/camera_blocks.h"
 
+#include <string>
 #include <utility>
 
 #include "text/blocks/blocks.h"
 
 namespace strahl {
+namespace {
+
+/// Returns why a camera is degenerate, by the word that gives its direction up: `sky` or `up`; empty if it is not.
+std::string fault_of(const Camera& camera, bool by_sky) {
+    const char* const fault = degenerate(camera);
+    const std::string why = fault ? fault : "";
+    return by_sky && why.starts_with("up ") ? "sky" + why.substr(2) : why;
+}
+
+}  // namespace
 
 void CameraBlocks::camera(std::string_view word) {
     reader.once(camera_at, word);
@@ -16,9 +27,10 @@ void CameraBlocks::camera(std::string_view word) {
     reader.require(block, parameters);
     if (!block.good()) return;
     the_camera = {eye.position, eye.look_at, *eye.down(), *eye.half_angle(), aspectratio};
-    const char* const fault = degenerate(the_camera);
-    if (fault) reader.diagnostics.add(word, std::string("invalid camera: ") + fault);
-    camera_good = !fault;
+    by_sky = eye.sky.has_value();
+    const std::string fault = fault_of(the_camera, by_sky);
+    if (!fault.empty()) reader.diagnostics.add(word, "invalid camera: " + fault);
+    camera_good = fault.empty();
     for (Follow& follow : follows) {
         if (follow.parameter == "sky") follow.parameter = "up", follow.factor = -1;
         if (follow.parameter == "angle")
@@ -38,7 +50,7 @@ void CameraBlocks::key(std::string_view word, Flythrough& read_path, std::vector
     reader.set_time(when.time, when.beat, parameters[1].at, block);
     outer.absorb(block);
     read_path.keys.push_back({when.time, eye.position, eye.look_at, eye.half_angle(), eye.down()});
-    words.push_back({word, parameters[when.beat ? 1 : 0].at});
+    words.push_back({word, parameters[when.beat ? 1 : 0].at, {}, eye.up.has_value(), eye.sky.has_value()});
 }
 
 void CameraBlocks::flythrough(std::string_view word) {
@@ -85,8 +97,10 @@ void CameraBlocks::check(std::string_view end_of_text) {
     if (!camera_at.data()) reader.diagnostics.add(end_of_text, "no camera: a scene needs one 'camera { ... }'");
     if (!camera_good || !path) return;
     for (std::size_t i = 0; i < path->keys.size(); ++i)
-        if (const char* const fault = degenerate(camera_of(path->keys[i], the_camera)))
-            reader.diagnostics.add(key_words[i].key, std::string("invalid camera at this key: ") + fault);
+        if (const std::string fault = fault_of(camera_of(path->keys[i], the_camera),
+                                               key_words[i].sky || (by_sky && !key_words[i].up));
+            !fault.empty())
+            reader.diagnostics.add(key_words[i].key, "invalid camera at this key: " + fault);
 }
 
 }  // namespace strahl

@@ -8,6 +8,7 @@ namespace strahl {
 /// Words of a key in the text. Those of the time are empty slices if it is not given, and so on.
 struct KeyWords {
     std::string_view key, time, scale{};
+    bool up = false, sky = false;  // whether these are given
 };
 
 /// Reads `{ key { ... } ... }`.

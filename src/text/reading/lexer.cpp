@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <charconv>
 
+#include "text/reading/advice.h"
+
 namespace strahl {
 namespace {
 
@@ -96,7 +98,10 @@ std::string_view Lexer::token() {
 
 void Lexer::fail(const std::string& message) {
     const std::string_view here = token();
-    diagnostics.add(here, message + (here.empty() ? ", but the text ends" : ", but found " + quoted(here)));
+    std::string found = here.empty() ? ", but the text ends" : ", but found " + quoted(here);
+    const auto size = static_cast<std::size_t>(end - begin), at = static_cast<std::size_t>(here.data() - begin);
+    if (const std::string advice = advice_on_sign({begin, size}, at); !advice.empty()) found += "; " + advice;
+    diagnostics.add(here, message + found);
     throw ParseAbort{};
 }
 

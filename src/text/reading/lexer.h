@@ -21,7 +21,7 @@ struct Number {
 class Lexer {
   public:
     Lexer(std::string_view text, Diagnostics& diagnostics)
-        : next(text.data()), end(text.data() + text.size()), diagnostics(diagnostics) {}
+        : begin(text.data()), next(text.data()), end(text.data() + text.size()), diagnostics(diagnostics) {}
 
     /// The next character, 0 at the end of the text.
     char peek() {
@@ -57,7 +57,7 @@ class Lexer {
     /// Goes back to a slice that was read.
     void rewind(std::string_view to) { next = to.data(); }
 
-    /// Adds the error "`message`, but found ..." at the next token and throws ParseAbort.
+    /// Adds the error "`message`, but found ...", with advice on the sign found, at the next token; throws ParseAbort.
     [[noreturn]] void fail(const std::string& message);
 
     /// Skips to the next of `words` (if there are none: to any word) or to the closing brace of the current block.
@@ -77,6 +77,7 @@ class Lexer {
     bool skip_comment();
     bool read_number(Number& number);
 
+    const char* const begin;
     const char* next;
     const char* end;
     Diagnostics& diagnostics;

@@ -7,6 +7,7 @@
 
 #include "files/utf8.h"
 #include "scene/error.h"
+#include "text/reading/advice.h"
 
 namespace strahl {
 namespace {
@@ -104,6 +105,7 @@ std::string_view nearest(std::string_view word, std::span<const std::string_view
 
 std::string unknown_word(std::string_view word, std::span<const std::string_view> known, const std::string& where) {
     const std::string message = "unknown word " + quoted(word) + where;
+    if (const std::string advice = advice_on_word(word, known); !advice.empty()) return message + "; " + advice;
     if (const std::string_view near = nearest(word, known); !near.empty())
         return message + "; did you mean " + quoted(near) + "?";
     return message + "; known here: " + listed(known);

@@ -50,8 +50,78 @@ TEST_CASE("the nearest known word is offered") {
     check_fault("light_source { }", "2:1: unknown word 'light_source'; did you mean 'light'?");
     check_fault("sphere { <0,0,0>, 1 trans <1,1,1> }",
                 "2:21: unknown word 'trans' in 'sphere'; did you mean 'translate'?");
-    check_fault("sphere { <0,0,0>, 1 pigment { color <1,1,1> } }",
-                "2:21: unknown word 'pigment' in 'sphere'; known here: material, motion, rotate, translate, scale");
+    check_fault("sphere { <0,0,0>, 1 mood { color <1,1,1> } }",
+                "2:21: unknown word 'mood' in 'sphere'; known here: material, motion, rotate, translate, scale");
+}
+
+TEST_CASE("words of POV-Ray and of materials in the wrong place get advice") {
+    const auto in_body = [](const std::string& word, const std::string& advice) {
+        check_fault("sphere { <0,0,0>, 1 " + word + " { } }", "2:21: unknown word '" + word + "' in 'sphere'; " + advice);
+    };
+    for (const char* const word : {"color", "colour", "pigment", "texture", "rgbt"})
+        in_body(word, "use 'material { rgb <r, g, b> }'");
+    for (const char* const word : {"finish", "interior"}) in_body(word, "use 'material { ... }'");
+    for (const char* const word : {"rgb", "diffuse", "ior", "normal", "pow"})
+        in_body(word, "use 'material { " + std::string(word) + " ... }'");
+    const auto in_material = [](const std::string& word, const std::string& advice) {
+        check_fault("sphere { <0,0,0>, 1 material { " + word + " 1 } }",
+                    "2:32: unknown word '" + word + "' in 'material'; " + advice);
+    };
+    for (const char* const word : {"color", "pigment"}) in_material(word, "use 'rgb'");
+    in_material("finish", "leave it out: its values stand in 'material' itself");
+    in_material("phong", "use 'specular'");
+    in_material("roughness", "use 'pow'");
+    in_material("transmit", "use 'refraction'");
+    check_fault("light { position <0,0,0> rgb <1,1,1> }", "2:26: unknown word 'rgb' in 'light'; use 'color'");
+    check_fault("sky_sphere { }", "2:1: unknown word 'sky_sphere'; use 'background'");
+    CHECK(faults("camera { location <0,0,0> }")[0] == "x.rt:1:10: unknown word 'location' in 'camera'; use 'position'");
+}
+
+TEST_CASE("signs that mean something elsewhere get advice") {
+    const std::string block = "a block expected, such as 'sphere { ... }', but found ";
+    const std::string comment = "; a comment begins with //, and nothing ends with ';'";
+    for (const char* const sign : {"#", ";"})
+        check_fault(std::string(sign) + " a comment", "2:1: " + block + "'" + sign + "'" + comment);
+    check_fault("#declare a = 1", "2:1: " + block +
+                                      "'#'; 'define NAME material { ... }' and 'define NAME sphere { ... }' name a "
+                                      "material and a body");
+    check_fault("sphere { <0,0,0>, 1 material { rgb <1,1,1>; } }",
+                "2:43: a word or '}' expected in 'material', but found ';'" + comment);
+    const std::string word = "a word or '}' expected in 'sphere', but found ";
+    check_fault("sphere { <0,0,0>, 2,5 }", "2:20: " + word + "','; decimals have a point, as in 2.5");
+    check_fault("sphere { <0,5, 0,5, 2>, 1 }",
+                "2:17: '>' expected after the three numbers of a vector, but found ','; decimals have a point, as in 2.5");
+    const std::string result = "; nothing is calculated here: write the result";
+    check_fault("sphere { <0,0,0>, 1+1 }", "2:20: " + word + "'+1'" + result);
+    check_fault("sphere { <0,0,0>, 3-1 }", "2:20: " + word + "'-1'" + result);
+    check_fault("sphere { <0,0,0>, 1 + 1 }", "2:21: " + word + "'+'" + result);
+    check_fault("sphere { <0,0,0>, 1/2 }", "2:20: " + word + "'/'" + result);
+    check_fault("sphere { <0,0,0>, (2) }", "2:19: a number expected for 'radius' of 'sphere', but found '('" + result);
+    check_fault("sphere { <0,0,0>, sqrt(2) }", "2:19: a number expected for 'radius' of 'sphere', but found 'sqrt'" + result);
+    // What is only a sign too few or too many.
+    check_fault("sphere { <0 -1,0>, 1 }", "2:13: ',' expected between the three numbers of a vector, but found '-1'");
+    check_fault("sphere { <0,0,0>, 1, }", "2:20: " + word + "','");
+}
+
+TEST_CASE("other files than scenes are named") {
+    const auto says = [](const std::string& bytes, const std::string& file, const std::string& fault) {
+        CAPTURE(fault);
+        CHECK(fault_of([&] { parse_scene(bytes, file); }, "no error") == fault);
+    };
+    const std::string dibs(60, '\0');
+    says("\x89PNG\r\n\x1a\n", "a.rt", "a.rt is a picture, not a scene");
+    says("\xFF\xD8\xFF\xE0", "a.rt", "a.rt is a picture, not a scene");
+    says("BM" + dibs, "a.rt", "a.rt is a picture, not a scene");
+    for (const char* const plain : {"P3\n2 2 255 0 0 0", "P6 2 2 255 ", "PF\n2 2\n-1\n", "P1\n# a comment"})
+        says(plain, "a.rt", "a.rt is a picture, not a scene");
+    says("RIFF....WAVEfmt ", "a.rt", "a.rt is a sound, not a scene");
+    says("\x7F" "ELF", "a.rt", "a.rt is a program, not a scene");
+    says("v 0 0 0\n", "b.OBJ", "b.OBJ is a mesh, not a scene; a scene shows it by mesh { file \"b.OBJ\" }");
+    says("ply\n", "b.ply", "b.ply is a mesh, not a scene; a scene shows it by mesh { file \"b.ply\" }");
+    says("v\n", "b.nff",
+         "b.nff is a scene of another program; convert it first: strahl import b.nff -o SCENE.rt");
+    // A comment may begin a scene, and a scene may be called anything.
+    CHECK(fault_of([&] { parse_scene("// P3\n" + eye, "BM"); }, "no error") == "no error");
 }
 
 TEST_CASE("missing parameters") {

@@ -98,6 +98,8 @@ TEST_CASE("invalid bodies and cameras") {
           Faults{"x.rt:1:1: invalid camera: position and look_at are the same point"});
     CHECK(faults("camera { position <1,2,3> look_at <1,2,0> up <0,0,-1> fov 1 }") ==
           Faults{"x.rt:1:1: invalid camera: up is parallel to the direction from position to look_at"});
+    CHECK(faults("camera { position <0,0,9> look_at <0,0,0> sky <0,0,1> fov 25 }") ==
+          Faults{"x.rt:1:1: invalid camera: sky is parallel to the direction from position to look_at"});
 }
 
 TEST_CASE("invalid flythroughs") {

@@ -1,0 +1,95 @@
+#include "text/reading/advice.h"
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+
+#include "files/words.h"
+#include "scene/material.h"
+
+namespace strahl {
+namespace {
+
+/// A word of another language, the word of this one that does its work, and what to say: by default "use" that word.
+struct Foreign {
+    std::string_view word, own, advice = {};
+};
+
+constexpr std::string_view colour = "use 'material { rgb <r, g, b> }'", in_material = "use 'material { ... }'";
+constexpr std::array foreign{
+    // In a body. The words of a material follow by themselves.
+    Foreign{"color", "material", colour}, Foreign{"colour", "material", colour},
+    Foreign{"pigment", "material", colour}, Foreign{"texture", "material", colour},
+    Foreign{"rgbt", "material", colour}, Foreign{"rgbf", "material", colour},
+    Foreign{"rgbft", "material", colour}, Foreign{"finish", "material", in_material},
+    Foreign{"interior", "material", in_material}, Foreign{"transmit", "material", "use 'material { refraction ... }'"},
+    Foreign{"filter", "material", "use 'material { refraction ... }'"},
+    Foreign{"phong", "material", "use 'material { specular ... }'"},
+    Foreign{"matrix", "material", "use 'scale', 'rotate' and 'translate'"},
+    Foreign{"transform", "material", "use 'scale', 'rotate' and 'translate'"},
+    // In a material.
+    Foreign{"color", "rgb"}, Foreign{"colour", "rgb"}, Foreign{"pigment", "rgb"}, Foreign{"texture", "rgb"},
+    Foreign{"rgbt", "rgb", "use 'rgb', and 'refraction' for what is transmitted"},
+    Foreign{"rgbf", "rgb", "use 'rgb', and 'refraction' for what is transmitted"},
+    Foreign{"rgbft", "rgb", "use 'rgb', and 'refraction' for what is transmitted"},
+    Foreign{"finish", "rgb", "leave it out: its values stand in 'material' itself"},
+    Foreign{"interior", "rgb", "leave it out: 'ior' stands in 'material' itself"},
+    Foreign{"phong", "specular"}, Foreign{"phong_size", "pow"}, Foreign{"roughness", "pow"},
+    Foreign{"shininess", "pow"}, Foreign{"transmit", "refraction"}, Foreign{"filter", "refraction"},
+    Foreign{"transparency", "refraction"}, Foreign{"opacity", "refraction"}, Foreign{"alpha", "refraction"},
+    Foreign{"mirror", "reflection"}, Foreign{"emission", "ambient"},
+    // In a camera, a light, and at the top level.
+    Foreign{"location", "position"}, Foreign{"eye", "position"}, Foreign{"from", "position"},
+    Foreign{"right", "aspectratio", "use 'aspectratio', or leave it out: the picture's own is taken"},
+    Foreign{"direction", "look_at", "use 'look_at'"}, Foreign{"rgb", "color"},
+    Foreign{"area_light", "edges"}, Foreign{"point_at", "look_at"}, Foreign{"sky_sphere", "background"},
+    Foreign{"declare", "define"}, Foreign{"merge", "union"}, Foreign{"object", "define", "use the defined name itself"},
+};
+
+}  // namespace
+
+std::string advice_on_word(std::string_view word, std::span<const std::string_view> known) {
+    const auto is_known = [&](std::string_view own) { return std::ranges::find(known, own) != known.end(); };
+    if (is_known(word)) return "";
+    const auto is_field = [&](const auto&... field) { return ((word == field.name) || ...); };
+    if (is_known("material") && std::apply(is_field, Material::fields))
+        return "use 'material { " + std::string(word) + " ... }'";
+    for (const Foreign& row : foreign)
+        if (row.word == word && is_known(row.own))
+            return row.advice.empty() ? "use " + quoted(row.own) : std::string(row.advice);
+    return "";
+}
+
+std::string advice_on_sign(std::string_view text, std::size_t at) {
+    const auto is_digit = [&](std::size_t i) { return i < text.size() && text[i] >= '0' && text[i] <= '9'; };
+    const auto is_letter = [&](std::size_t i) {
+        return i < text.size() && ((lower(text[i]) >= 'a' && lower(text[i]) <= 'z') || text[i] == '_');
+    };
+    const char sign = at < text.size() ? text[at] : '\0';
+    // The last character before it that is no blank.
+    std::size_t before = at;
+    while (before > 0 && (text[before - 1] == ' ' || text[before - 1] == '\t')) --before;
+    const bool after_number = before > 0 && (is_digit(before - 1) || text[before - 1] == '.');
+    const bool directly = after_number && before == at;
+    if (sign == ',' && directly && is_digit(at + 1)) {
+        // In <0,5, 1, 2> blanks tell the commas of the vector from that of the number; <0,5,1,2> has a number too many.
+        const std::size_t open = text.substr(0, at).find_last_of("<>{}");
+        const bool in_vector = open != text.npos && text[open] == '<';
+        if (!in_vector || text.substr(open, text.find('>', at) - open).find(", ") != text.npos)
+            return "decimals have a point, as in 2.5";
+    }
+    if (sign == '#' && (text.substr(at + 1).starts_with("declare") || text.substr(at + 1).starts_with("local")))
+        return "'define NAME material { ... }' and 'define NAME sphere { ... }' name a material and a body";
+    if (sign == '#' || sign == ';') return "a comment begins with //, and nothing ends with ';'";
+    const bool spaced_sign = (sign == '+' || sign == '-') && after_number && !is_digit(at + 1) && at + 1 < text.size() &&
+                             text[at + 1] == ' ';
+    std::size_t end = at;
+    while (is_letter(end) || (end > at && is_digit(end))) ++end;
+    const bool called = end > at && end < text.size() && text[end] == '(';
+    const bool operation = (sign == '*' || sign == '/' || sign == '^') && after_number;
+    if (operation || sign == '(' || called || spaced_sign || ((sign == '+' || sign == '-') && directly))
+        return "nothing is calculated here: write the result";
+    return "";
+}
+
+}  // namespace strahl
