@@ -34,11 +34,16 @@ TEST_CASE("only .bmp, .png, .exr, .ppm, .pgm and .pfm are read, recognised by th
     CHECK(reading("a.bmp").empty());
     const std::string no_channels("\x01\xda\0\1\0\3\0\4\0\4\0\0", 12);  // of an SGI file
     const std::string icon("\0\0\1\0\1\0", 6), dds("DDS \x7c\0\0\0", 8), cineon("\x80\x2a\x5f\xd7", 4);
-    for (const std::string& start : {no_channels, icon, dds, cineon, std::string("P3 1 1 255\n1 2 3")})
+    for (const std::string& start : {no_channels, icon, dds, cineon, std::string("P4 8 1\n1")})
         for (const char* name : {"b.png", "b.sgi", "b.ico", "b.dds", "b.cin", "b.ppm"}) {
             write_file(folder / name, start + std::string(2000, '\0'));
             CHECK(says(reading(name), "is not a .bmp, .png, .exr, .ppm, .pgm or .pfm file"));
         }
+    for (const char* kind : {"1.pbm", "2.pgm", "3.ppm"}) {
+        write_file(folder / "c.ppm", "P" + std::string(kind, 1) + " 1 1 255\n1 2 3");
+        CHECK(says(reading("c.ppm"), "c.ppm' is a plain " + std::string(kind + 1) +
+                                         " file, which has its values in decimals; save it in binary form, or as .png"));
+    }
 }
 
 TEST_CASE("pictures without compression: headers that are forged, and files that are cut off") {
