@@ -1,0 +1,24 @@
+# Read by cpack: the packages of the libraries that the program needs, and those that only its module for reading pictures
+# needs, which it does without.
+find_program(SHLIBDEPS dpkg-shlibdeps)
+if(NOT SHLIBDEPS)
+  message(FATAL_ERROR "a Debian package needs dpkg-shlibdeps: install the package dpkg-dev")
+endif()
+# Sets `result` to a list such as "libc6 (>= 2.34);libglfw3 (>= 3.0)".
+function(libraries_of file result)
+  file(WRITE ${CPACK_PACKAGE_DIRECTORY}/shlibdeps/debian/control "Source: strahl\n\nPackage: strahl\nArchitecture: any\n")
+  execute_process(COMMAND ${SHLIBDEPS} -O --ignore-missing-info ${file} OUTPUT_VARIABLE said ERROR_QUIET
+                  WORKING_DIRECTORY ${CPACK_PACKAGE_DIRECTORY}/shlibdeps RESULT_VARIABLE fails)
+  if(fails)
+    message(FATAL_ERROR "dpkg-shlibdeps does not know the libraries of ${file}")
+  endif()
+  string(REGEX REPLACE ".*shlibs:Depends=([^\n]*).*" "\\1" said "${said}")
+  string(REPLACE ", " ";" said "${said}")
+  set(${result} "${said}" PARENT_SCOPE)
+endfunction()
+libraries_of(${CPACK_STRAHL_PROGRAM} depends)
+libraries_of(${CPACK_STRAHL_MODULE} recommends)
+list(REMOVE_ITEM recommends ${depends})
+list(JOIN depends ", " CPACK_DEBIAN_PACKAGE_DEPENDS)
+list(JOIN recommends ", " CPACK_DEBIAN_PACKAGE_RECOMMENDS)
+file(REMOVE_RECURSE ${CPACK_PACKAGE_DIRECTORY}/shlibdeps)
