@@ -7,5 +7,5 @@ strahl_tests(test_image unit/main "" compare progress)
 target_sources(test_image PRIVATE ${CMAKE_SOURCE_DIR}/src/main/commands/command_compare.cpp
                                   ${CMAKE_SOURCE_DIR}/src/main/process/progress.cpp)
 # So does this.
-strahl_tests(test_film unit/main strahl_image film_start)
+strahl_tests(test_film unit/main strahl_image film_start values)
 target_sources(test_film PRIVATE ${CMAKE_SOURCE_DIR}/src/main/render/film.cpp ${CMAKE_SOURCE_DIR}/src/main/render/values.cpp)

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "image/frame_rate.h"
 #include "image/picture.h"
 
 namespace strahl {
@@ -60,6 +61,6 @@ std::unique_ptr<Encoder> ppm_encoder(const Layout& layout);
 std::unique_ptr<Encoder> y4m_encoder(const Layout& layout);
 
 /// The bytes before the first picture of a stream.
-std::string stream_head(std::string_view ending, const Layout& layout, double fps);
+std::string stream_head(std::string_view ending, const Layout& layout, const FrameRate& rate);
 
 }  // namespace strahl

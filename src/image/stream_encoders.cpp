@@ -58,15 +58,10 @@ class Y4m : public Encoder {
 std::unique_ptr<Encoder> ppm_encoder(const Layout& layout) { return std::make_unique<Ppm>(layout); }
 std::unique_ptr<Encoder> y4m_encoder(const Layout& layout) { return std::make_unique<Y4m>(layout); }
 
-std::string stream_head(std::string_view ending, const Layout& layout, double fps) {
+std::string stream_head(std::string_view ending, const Layout& layout, const FrameRate& rate) {
     if (ending != ".y4m") return "";
-    // As a fraction: 25:1; 30000:1001, which is 29.97; or else with six decimals.
-    long above = std::lround(fps * 1e6), below = 1'000'000;
-    for (const long divisor : {1001L, 1L})
-        if (const double frames = fps * double(divisor); std::abs(std::round(frames) - frames) < 5e-5 * double(divisor))
-            above = std::lround(frames), below = divisor;
-    return "YUV4MPEG2 W" + std::to_string(layout.width) + " H" + std::to_string(layout.height) + " F" +
-           std::to_string(above) + ":" + std::to_string(below) + " Ip A1:1 C444 XCOLORRANGE=LIMITED\n";
+    return "YUV4MPEG2 W" + std::to_string(layout.width) + " H" + std::to_string(layout.height) + " F" + rate.text(':') +
+           " Ip A1:1 C444 XCOLORRANGE=LIMITED\n";
 }
 
 }  // namespace strahl

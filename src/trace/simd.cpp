@@ -56,7 +56,7 @@ bool for_other_processors() {
 
 bool proves() { return !least; }
 
-bool supported(Simd simd) {
+bool built([[maybe_unused]] Simd simd) {
     switch (simd) {
         case Simd::automatic:
             return true;
@@ -64,15 +64,15 @@ bool supported(Simd simd) {
             return !least;
 #if defined(STRAHL_KERNEL_v2)
         case Simd::v2:
-            return __builtin_cpu_supports("sse4.2") && __builtin_cpu_supports("popcnt");
+            return true;
 #endif
 #if defined(STRAHL_KERNEL_v3)
         case Simd::v3:
-            return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2");
+            return true;
 #endif
 #if defined(STRAHL_KERNEL_v4)
         case Simd::v4:
-            return __builtin_cpu_supports("x86-64-v4");
+            return true;
 #endif
 #if defined(STRAHL_KERNEL_neon)
         case Simd::neon:
@@ -81,6 +81,17 @@ bool supported(Simd simd) {
         default:
             return false;
     }
+}
+
+bool supported(Simd simd) {
+#if defined(__x86_64__)
+    if (simd == Simd::v2 && !(__builtin_cpu_supports("sse4.2") && __builtin_cpu_supports("popcnt"))) return false;
+    if (simd == Simd::v3 &&
+        !(__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2")))
+        return false;
+    if (simd == Simd::v4 && !__builtin_cpu_supports("x86-64-v4")) return false;
+#endif
+    return built(simd);
 }
 
 Simd best_simd() {

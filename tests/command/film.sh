@@ -33,6 +33,13 @@ expect_same film.mp4 some
 expect 0 "" render scene.rt -o ./-film.mp4 --size 64x48 --crop 2,4,6,8 --frames 3 --fps 2
 "$strahl" render scene.rt -o - --format y4m --size 64x48 --crop 2,4,6,8 --frames 3 --fps 2 | cmp - ./-film.mp4 ||
     fault "the crop is not in the film"
+# Rates of video are fractions, in the stream and in ffmpeg's call.
+for rate in 119.88=120000:1001 23.98=24000:1001 25=25:1; do
+    expect 0 "" render scene.rt -o film.mp4 --frames 0 --size 16x16 --fps "${rate%=*}"
+    head -1 film.mp4 | grep -q " F${rate#*=} " || fault "the stream of ${rate%=*} begins: $(head -1 film.mp4)"
+    fraction=${rate#*=}
+    grep -A 1 -x -e -r arguments | grep -qx "${fraction/:/\/}" || fault "ffmpeg's arguments for $rate: $(<arguments)"
+done
 rm film.* ./-film.mp4 arguments
 
 # The scene's sound, from the first frame on.
@@ -64,7 +71,7 @@ rm full film.part.mp4 arguments
 
 # No ffmpeg.
 mkdir none
-PATH=$work/none expect 3 "apt install ffmpeg" render scene.rt -o film.mp4
+PATH=$work/none expect 1 "strahl: cannot make 'film.mp4': there is no ffmpeg in PATH, which films need; on Debian: apt install ffmpeg" render scene.rt -o film.mp4
 rmdir none
 # Options that do not fit a film are refused.
 refuse() { expect 2 "$1" render scene.rt "${@:2}"; }
@@ -126,6 +133,10 @@ head -1 .strahl-*.copy | grep -q YUV4MPEG2 || fault "the film of a killed run is
 # ffmpeg itself, if it is here: its film has the colours of the frames.
 PATH=$system_path
 if command -v ffmpeg >/dev/null; then
+    expect 0 "" render scene.rt -o long.mp4 --size 16x16 --fps 119.88
+    length=$(ffmpeg -i long.mp4 2>&1 | sed -n 's/ *Duration: \([^,]*\),.*/\1/p')
+    [[ $length == 00:00:04.00 ]] || fault "480 frames at 120000/1001 last $length"
+    [[ $(ffmpeg -i long.mp4 2>&1) == *" 119.88 fps"* ]] || fault "the film of 119.88: $(ffmpeg -i long.mp4 2>&1)"
     for ending in mp4 mkv webm; do
         expect 0 "" render scene.rt -o "real.$ending" --size 96x72 --fps 3
         rm -f ./*.png

@@ -56,6 +56,16 @@ expect 3 "wrong.nff:13:3: a number expected for the centre, but found 'x'" impor
 expect_same before.rt balls.rt
 expect 3 "cannot read" import none.nff
 expect 3 "no camera" import /dev/null
+expect 3 "there is nothing to convert" import scene.rt
+cp scene.rt scene.nff
+expect 3 "scene.nff is a scene in Strahl's own language; there is nothing to convert" import scene.nff
+cp balls.bmp picture.nff
+expect 3 "picture.nff is a picture, not a scene" import picture.nff
+rm scene.nff picture.nff
+for command in check "render -o x.png" "stability -o x.png" "pov -o x.pov"; do
+    # shellcheck disable=SC2086  # words of an option
+    expect 3 "balls.bmp is a picture, not a scene" $command balls.bmp
+done
 expect 2 "would overwrite the file to import" import balls.nff -o ./balls.nff
 expect 1 "its folder does not exist" import balls.nff -o none/balls.rt
 expect 2 "FILE is required" import

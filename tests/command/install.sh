@@ -10,6 +10,20 @@ expect 0 "strahl " --version
 expect 0 "" render scene.rt -o x.png --size 8x6
 expect_file x.png
 expect_file moved/share/doc/strahl/LICENSE
+# Pages and help name nothing that is not installed.
+for page in moved/share/doc/strahl/*.md; do
+    ! grep -nE '\]\([^#h)]|(^|[ `/])(src|tests|povref|assets)/|\./strahl' "$page" >dead ||
+        fault "$page names what is not installed: $(<dead)"
+    grep -oE '[./a-z]*scenes/[a-z_/]*\.rt' "$page" | while read -r scene; do
+        [[ -e ${page%/*}/$scene ]] || fault "$page names $scene, which is not installed"
+    done
+done
+expect_file moved/share/doc/strahl/language.md
+for command in '' render view play join check compare bundle import pov crosscheck stability; do
+    # shellcheck disable=SC2086  # without a command there is no word
+    ! "$strahl" $command --help | grep -nE '(src|tests|povref|assets|scenes)/' ||
+        fault "strahl $command --help names what is not installed"
+done
 for scene in moved/share/strahl/scenes/*.rt; do expect 0 "no errors" check "$scene"; done
 
 # Files for other programs are installed.
@@ -18,6 +32,11 @@ for file in applications/strahl.desktop mime/packages/strahl.xml icons/hicolor/s
     metainfo/strahl.metainfo.xml vim/vimfiles/ftdetect/strahl.vim; do expect_file "$share/$file"; done
 gzip -dc $share/man/man1/strahl.1.gz >page
 grep -qF 'Rays in each pixel' page || fault "the manual page does not tell of --samples"
+for section in FILES ENVIRONMENT 'EXIT STATUS'; do
+    grep -q "^\.SH $section" page || fault "the manual page has no section $section"
+done
+# Lines that are not filled fit 80 columns, of which 7 are the margin.
+sed -n '/^\.nf/,/^\.fi/p' page | sed 's/\\[&efBRI]*//g' | grep -E '.{74}' && fault "these lines of the manual page are too long"
 grep -q 'syn keyword strahlBlock .*torus' $share/vim/vimfiles/syntax/strahl.vim || fault "vim does not know a torus"
 grep -q '#compdef strahl' $share/zsh/vendor-completions/_strahl || fault "zsh has no completion"
 grep -q 'strahl.*-l precision -x -a .float double extended' $share/fish/vendor_completions.d/strahl.fish ||
@@ -29,12 +48,28 @@ completed() { # WORD...: what bash offers for the last one
 [[ $(completed strahl cro) == crosscheck ]] || fault "bash completes 'cro' as '$(completed strahl cro)'"
 [[ $(completed strahl render --prec) == --precision ]] || fault "bash does not complete --prec"
 [[ $(completed strahl render --precision d) == double ]] || fault "bash does not complete the values of --precision"
+[[ $(completed strahl render --precision = d) == double ]] || fault "bash does not complete --precision=d"
+[[ $(completed strahl render --bits 1) == 16 ]] || fault "bash does not complete the values of --bits"
+[[ $(completed strahl --reference fi) == fish ]] || fault "bash does not complete the kinds of --reference"
+# Files by their ending, and folders.
+mkdir files files/folder
+touch files/a.rt files/b.nff files/c.png files/d.txt
+files_for() { completed "${@:2}" files/ | tr ' ' '\n' | sort | sed 's|.*/||' | xargs | grep -qxF "$1" || fault "for ${*:2} bash offers: $(completed "${@:2}" files/)"; }
+files_for "a.rt folder" strahl
+files_for "a.rt folder" strahl check
+files_for "b.nff folder" strahl import
+files_for "c.png folder" strahl render a.rt -o
+files_for "folder" strahl view --still-folder
+files_for "a.rt b.nff c.png d.txt folder" strahl render a.rt --stats
+rm -r files
 expect 2 "not in {man,bash" --reference nonsense
 if command -v dpkg-shlibdeps >/dev/null; then
     (cd "$build_folder" && cpack -G DEB -B "$work/package") >log 2>&1 || fault "cpack: $(tail -5 log)"
     dpkg-deb -c package/*.deb >contents
     grep -q ' ./usr/bin/strahl$' contents || fault "the package lacks the program: $(head -5 contents)"
     [[ $(dpkg-deb -f package/*.deb Depends) == *libglfw3* ]] || fault "the package does not depend on GLFW"
+    [[ $(dpkg-deb -f package/*.deb Depends) != *openimageio* && $(dpkg-deb -f package/*.deb Recommends) == *openimageio* ]] ||
+        fault "the package depends on $(dpkg-deb -f package/*.deb Depends), not only recommends OpenImageIO"
     rm -rf package
 fi
 

@@ -11,6 +11,21 @@ expect 0 "--tolerance" compare --help
 [[ $("$strahl" --version) =~ ^strahl\ [0-9]+\.[0-9]+\.[0-9]+\ \(.+,\ [0-9]+\ float\ lanes,\ [0-9]+\ double\)$ ]] ||
     fault "the version reads: $("$strahl" --version)"
 
+# The usual words for both.
+expect 0 "Usage: strahl" help
+expect 0 "--size WxH" help render
+for word in version -v -V; do
+    [[ $("$strahl" $word) == "$("$strahl" --version)" ]] || fault "strahl $word prints: $("$strahl" $word 2>&1)"
+done
+
+# An option of another command.
+expect 2 "'-o' is not expected here; did you mean strahl render scene.rt -o x.png?" scene.rt -o x.png
+expect 2 "did you mean strahl render scene.rt --samples 4x4 -o 'a b.png'?" scene.rt --samples 4x4 -o 'a b.png'
+expect 2 "'--output=x.png' is not expected here; did you mean strahl render scene.rt --output=x.png?" scene.rt --output=x.png
+expect 2 "'--tolerance' is not expected here; strahl compare has it" render scene.rt -o x.bmp --tolerance 1
+expect 2 "; strahl play has it" scene.rt --benchmark
+expect 2 "SCENE is required" view
+
 expect 2 "Usage: strahl"
 expect 2 "did you mean 'render'?" rendr scene.rt
 expect 2 "there is no command 'frobnicate'; the commands are view, play, render, join, check" frobnicate
@@ -41,6 +56,16 @@ done
 for depth in 0 257 x 1.5 -1; do refuse "--depth" -o x.bmp --depth "$depth"; done
 for threads in 0 -1 x 1000000; do refuse "--threads" -o x.bmp --threads "$threads"; done
 refuse "{float,double,extended}" -o x.bmp --precision half
+for word in single float32 flaot; do refuse "$word not in {float,double,extended}; did you mean 'float'?" -o x.bmp --precision $word; done
+refuse "long double not in {float,double,extended}; did you mean 'extended'?" -o x.bmp --precision "long double"
+refuse "did you mean 'v3'?" -o x.bmp --simd avx2
+refuse "9 not in {8,16,32}" -o x.bmp --bits 9
+# No program has the instructions of both architectures.
+if [[ $(uname -m) == x86_64 ]]; then
+    refuse "this program was built without neon" -o x.bmp --simd neon
+else
+    refuse "this program was built without x86-64-v3" -o x.bmp --simd v3
+fi
 refuse "{auto,scalar,v2,v3,v4,neon}" -o x.bmp --simd v5
 for time in -1 nan inf x; do refuse "--time" -o x.bmp --time "$time"; done
 for fps in 0 -1 nan inf x; do refuse "--fps" -o x.bmp --frames 0-1 --fps "$fps"; done

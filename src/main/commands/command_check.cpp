@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iostream>
 #include <numeric>
 #include <utility>
 
@@ -10,6 +11,7 @@
 #include "files/streams.h"
 #include "files/utf8.h"
 #include "main/commands/scene_file.h"
+#include "main/commands/scene_warnings.h"
 #include "main/process/exit_status.h"
 #include "scene/leaves.h"
 #include "scene/moving_scene.h"
@@ -121,6 +123,8 @@ int check_command(const CheckOptions& options) {
     const Scene scene = load_scene(options.scene);
     const std::string file = show(shown_name(options.scene)).text;
     write_file("-", options.print ? write_scene(scene) : file + ": no errors\n" + summary(scene));
+    if (options.print) return exit_status::done;
+    for (const std::string& warning : scene_warnings(scene)) std::cerr << "strahl: warning: " << warning << '\n';
     return exit_status::done;
 }
 

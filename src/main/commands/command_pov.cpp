@@ -13,14 +13,14 @@
 namespace strahl {
 namespace {
 
-/// Returns the cameras of all frames. Frame n is the view at n / fps seconds; a path that loops ends one frame before
+/// Returns the cameras of all frames. Frame n is the view at `rate.moment(n)`; a path that loops ends one frame before
 /// it would repeat its first.
-std::vector<Camera> frames(const Scene& scene, const Flythrough& path, double fps) {
-    const double last = path.duration * fps;
+std::vector<Camera> frames(const Scene& scene, const Flythrough& path, const FrameRate& rate) {
+    const double last = path.duration * rate.per_second();
     if (!(last < 1e5)) throw UsageError("the animation would have more than 100000 frames; choose a smaller --fps");
     std::vector<Camera> cameras;
     for (int n = 0; path.loop ? n < last - 1e-9 : n <= last + 1e-9; ++n)
-        cameras.push_back(camera_at(scene, n / fps));
+        cameras.push_back(camera_at(scene, rate.moment(n)));
     return cameras;
 }
 
@@ -54,8 +54,8 @@ int pov_command(const PovOptions& options) {
         if (!followed_tracks(scene).empty())
             throw UsageError("--animation cannot follow the tracks of " + options.scene +
                              "; --time writes what they are at a moment");
-        request.cameras = frames(scene, flight_for("--animation", scene, options.scene), options.fps);
-        request.fps = options.fps;
+        request.cameras = frames(scene, flight_for("--animation", scene, options.scene), options.rate);
+        request.fps = options.rate.per_second();
     } else {
         if (options.time) flight_for("--time", scene, options.scene);
         request.cameras = {camera_at(scene, options.time)};

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <functional>
 #include <iostream>
@@ -48,7 +49,7 @@ bool is_finished(const std::string& path, const Lattice& part) {
 bool render_frames(const RenderOptions& options, const Lattice& part, Renderer& renderer, const std::string& ending,
                    const Encoder::Append& stream = {}) {
     const Share share = options.share.value_or(Share{});
-    if (stream) stream(stream_head(ending, {part.columns, part.rows}, options.fps));
+    if (stream) stream(stream_head(ending, {part.columns, part.rows}, options.rate));
     int count = 0;
     return options.frames->each([&](int frame) {
         if (count++ % share.parts != share.part - 1) return true;
@@ -56,7 +57,7 @@ bool render_frames(const RenderOptions& options, const Lattice& part, Renderer& 
         if (options.resume && !renderer.interrupted() && is_finished(destination.path, part)) return true;
         const std::string last = std::to_string(options.frames->last());
         const std::string label = "frame " + std::to_string(frame) + " of " + last + " ";
-        return renderer.render(shot_of(renderer.scene(), frame / options.fps), destination, label);
+        return renderer.render(shot_of(renderer.scene(), options.rate.moment(frame)), destination, label);
     });
 }
 
@@ -65,7 +66,7 @@ std::optional<FilmSound> sound_of(const RenderOptions& options, const Scene& sce
     if (scene.music.sound.empty()) return std::nullopt;
     const FrameList& frames = *options.frames;
     if (frames.ranges.size() == 1 && (frames.ranges[0].step == 1 || frames.first() == frames.last()))
-        return FilmSound{path_beside(options.scene, scene.music.sound), frames.first() / options.fps};
+        return FilmSound{path_beside(options.scene, scene.music.sound), options.rate.moment(frames.first())};
     std::cerr << "strahl: frames that do not follow each other make a film without sound\n";
     return std::nullopt;
 }
@@ -76,7 +77,7 @@ bool render_stream(const RenderOptions& options, const Lattice& part, Renderer& 
                    const std::string& ffmpeg, const Stats& stats) {
     OutputFile standard_output("-");
     std::optional<Film> film;
-    if (is_film(options.output)) film.emplace(ffmpeg, options.output, sound_of(options, renderer.scene()));
+    if (is_film(options.output)) film.emplace(ffmpeg, options.output, options.rate, sound_of(options, renderer.scene()));
     const bool whole = render_frames(options, part, renderer, ending, [&](std::string_view bytes) {
         film ? film->append(bytes) : standard_output.append(bytes);
     });
@@ -94,8 +95,8 @@ bool render_stream(const RenderOptions& options, const Lattice& part, Renderer& 
 }
 
 /// Returns all frames of a flight.
-FrameList frames_of(const Flythrough& flight, double fps) {
-    const double count = std::max(std::ceil(flight.duration * fps - 1e-6), 1.);
+FrameList frames_of(const Flythrough& flight, const FrameRate& rate) {
+    const double count = std::max(std::ceil(flight.duration * rate.per_second() - 1e-6), 1.);
     if (count > 1e9) throw UsageError("the flight has more than a billion frames; choose some with --frames");
     return {{{0, static_cast<int>(count) - 1, 1}}};
 }
@@ -115,6 +116,19 @@ std::pair<Scene, std::string> read_and_hash(const std::string& path) {
     Scene scene = parse_scene(text, shown_name(path), {}, read);
     if (!scene.tracks.empty()) hash = 31 * hash + hash_of(write_tracks(scene.tracks));
     return {std::move(scene), std::to_string(31 * hash + hash_of(text))};
+}
+
+/// Warns of a camera whose aspectratio is not that of the picture.
+void check_aspect(const RenderOptions& options, const Scene& scene) {
+    const double picture = double(options.size.width) / options.size.height;
+    const double own = scene.camera.aspectratio.value_or(picture);
+    if (options.fit || (picture < 1.01 * own && own < 1.01 * picture)) return;
+    char said[200];
+    std::snprintf(said, sizeof said,
+                  "strahl: warning: the camera's aspectratio is %.4g and that of the picture %.4g, which %s what it "
+                  "shows; with --fit it shows more instead\n",
+                  own, picture, picture > own ? "widens" : "narrows");
+    std::cerr << said;
 }
 
 }  // namespace
@@ -138,15 +152,16 @@ int render_command(const RenderOptions& asked) {
     Stopwatch watch;
     auto [scene, hash] = read_and_hash(options.scene);
     stats.parse_seconds = watch.lap();
+    check_aspect(options, scene);
     if (options.time || options.frames || !ffmpeg.empty()) {
         const char* const option = options.time ? "--time" : options.frames ? "--frames" : "a film";
         const Flythrough flight = flight_for(option, scene, options.scene);
-        if (!options.frames && !options.time) options.frames = frames_of(flight, options.fps);
+        if (!options.frames && !options.time) options.frames = frames_of(flight, options.rate);
     }
 
     const FileFormat format{bits_of(ending_of(ending), options.bits), scene.settings.linear, options.compression};
     const Shot first =
-        shot_of(scene, options.frames ? std::optional(options.frames->first() / options.fps) : options.time);
+        shot_of(scene, options.frames ? std::optional(options.rate.moment(options.frames->first())) : options.time);
     if (!options.prove.empty() && !options.time) scene = at(scene, 0);  // proofs need a scene in which nothing moves
     Renderer renderer(options, std::move(scene), std::move(hash), first, part, format, stats);
     stats.finished = options.numbered() ? render_frames(options, part, renderer, ending)

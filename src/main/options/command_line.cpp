@@ -7,10 +7,12 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "files/streams.h"
 #include "main/options/options.h"
+#include "main/process/shell.h"
 #include "main/reference/reference.h"
 #include "scene/error.h"
 #include "text/manual/syntax.h"
@@ -73,17 +75,23 @@ void add_reference(CLI::App& app) {
         ->trigger_on_parse();
 }
 
-/// Makes `strahl SCENE` mean `strahl view SCENE`.
-std::vector<char*> with_command(const CLI::App& app, int argc, char** argv) {
-    static char view[] = "view";
-    std::vector<char*> arguments(argv, argv + argc);
-    const std::string_view first = argc < 2 ? "" : argv[1];
+/// Makes `strahl SCENE` mean `strahl view SCENE`, and the usual words for help and the version mean these options.
+std::vector<std::string> with_command(const CLI::App& app, int argc, char** argv) {
+    std::vector<std::string> arguments(argv + 1, argv + argc);
+    const std::string first = arguments[0];
     const auto commands = commands_of(app);
     const bool known = std::ranges::any_of(commands, [&](auto* command) { return command->get_name() == first; });
     std::error_code error;
     const bool file = std::filesystem::exists(first, error) && !std::filesystem::is_directory(first, error);
     const bool scene = first == "-" || first.ends_with(".rt") || (!first.starts_with('-') && file);
-    if (!known && scene) arguments.insert(arguments.begin() + 1, view);
+    if (!known && scene) {
+        arguments.insert(arguments.begin(), "view");
+    } else if (first == "help") {
+        arguments.erase(arguments.begin());
+        arguments.push_back("--help");
+    } else if (first == "version" || first == "-v" || first == "-V") {
+        arguments[0] = "--version";
+    }
     return arguments;
 }
 
@@ -111,14 +119,38 @@ std::string nearest_option(const CLI::App& command, const std::string& argument)
     return meant.empty() ? "" : "; did you mean '" + meant + "'?";
 }
 
-[[noreturn]] void report_usage(const CLI::App& app, const CLI::ParseError& error) {
+/// Returns advice on an option that other commands have: "; did you mean strahl render a.rt -o a.png?" for a window that
+/// was asked for by `strahl a.rt`, else "; strahl render has it". Empty if no command has it.
+std::string other_commands(const CLI::App& app, const std::string& option, const std::vector<std::string>& given) {
+    std::string has;
+    for (const CLI::App* command : commands_of(app)) {
+        if (!command->get_option_no_throw(option)) continue;
+        if (command->get_name() == "render" && !given.empty()) {
+            std::string meant = "; did you mean strahl render";
+            for (const std::string& word : given)
+                meant += " " + (word.find_first_of(" '\"\\$*?&;<>()|`") == word.npos ? word : in_shell_quotes(word));
+            return meant + "?";
+        }
+        has += (has.empty() ? "; strahl " : ", ") + command->get_name();
+    }
+    return has.empty() ? "" : has + (has.find(',') == has.npos ? " has it" : " have it");
+}
+
+/// Explains a wrong command line. `given` are the arguments as they were typed if these name no command, else none.
+[[noreturn]] void report_usage(const CLI::App& app, const CLI::ParseError& error,
+                               const std::vector<std::string>& given) {
     const auto chosen = app.get_subcommands();
     const CLI::App& command = chosen.empty() ? app : *chosen[0];
     std::string message = error.what();
     // CLI11 leaves over both words of `--sizes 640x480`, in any order; the option is the wrong one.
     auto left = command.remaining();
     std::ranges::stable_partition(left, [](const std::string& argument) { return argument.starts_with('-'); });
-    if (!left.empty()) message = strahl::quoted(left[0]) + " is not expected here" + nearest_option(command, left[0]);
+    if (!left.empty()) {
+        const std::string option = left[0].substr(0, left[0].find('='));
+        std::string advice = option.starts_with('-') ? other_commands(app, option, given) : "";
+        if (advice.empty()) advice = nearest_option(command, option);
+        message = strahl::quoted(left[0]) + " is not expected here" + advice;
+    }
     throw UsageError(message + "\nSee: strahl " + (chosen.empty() ? "" : command.get_name() + " ") + "--help");
 }
 
@@ -135,16 +167,19 @@ int run_command_line(int argc, char** argv) {
     add_commands(app, chosen);
     app.footer(
         "Exit status: 0 done, 1 failed, 2 wrong usage, 3 error in a file, 130 interrupted.\n"
-        "Example: strahl render scenes/article.rt -o article.bmp");
+        "Example: strahl render SCENE.rt -o picture.png");
     if (argc < 2) throw UsageError("no command given\n" + app.help());
-    std::vector<char*> arguments = with_command(app, argc, argv);
-    require_known_command(app, arguments[1]);
+    std::vector<std::string> arguments = with_command(app, argc, argv);
+    require_known_command(app, arguments[0]);
+    const bool omitted = arguments.size() == static_cast<std::size_t>(argc);  // the word `view`
+    const std::vector<std::string> given(argv + 1, omitted ? argv + argc : argv + 1);
+    std::ranges::reverse(arguments);  // as CLI11 takes them
     try {
-        app.parse(static_cast<int>(arguments.size()), arguments.data());
+        app.parse(std::move(arguments));
     } catch (const CLI::Success& wanted) {  // --help and --version
         return app.exit(wanted);
     } catch (const CLI::ParseError& error) {
-        report_usage(app, error);
+        report_usage(app, error, given);
     }
     return chosen();
 }

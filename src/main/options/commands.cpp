@@ -9,6 +9,7 @@
 #include "main/commands/command_render.h"
 #include "main/commands/command_stability.h"
 #include "main/commands/command_view.h"
+#include "main/commands/scene_file.h"
 #include "main/options/options.h"
 #include "main/process/exit_status.h"
 #include "main/process/interrupt.h"
@@ -26,6 +27,8 @@ void add_render(CLI::App& app, ChosenCommand& chosen) {
     add_parsed(command, "--size", o->size, parse_size, "Size of the picture in pixels, 640x480 by default", "WxH");
     add_parsed(command, "--crop", o->crop, parse_crop,
                "Render only this part of it; X and Y count from its top left corner", "X,Y,W,H");
+    command->add_flag("--fit", o->fit,
+                      "Widen the view of a camera whose aspectratio is another than the picture's; else it is distorted");
     add_depth(command, o->depth);
     command
         ->add_option(
@@ -53,7 +56,7 @@ void add_render(CLI::App& app, ChosenCommand& chosen) {
                      "Vector instructions: auto (default), scalar, v2, v3 or v4 for the levels of x86-64, or neon",
                      "LEVEL");
     add_threads(command, o->threads);
-    add_bits(command, o->bits, {8, 16, 32}, "Bits per channel: 8, or 16 for .png (.exr always holds 32-bit floats)");
+    add_bits(command, o->bits, {"8", "16", "32"}, "Bits per channel: 8, or 16 for .png (.exr always holds 32-bit floats)");
     add_choice<Compression>(command, "--compression", o->compression,
                             {{"fast", Compression::fast}, {"small", Compression::small}},
                             "Compression of .png: fast (default), or small, which takes about a second per megapixel",
@@ -67,7 +70,9 @@ void add_render(CLI::App& app, ChosenCommand& chosen) {
                "Frames of the flythrough, 0-99 or 1-3,5,7-20:2, as numbered files: their number replaces %04d in FILE, "
                "or else precedes the ending. By default a film has all frames",
                "LIST");
-    add_fps(command, o->fps, "Frames per second of the flythrough, 25 by default; frame N is at N/F seconds");
+    add_fps(command, o->rate, parse_rate,
+            "Frames per second of the flythrough, 25 by default; frame N is at N/F seconds. 59.94 and other rates of "
+            "video are 60000/1001 and so on");
     add_parsed(command, "--part", o->share, parse_share,
                "Part K of N: every Nth frame, or bands of one picture, which strahl join puts together", "K/N");
     command->add_flag("--resume", o->resume,
@@ -85,10 +90,10 @@ void add_render(CLI::App& app, ChosenCommand& chosen) {
     add_file(command, "--stats", o->stats, "Write times, rays and errors to this JSON file");
     command->add_flag("--quiet", o->quiet, "Show no progress");
     command->footer(
-        "A still:           strahl render scenes/article.rt -o article.png --size 1920x1080\n"
-        "A film:            strahl render SCENE -o film.mp4 --size 1280x720\n"
-        "Its frames:        strahl render SCENE -o film-%04d.png --frames 0-99 --fps 25\n"
-        "From and to pipes: strahl render - -o - --format png < SCENE | ...\n"
+        "Still:   strahl render SCENE -o picture.png --size 1920x1080\n"
+        "Film:    strahl render SCENE -o film.mp4 --size 1280x720\n"
+        "Frames:  strahl render SCENE -o film-%04d.png --frames 0-99 --fps 25\n"
+        "Pipes:   strahl render - -o - --format png < SCENE | ...\n"
         "Ctrl-C saves the finished part as NAME.part.ENDING; a second Ctrl-C stops at once.");
 }
 
@@ -106,7 +111,15 @@ PixelSize parse_window_size(std::string_view text) {
     return {size.width, size.height};
 }
 
-int view_until_interrupted(const ViewOptions& options) {
+double parse_pace(std::string_view text) {
+    const double fps = parse_rate(text).per_second();
+    if (fps < 1 || fps > 1000) throw UsageError("--fps of a window is from 1 to 1000");
+    return fps;
+}
+
+int view_until_interrupted(const ViewOptions& asked) {
+    ViewOptions options = asked;
+    if (options.scene.empty()) options.scene = example_scene();
     const Interrupt interrupt;
     const int status = view_command(options, interrupt.flag());
     return *interrupt.flag() ? exit_status::interrupted : status;
@@ -115,8 +128,8 @@ int view_until_interrupted(const ViewOptions& options) {
 /// The options that `view` and `play` share.
 void add_window_options(CLI::App* command, ViewOptions& options) {
     add_time(command, options.time);
-    add_fps(command, options.fps, "Pictures per second in motion, 60 by default; the resolution adapts to it")
-        ->check(numbers(1, 1000));
+    add_fps(command, options.fps, parse_pace,
+            "Pictures per second in motion, 60 by default; the resolution adapts to it");
     add_depth(command, options.depth);
     add_threads(command, options.threads);
     std::optional<int>& port = options.rocket;
@@ -133,7 +146,7 @@ void add_window_options(CLI::App* command, ViewOptions& options) {
 
 void add_view(CLI::App& app, ChosenCommand& chosen) {
     auto [command, o] = add_command(app, chosen, "view", "Fly through a scene in a window", view_until_interrupted);
-    add_scene(command, o->scene);
+    add_scene(command, o->scene)->required(false);
     add_parsed(command, "--size", o->size, parse_window_size, "Size of the window in pixels", "WxH");
     command->add_flag("--fullscreen", o->full_screen, "Start in full screen (F11)");
     command->add_flag("--fly", o->fly,
@@ -146,9 +159,10 @@ void add_view(CLI::App& app, ChosenCommand& chosen) {
                             "Format of stills: bmp (default) or png", "KIND");
     add_window_options(command, *o);
     command->footer(
-        "H lists the keys. When the scene file changes it is read again; while it has an error, the window shows the\n"
+        "Without SCENE, as from a desktop's menu, an installed example is opened. H lists the keys.\n"
+        "When the scene file changes it is read again; while it has an error, the window shows the\n"
         "last scene that had none. Drop another file on the window to open it.\n"
-        "The word view may be omitted: strahl scenes/article.rt --fly");
+        "The word view may be omitted: strahl SCENE --fly");
 }
 
 void add_play(CLI::App& app, ChosenCommand& chosen) {
@@ -182,7 +196,7 @@ void add_check(CLI::App& app, ChosenCommand& chosen) {
 void add_compare(CLI::App& app, ChosenCommand& chosen) {
     auto [command, o] =
         add_command(app, chosen, "compare", "Report how much two pictures differ; exit status 0 or 1", compare_command);
-    add_argument(command, "A", o->a, "A picture file: .bmp, .png, .exr, .ppm, .pgm or .pfm");
+    add_argument(command, "A", o->a, "A picture file: .bmp, .png, .exr or .pfm, or a binary .ppm or .pgm");
     add_argument(command, "B", o->b, "Another picture of the same size");
     command
         ->add_option("--tolerance", o->tolerance, "Largest difference per channel that counts as equal, 0 by default")
@@ -208,8 +222,7 @@ void add_import(CLI::App& app, ChosenCommand& chosen) {
     add_argument(command, "FILE", o->file, "The scene, an .nff or .dat file; - is standard input");
     add_file(command, "-o,--output", o->output, "The .rt file; by default -, standard output");
     command->footer(
-        "Unsupported features are reported with their line and substitute; the rest is converted.\n"
-        "See src/import/README.md.");
+        "Unsupported features are reported with their line and substitute; the rest is converted.");
 }
 
 void add_pov(CLI::App& app, ChosenCommand& chosen) {
@@ -218,10 +231,10 @@ void add_pov(CLI::App& app, ChosenCommand& chosen) {
     add_file(command, "-o,--output", o->output, "The .pov file; an .ini file to render it is written beside it");
     add_size(command, o->width, o->height);
     add_depth(command, o->depth);
-    add_bits(command, o->bits, {8, 16}, "Bits per channel of POV-Ray's picture: 8, or 16 (default)");
+    add_bits(command, o->bits, {"8", "16"}, "Bits per channel of POV-Ray's picture: 8, or 16 (default)");
     add_time(command, o->time);
     command->add_flag("--animation", o->animation, "Convert the whole flythrough, driven by POV-Ray's frame_number");
-    add_fps(command, o->fps, "Frames per second of the animation, 25 by default");
+    add_fps(command, o->rate, parse_rate, "Frames per second of the animation, 25 by default");
 }
 
 int crosscheck_until_interrupted(const CrosscheckOptions& options) {
@@ -243,7 +256,7 @@ void add_crosscheck(CLI::App& app, ChosenCommand& chosen) {
     command->footer(
         "Worst off: largest difference, in steps of 1/65535, of pixels that are not on an edge.\n"
         "Beyond off, on edges: number of pixels that differ by more than one step, off and on edges.\n"
-        "Needs povray. See povref/README.md.");
+        "Needs povray.");
 }
 
 void add_stability(CLI::App& app, ChosenCommand& chosen) {

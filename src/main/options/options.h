@@ -2,7 +2,9 @@
 // folder include it, and they are compiled as one.
 #pragma once
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -51,9 +53,24 @@ CLI::Option* add_parsed(CLI::App* command, const char* name, Value& value, Parse
 
 /// Accepts only these words. Their list is also the validator's name, from which `words_of` takes it.
 inline CLI::Validator one_of(const std::vector<std::string>& words) {
-    std::string name;
-    for (const std::string& word : words) name += (name.empty() ? "" : "|") + word;
-    return CLI::IsMember(words).description("").name(name);
+    std::string name, all;
+    for (const std::string& word : words) {
+        name += (name.empty() ? "" : "|") + word;
+        all += (all.empty() ? "" : ",") + word;
+    }
+    const auto check = [words, all](std::string& text) {
+        if (std::ranges::find(words, text) != words.end()) return std::string();
+        // Other words for some of the values.
+        const std::map<std::string_view, std::string_view> others{
+            {"single", "float"},  {"float32", "float"},        {"float64", "double"}, {"long", "extended"},
+            {"quad", "extended"}, {"long double", "extended"}, {"avx2", "v3"},        {"avx512", "v4"}};
+        const std::vector<std::string_view> known(words.begin(), words.end());
+        const auto other = others.find(text);
+        std::string_view meant = other != others.end() ? other->second : text.size() > 2 ? nearest(text, known) : "";
+        if (std::ranges::find(known, meant) == known.end()) meant = {};
+        return text + " not in {" + all + "}" + (meant.empty() ? "" : "; did you mean '" + std::string(meant) + "'?");
+    };
+    return CLI::Validator(check, "", name);
 }
 /// Returns the words that an option accepts, if it has a list of them.
 inline std::optional<std::vector<std::string>> words_of(const CLI::Option& option) try {
@@ -122,16 +139,18 @@ inline CLI::Option* add_threads(CLI::App* command, int& value) {
         ->check(CLI::Range(1, 1024).description(""))
         ->type_name("N");
 }
-inline CLI::Option* add_bits(CLI::App* command, int& value, const std::vector<int>& choices, const char* help) {
-    return command->add_option("--bits", value, help)->check(CLI::IsMember(choices).description(""))->type_name("N");
+inline CLI::Option* add_bits(CLI::App* command, int& value, const std::vector<std::string>& choices,
+                             const char* help) {
+    return command->add_option("--bits", value, help)->check(one_of(choices))->type_name("N");
 }
 inline CLI::Option* add_time(CLI::App* command, std::optional<double>& value) {
     return command->add_option("--time", value, "A moment of the scene's flythrough and motions, in seconds")
         ->check(numbers(0, 1e9))
         ->type_name("T");
 }
-inline CLI::Option* add_fps(CLI::App* command, double& value, const char* help) {
-    return command->add_option("--fps", value, help)->check(numbers(0.001, 1e6))->type_name("F");
+template <class Value>
+CLI::Option* add_fps(CLI::App* command, Value& value, Value (*parse)(std::string_view), const char* help) {
+    return add_parsed(command, "--fps", value, parse, help, "F");
 }
 
 }  // namespace strahl

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cctype>
 
 #include "files/streams.h"
 #include "main/process/shell.h"
@@ -14,6 +15,24 @@ std::string joined(const std::vector<std::string>& words) {
 }
 
 bool takes_file(const OptionText& option) { return option.form == "FILE" || option.form == "DIR"; }
+
+/// Returns the endings of files that a help text names: ".bmp", ".png" and ".exr" of "The picture: .bmp, .png or .exr".
+std::vector<std::string> endings_in(const std::string& help) {
+    std::vector<std::string> endings;
+    for (std::size_t dot = help.find('.'); dot != help.npos; dot = help.find('.', dot + 1)) {
+        std::size_t end = dot + 1;
+        while (end < help.size() && std::isalnum(static_cast<unsigned char>(help[end]))) ++end;
+        if (end > dot + 1 && dot > 0 && help[dot - 1] == ' ') endings.push_back(help.substr(dot, end - dot));
+    }
+    return endings;
+}
+/// Returns the endings of the files that a command takes as arguments.
+std::vector<std::string> endings_of(const CommandText& command) {
+    std::vector<std::string> endings;
+    for (const OptionText& argument : command.arguments)
+        for (const std::string& ending : endings_in(argument.help)) endings.push_back(ending);
+    return endings;
+}
 
 /// "-o|--output"
 std::string alternatives(const OptionText& option) {
@@ -35,29 +54,54 @@ std::vector<std::string> names_of(const std::vector<CommandText>& commands) {
 
 std::string bash_completion(const ProgramText& program) {
     TextStream script;
-    script << "# Completion of strahl's commands and options for bash.\n_strahl() {\n"
-              "    local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]} options\n"
-              "    COMPREPLY=()\n    if ((COMP_CWORD == 1)); then\n        options=\""
-           << joined(names_of(program.commands)) << ' ';
-    for (const OptionText& option : program.self.options) script << joined(option.names) << ' ';
-    script << "\"\n        mapfile -t COMPREPLY < <(compgen -W \"$options\" -- \"$word\"; compgen -f -X '!*.rt' -- "
-              "\"$word\"; compgen -d -- \"$word\")\n        return\n    fi\n    case ${COMP_WORDS[1]} in\n";
+    const auto cases = [&](const std::vector<OptionText>& options, const char* indent) {
+        for (const OptionText& option : options) {
+            if (option.form.empty()) continue;
+            script << indent << alternatives(option) << ") ";
+            if (!option.words.empty())
+                script << "_strahl_words " << joined(option.words) << "; ";
+            else if (option.form == "DIR")
+                script << "mapfile -t COMPREPLY < <(compgen -d -- \"$word\"); ";
+            else if (takes_file(option))
+                script << "_strahl_files " << joined(endings_in(option.help)) << "; ";
+            script << "return ;;\n";
+        }
+    };
+    const auto all_options = [](const std::vector<OptionText>& options) {
+        std::string all;
+        for (const OptionText& option : options) all += " " + joined(option.names);
+        return all;
+    };
+    script << "# Completion of strahl's commands and options for bash.\n"
+              "_strahl_words() { mapfile -t COMPREPLY < <(compgen -W \"$*\" -- \"$word\"); }\n"
+              "# Files that end in one of these, or any file, and folders.\n"
+              "_strahl_files() {\n    local ending\n"
+              "    (($#)) || { mapfile -t COMPREPLY < <(compgen -f -- \"$word\"); return; }\n"
+              "    mapfile -t COMPREPLY < <(compgen -d -- \"$word\"\n"
+              "        for ending; do compgen -f -X \"!*$ending\" -- \"$word\"; done)\n}\n"
+              "_strahl() {\n"
+              "    local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]}\n    COMPREPLY=()\n"
+              "    # bash takes the = of --option=value for a word.\n"
+              "    if [[ $word == = ]]; then\n        word=''\n    elif [[ $before == = ]]; then\n"
+              "        before=${COMP_WORDS[COMP_CWORD - 2]}\n    fi\n"
+              "    case $before in\n";
+    cases(program.self.options, "    ");
+    script << "    esac\n    if ((COMP_CWORD == 1)); then\n        local files commands=(";
+    script << joined(names_of(program.commands)) << all_options(program.self.options)
+           << ")\n        _strahl_files .rt\n        files=(\"${COMPREPLY[@]}\")\n"
+              "        _strahl_words \"${commands[@]}\"\n        COMPREPLY+=(\"${files[@]}\")\n        return\n    fi\n"
+              "    case ${COMP_WORDS[1]} in\n";
     for (const CommandText& command : program.commands) {
         script << "    " << command.name << ")\n        case $before in\n";
-        std::string options;
-        for (const OptionText& option : command.options) {
-            options += joined(option.names) + ' ';
-            if (!option.words.empty())
-                script << "        " << alternatives(option) << ") mapfile -t COMPREPLY < <(compgen -W \""
-                       << joined(option.words) << "\" -- \"$word\"); return ;;\n";
-            else if (!option.form.empty() && !takes_file(option))
-                script << "        " << alternatives(option) << ") return ;;\n";
-        }
-        script << "        esac\n        options=\"" << options << "\" ;;\n";
+        cases(command.options, "        ");
+        script << "        esac\n        if [[ $word == -* ]]; then\n            _strahl_words"
+               << all_options(command.options) << "\n        else\n            _strahl_files "
+               << joined(endings_of(command)) << "\n        fi ;;\n";
     }
-    script << "    esac\n    if [[ $word == -* ]]; then\n        mapfile -t COMPREPLY < <(compgen -W \"$options\" -- "
-              "\"$word\")\n    else\n        mapfile -t COMPREPLY < <(compgen -f -- \"$word\")\n    fi\n}\n"
-              "complete -o filenames -F _strahl strahl\n";
+    script << "    *.*) [[ $word != -* ]] || _strahl_words";  // `strahl SCENE`, which is `strahl view SCENE`
+    for (const CommandText& command : program.commands)
+        if (command.name == "view") script << all_options(command.options);
+    script << " ;;\n    esac\n}\ncomplete -o filenames -F _strahl strahl\n";
     return script.str();
 }
 
@@ -67,12 +111,18 @@ std::string zsh_completion(const ProgramText& program) {
         std::erase_if(text, [](char c) { return c == '[' || c == ']' || c == ':'; });
         return text;
     };
+    const auto files = [](const std::vector<std::string>& endings) {
+        std::string some;
+        for (const std::string& ending : endings) some += (some.empty() ? "" : "|") + ending.substr(1);
+        return some.empty() ? std::string("_files") : "_files -g \"*.(" + some + ")\"";
+    };
     const auto spec = [&](const OptionText& option, const std::string& name) {
         std::string text = name + "[" + plain(brief(option.help)) + "]";
         if (!option.words.empty())
             text += ":" + option.form + ":(" + joined(option.words) + ")";
         else if (!option.form.empty())
-            text += ":" + option.form + ":" + (takes_file(option) ? "_files" : "");
+            text += ":" + option.form + ":" +
+                    (option.form == "DIR" ? "_files -/" : takes_file(option) ? files(endings_in(option.help)) : "");
         return in_shell_quotes(text);
     };
     TextStream script;
@@ -87,8 +137,11 @@ std::string zsh_completion(const ProgramText& program) {
         script << "    " << command.name << ")\n        _arguments";
         for (const OptionText& option : command.options)
             for (const std::string& name : option.names) script << " \\\n            " << spec(option, name);
-        script << " \\\n            '*:file:_files' ;;\n";
+        script << " \\\n            " << in_shell_quotes("*:file:" + files(endings_of(command))) << " ;;\n";
     }
+    for (const OptionText& option : program.self.options)
+        if (!option.words.empty())
+            script << "    " << alternatives(option) << ") compadd " << joined(option.words) << " ;;\n";
     script << "    esac\n}\n_strahl \"$@\"\n";
     return script.str();
 }
@@ -98,12 +151,21 @@ std::string fish_completion(const ProgramText& program) {
     const std::string names = joined(names_of(program.commands));
     TextStream script;
     script << "# Completion of strahl's commands and options for fish.\n";
+    const auto files = [](const std::vector<std::string>& endings) {
+        std::string some;
+        for (const std::string& ending : endings) some += "(__fish_complete_suffix " + ending + ") ";
+        return some.substr(0, some.size() - 1);
+    };
     const auto add = [&](const std::string& condition, const OptionText& option) {
         script << "complete -c strahl -n " << quote(condition);
         for (const std::string& name : option.names)
             script << (name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1));
         if (!option.words.empty())
             script << " -x -a " << quote(joined(option.words));
+        else if (option.form == "DIR")
+            script << " -x -a '(__fish_complete_directories)'";
+        else if (takes_file(option) && !endings_in(option.help).empty())
+            script << " -x -k -a " << quote(files(endings_in(option.help)));
         else if (!option.form.empty())
             script << (takes_file(option) ? " -r" : " -x");
         script << " -d " << quote(brief(option.help)) << '\n';
@@ -112,7 +174,10 @@ std::string fish_completion(const ProgramText& program) {
     for (const CommandText& command : program.commands) {
         script << "complete -c strahl -n " << quote("not __fish_seen_subcommand_from " + names) << " -a "
                << command.name << " -d " << quote(command.help) << '\n';
-        for (const OptionText& option : command.options) add("__fish_seen_subcommand_from " + command.name, option);
+        const std::string chosen = "__fish_seen_subcommand_from " + command.name;
+        for (const OptionText& option : command.options) add(chosen, option);
+        if (const auto endings = endings_of(command); !endings.empty())
+            script << "complete -c strahl -n " << quote(chosen) << " -x -k -a " << quote(files(endings)) << '\n';
     }
     return script.str();
 }

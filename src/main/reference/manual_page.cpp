@@ -1,4 +1,6 @@
 // Writes the manual page in roff.
+#include <array>
+
 #include "files/streams.h"
 #include "main/reference/reference.h"
 
@@ -30,7 +32,46 @@ std::string listed(const OptionText& option) {
     return ".TP\n" + names + "\n" + roff(option.help) + ".\n";
 }
 
-std::string as_is(const std::string& text) { return text.empty() ? "" : ".PP\n.nf\n" + roff(text) + "\n.fi\n"; }
+/// Returns the lines of a footer: those with columns, which two blanks divide, as they are, others as paragraphs.
+std::string footer(const std::string& text) {
+    std::string result;
+    bool columns = false;
+    WordStream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        const bool now = line.find("  ") != line.npos;
+        if (result.empty() || now != columns) result += columns ? ".fi\n.PP\n" : ".PP\n";
+        if (now && (result.ends_with(".PP\n"))) result += ".nf\n";
+        columns = now;
+        result += roff(line) + "\n";
+    }
+    return result + (columns ? ".fi\n" : "");
+}
+
+/// Files and variables that no option names.
+struct Mention {
+    const char *name, *text;
+};
+constexpr std::array files{
+    Mention{"SCENE.tracks", "The keys of the tracks of SCENE.rt, beside it"},
+    Mention{"FILE.checkpoint", "The finished part of a picture that is being rendered; --resume continues from it"},
+    Mention{"NAME.part.ENDING", "The finished part of a picture or a film that was interrupted"},
+    Mention{"FILE.part-K-of-N", "What --part K/N makes, for strahl join"},
+    Mention{".strahl-*", "A file that is being written, in the folder of its final name"},
+    Mention{"~/.local/state/strahl/window", "Place and size of the window"},
+    Mention{"share/strahl/scenes", "Example scenes, beside the bin folder of the program"},
+    Mention{"share/doc/strahl/language.md", "The language of scenes"},
+};
+constexpr std::array variables{
+    Mention{"PATH", "Where ffmpeg, for films, and povray, for crosscheck, are found"},
+    Mention{"TMPDIR", "Folder for the temporary files of crosscheck, /tmp by default"},
+    Mention{"XDG_STATE_HOME", "Folder for the place and size of the window, ~/.local/state by default"},
+};
+template <class Mentions>
+std::string listed(const char* heading, const Mentions& mentions) {
+    std::string text = std::string(".SH ") + heading + "\n";
+    for (const auto& [name, meaning] : mentions) text += ".TP\n" + italic(name) + "\n" + roff(meaning) + ".\n";
+    return text;
+}
 
 }  // namespace
 
@@ -52,9 +93,10 @@ std::string manual_page(const ProgramText& program) {
         for (const OptionText& argument : command.arguments)
             page << ".TP\n" << italic(argument.names[0]) << '\n' << roff(argument.help) << ".\n";
         for (const OptionText& option : command.options) page << listed(option);
-        page << as_is(command.footer);
+        page << footer(command.footer);
     }
-    page << ".SH EXIT STATUS\n" << as_is(program.self.footer) << ".SH SEE ALSO\n.BR povray (1)\n";
+    page << ".SH EXIT STATUS\n" << footer(program.self.footer) << listed("FILES", files)
+         << listed("ENVIRONMENT", variables) << ".SH SEE ALSO\n.BR povray (1)\n";
     return page.str();
 }
 

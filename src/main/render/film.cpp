@@ -37,13 +37,14 @@ std::string format_of(const std::string& path) {
 /// makes files twice as large as ffmpeg's default, 43 dB instead of 41.5 from the stream (scenes/flythrough.rt,
 /// 640x360, H.264).
 std::vector<std::string> command_of(const std::string& ffmpeg, const std::string& format, const std::string& file,
-                                    const std::optional<FilmSound>& sound) {
+                                    const FrameRate& rate, const std::optional<FilmSound>& sound) {
     std::vector<std::string> words{ffmpeg};
     const auto add = [&](const std::string& options) {
         WordStream rest(options);
         for (std::string word; rest >> word;) words.push_back(word);
     };
-    add("-nostdin -y -v error -f yuv4mpegpipe -i pipe:0");
+    // ffmpeg 5.1 rounds some rates in the stream's head, 120000:1001 to 120, but none that it is told.
+    add("-nostdin -y -v error -f yuv4mpegpipe -r " + rate.text() + " -i pipe:0");
     if (sound) {
         add("-ss " + text_of(sound->from) + " -i");
         words.push_back("file:" + sound->file);
@@ -66,14 +67,15 @@ std::string find_ffmpeg(const std::string& film) {
         const std::string program = (folder.empty() ? "." : folder) + "/ffmpeg";
         if (::access(program.c_str(), X_OK) == 0) return program;
     }
-    throw FileError("cannot make '" + film +
-                    "': there is no ffmpeg in PATH, which films need; on Debian: apt install ffmpeg. Without it, "
-                    "-o film-%04d.png --frames LIST makes pictures");
+    throw OutputError("cannot make '" + film +
+                      "': there is no ffmpeg in PATH, which films need; on Debian: apt install ffmpeg. Without it, "
+                      "-o film-%04d.png --frames LIST makes pictures");
 }
 
-Film::Film(const std::string& ffmpeg, const std::string& own_path, const std::optional<FilmSound>& sound)
+Film::Film(const std::string& ffmpeg, const std::string& own_path, const FrameRate& rate,
+           const std::optional<FilmSound>& sound)
     : path(own_path), file(path, OutputFile::Writer::other_program) {
-    start(ffmpeg, sound);
+    start(ffmpeg, rate, sound);
 }
 
 Film::~Film() {
@@ -82,13 +84,13 @@ Film::~Film() {
     if (messages >= 0) ::close(messages);
 }
 
-void Film::start(const std::string& ffmpeg, const std::optional<FilmSound>& sound) {
+void Film::start(const std::string& ffmpeg, const FrameRate& rate, const std::optional<FilmSound>& sound) {
     int pair[2];
     messages = ::memfd_create("ffmpeg", MFD_CLOEXEC);
     if (messages < 0 || ::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, pair) != 0)
         throw OutputError("cannot start ffmpeg: " + std::generic_category().message(errno));
     stream = pair[0];
-    std::vector<std::string> words = command_of(ffmpeg, format_of(path), file.name(), sound);
+    std::vector<std::string> words = command_of(ffmpeg, format_of(path), file.name(), rate, sound);
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);

@@ -7,13 +7,14 @@
 #include <sys/types.h>
 
 #include "files/output_file.h"
+#include "image/frame_rate.h"
 
 namespace strahl {
 
 /// Returns whether the ending is that of a film: .mp4, .mkv or .webm.
 bool is_film(const std::string& path);
 
-/// Returns the path of the program `ffmpeg` in PATH. Throws FileError if there is none.
+/// Returns the path of the program `ffmpeg` in PATH. Throws OutputError if there is none.
 std::string find_ffmpeg(const std::string& film);
 
 /// The sound of a film: a file, from a moment in seconds on.
@@ -27,8 +28,9 @@ struct FilmSound {
 /// it was sent, in the temporary file.
 class Film {
   public:
-    /// Starts ffmpeg for a stream of Y4M. A sound is cut, or continued by silence, to end with the frames.
-    Film(const std::string& ffmpeg, const std::string& path, const std::optional<FilmSound>& sound);
+    /// Starts ffmpeg for a stream of Y4M of this rate. A sound is cut, or continued by silence, to end with the frames.
+    Film(const std::string& ffmpeg, const std::string& path, const FrameRate& rate,
+         const std::optional<FilmSound>& sound);
     ~Film();
     Film(const Film&) = delete;
 
@@ -40,7 +42,7 @@ class Film {
     std::string finish_part();
 
   private:
-    void start(const std::string& ffmpeg, const std::optional<FilmSound>& sound);
+    void start(const std::string& ffmpeg, const FrameRate& rate, const std::optional<FilmSound>& sound);
     void wait();
     [[noreturn]] void fail();
     std::string keep();

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "image/frame_rate.h"
 #include "image/picture.h"
 #include "main/render/film.h"
 #include "main/render/values.h"
@@ -18,6 +19,7 @@ struct RenderOptions {
     Compression compression = Compression::fast;
     Size size;           // of the whole picture, even if only a crop of it is rendered
     std::optional<Lattice> crop;
+    bool fit = false;  // widens the view of a camera with an aspectratio to that of the picture
     std::optional<int> depth;            // 1 to 256; by default the scene's max_trace_level
     std::optional<Precision> precision;  // by default double, or what `error` needs
     std::optional<double> error;         // largest error of the file's values; see --error
@@ -26,7 +28,7 @@ struct RenderOptions {
     int threads = 0;             // 0: all processors
     std::optional<double> time;  // seconds into the flythrough
     std::optional<FrameList> frames;
-    double fps = 25;
+    FrameRate rate;
     std::optional<Share> share;  // of the frames, or of the bands of one picture
     bool resume = false;         // skips frames whose files are complete; continues an interrupted picture
     double checkpoint = 10;      // seconds between checkpoints

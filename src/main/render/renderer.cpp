@@ -10,6 +10,7 @@
 #include "image/transfer.h"
 #include "main/process/progress.h"
 #include "num/decimal.h"
+#include "scene/filled_view.h"
 #include "trace/cells/cell_picture.h"
 #include "trace/measure/prove_again.h"
 
@@ -121,7 +122,7 @@ BandHeader Renderer::header(const Shot& shot, const PictureWriter& writer, const
         (words += " ").append(key).append(" ").append(text_of(value));
     };
     for (const int value : {part.x, part.y, part.columns, part.rows}) add("crop", value);
-    add("time", shot.time), add("depth", accuracy.depth), add("dropped", accuracy.dropped);
+    add("time", shot.time), add("fit", options.fit), add("depth", accuracy.depth), add("dropped", accuracy.dropped);
     add("grid", stats.sampling.grid), add("centre", stats.sampling.centre), add("error", stats.sampling.error);
     words.append(" precision ").append(name(accuracy.precision)).append(tracer.simd() == Simd::v2 ? " unfused" : "");
     return {hash_of_program(),
@@ -182,7 +183,8 @@ Accuracy Renderer::choose(const Scene& scene, const Shot& shot) {
 }
 
 View Renderer::view(const Shot& shot, int depth, double dropped) const {
-    return {.camera = shot.camera,
+    const double aspect = double(options.size.width) / options.size.height;
+    return {.camera = options.fit ? filled_view(shot.camera, aspect) : shot.camera,
             .width = options.size.width,
             .height = options.size.height,
             .depth = depth,

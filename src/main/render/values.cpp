@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
+#include <limits>
+#include <numeric>
 #include <optional>
 
 #include "scene/error.h"
@@ -62,6 +64,17 @@ std::optional<FrameRange> parse_range(std::string_view text) {
     return range;
 }
 
+constexpr const char* as_fraction = "; write it as a fraction, such as 60000/1001, of numbers up to 2147483647";
+
+/// Returns the fraction in lowest terms. Throws UsageError if it does not fit.
+FrameRate reduced(std::int64_t frames, std::int64_t seconds) {
+    const std::int64_t common = std::gcd(frames, seconds);
+    frames /= common, seconds /= common;
+    constexpr std::int64_t most = std::numeric_limits<int>::max();
+    if (frames > most || seconds > most) throw UsageError(std::string("--fps has too many digits") + as_fraction);
+    return {static_cast<int>(frames), static_cast<int>(seconds)};
+}
+
 }  // namespace
 
 Size parse_size(std::string_view text) {
@@ -102,6 +115,39 @@ Share parse_share(std::string_view text) {
     if (!n || (*n)[0] < 1 || (*n)[1] < (*n)[0] || (*n)[1] > most_shares)
         throw UsageError("--part is a number and that of all parts, 1/16 to 16/16 for instance, not " + quoted(text));
     return {(*n)[0], (*n)[1]};
+}
+
+FrameRate parse_rate(std::string_view text) {
+    const auto require = [&](bool fits) {
+        if (!fits)
+            throw UsageError("--fps is a number of frames in each second from 0.001 to 1000000, such as 25, 59.94 or "
+                             "60000/1001, not " +
+                             quoted(text));
+    };
+    if (const std::size_t stroke = text.find_first_of("/:"); stroke != text.npos) {
+        const auto fraction = numbers<2>(text, text[stroke]);
+        require(fraction && (*fraction)[0] > 0 && (*fraction)[1] > 0);
+        const FrameRate rate = reduced((*fraction)[0], (*fraction)[1]);
+        require(rate.per_second() >= .001 && rate.per_second() <= 1e6);
+        return rate;
+    }
+    const std::size_t point = std::min(text.find('.'), text.size());
+    const std::string digits = std::string(text.substr(0, point)).append(text.substr(std::min(point + 1, text.size())));
+    require(!digits.empty() && std::ranges::all_of(digits, [](char c) { return c >= '0' && c <= '9'; }));
+    if (digits.size() > 15) throw UsageError(std::string("--fps has too many digits") + as_fraction);
+    const std::int64_t value = std::stoll(digits);
+    std::int64_t unit = 1;
+    for (std::size_t i = point + 1; i < text.size(); ++i) unit *= 10;
+    require(double(value) / double(unit) >= .001 && double(value) / double(unit) <= 1e6);
+    // Video counts 1000/1001 of 24 or 30 frames in each second, of multiples of these, or of halves (Poynton, Digital
+    // Video and HD, chapter on frame rates). One decimal is too few to tell.
+    for (const std::int64_t whole : {value / unit, value / unit + 1})
+        if (unit >= 100 && value % unit != 0 && (whole % 12 == 0 || whole % 15 == 0)) {
+            const std::int64_t thousands = 1000 * whole * unit;  // 1001 of the decimals' units
+            if (value == thousands / 1001 || value == (2 * thousands + 1001) / 2002)
+                return {static_cast<int>(1000 * whole), 1001};
+        }
+    return reduced(value, unit);
 }
 
 FrameList parse_frames(std::string_view text) {

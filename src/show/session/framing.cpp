@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "scene/filled_view.h"
 
 namespace strahl {
 
@@ -18,13 +19,7 @@ Framing framing(const Camera& camera, int window_width, int window_height, bool 
     const ScreenArea whole{0, 0, window_width, window_height};
     if (!camera.aspectratio) return {whole, camera};
     if (!fill) return {fitted(*camera.aspectratio, window_width, window_height), camera};
-    Camera wider = camera;
-    wider.aspectratio.reset();
-    constexpr double degree = std::numbers::pi / 180, widest = 89;
-    const double factor = std::max(1., window_width / (window_height * *camera.aspectratio));
-    if (factor > 1)
-        wider.fov = std::max(camera.fov, std::min(widest, std::atan(std::tan(camera.fov * degree) * factor) / degree));
-    return {whole, wider};
+    return {whole, filled_view(camera, double(window_width) / window_height)};
 }
 
 }  // namespace strahl

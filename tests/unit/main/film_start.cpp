@@ -21,7 +21,7 @@ TEST_CASE("ffmpeg does not start where its input takes more memory than there is
     std::ofstream(ffmpeg) << "#!/bin/sh\ntouch '" << folder / "ran"
                           << "'\n";
     std::filesystem::permissions(ffmpeg, std::filesystem::perms::owner_all);
-    const auto start = [&] { Film(ffmpeg, folder / "film.mp4", {}).append("frames"); };
+    const auto start = [&] { Film(ffmpeg, folder / "film.mp4", {}, {}).append("frames"); };
     CHECK_THROWS_WITH_AS(start(), doctest::Contains("Cannot allocate memory"), OutputError);
     CHECK(!std::filesystem::exists(folder / "ran"));
     CHECK(folder.files() == 1);

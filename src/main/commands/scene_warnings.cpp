@@ -1,0 +1,67 @@
+#include "main/commands/scene_warnings.h"
+
+#include <algorithm>
+#include <array>
+#include <variant>
+
+#include "files/streams.h"
+#include "scene/moving_scene.h"
+#include "scene/overlap.h"
+
+namespace strahl {
+namespace {
+
+/// Returns whether some ray of the picture, of 4:3 if the camera does not say otherwise, may meet the body: a body with
+/// a box is out of sight if one of the picture's four side planes separates the two, and a plane if it recedes from all
+/// four corners.
+bool may_see(const Camera& camera, const Primitive& body) {
+    const auto [right, down, forward, tan_x, tan_y] = frame_of(camera, 4. / 3);
+    if (const auto half = half_space(body)) {
+        const double height = dot_product(half->normal, camera.position - half->point);
+        for (const double x : {-tan_x, tan_x})
+            for (const double y : {-tan_y, tan_y})
+                if (height * dot_product(half->normal, forward + x * right + y * down) <= 0) return true;
+        return false;
+    }
+    const Box box = world_bounds(body);
+    if (!box.finite()) return true;
+    const std::array sides{tan_x * forward - right, tan_x * forward + right, tan_y * forward - down,
+                           tan_y * forward + down};
+    return std::ranges::none_of(sides, [&](const DVec3& inwards) {
+        DVec3 farthest;  // the corner of the box that is farthest inwards
+        for (int i = 0; i < 3; ++i) farthest[i] = inwards[i] > 0 ? box.high[i] : box.low[i];
+        return dot_product(inwards, farthest - camera.position) < 0;
+    });
+}
+
+/// Adds a warning if a colour is so bright that values from 0 to 255 were meant.
+void check_color(const Color& color, const std::string& owner, std::vector<std::string>& warnings) {
+    if (std::max({color.x, color.y, color.z}) < 100) return;
+    TextStream text;
+    text << "the colour <" << color.x << ", " << color.y << ", " << color.z << "> of " << owner
+         << " is far above 1, which is shown as white; values from 0 to 255 must be divided by 255";
+    if (std::ranges::find(warnings, text.str()) == warnings.end()) warnings.push_back(text.str());
+}
+void check_pigment(const Pigment& pigment, const std::string& owner, std::vector<std::string>& warnings) {
+    const bool image = pigment.pattern && std::holds_alternative<ImagePattern>(pigment.pattern->kind);
+    if (!image) check_color(pigment.color, owner, warnings);
+}
+
+}  // namespace
+
+std::vector<std::string> scene_warnings(const Scene& moving) {
+    const Scene scene = at(moving, 0);
+    const Camera camera = own_camera_at(moving, 0);
+    std::vector<std::string> warnings;
+    const auto& bodies = scene.primitives;
+    if (scene.lights.empty() && !bodies.empty())
+        warnings.emplace_back("the scene has no light; its bodies show only their share of the ambient light");
+    if (!bodies.empty() && std::ranges::none_of(bodies, [&](const Primitive& body) { return may_see(camera, body); }))
+        warnings.emplace_back("the camera sees no body; all are behind it or beside its picture");
+    for (const Material& material : scene.materials) check_pigment(material.rgb, "a material", warnings);
+    for (const Light& light : scene.lights) check_color(light.color, "a light", warnings);
+    check_pigment(scene.background, "the background", warnings);
+    return warnings;
+}
+
+}  // namespace strahl
