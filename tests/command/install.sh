@@ -12,7 +12,7 @@ expect_file x.png
 expect_file moved/share/doc/strahl/LICENSE
 # Pages and help name nothing that is not installed.
 for page in moved/share/doc/strahl/*.md; do
-    ! grep -nE '\]\([^#h)]|(^|[ `/])(src|tests|povref|assets)/|\./strahl' "$page" >dead ||
+    ! grep -nE '\]\([^#h)]|(^|[ `/])(src|tests|povref|assets)/|(^|[ `])\./strahl' "$page" >dead ||
         fault "$page names what is not installed: $(<dead)"
     grep -oE '[./a-z]*scenes/[a-z_/]*\.rt' "$page" | while read -r scene; do
         [[ -e ${page%/*}/$scene ]] || fault "$page names $scene, which is not installed"
@@ -25,6 +25,10 @@ for command in '' render view play join check compare bundle import pov crossche
         fault "strahl $command --help names what is not installed"
 done
 for scene in moved/share/strahl/scenes/*.rt; do expect 0 "no errors" check "$scene"; done
+
+# A desktop's menu starts it without a scene.
+said=$(env -u DISPLAY -u WAYLAND_DISPLAY "$strahl" view 2>&1)
+[[ $said != *required* ]] || fault "without a scene it opens none: $said"
 
 # Files for other programs are installed.
 share=moved/share

@@ -11,9 +11,9 @@
 namespace strahl {
 namespace {
 
-/// Returns whether some ray of the picture, of 4:3 if the camera does not say otherwise, may meet the body: a body with
-/// a box is out of sight if one of the picture's four side planes separates the two, and a plane if it recedes from all
-/// four corners.
+/// Returns whether some ray of the picture, of 4:3 if the camera does not say otherwise, may meet the body: one with a
+/// box is out of sight if the box is behind the camera or beyond a plane through an edge of the picture, and a plane if
+/// it recedes from all four corners.
 bool may_see(const Camera& camera, const Primitive& body) {
     const auto [right, down, forward, tan_x, tan_y] = frame_of(camera, 4. / 3);
     if (const auto half = half_space(body)) {
@@ -25,7 +25,7 @@ bool may_see(const Camera& camera, const Primitive& body) {
     }
     const Box box = world_bounds(body);
     if (!box.finite()) return true;
-    const std::array sides{tan_x * forward - right, tan_x * forward + right, tan_y * forward - down,
+    const std::array sides{forward, tan_x * forward - right, tan_x * forward + right, tan_y * forward - down,
                            tan_y * forward + down};
     return std::ranges::none_of(sides, [&](const DVec3& inwards) {
         DVec3 farthest;  // the corner of the box that is farthest inwards
