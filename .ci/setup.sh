@@ -18,7 +18,8 @@ die() {
 lock_build() { # ROOT
     mkdir -p "$1/build" 2>/dev/null || true
     [[ -w $1/build ]] ||
-        die "cannot write to $1/build, where the program is built: copy the tree to a folder of your own and start it there"
+        die "cannot write to $1/build, where the program is built:" \
+            "copy the tree to a folder of your own and start it there"
     exec {lock}>"$1/build/lock"
     flock -n "$lock" && return
     say "waiting for another build of this tree to end"

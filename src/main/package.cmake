@@ -23,8 +23,8 @@ install(DIRECTORY scenes DESTINATION share/strahl)
 install(FILES assets/balls.png DESTINATION share/strahl/assets)  # which scenes show
 install(DIRECTORY assets/farm DESTINATION share/strahl PATTERN README.md EXCLUDE)
 install(FILES LICENSE DESTINATION share/doc/strahl)
-# The pages for users, without their pictures and their links to files. Commands are written as for the installed program,
-# and paths of scenes as from the folder of the pages.
+# The pages for users, without their pictures and their links to files. Commands are written as for the installed
+# program, and paths of scenes as from the folder of the pages.
 set(pages ${CMAKE_BINARY_DIR}/pages)
 foreach(page text:language main:films import:import)
   string(REGEX MATCH "(.*):(.*)" page ${page})

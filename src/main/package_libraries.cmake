@@ -1,12 +1,13 @@
-# Read by cpack: the packages of the libraries that the program needs, and those that only its module for reading pictures
-# needs, which it does without.
+# Read by cpack: finds the packages of the libraries that the program needs, and of those that only its module for
+# reading pictures needs, without which it works.
 find_program(SHLIBDEPS dpkg-shlibdeps)
 if(NOT SHLIBDEPS)
   message(FATAL_ERROR "a Debian package needs dpkg-shlibdeps: install the package dpkg-dev")
 endif()
 # Sets `result` to a list such as "libc6 (>= 2.34);libglfw3 (>= 3.0)".
 function(libraries_of file result)
-  file(WRITE ${CPACK_PACKAGE_DIRECTORY}/shlibdeps/debian/control "Source: strahl\n\nPackage: strahl\nArchitecture: any\n")
+  file(WRITE ${CPACK_PACKAGE_DIRECTORY}/shlibdeps/debian/control
+       "Source: strahl\n\nPackage: strahl\nArchitecture: any\n")
   execute_process(COMMAND ${SHLIBDEPS} -O --ignore-missing-info ${file} OUTPUT_VARIABLE said ERROR_QUIET
                   WORKING_DIRECTORY ${CPACK_PACKAGE_DIRECTORY}/shlibdeps RESULT_VARIABLE fails)
   if(fails)

@@ -77,7 +77,8 @@ bool render_stream(const RenderOptions& options, const Lattice& part, Renderer& 
                    const std::string& ffmpeg, const Stats& stats) {
     OutputFile standard_output("-");
     std::optional<Film> film;
-    if (is_film(options.output)) film.emplace(ffmpeg, options.output, options.rate, sound_of(options, renderer.scene()));
+    if (is_film(options.output))
+        film.emplace(ffmpeg, options.output, options.rate, sound_of(options, renderer.scene()));
     const bool whole = render_frames(options, part, renderer, ending, [&](std::string_view bytes) {
         film ? film->append(bytes) : standard_output.append(bytes);
     });

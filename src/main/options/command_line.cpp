@@ -119,8 +119,8 @@ std::string nearest_option(const CLI::App& command, const std::string& argument)
     return meant.empty() ? "" : "; did you mean '" + meant + "'?";
 }
 
-/// Returns advice on an option that other commands have: "; did you mean strahl render a.rt -o a.png?" for a window that
-/// was asked for by `strahl a.rt`, else "; strahl render has it". Empty if no command has it.
+/// Returns advice on an option that other commands have: "; did you mean strahl render a.rt -o a.png?" for a window
+/// that was asked for by `strahl a.rt`, else "; strahl render has it". Empty if no command has it.
 std::string other_commands(const CLI::App& app, const std::string& option, const std::vector<std::string>& given) {
     std::string has;
     for (const CLI::App* command : commands_of(app)) {

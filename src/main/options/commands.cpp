@@ -28,7 +28,7 @@ void add_render(CLI::App& app, ChosenCommand& chosen) {
     add_parsed(command, "--crop", o->crop, parse_crop,
                "Render only this part of it; X and Y count from its top left corner", "X,Y,W,H");
     command->add_flag("--fit", o->fit,
-                      "Widen the view of a camera whose aspectratio is another than the picture's; else it is distorted");
+                      "Widen the view of a camera whose aspectratio is not the picture's, which distorts it else");
     add_depth(command, o->depth);
     command
         ->add_option(
@@ -56,7 +56,8 @@ void add_render(CLI::App& app, ChosenCommand& chosen) {
                      "Vector instructions: auto (default), scalar, v2, v3 or v4 for the levels of x86-64, or neon",
                      "LEVEL");
     add_threads(command, o->threads);
-    add_bits(command, o->bits, {"8", "16", "32"}, "Bits per channel: 8, or 16 for .png (.exr always holds 32-bit floats)");
+    add_bits(command, o->bits, {"8", "16", "32"},
+             "Bits per channel: 8, or 16 for .png (.exr always holds 32-bit floats)");
     add_choice<Compression>(command, "--compression", o->compression,
                             {{"fast", Compression::fast}, {"small", Compression::small}},
                             "Compression of .png: fast (default), or small, which takes about a second per megapixel",

@@ -91,11 +91,11 @@ std::string check(const RenderOptions& options) {
     else if (const std::string fault = format_fault(to_stdout ? ending : options.output, options.bits); !fault.empty())
         throw UsageError(format_fault(ending, 0).empty() ? fault : fault + ", or films one of .mp4, .mkv and .webm");
     if (!options.prove.empty()) check_proof(options);
-    if (!supported(options.simd))
-        throw UsageError((built(options.simd) ? "this processor does not support " : "this program was built without ") +
-                         std::string(name(options.simd)) +
-                         (built(options.simd) ? "" : "; the builds of -DSTRAHL_LEVELS=all have all of its architecture") +
-                         "; --simd auto uses " + name(best_simd()));
+    if (!supported(options.simd)) {
+        const char* const lacks =
+            built(options.simd) ? "this processor does not support " : "this program was built without ";
+        throw UsageError(lacks + std::string(name(options.simd)) + "; --simd auto uses " + name(best_simd()));
+    }
     if (options.crop) require_within(*options.crop, options.size);
     return ending;
 }

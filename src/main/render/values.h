@@ -43,8 +43,8 @@ Share parse_share(std::string_view text);
 /// "1-100", "1-3,5,7-20:2" (every second one) or "1-100x2" (the same): 0 <= A <= B < 10^9.
 FrameList parse_frames(std::string_view text);
 
-/// "25", "59.94", "24000/1001" or "24000:1001": frames in each second, from 0.001 to 1000000. Decimals that are a rate of
-/// video rounded or cut off, 23.98 or 23.97, are that rate, 24000/1001.
+/// "25", "59.94", "24000/1001" or "24000:1001": frames in each second, from 0.001 to 1000000. Decimals that are a rate
+/// of video rounded or cut off, 23.98 or 23.97, are that rate, 24000/1001.
 FrameRate parse_rate(std::string_view text);
 
 /// Throws UsageError unless all of `crop` lies in the picture.

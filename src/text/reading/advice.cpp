@@ -81,8 +81,8 @@ std::string advice_on_sign(std::string_view text, std::size_t at) {
     if (sign == '#' && (text.substr(at + 1).starts_with("declare") || text.substr(at + 1).starts_with("local")))
         return "'define NAME material { ... }' and 'define NAME sphere { ... }' name a material and a body";
     if (sign == '#' || sign == ';') return "a comment begins with //, and nothing ends with ';'";
-    const bool spaced_sign = (sign == '+' || sign == '-') && after_number && !is_digit(at + 1) && at + 1 < text.size() &&
-                             text[at + 1] == ' ';
+    const bool spaced_sign =
+        (sign == '+' || sign == '-') && after_number && at + 1 < text.size() && text[at + 1] == ' ';
     std::size_t end = at;
     while (is_letter(end) || (end > at && is_digit(end))) ++end;
     const bool called = end > at && end < text.size() && text[end] == '(';
