@@ -58,3 +58,12 @@ add_dependencies(attack attack_importer)
 file(MAKE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/attack_import)
 add_test(NAME attack_importer WORKING_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/attack_import
          COMMAND attack_importer --seconds 5 ${attack}/import.dict ${imported})
+
+# The language of POV-Ray's scenes.
+file(GLOB scripts ${attack}/pov/*.pov)
+add_executable(attack_pov_language ${attack}/pov_language.cpp ${attack}/mutate.cpp)
+target_link_libraries(attack_pov_language PRIVATE strahl_pov)
+add_dependencies(attack attack_pov_language)
+file(MAKE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/attack_pov)
+add_test(NAME attack_pov_language WORKING_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/attack_pov
+         COMMAND attack_pov_language --seconds 5 ${attack}/import.dict ${scripts})

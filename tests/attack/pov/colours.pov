@@ -1,0 +1,18 @@
+#version 3.7;
+#macro Show(c) #debug concat(vstr(5, c, ",", 0, 3), "\n") #end
+#declare C = rgb .5; Show(C)
+#declare C = rgbf .5; Show(C)
+#declare C = rgbt .5; Show(C)
+#declare C = rgbft .5; Show(C)
+#declare C = color .5; Show(C)
+#declare C = rgb <1,.5>; Show(C)
+#declare C = rgbf <1,1,1>; Show(C)
+#declare C = color <1,.5,.25>; Show(C)
+#declare Red = rgbt <1,0,0,.25>; Show(Red)
+#declare C = color Red filter .3; Show(C)
+#declare C = color Red*.5; Show(C)
+#declare C = Red*.5 + <0,0,1,0,0>; Show(C)
+#declare C = green .25 filter .3; Show(C)
+#declare C = color red 1 green .5 transmit .1; Show(C)
+Show(rgb <.1,.2,.3>)
+#declare C = <1,2,3,4,5>; #debug concat(str(C.red + C.transmit,0,0),"\n")
