@@ -11,6 +11,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <new>
 #include <regex>
 #include <stdexcept>
@@ -20,11 +21,14 @@
 
 #include "files/output_file.h"
 #include "files/streams.h"
+#include "num/decimal.h"
 
 extern char** environ;
 
 namespace strahl {
 namespace {
+
+namespace fs = std::filesystem;
 
 /// A temporary folder, in the one that TMPDIR names or else in /tmp; removed with its content.
 class Scratch {
@@ -125,15 +129,28 @@ double trace_seconds(const std::string& log) {
     return seconds;
 }
 
-Picture picture_of(const std::string& path, const PovRequest& request) try {
+Picture picture_of(const std::string& path, int width, int height) try {
     Picture picture = read_picture(path);
-    if (picture.width != request.width || picture.height != request.height || picture.channels != 3)
+    if (picture.width != width || picture.height != height || picture.channels != 3)
         throw FileError("it is " + std::to_string(picture.width) + "x" + std::to_string(picture.height) +
                         " pixels of " + std::to_string(picture.channels) + " channels");
     return picture;
 } catch (const FileError& error) {
     throw std::runtime_error(std::string("povray succeeded, but its picture is not the requested one: ") +
                              error.what());
+}
+
+/// Runs POV-Ray in `folder`; its picture and its log go to the scratch folder.
+PovRun finished(const Scratch& scratch, const std::string& folder, std::vector<std::string> words, int width,
+                int height, const std::atomic<bool>* stop) {
+    const std::string log_path = scratch.path("log");
+    const int status = run(std::move(words), folder, log_path, stop);
+    if (status == -1 || status == 127)
+        throw std::runtime_error("povray is not installed; on Debian: apt install povray");
+    const std::string log = content(log_path);
+    if (status != 0)
+        throw std::runtime_error("povray failed:\n" + log.substr(log.size() < 1500 ? 0 : log.size() - 1500));
+    return {picture_of(scratch.path("scene.png"), width, height), trace_seconds(log), warnings_in(log)};
 }
 
 }  // namespace
@@ -154,14 +171,29 @@ PovRun run_povray(const Scene& scene, PovRequest request, int threads, const std
         for (const char* const word : {"Antialias=On", "Sampling_Method=1", "Antialias_Threshold=0", "Jitter=Off"})
             words.push_back(word);
     if (request.grid > 0) words.push_back("Antialias_Depth=" + std::to_string(request.grid));
-    const std::string log_path = scratch.path("log");
-    const int status = run(words, scratch.path("."), log_path, stop);
-    if (status == -1 || status == 127)
-        throw std::runtime_error("povray is not installed; on Debian: apt install povray");
-    const std::string log = content(log_path);
-    if (status != 0)
-        throw std::runtime_error("povray failed:\n" + log.substr(log.size() < 1500 ? 0 : log.size() - 1500));
-    return {picture_of(scratch.path("scene.png"), request), trace_seconds(log), warnings_in(log)};
+    return finished(scratch, scratch.path("."), std::move(words), request.width, request.height, stop);
+}
+
+PovRun run_povray_file(const PovFile& file, int threads, const std::atomic<bool>* stop) {
+    const Scratch scratch;
+    const fs::path path = fs::absolute(file.path);
+    std::vector<std::string> words{"povray",
+                                   "+I" + path.filename().string(),
+                                   "+O" + scratch.path("scene.png"),
+                                   "+W" + std::to_string(file.width),
+                                   "+H" + std::to_string(file.height),
+                                   "+K" + text_of(file.clock),
+                                   "+FN16",
+                                   "Antialias=Off",
+                                   "Display=Off",
+                                   "Dither=Off",
+                                   "Output_Alpha=Off",
+                                   "Warning_Console=On",
+                                   "Verbose=Off",
+                                   file.linear ? "File_Gamma=1.0" : "File_Gamma=srgb"};
+    for (const std::string& folder : file.library) words.push_back("+L" + fs::absolute(folder).string());
+    if (threads > 0) words.push_back("Work_Threads=" + std::to_string(threads));
+    return finished(scratch, path.parent_path().string(), std::move(words), file.width, file.height, stop);
 }
 
 }  // namespace strahl

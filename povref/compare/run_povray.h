@@ -2,6 +2,7 @@
 #pragma once
 #include <atomic>
 #include <string>
+#include <vector>
 
 #include "image/picture.h"
 #include "povref/convert/pov_scene.h"
@@ -21,5 +22,17 @@ struct PovRun {
 /// std::runtime_error with advice if povray is not installed, or with its messages if it fails. When `stop` becomes
 /// true it ends povray, removes its files, and throws Stopped.
 PovRun run_povray(const Scene& scene, PovRequest request, int threads, const std::atomic<bool>* stop = nullptr);
+
+/// A scene file of POV-Ray's own, as it is.
+struct PovFile {
+    std::string path;
+    int width = 320, height = 240;
+    bool linear = false;  // the values of the picture are linear light
+    std::vector<std::string> library{};  // folders of included files
+    double clock = 0;
+};
+
+/// Renders a file in its folder, one ray through the middle of each pixel. Throws as run_povray does.
+PovRun run_povray_file(const PovFile& file, int threads, const std::atomic<bool>* stop = nullptr);
 
 }  // namespace strahl

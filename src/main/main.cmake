@@ -10,7 +10,7 @@ file(READ ${CMAKE_SOURCE_DIR}/LICENSE licence)
 file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/generated/main/licence.h @ONLY
      CONTENT "inline constexpr const char* licence = R\"licence(@licence@)licence\";\n")
 target_include_directories(strahl PRIVATE ${CMAKE_BINARY_DIR}/generated)
-target_link_libraries(strahl PRIVATE strahl_text strahl_import strahl_image strahl_trace strahl_povref)
+target_link_libraries(strahl PRIVATE strahl_text strahl_import strahl_pov strahl_image strahl_trace strahl_povref)
 if(TARGET strahl_show)
   target_link_libraries(strahl PRIVATE strahl_show)
 endif()

@@ -36,12 +36,12 @@ const std::map<std::string, Module> modules{
      {{"num", "scene"},
       {"hierarchy", "world", "patterns", "forms", "lights", "kernel", "proof", "cells", "", "measure"}}},
     {"import", {{"num", "scene", "files", "mesh", "text"}}},
-    {"pov", {{"num", "scene", "files", "mesh", "text"}, {"language", ""}}},
+    {"pov", {{"num", "scene", "files", "mesh", "text"}, {"language", "things", "reading", "meaning", ""}}},
     {"image", {{"num", "scene", "files", "text"}, {"", "oiio"}}},
     {"povref", {{"num", "scene", "files", "text", "trace", "image"}, {"convert", "compare"}}},
-    {"show", {{"num", "scene", "files", "text", "trace", "image"}, {"session", "work", "window", ""}}},
+    {"show", {{"num", "scene", "files", "text", "pov", "trace", "image"}, {"session", "work", "window", ""}}},
     {"main",
-     {{"num", "scene", "files", "text", "import", "trace", "image", "povref", "show"},
+     {{"num", "scene", "files", "text", "import", "pov", "trace", "image", "povref", "show"},
       {"process", "reference", "render", "commands", "options", ""}}},
 };
 /// Headers of libraries, and the only module that may include them.

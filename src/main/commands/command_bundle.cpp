@@ -33,6 +33,7 @@
 #include "main/process/interrupt.h"
 #include "main/process/shell.h"
 #include "main/render/values.h"
+#include "pov/open_scene.h"
 #include "text/parse.h"
 #include "text/reading/tracks_file.h"
 #include "trace/tracer.h"
@@ -248,6 +249,8 @@ std::string read_me(const BundleOptions& options, const std::vector<fs::path>& l
 
 int bundle_command(const BundleOptions& options) try {
     if (options.scene == "-") throw UsageError("a bundle needs a scene file; its folder has the other files");
+    if (is_pov(options.scene))
+        throw UsageError("a bundle holds scene text: convert " + options.scene + " with strahl import first");
     fs::path target = fs::path(options.output).lexically_normal();
     if (!target.has_filename()) target = target.parent_path();
     if (target.empty()) throw UsageError("no output folder. Add -o FOLDER");

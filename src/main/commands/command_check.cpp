@@ -8,8 +8,10 @@
 #include <utility>
 
 #include "files/output_file.h"
+#include "files/read_file.h"
 #include "files/streams.h"
 #include "files/utf8.h"
+#include "image/pixels.h"
 #include "main/commands/scene_file.h"
 #include "main/commands/scene_warnings.h"
 #include "main/process/exit_status.h"
@@ -120,11 +122,17 @@ std::string summary(const Scene& scene) {
 }  // namespace
 
 int check_command(const CheckOptions& options) {
-    const Scene scene = load_scene(options.scene);
-    const std::string file = show(shown_name(options.scene)).text;
-    write_file("-", options.print ? write_scene(scene) : file + ": no errors\n" + summary(scene));
+    const OpenedScene opened = open_scene(read_text(options.scene), options.scene, options.opening, read_pixels);
+    std::string text = write_scene(opened.scene);
+    if (!options.print) {
+        text = show(shown_name(options.scene)).text + ": no errors\n" + summary(opened.scene);
+        if (!opened.summary.empty()) text += "  as POV-Ray   " + opened.summary + '\n';
+        for (const std::string& note : opened.notes) text += show(note).text + '\n';
+    }
+    write_file("-", text);
     if (options.print) return exit_status::done;
-    for (const std::string& warning : scene_warnings(scene)) std::cerr << "strahl: warning: " << warning << '\n';
+    for (const std::string& warning : scene_warnings(opened.scene))
+        std::cerr << "strahl: warning: " << warning << '\n';
     return exit_status::done;
 }
 

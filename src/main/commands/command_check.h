@@ -2,10 +2,13 @@
 #pragma once
 #include <string>
 
+#include "pov/open_scene.h"
+
 namespace strahl {
 
 struct CheckOptions {
     std::string scene;   // a file, or "-" for standard input
+    OpeningOptions opening{};
     bool print = false;  // the scene as text instead of the summary
 };
 

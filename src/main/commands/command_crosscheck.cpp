@@ -65,26 +65,34 @@ void print_row(const std::string& path, const Verdict& verdict, double ours, dou
 
 /// Returns whether the two pictures agree.
 bool check(const CrosscheckOptions& options, const std::string& path, const std::atomic<bool>* stop) {
-    const Scene scene = load_scene(path);
+    const Scene scene = load_scene(path, options.opening);
     if (options.time) flight_for("--time", scene, path);
     const View view{.camera = camera_at(scene, options.time),
                     .width = options.width,
                     .height = options.height,
                     .depth = options.depth.value_or(scene.settings.max_trace_level),
                     .time = options.time.value_or(0)};
-    const PovRun theirs = run_povray(without_tracks(scene, view.time),
-                                     {.title = fs::path(path).filename().string(),
-                                      .cameras = {view.camera},
-                                      .time = view.time,
-                                      .width = view.width,
-                                      .height = view.height,
-                                      .depth = view.depth},
-                                     options.threads, stop);
+    const PovRun theirs = is_pov(path) ? run_povray_file({.path = path,
+                                                          .width = view.width,
+                                                          .height = view.height,
+                                                          .linear = scene.settings.linear,
+                                                          .library = options.opening.library,
+                                                          .clock = options.opening.clock},
+                                                         options.threads, stop)
+                                       : run_povray(without_tracks(scene, view.time),
+                                                    {.title = fs::path(path).filename().string(),
+                                                     .cameras = {view.camera},
+                                                     .time = view.time,
+                                                     .width = view.width,
+                                                     .height = view.height,
+                                                     .depth = view.depth},
+                                                    options.threads, stop);
     Tracer tracer(scene, Precision::float64);
     const OurRun ours = trace(tracer, view, options.threads, stop);
     const Verdict verdict = judge(tracer, view, ours.frame, theirs.picture, stop);
     print_row(path, verdict, ours.seconds, theirs.seconds);
-    if (!theirs.warnings.empty()) std::cerr << show(path).text << ": povray warns:\n" << printable(theirs.warnings);
+    if (!theirs.warnings.empty() && !is_pov(path))
+        std::cerr << show(path).text << ": povray warns:\n" << printable(theirs.warnings);
     if (verdict.beyond_off_edges > 0)
         std::cerr << show(path).text << ": largest difference off the edges at x " << verdict.x << ", y " << verdict.y
                   << '\n';

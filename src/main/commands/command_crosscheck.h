@@ -5,10 +5,13 @@
 #include <string>
 #include <vector>
 
+#include "pov/open_scene.h"
+
 namespace strahl {
 
 struct CrosscheckOptions {
     std::vector<std::string> scenes;
+    OpeningOptions opening{};
     std::string sheet;  // a picture of both and their difference; with several scenes its name includes theirs
     int width = 320, height = 240;
     std::optional<double> time;  // a moment of the flight, in seconds

@@ -7,6 +7,7 @@
 #include "files/output_file.h"
 #include "files/read_file.h"
 #include "files/utf8.h"
+#include "image/pixels.h"
 #include "import/import.h"
 #include "main/commands/scene_file.h"
 #include "main/process/exit_status.h"
@@ -15,9 +16,19 @@
 
 namespace strahl {
 
+namespace {
+
+Imported import_any(const ImportOptions& options) {
+    if (!is_pov(options.file)) return import_scene(read_text(options.file), shown_name(options.file));
+    OpenedScene opened = open_scene(read_text(options.file), options.file, options.opening, read_pixels);
+    return {.scene = std::move(opened.scene), .size = {}, .warnings = std::move(opened.notes)};
+}
+
+}  // namespace
+
 int import_command(const ImportOptions& options) {
     refuse_overwriting("-o", options.output, "the file to import", options.file);
-    const Imported imported = import_scene(read_text(options.file), shown_name(options.file));
+    const Imported imported = import_any(options);
     std::string text = "// Imported";
     if (options.file != "-") text += " from " + show(std::filesystem::path(options.file).filename().string()).text;
     text += '.';

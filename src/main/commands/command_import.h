@@ -2,10 +2,13 @@
 #pragma once
 #include <string>
 
+#include "pov/open_scene.h"
+
 namespace strahl {
 
 struct ImportOptions {
-    std::string file;          // NFF or a scene of Tachyon, or "-" for standard input
+    std::string file;          // a .pov, or NFF or a scene of Tachyon, or "-" for standard input
+    OpeningOptions opening{};
     std::string output = "-";  // the .rt file; "-" is standard output
 };
 

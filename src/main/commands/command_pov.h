@@ -4,11 +4,13 @@
 #include <string>
 
 #include "image/frame_rate.h"
+#include "pov/open_scene.h"
 
 namespace strahl {
 
 struct PovOptions {
     std::string scene;             // a file, or "-" for standard input
+    OpeningOptions opening{};
     std::string output;            // the .pov file; the .ini is written beside it
     std::optional<double> time{};  // seconds into the flythrough
     bool animation = false;        // the whole flythrough as one scene

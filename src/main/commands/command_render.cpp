@@ -19,7 +19,6 @@
 #include "main/render/checkpoint.h"
 #include "main/render/renderer.h"
 #include "scene/moving_scene.h"
-#include "text/parse.h"
 #include "text/reading/tracks_file.h"
 
 namespace strahl {
@@ -102,8 +101,8 @@ FrameList frames_of(const Flythrough& flight, const FrameRate& rate) {
     return {{{0, static_cast<int>(count) - 1, 1}}};
 }
 
-/// Reads a scene, and returns it with a hash of its text, its pictures and its tracks.
-std::pair<Scene, std::string> read_and_hash(const std::string& path) {
+/// Reads a scene, and returns it with a hash of its text, its pictures, its included files and its tracks.
+std::pair<Scene, std::string> read_and_hash(const std::string& path, const OpeningOptions& opening) {
     const std::hash<std::string_view> hash_of;
     std::size_t hash = 0;
     const auto read = [&](const std::string& file) {
@@ -114,7 +113,10 @@ std::pair<Scene, std::string> read_and_hash(const std::string& path) {
         return pixels;
     };
     const std::string text = read_text(path);
-    Scene scene = parse_scene(text, shown_name(path), {}, read);
+    OpenedScene opened = open_scene(text, path, opening, read);
+    tell_notes(opened, false);
+    Scene& scene = opened.scene;
+    for (std::size_t i = 1; i < opened.files.size(); ++i) hash = 31 * hash + hash_of(read_text(opened.files[i]));
     if (!scene.tracks.empty()) hash = 31 * hash + hash_of(write_tracks(scene.tracks));
     return {std::move(scene), std::to_string(31 * hash + hash_of(text))};
 }
@@ -151,7 +153,7 @@ int render_command(const RenderOptions& asked) {
     stats.size = options.size;
     stats.crop = options.crop;
     Stopwatch watch;
-    auto [scene, hash] = read_and_hash(options.scene);
+    auto [scene, hash] = read_and_hash(options.scene, options.opening);
     stats.parse_seconds = watch.lap();
     check_aspect(options, scene);
     if (options.time || options.frames || !ffmpeg.empty()) {

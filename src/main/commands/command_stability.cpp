@@ -57,7 +57,7 @@ int stability_command(const StabilityOptions& options) {
     if (!options.output.empty())
         if (const std::string fault = format_fault(options.output, 0); !fault.empty()) throw UsageError(fault);
     refuse_overwriting("-o", options.output, "the scene", options.scene);
-    const Scene scene = load_scene(options.scene);
+    const Scene scene = load_scene(options.scene, options.opening);
     const View view{.camera = scene.camera,
                     .width = options.size.width,
                     .height = options.size.height,

@@ -4,11 +4,13 @@
 #include <string>
 
 #include "main/render/values.h"
+#include "pov/open_scene.h"
 
 namespace strahl {
 
 struct StabilityOptions {
     std::string scene;   // a file, or "-" for standard input
+    OpeningOptions opening{};
     std::string output;  // the map; empty: none
     Size size;
     std::optional<int> depth;  // 1 to 256; by default the scene's max_trace_level

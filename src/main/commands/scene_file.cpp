@@ -1,11 +1,13 @@
 #include "main/commands/scene_file.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <iostream>
 
 #include "files/read_file.h"
+#include "files/utf8.h"
 #include "image/pixels.h"
 #include "scene/error.h"
-#include "text/parse.h"
 
 namespace strahl {
 
@@ -17,6 +19,18 @@ std::string example_scene() {
     throw UsageError("SCENE is required\nSee: strahl view --help");
 }
 
-Scene load_scene(const std::string& path) { return parse_scene(read_text(path), shown_name(path), {}, read_pixels); }
+void tell_notes(const OpenedScene& scene, bool all) {
+    constexpr std::size_t usual = 10;
+    const std::size_t count = all ? scene.notes.size() : std::min(usual, scene.notes.size());
+    for (std::size_t i = 0; i < count; ++i) std::cerr << "strahl: warning: " << printable(scene.notes[i]) << '\n';
+    if (count < scene.notes.size())
+        std::cerr << "strahl: warning: and " << scene.notes.size() - count << " more; strahl check lists them\n";
+}
+
+Scene load_scene(const std::string& path, const OpeningOptions& options) {
+    OpenedScene opened = open_scene(read_text(path), path, options, read_pixels);
+    tell_notes(opened, false);
+    return std::move(opened.scene);
+}
 
 }  // namespace strahl

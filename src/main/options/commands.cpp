@@ -20,7 +20,7 @@ namespace {
 
 void add_render(CLI::App& app, ChosenCommand& chosen) {
     auto [command, o] = add_command(app, chosen, "render", "Render a scene to a picture file", render_command);
-    add_scene(command, o->scene);
+    add_scene(command, o->scene, o->opening);
     add_file(command, "-o,--output", o->output,
              "The picture: .bmp, .png or .exr; or a film: .mp4, .mkv or .webm, which needs ffmpeg; - is standard "
              "output");
@@ -190,7 +190,7 @@ void add_play(CLI::App& app, ChosenCommand& chosen) {
 void add_check(CLI::App& app, ChosenCommand& chosen) {
     auto [command, o] =
         add_command(app, chosen, "check", "Report errors in a scene, or list what is in it", check_command);
-    add_scene(command, o->scene);
+    add_scene(command, o->scene, o->opening);
     command->add_flag("--print", o->print, "Print the scene as text instead");
 }
 
@@ -219,8 +219,10 @@ void add_bundle(CLI::App& app, ChosenCommand& chosen) {
 
 void add_import(CLI::App& app, ChosenCommand& chosen) {
     auto [command, o] =
-        add_command(app, chosen, "import", "Convert a scene of another program: NFF or Tachyon's", import_command);
-    add_argument(command, "FILE", o->file, "The scene, an .nff or .dat file; - is standard input");
+        add_command(app, chosen, "import", "Convert a scene of another program: POV-Ray's, NFF or Tachyon's",
+                                    import_command);
+    add_argument(command, "FILE", o->file, "The scene, a .pov, .nff or .dat file; - is standard input, no .pov");
+    add_opening(command, o->opening);
     add_file(command, "-o,--output", o->output, "The .rt file; by default -, standard output");
     command->footer(
         "Unsupported features are reported with their line and substitute; the rest is converted.");
@@ -228,7 +230,7 @@ void add_import(CLI::App& app, ChosenCommand& chosen) {
 
 void add_pov(CLI::App& app, ChosenCommand& chosen) {
     auto [command, o] = add_command(app, chosen, "pov", "Convert a scene for POV-Ray", pov_command);
-    add_scene(command, o->scene);
+    add_scene(command, o->scene, o->opening);
     add_file(command, "-o,--output", o->output, "The .pov file; an .ini file to render it is written beside it");
     add_size(command, o->width, o->height);
     add_depth(command, o->depth);
@@ -247,8 +249,9 @@ void add_crosscheck(CLI::App& app, ChosenCommand& chosen) {
     auto [command, o] =
         add_command(app, chosen, "crosscheck", "Render scenes with Strahl and POV-Ray and compare; exit status 0 or 1",
                     crosscheck_until_interrupted);
-    add_argument(command, "SCENE", o->scenes, "The scenes, .rt files")
+    add_argument(command, "SCENE", o->scenes, "The scenes: .rt files, or .pov files, which POV-Ray gets as they are")
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    add_opening(command, o->opening);
     add_size(command, o->width, o->height);
     add_time(command, o->time);
     add_depth(command, o->depth);
@@ -264,7 +267,7 @@ void add_stability(CLI::App& app, ChosenCommand& chosen) {
     auto [command, o] =
         add_command(app, chosen, "stability",
                     "Render a scene in float, double and long double; show where they disagree", stability_command);
-    add_scene(command, o->scene);
+    add_scene(command, o->scene, o->opening);
     add_file(command, "-o,--output", o->output,
              "A map: grey where all agree, orange where float differs, red where double does too");
     add_parsed(command, "--size", o->size, parse_size, "Size of the picture in pixels, 640x480 by default", "WxH");

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "main/render/values.h"
+#include "pov/open_scene.h"
 #include "text/reading/messages.h"
 
 namespace strahl {
@@ -111,8 +112,27 @@ inline CLI::Validator numbers(double low, double high) {
         "");
 }
 
+/// Adds the options for scenes of POV-Ray.
+inline void add_opening(CLI::App* command, OpeningOptions& options) {
+    command->add_option("--clock", options.clock, "Value of clock in a .pov file, 0 by default")
+        ->check(numbers(-1e9, 1e9))
+        ->type_name("T");
+    command
+        ->add_option("--library", options.library,
+                     "A folder of files that a .pov file includes, searched before those of POV-Ray's package; may be "
+                     "given several times")
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->allow_extra_args(false)
+        ->type_name("DIR");
+    command->add_flag("--strict", options.strict,
+                      "Take whatever in a .pov file cannot be shown as it is meant for an error");
+}
 inline CLI::Option* add_scene(CLI::App* command, std::string& value) {
-    return add_argument(command, "SCENE", value, "The scene, an .rt file; - is standard input");
+    return add_argument(command, "SCENE", value, "The scene, an .rt or a .pov file; - is standard input, an .rt");
+}
+inline CLI::Option* add_scene(CLI::App* command, std::string& value, OpeningOptions& options) {
+    add_opening(command, options);
+    return add_scene(command, value);
 }
 inline CLI::Option* add_file(CLI::App* command, const char* name, std::string& value, const char* help) {
     return command->add_option(name, value, help)->type_name("FILE");

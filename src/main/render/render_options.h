@@ -7,12 +7,14 @@
 #include "image/picture.h"
 #include "main/render/film.h"
 #include "main/render/values.h"
+#include "pov/open_scene.h"
 #include "trace/tracer.h"
 
 namespace strahl {
 
 struct RenderOptions {
     std::string scene;   // a file, or "-" for standard input
+    OpeningOptions opening;
     std::string output;  // a file, "-" for standard output, or a film
     std::string format;  // "bmp", "png", "exr", "ppm" or "y4m", for standard output only
     int bits = 0;        // per channel; 0 is the format's default

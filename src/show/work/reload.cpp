@@ -13,8 +13,8 @@
 #include "files/read_file.h"
 #include "files/regular_file.h"
 #include "image/pixels.h"
+#include "pov/open_scene.h"
 #include "text/edit_path.h"
-#include "text/parse.h"
 #include "text/reading/tracks_file.h"
 #include "trace/tracer.h"
 
@@ -31,7 +31,8 @@ FileStamp stamp_of(const std::string& path) {
 Loaded load(const std::string& path, const std::string& text, bool opened) try {
     const std::string name = path == "-" ? "standard input" : path;
     auto scene = std::make_shared<const Scene>(scene_for_window(text, name));
-    return {.path = path, .scene = std::move(scene), .opened = opened, .words = eye_words(text)};
+    const EyeWords words = is_pov(path) ? EyeWords{} : eye_words(text);
+    return {.path = path, .scene = std::move(scene), .opened = opened, .words = words};
 } catch (const FileError& error) {
     return {.path = path, .fault = error.what(), .opened = opened};
 }
@@ -47,7 +48,7 @@ struct LeftBehind {};
 }  // namespace
 
 Scene scene_for_window(const std::string& text, const std::string& path) {
-    Scene scene = parse_scene(text, path, {}, read_pixels);
+    Scene scene = open_scene(text, path, {}, read_pixels).scene;
     check_capacity(scene, Precision::float32);
     return scene;
 }
@@ -243,6 +244,7 @@ void Reload::FileThread::check_file() {
 
 Written Reload::FileThread::write_path(const Request& request) try {
     if (path == "-") return {.fault = "the scene came from standard input; Shift+C copies the path"};
+    if (is_pov(path)) return {.fault = "a scene of POV-Ray cannot hold a path; Shift+C copies it"};
     const std::string content = read(path);
     if (content != text && !request.anyway) return {.file = path, .asks = true};
     static_cast<void>(scene_for_window(content, path));  // throws: in a text with errors the block cannot be found

@@ -1,0 +1,307 @@
+// Makes primitives of POV-Ray's bodies.
+#include <algorithm>
+#include <cmath>
+
+#include "num/vec_math.h"
+#include "pov/meaning/scene_maker.h"
+#include "scene/leaves.h"
+#include "text/reading/parameter.h"
+
+namespace strahl::pov {
+namespace {
+
+void turn(DVec3& v) { v.z = -v.z; }
+struct Mirroring {
+    void operator()(Sphere& own) const { turn(own.centre); }
+    void operator()(Plane& own) const { turn(own.a), turn(own.b), turn(own.c), std::swap(own.b, own.c); }
+    void operator()(Cylinder& own) const { turn(own.base), turn(own.cap); }
+    void operator()(Cone& own) const { turn(own.base), turn(own.cap); }
+    void operator()(Cuboid& own) const { turn(own.corner), turn(own.opposite); }
+    void operator()(Disc& own) const { turn(own.centre), turn(own.normal); }
+    void operator()(Torus& own) const { turn(own.centre), turn(own.axis); }
+    void operator()(Triangle& own) const { turn(own.a), turn(own.b), turn(own.c); }
+    void operator()(SmoothTriangle& own) const {
+        for (DVec3* const v : {&own.a, &own.b, &own.c, &own.normal_a, &own.normal_b, &own.normal_c}) turn(*v);
+    }
+    void operator()(Mesh& own) const {
+        auto data = std::make_shared<MeshData>(*own.data);
+        std::ranges::for_each(data->points, turn);
+        std::ranges::for_each(data->normals, turn);
+        own.data = std::move(data);
+    }
+    template <class Kind>
+    void operator()(Kind&) const {}
+};
+
+/// Returns a simple body mirrored in z.
+Shape mirrored_shape(Shape shape) {
+    std::visit(Mirroring(), shape);
+    return shape;
+}
+
+/// A body that is moved as a whole needs no transformation if its arguments can say so.
+void fold_matrix(Shape& shape, Steps& steps) {
+    auto* const torus = std::get_if<Torus>(&shape);
+    const auto* const step = steps.empty() ? nullptr : std::get_if<MatrixStep>(&steps[0]);
+    if (!torus || !step) return;
+    const glm::dmat3 m(step->m), squares = glm::transpose(m) * m;
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+            if (std::fabs(squares[i][j] - (i == j)) > 1e-14) return;
+    torus->centre = transform_point(step->m, torus->centre), torus->axis = m * torus->axis;
+    steps.erase(steps.begin());
+}
+
+/// Why scene text could not hold the body, or null.
+const char* fault_of(const Shape& shape) {
+    return std::visit(
+        []<class Kind>(const Kind& kind) -> const char* {
+            bool fits = true;
+            const auto check = [&](const auto& field) {
+                const auto range = argument_range(field.range);
+                if constexpr (std::is_same_v<std::remove_cvref_t<decltype(kind.*field.member)>, double>)
+                    fits &= range.contains(kind.*field.member);
+                else
+                    for (int i = 0; i < 3; ++i) fits &= range.contains((kind.*field.member)[i]);
+            };
+            std::apply([&](const auto&... field) { (check(field), ...); }, Kind::fields);
+            return fits ? kind.fault() : "a number of it is out of range";
+        },
+        shape);
+}
+
+template <class Kind>
+Shape composite(std::vector<Primitive> parts) {
+    Kind kind;
+    kind.parts = std::make_shared<const std::vector<Primitive>>(std::move(parts));
+    return kind;
+}
+
+/// Makes the body that all solid bodies share, without the hollow ones; or the union of these if there are none.
+Shape share_of(std::vector<Primitive> solid, std::vector<Primitive> hollow) {
+    if (solid.empty()) return composite<Union>(std::move(hollow));
+    if (hollow.empty()) return composite<Intersection>(std::move(solid));
+    if (solid.size() > 1) {
+        const int material = solid[0].material;
+        Primitive shared{composite<Intersection>(std::move(solid)), material, {}};
+        solid = {std::move(shared)};
+    }
+    hollow.insert(hollow.begin(), std::move(solid[0]));
+    return composite<Difference>(std::move(hollow));
+}
+
+const Primitive& first_leaf(const Primitive& primitive) {
+    const Primitive* first = nullptr;
+    for_each_leaf(primitive, [&](const Primitive& leaf, const glm::dmat4&) { first = first ? first : &leaf; });
+    return *first;
+}
+
+/// Makes a body fit to be a part: a disc becomes the half-space behind it. Returns false if it cannot be one.
+bool close(Shape& shape) {
+    if (const auto* const disc = std::get_if<Disc>(&shape)) {
+        const DVec3 n = normalize(disc->normal);
+        const DVec3 u = normalize(cross_product(std::fabs(n.x) < .5 ? DVec3(1, 0, 0) : DVec3(0, 1, 0), n));
+        const DVec3 centre = disc->centre;
+        shape = Plane{centre, centre + u, centre + cross_product(n, u)};
+    }
+    return fits_composite(shape);
+}
+
+}  // namespace
+
+SceneMaker::Around SceneMaker::inside(const ObjectThing& object, const Around& around) const {
+    Around own = around;
+    own.after = object.steps;
+    append(own.after, around.after);
+    if (object.texture) {
+        own.texture = object.texture->texture;
+        own.to_owner.assign(object.steps.begin(),
+                            object.steps.end() - static_cast<std::ptrdiff_t>(object.texture->steps.size()));
+        own.shared = nullptr;
+    } else {
+        own.to_owner = object.steps;
+        append(own.to_owner, around.to_owner);
+    }
+    if (object.interior) own.interior = object.interior, own.shared = nullptr;
+    own.no_shadow |= object.no_shadow.value_or(false);
+    own.no_image |= object.no_image.value_or(false);
+    own.no_reflection |= object.no_reflection.value_or(false);
+    return own;
+}
+
+int SceneMaker::number_of(Shared& shared) {
+    if (!shared.number) shared.number = number_of(*shared.within, false);
+    return *shared.number;
+}
+/// Returns the number of the material that holds in the space around a part, or in an object's own space.
+int SceneMaker::number_of(const Around& own, bool mapped) {
+    const MaterialUse use{
+        .mapped = mapped, .shadow_only = own.no_image && own.no_reflection, .no_shadow = own.no_shadow};
+    return materials.number(own.texture, own.interior, use, [&] { return inverse(own.to_owner); });
+}
+
+/// Returns the number of an object's material, whose pattern is in the object's own space or, if the material is that
+/// of the composites around it, in the space of the outermost of these.
+int SceneMaker::material_of(const ObjectThing& object, const Around& around, bool mapped) {
+    const Around own = inside(object, around);
+    if (own.shared) return number_of(*own.shared);
+    const int number = number_of(own, mapped);
+    const bool doubtful = around.shared && materials[number].patterned() && number == number_of(*around.shared);
+    return doubtful ? materials.apart(number) : number;
+}
+
+std::optional<SceneMaker::Part> SceneMaker::build(const ObjectThing& object, const Around& around) {
+    tell_notes(object);
+    std::optional<Part> part;
+    if (object.kind == ObjectKind::shape) {
+        Shape shape = *object.shape;
+        Steps steps = object.steps;
+        fold_matrix(shape, steps);
+        if (mirrored) shape = mirrored_shape(shape);
+        if (const char* const fault = fault_of(shape)) {
+            notes.left_out(object.place, std::string("a body: ") + fault);
+            return std::nullopt;
+        }
+        const auto* const mesh = std::get_if<Mesh>(&shape);
+        const bool mapped = mesh && !mesh->data->places.empty();
+        const int material = material_of(object, around, mapped);
+        part = Part{{std::move(shape), material, transformations_of(steps, mirrored)}, object.inverse};
+    } else if (object.kind != ObjectKind::light && object.kind != ObjectKind::nothing) {
+        part = build_parts(object, around);
+    }
+    if (part && !object.clips.empty()) part = clipped(object, around, std::move(*part));
+    return part;
+}
+
+/// Makes a composite of an object's parts. Bodies that are turned inside out are subtracted instead.
+std::optional<SceneMaker::Part> SceneMaker::build_parts(const ObjectThing& object, const Around& around) {
+    Around within = inside(object, around);
+    Shared own{&within, {}};
+    if (!within.shared && object.parts.size() > 1) within.shared = &own;
+    std::vector<Primitive> solid, hollow;
+    bool first = true;
+    const bool unites = object.kind == ObjectKind::unite || object.kind == ObjectKind::merge;
+    for (const auto& each : object.parts) {
+        if (each->kind == ObjectKind::light) {
+            add_light(*each, within);
+            continue;
+        }
+        std::optional<Part> part = build(*each, within);
+        if (part && !close(part->primitive.shape)) {
+            notes.left_out(each->place, "an open body in a composite");
+            part.reset();
+        }
+        if (!part && object.kind == ObjectKind::subtract && first) return std::nullopt;
+        const bool negated = part && part->negated != (object.kind == ObjectKind::subtract && !first);
+        first = false;
+        if (part) (negated ? hollow : solid).push_back(std::move(part->primitive));
+    }
+    if (solid.empty() && hollow.empty()) return std::nullopt;
+    bool negated = object.inverse;
+    if (unites) std::swap(solid, hollow);  // a union is what is not outside of all its parts
+    if (unites != solid.empty()) negated = !negated;
+    const auto more = transformations_of(object.steps, mirrored);
+    if (object.parts.size() == 1) {
+        Primitive only = std::move((solid.empty() ? hollow : solid)[0]);
+        only.transformations.insert(only.transformations.end(), more.begin(), more.end());
+        return Part{std::move(only), negated};
+    }
+    Primitive whole{.shape = share_of(std::move(solid), std::move(hollow)), .material = 0, .transformations = more};
+    if (within.shared->number)
+        whole.material = *within.shared->number;
+    else  // no part uses it; it is that of the first leaf, but for patterns
+        whole.material = materials.without_patterns(first_leaf(whole).material);
+    if (const char* const fault = fault_of(whole.shape)) {
+        notes.left_out(object.place, std::string("a composite: ") + fault);
+        return std::nullopt;
+    }
+    return Part{std::move(whole), negated};
+}
+
+/// Cuts a body off where it is outside of the bodies that clip it.
+std::optional<SceneMaker::Part> SceneMaker::clipped(const ObjectThing& object, const Around& around, Part part) {
+    if (part.negated || !close(part.primitive.shape)) {
+        notes.left_out(object.place, "clipped_by of an open body");
+        return part;
+    }
+    const int material = part.primitive.material;
+    std::vector<Primitive> solid, hollow;
+    solid.push_back(std::move(part.primitive));
+    Shared number{&around, material};
+    Around bare = around;
+    bare.shared = &number;
+    for (const auto& clip : object.clips) {
+        ObjectThing own = *clip;
+        own.texture.reset(), own.interior.reset();
+        std::optional<Part> cut = build(own, bare);
+        if (cut && close(cut->primitive.shape)) (cut->negated ? hollow : solid).push_back(std::move(cut->primitive));
+    }
+    return Part{{.shape = share_of(std::move(solid), std::move(hollow)), .material = material, .transformations = {}},
+                false};
+}
+
+void SceneMaker::push(Part part, const ObjectThing& object, const Around& around) {
+    const auto more = transformations_of(around.after, mirrored);
+    std::vector<Transformation>& own = part.primitive.transformations;
+    own.insert(own.end(), more.begin(), more.end());
+    const Around flags = inside(object, around);
+    shown.push_back({flags.no_shadow, flags.no_image, flags.no_reflection, object.place});
+    scene.primitives.push_back(std::move(part.primitive));
+}
+
+void SceneMaker::tell_notes(const ObjectThing& object) const {
+    for (const auto& [kind, text] : object.notes) in.remark(kind, object.place, text);
+}
+
+/// Adds an object of the scene, or of a union, whose parts keep the surfaces inside it.
+void SceneMaker::add(const ObjectThing& object, const Around& around) {
+    if (object.kind == ObjectKind::light) {
+        add_light(object, around);
+    } else if (object.kind == ObjectKind::unite && object.clips.empty()) {
+        const Around within = inside(object, around);
+        tell_notes(object);
+        for (const auto& part : object.parts) add(*part, within);
+    } else if (std::optional<Part> part = build(object, around)) {
+        push(std::move(*part), object, around);
+    }
+}
+
+/// Finds pairs of one body of which one is only seen and the other only casts a shadow, as `strahl pov` writes them,
+/// and makes each pair one body again. Tells of all others that cast no shadow or are not seen.
+void SceneMaker::drop_shadow_copies() {
+    std::vector<bool> gone(shown.size());
+    const auto is_copy = [&](std::size_t i) { return shown[i].no_image && shown[i].no_reflection; };
+    std::vector<std::size_t> copies;
+    for (std::size_t i = 0; i < shown.size(); ++i)
+        if (is_copy(i)) copies.push_back(i);
+    for (std::size_t i = 0; i < shown.size() && !copies.empty(); ++i) {
+        if (!shown[i].no_shadow || is_copy(i)) continue;
+        const Primitive& seen = scene.primitives[i];
+        const auto same = std::ranges::find_if(copies, [&](std::size_t n) {
+            Primitive copy = scene.primitives[n];
+            copy.material = seen.material;
+            const Material &own = materials[seen.material], &shadow = materials[scene.primitives[n].material];
+            return copy == seen && std::fabs(own.refraction * max_of(own.rgb.color) -
+                                             shadow.refraction * max_of(shadow.rgb.color)) < 1e-6;
+        });
+        if (same == copies.end()) continue;
+        gone[*same] = true, shown[i].no_shadow = false;
+        copies.erase(same);
+    }
+    std::vector<Primitive> kept;
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+        if (gone[i]) continue;
+        const auto& [no_shadow, no_image, no_reflection, place] = shown[i];
+        if (no_image && no_reflection) {
+            notes.left_out(place, "the shadow of a body that is not seen");
+            continue;
+        }
+        if (no_shadow) notes.approximated(place, "no_shadow: a body casts a shadow");
+        if (no_image) notes.left_out(place, "no_image: a body that only mirrors show");
+        if (no_reflection) notes.approximated(place, "no_reflection: mirrors show a body");
+        if (!no_image) kept.push_back(std::move(scene.primitives[i]));
+    }
+    scene.primitives = std::move(kept);
+}
+
+}  // namespace strahl::pov

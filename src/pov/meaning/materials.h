@@ -1,0 +1,58 @@
+// Makes a scene's materials of POV-Ray's textures and interiors.
+#pragma once
+#include <map>
+#include <utility>
+
+#include "pov/meaning/pigments.h"
+#include "pov/things/objects.h"
+#include "text/blocks/materials.h"
+
+namespace strahl::pov {
+
+/// How a body with a material is seen.
+struct MaterialUse {
+    bool mapped = false;       // it is a mesh with uv_vectors
+    bool shadow_only = false;  // no_image and no_reflection
+    bool no_shadow = false;
+};
+
+class MaterialMaker {
+  public:
+    MaterialMaker(NoteTaker notes, ReadPixels read_pixels, const PovContents& contents, bool mirrored)
+        : notes(notes), pigments(notes, std::move(read_pixels), mirrored), contents(contents) {}
+
+    /// Returns the number of a material. `way()` leads from the texture's space into that of the body.
+    template <class Way>
+    int number(const std::shared_ptr<const TextureThing>& texture, const std::shared_ptr<const InteriorThing>& interior,
+               const MaterialUse& use, const Way& way) {
+        const auto key = std::make_tuple(texture, interior, use.shadow_only, use.no_shadow);
+        if (const auto known = plain.find(key); known != plain.end()) return known->second;
+        const bool moves = has_pattern(*texture);
+        const int own = materials.number(material_of(*texture, interior.get(), use, moves ? way() : Steps()));
+        if (!moves) plain[key] = own;
+        return own;
+    }
+    /// Returns the number of the same material without its patterns.
+    int without_patterns(int number);
+    /// Returns the number of an equal material whose patterns have a space of their own.
+    int apart(int number);
+    const Material& operator[](int number) const { return materials.list[static_cast<std::size_t>(number)]; }
+
+    Materials materials;
+    bool unbent = false;  // some body lets light through without bending it
+    PigmentMaker& pigment_maker() { return pigments; }
+
+  private:
+    static bool has_pattern(const TextureThing& texture);
+    Material material_of(const TextureThing& texture, const InteriorThing* interior, const MaterialUse& use,
+                         const Steps& way);
+    void set_finish(Material& material, const FinishThing& finish, const MaterialUse& use);
+
+    NoteTaker notes;
+    PigmentMaker pigments;
+    const PovContents& contents;
+    std::map<std::tuple<std::shared_ptr<const TextureThing>, std::shared_ptr<const InteriorThing>, bool, bool>, int>
+        plain;  // materials without patterns
+};
+
+}  // namespace strahl::pov

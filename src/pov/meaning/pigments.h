@@ -1,0 +1,46 @@
+// Makes a scene's pigments and reliefs of POV-Ray's.
+#pragma once
+#include <map>
+
+#include "pov/meaning/notes.h"
+#include "pov/things/textures.h"
+#include "scene/material.h"
+#include "text/reading/scene_files.h"
+
+namespace strahl::pov {
+
+/// A pigment, and how much light its colours let through, which a scene does not vary from place to place.
+struct Look {
+    Pigment pigment{Color(0)};
+    double filter = 0, transmit = 0;
+};
+
+class PigmentMaker {
+  public:
+    PigmentMaker(NoteTaker notes, ReadPixels read_pixels, bool mirrored)
+        : notes(notes), read_pixels(std::move(read_pixels)), mirrored(mirrored) {}
+
+    /// `way` leads from the texture's space into that of the body; `mapped` says that it is a mesh with uv_vectors.
+    Look look_of(const PigmentThing& pigment, const Steps& way, bool mapped);
+    Bump bump_of(const NormalThing& normal, const Steps& way, bool mapped);
+
+  private:
+    struct Mean {
+        Color color{0};
+        double filter = 0, transmit = 0;
+    };
+    Mean mean_of(const MapEntry& entry);
+    Mean mean_of(const PigmentThing& pigment);
+    Mean mean_of(const MapThing& map, bool list);
+    std::vector<ColorStop> stops_of(const Blend& blend);
+    std::shared_ptr<const Pixels> pixels_of(const Blend& blend);
+    bool set_kind(const Blend& blend, Pattern& pattern, bool fold);
+    std::vector<Transformation> space_of(const Blend& blend, const Steps& way, const Steps& first) const;
+
+    NoteTaker notes;
+    ReadPixels read_pixels;
+    const bool mirrored;
+    std::map<std::string, std::shared_ptr<const Pixels>> pictures;
+};
+
+}  // namespace strahl::pov

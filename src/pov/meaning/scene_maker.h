@@ -1,0 +1,84 @@
+// Makes a scene of what a POV-Ray file declares.
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "pov/meaning/materials.h"
+#include "pov/things/objects.h"
+#include "scene/scene.h"
+
+namespace strahl::pov {
+
+/// POV-Ray's picture plane: the ray through (x, y) in [-1/2, 1/2]^2, y up, is direction + x right + y up.
+struct CameraAxes {
+    DVec3 location{0}, direction{0, 0, 1}, right{1.33, 0, 0}, up{0, 1, 0};
+    double angle = 0;  // as given, if the camera is not transformed; else 0
+    /// Seen by it, does the scene's z axis point away where x points right and y up, as POV-Ray has it by default?
+    bool left_handed() const;
+};
+CameraAxes axes_of(const CameraThing& camera);
+
+class SceneMaker {
+  public:
+    /// `mirrored` decides whether the scene is turned over in z; by default it is if the camera is left-handed.
+    SceneMaker(Interpreter& in, ReadPixels read_pixels, const PovContents& contents, std::optional<bool> mirrored = {});
+    Scene make();
+    /// Returns the bodies of one object.
+    std::vector<Primitive> bodies_of(const ObjectThing& object);
+
+  private:
+    struct Around;
+    /// The material of a composite, which its parts without a texture share; its pattern is in the composite's space.
+    struct Shared {
+        const Around* within;
+        std::optional<int> number;
+    };
+    /// What an object has from the objects around it.
+    struct Around {
+        Steps after;     // transformations of these, the innermost one's first
+        Steps to_owner;  // from the space around the object into that of the texture
+        std::shared_ptr<const TextureThing> texture;
+        std::shared_ptr<const InteriorThing> interior;
+        bool no_shadow = false, no_image = false, no_reflection = false;
+        Shared* shared = nullptr;  // of the outermost composite from which it has its texture
+    };
+    struct Part {
+        Primitive primitive;
+        bool negated = false;  // it fills the space outside of it
+    };
+    // bodies.cpp
+    void add(const ObjectThing& object, const Around& around);
+    Around inside(const ObjectThing& object, const Around& around) const;
+    std::optional<Part> build(const ObjectThing& object, const Around& around);
+    std::optional<Part> build_parts(const ObjectThing& object, const Around& around);
+    std::optional<Part> clipped(const ObjectThing& object, const Around& around, Part part);
+    int number_of(Shared& shared);
+    int number_of(const Around& own, bool mapped);
+    int material_of(const ObjectThing& object, const Around& around, bool mapped);
+    void push(Part part, const ObjectThing& object, const Around& around);
+    void tell_notes(const ObjectThing& object) const;
+    void drop_shadow_copies();
+    void settle_materials();
+    // lights.cpp
+    void add_light(const ObjectThing& object, const Around& around);
+    // view.cpp
+    void set_camera();
+    void set_background();
+    void set_settings();
+    void set_depth();
+
+    Interpreter& in;
+    const PovContents& contents;
+    const CameraAxes axes;
+    const bool mirrored;
+    NoteTaker notes;
+    MaterialMaker materials;
+    Scene scene;
+    struct Seen {
+        bool no_shadow, no_image, no_reflection;
+        TextPlace place;
+    };
+    std::vector<Seen> shown;  // of each primitive
+};
+
+}  // namespace strahl::pov

@@ -1,0 +1,196 @@
+// Makes the camera, the background and the settings of a scene.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "num/decimal.h"
+#include "num/vec_math.h"
+#include "pov/meaning/scene_maker.h"
+#include "scene/leaves.h"
+#include "scene/tangent.h"
+
+namespace strahl::pov {
+namespace {
+
+/// Returns the angle of 0 to 90 degrees with this tangent: of those that give it, up to rounding, the one with the
+/// fewest digits.
+double angle_of(double tan) {
+    const double angle = std::atan(tan) * 180 / std::numbers::pi;
+    for (double unit = 1; unit < 1e14; unit *= 10) {
+        const double rounded = std::round(angle * unit) / unit;
+        if (std::fabs(tangent(rounded) - tan) <= 8e-16 * tan) return rounded;
+    }
+    return angle;
+}
+
+}  // namespace
+
+bool CameraAxes::left_handed() const { return dot_product(cross_product(up, direction), right) > 0; }
+
+CameraAxes axes_of(const CameraThing& camera) {
+    CameraAxes axes{camera.location, camera.direction, camera.right, camera.up};
+    const bool flat = camera.projection == word("perspective") || camera.projection == word("orthographic");
+    if (camera.angle && flat) {
+        const double width = length(camera.right), angle = std::clamp(*camera.angle, 1e-6, 179.999);
+        axes.direction = width / (2 * tangent(angle / 2)) * normalize(camera.direction);
+        if (camera.steps.empty()) axes.angle = angle;
+    }
+    if (camera.has_look_at && camera.look_at != camera.location) {
+        const bool turned = axes.left_handed();
+        const DVec3 ahead = normalize(camera.look_at - camera.location);
+        const DVec3 across = cross_product(camera.sky, ahead);
+        const double size = length(axes.direction);
+        axes.direction = size * ahead;
+        const bool level = length(across) > 1e-12 * length(camera.sky);  // else it looks up or down
+        const DVec3 right = normalize(level ? across : axes.right);
+        axes.up = length(axes.up) * normalize(cross_product(ahead, right));
+        if (level) axes.right = (turned ? 1 : -1) * length(axes.right) * right;
+    }
+    if (camera.projection == word("orthographic") && (!camera.has_axes || camera.angle)) {
+        const double size = length(camera.look_at - camera.location) / length(axes.direction);
+        axes.right = size * axes.right, axes.up = size * axes.up;
+    }
+    const glm::dmat4 m = matrix_of(camera.steps);
+    const glm::dmat3 turn(m);
+    axes.location = transform_point(m, axes.location);
+    axes.direction = turn * axes.direction, axes.right = turn * axes.right, axes.up = turn * axes.up;
+    return axes;
+}
+
+void SceneMaker::set_camera() {
+    const CameraThing own = contents.camera.value_or(CameraThing());
+    const auto approximated = [&](bool applies, const char* text) {
+        if (applies) notes.approximated(own.place, text);
+    };
+    Camera& camera = scene.camera;
+    const DVec3 right = mirror(axes.right, mirrored), up = mirror(axes.up, mirrored);
+    const DVec3 ahead = mirror(axes.direction, mirrored);
+    camera.position = mirror(axes.location, mirrored);
+    const double distance = own.has_look_at && own.steps.empty() ? length(own.look_at - own.location) : length(ahead);
+    camera.look_at =
+        own.has_look_at && own.steps.empty() && distance > 0
+            ? mirror(own.look_at, mirrored)
+            : camera.position + std::max(length(axes.location), 1.) / length(ahead) * ahead;
+    camera.up = -up;
+    const double width = length(right), height = length(up), depth = length(ahead);
+    if (!(width > 0 && height > 0 && depth > 0 && std::isfinite(width + height + depth)))
+        in.fail(own.place, "the camera sees nothing: its right, up or direction is 0");
+    double tan_x = width / 2 / depth;
+    if (own.projection == word("orthographic")) {
+        approximated(true, "an orthographic camera is one that is far away");
+        const double far = 2000 * width;
+        const DVec3 middle = camera.position;
+        camera.position = middle - far / depth * ahead, camera.look_at = middle;
+        tan_x = width / 2 / far;
+    } else if (own.projection != word("perspective")) {
+        const double angle = std::clamp(own.angle.value_or(90), 1., 120.);
+        notes.approximated(own.place, "a camera of another projection is a perspective one");
+        tan_x = tangent(angle / 2);
+    }
+    const auto slant = [&](const DVec3& a, const DVec3& b) {
+        return std::fabs(dot_product(normalize(a), normalize(b))) > 1e-6;
+    };
+    approximated(slant(right, up) || slant(right, ahead) || slant(up, ahead), "the camera's axes are at right angles");
+    approximated(own.blurred, "everything is in focus");
+    approximated(own.bent, "the camera's normal bends nothing");
+    camera.fov = axes.angle > 0 && own.projection == word("perspective") ? axes.angle / 2 : angle_of(tan_x);
+    camera.fov = std::clamp(camera.fov, 1e-6, 90 - 1e-14);
+    camera.aspectratio = std::clamp(tidy(width / height), 1e-9, 1e9);
+    if (const char* const fault = degenerate(camera)) in.fail(own.place, std::string("invalid camera: ") + fault);
+}
+
+void SceneMaker::set_background() {
+    const Color& color = contents.background;
+    scene.background = Pigment(std::max(color.x, 0.), std::max(color.y, 0.), std::max(color.z, 0.));
+    if (contents.sky && !contents.sky->pigments.empty()) {
+        const std::vector<PigmentThing>& pigments = contents.sky->pigments;
+        std::size_t best = pigments.size() - 1;
+        std::vector<Look> looks;
+        for (const PigmentThing& pigment : pigments)
+            looks.push_back(materials.pigment_maker().look_of(pigment, {}, false));
+        const auto opacity = [&](std::size_t i) { return 1 - looks[i].filter - looks[i].transmit; };
+        while (best > 0 && opacity(best) < .5) --best;
+        if (pigments.size() > 1 || opacity(best) < 1)
+            notes.approximated(contents.sky->place, "of the layers of the sky one is shown");
+        if (opacity(best) > 0 || looks[best].pigment.pattern) scene.background = looks[best].pigment;
+    }
+    for (const FogThing& fog : contents.fogs) {
+        if (!(fog.distance > 0) || scene.fog || fog.type != 1) {
+            if (fog.distance != 0) notes.left_out(fog.place, scene.fog ? "a second fog" : "ground fog");
+            continue;
+        }
+        scene.fog = Fog{.distance = std::clamp(fog.distance, 1e-9, 1e9), .color = color_of(fog.color)};
+        if (fog.color.filter != 0 || fog.color.transmit != 0)
+            notes.approximated(fog.place, "fog hides everything that is far enough away");
+        if (fog.turbulent) notes.approximated(fog.place, "fog is even");
+    }
+}
+
+void SceneMaker::set_settings() {
+    Settings& settings = scene.settings;
+    const double version = in.version_given() ? in.version() : 3.62;
+    const double gamma = in.assumed_gamma.value_or(version >= 3.7 ? 1 : 2.2);
+    settings.linear = gamma < 1.5;
+    if (in.assumed_gamma && !contents.assumes_srgb && gamma != 1)
+        notes.approximated(contents.gamma_place,
+                           "assumed_gamma " + text_of(gamma) + " is " + (settings.linear ? "1" : "srgb"));
+    const Color& ambient = contents.ambient_light;
+    settings.ambient_light = {std::max(ambient.x, 0.), std::max(ambient.y, 0.), std::max(ambient.z, 0.)};
+    settings.max_trace_level = std::clamp(contents.max_trace_level, 1, 256);
+}
+
+SceneMaker::SceneMaker(Interpreter& in, ReadPixels read_pixels, const PovContents& contents, std::optional<bool> turned)
+    : in(in),
+      contents(contents),
+      axes(axes_of(contents.camera.value_or(CameraThing()))),
+      mirrored(turned.value_or(axes.left_handed())),
+      notes{in},
+      materials(notes, std::move(read_pixels), contents, mirrored) {}
+
+/// Keeps the materials that are used, in the order in which they are.
+void SceneMaker::settle_materials() {
+    Materials used;
+    const auto settle = [&](const auto& self, Primitive& primitive) -> void {
+        primitive.material = used.number(materials[primitive.material]);
+        change_parts(primitive, [&](Primitive& part) { self(self, part); });
+    };
+    for (Primitive& primitive : scene.primitives) settle(settle, primitive);
+    scene.materials = std::move(used.list);
+}
+
+std::vector<Primitive> SceneMaker::bodies_of(const ObjectThing& object) {
+    Around around;
+    around.texture = std::make_shared<const TextureThing>();
+    add(object, around);
+    return std::move(scene.primitives);
+}
+
+/// Rays that pass clear bodies without being bent do not count for POV-Ray's depth.
+void SceneMaker::set_depth() {
+    int& depth = scene.settings.max_trace_level;
+    double mirrored_most = 0;
+    for (const Material& own : scene.materials) mirrored_most = std::max(mirrored_most, own.reflection);
+    constexpr int deep = 40;
+    if (!materials.unbent || depth >= deep) return;
+    if (std::pow(mirrored_most, depth) < 1e-5)
+        depth = deep;
+    else
+        notes.approximated(contents.depth_place, "rays that pass a clear body count for max_trace_level");
+}
+
+Scene SceneMaker::make() {
+    set_settings();
+    set_camera();
+    set_background();
+    for (const PlacedObject& each : contents.objects) {
+        Around around;
+        around.texture = each.fallback;
+        add(*each.object, around);
+    }
+    drop_shadow_copies();
+    settle_materials();
+    set_depth();
+    return std::move(scene);
+}
+
+}  // namespace strahl::pov

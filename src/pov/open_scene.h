@@ -1,0 +1,33 @@
+// Opens a scene by its ending: POV-Ray's .pov, or else scene text.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "scene/scene.h"
+#include "text/reading/scene_files.h"
+
+namespace strahl {
+
+/// Options for scenes of POV-Ray.
+struct OpeningOptions {
+    double clock = 0;
+    std::vector<std::string> library;  // folders of included files, searched before those of POV-Ray's package
+    bool strict = false;               // whatever cannot be shown as it is meant is an error
+};
+
+struct OpenedScene {
+    Scene scene;
+    std::vector<std::string> notes{};  // of a .pov: what is approximated or left out, "scene.pov:12: left out: media"
+    std::string summary{};             // of the notes; empty for scene text
+    std::vector<std::string> files{};  // of a .pov: all that were read, the scene's first
+};
+
+/// Does the path end like a scene of POV-Ray?
+bool is_pov(const std::string& path);
+
+/// Reads a scene whose text is that of the file `path`. Throws FileError. `names` receives the names of files in scene
+/// text.
+OpenedScene open_scene(const std::string& text, const std::string& path, const OpeningOptions& options,
+                       const ReadPixels& read_pixels, FileNames* names = nullptr);
+
+}  // namespace strahl

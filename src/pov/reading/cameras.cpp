@@ -1,0 +1,155 @@
+// Reads cameras, fog and the sky.
+#include "num/vec_math.h"
+#include "pov/reading/reader.h"
+
+namespace strahl::pov {
+
+/// Reads a camera from '{' to '}'.
+CameraThing PovReader::read_camera(Interpreter& in) {
+    CameraThing camera = default_camera;
+    in.begin_block();
+    camera.place = in.last_place();
+    if (const auto known = in.accept_thing<CameraThing>(ValueKind::camera)) camera = *known;
+    while (!in.at('}')) {
+        if (read_step(in, camera.steps)) continue;
+        const std::uint16_t code = in.code();
+        in.skip();
+        switch (code) {
+            case word("location"):
+                camera.location = in.read_vector();
+                break;
+            case word("direction"):
+                camera.direction = in.read_vector(), camera.has_direction = true;
+                break;
+            case word("right"):
+                camera.right = in.read_vector(), camera.has_axes = true;
+                break;
+            case word("up"):
+                camera.up = in.read_vector(), camera.has_axes = true;
+                break;
+            case word("sky"):
+                camera.sky = in.read_vector();
+                break;
+            case word("look_at"):
+                camera.look_at = in.read_vector(), camera.has_look_at = true;
+                break;
+            case word("angle"):
+                camera.angle = in.read_number();
+                if (in.accept(',') || in.at_expression()) in.read_number();
+                break;
+            case word("perspective"):
+            case word("orthographic"):
+            case word("fisheye"):
+            case word("ultra_wide_angle"):
+            case word("panoramic"):
+            case word("spherical"):
+            case word("omnimax"):
+                camera.projection = code;
+                break;
+            case word("cylinder"):
+                camera.projection = code;
+                in.read_number();
+                break;
+            case word("mesh_camera"):
+                camera.projection = code;
+                in.skip_block();
+                break;
+            case word("aperture"):
+                camera.blurred = in.read_number() != 0;
+                break;
+            case word("blur_samples"):
+                in.read_number(), in.skip_comma(), in.read_number_or(0);
+                break;
+            case word("focal_point"):
+                in.read_vector();
+                break;
+            case word("confidence"):
+            case word("variance"):
+                in.read_number();
+                break;
+            case word("normal"):
+            case word("bokeh"):
+                camera.bent |= code == word("normal");
+                in.skip_block();
+                break;
+            default:
+                in.fail("this word does not belong to a camera");
+        }
+        in.skip_comma();
+    }
+    in.end_block();
+    return camera;
+}
+
+/// Reads fog from '{' to '}'.
+FogThing PovReader::read_fog(Interpreter& in) {
+    FogThing fog;
+    in.begin_block();
+    fog.place = in.last_place();
+    if (const auto known = in.accept_thing<FogThing>(ValueKind::fog)) fog = *known;
+    while (!in.at('}')) {
+        if (Steps steps; read_step(in, steps)) continue;
+        if (in.at_color()) {
+            fog.color = in.read_color();
+            continue;
+        }
+        if (in.at_expression()) {  // an old form
+            fog.distance = in.read_number();
+            continue;
+        }
+        const std::uint16_t code = in.code();
+        in.skip();
+        switch (code) {
+            case word("distance"):
+                fog.distance = in.read_number();
+                break;
+            case word("fog_type"):
+                fog.type = in.read_integer();
+                break;
+            case word("turbulence"):
+                fog.turbulent = in.read_vector() != DVec3(0);
+                break;
+            case word("up"):
+                in.read_vector();
+                break;
+            case word("fog_offset"):
+            case word("fog_alt"):
+            case word("turb_depth"):
+            case word("octaves"):
+            case word("omega"):
+            case word("lambda"):
+                in.read_number();
+                break;
+            default:
+                in.fail("this word does not belong to fog");
+        }
+        in.skip_comma();
+    }
+    in.end_block();
+    return fog;
+}
+
+/// Reads a sky_sphere from '{' to '}'.
+SkyThing PovReader::read_sky(Interpreter& in) {
+    SkyThing sky;
+    in.begin_block();
+    sky.place = in.last_place();
+    if (const auto known = in.accept_thing<SkyThing>(ValueKind::sky_sphere)) sky = *known;
+    for (;;) {
+        if (in.accept("pigment")) {
+            PigmentThing pigment = default_texture->layers.back().pigment;
+            read_pigment(in, pigment);
+            sky.pigments.push_back(std::move(pigment));
+        } else if (in.accept("emission")) {
+            in.read_color();
+        } else if (Steps steps; read_step(in, steps)) {
+            for (PigmentThing& pigment : sky.pigments) append(pigment.blend.steps, steps);
+        } else {
+            break;
+        }
+    }
+    in.end_block();
+    return sky;
+}
+
+}  // namespace strahl::pov

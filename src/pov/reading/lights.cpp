@@ -1,0 +1,144 @@
+// Reads lights.
+#include <cmath>
+#include <numbers>
+
+#include "num/vec_math.h"
+#include "pov/reading/reader.h"
+#include "pov/things/numbers.h"
+
+namespace strahl::pov {
+
+/// Reads light_source { ... }, at its word.
+std::shared_ptr<const ObjectThing> PovReader::read_light(Interpreter& in) {
+    in.skip();
+    auto object = std::make_shared<ObjectThing>();
+    object->kind = ObjectKind::light;
+    object->place = in.last_place();
+    in.begin_block();
+    if (const auto known = in.accept_thing<ObjectThing>(ValueKind::object)) {
+        *object = *known;
+    } else {
+        LightThing light;
+        light.location = in.read_vector();
+        in.skip_comma();
+        light.color = color_of(in.read_color());
+        object->light = std::make_shared<LightThing>(light);
+    }
+    LightThing light = *object->light;
+    while (!in.at('}')) {
+        if (Steps steps; read_step(in, steps)) {
+            append(object->steps, steps);
+            continue;
+        }
+        if (const auto known = in.accept_thing<ObjectThing>(ValueKind::object)) continue;
+        const std::uint16_t code = in.code();
+        in.skip();
+        switch (code) {
+            case word("spotlight"):
+                light.sort = LightThing::Sort::spot;
+                break;
+            case word("cylinder"):
+                light.sort = LightThing::Sort::cylinder;
+                break;
+            case word("parallel"):
+                light.parallel = true;
+                break;
+            case word("point_at"):
+                light.point_at = transform_point(matrix_of(inverse(object->steps)), in.read_vector());
+                break;
+            case word("radius"):
+                light.radius = in.read_number();
+                break;
+            case word("falloff"):
+                light.falloff = in.read_number();
+                break;
+            case word("tightness"):
+                light.tightness = in.read_number();
+                break;
+            case word("fade_distance"):
+                light.fade_distance = in.read_number();
+                break;
+            case word("fade_power"):
+                light.fade_power = in.read_number();
+                break;
+            case word("shadowless"):
+                light.shadowless = true;
+                break;
+            case word("area_light"): {
+                Area area;
+                area.u = in.read_vector(), in.skip_comma();
+                area.v = in.read_vector(), in.skip_comma();
+                area.columns = in.read_integer(), in.skip_comma();
+                area.rows = in.read_integer();
+                light.area = area;
+                break;
+            }
+            case word("adaptive"):
+                in.read_number();
+                break;
+            case word("jitter"):
+                light.jitter = in.read_flag();
+                break;
+            case word("circular"):
+                light.circular = in.read_flag();
+                break;
+            case word("orient"):
+                light.orient = in.read_flag();
+                break;
+            case word("area_illumination"):
+                light.area_illumination = in.read_flag();
+                break;
+            case word("media_attenuation"):
+            case word("media_interaction"):
+                in.read_flag();
+                break;
+            case word("looks_like"):
+            case word("projected_through"): {
+                const TextPlace place = in.last_place();
+                std::vector<std::shared_ptr<const ObjectThing>> all = read_object_block(in);
+                auto body = std::make_shared<ObjectThing>();
+                while (!all.empty() && read_object_modifier(in, *body)) {
+                }
+                in.end_block();
+                if (code == word("projected_through")) {
+                    object->left_out("projected_through: the light shines everywhere");
+                } else if (!all.empty()) {
+                    body->kind = ObjectKind::unite, body->place = place, body->parts = std::move(all);
+                    body->no_shadow = true;
+                    transform_object(*body, Steps{Translate{light.location}});
+                    object->parts.push_back(std::move(body));
+                }
+                break;
+            }
+            case word("photons"):
+                in.skip_block();
+                break;
+            default:
+                in.fail("this word does not belong to a light");
+        }
+        in.skip_comma();
+    }
+    in.end_block();
+    object->light = std::make_shared<LightThing>(light);
+    return object;
+}
+
+/// Reads light_group { ... }: its lights shine on everything.
+void PovReader::read_light_group(Interpreter& in) {
+    in.skip();
+    in.remark(Remark::Kind::approximated, in.last_place(), "light_group: its lights shine on all bodies");
+    auto group = std::make_shared<ObjectThing>();
+    group->kind = ObjectKind::unite, group->place = in.last_place();
+    in.begin_block();
+    read_parts(in, *group);
+    for (;;) {
+        if (in.accept("global_lights"))
+            in.read_flag();
+        else if (!read_object_modifier(in, *group))
+            break;
+    }
+    in.end_block();
+    place(std::move(group));
+}
+
+}  // namespace strahl::pov

@@ -1,0 +1,237 @@
+// Reads bodies: their kind, their parts, and what is said about them.
+#include <algorithm>
+
+#include "pov/reading/reader.h"
+
+namespace strahl::pov {
+namespace {
+
+std::optional<ObjectKind> kind_of_parts(std::uint16_t code) {
+    switch (code) {
+        case word("union"):
+            return ObjectKind::unite;
+        case word("merge"):
+            return ObjectKind::merge;
+        case word("intersection"):
+            return ObjectKind::intersect;
+        case word("difference"):
+            return ObjectKind::subtract;
+        default:
+            return std::nullopt;
+    }
+}
+
+constexpr const char* inner_texture = "interior_texture: both sides of a surface look alike";
+
+}  // namespace
+
+/// Gives an object a texture; one that it has becomes the layer below.
+void PovReader::add_texture(ObjectThing& object, std::shared_ptr<const TextureThing> more) {
+    if (object.texture) more = layered(*kept_texture(object), *more);
+    object.texture = PlacedTexture{std::move(more), {}};
+}
+
+/// Returns a copy of an object's own texture, or of the default, in the object's present space.
+std::shared_ptr<TextureThing> PovReader::kept_texture(const ObjectThing& object) {
+    auto kept = std::make_shared<TextureThing>(object.texture ? *object.texture->texture : *default_texture);
+    if (object.texture && !object.texture->steps.empty())
+        for (LayerValues& layer : kept->layers) transform(layer, object.texture->steps);
+    return kept;
+}
+
+void PovReader::transform_object(ObjectThing& object, std::span<const Step> steps) {
+    append(object.steps, steps);
+    if (object.texture) append(object.texture->steps, steps);
+    for (auto& clip : object.clips) {
+        auto moved = std::make_shared<ObjectThing>(*clip);
+        transform_object(*moved, steps);
+        clip = std::move(moved);
+    }
+}
+
+/// Reads the objects in a block, from '{' to '}'.
+std::vector<std::shared_ptr<const ObjectThing>> PovReader::read_object_block(Interpreter& in) {
+    in.begin_block();
+    std::vector<std::shared_ptr<const ObjectThing>> all;
+    for (;;) {
+        if (auto known = in.accept_thing<ObjectThing>(ValueKind::object))
+            all.push_back(std::move(known));
+        else if (auto read = read_object(in))
+            all.push_back(std::move(read));
+        else if (Steps steps; read_step(in, steps))
+            for (auto& own : all) {  // moves all objects so far
+                auto moved = std::make_shared<ObjectThing>(*own);
+                transform_object(*moved, steps);
+                own = std::move(moved);
+            }
+        else
+            break;
+    }
+    return all;
+}
+
+/// Reads something about an object that is no transformation; reads nothing and returns false if none comes.
+bool PovReader::read_object_modifier(Interpreter& in, ObjectThing& object) {
+    if (Steps steps; read_step(in, steps)) return transform_object(object, steps), true;
+    if (in.kind() == ValueKind::texture)
+        return add_texture(object, in.accept_thing<TextureThing>(ValueKind::texture)), true;
+    if (in.at_color()) return in.read_color(), true;  // an old form without effect
+    const std::uint16_t code = in.code();
+    const auto change = [&](const auto& read) {
+        auto kept = kept_texture(object);
+        read(kept->layers.back());
+        object.texture = PlacedTexture{std::move(kept), {}};
+        return true;
+    };
+    switch (code) {
+        case word("texture"):
+            in.skip();
+            return add_texture(object, read_texture(in)), true;
+        case word("pigment"):
+            in.skip();
+            return change([&](LayerValues& layer) {
+                layer.place = in.last_place(), layer.blend.word = end_code;
+                read_pigment(in, layer.pigment);
+            });
+        case word("normal"):
+            in.skip();
+            return change([&](LayerValues& layer) { read_normal(in, layer.normal); });
+        case word("finish"):
+            in.skip();
+            return change([&](LayerValues& layer) {
+                read_finish(in, layer.finish);
+                if (!layer.finish.ior) return;
+                auto interior = std::make_shared<InteriorThing>(object.interior ? *object.interior : InteriorThing());
+                interior->ior = *layer.finish.ior;
+                object.interior = std::move(interior);
+            });
+        case word("material"): {
+            in.skip();
+            const auto material = read_material(in);
+            if (material->texture) add_texture(object, material->texture);
+            if (material->interior) object.interior = material->interior;
+            if (material->interior_texture) object.approximated(inner_texture);
+            return true;
+        }
+        case word("interior"): {
+            in.skip();
+            auto interior = std::make_shared<InteriorThing>(object.interior ? *object.interior : InteriorThing());
+            read_interior(in, *interior);
+            object.interior = std::move(interior);
+            return true;
+        }
+        case word("interior_texture"):
+            in.skip();
+            in.skip_block();
+            return object.approximated(inner_texture), true;
+        case word("no_shadow"):
+            in.skip();
+            object.no_shadow = in.read_flag();
+            return true;
+        case word("no_image"):
+            in.skip();
+            object.no_image = in.read_flag();
+            return true;
+        case word("no_reflection"):
+            in.skip();
+            object.no_reflection = in.read_flag();
+            return true;
+        case word("inverse"):
+            in.skip();
+            object.inverse = !object.inverse;
+            return true;
+        case word("hollow"):
+            in.skip();
+            object.hollow = in.read_flag();
+            return true;
+        case word("double_illuminate"):
+        case word("no_radiosity"):
+        case word("hierarchy"):
+        case word("split_union"):
+        case word("sturm"):
+        case word("cutaway_textures"):
+            in.skip();
+            in.read_flag();
+            if (code == word("double_illuminate")) object.approximated("double_illuminate: a body is dark from behind");
+            if (code == word("cutaway_textures"))
+                object.approximated("cutaway_textures: cut faces have the default texture");
+            return true;
+        case word("open"):
+            in.skip();
+            if (object.kind == ObjectKind::shape && !std::holds_alternative<Mesh>(*object.shape))
+                object.approximated("an open body is closed");
+            return true;
+        case word("uv_mapping"):
+            in.skip();
+            return true;
+        case word("uv_vectors"):
+            in.skip();
+            for (int i = 0; i < 4 && in.at_expression(); ++i) in.read_components(), in.skip_comma();
+            return true;
+        case word("photons"):
+            in.skip();
+            object.left_out("photons");
+            in.skip_block();
+            return true;
+        case word("radiosity"):
+            in.skip();
+            in.skip_block();
+            return true;
+        case word("bounded_by"):
+        case word("clipped_by"): {
+            in.skip();
+            std::vector<std::shared_ptr<const ObjectThing>> bounds = read_object_block(in);
+            if (!in.accept("clipped_by") && in.accept("bounded_by")) bounds = object.bounds;
+            in.end_block();
+            if (code == word("bounded_by")) return object.bounds = std::move(bounds), true;
+            for (auto& clip : bounds) object.clips.push_back(std::move(clip));
+            object.approximated("clipped_by: a body is closed where it is clipped");
+            return true;
+        }
+        default:
+            return false;
+    }
+}
+
+/// Reads the parts of a composite.
+void PovReader::read_parts(Interpreter& in, ObjectThing& object) {
+    for (;;) {
+        if (auto known = in.accept_thing<ObjectThing>(ValueKind::object))
+            object.parts.push_back(std::move(known));
+        else if (auto read = read_object(in))
+            object.parts.push_back(std::move(read));
+        else
+            return;
+    }
+}
+
+/// Reads a body or a light that begins with its word; returns null and reads nothing if none comes.
+std::shared_ptr<const ObjectThing> PovReader::read_object(Interpreter& in) {
+    const std::uint16_t code = in.code();
+    if (code == word("light_source")) return read_light(in);
+    const auto parts = kind_of_parts(code);
+    if (!parts && code != word("object") && !is_shape(code)) return nullptr;
+    in.skip();
+    auto object = std::make_shared<ObjectThing>();
+    const TextPlace place = in.last_place();
+    object->place = place;
+    in.begin_block();
+    if (const auto known = in.accept_thing<ObjectThing>(ValueKind::object)) {
+        *object = *known;
+    } else if (parts) {
+        object->kind = *parts;
+        read_parts(in, *object);
+    } else if (code == word("object")) {
+        const auto inner = read_object(in);
+        if (!inner) in.expected("a body");
+        *object = *inner;
+    } else {
+        read_shape(in, code, *object);
+    }
+    while (read_object_modifier(in, *object)) {
+    }
+    in.end_block();
+    return object;
+}
+
+}  // namespace strahl::pov

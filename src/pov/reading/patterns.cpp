@@ -1,0 +1,368 @@
+// Reads patterns, their modifiers and their maps, which are alike in pigments, normals and textures.
+#include <algorithm>
+
+#include "pov/reading/reader.h"
+
+namespace strahl::pov {
+namespace {
+
+/// Does a number come next, and neither a vector nor a colour?
+bool at_single(Interpreter& in) {
+    const ValueKind kind = in.kind();
+    return in.at_expression() && !in.at('<') && !in.at_color() && kind != ValueKind::uv && kind != ValueKind::vector &&
+           kind != ValueKind::vector4 && kind != ValueKind::color;
+}
+
+template <std::size_t count>
+bool is_one_of(std::uint16_t code, const std::array<std::uint16_t, count>& words) {
+    return std::ranges::find(words, code) != words.end();
+}
+
+constexpr std::uint16_t nested_word(ValueKind level) {
+    return level == ValueKind::pigment  ? word("pigment")
+           : level == ValueKind::normal ? word("normal")
+                                        : word("texture");
+}
+
+const std::vector<std::string> picture_endings{".png", ".PNG", ".jpg", ".JPG", ".jpeg", ".gif", ".GIF", ".tga",
+                                               ".TGA", ".bmp", ".BMP", ".tif", ".exr",  ".hdr", ".ppm", ".pgm"};
+
+constexpr std::array picture_words{word("gif"), word("tga"), word("iff"),  word("pot"),       word("png"),
+                                   word("pgm"), word("ppm"), word("jpeg"), word("tiff"),      word("sys"),
+                                   word("bmp"), word("exr"), word("hdr"),  word("use_color"), word("use_index")};
+constexpr std::array plain_patterns{
+    word("agate"),   word("average"),     word("boxed"),  word("bozo"),     word("bumps"),   word("cells"),
+    word("crackle"), word("cylindrical"), word("dents"),  word("facets"),   word("granite"), word("leopard"),
+    word("marble"),  word("onion"),       word("planar"), word("radial"),   word("ripples"), word("spherical"),
+    word("spotted"), word("waves"),       word("wood"),   word("wrinkles"), word("aoi")};
+constexpr std::array numbers_without_effect{
+    word("agate_turb"),  word("control0"),  word("control1"),        word("metric"),
+    word("offset"),      word("size"),      word("coords"),          word("accuracy"),
+    word("strength"),    word("exponent"),  word("number_of_waves"), word("noise_generator"),
+    word("interpolate"), word("map_type"),  word("solid"),           word("use_alpha"),
+    word("use_color"),   word("use_index"), word("no_bump_scale"),   word("once")};
+
+}  // namespace
+
+/// Reads what comes after the value of a map's entry, or a block of a list: a pigment, a normal or a texture.
+std::shared_ptr<const Thing> PovReader::read_nested(Interpreter& in, ValueKind level) {
+    if (level == ValueKind::texture) return read_texture_body(in);
+    if (level == ValueKind::normal) {
+        auto normal = std::make_shared<NormalThing>();
+        read_normal_body(in, *normal);
+        return normal;
+    }
+    auto pigment = std::make_shared<PigmentThing>(default_texture->layers.back().pigment);
+    read_pigment_body(in, *pigment);
+    return pigment;
+}
+
+/// Reads a map from '{' to '}'. A map of colours has no `level`.
+std::shared_ptr<const MapThing> PovReader::read_map(Interpreter& in, ValueKind level) {
+    in.begin_block();
+    if (in.code() == value_code && in.kind() >= ValueKind::color_map && in.kind() <= ValueKind::slope_map) {
+        const auto known = std::static_pointer_cast<const MapThing>(in.take_value().thing);
+        if (in.at('}')) return in.end_block(), known;
+    }
+    auto map = std::make_shared<MapThing>();
+    while (in.accept('[')) {
+        MapEntry entry;
+        // In a list of which the mean is taken a weight of 1 may be left out.
+        entry.at = at_single(in) ? static_cast<float>(in.read_number()) : 1;
+        in.skip_comma();
+        if (level == ValueKind::slope_map) {
+            in.read_components();
+        } else if (level != ValueKind::none) {
+            entry.thing = read_nested(in, level);
+        } else if (at_single(in)) {  // the old form: two values and two colours
+            const double second = static_cast<float>(in.read_number());
+            in.skip_comma();
+            entry.color = in.read_color();
+            in.skip_comma();
+            map->entries.push_back(entry);
+            entry.at = second, entry.color = in.read_color();
+        } else {
+            entry.color = in.read_color();
+        }
+        map->entries.push_back(std::move(entry));
+        in.expect(']');
+        in.skip_comma();
+    }
+    if (map->entries.empty()) in.expected("an entry of the map, such as [0.5 rgb 1]");
+    in.end_block();
+    return map;
+}
+
+/// Reads the colours or blocks after the word of a pattern that has a fixed number of them.
+void PovReader::read_list(Interpreter& in, Blend& blend, ValueKind level) {
+    auto map = std::make_shared<MapThing>();
+    for (;;) {
+        MapEntry entry;
+        entry.at = double(map->entries.size());
+        if (in.code() == nested_word(level)) {
+            in.skip();
+            in.begin_block();
+            entry.thing = read_nested(in, level);
+            in.end_block();
+        } else if (level == ValueKind::pigment && (in.at_color() || in.at('<'))) {
+            entry.color = in.read_color();
+        } else {
+            break;
+        }
+        map->entries.push_back(std::move(entry));
+        in.skip_comma();
+    }
+    if (!map->entries.empty()) blend.map = std::move(map);
+}
+
+/// Reads a picture from '{' to '}'.
+std::shared_ptr<const ImageThing> PovReader::read_image(Interpreter& in) {
+    auto image = std::make_shared<ImageThing>();
+    in.begin_block();
+    std::vector<std::string> endings = picture_endings;
+    while (!in.at('}')) {
+        if (in.at_string()) {
+            image->path = in.find_file(in.read_file_name(), endings);
+            continue;
+        }
+        const std::uint16_t code = in.code();
+        if (in.at_expression() && code < first_word_code) {  // an old orientation
+            in.read_components();
+            in.skip_comma();
+            continue;
+        }
+        in.skip();
+        switch (code) {
+            case word("map_type"):
+                image->map_type = in.read_integer();
+                break;
+            case word("interpolate"):
+                image->interpolate = in.read_integer();
+                break;
+            case word("once"):
+                image->once = true;
+                break;
+            case word("filter"):
+            case word("transmit"): {
+                std::optional<double>& all = code == word("filter") ? image->filter_all : image->transmit_all;
+                if (in.accept("all")) {
+                    all = in.read_number();
+                    break;
+                }
+                in.read_number(), in.skip_comma(), in.read_number();
+                image->single_colors = true;
+                break;
+            }
+            case word("gamma"):
+                if (!in.accept("srgb")) in.read_number();
+                break;
+            case word("premultiplied"):
+            case word("use_alpha"):
+                in.read_flag();
+                break;
+            case word("bump_size"):
+                in.read_number();
+                break;
+            case word("function"):
+                in.read_number(), in.skip_comma(), in.read_number();
+                in.skip_block();
+                break;
+            case word("pigment"):
+            case word("texture"):
+                in.skip_block();
+                break;
+            default:
+                if (!is_one_of(code, picture_words)) in.fail("this word does not belong to a picture");
+        }
+        in.skip_comma();
+    }
+    in.end_block();
+    return image;
+}
+
+/// Reads the word of a pattern with its arguments; reads nothing and returns false if none comes.
+bool PovReader::read_pattern_word(Interpreter& in, Blend& blend, ValueKind level) {
+    const std::uint16_t code = in.code();
+    const auto take = [&] {
+        in.skip();
+        blend.word = code, blend.place = in.last_place();
+        return true;
+    };
+    if (is_one_of(code, plain_patterns)) return take();
+    switch (code) {
+        case word("brick"):
+        case word("checker"):
+        case word("hexagon"):
+        case word("square"):
+        case word("triangular"):
+        case word("cubic"):
+            take();
+            read_list(in, blend, level);
+            return true;
+        case word("gradient"):
+            take();
+            blend.axis = in.read_vector();
+            in.skip_comma();
+            return true;
+        case word("spiral1"):
+        case word("spiral2"):
+        case word("quilted"):
+        case word("pavement"):
+        case word("tiling"):
+            take();
+            if (code != word("quilted") && at_single(in)) in.read_number();
+            return true;
+        case word("mandel"):
+        case word("magnet"):
+        case word("julia"):
+            take();
+            if (code == word("magnet")) in.read_number(), in.skip();
+            if (in.at('<') || code == word("julia") || in.kind() == ValueKind::uv)
+                in.read_components(), in.skip_comma();
+            in.read_number();
+            in.skip_comma();
+            return true;
+        case word("object"):
+            take();
+            in.begin_block();
+            if (in.kind() == ValueKind::object)
+                in.take_value();
+            else if (!read_object(in))
+                in.expected("a body");
+            in.skip_comma();
+            read_list(in, blend, level);
+            in.end_block();
+            return true;
+        case word("slope"):
+            take();
+            if (!in.at('{')) {
+                in.read_vector();
+                return true;
+            }
+            in.skip_block();
+            return true;
+        case word("function"):
+            blend.word = code, blend.place = in.place();
+            in.read_function();
+            return true;
+        case word("density_file"):
+            take();
+            if (in.accept("df3")) in.read_file_name();
+            while (in.accept("interpolate")) in.read_number();
+            return true;
+        case word("pigment_pattern"):
+            take();
+            in.begin_block();
+            read_nested(in, ValueKind::pigment);
+            in.end_block();
+            return true;
+        case word("image_map"):
+        case word("bump_map"):
+        case word("image_pattern"):
+        case word("material_map"):
+            take();
+            blend.image = read_image(in);
+            return true;
+        default:
+            return false;
+    }
+}
+
+/// Reads a word that changes how a pattern is laid out, or its map; reads nothing and returns false if none comes.
+bool PovReader::read_modifier(Interpreter& in, Blend& blend, ValueKind level) {
+    const auto wave = [&](Wave own) {
+        in.skip();
+        blend.wave = own;
+        return true;
+    };
+    const auto number = [&](double& value) {
+        in.skip();
+        value = in.read_number();
+        return true;
+    };
+    const std::uint16_t code = in.code();
+    if (is_one_of(code, numbers_without_effect)) return in.skip(), in.read_number_or(0), true;
+    switch (code) {
+        case word("turbulence"):
+            in.skip();
+            blend.turbulence = in.read_vector();
+            return true;
+        case word("octaves"):
+            return number(blend.octaves);
+        case word("omega"):
+            return number(blend.omega);
+        case word("lambda"):
+            return number(blend.lambda);
+        case word("frequency"):
+            return number(blend.frequency);
+        case word("phase"):
+            return number(blend.phase);
+        case word("mortar"):
+            return number(blend.mortar);
+        case word("brick_size"):
+            in.skip();
+            blend.brick_size = in.read_vector();
+            return true;
+        case word("ramp_wave"):
+            return wave(Wave::ramp);
+        case word("triangle_wave"):
+            return wave(Wave::triangle);
+        case word("sine_wave"):
+            return wave(Wave::sine);
+        case word("scallop_wave"):
+            return wave(Wave::scallop);
+        case word("cubic_wave"):
+            return wave(Wave::cubic);
+        case word("poly_wave"):
+            wave(Wave::poly);
+            in.read_number_or(1);
+            return true;
+        case word("uv_mapping"):
+            in.skip();
+            return blend.uv = true;
+        case word("warp"):
+            in.skip();
+            in.skip_block();
+            return blend.warped = true;
+        case word("color_map"):
+            in.skip();
+            blend.map = in.at('{') ? read_map(in, ValueKind::none) : in.accept_thing<MapThing>(ValueKind::color_map);
+            return true;
+        case word("pigment_map"):
+            in.skip();
+            blend.map = read_map(in, ValueKind::pigment);
+            return true;
+        case word("normal_map"):
+            in.skip();
+            blend.map = read_map(in, ValueKind::normal);
+            return true;
+        case word("texture_map"):
+            in.skip();
+            blend.map = read_map(in, ValueKind::texture);
+            return true;
+        case word("slope_map"):
+            in.skip();
+            read_map(in, ValueKind::slope_map);
+            return true;
+        case word("form"):
+            in.skip();
+            in.read_vector();
+            return true;
+        case word("interior"):
+        case word("exterior"):
+            in.skip();
+            in.read_number(), in.skip_comma(), in.read_number();
+            return true;
+        case word("altitude"):
+            in.skip();
+            in.read_vector();
+            return true;
+        default:
+            break;
+    }
+    if (level != ValueKind::none && in.kind() == ValueKind::color_map)
+        return blend.map = std::static_pointer_cast<const MapThing>(in.take_value().thing), true;
+    return read_step(in, blend.steps);
+}
+
+}  // namespace strahl::pov

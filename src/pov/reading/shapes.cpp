@@ -1,0 +1,358 @@
+// Reads the arguments of simple bodies.
+#include <algorithm>
+#include <cmath>
+
+#include "mesh/split.h"
+#include "num/vec_math.h"
+#include "pov/reading/reader.h"
+#include "pov/things/surfaces.h"
+
+namespace strahl::pov {
+namespace {
+
+using MeshPointer = std::shared_ptr<MeshData>;
+
+DVec3 next_vector(Interpreter& in) {
+    in.skip_comma();
+    return in.read_vector();
+}
+double next_number(Interpreter& in) {
+    in.skip_comma();
+    return in.read_number();
+}
+
+/// Does the number of a texture come next, and not the next triangle?
+bool at_texture_number(Interpreter& in) {
+    const ValueKind kind = in.kind();
+    return in.at_expression() && !in.at('<') && (kind == ValueKind::none || kind == ValueKind::number);
+}
+
+/// Reads over the arguments and modifiers of a body that cannot be shown, but not those that all bodies share.
+void skip_arguments(Interpreter& in) {
+    int depth = 0;
+    while (depth > 0 || !in.at('}')) {
+        if (in.at_end()) in.expect('}');
+        depth += in.at('{') ? 1 : in.at('}') ? -1 : 0;
+        in.skip();
+    }
+}
+
+/// The plane normal . p = |normal| * distance, behind its normal.
+Plane plane_of(const DVec3& normal, double distance) {
+    const DVec3 n = normalize(normal), size = abs(n);
+    const DVec3 other = size.x <= size.y && size.x <= size.z ? DVec3(1, 0, 0)
+                        : size.y <= size.z                   ? DVec3(0, 1, 0)
+                                                             : DVec3(0, 0, 1);
+    const DVec3 u = normalize(cross_product(other, n)), v = cross_product(n, u), a = distance * n;
+    return {a, a + u, a + v};
+}
+
+void read_polygon(Interpreter& in, ObjectThing& object) {
+    const int count = in.read_integer();
+    std::vector<DVec3> points;
+    for (int i = 0; i < count; ++i) points.push_back(next_vector(in));
+    const auto closing = points.empty() ? points.end() : std::find(points.begin() + 1, points.end(), points[0]);
+    if (closing != points.end() && closing + 1 != points.end())
+        object.approximated("a polygon of several outlines is its first one");
+    points.erase(closing, points.end());
+    if (points.size() < 3) return object.left_out("a polygon of fewer than three corners");
+    std::vector<std::int32_t> corners(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) corners[i] = static_cast<std::int32_t>(i);
+    MeshData mesh;
+    mesh.points = points;
+    FaceSplitter splitter;
+    for (const FaceSplitter::Triangle& own : splitter.split(points, corners)) mesh.triangles.push_back(own);
+    object.kind = ObjectKind::shape;
+    object.shape = Mesh{std::make_shared<const MeshData>(std::move(mesh)), ""};
+}
+
+/// The triangles of a mesh that share a texture.
+struct MeshPart {
+    MeshData data;
+    bool smooth = false, mapped = false;
+};
+
+/// Makes meshes of parts, each with its texture; a part without one has that of the whole mesh.
+void set_meshes(ObjectThing& object, std::vector<MeshPart>& parts,
+                const std::vector<std::shared_ptr<const TextureThing>>& textures) {
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        auto& [data, smooth, mapped] = parts[i];
+        if (data.triangles.empty()) continue;
+        if (!smooth) data.normals.clear(), data.corner_normals.clear();
+        if (!mapped) data.places.clear(), data.corner_places.clear();
+        auto part = std::make_shared<ObjectThing>();
+        part->kind = ObjectKind::shape, part->place = object.place;
+        part->shape = Mesh{std::make_shared<const MeshData>(std::move(data)), ""};
+        if (i > 0) part->texture = PlacedTexture{textures[i - 1], {}};
+        object.parts.push_back(std::move(part));
+    }
+    object.kind = object.parts.empty() ? ObjectKind::nothing : ObjectKind::unite;
+    if (object.parts.size() != 1) return;
+    const ObjectThing only = *object.parts[0];
+    object.parts.clear();
+    object.kind = only.kind, object.shape = only.shape, object.texture = only.texture;
+}
+
+/// Adds a triangle with corners of its own.
+void add_triangle(MeshPart& part, const DVec3 (&points)[3], const DVec3 (&normals)[3],
+                  const std::array<double, 2> (&places)[3]) {
+    MeshData::Corners corners;
+    for (int k = 0; k < 3; ++k) {
+        corners[k] = static_cast<std::int32_t>(part.data.points.size());
+        part.data.points.push_back(points[k]);
+        part.data.normals.push_back(normals[k]);
+        part.data.places.push_back(places[k]);
+    }
+    part.data.triangles.push_back(corners);
+    part.data.corner_normals.push_back(corners);
+}
+
+DVec3 flat_normal(const DVec3 (&p)[3]) { return cross_product(p[1] - p[0], p[2] - p[0]); }
+
+bool is_flat(const DVec3 (&p)[3]) { return !Triangle{p[0], p[1], p[2]}.fault(); }
+
+}  // namespace
+
+/// Reads mesh { triangle { ... } ... } after '{'.
+void PovReader::read_mesh(Interpreter& in, ObjectThing& object) {
+    std::vector<MeshPart> parts(1);
+    std::vector<std::shared_ptr<const TextureThing>> textures;
+    while (in.at("triangle") || in.at("smooth_triangle")) {
+        const bool smooth = in.at("smooth_triangle");
+        in.skip();
+        in.begin_block();
+        DVec3 points[3], normals[3];
+        std::array<double, 2> places[3]{};
+        for (int k = 0; k < 3; ++k) {
+            points[k] = next_vector(in);
+            if (smooth) normals[k] = next_vector(in);
+        }
+        std::size_t number = 0;
+        bool mapped = false;
+        while (!in.at('}')) {
+            if (in.accept("uv_vectors")) {
+                for (auto& place : places) place = in.read_uv(), in.skip_comma();
+                mapped = true;
+            } else if (in.at("texture") || in.kind() == ValueKind::texture) {
+                const auto texture =
+                    in.accept("texture") ? read_texture(in) : in.accept_thing<TextureThing>(ValueKind::texture);
+                const auto known = std::find(textures.begin(), textures.end(), texture);
+                number = static_cast<std::size_t>(known - textures.begin()) + 1;
+                if (known == textures.end()) textures.push_back(texture), parts.emplace_back();
+            } else {
+                in.expected("'uv_vectors', 'texture' or '}'");
+            }
+        }
+        in.end_block();
+        if (!is_flat(points)) continue;
+        if (!smooth) std::fill(normals, normals + 3, flat_normal(points));
+        parts[number].smooth |= smooth, parts[number].mapped |= mapped;
+        add_triangle(parts[number], points, normals, places);
+    }
+    while (in.accept("inside_vector")) in.read_vector();
+    for (MeshPart& part : parts) join_points(part.data);
+    set_meshes(object, parts, textures);
+}
+
+/// Reads mesh2 { ... } after '{'.
+void PovReader::read_mesh2(Interpreter& in, ObjectThing& object) {
+    MeshData all;
+    std::vector<MeshData::Place> places;
+    std::vector<MeshData::Corners> normal_indices, place_indices, faces;
+    std::vector<std::size_t> face_textures;
+    std::vector<std::shared_ptr<const TextureThing>> textures;
+    const auto read_corners = [&](std::vector<MeshData::Corners>& list) {
+        in.begin_block();
+        const int count = in.read_integer();
+        for (int i = 0; i < count; ++i) {
+            in.skip_comma();
+            const DVec3 v = in.read_vector();
+            list.push_back(
+                {static_cast<std::int32_t>(v.x), static_cast<std::int32_t>(v.y), static_cast<std::int32_t>(v.z)});
+            std::size_t texture = 0;
+            in.skip_comma();
+            bool blends = false;
+            for (int k = 0; k < 3 && &list == &faces && at_texture_number(in); ++k) {
+                const std::size_t number = static_cast<std::size_t>(std::max(in.read_integer(), 0)) + 1;
+                if (k == 0) texture = number;
+                blends |= number != texture;
+                in.skip_comma();
+            }
+            if (blends) object.approximated("textures that blend across a triangle: that of its first corner");
+            if (&list == &faces) face_textures.push_back(texture);
+        }
+        in.end_block();
+    };
+    const auto read_list = [&](auto& list, const auto& read) {
+        in.begin_block();
+        const int count = in.read_integer();
+        for (int i = 0; i < count; ++i) in.skip_comma(), list.push_back(read());
+        in.skip_comma();
+        in.end_block();
+    };
+    for (;;) {
+        if (in.accept("vertex_vectors")) {
+            read_list(all.points, [&] { return in.read_vector(); });
+        } else if (in.accept("normal_vectors")) {
+            read_list(all.normals, [&] { return in.read_vector(); });
+        } else if (in.accept("uv_vectors")) {
+            read_list(places, [&] { return in.read_uv(); });
+        } else if (in.accept("texture_list")) {
+            read_list(textures, [&] {
+                if (auto known = in.accept_thing<TextureThing>(ValueKind::texture)) return known;
+                in.expect("texture");
+                return read_texture(in);
+            });
+        } else if (in.accept("face_indices")) {
+            read_corners(faces);
+        } else if (in.accept("normal_indices")) {
+            read_corners(normal_indices);
+        } else if (in.accept("uv_indices")) {
+            read_corners(place_indices);
+        } else if (in.accept("inside_vector")) {
+            in.read_vector();
+        } else {
+            break;
+        }
+    }
+    const auto& normal_of = normal_indices.empty() && all.normals.size() == all.points.size() ? faces : normal_indices;
+    const auto& place_of = place_indices.empty() && places.size() == all.points.size() ? faces : place_indices;
+    std::vector<MeshPart> parts(textures.size() + 1);
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+        DVec3 points[3], normals[3];
+        std::array<double, 2> own[3]{};
+        const bool smooth = i < normal_of.size(), mapped = i < place_of.size();
+        for (int k = 0; k < 3; ++k) {
+            const auto item = [&](const auto& list, std::int32_t n) {
+                if (n < 0 || static_cast<std::size_t>(n) >= list.size())
+                    in.fail("mesh2: a number of its lists is too large");
+                return list[static_cast<std::size_t>(n)];
+            };
+            points[k] = item(all.points, faces[i][k]);
+            if (smooth) normals[k] = item(all.normals, normal_of[i][k]);
+            if (mapped) own[k] = item(places, place_of[i][k]);
+        }
+        if (!is_flat(points)) continue;
+        if (face_textures[i] >= parts.size()) in.fail("mesh2: a number of a texture is too large");
+        MeshPart& part = parts[face_textures[i]];
+        bool whole = smooth;
+        for (const DVec3& normal : normals) whole &= normal != DVec3(0);
+        if (!whole) std::fill(normals, normals + 3, flat_normal(points));
+        part.smooth |= smooth, part.mapped |= mapped;
+        add_triangle(part, points, normals, own);
+    }
+    for (MeshPart& part : parts) join_points(part.data);
+    set_meshes(object, parts, textures);
+}
+
+bool PovReader::is_shape(std::uint16_t code) {
+    static constexpr std::array words{word("sphere"),
+                                      word("box"),
+                                      word("cylinder"),
+                                      word("cone"),
+                                      word("torus"),
+                                      word("plane"),
+                                      word("disc"),
+                                      word("triangle"),
+                                      word("smooth_triangle"),
+                                      word("polygon"),
+                                      word("mesh"),
+                                      word("mesh2"),
+                                      word("quadric"),
+                                      word("superellipsoid"),
+                                      word("lathe"),
+                                      word("prism"),
+                                      word("sor"),
+                                      word("blob"),
+                                      word("sphere_sweep"),
+                                      word("height_field"),
+                                      word("text"),
+                                      word("bicubic_patch"),
+                                      word("isosurface"),
+                                      word("parametric"),
+                                      word("julia_fractal"),
+                                      word("ovus"),
+                                      word("cubic"),
+                                      word("quartic"),
+                                      word("poly"),
+                                      word("polynomial")};
+    return std::ranges::find(words, code) != words.end();
+}
+
+/// Reads the arguments of a body after '{'.
+void PovReader::read_shape(Interpreter& in, std::uint16_t code, ObjectThing& object) {
+    const auto set = [&](const Shape& shape) {
+        object.kind = ObjectKind::shape;
+        object.shape = shape;
+    };
+    switch (code) {
+        case word("sphere"): {
+            const DVec3 centre = in.read_vector();
+            set(Sphere{centre, std::fabs(next_number(in))});
+            break;
+        }
+        case word("box"): {
+            const DVec3 corner = in.read_vector();
+            set(Cuboid{corner, next_vector(in)});
+            break;
+        }
+        case word("cylinder"): {
+            const DVec3 base = in.read_vector(), cap = next_vector(in);
+            set(Cylinder{base, cap, std::fabs(next_number(in))});
+            break;
+        }
+        case word("cone"): {
+            const DVec3 base = in.read_vector();
+            const double base_radius = next_number(in);
+            const DVec3 cap = next_vector(in);
+            set(Cone{base, std::fabs(base_radius), cap, std::fabs(next_number(in))});
+            break;
+        }
+        case word("torus"): {
+            const double major = in.read_number();
+            set(Torus{DVec3(0), DVec3(0, 1, 0), std::fabs(major), std::fabs(next_number(in))});
+            break;
+        }
+        case word("plane"): {
+            const DVec3 normal = in.read_vector();
+            const double distance = next_number(in);
+            if (length(normal) > 0) set(plane_of(normal, distance));
+            break;
+        }
+        case word("disc"): {
+            const DVec3 centre = in.read_vector(), normal = next_vector(in);
+            const double radius = next_number(in);
+            in.skip_comma();
+            set(Disc{centre, normal, radius, in.read_number_or(0)});
+            break;
+        }
+        case word("triangle"): {
+            const DVec3 a = in.read_vector(), b = next_vector(in), c = next_vector(in);
+            set(Triangle{a, b, c});
+            break;
+        }
+        case word("smooth_triangle"): {
+            const DVec3 a = in.read_vector(), na = next_vector(in), b = next_vector(in), nb = next_vector(in),
+                        c = next_vector(in), nc = next_vector(in);
+            set(SmoothTriangle{a, b, c, na, nb, nc});
+            break;
+        }
+        case word("polygon"):
+            return read_polygon(in, object);
+        case word("mesh"):
+            return read_mesh(in, object);
+        case word("mesh2"):
+            return read_mesh2(in, object);
+        default:
+            if (read_surface(in, code, object)) break;
+            object.left_out("the body '" + std::string(reserved_words[code - first_word_code]) + "'");
+            skip_arguments(in);
+    }
+    if (!object.shape) return;
+    if (const char* const fault = std::visit([](const auto& kind) { return kind.fault(); }, *object.shape)) {
+        object.left_out(std::string("a body without extent: ") + fault);
+        object.kind = ObjectKind::nothing;
+    }
+}
+
+}  // namespace strahl::pov

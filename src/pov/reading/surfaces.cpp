@@ -1,0 +1,344 @@
+// Reads bodies that become meshes, or other bodies.
+#include "pov/things/surfaces.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "num/vec_math.h"
+#include "pov/reading/reader.h"
+#include "scene/error.h"
+
+namespace strahl::pov {
+namespace {
+
+/// Takes the word of a kind of spline, if one comes.
+SplineKind read_spline_kind(Interpreter& in) {
+    if (in.accept("quadratic_spline")) return SplineKind::quadratic;
+    if (in.accept("cubic_spline")) return SplineKind::cubic;
+    if (in.accept("bezier_spline")) return SplineKind::bezier;
+    in.accept("linear_spline");
+    return SplineKind::linear;
+}
+
+std::vector<Point2> read_points(Interpreter& in) {
+    const int count = in.read_integer();
+    std::vector<Point2> points;
+    for (int i = 0; i < count; ++i) in.skip_comma(), points.push_back(in.read_uv());
+    in.skip_comma();
+    return points;
+}
+
+void set_mesh(ObjectThing& object, MeshData mesh) {
+    if (mesh.triangles.empty()) return;
+    object.kind = ObjectKind::shape;
+    object.shape = Mesh{std::make_shared<const MeshData>(std::move(mesh)), ""};
+}
+
+std::shared_ptr<const ObjectThing> part_of(const ObjectThing& whole, const Shape& shape, Steps steps = {}) {
+    auto part = std::make_shared<ObjectThing>();
+    part->kind = ObjectKind::shape, part->place = whole.place, part->shape = shape, part->steps = std::move(steps);
+    return part;
+}
+
+/// Is a point inside of a closed outline?
+bool surrounds(const std::vector<Point2>& outline, const Point2& p) {
+    bool in = false;
+    for (std::size_t i = 0, k = outline.size() - 1; i < outline.size(); k = i++) {
+        const Point2 &a = outline[i], &b = outline[k];
+        if ((a[1] > p[1]) != (b[1] > p[1]) && p[0] < (b[0] - a[0]) * (p[1] - a[1]) / (b[1] - a[1]) + a[0]) in = !in;
+    }
+    return in;
+}
+
+/// Joins lines to closed outlines.
+std::vector<std::vector<Point2>> outlines_of(const std::vector<std::vector<Point2>>& lines) {
+    std::vector<std::vector<Point2>> all(1);
+    for (const std::vector<Point2>& line : lines) {
+        std::vector<Point2>& own = all.back();
+        own.insert(own.end(), line.begin() + (own.empty() ? 0 : 1), line.end());
+        if (std::hypot(own.back()[0] - own[0][0], own.back()[1] - own[0][1]) > 1e-9) continue;
+        own.pop_back();
+        all.emplace_back();
+    }
+    std::erase_if(all, [](const auto& own) { return own.size() < 3; });
+    return all;
+}
+
+/// A quadric whose axes are those of space, as a ball, a cylinder or a cone; false if it is none of these.
+bool set_quadric(ObjectThing& object, const DVec3& squares, const DVec3& products, const DVec3& linear,
+                 double constant) {
+    constexpr double far = 1e4;
+    if (products != DVec3(0)) return false;
+    DVec3 centre(0), a = squares;
+    double rest = constant;
+    int flat = -1, positive = 0, negative = -1;
+    for (int i = 0; i < 3; ++i) {
+        if (a[i] == 0) {
+            if (flat >= 0 || linear[i] != 0) return false;
+            flat = i;
+            continue;
+        }
+        centre[i] = -linear[i] / (2 * a[i]);
+        rest -= linear[i] * linear[i] / (4 * a[i]);
+        a[i] > 0 ? void(++positive) : void(negative = i);
+    }
+    if (flat < 0 && positive == 3 && rest < 0) {
+        object.shape = Sphere{DVec3(0), 1};
+        object.steps = {Scale{{std::sqrt(-rest / a.x), std::sqrt(-rest / a.y), std::sqrt(-rest / a.z)}}};
+    } else if (flat >= 0 && positive == 2 && rest < 0) {
+        DVec3 end(0), factors(1);
+        end[flat] = far;
+        for (int i = 0; i < 3; ++i)
+            if (i != flat) factors[i] = std::sqrt(-rest / a[i]);
+        object.shape = Cylinder{-end, end, 1};
+        object.steps = {Scale{factors}};
+    } else if (flat < 0 && positive == 2 && std::fabs(rest) < 1e-12) {
+        DVec3 end(0), factors(1);
+        end[negative] = far;
+        for (int i = 0; i < 3; ++i)
+            if (i != negative) factors[i] = std::sqrt(-a[negative] / a[i]);
+        object.kind = ObjectKind::merge;
+        for (const double side : {-1., 1.}) object.parts.push_back(part_of(object, Cone{DVec3(0), 0, side * end, far}));
+        object.steps = {Scale{factors}, Translate{centre}};
+        return true;
+    } else {
+        return false;
+    }
+    object.kind = ObjectKind::shape;
+    if (centre != DVec3(0)) object.steps.push_back(Translate{centre});
+    return true;
+}
+
+}  // namespace
+
+/// Reads a body of these sorts after its '{'; reads nothing and returns false for others.
+bool PovReader::read_surface(Interpreter& in, std::uint16_t code, ObjectThing& object) {
+    const std::string mesh = "' is a mesh of flat pieces";
+    switch (code) {
+        case word("lathe"): {
+            const SplineKind kind = read_spline_kind(in);
+            set_mesh(object, turned(lines_of(kind, read_points(in))));
+            object.approximated("'lathe" + mesh);
+            return true;
+        }
+        case word("sor"): {
+            const std::vector<Point2> points = read_points(in);
+            std::vector<std::vector<Point2>> lines;
+            for (std::size_t i = 1; i + 2 < points.size(); ++i) {
+                // r^2 is the cubic in h through both ends with the slopes that their neighbours give.
+                const auto slope = [&](std::size_t n) {
+                    return 2 * points[n][0] * (points[n + 1][0] - points[n - 1][0]) /
+                           (points[n + 1][1] - points[n - 1][1]);
+                };
+                const Point2 &p = points[i], &q = points[i + 1];
+                const double h = q[1] - p[1], m = slope(i) * h, n = slope(i + 1) * h;
+                std::vector<Point2> line;
+                for (int k = 0; k <= curve_pieces; ++k) {
+                    const double t = double(k) / curve_pieces, s = 1 - t;
+                    const double square =
+                        p[0] * p[0] * s * s * (1 + 2 * t) + q[0] * q[0] * t * t * (3 - 2 * t) + (m * s - n * t) * s * t;
+                    line.push_back({k == 0              ? p[0]
+                                    : k == curve_pieces ? q[0]
+                                                        : std::sqrt(std::max(square, 0.)),
+                                    p[1] + h * t});
+                }
+                line.back()[1] = q[1];
+                lines.push_back(std::move(line));
+            }
+            if (!lines.empty() && !in.accept("open")) {
+                const Point2 low = lines.front().front(), high = lines.back().back();
+                lines.insert(lines.begin(), {{0, low[1]}, low});
+                lines.push_back({high, {0, high[1]}});
+            }
+            set_mesh(object, turned(lines));
+            object.approximated("'sor" + mesh);
+            return true;
+        }
+        case word("prism"): {
+            SplineKind kind = SplineKind::linear;
+            bool conic = false;
+            for (;;) {
+                if (in.accept("conic_sweep"))
+                    conic = true;
+                else if (in.at("linear_spline") || in.at("quadratic_spline") || in.at("cubic_spline") ||
+                         in.at("bezier_spline"))
+                    kind = read_spline_kind(in);
+                else if (!in.accept("linear_sweep"))
+                    break;
+            }
+            double low = in.read_number();
+            in.skip_comma();
+            double high = in.read_number();
+            in.skip_comma();
+            if (low > high) std::swap(low, high);
+            std::vector<Point2> points = read_points(in);
+            std::vector<std::vector<Point2>> outlines;
+            if (kind == SplineKind::linear) {
+                std::vector<Point2> own;
+                for (const Point2& p : points) {
+                    if (own.size() > 2 && p == own[0])
+                        outlines.push_back(std::exchange(own, {}));
+                    else
+                        own.push_back(p);
+                }
+                if (own.size() > 2) outlines.push_back(own);
+            } else {
+                outlines = outlines_of(lines_of(kind, points));
+                object.approximated("'prism" + mesh);
+            }
+            const bool open = in.accept("open");
+            if (outlines.size() == 1) {
+                set_mesh(object, swept(outlines[0], low, high, conic, !open));
+            } else if (!outlines.empty()) {
+                const bool holes = surrounds(outlines[0], outlines[1][0]);
+                object.kind = holes ? ObjectKind::subtract : ObjectKind::unite;
+                for (const auto& own : outlines)
+                    object.parts.push_back(part_of(
+                        object, Mesh{std::make_shared<const MeshData>(swept(own, low, high, conic, true)), ""}));
+            }
+            return true;
+        }
+        case word("superellipsoid"): {
+            const Point2 exponents = in.read_uv();
+            set_mesh(object, superellipsoid(exponents[0], exponents[1]));
+            object.approximated("'superellipsoid" + mesh);
+            return true;
+        }
+        case word("bicubic_patch"): {
+            int steps[2]{0, 0};
+            if (in.at_expression() && !in.at('<')) {  // an old form
+                in.read_number(), in.skip_comma(), in.read_number(), in.skip_comma();
+                for (int& own : steps) own = in.read_integer(), in.skip_comma();
+            }
+            for (;;) {
+                if (in.accept("type") || in.accept("flatness"))
+                    in.read_number();
+                else if (in.accept("u_steps"))
+                    steps[0] = in.read_integer();
+                else if (in.accept("v_steps"))
+                    steps[1] = in.read_integer();
+                else if (in.accept("uv_vectors"))
+                    for (int i = 0; i < 4; ++i) in.read_uv(), in.skip_comma();
+                else
+                    break;
+                in.skip_comma();
+            }
+            std::array<DVec3, 16> points;
+            for (DVec3& p : points) in.skip_comma(), p = in.read_vector();
+            set_mesh(object, bicubic(points, 1 << std::clamp(std::max(steps[0], steps[1]), 0, 5)));
+            object.approximated("'bicubic_patch" + mesh);
+            return true;
+        }
+        case word("quadric"): {
+            const DVec3 squares = in.read_vector();
+            in.skip_comma();
+            const DVec3 products = in.read_vector();
+            in.skip_comma();
+            const DVec3 linear = in.read_vector();
+            in.skip_comma();
+            if (set_quadric(object, squares, products, linear, in.read_number())) return true;
+            object.left_out("the body 'quadric', but for balls, cylinders and cones");
+            return true;
+        }
+        case word("sphere_sweep"): {
+            enum {
+                linear,
+                cubic,
+                b_spline
+            } kind = in.accept("cubic_spline") ? cubic
+                     : in.accept("b_spline")   ? b_spline
+                                               : linear;
+            in.accept("linear_spline");
+            const int count = in.read_integer();
+            std::vector<std::pair<DVec3, double>> given, balls;
+            for (int i = 0; i < count; ++i) {
+                in.skip_comma();
+                const DVec3 centre = in.read_vector();
+                in.skip_comma();
+                given.emplace_back(centre, in.read_number());
+            }
+            if (in.accept("tolerance")) in.read_number();
+            if (kind == linear) balls = given;
+            for (std::size_t i = 0; kind != linear && i + 3 < given.size(); ++i)
+                for (int k = i == 0 ? 0 : 1; k <= 8; ++k) {
+                    const double t = k / 8., s = 1 - t;
+                    const std::array<double, 4> w =
+                        kind == cubic ? std::array{-.5 * s * s * t, 1 - 2.5 * t * t + 1.5 * t * t * t,
+                                                   1 - 2.5 * s * s + 1.5 * s * s * s, -.5 * t * t * s}
+                                      : std::array{s * s * s / 6, (4 - 6 * t * t + 3 * t * t * t) / 6,
+                                                   (4 - 6 * s * s + 3 * s * s * s) / 6, t * t * t / 6};
+                    std::pair<DVec3, double> ball{DVec3(0), 0};
+                    for (std::size_t n = 0; n < 4; ++n)
+                        ball.first += w[n] * given[i + n].first, ball.second += w[n] * given[i + n].second;
+                    balls.push_back(ball);
+                }
+            if (kind != linear) object.approximated("'sphere_sweep' is of straight pieces");
+            object.kind = ObjectKind::unite;
+            for (std::size_t i = 0; i < balls.size(); ++i) {
+                const auto& [centre, radius] = balls[i];
+                if (radius > 0) object.parts.push_back(part_of(object, Sphere{centre, radius}));
+                if (i == 0) continue;
+                const auto& [before, first] = balls[i - 1];
+                const double away = length(centre - before), sine = (first - radius) / away;
+                if (!(std::fabs(sine) < 1)) continue;
+                // The cone touches both balls where its sides are at right angles to their radii.
+                const double cosine = std::sqrt(1 - sine * sine);
+                const DVec3 axis = (centre - before) / away;
+                object.parts.push_back(part_of(object, Cone{before + first * sine * axis, first * cosine,
+                                                            centre + radius * sine * axis, radius * cosine}));
+            }
+            return true;
+        }
+        case word("height_field"):
+            read_height_field(in, object);
+            return true;
+        default:
+            return false;
+    }
+}
+
+void PovReader::read_height_field(Interpreter& in, ObjectThing& object) {
+    std::string path;
+    double water = 0;
+    bool smooth = false;
+    for (;;) {
+        if (in.at_string())
+            path = in.find_file(in.read_file_name());
+        else if (in.accept("water_level"))
+            water = in.read_number();
+        else if (in.accept("smooth"))
+            smooth = in.read_flag();
+        else if (in.accept("function"))
+            in.read_number(), in.skip_comma(), in.read_number(), in.skip_block();
+        else if (in.accept("gamma")) {
+            if (!in.accept("srgb")) in.read_number();
+        } else if (in.at("gif") || in.at("tga") || in.at("pot") || in.at("png") || in.at("pgm") || in.at("ppm") ||
+                   in.at("jpeg") || in.at("tiff") || in.at("sys") || in.at("bmp") || in.at("exr") || in.at("hdr"))
+            in.skip();
+        else
+            break;
+    }
+    try {
+        if (path.empty() || !read_pixels) throw FileError("heights of a function");
+        const Pixels pixels = read_pixels(path);
+        constexpr int most = 2048;
+        if (std::min(pixels.width, pixels.height) < 2 || std::max(pixels.width, pixels.height) > most)
+            throw FileError("it has no pixels, or too many");
+        std::vector<double> heights;
+        bool grey = true;
+        for (std::size_t i = 0; i + 2 < pixels.values.size(); i += 3)
+            grey &= pixels.values[i] == pixels.values[i + 1] && pixels.values[i] == pixels.values[i + 2];
+        for (int j = pixels.height; j-- > 0;)
+            for (int i = 0; i < pixels.width; ++i) {
+                const float* const own =
+                    &pixels.values[3 * (std::size_t(j) * std::size_t(pixels.width) + std::size_t(i))];
+                heights.push_back(grey ? own[0] * 65535. / 65536 : (own[0] * 255. * 256 + own[1] * 255.) / 65536);
+            }
+        set_mesh(object, height_field(pixels.width, pixels.height, heights, water, smooth));
+        if (smooth) object.approximated("a smooth height_field has other normals");
+    } catch (const FileError& error) {
+        object.left_out(std::string("a height_field: ") + error.what());
+    }
+}
+
+}  // namespace strahl::pov

@@ -1,0 +1,312 @@
+// Reads pigments, normals, finishes, interiors, and textures made of them.
+#include <algorithm>
+#include <cmath>
+
+#include "pov/reading/reader.h"
+#include "pov/things/numbers.h"
+
+namespace strahl::pov {
+namespace {
+
+DVec3 read_rgb(Interpreter& in) { return color_of(in.read_color()); }
+
+/// Reads `albedo`, if it comes, and a number; returns whether it was an albedo.
+bool read_albedo(Interpreter& in, double& value) {
+    const bool albedo = in.accept("albedo");
+    value = in.read_number();
+    return albedo;
+}
+
+/// Reads what follows the word `reflection`.
+ReflectionValues read_reflection(Interpreter& in) {
+    ReflectionValues own;
+    if (!in.at('{')) {
+        own.least = own.most = read_rgb(in);
+        return own;
+    }
+    in.begin_block();
+    bool two = false;
+    if (!in.at('}')) own.least = own.most = read_rgb(in);
+    in.skip_comma();
+    if (in.at_color() || in.at_expression()) own.most = read_rgb(in), two = true;
+    while (!in.at('}')) {
+        if (in.accept("falloff"))
+            own.falloff = in.read_number();
+        else if (in.accept("exponent"))
+            own.exponent = in.read_number();
+        else if (in.accept("metallic"))
+            own.metallic = in.read_number_or(1);
+        else if (in.accept("fresnel"))
+            own.fresnel = in.read_flag();
+        else
+            in.expected("'falloff', 'exponent', 'metallic' or 'fresnel'");
+    }
+    in.end_block();
+    if (own.fresnel && !two) own.least = DVec3(0);
+    return own;
+}
+
+}  // namespace
+
+/// Reads the inside of a pigment, up to before what does not belong to it.
+void PovReader::read_pigment_body(Interpreter& in, PigmentThing& pigment) {
+    if (const auto known = in.accept_thing<PigmentThing>(ValueKind::pigment)) pigment = *known;
+    for (;;) {
+        if (in.accept("quick_color")) {
+            in.read_color();
+        } else if (in.at_color()) {
+            pigment.color = in.read_color();
+            pigment.blend.word = end_code;
+        } else if (!read_pattern_word(in, pigment.blend, ValueKind::pigment) &&
+                   !read_modifier(in, pigment.blend, ValueKind::pigment)) {
+            return;
+        }
+        if (pigment.blend.word == word("brick") || pigment.blend.map) in.skip_comma();
+    }
+}
+void PovReader::read_pigment(Interpreter& in, PigmentThing& pigment) {
+    in.begin_block();
+    read_pigment_body(in, pigment);
+    in.end_block();
+}
+
+void PovReader::read_normal_body(Interpreter& in, NormalThing& normal) {
+    if (const auto known = in.accept_thing<NormalThing>(ValueKind::normal)) normal = *known;
+    for (;;) {
+        if (in.accept("bump_size")) {
+            normal.amount = in.read_number();
+        } else if (read_pattern_word(in, normal.blend, ValueKind::normal)) {
+            in.skip_comma();
+            normal.amount = in.read_number_or(normal.amount);
+        } else if (!read_modifier(in, normal.blend, ValueKind::normal)) {
+            return;
+        }
+    }
+}
+void PovReader::read_normal(Interpreter& in, NormalThing& normal) {
+    in.begin_block();
+    read_normal_body(in, normal);
+    in.end_block();
+}
+
+void PovReader::read_finish(Interpreter& in, FinishThing& finish) {
+    in.begin_block();
+    if (const auto known = in.accept_thing<FinishThing>(ValueKind::finish)) finish = *known;
+    finish.place = in.place();
+    bool diffuse_albedo = false, phong_albedo = false, specular_albedo = false;
+    while (!in.at('}')) {
+        if (const auto known = in.accept_thing<FinishThing>(ValueKind::finish)) {
+            finish = *known;
+            continue;
+        }
+        const std::uint16_t code = in.code();
+        in.skip();
+        switch (code) {
+            case word("ambient"):
+                finish.ambient = read_rgb(in);
+                break;
+            case word("emission"):
+                finish.emission = read_rgb(in);
+                break;
+            case word("diffuse"):
+                diffuse_albedo = read_albedo(in, finish.diffuse);
+                in.skip_comma();
+                finish.diffuse_behind = in.read_number_or(finish.diffuse_behind);
+                break;
+            case word("brilliance"):
+                finish.brilliance = in.read_number();
+                break;
+            case word("phong"):
+                phong_albedo = read_albedo(in, finish.phong);
+                break;
+            case word("phong_size"):
+                finish.phong_size = in.read_number();
+                break;
+            case word("specular"):
+                specular_albedo = read_albedo(in, finish.specular);
+                break;
+            case word("roughness"):
+                finish.roughness = in.read_number();
+                break;
+            case word("metallic"):
+                finish.metallic = in.read_number_or(1);
+                break;
+            case word("reflection"): {
+                const double exponent = finish.reflection.exponent;
+                const bool block = in.at('{');
+                finish.reflection = read_reflection(in);
+                if (!block) finish.reflection.exponent = exponent;
+                break;
+            }
+            case word("reflection_exponent"):
+                finish.reflection.exponent = in.read_number();
+                break;
+            case word("crand"):
+                finish.crand = in.read_number();
+                break;
+            case word("conserve_energy"):
+                finish.conserve_energy = in.read_flag();
+                break;
+            case word("irid"):
+            case word("subsurface"):
+                (code == word("irid") ? finish.irid : finish.subsurface) = true;
+                in.skip_block();
+                break;
+            case word("ior"):
+                finish.ior = in.read_number();
+                break;
+            case word("refraction"):
+                finish.refraction = in.read_number();
+                break;
+            case word("caustics"):
+            case word("fade_distance"):
+            case word("fade_power"):
+                in.read_number();
+                break;
+            case word("use_alpha"):
+                in.read_flag();
+                break;
+            default:
+                in.fail("this word does not belong to a finish");
+        }
+        in.skip_comma();
+    }
+    in.end_block();
+    if (diffuse_albedo) finish.diffuse *= (finish.brilliance + 1) / 2;
+    if (phong_albedo) finish.phong *= (finish.phong_size + 1) / 2;
+    const double e = 1 / finish.roughness;
+    if (specular_albedo) finish.specular *= (e + 2) / (4 * (2 - std::exp2(-e / 2)));
+}
+
+void PovReader::read_interior(Interpreter& in, InteriorThing& interior) {
+    in.begin_block();
+    interior.place = in.place();
+    while (!in.at('}')) {
+        if (const auto known = in.accept_thing<InteriorThing>(ValueKind::interior)) {
+            interior = *known;
+            continue;
+        }
+        if (in.kind() == ValueKind::media) {
+            in.take_value();
+            interior.media = true;
+            continue;
+        }
+        if (Steps steps; read_step(in, steps)) continue;
+        const std::uint16_t code = in.code();
+        in.skip();
+        switch (code) {
+            case word("ior"):
+                interior.ior = in.read_number();
+                break;
+            case word("fade_distance"):
+            case word("fade_power"): {
+                const double value = in.read_number();
+                if (code == word("fade_power")) interior.fades = value != 0;
+                break;
+            }
+            case word("fade_color"):
+                in.read_color();
+                break;
+            case word("caustics"):
+                interior.caustics = in.read_number() != 0;
+                break;
+            case word("dispersion"):
+                interior.dispersion = in.read_number() != 1;
+                break;
+            case word("dispersion_samples"):
+            case word("refraction"):
+                in.read_number();
+                break;
+            case word("media"):
+                interior.media = true;
+                in.skip_block();
+                break;
+            default:
+                in.fail("this word does not belong to an interior");
+        }
+    }
+    in.end_block();
+}
+
+/// Reads the inside of a texture.
+std::shared_ptr<const TextureThing> PovReader::read_texture_body(Interpreter& in) {
+    if (in.accept("texture")) return read_texture(in);
+    const auto known = in.accept_thing<TextureThing>(ValueKind::texture);
+    if (known && (in.at('}') || in.at(']'))) return known;
+    auto texture = std::make_shared<TextureThing>(known ? *known : *default_texture);
+    LayerValues& layer = texture->layers.back();
+    if (!known) layer.place = in.place();
+    for (;;) {
+        if (in.accept("pigment")) {
+            read_pigment(in, layer.pigment);
+        } else if (in.accept("normal")) {
+            read_normal(in, layer.normal);
+        } else if (in.accept("finish")) {
+            read_finish(in, layer.finish);
+        } else if (const auto pigment = in.accept_thing<PigmentThing>(ValueKind::pigment)) {
+            layer.pigment = *pigment;
+        } else if (const auto normal = in.accept_thing<NormalThing>(ValueKind::normal)) {
+            layer.normal = *normal;
+        } else if (const auto finish = in.accept_thing<FinishThing>(ValueKind::finish)) {
+            layer.finish = *finish;
+        } else if (in.accept("tiles")) {
+            read_tiles(in, layer.blend);
+        } else if (Steps steps; read_step(in, steps)) {
+            for (LayerValues& each : texture->layers) transform(each, steps);
+        } else if (!read_pattern_word(in, layer.blend, ValueKind::texture) &&
+                   !read_modifier(in, layer.blend, ValueKind::texture)) {
+            break;
+        }
+    }
+    if (layer.blend && !layer.blend.map) layer.blend.word = end_code;
+    return texture;
+}
+std::shared_ptr<const TextureThing> PovReader::read_texture(Interpreter& in) {
+    in.begin_block();
+    auto texture = read_texture_body(in);
+    in.end_block();
+    return texture;
+}
+
+/// Reads tiles { texture { ... } tile2 texture { ... } }, the old form of a checker.
+void PovReader::read_tiles(Interpreter& in, Blend& blend) {
+    blend.word = word("checker"), blend.place = in.last_place();
+    in.begin_block();
+    auto map = std::make_shared<MapThing>();
+    while (in.accept("texture") || in.accept("tile2"))
+        if (in.at('{')) map->entries.push_back({.at = double(map->entries.size()), .thing = read_texture(in)});
+    in.end_block();
+    blend.map = std::move(map);
+}
+
+std::shared_ptr<const MaterialThing> PovReader::read_material(Interpreter& in) {
+    in.begin_block();
+    auto material = std::make_shared<MaterialThing>();
+    for (;;) {
+        if (const auto known = in.accept_thing<MaterialThing>(ValueKind::material)) {
+            *material = *known;
+        } else if (const auto known = in.accept_thing<TextureThing>(ValueKind::texture)) {
+            material->texture = known;
+        } else if (in.accept("texture")) {
+            auto more = read_texture(in);
+            material->texture = material->texture ? layered(*material->texture, *more) : more;
+        } else if (in.accept("interior_texture")) {
+            material->interior_texture = read_texture(in);
+        } else if (in.accept("interior")) {
+            auto interior = std::make_shared<InteriorThing>(material->interior ? *material->interior : InteriorThing());
+            read_interior(in, *interior);
+            material->interior = std::move(interior);
+        } else if (Steps steps; read_step(in, steps)) {
+            if (!material->texture) continue;
+            auto moved = std::make_shared<TextureThing>(*material->texture);
+            for (LayerValues& layer : moved->layers) transform(layer, steps);
+            material->texture = std::move(moved);
+        } else {
+            break;
+        }
+    }
+    in.end_block();
+    return material;
+}
+
+}  // namespace strahl::pov

@@ -1,0 +1,24 @@
+// Numbers as a scene's author wrote them.
+#pragma once
+#include <charconv>
+#include <cmath>
+
+#include "num/vec.h"
+#include "pov/language/value.h"
+
+namespace strahl::pov {
+
+/// Returns the number that was written: of all decimals that round to this float the shortest.
+inline double decimal(float v) {
+    char digits[32];
+    const auto end = std::to_chars(digits, digits + sizeof digits, v).ptr;
+    double result = v;
+    std::from_chars(digits, end, result);
+    return result;
+}
+inline Color color_of(const FilterColor& c) { return {decimal(c.red), decimal(c.green), decimal(c.blue)}; }
+
+/// Returns the number rounded to 12 decimals, so that 1 - .7 is .3.
+inline double tidy(double v) { return std::fabs(v) < 1e3 ? std::round(v * 1e12) / 1e12 : v; }
+
+}  // namespace strahl::pov

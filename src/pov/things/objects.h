@@ -1,0 +1,114 @@
+// Bodies, lights and cameras as a POV-Ray scene declares them.
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "pov/things/textures.h"
+#include "scene/light.h"
+#include "scene/scene.h"
+
+namespace strahl::pov {
+
+enum class ObjectKind {
+    shape,    // one simple body
+    nothing,  // a body that is left out
+    light,
+    unite,  // a union keeps the surfaces inside it
+    merge,
+    intersect,
+    subtract,
+};
+
+struct LightThing {
+    DVec3 location{0}, color{1};
+    DVec3 point_at{0, 0, 1};
+    enum class Sort { point, spot, cylinder } sort = Sort::point;
+    bool parallel = false, shadowless = false, circular = false, orient = false, jitter = false;
+    bool area_illumination = false, projected = false;
+    std::optional<double> radius, falloff, tightness;
+    double fade_distance = 0, fade_power = 0;
+    std::optional<Area> area;
+};
+
+/// A texture, and what moved the body after it was given the texture.
+struct PlacedTexture {
+    std::shared_ptr<const TextureThing> texture;
+    Steps steps;
+};
+
+/// The bodies of an object, once a scene has asked for them; a copy, which may be changed, has none.
+struct MadeBodies {
+    MadeBodies() = default;
+    MadeBodies(const MadeBodies&) {}
+    MadeBodies& operator=(const MadeBodies&) { return bodies.reset(), *this; }
+    mutable std::shared_ptr<const std::vector<Primitive>> bodies;
+};
+
+struct ObjectThing : Thing {
+    ObjectKind kind = ObjectKind::nothing;
+    TextPlace place;
+    std::optional<Shape> shape;
+    std::shared_ptr<const LightThing> light;
+    std::vector<std::shared_ptr<const ObjectThing>> parts;
+    std::vector<std::shared_ptr<const ObjectThing>> clips;   // cut off what is outside of them
+    std::vector<std::shared_ptr<const ObjectThing>> bounds;  // used only where clips refer to them
+    Steps steps;
+    std::optional<PlacedTexture> texture;
+    std::shared_ptr<const InteriorThing> interior;
+    std::optional<bool> no_shadow, no_image, no_reflection;
+    bool inverse = false, hollow = false;
+    std::vector<std::pair<Remark::Kind, std::string>> notes;  // to be told where the object is shown
+    MadeBodies made;
+
+    void left_out(const std::string& text) { notes.emplace_back(Remark::Kind::left_out, text); }
+    void approximated(const std::string& text) { notes.emplace_back(Remark::Kind::approximated, text); }
+};
+
+struct CameraThing : Thing {
+    TextPlace place;
+    std::uint16_t projection = word("perspective");
+    DVec3 location{0}, direction{0, 0, 1}, right{1.33, 0, 0}, up{0, 1, 0}, sky{0, 1, 0}, look_at{0, 0, 1};
+    bool has_look_at = false, has_axes = false, has_direction = false, blurred = false, bent = false;
+    std::optional<double> angle;
+    Steps steps;
+};
+
+struct FogThing : Thing {
+    TextPlace place;
+    double distance = 0;
+    int type = 1;
+    FilterColor color{};
+    bool turbulent = false;
+};
+
+struct SkyThing : Thing {
+    TextPlace place;
+    std::vector<PigmentThing> pigments;  // the last one is on top
+};
+
+/// A body as the scene shows it, with the texture that holds where it has none.
+struct PlacedObject {
+    std::shared_ptr<const ObjectThing> object;
+    std::shared_ptr<const TextureThing> fallback;
+};
+
+/// Everything that a file declares, before its version and its gamma are known.
+struct PovContents {
+    std::optional<CameraThing> camera;
+    std::vector<PlacedObject> objects;
+    std::vector<FogThing> fogs;
+    std::optional<SkyThing> sky;
+    DVec3 background{0};
+    DVec3 ambient_light{1};
+    int max_trace_level = 5;
+    TextPlace depth_place;
+    double adc_bailout = 1. / 255;
+    bool assumes_srgb = false;
+    TextPlace gamma_place;
+    std::optional<TextPlace> radiosity;
+};
+
+}  // namespace strahl::pov

@@ -1,0 +1,244 @@
+#include "pov/things/surfaces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "mesh/join.h"
+#include "mesh/split.h"
+#include "num/vec_math.h"
+#include "scene/kinds/triangle.h"
+
+namespace strahl::pov {
+namespace {
+
+/// Collects triangles; those without area are left out.
+class MeshBuilder {
+  public:
+    void add_triangle(const std::array<DVec3, 3>& points, const std::array<DVec3, 3>& normals, bool smooth) {
+        const std::array<std::int32_t, 3> corners{joined.number_of(points[0]), joined.number_of(points[1]),
+                                                  joined.number_of(points[2])};
+        if (Triangle{points[0], points[1], points[2]}.fault()) return;
+        mesh.triangles.push_back(corners);
+        any_smooth |= smooth;
+        const DVec3 flat = cross_product(points[1] - points[0], points[2] - points[0]);
+        MeshData::Corners own;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const bool given = smooth && length(normals[k]) > 0;
+            own[k] = directions.number_of(given ? normals[k] : flat);
+        }
+        mesh.corner_normals.push_back(own);
+    }
+    /// Adds a quadrilateral whose corners go round.
+    void add_square(const std::array<DVec3, 4>& p, const std::array<DVec3, 4>& n, bool smooth = true) {
+        add_triangle({p[0], p[1], p[2]}, {n[0], n[1], n[2]}, smooth);
+        add_triangle({p[0], p[2], p[3]}, {n[0], n[2], n[3]}, smooth);
+    }
+    MeshData finish() {
+        mesh.points = std::move(joined.points()), mesh.normals = std::move(directions.points());
+        if (!any_smooth) mesh.normals.clear(), mesh.corner_normals.clear();
+        return std::move(mesh);
+    }
+
+  private:
+    MeshData mesh;
+    PointJoiner joined, directions;
+    bool any_smooth = false;
+};
+
+/// Returns the points of a curve with these coefficients: a t^3 + b t^2 + c t + d, t from 0 to 1.
+std::vector<Point2> curve(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
+    std::vector<Point2> line;
+    for (int i = 0; i <= curve_pieces; ++i) {
+        const double t = double(i) / curve_pieces;
+        line.push_back({((a[0] * t + b[0]) * t + c[0]) * t + d[0], ((a[1] * t + b[1]) * t + c[1]) * t + d[1]});
+    }
+    return line;
+}
+
+}  // namespace
+
+void join_points(MeshData& mesh) {
+    const auto join = [](std::vector<DVec3>& list, std::vector<MeshData::Corners>& corners) {
+        PointJoiner joined;
+        for (MeshData::Corners& own : corners)
+            for (std::int32_t& n : own) n = joined.number_of(list[static_cast<std::size_t>(n)]);
+        list = std::move(joined.points());
+    };
+    if (!mesh.places.empty() && mesh.corner_places.empty()) mesh.corner_places = mesh.triangles;
+    join(mesh.points, mesh.triangles);
+    if (!mesh.corner_normals.empty()) join(mesh.normals, mesh.corner_normals);
+}
+
+std::vector<std::vector<Point2>> lines_of(SplineKind kind, std::span<const Point2> points) {
+    std::vector<std::vector<Point2>> lines;
+    const auto mix = [](std::initializer_list<std::pair<double, Point2>> terms) {
+        Point2 sum{};
+        for (const auto& [factor, p] : terms) sum[0] += factor * p[0], sum[1] += factor * p[1];
+        return sum;
+    };
+    const std::size_t count = points.size();
+    switch (kind) {
+        case SplineKind::linear:
+            for (std::size_t i = 0; i + 1 < count; ++i) lines.push_back({points[i], points[i + 1]});
+            break;
+        case SplineKind::quadratic:
+            for (std::size_t i = 0; i + 2 < count; ++i) {
+                const Point2 &p = points[i], &q = points[i + 1], &r = points[i + 2];
+                lines.push_back(curve({}, mix({{.5, p}, {-1, q}, {.5, r}}), mix({{-.5, p}, {.5, r}}), q));
+            }
+            break;
+        case SplineKind::cubic:
+            for (std::size_t i = 0; i + 3 < count; ++i) {
+                const Point2 &p = points[i], &q = points[i + 1], &r = points[i + 2], &s = points[i + 3];
+                lines.push_back(curve(mix({{-.5, p}, {1.5, q}, {-1.5, r}, {.5, s}}),
+                                      mix({{1, p}, {-2.5, q}, {2, r}, {-.5, s}}), mix({{-.5, p}, {.5, r}}), q));
+            }
+            break;
+        case SplineKind::bezier:
+            for (std::size_t i = 0; i + 3 < count; i += 4) {
+                const Point2 &p = points[i], &q = points[i + 1], &r = points[i + 2], &s = points[i + 3];
+                lines.push_back(curve(mix({{-1, p}, {3, q}, {-3, r}, {1, s}}), mix({{3, p}, {-6, q}, {3, r}}),
+                                      mix({{-3, p}, {3, q}}), p));
+            }
+            break;
+    }
+    // Each curve goes on exactly where the one before ends.
+    for (std::size_t i = 1; i < lines.size(); ++i)
+        if (std::hypot(lines[i][0][0] - lines[i - 1].back()[0], lines[i][0][1] - lines[i - 1].back()[1]) < 1e-9)
+            lines[i][0] = lines[i - 1].back();
+    return lines;
+}
+
+MeshData turned(std::span<const std::vector<Point2>> lines) {
+    std::array<Point2, turn_pieces + 1> turn;
+    for (int i = 0; i < turn_pieces; ++i)
+        turn[std::size_t(i)] = {std::cos(2 * std::numbers::pi * i / turn_pieces),
+                                std::sin(2 * std::numbers::pi * i / turn_pieces)};
+    turn[turn_pieces] = turn[0];
+    MeshBuilder mesh;
+    for (const std::vector<Point2>& line : lines) {
+        const auto normal = [&](std::size_t i) {
+            const Point2 &p = line[i > 0 ? i - 1 : i], &q = line[std::min(i + 1, line.size() - 1)];
+            return Point2{q[1] - p[1], p[0] - q[0]};
+        };
+        const auto at = [](const Point2& p, const Point2& turned) {
+            return DVec3(p[0] * turned[0], p[1], p[0] * turned[1]);
+        };
+        for (std::size_t i = 0; i + 1 < line.size(); ++i)
+            for (std::size_t k = 0; k < turn_pieces; ++k) {
+                const Point2 &a = turn[k], &b = turn[k + 1], n = normal(i), m = normal(i + 1);
+                mesh.add_square({at(line[i], a), at(line[i + 1], a), at(line[i + 1], b), at(line[i], b)},
+                                {at(n, a), at(m, a), at(m, b), at(n, b)});
+            }
+    }
+    return mesh.finish();
+}
+
+MeshData swept(std::span<const Point2> outline, double low, double high, bool conic, bool caps) {
+    MeshBuilder mesh;
+    const auto at = [&](const Point2& p, double y) {
+        return conic ? DVec3(p[0] * y, y, p[1] * y) : DVec3(p[0], y, p[1]);
+    };
+    const std::size_t count = outline.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        const Point2 &p = outline[i], &q = outline[(i + 1) % count];
+        mesh.add_square({at(p, low), at(q, low), at(q, high), at(p, high)}, {}, false);
+    }
+    for (const double y : {low, high}) {
+        if (!caps || (conic && y == 0)) continue;
+        std::vector<DVec3> points;
+        std::vector<std::int32_t> corners;
+        for (const Point2& p : outline)
+            corners.push_back(static_cast<std::int32_t>(points.size())), points.push_back(at(p, y));
+        FaceSplitter splitter;
+        for (const auto& [a, b, c] : splitter.split(points, corners)) {
+            const DVec3 &p = points[std::size_t(a)], &q = points[std::size_t(b)], &r = points[std::size_t(c)];
+            mesh.add_triangle(y == low ? std::array{p, r, q} : std::array{p, q, r}, {}, false);
+        }
+    }
+    return mesh.finish();
+}
+
+MeshData superellipsoid(double e, double n) {
+    constexpr int around = 128, up = 64;
+    const auto power = [](double v, double exponent) { return std::copysign(std::pow(std::fabs(v), exponent), v); };
+    const auto exact = [](double v) { return std::fabs(v) < 1e-12 ? 0 : v; };
+    MeshBuilder mesh;
+    const auto place = [&](int i, int j, double east, double north) {
+        const double u = 2 * std::numbers::pi * (i % around) / around, v = std::numbers::pi * (double(j) / up - .5);
+        const double c = j == 0 || j == up ? 0 : std::cos(v);
+        return DVec3(power(c, north) * power(exact(std::cos(u)), east),
+                     power(c, north) * power(exact(std::sin(u)), east), power(exact(std::sin(v)), north));
+    };
+    for (int i = 0; i < around; ++i)
+        for (int j = 0; j < up; ++j) {
+            const std::array<std::array<int, 2>, 4> corners{{{i, j}, {i + 1, j}, {i + 1, j + 1}, {i, j + 1}}};
+            std::array<DVec3, 4> points, normals;
+            for (std::size_t k = 0; k < 4; ++k) {
+                points[k] = place(corners[k][0], corners[k][1], e, n);
+                normals[k] = e < 2 && n < 2 ? place(corners[k][0], corners[k][1], 2 - e, 2 - n) : DVec3(0);
+            }
+            mesh.add_square(points, normals);
+        }
+    return mesh.finish();
+}
+
+MeshData bicubic(const std::array<DVec3, 16>& points, int pieces) {
+    const auto weights = [](double t) {
+        const double s = 1 - t;
+        return std::array{s * s * s, 3 * s * s * t, 3 * s * t * t, t * t * t};
+    };
+    const auto slopes = [](double t) {
+        const double s = 1 - t;
+        return std::array{-3 * s * s, 3 * s * s - 6 * s * t, 6 * s * t - 3 * t * t, 3 * t * t};
+    };
+    const auto sum = [&](const std::array<double, 4>& v, const std::array<double, 4>& u) {
+        DVec3 p(0);
+        for (std::size_t i = 0; i < 4; ++i)
+            for (std::size_t j = 0; j < 4; ++j) p += v[i] * u[j] * points[4 * i + j];
+        return p;
+    };
+    MeshBuilder mesh;
+    for (int i = 0; i < pieces; ++i)
+        for (int j = 0; j < pieces; ++j) {
+            std::array<DVec3, 4> p, n;
+            const int corners[4][2]{{i, j}, {i + 1, j}, {i + 1, j + 1}, {i, j + 1}};
+            for (std::size_t k = 0; k < 4; ++k) {
+                const double v = double(corners[k][0]) / pieces, u = double(corners[k][1]) / pieces;
+                p[k] = sum(weights(v), weights(u));
+                n[k] = cross_product(sum(slopes(v), weights(u)), sum(weights(v), slopes(u)));
+            }
+            mesh.add_square(p, n);
+        }
+    return mesh.finish();
+}
+
+MeshData height_field(int width, int height, std::span<const double> heights, double water, bool smooth) {
+    MeshData mesh;
+    const auto clamped = [](int v, int most) { return std::clamp(v, 0, most - 1); };
+    const auto value = [&](int i, int j) {
+        return heights[std::size_t(clamped(j, height)) * std::size_t(width) + std::size_t(clamped(i, width))];
+    };
+    const double dx = 1. / (width - 1), dz = 1. / (height - 1);
+    for (int j = 0; j < height; ++j)
+        for (int i = 0; i < width; ++i) {
+            mesh.points.push_back({i * dx, value(i, j), j * dz});
+            if (smooth)
+                mesh.normals.push_back({(value(i - 1, j) - value(i + 1, j)) / (2 * dx), 1,
+                                        (value(i, j - 1) - value(i, j + 1)) / (2 * dz)});
+        }
+    const auto add = [&](std::int32_t a, std::int32_t b, std::int32_t c) {
+        const auto above = [&](std::int32_t n) { return mesh.points[std::size_t(n)].y > water; };
+        if (above(a) || above(b) || above(c)) mesh.triangles.push_back({a, b, c});
+    };
+    for (int j = 0; j + 1 < height; ++j)
+        for (int i = 0; i + 1 < width; ++i) {
+            const int a = j * width + i, b = a + 1, c = a + width, d = c + 1;
+            add(a, c, b), add(b, c, d);
+        }
+    if (smooth) mesh.corner_normals = mesh.triangles;
+    return mesh;
+}
+
+}  // namespace strahl::pov

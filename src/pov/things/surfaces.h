@@ -1,0 +1,34 @@
+// Turns bodies that a scene cannot hold into meshes.
+#pragma once
+#include <array>
+#include <span>
+#include <vector>
+
+#include "scene/kinds/mesh_data.h"
+
+namespace strahl::pov {
+
+/// Joins equal points, and equal normals, of a mesh whose triangles have corners of their own.
+void join_points(MeshData& mesh);
+
+using Point2 = std::array<double, 2>;
+enum class SplineKind { linear, quadratic, cubic, bezier };
+/// How many straight pieces approximate each piece of a curve, and a whole turn.
+inline constexpr int curve_pieces = 16, turn_pieces = 96;
+
+/// Returns the curves of a lathe or a prism as straight lines, one for each piece of the spline; a linear one is one
+/// line.
+std::vector<std::vector<Point2>> lines_of(SplineKind kind, std::span<const Point2> points);
+
+/// Returns the surface that a line of radii and heights makes when it turns about the y axis.
+MeshData turned(std::span<const std::vector<Point2>> lines);
+/// Returns the solid over a closed outline in x and z, from `low` to `high`. A conic one narrows towards y = 0.
+MeshData swept(std::span<const Point2> outline, double low, double high, bool conic, bool caps);
+/// (|x|^(2/e) + |y|^(2/e))^(e/n) + |z|^(2/n) = 1.
+MeshData superellipsoid(double e, double n);
+/// The bicubic surface of 16 control points, row by row, in `pieces` by `pieces` squares.
+MeshData bicubic(const std::array<DVec3, 16>& points, int pieces);
+/// The field of heights over x and z from 0 to 1, from the lower row of z on; what is below `water` is left out.
+MeshData height_field(int width, int height, std::span<const double> heights, double water, bool smooth);
+
+}  // namespace strahl::pov

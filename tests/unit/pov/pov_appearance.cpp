@@ -1,0 +1,149 @@
+// Textures, lights, cameras and settings of POV-Ray's scenes, and what is told about those that scenes cannot hold.
+#include <cmath>
+
+#include "num/vec_math.h"
+#include "scene/camera.h"
+#include "tests/unit/pov/opened.h"
+
+using namespace strahl;
+
+TEST_CASE("POV-Ray: cameras have POV-Ray's axes") {
+    struct Row {
+        const char* text;
+        DVec3 forward, right;  // in POV-Ray's coordinates
+        double tan_x, tan_y;
+    };
+    const double t = std::tan(20 * 3.14159265358979323846 / 180);
+    for (const Row& row : {Row{"", {0, 0, 1}, {1, 0, 0}, .665, .5}, Row{"angle 90", {0, 0, 1}, {1, 0, 0}, 1, 1 / 1.33},
+                           Row{"right -2*x", {0, 0, 1}, {-1, 0, 0}, 1, .5},
+                           Row{"location y look_at <0, 1, 5> angle 40", {0, 0, 1}, {1, 0, 0}, t, t / 1.33},
+                           Row{"look_at x right x", {1, 0, 0}, {0, 0, -1}, .5, .5},
+                           Row{"look_at x right -x", {1, 0, 0}, {0, 0, 1}, .5, .5},
+                           Row{"sky z look_at y right -x", {0, 1, 0}, {1, 0, 0}, .5, .5},
+                           Row{"direction 2*z", {0, 0, 1}, {1, 0, 0}, .3325, .25},
+                           Row{"look_at z rotate 90*y", {1, 0, 0}, {0, 0, -1}, .665, .5}}) {
+        CAPTURE(row.text);
+        const Scene scene = whole("camera { " + std::string(row.text) + " }", false);
+        const CameraFrame frame = frame_of(scene.camera, 4. / 3);
+        // The mirrored scene shows what the file means.
+        const bool same = length(frame.forward - row.forward) < 1e-12 && length(frame.right - row.right) < 1e-12;
+        const DVec3 z(1, 1, -1);
+        const bool mirrored =
+            length(frame.forward - z * row.forward) < 1e-12 && length(frame.right - z * row.right) < 1e-12;
+        CHECK((same || mirrored));
+        CHECK(frame.tan_x == doctest::Approx(row.tan_x).epsilon(1e-12));
+        CHECK(frame.tan_y == doctest::Approx(row.tan_y).epsilon(1e-11));
+    }
+    CHECK(whole("camera { location -3*z angle 40 look_at 0 }", false).camera.fov == 20);
+}
+
+TEST_CASE("POV-Ray: finishes and pigments") {
+    const auto of = [](const std::string& text) { return material(whole("sphere { 0, 1 " + text + " }")); };
+    CHECK(of("") ==
+          Material{.rgb = {0, 0, 0}, .reflection = 0, .diffuse = .6, .ambient = .1, .specular = 0, .pow = 40});
+    const Material shiny =
+        of("pigment { rgb .2 } finish { phong .7 phong_size 25 reflection .3 ambient 0 diffuse .9 }");
+    CHECK(shiny ==
+          Material{.rgb = {.2, .2, .2}, .reflection = .3, .diffuse = .9, .ambient = 0, .specular = .7, .pow = 25});
+    const Material clear = of("pigment { rgb 1 transmit .75 } finish { reflection .25 } interior { ior 1.5 }");
+    CHECK(clear.refraction == .75);
+    CHECK(clear.ior == 1.5);
+    CHECK(clear.diffuse == .15);
+    CHECK(clear.ambient == .025);
+    // Layers: what the upper one lets through falls on the lower one.
+    CHECK(of("texture { pigment { rgb x } } texture { pigment { rgb 0 transmit .5 } finish { ambient 0 diffuse 0 } }")
+              .diffuse == .3);
+}
+
+TEST_CASE("POV-Ray: patterns that scenes have are exact") {
+    const auto pattern = [](const std::string& text) {
+        const Material own = material(whole("sphere { 0, 1 pigment { " + text + " } }"));
+        REQUIRE(own.rgb.pattern);
+        return *own.rgb.pattern;
+    };
+    CHECK(std::get<Brick>(pattern("brick rgb 0, rgb 1 brick_size <2, 1, 1> mortar .1").kind) == Brick{{2, 1, 1}, .1});
+    CHECK(pattern("checker").colors == std::vector<ColorStop>{{0, {0, 0, 1}}, {1, {0, 1, 0}}});
+    CHECK(pattern("checker rgb x").colors == std::vector<ColorStop>{{0, {1, 0, 0}}, {1, {0, 1, 0}}});
+    CHECK(pattern("checker pigment { rgb x }").colors == std::vector<ColorStop>{{0, {1, 0, 0}}, {1, Color(0)}});
+    const Pattern ramp = pattern("gradient y color_map { [0 rgb 0] [.25 rgb x] [1 rgb 1] } scale 3");
+    CHECK(std::get<Gradient>(ramp.kind).axis == DVec3(0, 1, 0));
+    CHECK(ramp.colors == std::vector<ColorStop>{{0, Color(0)}, {.25, {1, 0, 0}}, {1, Color(1)}});
+    // The old form of a map, and a wave.
+    const Pattern old = pattern(
+        "gradient x triangle_wave color_map { [0, .5 color rgb 0 color rgb 1] [.5 1 color rgb 1 color rgb 1] }");
+    CHECK(old.colors == std::vector<ColorStop>{{0, Color(0)},
+                                               {.25, Color(1)},
+                                               {.25, Color(1)},
+                                               {.5, Color(1)},
+                                               {.5, Color(1)},
+                                               {.75, Color(1)},
+                                               {.75, Color(1)},
+                                               {1, Color(0)}});
+    CHECK(std::holds_alternative<Marble>(pattern("marble").kind));
+    CHECK(std::holds_alternative<Wood>(pattern("wood").kind));
+}
+
+TEST_CASE("POV-Ray: lights") {
+    const auto light = [](const std::string& text) {
+        const Scene scene = whole("light_source { " + text + " }");
+        REQUIRE(scene.lights.size() == 1);
+        return scene.lights[0];
+    };
+    CHECK(light("<1, 2, 3> rgb <1, .5, .25>") == Light{.position = {1, 2, 3}, .color = {1, .5, .25}});
+    CHECK(light("0 rgb 1 spotlight point_at y falloff 30 radius 20 tightness 2").spot == Spot{{0, 1, 0}, 20, 30, 2});
+    CHECK(light("0 rgb 1 spotlight").spot == Spot{{0, 0, 1}, 30, 45, 0});
+    CHECK(light("2*y rgb 1 parallel point_at x").direction == DVec3(1, -2, 0));
+    CHECK(light("x rgb 1 translate y").position == DVec3(1, 1, 0));
+    CHECK(length(light("x rgb 1 spotlight point_at y rotate 90*z").spot->look_at - DVec3(-1, 0, 0)) < 1e-15);
+    const Scene body = opened("light_source { x rgb 1 looks_like { sphere { 0, .1 } } translate y }").scene;
+    CHECK(body.primitives.at(0).transformations ==
+          std::vector<Transformation>{Translate{{1, 0, 0}}, Translate{{0, 1, 0}}});
+}
+
+TEST_CASE("POV-Ray: gamma and defaults depend on the version") {
+    CHECK_FALSE(whole("").settings.linear);
+    CHECK_FALSE(whole("#version 3.6;").settings.linear);
+    CHECK(whole("#version 3.7;").settings.linear);
+    CHECK(whole("#version 3.6; #version 3.7;").settings.linear);
+    CHECK(whole("global_settings { assumed_gamma 1 }").settings.linear);
+    CHECK_FALSE(whole("#version 3.7; global_settings { assumed_gamma srgb }").settings.linear);
+    const Settings settings = whole("global_settings { ambient_light rgb .5 max_trace_level 7 }").settings;
+    CHECK(settings.ambient_light == Color(.5));
+    CHECK(settings.max_trace_level == 7);
+    CHECK(whole("").settings.max_trace_level == 5);
+}
+
+TEST_CASE("POV-Ray: what scenes cannot hold is told with its line, once") {
+    const auto told = [](const std::string& text, const char* note) {
+        const std::string all = notes_of("\n" + text);
+        CHECK_MESSAGE(says(all, std::string("x.pov:2: ") + note), text, " tells: ", all);
+    };
+    told("sphere { 0, 1 finish { specular .5 } }", "approximated: 'specular' is a highlight of Phong's");
+    told("sphere { 0, 1 finish { reflection { .1, .9 } } }", "approximated: reflection that depends on the angle");
+    told("sphere { 0, 1 finish { reflection rgb x } }", "approximated: coloured reflection");
+    told("sphere { 0, 1 pigment { crackle } }", "approximated: 'crackle' is noise");
+    told("sphere { 0, 1 pigment { hexagon } }", "approximated: the pattern 'hexagon' is its mean colour");
+    told("sphere { 0, 1 no_shadow }", "approximated: no_shadow");
+    told("sphere { 0, 1 pigment { rgbf <1, 0, 0, .5> } }", "approximated: light that is seen through a body");
+    told("blob { sphere { 0, 1, 1 } }", "left out: the body 'blob'");
+    told("isosurface { function { x } }", "left out: the body 'isosurface'");
+    told("media { emission 1 }", "left out: media");
+    told("rainbow { distance 1 }", "left out: a rainbow");
+    told("sphere { 0, 0 }", "left out: a body: a number of it is out of range");
+    told("light_source { 0 rgb 1 shadowless }", "approximated: a shadowless light");
+    told("fog { fog_type 2 distance 1 fog_alt 1 }", "left out: ground fog");
+    told("global_settings { radiosity { count 9 } }", "approximated: radiosity");
+    told("camera { orthographic }", "approximated: an orthographic camera");
+    const std::string loop =
+        "#declare B = sphere { 0, 1 finish { specular .5 } } #for (I, 1, 50) object { B translate I*x } #end";
+    CHECK(opened(loop).notes.size() == 1);
+    CHECK(opened("sphere { 0, 1 }").summary() == "opens whole");
+    CHECK(opened("blob { sphere { 0, 1, 1 } } sphere { 0, 1 no_shadow }").summary() ==
+          "approximated in 1 place, left out in 1 place");
+}
+
+TEST_CASE("POV-Ray: errors have their place") {
+    CHECK(says(fault_of([] { opened("\nsphere { 0, 1 colour_blue }"); }), "x.pov:2:"));
+    CHECK(says(fault_of([] { opened("\ncamera { location 0 right 0 }"); }), "x.pov:2"));
+    CHECK(fault_of([] { opened("mesh2 { vertex_vectors { 1, 0 } face_indices { 1, <0, 1, 2> } }"); }) != "");
+}

@@ -1,0 +1,165 @@
+// Bodies of POV-Ray's scenes: shapes, composites, transformations, and which texture each has.
+#include <cmath>
+
+#include "num/vec_math.h"
+#include "pov/things/steps.h"
+#include "scene/leaves.h"
+#include "scene/overlap.h"
+#include "tests/unit/pov/opened.h"
+
+using namespace strahl;
+
+TEST_CASE("POV-Ray: a left-handed scene is turned over in z, a right-handed one stays") {
+    const std::string ball = "sphere { <1, 2, 3>, .5 translate <0, 0, 2> rotate <10, 20, 30> }";
+    const Scene left = whole("camera { look_at z } " + ball, false), right = whole(ball);
+    CHECK(shape<Sphere>(right) == Sphere{{1, 2, 3}, .5});
+    CHECK(shape<Sphere>(left) == Sphere{{1, 2, -3}, .5});
+    CHECK(right.primitives[0].transformations ==
+          std::vector<Transformation>{Translate{{0, 0, 2}}, Rotate{{10, 20, 30}}});
+    CHECK(left.primitives[0].transformations ==
+          std::vector<Transformation>{Translate{{0, 0, -2}}, Rotate{{-10, -20, 30}}});
+    const Box a = world_bounds(right.primitives[0]), b = world_bounds(left.primitives[0]);
+    CHECK(a.low.x == b.low.x);
+    CHECK(a.low.z == -b.high.z);
+}
+
+TEST_CASE("POV-Ray: matrices become rotations and scalings") {
+    for (const bool mirrored : {false, true})
+        for (const std::string& words : {"rotate <20, 30, 40> scale <1, 2, 3> rotate <50, 60, 70> translate <1, 2, 3>",
+                                         "scale <-1, 2, 2> rotate <5, 90, 3>", "scale 2 rotate <10, 20, 30>"}) {
+            pov::Steps steps{pov::MatrixStep{glm::dmat4(.5, 2, .25, 0, -1, .5, 3, 0, .125, 1, 1, 0, 4, 5, 6, 1)}};
+            if (words.size() < 40) steps = {Rotate{{20, 30, 40}}, Scale{{1, -2, 3}}, pov::MatrixStep{}};
+            glm::dmat4 wanted = pov::matrix_of(steps);
+            const glm::dmat4 made = matrix(pov::transformations_of(steps, mirrored));
+            for (int i = 0; i < 4; ++i)
+                for (int j = 0; j < 3; ++j)
+                    CHECK(made[i][j] ==
+                          doctest::Approx(wanted[i][j] * (mirrored && (i == 2) != (j == 2) ? -1 : 1)).epsilon(1e-12));
+            pov::Steps back = steps;
+            pov::append(back, pov::inverse(steps));
+            const glm::dmat4 nothing = pov::matrix_of(back);
+            for (int i = 0; i < 4; ++i)
+                for (int j = 0; j < 4; ++j) CHECK(nothing[i][j] == doctest::Approx(i == j).epsilon(1e-12));
+        }
+}
+
+TEST_CASE("POV-Ray: unions keep the surfaces inside them, merges do not") {
+    const std::string balls = " { sphere { 0, 1 } sphere { x, 1 } translate y }";
+    const Scene two = whole("union" + balls), one = whole("merge" + balls);
+    CHECK(two.primitives.size() == 2);
+    CHECK(two.primitives[1].transformations == std::vector<Transformation>{Translate{{0, 1, 0}}});
+    REQUIRE(one.primitives.size() == 1);
+    CHECK(shape<Union>(one).parts->size() == 2);
+}
+
+TEST_CASE("POV-Ray: composites with bodies turned inside out contain the same points") {
+    const auto inside = [](const std::string& text, const DVec3& p) {
+        return contains(whole(text).primitives.at(0), p);
+    };
+    const std::string ball = "sphere { 0, 1 ", box = "box { <0, -2, -2>, <2, 2, 2> ";
+    const DVec3 left(-.5, 0, 0), right(.5, 0, 0), far(1.5, 0, 0);
+    for (const std::string& text :
+         {"intersection { " + ball + "} " + box + "inverse } }", "difference { " + ball + "} " + box + "} }",
+          "difference { " + box + "inverse } " + ball + "inverse } }"}) {
+        CHECK(inside(text, left));
+        CHECK_FALSE(inside(text, right));
+        CHECK_FALSE(inside(text, far));
+    }
+    // The outside of a union with the outside of a body is a body.
+    const std::string text = "merge { " + ball + "} " + box + "inverse } inverse }";
+    CHECK(inside(text, far));
+    CHECK_FALSE(inside(text, left));
+    CHECK_FALSE(inside(text, right));
+    CHECK(inside("intersection { plane { x, 0 } plane { -x, 1 } box { -9, 9 } }", left));
+    CHECK_FALSE(inside("intersection { plane { x, 0 } plane { -x, 1 } box { -9, 9 } }", DVec3(-1.5, 0, 0)));
+}
+
+TEST_CASE("POV-Ray: parts without a texture have that of the composite, others their own") {
+    const Scene scene = whole(
+        "difference { box { -1, 1 } sphere { x, 1 pigment { rgb x } } cylinder { -y*2, y*2, .2 } pigment { rgb z } }");
+    REQUIRE(scene.primitives.size() == 1);
+    const auto& parts = *shape<Difference>(scene).parts;
+    CHECK(parts[0].material == scene.primitives[0].material);
+    CHECK(parts[2].material == scene.primitives[0].material);
+    CHECK(scene.materials[std::size_t(parts[1].material)].rgb == Pigment(1, 0, 0));
+    CHECK(material(scene).rgb == Pigment(0, 0, 1));
+}
+
+TEST_CASE("POV-Ray: textures move with what is written after them") {
+    const auto pattern = [](const std::string& text) {
+        const Scene scene = whole(text);
+        const Material& own = material(scene);
+        REQUIRE(own.rgb.pattern);
+        return matrix(scene.primitives[0].transformations) * matrix(own.rgb.pattern->transformations);
+    };
+    const auto close = [](const glm::dmat4& a, const glm::dmat4& b) {
+        double most = 0;
+        for (int i = 0; i < 4; ++i)
+            for (int j = 0; j < 4; ++j) most = std::max(most, std::fabs(a[i][j] - b[i][j]));
+        return most < 1e-12;
+    };
+    const std::string checker = "pigment { checker rgb 1 rgb 0 scale 2 } ";
+    const std::vector<Transformation> inner{Scale{DVec3(2)}};
+    const auto moved = [&](std::vector<Transformation> more) {
+        more.insert(more.begin(), inner.begin(), inner.end());
+        return matrix(more);
+    };
+    CHECK(close(pattern("sphere { 0, 1 " + checker + "rotate 30*y translate x }"),
+                moved({Rotate{{0, 30, 0}}, Translate{{1, 0, 0}}})));
+    CHECK(close(pattern("sphere { 0, 1 rotate 30*y " + checker + "translate x }"), moved({Translate{{1, 0, 0}}})));
+    CHECK(close(pattern("sphere { 0, 1 scale 3 translate <1, 2, 3> " + checker + "}"), moved({})));
+    // In unions the texture of the whole moves with the whole, not with the part.
+    CHECK(close(pattern("union { sphere { 0, 1 translate 5*y } rotate 20*x " + checker + "scale 4 }"),
+                moved({Scale{DVec3(4)}})));
+    CHECK(close(pattern("union { sphere { 0, 1 translate 5*y " + checker + "scale 3 } rotate 20*x }"),
+                moved({Scale{DVec3(3)}, Rotate{{20, 0, 0}}})));
+    // A declared body takes along what it has.
+    CHECK(close(pattern("#declare B = sphere { 0, 1 " + checker + "translate x } object { B translate y }"),
+                moved({Translate{{1, 0, 0}}, Translate{{0, 1, 0}}})));
+}
+
+TEST_CASE("POV-Ray: defaults are those of a body's use") {
+    const Scene scene = whole(
+        "#declare Ball = sphere { 0, 1 } #default { pigment { rgb x } finish { ambient .5 } } object { Ball } "
+        "#default { finish { diffuse .9 } } object { Ball translate y } sphere { 0, 1 pigment { rgb z } }");
+    CHECK(material(scene, 0).rgb == Pigment(1, 0, 0));
+    CHECK(material(scene, 0).ambient == .5);
+    CHECK(material(scene, 0).diffuse == .6);
+    CHECK(material(scene, 1).diffuse == .9);
+    CHECK(material(scene, 1).ambient == .5);
+    CHECK(material(scene, 2).rgb == Pigment(0, 0, 1));
+    CHECK(material(scene, 2).diffuse == .9);
+}
+
+TEST_CASE("POV-Ray: scenes can ask about their bodies") {
+    const std::string text =
+        "#declare B = difference { sphere { 0, 1 } box { <0, -2, -2>, <2, 2, 2> } translate 3*y } "
+        "#declare N = <0, 0, 0>; #declare P = trace(B, <-5, 3, 0>, x, N); "
+        "#declare Q = trace(B, <5, 3, 0>, -x); #declare Miss = trace(B, <-5, 9, 0>, x); "
+        "sphere { P, 1 } sphere { P + N, 1 } sphere { Q, 1 } sphere { Miss, 1 } "
+        "sphere { <inside(B, <-.5, 3, 0>), inside(B, <.5, 3, 0>), 0>, 1 } "
+        "#declare S = sphere { <1, 2, 3>, 1 } sphere { min_extent(S), 1 } sphere { max_extent(S), 1 }";
+    const Scene scene = whole(text);
+    const auto at = [&](std::size_t i, const DVec3& p) { return length(shape<Sphere>(scene, i).centre - p) < 1e-6; };
+    CHECK(at(0, {-1, 3, 0}));
+    CHECK(at(1, {-2, 3, 0}));
+    CHECK(at(2, {0, 3, 0}));
+    CHECK(at(3, DVec3(0)));
+    CHECK(at(4, {1, 0, 0}));
+    CHECK(at(5, {0, 1, 2}));
+    CHECK(at(6, {2, 3, 4}));
+}
+
+TEST_CASE("POV-Ray: curved bodies become closed meshes") {
+    for (const std::string& text :
+         {"superellipsoid { <.5, .5> }", "prism { 0, 1, 4, <0, 0>, <1, 0>, <0, 1>, <0, 0> }",
+          "sor { 5, <.5, -.5>, <.5, 0>, <.8, .5>, <.3, 1>, <.2, 1.5> }", "lathe { 3, <0, 0>, <1, .5>, <0, 1> }",
+          "prism { conic_sweep 0, 1, 4, <0, 0>, <1, 0>, <0, 1>, <0, 0> }"}) {
+        const Scene scene = opened("difference { " + text + " sphere { 9, .1 } }").scene;
+        CAPTURE(text);
+        REQUIRE(scene.primitives.size() == 1);
+        CHECK(std::holds_alternative<Mesh>(shape<Difference>(scene).parts->at(0).shape));
+    }
+    CHECK(contains(opened("superellipsoid { <1, 1> }").scene.primitives[0], {.57, .57, .57}));
+    CHECK_FALSE(contains(opened("superellipsoid { <1, 1> }").scene.primitives[0], {.6, .6, .6}));
+}

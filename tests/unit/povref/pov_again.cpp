@@ -1,0 +1,150 @@
+// Scenes of POV-Ray: those of the project beside POV-Ray's stored pictures, and scenes that are written for POV-Ray and
+// read again.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "image/picture.h"
+#include "num/vec_math.h"
+#include "pov/open_scene.h"
+#include "povref/compare/run_povray.h"
+#include "povref/convert/pov_scene.h"
+#include "scene/leaves.h"
+#include "scene/moving_scene.h"
+#include "tests/unit/povref/agreement.h"
+#include "tests/unit/scratch.h"
+
+using namespace strahl;
+
+namespace {
+
+/// Every .pov file in scenes/pov.
+std::vector<std::filesystem::path> pov_scenes() {
+    std::vector<std::filesystem::path> paths;
+    for (const auto& entry : std::filesystem::directory_iterator(STRAHL_SOURCE "/scenes/pov")) paths.push_back(entry);
+    std::ranges::sort(paths);
+    return paths;
+}
+
+/// Has POV-Ray's text another way to say something of the scene, which cannot be read back?
+bool holds_more(const Scene& scene) {
+    const auto shown_otherwise = [](const auto& own) {
+        return own.pattern && !std::holds_alternative<Checker>(own.pattern->kind) &&
+               !std::holds_alternative<Brick>(own.pattern->kind);
+    };
+    for (const Material& own : scene.materials)
+        if (shown_otherwise(own.rgb) || own.bends()) return true;
+    for (const Light& light : scene.lights)
+        if (light.area) return true;
+    return shown_otherwise(scene.background) || Movers(scene).any() || !scene.tracks.empty();
+}
+
+bool near(const DVec3& a, const DVec3& b) { return length(a - b) <= 1e-12 * std::max({1., length(a), length(b)}); }
+
+/// Are two shapes the same body? Of planes and toruses POV-Ray's text has other numbers.
+bool same_body(const Shape& a, const Shape& b) {
+    if (a == b) return true;
+    if (a.index() != b.index()) return false;
+    if (const auto* const p = std::get_if<Plane>(&a)) {
+        const Plane& q = std::get<Plane>(b);
+        return near(p->normal(), q.normal()) &&
+               std::fabs(dot_product(p->normal(), p->a) - dot_product(q.normal(), q.a)) < 1e-9;
+    }
+    if (const auto* const p = std::get_if<Torus>(&a)) {
+        const Torus& q = std::get<Torus>(b);
+        return near(p->centre, q.centre) && near(normalize(p->axis), normalize(q.axis)) && p->major == q.major &&
+               p->minor == q.minor;
+    }
+    if (const auto* const p = std::get_if<Disc>(&a)) {
+        const Disc& q = std::get<Disc>(b);
+        return near(normalize(p->normal), normalize(q.normal)) && p->centre == q.centre && p->radius == q.radius;
+    }
+    if (const auto* const p = std::get_if<Cuboid>(&a)) {
+        const Box m = p->bounds(), n = std::get<Cuboid>(b).bounds();
+        return m.low == n.low && m.high == n.high;
+    }
+    if (const auto* const p = std::get_if<Mesh>(&a))
+        return p->data->triangles.size() == std::get<Mesh>(b).data->triangles.size();
+    return false;
+}
+
+}  // namespace
+
+TEST_CASE("scenes of POV-Ray agree with its stored pictures") {
+    int count = 0;
+    for (const std::filesystem::path& path : pov_scenes()) {
+        CAPTURE(path);
+        const OpenedScene opened = open_scene(read_text(path), path, {}, read_pixels);
+        CHECK(opened.summary == "opens whole");
+        const View view{.camera = opened.scene.camera,
+                        .width = picture_width,
+                        .height = picture_height,
+                        .depth = opened.scene.settings.max_trace_level};
+        Tracer tracer(opened.scene, Precision::float64);
+        const std::string name = path.stem().string();
+        const Verdict verdict = judge(tracer, view, render(opened.scene, view),
+                                      read_picture(STRAHL_SOURCE "/povref/reference/pov/" + name + ".png"));
+        CHECK_MESSAGE(fault(verdict, {}).empty(), name, ": ", fault(verdict, {}));
+        ++count;
+    }
+    CHECK(count >= 6);
+}
+
+TEST_CASE("scenes survive the way to POV-Ray's text and back") {
+    const Scratch folder;
+    int checked = 0;
+    for (const std::string& name : scene_names()) {
+        CAPTURE(name);
+        Scene scene = read_scene(name);
+        if (holds_more(scene)) continue;
+        const PovFiles files = write_pov(scene, {.pov_path = "x.pov",
+                                                 .picture_path = "x.png",
+                                                 .cameras = {scene.camera},
+                                                 .depth = scene.settings.max_trace_level});
+        // Where POV-Ray's tolerances would be seen its scene is this many times as large.
+        const std::string declared = "#declare Unit = ";
+        const std::size_t at = files.pov.find(declared);
+        const double unit = at == files.pov.npos ? 1 : std::stod(files.pov.substr(at + declared.size()));
+        const Scene again = open_scene(files.pov, folder / "x.pov", {}, read_pixels).scene;
+        ++checked;
+        CHECK(again.settings == scene.settings);
+        CHECK(again.background == scene.background);
+        if (scene.fog) scene.fog->distance *= unit;
+        CHECK(again.fog == scene.fog);
+        const CameraFrame a = frame_of(scene.camera, 4. / 3), b = frame_of(again.camera, 4. / 3);
+        CHECK(near(again.camera.position, unit * scene.camera.position));
+        CHECK(again.camera.fov == doctest::Approx(scene.camera.fov).epsilon(1e-12));
+        CHECK((near(a.right, b.right) && near(a.down, b.down) && near(a.forward, b.forward)));
+        REQUIRE(again.lights.size() == scene.lights.size());
+        for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+            Light own = scene.lights[i];
+            own.position *= unit;
+            if (own.spot) own.spot->look_at *= unit;
+            if (!own.direction) CHECK(again.lights[i] == own);
+            CHECK(again.lights[i].color == scene.lights[i].color);
+        }
+        // Opaque bodies come first in POV-Ray's text.
+        std::ranges::stable_partition(scene.primitives, [&](const Primitive& own) { return !transparent(scene, own); });
+        REQUIRE(again.primitives.size() == scene.primitives.size());
+        for (std::size_t i = 0; i < scene.primitives.size(); ++i) {
+            CAPTURE(i);
+            const Primitive &own = scene.primitives[i], &back = again.primitives[i];
+            const bool composite = leaves_of(own.shape) > 1;
+            if (!composite) CHECK(same_body(own.shape, back.shape));
+            CHECK(leaves_of(own.shape) == leaves_of(back.shape));
+            std::vector<Transformation> steps = own.transformations;
+            if (unit != 1) steps.push_back(Scale{DVec3(unit)});
+            CHECK(back.transformations == steps);
+            const Material &m = scene.materials[std::size_t(own.material)],
+                           &n = again.materials[std::size_t(back.material)];
+            CHECK(n.rgb.color == m.rgb.color);
+            if (m.refraction > 0) CHECK(n.ior == doctest::Approx(m.ior).epsilon(1e-7));
+            for (double Material::*const number : {&Material::reflection, &Material::refraction, &Material::diffuse,
+                                                   &Material::ambient, &Material::specular})
+                CHECK(n.*number == doctest::Approx(m.*number).epsilon(1e-6));
+            if (m.specular > 0) CHECK(n.pow == m.pow);
+        }
+    }
+    CHECK(checked > 40);
+}
