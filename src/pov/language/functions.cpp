@@ -270,8 +270,7 @@ class FunctionReader {
     /// Reads `(a, b) { E }` or `{ E }`.
     std::shared_ptr<const FunctionThing> read() {
         auto& made = *result;
-        if (state.cursor->code == '(') {
-            state.accept('(');
+        if (state.accept('(')) {
             while (state.cursor->code != ')') {
                 const RawToken& raw = *state.cursor++;
                 state.last = state.place_of(raw);
