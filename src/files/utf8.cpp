@@ -4,6 +4,8 @@
 #include <array>
 #include <cstdint>
 
+#include "scene/error.h"
+
 namespace strahl {
 namespace {
 
@@ -50,7 +52,28 @@ int columns(std::uint32_t c) {
                : 1;
 }
 
+/// The name of an encoding whose units have two bytes or four, or "". Without a mark such a text is recognised by the
+/// bytes 0 of its first characters, if these are ASCII.
+std::string wide_encoding(std::string_view bytes) {
+    using namespace std::string_view_literals;
+    if (bytes.starts_with("\xFF\xFE\0\0"sv) || bytes.starts_with("\0\0\xFE\xFF"sv)) return "UTF-32";
+    if (bytes.starts_with("\xFF\xFE"sv) || bytes.starts_with("\xFE\xFF"sv)) return "UTF-16";
+    const auto zeros = [&](std::string_view pattern) {  // of which x is any other byte
+        return bytes.size() >= pattern.size() && std::ranges::equal(bytes.substr(0, pattern.size()), pattern, {},
+                                                                    [](char c) { return c == '\0' ? '0' : 'x'; });
+    };
+    if (zeros("x000x000") || zeros("000x000x")) return "UTF-32";
+    return zeros("x0x0") || zeros("0x0x") ? "UTF-16" : "";
+}
+
 }  // namespace
+
+std::string_view utf8_text(std::string_view bytes, std::string_view file) {
+    if (const std::string encoding = wide_encoding(bytes); !encoding.empty())
+        throw FileError(show(file).text + ": this text is in " + encoding + "; save the file as UTF-8");
+    while (bytes.starts_with(byte_order_mark)) bytes.remove_prefix(byte_order_mark.size());
+    return bytes;
+}
 
 Shown show(std::string_view slice) {
     Shown shown;

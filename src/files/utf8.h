@@ -1,10 +1,16 @@
-// Checks UTF-8, finds the start of characters, and makes text safe for a terminal.
+// Recognises and checks UTF-8, finds the start of characters, and makes text safe for a terminal.
 #pragma once
 #include <cstddef>
 #include <string>
 #include <string_view>
 
 namespace strahl {
+
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
+/// Returns a text without the byte order mark that it may begin with. Throws FileError if the text is in UTF-16 or
+/// UTF-32, with a mark of these or without one. `file` is for the message.
+std::string_view utf8_text(std::string_view bytes, std::string_view file);
 
 /// Is this a byte of a character other than the first?
 inline bool continues(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }

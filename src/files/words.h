@@ -13,6 +13,21 @@ inline char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 
 /// Are these the same, regardless of case?
 bool same_word(std::string_view a, std::string_view b);
 
+/// Watches a reader, whose every function calls moves() with its place in the text. So no fault of a reader can make it
+/// read for ever.
+class ForwardGuard {
+  public:
+    /// False if the reader was called 10,000 times and never came further than before.
+    bool moves(const char* place) {
+        if (place > furthest) return furthest = place, calls = 0, true;
+        return ++calls < 10'000;
+    }
+
+  private:
+    const char* furthest = nullptr;
+    int calls = 0;
+};
+
 /// Reads a whole word as a number; false if it is not one, or too large or too small for a double. "inf" and "nan" are
 /// numbers, and a "+" may come first.
 bool read_number(std::string_view word, double& number);

@@ -22,6 +22,7 @@ bool is_own(std::string_view text, std::string_view file) {
 }  // namespace
 
 Imported import_scene(std::string_view text, std::string_view file, const ImportLimits& limits) {
+    text = utf8_text(text, file);
     refuse_other_files(text, file);
     if (is_own(text, file))
         throw FileError(show(file).text + " is a scene in Strahl's own language; there is nothing to convert");

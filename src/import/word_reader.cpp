@@ -16,6 +16,7 @@ bool read(std::string_view word, double& value) { return read_number(word, value
 }  // namespace
 
 void WordReader::skip() {
+    if (!guard.moves(text.data() + next)) fail_at(text.substr(next, 0), "this text cannot be read further than here");
     while (next < text.size()) {
         const char c = text[next];
         if (c == '#') {

@@ -52,6 +52,7 @@ class WordReader {
 
     std::string_view text, file, taken;
     std::size_t next = 0, next_line = 1, taken_line = 1;
+    ForwardGuard guard;
 };
 
 }  // namespace strahl

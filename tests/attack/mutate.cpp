@@ -5,6 +5,8 @@
 // attack_parser --words    prints the words of the language as lines of a dictionary
 // While it runs, and after a crash, the file attack-parser-seed in the working directory holds the number of the input:
 // pass it as --seed to reproduce the crash.
+#include <unistd.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
@@ -157,6 +159,7 @@ int main(int count, char** arguments) {
     for (const double end = attack::now() + options.seconds; attack::now() < end; ++number) {
         const std::string input = Mutator(ingredients, number).input();
         progress.note(number);
+        ::alarm(10);  // a reader that does not end is killed
         LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(input.data()), input.size());
     }
     std::printf("%llu inputs, --seed %llu to %llu\n", static_cast<unsigned long long>(number - first),

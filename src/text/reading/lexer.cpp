@@ -37,6 +37,12 @@ bool Lexer::skip_comment() {
     return true;
 }
 
+void Lexer::stop() {
+    diagnostics.add({next, 0}, "this text cannot be read further than here");
+    diagnostics.check();
+    throw ParseAbort{};  // check() has thrown
+}
+
 std::string_view Lexer::word() {
     skip_space();
     const char* p = next;

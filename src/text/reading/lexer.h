@@ -66,6 +66,7 @@ class Lexer {
 
   private:
     void skip_space() {
+        if (!guard.moves(next)) stop();
         while (next < end) {
             const char c = *next;
             if (is_space(c))
@@ -75,11 +76,13 @@ class Lexer {
         }
     }
     bool skip_comment();
+    [[noreturn]] void stop();
     bool read_number(Number& number);
 
     const char* const begin;
     const char* next;
     const char* end;
+    ForwardGuard guard;
     Diagnostics& diagnostics;
 };
 

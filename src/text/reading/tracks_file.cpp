@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "files/utf8.h"
 #include "num/decimal.h"
 #include "scene/moving_scene.h"
 #include "text/reading/reader.h"
@@ -79,6 +80,7 @@ std::string tracks_path(std::string_view scene) {
 }
 
 std::vector<Track> parse_tracks(std::string_view text, std::string_view file) {
+    text = utf8_text(text, file);
     Diagnostics diagnostics(text, file);
     diagnostics.check_encoding();
     SceneFiles none("", {});

@@ -89,6 +89,18 @@ TEST_CASE("NFF: polygons") {
     CHECK(fault(view + grey + square + triangle, limits) == "x:17:5: more than 2 bodies");
 }
 
+TEST_CASE("NFF and Tachyon: a byte order mark is skipped, and UTF-16 is called so") {
+    const std::string bom = "\xEF\xBB\xBF";
+    for (const std::string& text : {view + "s 0 0 0 1\n", eye + "END_SCENE\n"}) {
+        CHECK(imported(bom + text).scene == imported(text).scene);
+        CHECK(imported(bom + text).warnings == imported(text).warnings);
+        std::string wide = "\xFF\xFE";
+        for (const char c : text) wide.append(1, c).append(1, '\0');
+        CHECK(message(wide) == "x: this text is in UTF-16; save the file as UTF-8");
+        CHECK(message(wide.substr(2)) == "x: this text is in UTF-16; save the file as UTF-8");
+    }
+}
+
 TEST_CASE("NFF: warnings") {
     CHECK(imported("v from 1 0 0 at 0 0 0 up 0 0 1 angle 45 hither .5").warnings ==
           Told{"x:1: 'hither': bodies that are nearer are shown too"});
