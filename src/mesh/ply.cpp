@@ -3,7 +3,9 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <numeric>
 
+#include "mesh/faces.h"
 #include "mesh/ply_header.h"
 #include "num/decimal.h"
 
@@ -29,10 +31,15 @@ class TextValues {
         if (!read_number(word, value)) words.fail(quoted(word) + " is not a number");
         return true;
     }
+    std::string where(const std::string&) const { return words.line(); }
     /// How many more values the text has room for. Each has a blank before it.
     std::uint64_t room(PlyType) const { return words.left() / 2; }
-    /// Ends the line of an element; false if there is more on it.
-    bool end_element() { return starts_line = true, words.next_in_line().empty(); }
+    /// Ends the line of an element; false if there is more on it, which is skipped.
+    bool end_element() {
+        starts_line = true;
+        const bool ended = words.next_in_line().empty();
+        return words.skip_line(), ended;
+    }
     bool ended() { return words.next().empty(); }
     [[noreturn]] void fail(const std::string& message) const { words.fail(message); }
 
@@ -46,7 +53,7 @@ template <bool swapped>
 class BinaryValues {
   public:
     BinaryValues(const Source& source, std::string_view bytes)
-        : source(source), place(bytes.data()), end(place + bytes.size()) {}
+        : source(&source), place(bytes.data()), end(place + bytes.size()) {}
 
     bool read(PlyType type, double& value) {
         switch (type) {
@@ -68,10 +75,11 @@ class BinaryValues {
                 return get<double>(value);
         }
     }
+    static std::string where(const std::string& here) { return here; }
     std::uint64_t room(PlyType type) const { return static_cast<std::uint64_t>(end - place) / size_of(type); }
     static bool end_element() { return true; }
     bool ended() const { return place == end; }
-    [[noreturn]] void fail(const std::string& message) const { source.fail(message); }
+    [[noreturn]] void fail(const std::string& message) const { source->fail(message); }
 
   private:
     template <class V>
@@ -87,7 +95,7 @@ class BinaryValues {
         return true;
     }
 
-    const Source& source;
+    const Source* source;
     const char *place, *end;
 };
 
@@ -96,37 +104,56 @@ template <class Values>
 class PlyReader {
   public:
     PlyReader(const Source& source, const PlyHeader& header)
-        : source(source), header(header), values(source, source.bytes.substr(header.size)) {}
+        : source(source), header(header), values(source, source.bytes.substr(header.size)), faces(source, mesh) {}
 
     MeshData read() {
+        struct Waiting {
+            const PlyElement& element;
+            Values values;
+        };
+        std::vector<Waiting> waiting;  // faces that come before the vertices
+        bool has_vertices = false;
         for (const PlyElement& next : header.elements) {
-            element = &next, number = 0;
-            if (element->name == "vertex")
-                read_vertices();
-            else if (element->name == "face")
+            begin(next);
+            const bool is_faces = next.count > 0 && (next.name == "face" || next.name == "tristrips");
+            if (next.name == "vertex")
+                read_vertices(), has_vertices = true;
+            else if (is_faces && has_vertices)
                 read_faces();
-            else if (!element->properties.empty())
-                for (; number < element->count; end_element())
-                    for (const PlyProperty& property : element->properties) skip(property);
+            else if (is_faces)
+                waiting.push_back({next, values}), skip_element();
+            else
+                skip_element();
         }
-        if (!has_faces) source.fail("there are no faces in this file; a mesh needs an element 'face'");
         if (!values.ended())
             source.fail("the file goes on after all that its header announces; its counts are wrong, so save it again");
+        for (const Waiting& faces_before : waiting) {
+            begin(faces_before.element);
+            values = faces_before.values;
+            read_faces();
+        }
+        if (!has_faces) source.fail("there are no faces in this file; a mesh needs an element 'face' or 'tristrips'");
+        faces.finish();
+        if (mesh.corner_places.empty() && (!places_of_points || gaps)) mesh.places = {};
         return std::move(mesh);
     }
 
   private:
+    void begin(const PlyElement& next) { element = &next, number = 0; }
     /// "vertex 7 (counted from 0)"
     std::string here() const { return std::string(element->name) + " " + std::to_string(number) + " (counted from 0)"; }
     double value(PlyType type) {
         double v = 0;
         if (!values.read(type, v))
             values.fail("the values of " + here() +
-                        " end too early; the file was cut off, or its header announces too many");
+                        " end too early; the file was cut off, its header announces too many, or, in a text, they "
+                        "are not in a line of their own");
         return v;
     }
     void end_element() {
-        if (!values.end_element()) values.fail(here() + " has more values than the header announces");
+        if (!values.end_element())
+            source.lose({"ignored what follows the values of ", "element", " in its line"},
+                        [&] { return values.where(here()); });
         ++number;
     }
     /// Reads the length of a list; fails if the rest of the file has no room for it.
@@ -144,9 +171,27 @@ class PlyReader {
     void skip(const PlyProperty& property) {
         for (std::uint64_t left = property.count ? length(property) : 1; left > 0; --left) value(property.type);
     }
+    /// Fails if a place in a picture is out of range. One that is not a number is left to Faces.
+    MeshData::Place checked(const MeshData::Place& place) {
+        const std::string fault = Source::fault({place[0], place[1], 0});
+        if (!fault.empty() && !std::isnan(place[0] + place[1])) values.fail("in a picture, " + here() + " " + fault);
+        return place;
+    }
+    void skip_element() {
+        if (element->properties.empty()) return;
+        for (; number < element->count; ++number) {
+            for (const PlyProperty& property : element->properties) skip(property);
+            values.end_element();
+        }
+    }
     void read_vertices();
     void read_faces();
     void read_corners(const PlyProperty& list);
+    void read_places(const PlyProperty& list);
+    void add_places();
+    void add_strips();
+    void add_face();
+    void lose_colours() const;
 
     const Source& source;
     const PlyHeader& header;
@@ -154,9 +199,11 @@ class PlyReader {
     const PlyElement* element = nullptr;
     std::uint64_t number = 0;  // of the element
     MeshData mesh;
+    Faces faces;
     bool smooth = false, has_faces = false;
-    std::vector<std::int32_t> corners;
-    FaceSplitter splitter;
+    bool places_of_points = false, gaps = false;  // the vertices have places; some of these are not numbers
+    Face face;
+    std::vector<MeshData::Place> face_places;
 };
 
 template <class Values>
@@ -172,6 +219,7 @@ void PlyReader<Values>::read_vertices() {
     }
     if (!found[0] || !found[1] || !found[2]) source.fail("the vertices of this file lack one of x, y and z");
     smooth = found[3] && found[4] && found[5];
+    lose_colours();
     int place = 6;  // the first of both names of a place
     while (place < others && !(found[place] && found[place + 1])) place += 2;
     source.check_points(element->count);
@@ -190,49 +238,120 @@ void PlyReader<Values>::read_vertices() {
         if (const std::string fault = Source::fault(point); !fault.empty()) values.fail(here() + " " + fault);
         mesh.points[number] = point;
         if (smooth) mesh.normals[number] = {v[3], v[4], v[5]};
-        if (place == others) continue;
-        const std::string fault = Source::fault({v[place], v[place + 1], 0});
-        if (!fault.empty()) values.fail("in a picture, " + here() + " " + fault);
-        mesh.places[number] = {v[place], v[place + 1]};
+        if (place < others) mesh.places[number] = checked({v[place], v[place + 1]});
     }
+    places_of_points = place < others;
+    gaps = std::ranges::any_of(mesh.places, [](const MeshData::Place& own) { return std::isnan(own[0] + own[1]); });
+}
+
+template <class Values>
+void PlyReader<Values>::lose_colours() const {
+    for (const PlyProperty& property : element->properties)
+        if (property.name == "red" || property.name == "diffuse_red")
+            return source.lose({"ignored the colours of ", "element", ""},
+                               [&] { return source.line_at(property.name.data()); }, element->count);
 }
 
 template <class Values>
 void PlyReader<Values>::read_faces() {
+    const auto& properties = element->properties;
     const auto is_corners = [](const PlyProperty& property) {
         return property.count && (property.name == "vertex_indices" || property.name == "vertex_index");
     };
-    const auto& properties = element->properties;
-    if (std::count_if(properties.begin(), properties.end(), is_corners) != 1)
-        source.fail("the faces of this file should have one list, vertex_indices or vertex_index");
-    if (mesh.points.empty()) source.fail("there are no vertices before the faces; put the element 'vertex' first");
-    source.check_triangles(element->count);
+    const auto is_places = [&](const PlyProperty& property) { return property.count && property.name == "texcoord"; };
+    if (std::ranges::count_if(properties, is_corners) != 1)
+        source.fail("element " + quoted(element->name) + " should have one list, vertex_indices or vertex_index");
+    if (mesh.points.empty()) source.fail("there are no vertices in this file; a mesh needs an element 'vertex'");
+    const bool strips = element->name == "tristrips", own_places = std::ranges::any_of(properties, is_places);
+    if (own_places) places_of_points = false;
+    if (own_places && mesh.corner_places.empty()) mesh.places.clear();
+    lose_colours();
     has_faces = true;
-    mesh.triangles.reserve(element->count);
-    if (smooth) mesh.corner_normals.reserve(element->count);
-    for (; number < element->count; end_element())
+    if (!strips) {
+        source.check_triangles(element->count);
+        mesh.triangles.reserve(element->count);
+        if (smooth) mesh.corner_normals.reserve(element->count);
+    }
+    for (; number < element->count; end_element()) {
+        face.clear(), face_places.clear();
         for (const PlyProperty& property : properties)
             if (is_corners(property))
                 read_corners(property);
+            else if (is_places(property))
+                read_places(property);
             else
                 skip(property);
+        if (own_places)
+            add_places();
+        else if (places_of_points && gaps)
+            face.places = face.points;
+        if (strips)
+            add_strips();
+        else
+            add_face();
+    }
+}
+
+/// Reads the numbers of a face's points. Among those of strips may be -1, at which a strip ends.
+template <class Values>
+void PlyReader<Values>::read_corners(const PlyProperty& list) {
+    face.points.resize(length(list));
+    const double least = element->name == "tristrips" ? -1 : 0;
+    for (std::int32_t& point : face.points) {
+        const double index = value(list.type);
+        if (!(index >= least && index < static_cast<double>(mesh.points.size()) && index == std::floor(index)))
+            values.fail(here() + " names vertex " + count_text(index) + "; there are vertices 0 to " +
+                        std::to_string(mesh.points.size() - 1));
+        point = static_cast<std::int32_t>(index);
+    }
+}
+
+/// Reads the places of a face's corners in a picture, u and v for each in turn.
+template <class Values>
+void PlyReader<Values>::read_places(const PlyProperty& list) {
+    for (std::uint64_t left = length(list); left > 1; left -= 2) {
+        const double u = value(list.type);
+        face_places.push_back(checked({u, value(list.type)}));
+        if (left == 3) value(list.type);
+    }
 }
 
 template <class Values>
-void PlyReader<Values>::read_corners(const PlyProperty& list) {
-    corners.resize(length(list));
-    for (std::int32_t& corner : corners) {
-        const double index = value(list.type);
-        if (!(index >= 0 && index < static_cast<double>(mesh.points.size()) && index == std::floor(index)))
-            values.fail(here() + " names vertex " + count_text(index) + "; there are vertices 0 to " +
-                        std::to_string(mesh.points.size() - 1));
-        corner = static_cast<std::int32_t>(index);
+void PlyReader<Values>::add_places() {
+    face.places.assign(face.points.size(), Face::none);
+    if (face_places.size() != face.points.size()) {
+        if (!face_places.empty())
+            source.lose({"left out the places of ", "face", " in pictures, which are not as many as its corners"},
+                        [&] { return values.where(here()); });
+        return;
     }
-    const std::size_t before = mesh.triangles.size();
-    add_face(source, splitter, mesh, corners, [&](const std::string& message) { values.fail(here() + message); });
-    if (smooth)
-        mesh.corner_normals.insert(mesh.corner_normals.end(),
-                                   mesh.triangles.begin() + static_cast<std::ptrdiff_t>(before), mesh.triangles.end());
+    source.check_points(mesh.places.size() + face_places.size());
+    std::iota(face.places.begin(), face.places.end(), static_cast<std::int32_t>(mesh.places.size()));
+    mesh.places.insert(mesh.places.end(), face_places.begin(), face_places.end());
+}
+
+template <class Values>
+void PlyReader<Values>::add_face() {
+    if (smooth) face.normals = face.points;
+    faces.add(face, [&] { return values.where(here()); },
+              [&](const std::string& message) { values.fail(here() + message); });
+}
+
+/// Adds the triangles of strips: each three points in a row, of which every second triangle is turned.
+template <class Values>
+void PlyReader<Values>::add_strips() {
+    const Face strips = face;
+    std::size_t start = 0;  // of the strip
+    for (std::size_t i = 0; i < strips.points.size(); ++i) {
+        if (strips.points[i] < 0) start = i + 1;
+        if (i < start + 2) continue;
+        const std::size_t turned = (i - start) % 2;
+        const auto three = [&](const std::vector<std::int32_t>& all, std::vector<std::int32_t>& some) {
+            if (!all.empty()) some = {all[i - 2 + turned], all[i - 1 - turned], all[i]};
+        };
+        three(strips.points, face.points), three(strips.places, face.places);
+        add_face();
+    }
 }
 
 }  // namespace

@@ -28,13 +28,12 @@ class PlyHeaderReader {
     explicit PlyHeaderReader(const Source& source) : source(source), words(source, source.bytes) {}
 
     PlyHeader read() {
-        const std::string_view bytes = source.bytes;
-        const std::size_t first_end = bytes.find_first_of("\r\n");
-        if (bytes.substr(0, first_end) != "ply" || first_end == bytes.npos)
+        if (words.next() != "ply" || !words.next_in_line().empty() || words.left() == 0)
             source.fail("not a PLY file: its first line is not 'ply'");
-        // The first line ends as all do: after a lone carriage return, values may begin with the byte of a line feed.
-        ending = bytes.substr(first_end, bytes.substr(first_end).starts_with("\r\n") ? 2 : 1);
-        place = first_end + ending.size();
+        const std::string_view bytes = source.bytes;
+        const std::size_t end = bytes.find_first_of("\r\n");
+        pairs = bytes.substr(end, 1) == "\n" || bytes.substr(end, 2) == "\r\n";
+        place = after_line(end);
         while (next_line()) continue;
         if (!has_format) source.fail("the header of this PLY file has no line 'format'");
         check_counts();
@@ -42,6 +41,10 @@ class PlyHeaderReader {
     }
 
   private:
+    /// Returns where the line after the one that ends at `end` begins.
+    std::size_t after_line(std::size_t end) const {
+        return end + (pairs && source.bytes.substr(end, 2) == "\r\n" ? 2 : 1);
+    }
     bool next_line();
     void read_format();
     void read_element();
@@ -51,7 +54,9 @@ class PlyHeaderReader {
 
     const Source& source;
     Words words;
-    std::string_view ending;
+    // May a carriage return and a line feed end a line together? Not where the first line ends in a lone carriage
+    // return: then values may begin with the byte of a line feed.
+    bool pairs = true;
     std::size_t place = 0;
     bool has_format = false;
     PlyFormat format{};
@@ -60,11 +65,11 @@ class PlyHeaderReader {
 
 /// Reads a line; false after the last one.
 bool PlyHeaderReader::next_line() {
-    const std::size_t end = source.bytes.find(ending, place);
+    const std::size_t end = source.bytes.find_first_of("\r\n", place);
     if (end == source.bytes.npos)
         source.fail("the header of this PLY file has no end ('end_header'); the file was cut off, so get a new copy");
     words = Words(source, source.bytes.substr(place, end - place));
-    place = end + ending.size();
+    place = after_line(end);
     const std::string_view word = words.next();
     if (word == "end_header") return false;
     if (word == "format")
@@ -74,9 +79,8 @@ bool PlyHeaderReader::next_line() {
     else if (word == "property")
         read_property();
     else if (!word.empty() && word != "comment" && word != "obj_info")
-        words.fail(
-            "unknown word " + quoted(word) +
-            " in the header of a PLY file; known here: format, element, property, comment, obj_info, end_header");
+        source.lose({"ignored ", "line", " of the header that begins with no word of the PLY format"},
+                    [&] { return words.line(); });
     return true;
 }
 

@@ -2,12 +2,11 @@
 #include "mesh/read_mesh.h"
 
 #include <algorithm>
-#include <cmath>
+#include <iterator>
 
 #include "files/regular_file.h"
 #include "mesh/source.h"
 #include "num/buffer.h"
-#include "num/decimal.h"
 
 namespace strahl {
 namespace {
@@ -21,10 +20,10 @@ enum class MeshFormat { ply, obj, stl };
 
 MeshFormat format_of(const Source& source) {
     const std::string_view bytes = source.bytes;
-    const bool begins_ply = bytes.starts_with("ply\n") || bytes.starts_with("ply\r");
+    const bool begins_ply = bytes.size() > 3 && bytes.starts_with("ply") && is_space(bytes[3]);
     if (begins_ply || ends_with(source.path, ".ply")) return MeshFormat::ply;
     if (ends_with(source.path, ".obj")) return MeshFormat::obj;
-    if (is_binary_stl(bytes) || bytes.starts_with("solid") || ends_with(source.path, ".stl")) return MeshFormat::stl;
+    if (is_binary_stl(bytes) || begins_with(bytes, "solid") || ends_with(source.path, ".stl")) return MeshFormat::stl;
     source.fail("not a mesh: it is neither a PLY nor an STL file, and its name does not end in .obj");
 }
 
@@ -46,38 +45,18 @@ void remove_empty(MeshData& mesh) {
     if (placed) mesh.corner_places.resize(kept);
 }
 
-/// Fails if a normal that is used has no direction. Unused ones may be anything: programs write zeros for points that
-/// belong to no face.
-void check_normals(const MeshData& mesh, const Source& source, MeshFormat format) {
-    const auto usable = [](const DVec3& n) {
-        const double most = std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
-        // Squares of these neither overflow nor vanish. A comparison with NaN is false.
-        return most > 1e-100 && most < 1e100 && std::isfinite(n.x + n.y + n.z);
-    };
-    std::vector<char> checked(mesh.normals.size());
-    for (const MeshData::Corners& corners : mesh.corner_normals)
-        for (const std::int32_t i : corners) {
-            if (checked[i]) continue;
-            checked[i] = true;
-            if (usable(mesh.normals[i])) continue;
-            const std::string which = format == MeshFormat::ply
-                                          ? "the normal of vertex " + std::to_string(i) + " (counted from 0)"
-                                          : "normal " + std::to_string(i + 1) + " (the 'vn' lines, counted from 1)";
-            source.fail(which + " is " + text_of(mesh.normals[i]) +
-                        ", which has no direction; recompute the normals, or save the mesh without them");
-        }
-}
-
 }  // namespace
 
-MeshData read_mesh(const std::string& path, const MeshLimits& limits) {
+MeshData read_mesh(const std::string& path, const MeshLimits& limits, std::vector<std::string>* warnings) {
     const RegularFile file(path);
     const auto fail = [&](const std::string& why) { throw FileError("cannot read '" + path + "': " + why); };
     if (file.size() == 0) fail("it is empty");
     if (file.size() > limits.most_bytes)
         fail("it is larger than " + std::to_string(limits.most_bytes) + " bytes; simplify the mesh, or split it");
-    const Buffer<char> bytes = uninitialized_buffer<char>(file.size());
-    const Source source{path, {bytes.get(), file.read(0, bytes.get(), file.size())}, limits};
+    const Buffer<char> buffer = uninitialized_buffer<char>(file.size());
+    const std::string_view bytes(buffer.get(), file.read(0, buffer.get(), file.size()));
+    Losses losses;
+    const Source source{path, is_binary_stl(bytes) ? bytes : utf8_text(bytes, path), limits, losses};
     const MeshFormat format = format_of(source);
     MeshData mesh = format == MeshFormat::ply   ? read_ply(source)
                     : format == MeshFormat::obj ? read_obj(source)
@@ -85,7 +64,7 @@ MeshData read_mesh(const std::string& path, const MeshLimits& limits) {
     remove_empty(mesh);
     mesh.points.shrink_to_fit(), mesh.triangles.shrink_to_fit();
     if (mesh.triangles.empty()) source.fail("there is no face in this file that has three different corners");
-    check_normals(mesh, source, format);
+    if (warnings) std::ranges::move(losses.warnings(path), std::back_inserter(*warnings));
     return mesh;
 }
 

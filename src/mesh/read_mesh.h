@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "scene/error.h"
 #include "scene/kinds/mesh_data.h"
@@ -21,13 +22,16 @@ struct MeshLimits {
 /// - A triangle whose corners are not three different points has no surface and is left out, as is a face of fewer than
 ///   three corners. Slivers stay.
 /// - STL has no shared points: there, corners of equal coordinates become one point.
-/// - PLY and OBJ may give normals, which makes the mesh smooth. Faces of OBJ without normals, among others that have
-///   them, get the normal of their plane. STL's normals are ignored.
-/// - Places in a picture: those of OBJ's `vt`, and in PLY the vertices' properties u and v, s and t, or texture_u and
-///   texture_v. Faces of OBJ without places, among others that have some, are at the origin.
+/// - PLY and OBJ may give normals, which makes the mesh smooth. Faces that lack a normal at some corner, or have one
+///   there that is zero or not a number, get the normal of their plane. STL's normals are ignored.
+/// - Places in a picture: those of OBJ's `vt`, and in PLY the faces' lists `texcoord`, or the vertices' properties u
+///   and v, s and t, or texture_u and texture_v. Faces that lack some of them, among others that have them, are at the
+///   origin.
 ///
 /// Every index is in range, every coordinate from -1e9 to 1e9, and every normal that a corner uses has a direction.
 /// Only regular files are opened. Throws FileError, whose message says where in the file the error is and what to do.
-MeshData read_mesh(const std::string& path, const MeshLimits& limits = {});
+/// `warnings` receives sentences on what of the file is not read as it stands.
+MeshData read_mesh(const std::string& path, const MeshLimits& limits = {},
+                   std::vector<std::string>* warnings = nullptr);
 
 }  // namespace strahl

@@ -1,24 +1,53 @@
 // Reads the bytes of a mesh file and the words of its text, and writes messages about both.
 #pragma once
 #include <cstdint>
-#include <span>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "files/utf8.h"
 #include "files/words.h"
 #include "mesh/read_mesh.h"
-#include "mesh/split.h"
 
 namespace strahl {
 
+/// A sentence about parts of a file that are not read as they stand: `did`, the number of `noun`s, `rest`.
+struct Loss {
+    const char *did, *noun, *rest;
+    bool operator==(const Loss&) const = default;  // they are the same constants
+};
+
+/// Counts losses for warnings, as in "skipped 3 faces of fewer than three corners (first in line 12)".
+class Losses {
+  public:
+    using Where = std::function<std::string()>;
+    /// Calls `where` for the first of each sentence only: finding a line takes time.
+    void add(const Loss& loss, std::uint64_t count, const Where& where);
+    std::vector<std::string> warnings(const std::string& path) const;
+
+  private:
+    struct Counted {
+        Loss loss;
+        std::uint64_t count = 0, times = 0;
+        std::string first{};
+    };
+    std::vector<Counted> list;
+};
+
 struct Source {
+    using Where = Losses::Where;
+
     std::string path;
     std::string_view bytes;
     MeshLimits limits;
+    Losses& losses;
 
     /// Throws FileError. `at` is a place in the bytes of a text; the message says in which line it is.
     [[noreturn]] void fail(const std::string& message, const char* at = nullptr) const;
+    void lose(const Loss& loss, const Where& where, std::uint64_t count = 1) const { losses.add(loss, count, where); }
+    /// "in line 12"
+    std::string line_at(const char* at) const;
     /// Why a point is invalid, or "".
     static std::string fault(const DVec3& point);
     /// Fail if there are more than the limits allow.
@@ -31,14 +60,17 @@ MeshData read_obj(const Source& source);
 MeshData read_stl(const Source& source);
 /// Is it a binary STL file? Only its length can tell.
 bool is_binary_stl(std::string_view bytes);
+/// Does the text begin with this word, in capitals or not?
+bool begins_with(std::string_view text, std::string_view word);
 
 /// "1 face" or "2 faces".
 std::string counted(std::uint64_t count, const char* noun);
 
-/// White space, or a backslash: OBJ joins lines by it, and no number or name that is read here contains it.
-inline bool is_blank(char c) { return is_space(c) || c == '\\'; }
+/// White space; a backslash, by which OBJ joins lines; or a byte 0 or 26, with which some programs end a text. No
+/// number or name that is read here contains any of them.
+inline bool is_blank(char c) { return is_space(c) || c == '\\' || c == '\0' || c == '\x1a'; }
 
-/// Reads a text word by word.
+/// Reads a text word by word. Byte order marks are skipped wherever they are: files that were joined have several.
 class Words {
   public:
     Words(const Source& source, std::string_view text)
@@ -46,7 +78,7 @@ class Words {
 
     /// The next word; empty at the end.
     std::string_view next() {
-        while (place < end && is_blank(*place)) ++place;
+        skip_blanks([] { return false; });
         const char* const start = place;
         while (place < end && !is_blank(*place)) ++place;
         begin = start;
@@ -54,7 +86,7 @@ class Words {
     }
     /// The next word of the line; empty at its end.
     std::string_view next_in_line() {
-        while (place < end && is_blank(*place) && !ends_line()) ++place;
+        skip_blanks([this] { return ends_line(); });
         if (place < end && !ends_line()) return next();
         begin = place;
         return {};
@@ -71,6 +103,10 @@ class Words {
         return v;
     }
 
+    /// Where the word that was read last begins.
+    const char* start() const { return begin; }
+    /// The line of that place: "in line 12".
+    std::string line() const { return source->line_at(begin); }
     /// Bytes that are left.
     std::size_t left() const { return static_cast<std::size_t>(end - place); }
     /// Fails at the word that was read last.
@@ -78,24 +114,19 @@ class Words {
 
   private:
     bool ends_line() const { return *place == '\n' || *place == '\r'; }
+    template <class Stop>
+    void skip_blanks(Stop stop) {
+        while (place < end && !stop())
+            if (is_blank(*place))
+                ++place;
+            else if (*place == byte_order_mark[0] && std::string_view(place, end).starts_with(byte_order_mark))
+                place += byte_order_mark.size();
+            else
+                return;
+    }
 
     const Source* source;
     const char *begin, *place, *end;
 };
-
-/// Appends a face to the triangles of a mesh, and returns them as positions in `corners`; none if there are fewer than
-/// three. Calls fail(message), which throws, if it cannot be split into triangles.
-template <class Fail>
-std::span<const FaceSplitter::Triangle> add_face(const Source& source, FaceSplitter& splitter, MeshData& mesh,
-                                                 const std::vector<std::int32_t>& corners, const Fail& fail) {
-    if (corners.size() < 3) return {};
-    source.check_triangles(mesh.triangles.size() + corners.size() - 2);
-    const std::span<const FaceSplitter::Triangle> triangles = splitter.split(mesh.points, corners);
-    if (triangles.empty())
-        fail(" has " + std::to_string(corners.size()) + " corners and is not convex; such a face may have at most " +
-             std::to_string(FaceSplitter::most_concave) + " corners, so split it");
-    for (const auto& [a, b, c] : triangles) mesh.triangles.push_back({corners[a], corners[b], corners[c]});
-    return triangles;
-}
 
 }  // namespace strahl

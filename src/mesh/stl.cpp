@@ -9,19 +9,42 @@ namespace strahl {
 namespace {
 
 constexpr std::size_t header_size = 84, triangle_size = 50;
+constexpr std::uint32_t unknown_count = 0xffff'ffff;
 
 /// The number of triangles in the header of a binary file.
 std::uint64_t announced(std::string_view bytes) {
     return get_little<std::uint32_t>(bytes, header_size - 4);
 }
 
-MeshData read_binary(const Source& source) {
-    const std::string_view bytes = source.bytes;
-    const std::uint64_t count = bytes.size() < header_size ? 0 : announced(bytes);
-    if (!is_binary_stl(bytes))
-        source.fail("this STL file has " + counted(bytes.size(), "byte") + ", and its header announces " +
+/// Returns how many triangles to read of a binary file. Some programs announce 0 or 2^32 - 1, because they do not know
+/// yet, and some files go on after the last triangle.
+std::uint64_t count_of(const Source& source) {
+    const std::uint64_t size = source.bytes.size(), count = size < header_size ? 0 : announced(source.bytes);
+    if (is_binary_stl(source.bytes)) return count;
+    const std::uint64_t room = size < header_size ? 0 : (size - header_size) / triangle_size;
+    const bool whole = room > 0 && size == header_size + triangle_size * room;
+    const auto header = [] { return std::string("byte 80"); };
+    if (whole && (count == 0 || count == unknown_count)) {
+        source.lose({"read ", "triangle", ", as many as fit into the file: its header announces another number"},
+                    header, room);
+        return room;
+    }
+    if (count == 0 || count > room)
+        source.fail("this STL file has " + counted(size, "byte") + ", and its header announces " +
                     counted(count, "triangle") + ", which take " + std::to_string(header_size + triangle_size * count) +
                     "; it was cut off or changed, so get a new copy");
+    const std::uint64_t end = header_size + triangle_size * count;
+    source.lose({"ignored ", "byte", " after the triangles that the header announces"},
+                [&] { return "from byte " + std::to_string(end) + " on"; }, size - end);
+    return count;
+}
+
+MeshData read_binary(const Source& source) {
+    const std::string_view bytes = source.bytes;
+    const std::uint64_t count = count_of(source);
+    if (bytes.substr(0, header_size).find("COLOR=") != bytes.npos)
+        source.lose({"ignored the colours of ", "triangle", ""}, [] { return std::string("by 'COLOR=' at its start"); },
+                    count);
     source.check_triangles(count);
     MeshData mesh;
     PointJoiner points;
@@ -42,7 +65,8 @@ MeshData read_binary(const Source& source) {
     return mesh;
 }
 
-/// Reads the text form. Some programs write its words in capitals.
+/// Reads the text form. Some programs write its words in capitals, some write "end loop" for "endloop", and some write
+/// comments.
 class StlText {
   public:
     explicit StlText(const Source& source) : source(source), words(source, source.bytes) {}
@@ -51,11 +75,11 @@ class StlText {
         expect("solid");
         while (true) {
             words.skip_line();  // a name
-            std::string_view word = words.next();
-            for (; same_word(word, "facet"); word = words.next()) read_facet();
+            std::string_view word = keyword();
+            for (; same_word(word, "facet"); word = keyword()) read_facet();
             if (!same_word(word, "endsolid")) fail_at(word, "'facet' or 'endsolid'");
             words.skip_line();
-            word = words.next();
+            word = keyword();
             if (word.empty()) break;
             if (!same_word(word, "solid")) fail_at(word, "another 'solid' or the end");
         }
@@ -69,13 +93,26 @@ class StlText {
             words.fail("the file ends where " + expected + " should be; it was cut off, so get a new copy");
         words.fail("expected " + expected + ", found " + quoted(word));
     }
+    /// Reads the next word. Skips comments, and joins "end" with the word after it.
+    std::string_view keyword() {
+        std::string_view word = words.next();
+        for (; is_comment(word); word = words.next()) words.skip_line();
+        if (!same_word(word, "end")) return word;
+        joined = "end";
+        return joined += words.next_in_line();
+    }
+    static bool is_comment(std::string_view word) {
+        return word.starts_with('#') || word.starts_with(';') || word.starts_with("//");
+    }
     void expect(std::string_view expected) {
-        if (const std::string_view word = words.next(); !same_word(word, expected)) fail_at(word, quoted(expected));
+        if (const std::string_view word = keyword(); !same_word(word, expected)) fail_at(word, quoted(expected));
     }
     void read_facet() {
         expect("normal");
-        for (int i = 0; i < 3; ++i) words.next();
-        expect("outer"), expect("loop");
+        std::string_view word = keyword();
+        for (int i = 0; i < 3 && !same_word(word, "outer"); ++i) word = keyword();
+        if (!same_word(word, "outer")) fail_at(word, "'outer'");
+        expect("loop");
         MeshData::Corners corners;
         for (std::int32_t& corner : corners) {
             expect("vertex");
@@ -91,6 +128,7 @@ class StlText {
 
     const Source& source;
     Words words;
+    std::string joined;
     PointJoiner points;
     MeshData mesh;
 };
@@ -102,9 +140,10 @@ bool is_binary_stl(std::string_view bytes) {
 }
 
 MeshData read_stl(const Source& source) {
-    // Many binary files begin with "solid" as well.
-    return source.bytes.starts_with("solid") && !is_binary_stl(source.bytes) ? StlText(source).read()
-                                                                             : read_binary(source);
+    // Many binary files begin with "solid" as well, but among their first bytes is a 0: in the number of triangles.
+    const bool binary = is_binary_stl(source.bytes) || announced(source.bytes) == unknown_count ||
+                        source.bytes.substr(0, header_size).find('\0') != source.bytes.npos;
+    return binary ? read_binary(source) : StlText(source).read();
 }
 
 }  // namespace strahl

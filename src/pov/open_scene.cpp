@@ -10,9 +10,13 @@ namespace strahl {
 bool is_pov(const std::string& path) { return path.ends_with(".pov") || path.ends_with(".POV"); }
 
 OpenedScene open_scene(const std::string& text, const std::string& path, const OpeningOptions& options,
-                       const ReadPixels& read_pixels, FileNames* names) {
-    if (!is_pov(path))
-        return {.scene = parse_scene(text, path == "-" ? "standard input" : path, {}, read_pixels, names)};
+                       const ReadPixels& read_pixels, FilesRead* read) {
+    if (!is_pov(path)) {
+        FilesRead own;
+        FilesRead& files = read ? *read : own;
+        Scene scene = parse_scene(text, path == "-" ? "standard input" : path, {}, read_pixels, &files);
+        return {.scene = std::move(scene), .notes = files.warnings};
+    }
     pov::InterpreterOptions how;
     how.file = path, how.library = options.library;
     for (const std::string& folder : pov::standard_library()) how.library.push_back(folder);

@@ -17,7 +17,9 @@ struct OpeningOptions {
 
 struct OpenedScene {
     Scene scene;
-    std::vector<std::string> notes{};  // of a .pov: what is approximated or left out, "scene.pov:12: left out: media"
+    // Of a .pov: what is approximated or left out, "scene.pov:12: left out: media"; of scene text: what is not read of its
+    // meshes and pictures as it stands there.
+    std::vector<std::string> notes{};
     std::string summary{};             // of the notes; empty for scene text
     std::vector<std::string> files{};  // of a .pov: all that were read, the scene's first
 };
@@ -25,9 +27,9 @@ struct OpenedScene {
 /// Does the path end like a scene of POV-Ray?
 bool is_pov(const std::string& path);
 
-/// Reads a scene whose text is that of the file `path`. Throws FileError. `names` receives the names of files in scene
+/// Reads a scene whose text is that of the file `path`. Throws FileError. `read` receives the names of files in scene
 /// text.
 OpenedScene open_scene(const std::string& text, const std::string& path, const OpeningOptions& options,
-                       const ReadPixels& read_pixels, FileNames* names = nullptr);
+                       const ReadPixels& read_pixels, FilesRead* read = nullptr);
 
 }  // namespace strahl

@@ -11,8 +11,9 @@ namespace strahl {
 
 /// Parses scene text (UTF-8). `file` is only the name used in messages. Throws FileError whose what() lists up to 10
 /// errors, each as "file:line:column: message", the line itself, and a caret under the error. Columns count characters.
-/// Without `read_pixels` it is an error to name a picture. `names` receives the names of files in the text.
+/// Without `read_pixels` it is an error to name a picture. `read` receives the names of files in the text, and
+/// warnings.
 Scene parse_scene(std::string_view text, std::string_view file, const TextLimits& limits = {},
-                  const ReadPixels& read_pixels = {}, FileNames* names = nullptr);
+                  const ReadPixels& read_pixels = {}, FilesRead* read = nullptr);
 
 }  // namespace strahl

@@ -3,6 +3,7 @@
 #include <optional>
 #include <utility>
 
+#include "files/utf8.h"
 #include "text/blocks/blocks.h"
 #include "text/blocks/bodies.h"
 #include "text/blocks/camera_blocks.h"
@@ -257,15 +258,15 @@ void Parser::check(const Kind& shape, const Primitive& primitive, Block& block, 
 }  // namespace
 
 Scene parse_scene(std::string_view text, std::string_view file, const TextLimits& limits, const ReadPixels& read_pixels,
-                  FileNames* names) {
-    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+                  FilesRead* read) {
+    text = utf8_text(text, file);
     refuse_other_files(text, file);
     refuse_other_scenes(text, file);
     Diagnostics diagnostics(text, file);
     diagnostics.check_encoding();
     SceneFiles files(file, read_pixels);
     Scene scene = Parser(text, diagnostics, files, limits).parse();
-    if (names) *names = files.names;
+    if (read) *read = files.read;
     return scene;
 }
 

@@ -25,6 +25,13 @@ void read(const std::string& path) {
         promise(mesh.points[a] != mesh.points[b] && mesh.points[b] != mesh.points[c] &&
                 mesh.points[c] != mesh.points[a]);
     }
+    promise(mesh.corner_places.empty() || mesh.corner_places.size() == mesh.triangles.size());
+    if (const MeshData::Corners* const numbers = mesh.place_numbers())
+        for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+            for (const std::int32_t k : numbers[i]) {
+                promise(k >= 0 && k < static_cast<std::int32_t>(mesh.places.size()));
+                promise(std::abs(mesh.places[k][0]) <= 1e9 && std::abs(mesh.places[k][1]) <= 1e9);
+            }
     for (const MeshData::Corners& corners : mesh.corner_normals)
         for (const std::int32_t i : corners) {
             promise(i >= 0 && i < static_cast<std::int32_t>(mesh.normals.size()));

@@ -105,10 +105,30 @@ std::string rich_ply() {
            "1\n";
 }
 
+/// A PLY file whose faces, with places at their corners, and strips come before the vertices, which have normals.
+std::string turned_ply() {
+    return "ply \r\nformat ascii 1.0\nmade by hand\nelement face 2\nproperty list uchar float texcoord\n"
+           "property list uchar int vertex_indices\nelement tristrips 1\nproperty list int int vertex_indices\n"
+           "element vertex 4\nproperty float x\nproperty float y\nproperty float z\nproperty float nx\n"
+           "property float ny\nproperty float nz\nproperty float u\nproperty float v\nend_header\n"
+           "6 0 0 1 0 1 1 3 0 1 2\n0 4 0 1 2 3\n9 0 1 2 3 -1 2 1 0 -1\n"
+           "0 0 0 0 0 1 0 0\n1 0 0 0 0 1 1 0\n1 1 0 0 0 0 nan 1 7\n0 1 1 nan 0 1 0 1\n";
+}
+
+std::string turned_obj() {
+    return "\xEF\xBB\xBFv 0 0 0 1 0 0\nv 1 0 0\rv 0 1 0\nv 0 0 1\nvt nan 0\nvt 1 0\nvn 0 0 0\nvn 0 0 1\nmtllib a.mtl\n"
+           "f 1// 2/ 3\nf -4/2/2 2/-1/-1 \\ \n3/1/1\nf 1 2\nf 1//2 2 4\nfo 2/2/ 3/1/ 4/2/ # \\\nf 1/2 2/2 3/2 4/1\n";
+}
+
+std::string turned_stl() {
+    return "\xEF\xBB\xBF SOLID a\n; a comment\nFACET normal\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
+           "end loop\nend facet\n# another\nend solid a\n";
+}
+
 }  // namespace
 
 std::vector<std::string> valid_meshes() {
-    std::vector<std::string> files{rich_obj(), rich_ply()};
+    std::vector<std::string> files{rich_obj(), rich_ply(), turned_ply(), turned_obj(), turned_stl()};
     for (const auto& [n, m] : {std::pair{3, 3}, {5, 8}}) {
         const MeshData flat = large_torus(n, m);
         MeshData smooth = flat;
@@ -123,7 +143,8 @@ std::vector<std::string> valid_meshes() {
         for (const auto& [a, b, c] : flat.triangles)
             triangles.push_back({flat.points[a], flat.points[b], flat.points[c]});
         for (int i = 0; i < 3; ++i) files.push_back(binary_stl(triangles)), files.push_back(ascii_stl(triangles));
-        files.push_back(rich_obj()), files.push_back(rich_ply());
+        for (const std::string& file : {rich_obj(), rich_ply(), turned_ply(), turned_obj(), turned_stl()})
+            files.push_back(file);
     }
     return files;
 }

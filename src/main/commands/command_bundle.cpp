@@ -28,6 +28,7 @@
 #include "files/utf8.h"
 #include "image/uncompressed.h"
 #include "image/pixels.h"
+#include "main/commands/scene_file.h"
 #include "main/licence.h"
 #include "main/process/exit_status.h"
 #include "main/process/interrupt.h"
@@ -203,8 +204,9 @@ std::string renamed_in(const std::string& text, const std::map<std::string, std:
 /// Copies the scene and the files that it names. Returns its path in the bundle.
 std::string collect_scene(const std::string& path, Collection& bundle) {
     const std::string text = read_text(path);
-    FileNames names;
+    FilesRead names;
     const Scene scene = parse_scene(text, path, {}, read_pixels, &names);
+    print_warnings(names.warnings);
     std::map<std::string, std::string> renamed;
     for (const std::string& name : names.pictures) renamed[name] = plain_picture(path_beside(path, name), bundle);
     names.meshes.merge(names.sounds);

@@ -35,7 +35,7 @@ int import_command(const ImportOptions& options) {
     if (imported.size)
         text += " Its picture: --size " + size_text(imported.size->width, imported.size->height);
     write_file(options.output, text + "\n\n" + write_scene(imported.scene));
-    for (const std::string& warning : imported.warnings) std::cerr << "strahl: warning: " << printable(warning) << '\n';
+    print_warnings(imported.warnings);
     return exit_status::done;
 }
 

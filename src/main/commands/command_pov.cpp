@@ -5,7 +5,6 @@
 #include <iostream>
 
 #include "files/output_file.h"
-#include "files/utf8.h"
 #include "main/commands/scene_file.h"
 #include "povref/convert/pov_scene.h"
 #include "scene/moving_scene.h"
@@ -64,7 +63,7 @@ int pov_command(const PovOptions& options) {
     }
     const PovFiles files = write_pov(scene, request);
     write(files, options.output);
-    for (const std::string& warning : files.warnings) std::cerr << "strahl: warning: " << printable(warning) << '\n';
+    print_warnings(files.warnings);
     return 0;
 }
 

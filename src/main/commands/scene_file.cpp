@@ -19,10 +19,14 @@ std::string example_scene() {
     throw UsageError("SCENE is required\nSee: strahl view --help");
 }
 
+void print_warnings(std::span<const std::string> warnings) {
+    for (const std::string& warning : warnings) std::cerr << "strahl: warning: " << printable(warning) << '\n';
+}
+
 void tell_notes(const OpenedScene& scene, bool all) {
     constexpr std::size_t usual = 10;
     const std::size_t count = all ? scene.notes.size() : std::min(usual, scene.notes.size());
-    for (std::size_t i = 0; i < count; ++i) std::cerr << "strahl: warning: " << printable(scene.notes[i]) << '\n';
+    print_warnings(std::span(scene.notes).first(count));
     if (count < scene.notes.size())
         std::cerr << "strahl: warning: and " << scene.notes.size() - count << " more; strahl check lists them\n";
 }

@@ -1,5 +1,6 @@
 // Reads the scene that a command names.
 #pragma once
+#include <span>
 #include <string>
 
 #include "pov/open_scene.h"
@@ -13,11 +14,13 @@ inline std::string shown_name(const std::string& path) { return path == "-" ? "s
 /// Returns the path of an installed scene to show where none is named. Throws UsageError if it is not there.
 std::string example_scene();
 
-/// Reads a scene and its pictures from a file, or from standard input for "-". Of a scene of POV-Ray it tells, on
-/// standard error, what is approximated or left out. Throws FileError.
+/// Reads a scene and its pictures from a file, or from standard input for "-". Tells the notes about it, see
+/// OpenedScene. Throws FileError.
 Scene load_scene(const std::string& path, const OpeningOptions& options);
 
-/// Tells what is approximated or left out in a scene of POV-Ray: all, or the first notes.
+/// Prints warnings on standard error.
+void print_warnings(std::span<const std::string> warnings);
+/// Prints the notes about a scene: all, or the first ones.
 void tell_notes(const OpenedScene& scene, bool all);
 
 }  // namespace strahl

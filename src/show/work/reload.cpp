@@ -6,14 +6,15 @@
 #include <chrono>
 #include <condition_variable>
 #include <filesystem>
+#include <iostream>
 #include <mutex>
 #include <utility>
 
 #include "files/output_file.h"
 #include "files/read_file.h"
 #include "files/regular_file.h"
+#include "files/utf8.h"
 #include "image/pixels.h"
-#include "pov/open_scene.h"
 #include "text/edit_path.h"
 #include "text/reading/tracks_file.h"
 #include "trace/tracer.h"
@@ -30,7 +31,10 @@ FileStamp stamp_of(const std::string& path) {
 
 Loaded load(const std::string& path, const std::string& text, bool opened) try {
     const std::string name = path == "-" ? "standard input" : path;
-    auto scene = std::make_shared<const Scene>(scene_for_window(text, name));
+    OpenedScene read = scene_for_window(text, name);
+    if (opened)
+        for (const std::string& note : read.notes) std::cerr << "strahl: warning: " << printable(note) << '\n';
+    auto scene = std::make_shared<const Scene>(std::move(read.scene));
     const EyeWords words = is_pov(path) ? EyeWords{} : eye_words(text);
     return {.path = path, .scene = std::move(scene), .opened = opened, .words = words};
 } catch (const FileError& error) {
@@ -47,10 +51,10 @@ struct LeftBehind {};
 
 }  // namespace
 
-Scene scene_for_window(const std::string& text, const std::string& path) {
-    Scene scene = open_scene(text, path, {}, read_pixels).scene;
-    check_capacity(scene, Precision::float32);
-    return scene;
+OpenedScene scene_for_window(const std::string& text, const std::string& path) {
+    OpenedScene opened = open_scene(text, path, {}, read_pixels);
+    check_capacity(opened.scene, Precision::float32);
+    return opened;
 }
 
 /// The data that the window and the thread share.

@@ -9,13 +9,14 @@
 #include <thread>
 #include <vector>
 
+#include "pov/open_scene.h"
 #include "scene/scene.h"
 #include "text/write.h"
 
 namespace strahl {
 
-/// Parses a scene. Throws FileError, also if the scene is too large for float, in which the window traces.
-Scene scene_for_window(const std::string& text, const std::string& path);
+/// Reads a scene. Throws FileError, also if the scene is too large for float, in which the window traces.
+OpenedScene scene_for_window(const std::string& text, const std::string& path);
 
 /// Identifies a version of a file; all zero if there is none.
 struct FileStamp {

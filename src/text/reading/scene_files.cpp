@@ -18,14 +18,14 @@ SceneFiles::SceneFiles(std::string_view scene, ReadPixels read_pixels)
     : scene(scene), read_pixels(std::move(read_pixels)) {}
 
 std::shared_ptr<const MeshData> SceneFiles::mesh(std::string_view name) {
-    const std::string path = path_beside(scene, *names.meshes.emplace(name).first);
+    const std::string path = path_beside(scene, *read.meshes.emplace(name).first);
     std::shared_ptr<const MeshData>& data = meshes[path];
-    if (!data) data = std::make_shared<const MeshData>(read_mesh(path));
+    if (!data) data = std::make_shared<const MeshData>(read_mesh(path, {}, &read.warnings));
     return data;
 }
 
 std::shared_ptr<const Pixels> SceneFiles::pixels(std::string_view name) {
-    const std::string path = path_beside(scene, *names.pictures.emplace(name).first);
+    const std::string path = path_beside(scene, *read.pictures.emplace(name).first);
     if (!read_pixels) throw FileError("cannot read '" + path + "': pictures are not read here");
     std::shared_ptr<const Pixels>& data = pictures[path];
     if (!data) data = std::make_shared<const Pixels>(read_pixels(path));
@@ -33,7 +33,7 @@ std::shared_ptr<const Pixels> SceneFiles::pixels(std::string_view name) {
 }
 
 void SceneFiles::sound(std::string_view name) {
-    const std::string path = path_beside(scene, *names.sounds.emplace(name).first);
+    const std::string path = path_beside(scene, *read.sounds.emplace(name).first);
     // The first page of Ogg, and in it the first header of Vorbis (xiph.org/vorbis/doc/Vorbis_I_spec.html, 4.2.1).
     const std::string head = RegularFile(path).bytes(0, 35);
     if (!head.starts_with("OggS") || head.substr(std::min<std::size_t>(28, head.size())) != "\1vorbis")

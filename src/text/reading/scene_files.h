@@ -17,9 +17,10 @@ namespace strahl {
 /// Reads a picture file that a scene names. Throws FileError. The program's own function is in image/pixels.h.
 using ReadPixels = std::function<Pixels(const std::string& path)>;
 
-/// The names of files as a scene gives them, relative to the scene's folder.
-struct FileNames {
+/// The names of files as a scene gives them, relative to the scene's folder, and what of them is not read as it stands.
+struct FilesRead {
     std::set<std::string> meshes, pictures, sounds;
+    std::vector<std::string> warnings;
 };
 /// The path of a file that the scene at the path `scene` names.
 std::string path_beside(const std::string& scene, const std::string& name);
@@ -35,7 +36,7 @@ class SceneFiles {
     /// The tracks saved beside the scene; none if there is no such file.
     std::vector<Track> tracks() const;
 
-    FileNames names;  // of all that was read
+    FilesRead read;  // so far
 
   private:
     const std::string scene;
