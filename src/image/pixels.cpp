@@ -1,6 +1,7 @@
 #include "image/pixels.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "image/picture.h"
 #include "num/decimal.h"
@@ -22,6 +23,8 @@ Pixels read_pixels(const std::string& path) {
     Pixels pixels{picture.width, picture.height, picture.bits == 32, {}};
     const auto count = std::size_t(picture.width) * static_cast<unsigned>(picture.height);
     pixels.values.reserve(3 * count);
+    double lowest = 0;
+    std::string lowest_at;
     for (std::size_t i = 0; i < count; ++i) {
         const double* const own = &picture.values[i * static_cast<unsigned>(picture.channels)];
         const auto at = [&] {
@@ -32,12 +35,18 @@ Pixels read_pixels(const std::string& path) {
             fail("it has pixels that are not opaque, the first" + at() + "; save it without an alpha channel");
         for (int c = 0; c < 3; ++c) {
             const double value = own[grey ? 0 : c];
-            if (!(value >= 0 && value <= largest_value))
+            if (!(std::abs(value) <= largest_value))
                 fail("it has the value " + text_of(value) + at() + "; colours are from 0 to 1e9");
-            pixels.values.push_back(static_cast<float>(value));
+            if (value < lowest) lowest = value, lowest_at = at();
+            pixels.values.push_back(static_cast<float>(std::max(value, 0.)));
             pixels.largest[c] = std::max(pixels.largest[c], double(pixels.values.back()));
         }
     }
+    // The filters of other programs leave small negative values beside bright places.
+    const Color& largest = pixels.largest;
+    if (-lowest > .1 * std::max({largest.x, largest.y, largest.z}))
+        fail("it has the value " + text_of(lowest) + lowest_at +
+             "; colours are from 0 to 1e9, and negative values count as 0 up to a tenth of the largest value only");
     return pixels;
 }
 

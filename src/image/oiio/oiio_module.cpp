@@ -8,33 +8,79 @@
 #include <cstdint>
 #include <limits>
 #include <new>
+#include <numeric>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace {
 
 using namespace OIIO;
 
+/// Numbers of the channels that a picture has in its file, in the order R, G, B, A or Y, A.
+using Channels = std::vector<int>;
+
 /// Reads the values in the file's own type, so that only the division by `max` rounds. Reads a few rows at a time, so
 /// that memory is written only for values that the file really holds, whatever its header promises.
 template <class T>
-bool read_values(ImageInput& input, const ImageSpec& spec, double max, strahl::Picture& picture) {
+bool read_values(ImageInput& input, const ImageSpec& spec, const Channels& channels, double max,
+                 strahl::Picture& picture) {
     const TypeDesc type = BaseTypeFromC<T>::value;
     const bool tiled = spec.tile_width > 0;
-    const std::size_t row = std::size_t(picture.width) * static_cast<unsigned>(picture.channels);
+    const int all = spec.nchannels;
+    const std::size_t row = std::size_t(picture.width) * static_cast<unsigned>(all);
     const int step = tiled ? spec.tile_height : static_cast<int>(std::max<std::size_t>(1, (1 << 20) / row));
-    picture.values.reserve(row * static_cast<unsigned>(picture.height));
+    picture.values.reserve(std::size_t(picture.width) * channels.size() * static_cast<unsigned>(picture.height));
     std::vector<T> codes;
     for (int y = 0; y < picture.height;) {
         const int rows = std::min(step, picture.height - y), first = spec.y + y, x = spec.x;
         codes.resize(row * static_cast<unsigned>(rows));
-        if (!(tiled ? input.read_tiles(0, 0, x, x + picture.width, first, first + rows, spec.z, spec.z + 1, 0,
-                                       picture.channels, type, codes.data())
-                    : input.read_scanlines(0, 0, first, first + rows, spec.z, 0, picture.channels, type, codes.data())))
+        if (!(tiled ? input.read_tiles(0, 0, x, x + picture.width, first, first + rows, spec.z, spec.z + 1, 0, all,
+                                       type, codes.data())
+                    : input.read_scanlines(0, 0, first, first + rows, spec.z, 0, all, type, codes.data())))
             return false;
-        for (const T code : codes) picture.values.push_back(static_cast<double>(code) / max);
+        for (std::size_t pixel = 0; pixel < codes.size(); pixel += static_cast<unsigned>(all))
+            for (const int channel : channels)
+                picture.values.push_back(static_cast<double>(codes[pixel + static_cast<unsigned>(channel)]) / max);
         y += rows;
     }
     return true;
+}
+
+/// Finds channels by their names, in capitals or not: R, G and B or Y, and A. Those of the only layer that has colours
+/// are taken if none of these stand outside layers. Returns why there are none, or "". All other channels, such as
+/// depth, are ignored. OpenEXR's names: openexr.com/en/latest/TechnicalIntroduction.html, "Channel Names".
+std::string find_channels(const ImageSpec& spec, Channels& channels) {
+    const auto find = [&](const std::string& layer, const char* letter) {
+        const auto same = [&](const std::string& name) { return Strutil::iequals(name, layer + letter); };
+        const auto found = std::find_if(spec.channelnames.begin(), spec.channelnames.end(), same);
+        return found == spec.channelnames.end() ? -1 : static_cast<int>(found - spec.channelnames.begin());
+    };
+    const auto has = [&](const std::string& layer, const char* letter) { return find(layer, letter) >= 0; };
+    const auto colours = [&](const std::string& layer) {
+        return (has(layer, "R") && has(layer, "G") && has(layer, "B")) ||
+               (has(layer, "Y") && !has(layer, "RY") && !has(layer, "BY") && !has(layer, "X"));  // X and Y: a vector
+    };
+    std::vector<std::string> layers;
+    for (const std::string& name : spec.channelnames) {
+        const std::string layer = name.substr(0, name.rfind('.') + 1);  // with the dot; "" outside layers
+        if (colours(layer) && std::find(layers.begin(), layers.end(), layer) == layers.end()) layers.push_back(layer);
+    }
+    const bool some = has("", "R") || has("", "G") || has("", "B") || has("", "Y");
+    if (colours("")) layers = {""};
+    if (layers.empty() || (some && !layers[0].empty()))
+        return "its channels are " + Strutil::join(spec.channelnames, ", ") + "; colours need R, G and B, or Y alone";
+    if (layers.size() > 1)
+        return "its colours are in several layers (" + Strutil::join(layers, ", ") +
+               "); save one of them as a picture of its own";
+    for (const char* letter : {"R", "G", "B"}) channels.push_back(find(layers[0], letter));
+    if (std::find(channels.begin(), channels.end(), -1) != channels.end()) channels = {find(layers[0], "Y")};
+    if (has(layers[0], "A")) channels.push_back(find(layers[0], "A"));
+    for (const int channel : channels)
+        if (spec.channelformat(channel) == TypeDesc::UINT32)
+            return "its channel " + spec.channelnames[static_cast<unsigned>(channel)] +
+                   " holds whole numbers, as names of things do, not colours";
+    return "";
 }
 
 /// Why a picture cannot be read, or "", before anything is allocated for its values.
@@ -66,18 +112,22 @@ bool decode(const strahl::Wanted& wanted, strahl::Picture& picture, std::string&
     ImageSpec spec;
     if (!input->open(wanted.path, spec, as_it_is)) return reason = input->geterror(), false;
     if (reason = objection(spec, wanted); !reason.empty()) return false;
-    picture = {spec.width, spec.height, spec.nchannels, {}, 32};
+    Channels channels(static_cast<unsigned>(spec.nchannels));
+    std::iota(channels.begin(), channels.end(), 0);
+    if (std::string_view(wanted.format) == "openexr") channels.clear(), reason = find_channels(spec, channels);
+    if (!reason.empty()) return false;
+    picture = {spec.width, spec.height, static_cast<int>(channels.size()), {}, 32};
     bool whole = false;
     if (spec.format == TypeDesc::UINT8) {
         picture.bits = 8;
-        whole = read_values<std::uint8_t>(*input, spec, 255, picture);
+        whole = read_values<std::uint8_t>(*input, spec, channels, 255, picture);
     } else if (spec.format == TypeDesc::UINT16) {
         picture.bits = 16;
-        whole = read_values<std::uint16_t>(*input, spec, 65535, picture);
+        whole = read_values<std::uint16_t>(*input, spec, channels, 65535, picture);
     } else if (spec.format == TypeDesc::DOUBLE) {
-        whole = read_values<double>(*input, spec, 1, picture);
+        whole = read_values<double>(*input, spec, channels, 1, picture);
     } else {
-        whole = read_values<float>(*input, spec, 1, picture);
+        whole = read_values<float>(*input, spec, channels, 1, picture);
     }
     if (!whole) reason = input->geterror();
     return whole;

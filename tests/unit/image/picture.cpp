@@ -267,7 +267,10 @@ TEST_CASE("pictures as patterns: grey is of three equal colours, and what no pat
         CHECK(says(said, why));
     };
     refused({2, 1, 4, {1, 1, 1, 1, 1, 1, 1, .5}, 8}, "glass.png", 8, "not opaque, the first at column 1, row 0");
-    refused({1, 1, 3, {1, -1, 1}, 32}, "dark.exr", 32, "it has the value -1 at column 0, row 0");
+    const Pixels ringing = read_pixels(written({1, 2, 3, {5, -.5, 1, -.1, 0, 0}, 32}, "ringing.exr", 32));
+    CHECK(ringing.values == std::vector<float>{5, 0, 1, 0, 0, 0});
+    refused({1, 2, 3, {1, 1, 1, 1, -.125, 0}, 32}, "dark.exr", 32, "it has the value -0.125 at column 0, row 1");
+    refused({1, 1, 3, {-.1, -1, 0}, 32}, "darkest.exr", 32, "it has the value -1 at column 0, row 0");
     refused({1, 1, 3, {1, nan, 1}, 32}, "none.exr", 32, "it has the value nan");
     refused({1, 1, 3, {1, 2e9, 1}, 32}, "sun.exr", 32, "it has the value 2e+09");
     refused({1, 32769, 1, std::vector<double>(32769), 8}, "long.png", 8, "each side may have at most 32768");
