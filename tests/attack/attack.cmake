@@ -45,9 +45,25 @@ add_executable(attack_pictures ${attack}/pictures.cpp ${attack}/mutated_picture.
 target_link_libraries(attack_pictures PRIVATE strahl_file_attack strahl_image)
 add_executable(attack_meshes ${attack}/meshes.cpp ${attack}/mutated_mesh.cpp)
 target_link_libraries(attack_meshes PRIVATE strahl_file_attack strahl_mesh)
-foreach(files pictures meshes)
+set(attacked_files pictures meshes)
+# The small readers, three of which are the window's: without the rest of it, so that the preset `fuzz` has them too.
+pkg_check_modules(VORBIS IMPORTED_TARGET vorbisfile)
+if(VORBIS_FOUND)
+  set(readers ${attack}/readers.cpp ${CMAKE_SOURCE_DIR}/src/show/work/rocket.cpp
+              ${CMAKE_SOURCE_DIR}/src/show/window/window_state.cpp ${CMAKE_SOURCE_DIR}/src/show/window/with/samples.cpp)
+  add_executable(attack_small_files ${attack}/small_files.cpp ${readers})
+  target_compile_definitions(attack_small_files PRIVATE STRAHL_SOURCE="${CMAKE_SOURCE_DIR}")
+  target_link_libraries(attack_small_files PRIVATE strahl_file_attack strahl_image strahl_text PkgConfig::VORBIS)
+  list(APPEND attacked_files small_files)
+  if(CMAKE_CXX_COMPILER_ID MATCHES Clang)
+    add_executable(attack_libfuzzer_readers EXCLUDE_FROM_ALL ${attack}/readers_fuzzer.cpp ${readers})
+    target_link_libraries(attack_libfuzzer_readers PRIVATE strahl_image strahl_text PkgConfig::VORBIS)
+    target_link_options(attack_libfuzzer_readers PRIVATE -fsanitize=fuzzer)
+  endif()
+endif()
+foreach(files ${attacked_files})
   add_dependencies(attack attack_${files})
-  add_test(NAME attack_${files} COMMAND attack_${files} --seconds 5)
+  add_test(NAME attack_${files} COMMAND attack_${files} --seconds $<IF:$<STREQUAL:${files},small_files>,2,5>)
 endforeach()
 
 # The readers of other programs' scenes.

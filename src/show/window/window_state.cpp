@@ -3,9 +3,12 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 
 #include "files/output_file.h"
+#include "files/regular_file.h"
+#include "files/streams.h"
+#include "files/utf8.h"
+#include "scene/error.h"
 
 namespace strahl {
 
@@ -19,13 +22,21 @@ std::string window_state_file() {
     return folder.empty() ? "" : folder / "strahl/window";
 }
 
-std::optional<WindowState> read_window_state() {
-    std::ifstream file(window_state_file());
+std::optional<WindowState> window_state_in(std::string_view text) try {
+    WordStream words{std::string(utf8_text(text, "window"))};
     WindowState s;
-    file >> s.x >> s.y >> s.width >> s.height;
+    words >> s.x >> s.y >> s.width >> s.height;
     const auto sound = [](int size) { return size >= 64 && size <= 16384; };
     const bool either = (s.width == 0 && s.height == 0) || (sound(s.width) && sound(s.height));
-    return file && either ? std::optional(s) : std::nullopt;
+    return words && either ? std::optional(s) : std::nullopt;
+} catch (const FileError&) {
+    return std::nullopt;
+}
+
+std::optional<WindowState> read_window_state() try {
+    return window_state_in(RegularFile(window_state_file()).bytes(0, 1000));
+} catch (const FileError&) {
+    return std::nullopt;
 }
 
 void write_window_state(const WindowState& s) {

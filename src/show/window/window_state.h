@@ -2,6 +2,7 @@
 #pragma once
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace strahl {
 
@@ -15,6 +16,8 @@ struct WindowState {
 /// 0.8); empty if neither XDG_STATE_HOME nor HOME is set.
 std::string window_state_file();
 
+/// Reads the text of such a file: x, y, width and height. Nothing if it is not valid.
+std::optional<WindowState> window_state_in(std::string_view text);
 /// Reads what was written last; nothing if there is no valid file.
 std::optional<WindowState> read_window_state();
 /// Errors are ignored: then the window opens as if for the first time.

@@ -1,33 +1,25 @@
-// Plays by OpenAL Soft (openal-soft.org) what libvorbisfile decodes.
+// Plays samples by OpenAL Soft (openal-soft.org).
 #include "show/window/sound.h"
 
 #define AL_ALEXT_PROTOTYPES
-#define OV_EXCLUDE_STATIC_CALLBACKS
 #include <AL/al.h>
 #include <AL/alc.h>
 #include <AL/alext.h>
 #include <dlfcn.h>
-#include <vorbis/vorbisfile.h>
 
 #include <array>
 #include <atomic>
-#include <bit>
+#include <cstdio>
 #include <cstdlib>
 #include <memory>
 #include <stop_token>
 #include <thread>
 #include <utility>
-#include <vector>
+
+#include "show/window/with/samples.h"
 
 namespace strahl {
 namespace {
-
-/// Samples of 16 bits, one per channel and moment.
-struct Samples {
-    std::vector<char> bytes;
-    int channels = 0, rate = 0;
-    std::string fault;
-};
 
 /// A handler of ALSA's messages: file, line, function, error, form.
 void ignore_message(const char*, int, const char*, int, const char*, ...) {}
@@ -38,31 +30,6 @@ void quieten() {
     void* const alsa = ::dlopen("libasound.so.2", RTLD_LAZY);
     if (void* const set = alsa ? ::dlsym(alsa, "snd_lib_error_set_handler") : nullptr)
         reinterpret_cast<int (*)(decltype(&ignore_message))>(set)(ignore_message);
-}
-
-Samples decoded(const std::string& path, const std::stop_token& stop) {
-    Samples samples;
-    OggVorbis_File opened;
-    if (::ov_fopen(path.c_str(), &opened) != 0) return {{}, 0, 0, "'" + path + "' is not an Ogg Vorbis file"};
-    const std::unique_ptr<OggVorbis_File, int (*)(OggVorbis_File*)> file(&opened, ::ov_clear);
-    const vorbis_info first = *::ov_info(&opened, -1);
-    samples.channels = first.channels, samples.rate = static_cast<int>(first.rate);
-    constexpr std::size_t most = std::size_t(1) << 30;
-    std::array<char, 1 << 16> block;
-    for (int part = 0; !stop.stop_requested();) {
-        const int big_endian = std::endian::native == std::endian::big;
-        const long got = ::ov_read(&opened, block.data(), static_cast<int>(block.size()), big_endian, 2, 1, &part);
-        const vorbis_info* const now = ::ov_info(&opened, -1);
-        if (got == OV_HOLE) continue;
-        if (got < 0) return {{}, 0, 0, "'" + path + "' is damaged"};
-        if (got == 0) break;
-        if (now->channels != first.channels || now->rate != first.rate || first.channels > 2)
-            return {{}, 0, 0, "'" + path + "' must be mono or stereo, and the same throughout"};
-        samples.bytes.insert(samples.bytes.end(), block.data(), block.data() + got);
-        if (samples.bytes.size() > most) return {{}, 0, 0, "'" + path + "' is longer than a gigabyte of samples"};
-    }
-    if (samples.bytes.empty()) samples.fault = "'" + path + "' holds no sound";
-    return samples;
 }
 
 }  // namespace
@@ -81,7 +48,7 @@ struct Sound::Implementation {
         device = ::alcOpenDevice(nullptr);
         context = device ? ::alcCreateContext(device, nullptr) : nullptr;
         if (!context || !::alcMakeContextCurrent(context)) return void(fault = "there is no sound device");
-        const Samples samples = decoded(path, stop);
+        const Samples samples = decode_ogg(std::fopen(path.c_str(), "rb"), "'" + path + "'", stop);
         fault = samples.fault;
         if (!fault.empty() || stop.stop_requested()) return;
         length = double(samples.bytes.size()) / (2. * samples.channels * samples.rate);

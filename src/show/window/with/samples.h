@@ -1,0 +1,21 @@
+// Decodes Ogg Vorbis files.
+#pragma once
+#include <cstdio>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+namespace strahl {
+
+/// Samples of 16 bits, one per channel and moment.
+struct Samples {
+    std::vector<char> bytes;
+    int channels = 0, rate = 0;
+    std::string fault;  // why there are none, or ""
+};
+
+/// Decodes an Ogg Vorbis file of one channel or two to its end, or until it is asked to stop. Closes the file, which
+/// may be null; `name` is for the message.
+Samples decode_ogg(std::FILE* file, const std::string& name, const std::stop_token& stop);
+
+}  // namespace strahl
