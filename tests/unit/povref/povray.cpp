@@ -176,13 +176,13 @@ TEST_CASE("povray renders an emitted .ini without warnings, to Strahl's picture"
 
 TEST_CASE("animations of ten frames agree frame by frame") {
     const Scratch scratch;
-    for (const auto& [name, fps] : {std::pair("flight", 4.5), {"motion", 3.75}}) {
+    for (const auto& [name, rate] : {std::pair("flight", FrameRate{9, 2}), {"motion", FrameRate{15, 4}}}) {
         CAPTURE(name);
         const Scene scene = read_scene(std::string("crosscheck/") + name);
         REQUIRE(pov_command({.scene = std::string(STRAHL_SOURCE "/scenes/crosscheck/") + name + ".rt",
                              .output = scratch / "film.pov",
                              .animation = true,
-                             .fps = fps,
+                             .rate = rate,
                              .width = 64,
                              .height = 48}) == 0);
         const std::string log = output_of("povray '" + (scratch / "film.ini") + "'");
@@ -190,7 +190,7 @@ TEST_CASE("animations of ten frames agree frame by frame") {
         Tracer tracer(scene, Precision::float64);
         for (int n = 0; n < 10; ++n) {
             CAPTURE(n);
-            const double time = n / fps;
+            const double time = rate.moment(n);
             const View view{.camera = camera_at(scene, time), .width = 64, .height = 48, .time = time};
             const Picture theirs = read_picture(scratch / ("film" + std::to_string(n) + ".png"));
             const Verdict verdict = judge(tracer, view, render(scene, view), theirs);
