@@ -63,19 +63,19 @@ auto mean_of(const Function& function, double x, double a, double b) {
 
 /// A convex part of a parallelogram, whose area is 1: where its corners are along both sides, and in the pattern's
 /// space.
-struct Part {
-    struct PartCorner {
+struct AreaPart {
+    struct AreaCorner {
         double i, j;
         DVec3 at;
     };
-    std::array<PartCorner, 12> corners;
+    std::array<AreaCorner, 12> corners;
     int count = 0;
 
-    explicit Part(const PatternArea& area) {
+    explicit AreaPart(const PatternArea& area) {
         for (const auto& [i, j] : {std::pair(-.5, -.5), {.5, -.5}, {.5, .5}, {-.5, .5}})
             add({i, j, area.middle + i * area.across + j * area.down});
     }
-    void add(const PartCorner& corner) { corners[count++] = corner; }
+    void add(const AreaCorner& corner) { corners[count++] = corner; }
 
     std::pair<double, double> range(int axis) const {
         double low = HUGE_VAL, high = -HUGE_VAL;
@@ -86,23 +86,23 @@ struct Part {
         return {low, high};
     }
     /// Returns the part of it that is on one side of a plane across an axis.
-    Part cut(int axis, double place, double side) const {
-        Part rest = *this;
+    AreaPart cut(int axis, double place, double side) const {
+        AreaPart rest = *this;
         rest.count = 0;
         for (int k = 0; k < count; ++k) {
-            const PartCorner &from = corners[k], &to = corners[k + 1 < count ? k + 1 : 0];
+            const AreaCorner &from = corners[k], &to = corners[k + 1 < count ? k + 1 : 0];
             const double a = side * (from.at[axis] - place), b = side * (to.at[axis] - place);
             if (a >= 0) rest.add(from);
             if ((a >= 0) == (b >= 0)) continue;
             const double share = a / (a - b);
-            PartCorner between{from.i + share * (to.i - from.i), from.j + share * (to.j - from.j),
+            AreaCorner between{from.i + share * (to.i - from.i), from.j + share * (to.j - from.j),
                                from.at + share * (to.at - from.at)};
             between.at[axis] = place;
             rest.add(between);
         }
         return rest;
     }
-    Part between(int axis, double low, double high) const {
+    AreaPart between(int axis, double low, double high) const {
         const auto [least, most] = range(axis);
         if (least >= low && most <= high) return *this;
         return cut(axis, low, 1).cut(axis, high, -1);
@@ -128,7 +128,7 @@ struct Part {
         double sum = 0;
         if (squared < shortest * shortest) return area() * (function.mean + function.value(middle()[axis]));
         for (int k = 0; k < count; ++k) {
-            const PartCorner &from = corners[k], &to = corners[k + 1 < count ? k + 1 : 0];
+            const AreaCorner &from = corners[k], &to = corners[k + 1 < count ? k + 1 : 0];
             const double x = from.at[axis], way = to.at[axis] - x;
             const double mean = std::abs(way) < shortest ? function.integral(x + way / 2)
                                                          : (function.second(x + way) - function.second(x)) / way;
@@ -167,15 +167,15 @@ double mean_of_checks(const PatternArea& area) {
             product *= mean_of(square, area.middle[axis], area.across[axis], area.down[axis]);
         return product;
     }
-    const Part whole(area);
-    const auto each = [](const Part& part, int axis, const auto& visit) {
+    const AreaPart whole(area);
+    const auto each = [](const AreaPart& part, int axis, const auto& visit) {
         if (part.count < 3) return;
         const auto [low, high] = part.range(axis);
         for (double k = std::floor(low); k <= std::floor(high); ++k) visit(part.between(axis, k, k + 1), k);
     };
     double sum = 0;
-    each(whole, first, [&](const Part& slab, double i) {
-        each(slab, second, [&](const Part& part, double j) {
+    each(whole, first, [&](const AreaPart& slab, double i) {
+        each(slab, second, [&](const AreaPart& part, double j) {
             const double own = part.integral(square, last, area.across[last], area.down[last]);
             sum += std::fmod(std::abs(i + j), 2) == 0 ? own : -own;
         });
@@ -194,11 +194,11 @@ double share_of_bricks(const PatternArea& area, const DVec3& mortar) {
     if (is_far(area)) return courses[0].mean * courses[1].mean * courses[2].mean;
     if (extent(area, 1) > most_pieces)  // as many layers of one shift as of the other
         return mean(1) * (mean(0) * mean(2, .5) + mean(0, .5) * mean(2)) / 2;
-    const Part whole(area);
+    const AreaPart whole(area);
     const auto [low, high] = whole.range(1);
     double sum = 0;
     for (double k = std::floor(low); k <= std::floor(high); ++k) {
-        Part layer = whole.between(1, k + mortar.y, k + 1);
+        AreaPart layer = whole.between(1, k + mortar.y, k + 1);
         if (layer.count < 3) continue;
         const double shift = std::fmod(std::abs(k), 2) == 1 ? .5 : 0, shifts[3] = {shift, 0, .5 - shift};
         if (extent(area, fewer) > most_pieces) {
