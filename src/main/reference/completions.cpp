@@ -30,7 +30,8 @@ std::vector<std::string> endings_in(const std::string& help) {
 std::vector<std::string> endings_of(const CommandText& command) {
     std::vector<std::string> endings;
     for (const OptionText& argument : command.arguments)
-        for (const std::string& ending : endings_in(argument.help)) endings.push_back(ending);
+        for (const std::string& ending : endings_in(argument.help))
+            if (std::ranges::find(endings, ending) == endings.end()) endings.push_back(ending);
     return endings;
 }
 

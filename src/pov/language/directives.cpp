@@ -38,7 +38,6 @@ void Interpreter::State::directive(const RawToken& raw) {
             if (!is_true(parenthesised_number())) leave(raw);
             break;
         case word("for"): {
-            open(Control::ControlType::loop_for);
             expect('(');
             const RawToken& name = raw_name("the loop's variable");
             accept(',');
@@ -52,7 +51,7 @@ void Interpreter::State::directive(const RawToken& raw) {
             Symbol* symbol = symbols.find(name.index);
             if (!symbol || symbol->table != symbols.top()) symbol = &symbols.add(name.index, false);
             value_of(*symbol) = {ValueKind::number, {first}, nullptr};
-            Control& loop = controls.back();
+            Control& loop = open(Control::ControlType::loop_for);  // an #end before this would have no body to go back to
             loop.variable = name.index;
             loop.end = end;
             loop.step = step;

@@ -156,9 +156,9 @@ Material MaterialMaker::material_of(const TextureThing& texture, const InteriorT
 
     if (material.refraction > 0) {
         const bool unlit = material.diffuse == 0 && material.ambient == 0;
-        unbent |= !interior || interior->ior == 1;
         if (unlit && !use.no_shadow) material.rgb = Pigment(coefficients(through / material.refraction));
         if (use.shadow_only) return material;
+        unbent |= !interior || interior->ior == 1;
         const TextPlace place = shown.values.place;
         const Color shadow = material.rgb.color * material.refraction;
         bool coloured = false, shaded = false;

@@ -53,6 +53,7 @@ TEST_CASE("messages say where, why, and by which macros") {
     check_fails("/* /* */ 1", "this comment is not closed");
     check_fails("#if (1)", "1:1: this block is not closed");
     check_fails("#end", "'#end' without a block");
+    check_fails("#for (i, #end 1, 2) #end", "1:10: '#end' without a block");
     check_fails("#while (<1,2>) #end", "found a vector");
     check_fails("#error concat(\"too \", \"bad\")", "the scene says: too bad");
     check_fails("\x80 \x81 sphere {} \x82", "this character is allowed in comments and strings only");

@@ -138,7 +138,8 @@ TEST_CASE("scenes survive the way to POV-Ray's text and back") {
             CHECK(back.transformations == steps);
             const Material &m = scene.materials[std::size_t(own.material)],
                            &n = again.materials[std::size_t(back.material)];
-            CHECK(n.rgb.color == m.rgb.color);
+            // Without lights, which would give it a shadow, the colour of clear glass is seen nowhere.
+            if (m.diffuse > 0 || m.ambient > 0 || !scene.lights.empty()) CHECK(n.rgb.color == m.rgb.color);
             if (m.refraction > 0) CHECK(n.ior == doctest::Approx(m.ior).epsilon(1e-7));
             for (double Material::*const number : {&Material::reflection, &Material::refraction, &Material::diffuse,
                                                    &Material::ambient, &Material::specular})
