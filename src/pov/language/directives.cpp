@@ -51,7 +51,7 @@ void Interpreter::State::directive(const RawToken& raw) {
             Symbol* symbol = symbols.find(name.index);
             if (!symbol || symbol->table != symbols.top()) symbol = &symbols.add(name.index, false);
             value_of(*symbol) = {ValueKind::number, {first}, nullptr};
-            Control& loop = open(Control::ControlType::loop_for);  // an #end before this would have no body to go back to
+            Control& loop = open(Control::ControlType::loop_for);  // an #end before it finds no body
             loop.variable = name.index;
             loop.end = end;
             loop.step = step;
@@ -302,7 +302,7 @@ void Interpreter::State::declare(bool local) {
         if (symbol && local && symbol->table != symbols.top()) symbol = nullptr;
         if (!symbol) symbol = &symbols.add(name.index, !local);
         const ValueKind old = value_of(*symbol).kind;
-        if (old == ValueKind::macro) fail(at, quoted(names.text(name.index)) + " is a macro");
+        if (old == ValueKind::macro) fail(at, strahl::quoted(names.text(name.index)) + " is a macro");
         if (old == ValueKind::function || old == ValueKind::vector_function)
             fail(at, "a function cannot be declared again; '#undef " + names.text(name.index) + "' first");
     }
@@ -361,7 +361,8 @@ void Interpreter::State::define_macro(const RawToken& raw) {
     cursor = &end + 1;
     Symbol* symbol = symbols.find(name.index);
     if (symbol && value_of(*symbol).kind != ValueKind::macro)
-        fail(at, quoted(names.text(name.index)) + " is already " + strahl::pov::name_of(value_of(*symbol).kind));
+        fail(at, strahl::quoted(names.text(name.index)) + " is already " +
+                     strahl::pov::name_of(value_of(*symbol).kind));
     if (!symbol) symbol = &symbols.add(name.index, true);
     value_of(*symbol) = {ValueKind::macro, {}, std::move(macro)};
 }
@@ -381,7 +382,8 @@ void Interpreter::State::call_macro(const RawToken& raw, std::shared_ptr<const M
     const int table = symbols.top();
     for (Argument& argument : given) {
         if (in.at(')'))
-            fail(next.place, "the macro " + quoted(names.text(macro->name)) + " needs " + std::to_string(given.size()) +
+            fail(next.place, "the macro " + strahl::quoted(names.text(macro->name)) + " needs " +
+                                 std::to_string(given.size()) +
                                  " arguments");
         bool reference =
             code() == value_code && next.symbol->table <= table && symbols.find(next.symbol->name) == next.symbol;
@@ -413,7 +415,7 @@ void Interpreter::State::call_macro(const RawToken& raw, std::shared_ptr<const M
         }
         accept(',');
     }
-    if (!in.at(')')) expected("')' after the arguments of the macro " + quoted(names.text(macro->name)));
+    if (!in.at(')')) expected("')' after the arguments of the macro " + strahl::quoted(names.text(macro->name)));
     take();
     symbols.push();
     for (std::size_t i = 0; i < given.size(); ++i) {

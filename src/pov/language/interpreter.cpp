@@ -287,7 +287,7 @@ void Interpreter::State::fail(TextPlace at, const std::string& message) {
             full += "\n  and so on, " + std::to_string(i) + " levels more";
             break;
         }
-        full += reading.macro ? "\n  in the macro " + quoted(names.text(reading.macro->name)) + ", called from "
+        full += reading.macro ? "\n  in the macro " + strahl::quoted(names.text(reading.macro->name)) + ", called from "
                               : "\n  included from ";
         full += where(reading.called);
     }
@@ -299,17 +299,17 @@ void Interpreter::State::expected(const std::string& what) {
     std::string message = what + " expected, but found ";
     if (found == new_name_code) {
         const std::string& name = names.text(next.raw->index);
-        message = "unknown name " + quoted(name) + "; " + what + " expected";
+        message = "unknown name " + strahl::quoted(name) + "; " + what + " expected";
         std::vector<std::string_view> known;
         for (std::uint32_t i = 0; i < names.size(); ++i)
             if (i != next.raw->index && symbols.find(i)) known.push_back(names.text(i));
         std::string_view similar = nearest(name, known);
         if (similar.empty()) similar = nearest(name, reserved_words);
-        if (!similar.empty()) message += "; did you mean " + quoted(similar) + "?";
+        if (!similar.empty()) message += "; did you mean " + strahl::quoted(similar) + "?";
     } else if (found == value_code) {
-        message += quoted(names.text(next.raw->index)) + ", which is " + strahl::pov::name_of(next.value->kind);
+        message += strahl::quoted(names.text(next.raw->index)) + ", which is " + strahl::pov::name_of(next.value->kind);
     } else if (found == '#' && next.raw->directive != end_code) {
-        message += quoted("#" + std::string(reserved_words[next.raw->directive - first_word_code]));
+        message += strahl::quoted("#" + std::string(reserved_words[next.raw->directive - first_word_code]));
     } else {
         message += name_of_code(found);
     }

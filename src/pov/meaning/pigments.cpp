@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "files/words.h"
 #include "num/vec_math.h"
 #include "scene/error.h"
 
@@ -152,7 +153,7 @@ bool PigmentMaker::set_kind(const Blend& blend, Pattern& pattern, bool fold) {
         pattern.kind = Gradient{mirror(axis, mirrored)};
         if (fold && blend.wave.value_or(usual) != Wave::ramp)
             pattern.colors = with_wave(pattern.colors, blend.wave.value_or(usual));
-        if (turbulent) notes.approximated(blend.place, "'" + word_text(own) + "' without turbulence");
+        if (turbulent) notes.approximated(blend.place, strahl::quoted(word_text(own)) + " without turbulence");
     };
     switch (own) {
         case word("gradient"):

@@ -81,8 +81,6 @@ TEST_CASE("POV-Ray's folder goes where there is no memory to list it") {
     CHECK(povray.temporary.files() == 0);
 }
 
-}  // namespace strahl
-
 TEST_CASE("TMPDIR may be empty; one that is missing is named") {
     const StandIn povray;
     ::setenv("TMPDIR", "", 1);
@@ -93,3 +91,5 @@ TEST_CASE("TMPDIR may be empty; one that is missing is named") {
         "cannot make a folder in '" + povray.temporary / "missing" + "', which TMPDIR names: No such file or directory";
     CHECK_THROWS_WITH(povray.run(), message.c_str());
 }
+
+}  // namespace strahl
