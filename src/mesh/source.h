@@ -103,9 +103,9 @@ class Words {
         return v;
     }
 
-    /// Where the word that was read last begins.
+    /// Returns the place at which the word that was read last begins.
     const char* start() const { return begin; }
-    /// The line of that place: "in line 12".
+    /// Returns the line of that place: "in line 12".
     std::string line() const { return source->line_at(begin); }
     /// Bytes that are left.
     std::size_t left() const { return static_cast<std::size_t>(end - place); }

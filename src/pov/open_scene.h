@@ -17,8 +17,8 @@ struct OpeningOptions {
 
 struct OpenedScene {
     Scene scene;
-    // Of a .pov: what is approximated or left out, "scene.pov:12: left out: media"; of scene text: what is not read of its
-    // meshes and pictures as it stands there.
+    // Messages for the user: "scene.pov:12: left out: media" for what a .pov has approximated or left out, and warnings
+    // about the meshes and pictures of scene text.
     std::vector<std::string> notes{};
     std::string summary{};             // of the notes; empty for scene text
     std::vector<std::string> files{};  // of a .pov: all that were read, the scene's first

@@ -128,7 +128,7 @@ std::vector<Facet> facets_of(const Primitive& primitive, const glm::dmat4& outer
                 found.insert(found.end(), own.begin(), own.end());
                 if (Kind::operation != Operation::unite) break;
             }
-            // What is cut off may leave anything.
+            // Cutting may leave a piece of any size.
             for (Facet& facet : found) facet.least = Kind::operation == Operation::unite ? facet.least : 0;
         } else if constexpr (requires { own_facets(kind); }) {
             found = own_facets(kind);

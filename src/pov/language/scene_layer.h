@@ -1,4 +1,4 @@
-// What the language needs of the layer above it, which knows bodies, textures, cameras and lights.
+// The functions that the language calls in the layer above it, which knows bodies, textures, cameras and lights.
 #pragma once
 #include <memory>
 #include <utility>

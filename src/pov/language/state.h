@@ -39,7 +39,6 @@ struct FileThing : Thing {
 struct Interpreter::State {
     State(Interpreter& in, InterpreterOptions options, SceneLayer& layer);
 
-    // Where it reads.
     /// A text or a macro that is being read.
     struct Reading {
         std::uint32_t file = 0;

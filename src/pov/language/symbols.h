@@ -1,4 +1,4 @@
-// What identifiers stand for. Scope is dynamic: tables form a stack, and the youngest entry of a name counts.
+// Maps identifiers to their values. Scope is dynamic: tables form a stack, and the youngest entry of a name counts.
 #pragma once
 #include <cstdint>
 #include <memory>

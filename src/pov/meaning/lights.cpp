@@ -24,7 +24,7 @@ std::optional<Area> area_of(const LightThing& light, const glm::dmat3& m, bool m
     if (!(length(area.v) > 0)) area.v = across(area.u);
     area.v = area.v - dot_product(area.u, area.v) / dot_product(area.u, area.u) * area.u;
     if (!(length(area.v) > 1e-9 * length(area.u))) return std::nullopt;
-    // Where POV-Ray moves the points at random or takes but some of them, their number means nothing.
+    // Drops the number of points if POV-Ray moves them at random or takes only some of many: it then means nothing.
     constexpr int most_points = 36;
     const bool flat = area.columns > 1 && area.rows > 1;
     if (flat && (light.jitter || area.columns * area.rows > most_points)) area.columns = area.rows = 0;

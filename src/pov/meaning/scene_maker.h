@@ -33,7 +33,7 @@ class SceneMaker {
         const Around* within;
         std::optional<int> number;
     };
-    /// What an object has from the objects around it.
+    /// Holds the properties that an object takes over from the objects around it.
     struct Around {
         Steps after;     // transformations of these, the innermost one's first
         Steps to_owner;  // from the space around the object into that of the texture

@@ -15,7 +15,7 @@ struct TransformFunction : FunctionThing {
     const glm::dmat4 m;
 };
 
-/// The same values everywhere.
+/// A function that returns the same values for all arguments.
 struct ConstantFunction : FunctionThing {
     ConstantFunction(int count, std::shared_ptr<std::atomic<bool>> used) : used(std::move(used)) { results = count; }
     void evaluate(const double*, double* result) const override {

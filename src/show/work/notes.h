@@ -28,7 +28,7 @@ class Notes {
     void note(const std::string& text);
     /// Shows a note for 6 seconds and logs it in any case.
     void announce(const std::string& text);
-    /// The same for something that failed; shows it for 10 seconds.
+    /// Shows a note about something that failed, for 10 seconds.
     void fail(const std::string& text);
     /// Shows the note of an answer; its text goes to the clipboard and to standard output.
     void tell(const Answer& answer);

@@ -20,8 +20,8 @@ constexpr double steepest_gradient = .06;  // across a cell of one signature
 constexpr double estimate = .17;
 /// The error of the loosest filter of patterns over the difference of the middle from the corners, found likewise.
 constexpr double filter_off = .6;
-/// What the error of a filter in closed form is at least in the estimate, over the same difference: surfaces that are
-/// not flat and light that is not even. Cells are not divided for it.
+/// The least error that the estimate assumes of a filter in closed form, as a share of the difference: surfaces may be
+/// curved and light uneven. Cells are not divided for it.
 constexpr double least_doubt = .07;
 
 std::uint64_t key_of(Point p) { return std::uint64_t(std::uint32_t(p.x)) << 32 | std::uint32_t(p.y); }
