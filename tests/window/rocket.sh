@@ -28,7 +28,12 @@ pictured() {
 # edit [PORT]: starts the editor.
 edit() {
     coproc "$editor" "$@"
+    editor_process=$COPROC_PID  # bash unsets its own when the editor ends
     read -r _ port <&"${COPROC[0]}"
+}
+end_editor() {
+    kill "$editor_process"
+    wait "$editor_process" 2>/dev/null
 }
 tell() { printf '%s\n' "$*" >&"${COPROC[1]}"; }
 # hears TEXT: waits until the editor prints this.
@@ -42,8 +47,7 @@ hears() {
 
 echo "-- an editor that is not there yet is waited for"
 edit
-kill "$COPROC_PID"
-wait "$COPROC_PID" 2>/dev/null
+end_editor
 start_log 'waiting for one' scene.rt --size 200x150 --depth 2 --rocket --rocket-port "$port"
 edit "$port"
 await 'connected'
@@ -101,8 +105,7 @@ put "$(scene 'track "zoom" 12' 'track "blue" .2' 'track "ball:height"')"
 hears 'asks blue'
 
 echo "-- the editor ends, and is started again"
-kill "$COPROC_PID"
-wait "$COPROC_PID" 2>/dev/null
+end_editor
 await 'the Rocket editor is gone'
 edit "$port"
 await 'connected'
