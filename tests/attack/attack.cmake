@@ -66,20 +66,15 @@ foreach(files ${attacked_files})
   add_test(NAME attack_${files} COMMAND attack_${files} --seconds $<IF:$<STREQUAL:${files},small_files>,2,5>)
 endforeach()
 
-# The readers of other programs' scenes.
-file(GLOB imported ${attack}/import/*)
-add_executable(attack_importer ${attack}/importer.cpp ${attack}/mutate.cpp)
-target_link_libraries(attack_importer PRIVATE strahl_import)
-add_dependencies(attack attack_importer)
-file(MAKE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/attack_import)
-add_test(NAME attack_importer WORKING_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/attack_import
-         COMMAND attack_importer --seconds 5 ${attack}/import.dict ${imported})
-
-# The language of POV-Ray's scenes.
-file(GLOB scripts ${attack}/pov/*.pov)
-add_executable(attack_pov_language ${attack}/pov_language.cpp ${attack}/mutate.cpp)
-target_link_libraries(attack_pov_language PRIVATE strahl_pov)
-add_dependencies(attack attack_pov_language)
-file(MAKE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/attack_pov)
-add_test(NAME attack_pov_language WORKING_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/attack_pov
-         COMMAND attack_pov_language --seconds 5 ${attack}/import.dict ${scripts})
+# The readers of other programs' scenes, and the language of POV-Ray's. They run in a folder of their own.
+function(attack_scenes name library seeds)
+  file(GLOB scenes ${attack}/${seeds})
+  add_executable(attack_${name} ${attack}/${name}.cpp ${attack}/mutate.cpp)
+  target_link_libraries(attack_${name} PRIVATE ${library})
+  add_dependencies(attack attack_${name})
+  file(MAKE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/attack_${name}.files)
+  add_test(NAME attack_${name} WORKING_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/attack_${name}.files
+           COMMAND attack_${name} --seconds 5 ${attack}/import.dict ${scenes})
+endfunction()
+attack_scenes(importer strahl_import import/*)
+attack_scenes(pov_language strahl_pov pov/*.pov)

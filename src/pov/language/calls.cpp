@@ -4,6 +4,7 @@
 #include <cmath>
 #include <ctime>
 #include <numbers>
+#include <string_view>
 
 #include "files/words.h"
 #include "pov/language/state.h"
@@ -44,84 +45,21 @@ Rows rotation(DVec3 a, double degrees) {
             DVec3{a.x * a.z * r + a.y * s, a.y * a.z * r - a.x * s, a.z * a.z + c * (1 - a.z * a.z)}};
 }
 
-/// The word codes at which an expression may begin, besides signs and identifiers.
-bool is_function_word(std::uint16_t code) {
-    switch (code) {
-        case word("abs"):
-        case word("acos"):
-        case word("acosh"):
-        case word("asc"):
-        case word("asin"):
-        case word("asinh"):
-        case word("atan"):
-        case word("atan2"):
-        case word("atanh"):
-        case word("bitwise_and"):
-        case word("bitwise_or"):
-        case word("bitwise_xor"):
-        case word("ceil"):
-        case word("clock"):
-        case word("clock_on"):
-        case word("cos"):
-        case word("cosh"):
-        case word("defined"):
-        case word("degrees"):
-        case word("dimension_size"):
-        case word("dimensions"):
-        case word("div"):
-        case word("exp"):
-        case word("false"):
-        case word("file_exists"):
-        case word("floor"):
-        case word("inside"):
-        case word("int"):
-        case word("ln"):
-        case word("log"):
-        case word("max"):
-        case word("max_extent"):
-        case word("min"):
-        case word("min_extent"):
-        case word("mod"):
-        case word("no"):
-        case word("now"):
-        case word("off"):
-        case word("on"):
-        case word("pi"):
-        case word("pow"):
-        case word("radians"):
-        case word("rand"):
-        case word("seed"):
-        case word("select"):
-        case word("sin"):
-        case word("sinh"):
-        case word("sqrt"):
-        case word("strcmp"):
-        case word("strlen"):
-        case word("t"):
-        case word("tan"):
-        case word("tanh"):
-        case word("trace"):
-        case word("true"):
-        case word("u"):
-        case word("v"):
-        case word("val"):
-        case word("vaxis_rotate"):
-        case word("vcross"):
-        case word("vdot"):
-        case word("version"):
-        case word("vlength"):
-        case word("vnormalize"):
-        case word("vrotate"):
-        case word("vturbulence"):
-        case word("x"):
-        case word("y"):
-        case word("yes"):
-        case word("z"):
-            return true;
-        default:
-            return false;
-    }
-}
+/// The words with which an expression may begin.
+constexpr std::string_view function_words[]{
+    "abs", "acos", "acosh", "asc", "asin", "asinh", "atan", "atan2", "atanh", "bitwise_and", "bitwise_or",
+    "bitwise_xor", "ceil", "clock", "clock_on", "cos", "cosh", "defined", "degrees", "dimension_size", "dimensions",
+    "div", "exp", "false", "file_exists", "floor", "inside", "int", "ln", "log", "max", "max_extent", "min",
+    "min_extent", "mod", "no", "now", "off", "on", "pi", "pow", "radians", "rand", "seed", "select", "sin", "sinh",
+    "sqrt", "strcmp", "strlen", "t", "tan", "tanh", "trace", "true", "u", "v", "val", "vaxis_rotate", "vcross",
+    "vdot", "version", "vlength", "vnormalize", "vrotate", "vturbulence", "x", "y", "yes", "z"};
+/// Says of each reserved word whether it is one of these.
+constexpr auto are_function_words = [] {
+    std::array<bool, reserved_words.size()> are{};
+    for (const std::string_view each : function_words) are[find_word(each) - first_word_code] = true;
+    return are;
+}();
+bool is_function_word(std::uint16_t code) { return are_function_words[code - first_word_code]; }
 
 }  // namespace
 
@@ -148,6 +86,13 @@ double Interpreter::State::parameter() {
 DVec3 Interpreter::State::vector_parameter() {
     expect('(');
     const DVec3 value = vector();
+    expect(')');
+    return value;
+}
+
+std::string Interpreter::State::string_parameter() {
+    expect('(');
+    std::string value = string();
     expect(')');
     return value;
 }
@@ -315,23 +260,13 @@ void Interpreter::State::call(std::uint16_t function, Components& result) {
             if ((streams.size() & 0xFFFFF) == 0) *bytes += 4 << 20;
             return set(static_cast<double>(streams.size() - 1));
         case word("asc"): {
-            expect('(');
-            const std::string text = string();
-            expect(')');
+            const std::string text = string_parameter();
             return set(text.empty() ? 0 : static_cast<unsigned char>(text[0]));
         }
-        case word("val"): {
-            expect('(');
-            const std::string text = string();
-            expect(')');
-            return set(std::strtod(text.c_str(), nullptr));
-        }
-        case word("strlen"): {
-            expect('(');
-            const std::string text = string();
-            expect(')');
-            return set(static_cast<double>(text.size()));
-        }
+        case word("val"):
+            return set(std::strtod(string_parameter().c_str(), nullptr));
+        case word("strlen"):
+            return set(static_cast<double>(string_parameter().size()));
         case word("strcmp"): {
             expect('(');
             const std::string left = string();

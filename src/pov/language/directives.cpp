@@ -165,16 +165,19 @@ void Interpreter::State::leave(const RawToken& from) {
     controls.pop_back();
 }
 
+const RawToken* Interpreter::State::next_branch(const RawToken* tokens, const RawToken* at) {
+    at = tokens + at->index;
+    cursor = at;  // at the end of the text, which is an error there
+    if (at->code != '#') return nullptr;
+    ++cursor;
+    if (at->directive != word("end")) return at;
+    controls.pop_back();
+    return nullptr;
+}
+
 void Interpreter::State::branch(const RawToken* at) {
-    const RawToken* first = text().tokens.data();
-    for (;;) {
-        at = first + at->index;
-        cursor = at + 1;
-        if (at->code != '#') {
-            cursor = at;
-            return;
-        }
-        if (at->directive == word("end")) return controls.pop_back();
+    const RawToken* const tokens = text().tokens.data();
+    while ((at = next_branch(tokens, at))) {
         if (at->directive == word("else")) return;
         if (at->directive == word("elseif") && is_true(parenthesised_number())) return;
     }
@@ -185,31 +188,16 @@ bool Interpreter::State::within(const Control& loop, double value) const {
 }
 
 void Interpreter::State::choose(const RawToken* at) {
-    const RawToken* first = text().tokens.data();
+    const RawToken* const tokens = text().tokens.data();
     const double value = controls.back().end;
-    for (;;) {
-        at = first + at->index;
-        cursor = at + 1;
-        if (at->code != '#') {
-            cursor = at;
-            return;
+    while ((at = next_branch(tokens, at))) {
+        if (at->directive == word("else")) return;
+        if (at->directive == word("case") && std::abs(parenthesised_number() - value) < tiny) return;
+        if (at->directive == word("range")) {
+            double range[2];
+            with_directives(false, [&] { arguments(range, 2); });
+            if (value >= range[0] && value <= range[1]) return;
         }
-        if (at->directive == word("end")) return controls.pop_back();
-        bool chosen = at->directive == word("else");
-        if (at->directive == word("case")) {
-            chosen = std::abs(parenthesised_number() - value) < tiny;
-        } else if (at->directive == word("range")) {
-            const auto [low, high] = with_directives(false, [&] {
-                expect('(');
-                const double from = number();
-                accept(',');
-                const double to = number();
-                expect(')');
-                return std::pair(from, to);
-            });
-            chosen = value >= low && value <= high;
-        }
-        if (chosen) return;
     }
 }
 

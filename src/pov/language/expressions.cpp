@@ -58,41 +58,34 @@ bool is_comparison(std::uint16_t code) {
 
 }  // namespace
 
-void Interpreter::State::sum(Components& result) {
-    product(result);
+template <auto read_operand>
+void Interpreter::State::read_chain(Components& result, const auto& is_operator, const auto& operation) {
+    (this->*read_operand)(result);
     for (;;) {
-        const std::uint16_t operation = code();
-        if (operation != '+' && operation != '-') return;
+        const std::uint16_t sign = code();
+        if (!is_operator(sign)) return;
         take();
         Components right;
         right.count = result.count;
-        product(right);
-        if (operation == '+')
-            combine(result, right, [](double a, double b) { return a + b; });
-        else
-            combine(result, right, [](double a, double b) { return a - b; });
+        (this->*read_operand)(right);
+        combine(result, right, [&](double a, double b) { return operation(sign, a, b); });
     }
 }
 
+void Interpreter::State::sum(Components& result) {
+    read_chain<&State::product>(
+        result, [](std::uint16_t sign) { return sign == '+' || sign == '-'; },
+        [](std::uint16_t sign, double a, double b) { return sign == '+' ? a + b : a - b; });
+}
+
 void Interpreter::State::product(Components& result) {
-    factor(result);
-    for (;;) {
-        const std::uint16_t operation = code();
-        if (operation != '*' && operation != '/') return;
-        take();
-        Components right;
-        right.count = result.count;
-        factor(right);
-        if (operation == '*') {
-            combine(result, right, [](double a, double b) { return a * b; });
-        } else {
-            const auto divide = [&](double a, double b) {
-                if (b == 0) warn(last, "division by 0");
-                return b == 0 ? std::numeric_limits<double>::infinity() : a / b;
-            };
-            combine(result, right, divide);
-        }
-    }
+    read_chain<&State::factor>(
+        result, [](std::uint16_t sign) { return sign == '*' || sign == '/'; },
+        [&](std::uint16_t sign, double a, double b) {
+            if (sign == '*') return a * b;
+            if (b == 0) warn(last, "division by 0");
+            return b == 0 ? std::numeric_limits<double>::infinity() : a / b;
+        });
 }
 
 void Interpreter::State::factor(Components& result) {
@@ -271,19 +264,11 @@ void Interpreter::State::full(Components& result, int wanted) {
 }
 
 void Interpreter::State::logical(Components& result) {
-    relation(result);
-    for (;;) {
-        const std::uint16_t operation = code();
-        if (operation != '&' && operation != '|') return;
-        take();
-        Components right;
-        right.count = result.count;
-        relation(right);
-        if (operation == '&')
-            combine(result, right, [](double a, double b) { return is_true(a) && is_true(b) ? 1. : 0.; });
-        else
-            combine(result, right, [](double a, double b) { return is_true(a) || is_true(b) ? 1. : 0.; });
-    }
+    read_chain<&State::relation>(
+        result, [](std::uint16_t sign) { return sign == '&' || sign == '|'; },
+        [](std::uint16_t sign, double a, double b) {
+            return sign == '&' ? is_true(a) && is_true(b) : is_true(a) || is_true(b);
+        });
 }
 
 void Interpreter::State::relation(Components& result) {
@@ -294,15 +279,7 @@ void Interpreter::State::relation(Components& result) {
         take();
         return set(result, compare(operation, left.compare(string()), 0));
     }
-    sum(result);
-    while (is_comparison(code())) {
-        const std::uint16_t operation = next.code;
-        take();
-        Components right;
-        right.count = result.count;
-        sum(right);
-        combine(result, right, [&](double a, double b) { return compare(operation, a, b) ? 1. : 0.; });
-    }
+    read_chain<&State::sum>(result, is_comparison, compare);
 }
 
 double Interpreter::State::number() {

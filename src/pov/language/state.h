@@ -124,7 +124,10 @@ struct Interpreter::State {
     void directive(const RawToken& raw);
     void read_old_directive(const RawToken& raw);
     void leave(const RawToken& from);  // goes to the end of a block
-    void branch(const RawToken* at);   // finds the branch that counts, from one that does not
+    /// Goes from a branch that is not read to the block's next one. At the block's end closes it and returns null.
+    /// `tokens` are those of the text, which an expression in the branch may have left.
+    const RawToken* next_branch(const RawToken* tokens, const RawToken* at);
+    void branch(const RawToken* at);  // finds the branch that counts, from one that does not
     bool starts(Control& loop);
     bool within(const Control& loop, double value) const;
     void choose(const RawToken* at);
@@ -161,6 +164,9 @@ struct Interpreter::State {
 
     // Expressions. `count` of the result says beforehand how many components are wanted: a number becomes so many, as
     // in POV-Ray, where <1, 2> + 2 * <3, 4, 5> is <7, 10, 0>.
+    /// Reads operands and the operators between them, and combines the values from left to right.
+    template <auto read_operand>
+    void read_chain(Components& result, const auto& is_operator, const auto& operation);
     void sum(Components& result);
     void product(Components& result);
     void factor(Components& result);
@@ -175,6 +181,7 @@ struct Interpreter::State {
     DVec3 vector();
     double parameter();        // (E)
     DVec3 vector_parameter();  // (V)
+    std::string string_parameter();
     void arguments(double* values, int count);
     std::string string();
     bool at_string();
