@@ -40,18 +40,18 @@ std::vector<std::pair<std::string, std::string>> info_lines(const Session& sessi
     add("threads", std::to_string(picture.threads()));
     add("position", short_text(session.camera.position));
     add("look_at", short_text(session.camera.look_at));
-    const char* const way = session.circling() ? "around the scene"
-                            : session.bound()  ? session.flight_path()->keys.empty() ? "by tracks" : "along the path"
+    const char* const way = session.flight.circling() ? "around the scene"
+                            : session.bound()  ? session.flight.path()->keys.empty() ? "by tracks" : "along the path"
                             : session.orbiting ? "orbit"
                                                : "free flight";
     add("moving", way +
                       (!session.bound()      ? formatted(", speed %.3g", session.speed)
-                       : session.rate() == 1 ? ""
-                                             : formatted(", %.3g times its speed", session.rate())) +
+                       : session.flight.rate() == 1 ? ""
+                                             : formatted(", %.3g times its speed", session.flight.rate())) +
                       (session.finest < finest_level ? ", at most " + resolution_text(session.finest) : ""));
-    if (session.flying())
-        add("flight", formatted("%.2f s of %g", session.flight_time(now), session.flight_path()->duration) +
-                          (session.paused() ? ", paused" : ""));
+    if (session.flight.flying())
+        add("flight", formatted("%.2f s of %g", session.flight.time(now), session.flight.path()->duration) +
+                          (session.flight.paused() ? ", paused" : ""));
     return lines;
 }
 

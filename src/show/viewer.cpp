@@ -187,7 +187,7 @@ void Viewer::take_scene() {
         tracks.ask();
         sound.load(*session.scene, file.path(), glfwPostEmptyEvent);
     }
-    if (session.paused()) session.follow(pace.now());
+    if (session.flight.paused()) session.follow(pace.now());
     if (loaded->opened) glfwSetWindowTitle(screen.window(), window_title(file.path()).c_str());
 }
 
@@ -210,12 +210,12 @@ void Viewer::start_scene() {
     if (tracks.wanted()) return static_cast<void>(session.go_to(options.time.value_or(0), now));
     if (options.play) return start_playing();
     if (options.time) session.go_to(*options.time, now);
-    if (options.fly) log_line(session.perform({session.flying() ? Action::pause : Action::play}, now).note);
+    if (options.fly) log_line(session.perform({session.flight.flying() ? Action::pause : Action::play}, now).note);
 }
 
 /// Pauses at the start of the flight until the first picture is there.
 void Viewer::start_playing() {
-    session.once = !options.loop, started = false;
+    session.flight.once = !options.loop, started = false;
     if (session.go_to(options.time.value_or(0), pace.now())) return;
     session.perform({Action::play}, 0), session.perform({Action::pause}, 0);
 }

@@ -41,7 +41,7 @@ class Viewer {
     void apply(const TimelineInput& input);
 
     // The loop
-    bool in_motion() const { return session.under_way() || input.active(); }
+    bool in_motion() const { return session.flight.under_way() || input.active(); }
     void move();
     void draw();
     double next_draw() const;

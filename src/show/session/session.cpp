@@ -40,16 +40,16 @@ bool Session::replace(std::shared_ptr<const Scene> newer, bool opened) {
     motion_end = motion_end_of(*scene);
     bool lost = false;
     if (opened)
-        tracks.reset(), path.reset(), recorded.reset(), editor = PathEditor(scene->flythrough), cameras = {},
-                                                        clock = {}, time = 0;
+        tracks.reset(), flight.reset(), recorded.reset(), editor = PathEditor(scene->flythrough), cameras = {},
+                                                          time = 0;
     else
         lost = editor.reload(scene->flythrough);
-    if (path && !around) path = flight();
-    if (moved && !path) camera = scene->camera, speed = default_speed(camera);
+    flight.change(path_to_fly());
+    if (moved && !flight.flying()) camera = scene->camera, speed = default_speed(camera);
     return lost;
 }
 
-std::optional<Flythrough> Session::flight() const {
+std::optional<Flythrough> Session::path_to_fly() const {
     const bool keys = editor.path().keys.size() >= 2;
     if (!keys && !motion_end) return std::nullopt;
     Flythrough all = keys ? editor.path() : Flythrough{};
@@ -70,9 +70,9 @@ Answer Session::perform(Command command, double now) {
         case Action::rewind:
             return step_to(0, now);
         case Action::to_end:
-            return step_to(flight().value_or(Flythrough{}).duration, now);
+            return step_to(path_to_fly().value_or(Flythrough{}).duration, now);
         case Action::step:
-            return step_to(flight_time(now) + command.number / 25., now);
+            return step_to(flight.time(now) + command.number / 25., now);
         case Action::to_key:
             return to_key(command.number, now);
         case Action::add_key:
@@ -91,7 +91,7 @@ Answer Session::perform(Command command, double now) {
             orbiting = !orbiting;
             return {orbiting ? "orbiting" : "flying freely", ""};
         case Action::reset:
-            stop(now);
+            flight.stop(now);
             camera = scene->camera, speed = default_speed(camera);
             return {"the scene's camera", ""};
         case Action::deeper:
@@ -112,7 +112,7 @@ Answer Session::perform(Command command, double now) {
             cameras[command.number - 1] = camera;
             return {"camera " + std::to_string(command.number) + " stored", ""};
         case Action::recall:
-            stop(now);
+            flight.stop(now);
             return recall(command.number);
         case Action::copy_camera:
             return {"camera copied", write_camera(camera, {}, editor.words)};
@@ -122,24 +122,22 @@ Answer Session::perform(Command command, double now) {
 }
 
 Answer Session::play(double now) {
-    if (flying()) return stop(now), Answer{"flight ended", ""};
-    path = flight();
-    around = !path;
-    const bool over = !path || (!path->loop && !driven && clock.at(now) >= path->duration);
-    if (around) path = orbit_path(camera, scene->camera);
-    clock.set(over ? 0 : flight_time(now), now);
-    clock.run(now);
+    if (flight.flying()) return flight.stop(now), Answer{"flight ended", ""};
+    if (auto path = path_to_fly())
+        flight.begin(*std::move(path), now);
+    else
+        flight.circle(orbit_path(camera, scene->camera), now);
     follow(now);
-    return {"flying from " + text_of(std::round(100 * clock.at(now)) / 100) + " s", ""};
+    return {"flying from " + text_of(std::round(100 * flight.time(now)) / 100) + " s", ""};
 }
 
 Answer Session::pause(double now) {
-    if (!flying()) return play(now);
-    if (!clock.running()) return clock.run(now), Answer{"flight continues", ""};
-    clock.hold(now);
+    if (!flight.flying()) return play(now);
+    if (flight.paused()) return flight.run(now), Answer{"flight continues", ""};
+    flight.hold(now);
     // Rounded, so that `render --time` can be given the same moment.
     follow(now);
-    clock.set(rounded_time(time), now);
+    flight.set(rounded_time(time), now);
     follow(now);
     return {"paused at " + seconds_text(time), ""};
 }
@@ -151,7 +149,7 @@ Answer Session::step_to(double seconds, double now) {
 
 Answer Session::to_key(int step, double now) {
     const std::vector<Keyframe>& keys = editor.path().keys;
-    const double from = flight_time(now);
+    const double from = flight.time(now);
     const Keyframe* found = nullptr;
     for (const Keyframe& key : keys) {
         if (step < 0 && key.time < from - 0.0005) found = &key;
@@ -174,7 +172,7 @@ Answer Session::recall(int number) {
 }
 
 Answer Session::edit(Action action, double now) {
-    const double moment = rounded_time(flight_time(now));
+    const double moment = rounded_time(flight.time(now));
     const auto there = key_at(editor.path(), moment);
     std::string note;
     switch (action) {
@@ -185,7 +183,7 @@ Answer Session::edit(Action action, double now) {
             note = editor.redo() ? "redone" : "nothing to redo";
             break;
         case Action::clear_path:
-            editor.replace({}), clock.set(0, now);
+            editor.replace({}), flight.set(0, now);
             note = "new path";
             break;
         case Action::set_key:
@@ -207,7 +205,7 @@ Answer Session::edit(Action action, double now) {
 Answer Session::add_key(double now) {
     editor.change(continued(editor.path(), key_of(camera, scene->camera, 0), seconds_per_key));
     const std::vector<Keyframe>& keys = editor.path().keys;
-    stop(now), clock.set(keys.back().time, now);
+    flight.stop(now), flight.set(keys.back().time, now);
     return {"key " + std::to_string(keys.size()) + " added at " + seconds_text(keys.back().time) +
                 (keys.size() < 2 ? "; a path needs two keys" : ""),
             ""};
@@ -250,7 +248,7 @@ Answer Session::record(double now) {
     const double tolerance = length(scene->camera.look_at - scene->camera.position) / 100;
     const Thinned flown = thinned(moments, scene->camera, tolerance);
     editor.replace(flown.path);
-    stop(now), clock.set(0, now);
+    flight.stop(now), flight.set(0, now);
     char text[120];
     std::snprintf(text, sizeof text, "recorded %.1f s as %zu keys, at most %.2g from the flight", flown.path.duration,
                   flown.path.keys.size(), flown.error);
@@ -258,8 +256,8 @@ Answer Session::record(double now) {
 }
 
 void Session::path_changed(double now) {
-    if (!path || around) return;
-    path = flight();
+    if (!flight.flying() || flight.circling()) return;
+    flight.change(path_to_fly());
     follow(now);
 }
 
@@ -274,31 +272,17 @@ View Session::view(int window_width, int window_height) const {
             .tracks = tracks};
 }
 
-double Session::flight_time(double now) const {
-    const double seconds = clock.at(now);
-    const bool loops = path && path->loop && path->duration > 0;
-    return loops ? seconds - path->duration * std::floor(seconds / path->duration) : seconds;
-}
-
-void Session::stop(double now) {
-    clock.set(flight_time(now), now), clock.hold(now);
-    path.reset();
-}
-
 bool Session::go_to(double seconds, double now) {
-    path = flight(), around = false;
-    clock.hold(now);
-    if (!path) return clock.set(std::max(seconds, 0.), now), false;
-    clock.set(path->loop ? seconds : std::clamp(seconds, 0., driven ? seconds : path->duration), now);
+    flight.go_to(seconds, path_to_fly(), now);
     follow(now);
-    return true;
+    return flight.flying();
 }
 
 Answer Session::steer(const CameraInput& input, double now) {
     std::string note;
     if (bound()) {
-        if (clock.running()) note = "flight ended at " + seconds_text(time) + "; F continues";
-        stop(now);
+        if (flight.under_way()) note = "flight ended at " + seconds_text(time) + "; F continues";
+        flight.stop(now);
     }
     CameraInput scaled = input;
     // In orbit a push turns by a radian per second.
@@ -310,9 +294,9 @@ Answer Session::steer(const CameraInput& input, double now) {
 Answer Session::change_speed(double factor, double now) {
     char text[80];
     if (bound()) {
-        clock.set_rate(std::clamp(clock.rate() * factor, 1e-3, 1e3), now);
-        if (std::abs(clock.rate() - 1) < 1e-6) clock.set_rate(1, now);
-        std::snprintf(text, sizeof text, "flight at %.3g times its speed", clock.rate());
+        flight.set_rate(std::clamp(flight.rate() * factor, 1e-3, 1e3), now);
+        if (std::abs(flight.rate() - 1) < 1e-6) flight.set_rate(1, now);
+        std::snprintf(text, sizeof text, "flight at %.3g times its speed", flight.rate());
     } else {
         speed *= factor;
         std::snprintf(text, sizeof text, "speed %.3g a second", speed);
@@ -321,15 +305,14 @@ Answer Session::change_speed(double factor, double now) {
 }
 
 std::optional<Answer> Session::follow(double now) {
-    if (!path) return std::nullopt;
-    const double seconds = time = flight_time(now);
+    if (!flight.flying()) return std::nullopt;
+    const double seconds = time = flight.time(now);
     if (bound()) {
         camera = own_camera_at(*scene, seconds, tracks.get());
-        if (!path->keys.empty()) camera = camera_at(*path, camera, seconds);
+        if (const Flythrough& path = *flight.path(); !path.keys.empty()) camera = camera_at(path, camera, seconds);
     }
-    const bool over = !driven && (!path->loop || once) && clock.at(now) >= path->duration;
-    if (!over || !clock.running()) return std::nullopt;
-    stop(now);
+    if (!flight.over(now)) return std::nullopt;
+    flight.stop(now);
     return Answer{"end of the flight", ""};
 }
 

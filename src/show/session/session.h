@@ -58,34 +58,21 @@ class Session {
     /// Moves the camera along the flight to this moment. Returns an answer if the flight has ended.
     std::optional<Answer> follow(double now);
 
-    bool flying() const { return path.has_value(); }
     /// Does the flight determine the camera?
-    bool bound() const { return path && (!path->keys.empty() || !scene->camera_follows.empty()); }
-    /// Does the flight go around the scene, because that has no path?
-    bool circling() const { return path && around; }
-    bool paused() const { return flying() && !clock.running(); }
-    bool under_way() const { return flying() && clock.running(); }
-    /// Seconds of the flight per second.
-    double rate() const { return clock.rate(); }
-    /// Is this a flight of the scene's own, at its own speed?
-    bool at_own_speed() const { return path && !around && clock.rate() == 1; }
-    /// Moves the flight forward by so many seconds.
-    void shift(double seconds, double now) { clock.set(clock.at(now) + seconds, now); }
-    /// The moment of the flight, or where the last one ended, in seconds.
-    double flight_time(double now) const;
-    const std::optional<Flythrough>& flight_path() const { return path; }
-    /// Returns the flight: the path as it is edited, or a path without keys if only bodies move. Unless it loops it
-    /// lasts at least until the last key of motions and tracks. Nothing if nothing moves.
-    std::optional<Flythrough> flight() const;
+    bool bound() const {
+        return flight.flying() && (!flight.path()->keys.empty() || !scene->camera_follows.empty());
+    }
+    /// Returns what can be flown: the path as it is edited, or a path without keys if only bodies move. Unless it loops
+    /// it lasts at least until the last key of motions and tracks. Nothing if nothing moves.
+    std::optional<Flythrough> path_to_fly() const;
 
     std::shared_ptr<const Scene> scene;
     PathEditor editor;
+    Flight flight;
     Camera camera;
     double time = 0;  // of moving bodies, in seconds: like `camera`, of the last moment followed
     bool orbiting = false;
-    bool fill = false;    // the view is widened to fill the window: see framing.h
-    bool once = false;    // end a path that loops after one round
-    bool driven = false;  // by an editor of tracks: flights continue after their end
+    bool fill = false;  // the view is widened to fill the window: see framing.h
     /// If not null, instead of the scene's.
     std::shared_ptr<const std::vector<Track>> tracks;
     double speed = 1;           // units of the scene per second
@@ -103,14 +90,10 @@ class Session {
     Answer add_key(double now);
     Answer record(double now);
     Answer recall(int number);
-    void stop(double now);
 
     std::optional<int> own_depth;
     std::optional<std::vector<CameraMoment>> recorded;
     std::optional<double> motion_end;  // time of the last key of motions; none if nothing moves
-    std::optional<Flythrough> path;    // flown now; without keys the camera is free, and only bodies move
-    bool around = false;               // `path` is an orbit
-    FlightClock clock;                 // keeps the moment when a flight has ended
     std::array<std::optional<Camera>, 9> cameras;
 };
 

@@ -14,12 +14,12 @@ void Panels::toggle(Action action) {
 
 TimelineInput Panels::draw_timeline(const Session& session) {
     if (!timeline_shown()) return {};
-    const auto flight = session.flight();
+    const auto flight = session.path_to_fly();
     return timeline.draw({.editor = session.editor,
                           .scene_camera = session.scene->camera,
-                          .time = session.flight_time(pace.now()),
+                          .time = session.flight.time(pace.now()),
                           .duration = flight ? flight->duration : session.editor.path().duration,
-                          .running = session.under_way()});
+                          .running = session.flight.under_way()});
 }
 
 }  // namespace strahl

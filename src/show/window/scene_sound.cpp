@@ -25,26 +25,26 @@ void SceneSound::follow(Session& session) {
         if (const std::string why = sound->fault(); !why.empty()) notes.fail("no sound: " + why);
     }
     const double moment = pace.now();
-    if (!session.under_way() || !session.at_own_speed()) {
+    if (!session.flight.under_way() || !session.flight.at_own_speed()) {
         sound->pause();
         last.reset();
         return;
     }
     constexpr double jump = .05, gain = 6;  // seconds; share of the error that is corrected in a second
-    const double seconds = session.flight_time(moment);
+    const double seconds = session.flight.time(moment);
     const double passed = last ? moment - last->now : 0;
     if (!last || std::abs(seconds - last->flight - passed) > jump) {
         sound->play(std::max(seconds - delay, 0.));
     } else if (const auto heard = sound->heard()) {
         const double error = *heard + delay - seconds;
-        session.shift(std::abs(error) > 1 ? error : error * std::min(gain * passed, 1.), moment);
+        session.flight.shift(std::abs(error) > 1 ? error : error * std::min(gain * passed, 1.), moment);
     }
-    last = Compared{moment, session.flight_time(moment)};
+    last = Compared{moment, session.flight.time(moment)};
 }
 
 void SceneSound::picture_shown(const Session& session, double ordered) {
-    if (!session.under_way()) return;
-    delay += .1 * (std::clamp(session.flight_time(pace.now()) - ordered, 0., .5) - delay);
+    if (!session.flight.under_way()) return;
+    delay += .1 * (std::clamp(session.flight.time(pace.now()) - ordered, 0., .5) - delay);
     if (const auto heard = sound ? sound->heard() : std::nullopt) ahead.push_back(ordered - *heard);
 }
 

@@ -14,7 +14,7 @@ StillRequests::StillRequests(const ViewOptions& options, Notes& notes, Pace& pac
 
 void StillRequests::add(const Session& session, const std::string& scene_path, View view) {
     if (options.still_size.width > 0) view.width = options.still_size.width, view.height = options.still_size.height;
-    const bool in_flight = session.flying() || session.time != 0;
+    const bool in_flight = session.flight.flying() || session.time != 0;
     const std::string name =
         std::filesystem::path(options.still_folder) /
         still_name(scene_path, in_flight ? std::optional(rounded_time(session.time)) : std::nullopt);

@@ -20,6 +20,23 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 
 }  // namespace
 
+void PictureOnScreen::replace(ScreenImage& made, const Steps& steps) {
+    std::swap(pixels, made);
+    steps_shown = steps;
+    new_from = 0, new_to = pixels.height;
+}
+
+void PictureOnScreen::store(const Lattice& part, const std::uint32_t* rgba) {
+    strahl::store(part, rgba, {}, pixels);
+    new_from = std::min(new_from, part.y);
+    new_to = std::max(new_to, part.y + part.rows);
+}
+
+void PictureOnScreen::take(const std::function<void(const Fresh&)>& upload, int width, int height) {
+    if (new_from < new_to) upload({pixels, steps_shown, width, height, new_from, new_to - new_from});
+    new_from = pixels.height, new_to = 0;
+}
+
 TraceThread::TraceThread(int threads, std::function<void()> notify_function)
     : notify(std::move(notify_function)), pool(threads), thread([this](std::stop_token quit) { loop(quit); }) {}
 
@@ -37,10 +54,10 @@ TraceThread::~TraceThread() {
 bool TraceThread::outdated(const Order& newer) const {
     if (work == Work::none) return false;
     if (work == Work::refining) return newer.number != state.number;
-    const View& view = order_in_work.view;
-    const bool useless = newer.scene != order_in_work.scene || newer.view.width != view.width ||
+    const View& view = order.view;
+    const bool useless = newer.scene != order.scene || newer.view.width != view.width ||
                          newer.view.height != view.height || newer.view.depth != view.depth;
-    const double planned = allowed_seconds(level_in_work, order_in_work.budget);
+    const double planned = allowed_seconds(level_in_work, order.budget);
     return useless || (level_in_work > 0 && seconds_since(work_began) > 4 * planned);
 }
 
@@ -57,8 +74,7 @@ void TraceThread::want(Order newer) {
 std::optional<Refinement> TraceThread::take(const Upload& upload) {
     std::lock_guard lock(mutex);
     if (!fresh.exchange(false)) return std::nullopt;
-    if (new_from < new_to) upload({shown, shown_steps, state.width, state.height, new_from, new_to - new_from});
-    new_from = shown.height, new_to = 0;
+    shown.take(upload, state.width, state.height);
     return state;
 }
 
@@ -85,7 +101,6 @@ bool TraceThread::accept(std::stop_token quit) {
         order = *std::exchange(next, std::nullopt);
     } while (!unfinished());
     work = done < 0 ? Work::first : Work::refining;
-    order_in_work = order;
     const int finest = order.moving ? order.finest : finest_level;
     if (done < 0) level_in_work = resolution.choose(order.view.width, order.view.height, order.budget, finest);
     work_began = Clock::now();
@@ -120,9 +135,7 @@ void TraceThread::first_picture() {
     if (stop) return;
     done = level;
     std::unique_lock lock(mutex);
-    std::swap(shown, spare);
-    shown_steps = steps;
-    new_from = 0, new_to = shown.height;
+    shown.replace(spare, steps);
     state = {order.number, view.width, view.height, level, 0, seconds, rays};
     complete = state.finished() && !next;
     announce(lock);
@@ -132,13 +145,11 @@ void TraceThread::first_picture() {
 void TraceThread::begin_passes() {
     const View& view = order.view;
     cells.emplace(tracer->scene(), view, Lattice{.columns = view.width, .rows = view.height}, Sampling{}.error);
-    if (shown_steps == Steps{}) return;
+    if (shown.steps() == Steps{}) return;
     spare.resize(view.width, view.height);
-    expand(shown, shown_steps, spare);  // only this thread writes to `shown`
+    expand(shown.image(), shown.steps(), spare);  // only this thread replaces the picture
     std::lock_guard lock(mutex);
-    std::swap(shown, spare);
-    shown_steps = {};
-    new_from = 0, new_to = shown.height;
+    shown.replace(spare, {});
 }
 
 /// Traces the next pass of the picture's cells.
@@ -150,10 +161,7 @@ void TraceThread::refine() {
     const auto keep = [&](const Tile& tile) {
         const std::vector<std::uint32_t> rgba = encoded(tile, *table);
         std::unique_lock lock(mutex);
-        const Lattice& part = tile.lattice;
-        store(part, rgba.data(), {}, shown);
-        new_from = std::min(new_from, part.y);
-        new_to = std::max(new_to, part.y + part.rows);
+        shown.store(tile.lattice, rgba.data());
         state.share += part_of_all / cells->tiles();
         announce(lock);
     };

@@ -46,6 +46,25 @@ struct Fresh {
     int first_row, rows;
 };
 
+/// The picture on the screen, of which some rows are new to it.
+class PictureOnScreen {
+  public:
+    const ScreenImage& image() const { return pixels; }
+    /// Steps of `image`; 1 once it has all pixels.
+    const Steps& steps() const { return steps_shown; }
+    /// Takes a whole picture, and leaves the last one in `made`.
+    void replace(ScreenImage& made, const Steps& steps);
+    /// Replaces the pixels of a part; there must be all pixels.
+    void store(const Lattice& part, const std::uint32_t* rgba);
+    /// Passes the new rows to `upload`, if there are any.
+    void take(const std::function<void(const Fresh&)>& upload, int width, int height);
+
+  private:
+    ScreenImage pixels;
+    Steps steps_shown;
+    int new_from = 0, new_to = 0;
+};
+
 class TraceThread {
   public:
     /// `notify` is called from other threads when there is something to take, once until it is taken.
@@ -81,7 +100,6 @@ class TraceThread {
     bool outdated(const Order& order) const;
 
     // Used by the thread alone:
-    Order order;
     std::optional<Tracer> tracer;
     std::optional<TransferTable> table;
     Resolution resolution;
@@ -93,14 +111,12 @@ class TraceThread {
     std::mutex mutex;
     std::condition_variable_any wake;
     std::optional<Order> next;
+    Order order;  // read by its thread without a lock, because no other one changes it
     Work work = Work::none;
-    Order order_in_work;
     int level_in_work = 0;
     Clock::time_point work_began;
     std::atomic<bool> stop = false;
-    ScreenImage shown;
-    Steps shown_steps;
-    int new_from = 0, new_to = 0;  // rows of `shown` that are new
+    PictureOnScreen shown;
     std::atomic<bool> fresh = false, complete = false;
     std::atomic<Clock::time_point> building;  // since then; zero if it is not
     Refinement state;

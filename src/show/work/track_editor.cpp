@@ -54,10 +54,10 @@ void TrackEditor::take_editor() {
     if (!fault.empty()) notes.announce(fault + "; waiting for one");
     if (!rocket) return;
     notes.announce("connected to the GNU Rocket editor");
-    session.driven = true;
+    session.flight.driven = true;
     rocket->listen(notify);
     ask();
-    if (!session.under_way()) session.go_to(session.time, pace.now());
+    if (!session.flight.under_way()) session.go_to(session.time, pace.now());
 }
 
 void TrackEditor::ask() {
@@ -67,7 +67,7 @@ void TrackEditor::ask() {
 /// Makes the editor's tracks those of the pictures.
 void TrackEditor::take_tracks() {
     session.tracks = std::make_shared<const std::vector<Track>>(with_tracks(session.scene->tracks, rocket->tracks()));
-    if (session.paused()) session.follow(pace.now());
+    if (session.flight.paused()) session.follow(pace.now());
 }
 
 bool TrackEditor::follow() {
@@ -78,20 +78,20 @@ bool TrackEditor::follow() {
     const double time_before = session.time, now = pace.now();
     if (news.keys) take_tracks();
     if (news.row) {
-        const bool running = session.under_way();
+        const bool running = session.flight.under_way();
         session.go_to(music.time_of(*news.row), now);
         if (running) session.perform({Action::pause}, now);
     }
-    if (news.paused && *news.paused == session.under_way()) session.perform({Action::pause}, now);
+    if (news.paused && *news.paused == session.flight.under_way()) session.perform({Action::pause}, now);
     if (news.keys || session.time != time_before) heard = now;
     if (!news.lost.empty()) {
         notes.fail("the Rocket editor is gone: " + news.lost + "; waiting for it");
-        session.driven = false;
+        session.flight.driven = false;
         rocket.reset();
         await_editor();
         return news.save;
     }
-    const double moment = session.flying() ? session.flight_time(now) : session.time;
+    const double moment = session.flight.flying() ? session.flight.time(now) : session.time;
     rocket->tell_row(static_cast<int>(std::min(std::floor(music.row_at(moment)), 1e9)));
     return news.save;
 }

@@ -28,14 +28,14 @@ TEST_CASE("keys make a path that can be pasted and flown") {
     CHECK(pasted->flythrough->duration == 6);
     // From its start, even if another flight came before.
     CHECK(session.perform({Action::play}, 5).note == "flying from 0 s");
-    CHECK(session.flight_path() == pasted->flythrough);
+    CHECK(session.flight.path() == pasted->flythrough);
 }
 
 TEST_CASE("steps through a flight, and jumps to its ends and keys") {
     Session session(scene_of(path_text));
     const auto note = [&](Action action, int number = 0) { return session.perform({action, number}, 9).note; };
     CHECK(note(Action::step, 25) == "at 1 s");
-    CHECK(session.paused());
+    CHECK(session.flight.paused());
     CHECK(note(Action::step, 1) == "at 1.04 s");
     CHECK(note(Action::step, -50) == "at 0 s");
     CHECK(note(Action::to_end) == "at 4 s");
@@ -86,7 +86,7 @@ TEST_CASE("keys are set, deleted and added, with undo and redo") {
     CHECK(note(Action::add_key) == "key 1 added at 0 s; a path needs two keys");
     note(Action::undo), note(Action::undo);
     session.perform({Action::rewind}, 10), session.perform({Action::pause}, 10);
-    CHECK(session.flight_path() == session.scene->flythrough);
+    CHECK(session.flight.path() == session.scene->flythrough);
 }
 
 TEST_CASE("values of a key are typed, and a drag of it is undone at once") {
@@ -188,7 +188,7 @@ TEST_CASE("a new path in the file replaces the edited one, and undo brings that 
     CHECK(session.replace(scene_of(path_text), false));
     CHECK(session.editor.unwritten() == std::vector{edited});
     session.perform({Action::play}, 5);
-    CHECK(session.flight_path() == session.scene->flythrough);
+    CHECK(session.flight.path() == session.scene->flythrough);
     CHECK(!session.editor.changed());
     session.perform({Action::undo}, 6);
     CHECK(session.editor.path() == edited);

@@ -11,7 +11,7 @@ using namespace strahl;
 TEST_CASE("a flight follows the clock at any frame rate and can be paused") {
     Session session(scene_of(path_text));
     session.perform({Action::play}, 10);
-    CHECK(session.under_way());
+    CHECK(session.flight.under_way());
     session.follow(12);
     CHECK(session.camera == camera_at(*session.scene->flythrough, session.scene->camera, 2));
     const Answer paused = session.perform({Action::pause}, 13);
@@ -22,22 +22,22 @@ TEST_CASE("a flight follows the clock at any frame rate and can be paused") {
     session.follow(30.5);
     CHECK(session.camera == camera_at(*session.scene->flythrough, session.scene->camera, 3.5));
     CHECK(session.follow(31.5));  // over
-    CHECK(!session.flying());
+    CHECK(!session.flight.flying());
     CHECK(session.camera.position == DVec3(-3, 0, 0));
     session.perform({Action::play}, 40);  // from its beginning again
     CHECK(session.camera.position == DVec3(1, 0, 0));
     session.follow(40.5);
     CHECK(session.steer({.right = 0.1}, 40.5).note == "flight ended at 0.5 s; F continues");
-    CHECK(!session.flying());
+    CHECK(!session.flight.flying());
     CHECK(session.steer({.right = 0.1}, 40.6).note == "");
     session.perform({Action::play}, 50);  // where it was left
-    CHECK(session.flight_time(50) == 0.5);
+    CHECK(session.flight.time(50) == 0.5);
 }
 
 TEST_CASE("a flight can start at any moment") {
     Session session(scene_of(path_text));
     CHECK(session.go_to(2.5, 7));
-    CHECK(session.paused());
+    CHECK(session.flight.paused());
     CHECK(session.camera == camera_at(*session.scene->flythrough, session.scene->camera, 2.5));
     CHECK(!Session(scene_of("")).go_to(1, 0));
 }
@@ -50,7 +50,7 @@ TEST_CASE("what moves plays without a flythrough, and the camera is free meanwhi
     CHECK(session.time == 2.5);
     CHECK(session.camera == camera);
     session.steer({.push = {1, 0, 0}}, 13);
-    CHECK(session.under_way());
+    CHECK(session.flight.under_way());
     const Camera there = session.camera;
     session.follow(14);
     CHECK(session.time == 4);
@@ -60,11 +60,11 @@ TEST_CASE("what moves plays without a flythrough, and the camera is free meanwhi
     CHECK(session.time == 4.25);
     session.perform({Action::pause}, 20);
     CHECK(session.follow(21));  // over
-    CHECK(!session.flying());
+    CHECK(!session.flight.flying());
     CHECK(session.camera == there);
     CHECK(session.go_to(1.5, 30));
     CHECK(session.time == 1.5);
-    CHECK(session.paused());
+    CHECK(session.flight.paused());
 }
 
 TEST_CASE("without a flythrough the flight orbits the scene") {
@@ -81,7 +81,7 @@ TEST_CASE("without a flythrough the flight orbits the scene") {
     session.follow(20);
     CHECK(distance(session.camera.position, {-5, 20, 18}) < 1e-3);
     session.follow(400);
-    CHECK(session.under_way());
+    CHECK(session.flight.under_way());
     CHECK(distance(session.camera.position, camera.position) < 1e-6);
 }
 
@@ -94,9 +94,9 @@ TEST_CASE("the wheel changes the speed of what moves the camera") {
     session.follow(11);
     CHECK(session.change_speed(0.5, 11).note == "flight at 0.5 times its speed");
     CHECK(session.speed == 2 * speed);
-    CHECK(session.flight_time(11) == 1);
+    CHECK(session.flight.time(11) == 1);
     session.follow(13);
-    CHECK(session.flight_time(13) == 2);
+    CHECK(session.flight.time(13) == 2);
 }
 
 TEST_CASE("a flight continues along the changed path") {
@@ -105,11 +105,11 @@ TEST_CASE("a flight continues along the changed path") {
     auto other = std::make_shared<Scene>(*session.scene);
     other->flythrough->keys[1].position = {0, 5, 0};
     session.replace(other, false);
-    CHECK(session.under_way());
+    CHECK(session.flight.under_way());
     session.follow(2);
     CHECK(session.camera.position == DVec3(0, 5, 0));
     session.replace(scene_of(""), false);
-    CHECK(!session.flying());
+    CHECK(!session.flight.flying());
 }
 
 TEST_CASE("a pause is at a time with few digits") {
@@ -121,11 +121,11 @@ TEST_CASE("a pause is at a time with few digits") {
 
 TEST_CASE("a flight that is played once ends after a round") {
     Session session(scene_of(""));
-    session.once = true;
+    session.flight.once = true;
     session.perform({Action::play}, 0);
     CHECK(!session.follow(39.9));
     CHECK(session.follow(40.1));
-    CHECK(!session.flying());
+    CHECK(!session.flight.flying());
 }
 
 TEST_CASE("figures of a flight are those of its times and levels") {

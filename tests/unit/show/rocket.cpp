@@ -173,10 +173,10 @@ TEST_CASE("an editor is waited for, and again when it is gone") {
     for (int times = 0; times < 2; ++times) {
         editor = std::make_unique<Editor>(10, port);
         REQUIRE(editor->accept());
-        CHECK(soon([&] { return session.driven; }));
+        CHECK(soon([&] { return session.flight.driven; }));
         CHECK(editor->read(9) == "\2" + big_endian(4) + "zoom");
         editor.reset();
-        CHECK(soon([&] { return !session.driven; }));
+        CHECK(soon([&] { return !session.flight.driven; }));
         CHECK(told("the Rocket editor is gone: "));
     }
 }
@@ -187,24 +187,24 @@ TEST_CASE("a flight that an editor drives follows tracks, and does not end") {
         " sphere { <0,0,2>, 2 }",
         "test"));
     Session session(scene);
-    session.driven = true;
+    session.flight.driven = true;
     session.tracks = std::make_shared<const std::vector<Track>>(
         std::vector<Track>{{"zoom", {{0, 10, Interpolation::linear}, {8, 18, {}}}}});
     CHECK(session.go_to(4, 10));
     CHECK(session.camera.fov == 14);
-    CHECK(session.flight()->duration == 8);
+    CHECK(session.path_to_fly()->duration == 8);
     CHECK(session.go_to(600, 10));
     CHECK(session.time == 600);
     CHECK(session.camera.fov == 18);
     session.perform({Action::pause}, 11);
-    CHECK(session.under_way());
+    CHECK(session.flight.under_way());
     CHECK(!session.follow(1e6));
     session.go_to(2, 1e6);
     session.tracks = nullptr;
     session.follow(1e6);
     CHECK(session.camera.fov == 12);
     session.steer({.right = .1}, 1e6);
-    CHECK(!session.flying());
+    CHECK(!session.flight.flying());
     session.tracks = std::make_shared<const std::vector<Track>>();
     session.replace(scene, true);
     CHECK(!session.tracks);  // those of another scene do not stay
