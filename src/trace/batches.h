@@ -75,15 +75,15 @@ class Batches {
         sink({tile, std::span<const double>(sums, 3 * pixels)});
     }
 
-    /// Traces points of a tile whose top left corner is (x, y), in pixels.
-    void trace_points(int x, int y, double scale, std::span<const Point> points, CellSample* samples) {
+    /// Traces points of a tile whose top left corner is (x, y), in pixels. Footprints have this side; 0 for side_of().
+    void trace_points(int x, int y, double scale, std::span<const Point> points, double side, CellSample* samples) {
         for (std::size_t done = 0; done < points.size(); done += scattered_pixels) {
             const int count = static_cast<int>(std::min<std::size_t>(scattered_pixels, points.size() - done));
             for (int i = 0; i < count; ++i) {
                 // Pixel 0 of the camera's lattice is the middle of the first pixel.
                 workspace.pixels_x[i] = static_cast<T>(x - .5 + points[done + i].x / double(Point::unit));
                 workspace.pixels_y[i] = static_cast<T>(y - .5 + points[done + i].y / double(Point::unit));
-                if (filters) workspace.sides[i] = static_cast<T>(side_of(points[done + i]));
+                if (filters) workspace.sides[i] = static_cast<T>(side > 0 ? side : side_of(points[done + i]));
             }
             if (filters) std::fill_n(workspace.colors.begin(), 4 * count, T(-1));
             look(count, scale, samples + done);

@@ -127,8 +127,10 @@ class TracerOf : public AnyTracer {
     Counts traced(const Job& job, const CellPass& pass) {
         const auto refine = [&](Batches<T>& batches, int i, int) {
             pass.picture.refine(i, pass.finest, job,
-                                [&](int x, int y, std::span<const Point> points, CellSample* samples) {
-                                    batches.trace_points(x, y, placed.scale, points, samples);
+                                [&](int x, int y, std::span<const Point> points, double side, CellSample* samples) {
+                                    const Counts before = batches.counts;
+                                    batches.trace_points(x, y, placed.scale, points, side, samples);
+                                    if (side > 0) batches.counts = before;  // a check is no part of the picture
                                 });
         };
         return each(job, pass.picture.tiles(), pass.picture.contrast(), refine, true);

@@ -51,6 +51,8 @@ expect 0 "0 of 8000" compare proved.png plain.png --tolerance 1.6e-5
 expect 0 "" render scene.rt -o x.bmp --size 64x48 --error 1e-3 --stats stats.json
 [[ $(value samples aimed) == 0.001 ]] || fault "$(value samples aimed) is aimed at"
 [[ $(value samples estimated) == 0.00* ]] || fault "the error is thought to be $(value samples estimated)"
+is ON samples reached
+(($(value samples checked) > 100)) || fault "$(value samples checked) pixels are checked"
 (($(value samples median) >= 1 && $(value samples most) > $(value samples median))) || fault "samples in $(<stats.json)"
 
 expect 0 "" render scene.rt -o x.bmp --size 64x48 --depth 1 --stats stats.json

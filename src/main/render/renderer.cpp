@@ -215,6 +215,7 @@ std::uint64_t Renderer::trace(const Shot& shot, const std::vector<Lattice>& regi
             stats.rays += tracer.trace(job, SampledRegion{region, stats.sampling});
         } else {
             CellPicture cells(tracer.scene(), job.view, region, stats.sampling.error);
+            if (!options.stats.empty()) cells.check();
             stats.rays += tracer.trace(job, CellPass{cells, 0});
             stats.sampled += cells.sampled();
         }

@@ -26,8 +26,10 @@ std::string number(double value) {
 std::string samples(const Stats& stats) {
     const auto& [grid, centre, error] = stats.sampling;
     if (grid > 0) return "{ \"in_each_pixel\": " + std::to_string(grid * grid + centre) + " }";
-    return "{ \"aimed\": " + number(std::max(error, least_sampling_error)) +
-           ", \"estimated\": " + number(stats.sampled.error()) +
+    const double aimed = std::max(error, least_sampling_error), estimated = stats.sampled.error();
+    return "{ \"aimed\": " + number(aimed) + ", \"estimated\": " + number(estimated) +
+           ", \"reached\": " + (estimated <= aimed ? "true" : "false") +
+           ", \"checked\": " + std::to_string(stats.sampled.measured.checked) +
            ", \"median\": " + std::to_string(stats.sampled.median()) +
            ", \"most\": " + std::to_string(stats.sampled.most()) + " }";
 }

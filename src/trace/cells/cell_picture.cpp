@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "trace/cells/checked_pixels.h"
+
 namespace strahl {
 
 void CellPicture::begin(const Scene& scene, const View& view, const Lattice& new_region, double error, int largest) {
@@ -43,7 +45,7 @@ void CellPicture::refine(int i, int finest, const Job& job, const TraceAt& trace
     }
     Cells& cells = *made[i];
     cells.refine(finest, [&](std::span<const Point> points, CellSample* samples) {
-        trace(place.x, place.y, points, samples);
+        trace(place.x, place.y, points, 0, samples);
     });
     if (job.stopped()) return;
     // Only the part of the tile that is in the crop is handed on.
@@ -63,8 +65,17 @@ void CellPicture::refine(int i, int finest, const Job& job, const TraceAt& trace
         job.sink({part, std::span<const double>(cut)});
     }
     if (cells.finished()) {
+        const std::vector<std::uint32_t> counts = cells.counts();
+        MeasuredError error;
+        if (checked > 0)
+            error = measured_error({place.columns, rgb, counts}, checked / (double(region.columns) * region.rows),
+                                   static_cast<std::uint32_t>(place.y * 65536 + place.x + 1),
+                                   [&](std::span<const Point> points, double side, CellSample* samples) {
+                                       trace(place.x, place.y, points, side, samples);
+                                   });
+        if (job.stopped()) return;
         const std::lock_guard lock(mutex);
-        cells.add_to(sum);
+        sum.add(counts), sum.measured += error;
         spare.push_back(std::move(made[i]));
         ++done;
     }

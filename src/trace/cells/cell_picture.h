@@ -32,8 +32,11 @@ class CellPicture {
 
     int tiles() const { return static_cast<int>(places.size()); }
     double contrast() const { return most_contrast; }
-    /// Traces points of the tile whose corner is (x, y).
-    using TraceAt = std::function<void(int x, int y, std::span<const Point>, CellSample*)>;
+    /// Measures the error as well, see measured_error(): about `pixels` pixels are checked for each sample that pixels
+    /// take on average.
+    void check(int pixels = 96) { checked = pixels; }
+    /// Traces points of the tile whose corner is (x, y). Footprints have this side, in pixels; 0 for side_of() each.
+    using TraceAt = std::function<void(int x, int y, std::span<const Point>, double side, CellSample*)>;
     /// Refines tile i and hands it to the job's sink, unless the job is stopped: then the tile cannot go on.
     void refine(int i, int finest, const Job& job, const TraceAt& trace);
 
@@ -46,7 +49,7 @@ class CellPicture {
 
     Lattice region;
     double most_contrast = 0;
-    int largest_filled = 0;
+    int largest_filled = 0, checked = 0;
     std::vector<TilePlace> places;
     std::vector<std::unique_ptr<Cells>> made, spare;  // those in work, by tile; those of finished tiles
     std::vector<char> begun;

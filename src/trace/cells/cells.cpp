@@ -11,19 +11,9 @@ namespace {
 
 constexpr std::int32_t least_cell = Point::unit / 32;
 constexpr int side = tile_pixels + 1;  // of the lattice
-/// If only the middle of a cell saw a change, and no thin body is known there, cells whose middle missed one are
-/// assumed to hide as much: so many times the square of the middle's difference. Found by experiment, as `estimate`.
-constexpr double unseen = 3.5;
 constexpr double steepest_gradient = .06;  // across a cell of one signature
-/// The error of a cell over the difference between its samples, found by experiment on five worlds: estimates are .7 to
-/// 1.9 times the error there (tests/bench/sampling.md).
-constexpr double estimate = .17;
-/// The error of the loosest filter of patterns over the difference of the middle from the corners, found likewise.
+/// The error of the loosest filter of patterns over the difference of the middle from the corners, found by experiment.
 constexpr double filter_off = .6;
-/// The least error that the estimate assumes of a filter in closed form, as a share of the difference: surfaces may be
-/// curved and light uneven. Cells are not divided for it.
-constexpr double least_doubt = .07;
-
 std::uint64_t key_of(Point p) { return std::uint64_t(std::uint32_t(p.x)) << 32 | std::uint32_t(p.y); }
 
 Point on_side(std::int32_t x, std::int32_t y, std::int32_t size, int number, std::int32_t along) {
@@ -55,7 +45,6 @@ void Cells::begin(int x, int y, int new_columns, int new_rows, double new_contra
     samples.clear(), points.clear(), between.clear(), active.clear(), waiting.clear(), searches.clear();
     lattice.assign(side * side, -1);
     sums.assign(std::size_t(3) * columns * rows, 0);
-    squares = 0;
     constexpr int in_tile = tile_pixels / coarsest_cell;
     for (const auto [column, row] : std::span(z_curve).first<in_tile * in_tile>()) {
         Cell cell{column * coarsest_cell * unit, row * coarsest_cell * unit, coarsest_cell * unit, {}};
@@ -153,14 +142,9 @@ void Cells::look_at_large(const Cell& cell) {
     const auto corners = corners_of(cell);
     const CellSample& middle = samples[cell.middle];
     if (cell.size > largest) return divide(cell);
-    const bool surprising = equal_signatures(cell) && middle.signature != corners[0]->signature;
     const auto detailed = [](const CellSample* sample) { return sample->detailed(); };
     if (std::ranges::any_of(corners, detailed)) return divide(cell);  // half of the pattern lies between footprints
-    const bool smooth = looks_smooth(corners, middle, contrast);
-    const bool clear = (smooth || surprising) && !hides_something(cell);
-    const double off = middle_off(corners, middle) * (cell.size / unit);
-    if (clear) squares += off * off * (surprising ? unseen : 1);
-    smooth&& clear ? fill(cell) : divide(cell);
+    looks_smooth(corners, middle, contrast) && !hides_something(cell) ? fill(cell) : divide(cell);
 }
 
 /// Decides by the corners what happens to a cell of a pixel or less.
@@ -172,7 +156,7 @@ void Cells::look_at_corners(Cell& cell, int finest) {
     const bool rough = glints || hidden ||
                        !(equal ? difference <= std::min(16 * contrast, steepest_gradient) : difference <= contrast);
     const bool small = equal ? cell.size <= unit / 4 && !shows_pattern(cell) : cell.size < unit / 2;
-    if (!rough && small) return finish(cell, mean(cell), spread(cell));
+    if (!rough && small) return finish(cell, mean(cell));
     if (cell.size <= finest) return waiting.push_back(cell);
     if (rough) return !hidden && begin_search(cell) ? active.push_back(cell) : go_on(cell);
     ask_middle(cell);
@@ -183,14 +167,12 @@ void Cells::look_at_corners(Cell& cell, int finest) {
 /// Divides a cell that is neither smooth nor crossed by one edge, or finishes it if it is one of the smallest.
 void Cells::go_on(Cell& cell) {
     if (cell.size > least_cell) return divide(cell);
-    finish(cell, mean(cell), spread(cell));
+    finish(cell, mean(cell));
 }
 
 void Cells::look_at_middle(Cell& cell) {
     const double s = double(cell.size) / unit, off = off_corners(cell);
-    const bool equal = equal_signatures(cell) && samples[cell.middle].signature == samples[cell.corners[0]].signature;
-    // Slopes are no errors.
-    if (off * s * s <= contrast) return finish(cell, mean(cell), equal ? std::max(off, doubt(cell)) : spread(cell));
+    if (off * s * s <= contrast) return finish(cell, mean(cell));
     cell.middle = -1;
     if (begin_search(cell)) return active.push_back(cell);
     go_on(cell);
@@ -264,7 +246,6 @@ void Cells::look_beside(Cell& cell) {
     const double first_area = chord_of(crossings, cell.size).first_area;
     const double s = double(cell.size) / unit;
     std::array<double, 3> color{};
-    double uncertain = 0;
     for (int part = 0; part < 2; ++part) {
         double sum[3] = {}, low[3], high[3], count = 0;
         const auto add = [&](int sample) {
@@ -284,10 +265,9 @@ void Cells::look_beside(Cell& cell) {
         for (int c = 0; c < 3; ++c) {
             if (!((high[c] - low[c]) * area * s * s <= 2 * contrast)) return go_on(cell);
             color[c] += area * sum[c] / count;
-            uncertain = std::max(uncertain, (high[c] - low[c]) * area);
         }
     }
-    finish(cell, color, uncertain);
+    finish(cell, color);
 }
 
 bool Cells::equal_signatures(const Cell& cell) const {
@@ -360,15 +340,9 @@ double Cells::off_corners(const Cell& cell) const {
     });
 }
 
-/// Returns how much a filter counts as off in the estimate, at least.
-double Cells::doubt(const Cell& cell) const {
-    return shows_pattern(cell) ? least_doubt * middle_off(corners_of(cell), samples[cell.middle]) : 0;
-}
-
-/// Adds a cell of a pixel or less to its pixel, with the difference between samples that were taken for equal.
-void Cells::finish(const Cell& cell, const std::array<double, 3>& color, double difference) {
+/// Adds a cell of a pixel or less to its pixel.
+void Cells::finish(const Cell& cell, const std::array<double, 3>& color) {
     const double area = double(cell.size) / unit * (double(cell.size) / unit);
-    squares += difference * area * (difference * area);
     double* const sum = &sums[pixel_of(cell)];
     for (int c = 0; c < 3; ++c) sum[c] += area * color[c];
 }
@@ -380,12 +354,11 @@ void Cells::fill(const Cell& cell) {
                 std::size_t(3) * columns);
 }
 
-void Cells::add_to(Sampled& sampled) const {
+std::vector<std::uint32_t> Cells::counts() const {
     std::vector<std::uint32_t> counts(std::size_t(columns) * rows);
     for (const Point& p : points)
         if (p.x < columns * unit && p.y < rows * unit) ++counts[std::size_t(p.y / unit) * columns + p.x / unit];
-    for (const std::uint32_t count : counts) ++sampled.pixels[std::min<std::size_t>(count, sampled.pixels.size() - 1)];
-    sampled.squares += estimate * estimate * squares;
+    return counts;
 }
 
 double contrast_for(double error) {

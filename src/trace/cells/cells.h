@@ -52,9 +52,9 @@ class Cells {
     /// corners.
     std::span<const double> values() const { return sums; }
 
-    /// Adds how many samples each pixel took, and the errors. Samples on a border count for the pixel to the right or
+    /// Returns how many samples each pixel took, row by row. Samples on a border count for the pixel to the right or
     /// below.
-    void add_to(Sampled& sampled) const;
+    std::vector<std::uint32_t> counts() const;
 
   private:
     static constexpr std::int32_t unit = Point::unit;
@@ -96,9 +96,8 @@ class Cells {
     double spread(const Cell& cell) const;
     std::array<double, 3> mean(const Cell& cell) const;
     double off_corners(const Cell& cell) const;
-    double doubt(const Cell& cell) const;
     void fill(const Cell& cell);
-    void finish(const Cell& cell, const std::array<double, 3>& color, double difference);
+    void finish(const Cell& cell, const std::array<double, 3>& color);
 
     int left = 0, top = 0, columns = 0, rows = 0;
     std::int32_t largest = 0;
@@ -111,7 +110,6 @@ class Cells {
     std::vector<Cell> active, waiting;
     std::vector<Search> searches;
     std::vector<double> sums;  // 3 for each pixel
-    double squares = 0;
 };
 
 /// Returns the contrast that leads to an RMS error, found by experiment: tests/bench/sampling.md.

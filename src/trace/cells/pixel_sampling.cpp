@@ -1,13 +1,19 @@
 #include "trace/cells/pixel_sampling.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
 namespace strahl {
 
+MeasuredError& MeasuredError::operator+=(const MeasuredError& other) {
+    checked += other.checked, squares += other.squares, variance += other.variance;
+    return *this;
+}
+
 Sampled& Sampled::operator+=(const Sampled& other) {
     for (std::size_t i = 0; i < pixels.size(); ++i) pixels[i] += other.pixels[i];
-    squares += other.squares;
+    measured += other.measured;
     return *this;
 }
 
@@ -26,6 +32,13 @@ int Sampled::most() const {
     return static_cast<int>(i);
 }
 
-double Sampled::error() const { return count() ? std::sqrt(squares / static_cast<double>(count())) : 0; }
+void Sampled::add(std::span<const std::uint32_t> samples) {
+    for (const std::uint32_t count : samples) ++pixels[std::min<std::size_t>(count, pixels.size() - 1)];
+}
+
+double Sampled::error() const {
+    const double squares = std::max(measured.squares, std::sqrt(measured.variance));
+    return count() ? std::sqrt(squares / static_cast<double>(count())) : 0;
+}
 
 }  // namespace strahl

@@ -1,6 +1,7 @@
 // Says how the light of a pixel is averaged from samples, and how many that took.
 #pragma once
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace strahl {
@@ -17,16 +18,27 @@ struct Sampling {
 /// Averages aim no lower than this.
 inline constexpr double least_sampling_error = 1e-4;
 
+/// The errors of a picture as measured at some of its pixels.
+struct MeasuredError {
+    std::uint64_t checked = 0;  // times that pixels were
+    double squares = 0;         // the sum over all pixels of the mean square of their channels' errors; may be below 0
+    double variance = 0;        // of that sum, by chance
+
+    MeasuredError& operator+=(const MeasuredError& other);
+};
+
 /// Counts the samples that pixels of pictures without a grid needed.
 struct Sampled {
     std::vector<std::uint64_t> pixels = std::vector<std::uint64_t>(4097);  // by their samples, the last one with more
-    double squares = 0;  // of the errors that they are thought to have, in their worst channel
+    MeasuredError measured;
 
     Sampled& operator+=(const Sampled& other);
     std::uint64_t count() const;
     int median() const;
     int most() const;
-    /// Returns an estimate of the RMS error, not a bound: within a factor of two in most scenes.
+    void add(std::span<const std::uint32_t> samples);
+    /// Returns an estimate of the RMS error, not a bound: where errors are too small to be measured, the least that can
+    /// be. 0 if no pixels were checked.
     double error() const;
 };
 

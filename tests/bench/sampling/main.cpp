@@ -57,6 +57,7 @@ Result refine(Tracer& tracer, const View& view, double error, ThreadPool& pool) 
     std::optional<CellPicture> picture;
     Result result = render(tracer, view, pool, [&](const Sink& sink) {
         picture.emplace(tracer.scene(), view, Lattice{.columns = view.width, .rows = view.height}, error);
+        picture->check();
         return tracer.trace({view, pool, sink}, CellPass{*picture, 0});
     });
     result.estimate = picture->sampled().error();

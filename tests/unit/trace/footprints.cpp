@@ -64,6 +64,7 @@ struct Traced {
 Traced refined(Tracer& tracer, const View& view, const Lattice& part, int threads = 2, double error = 1. / 510) {
     ThreadPool pool(threads);
     CellPicture picture(tracer.scene(), view, part, error);
+    picture.check();
     Traced result;
     result.rgb.resize(std::size_t(3) * part.columns * part.rows);
     const auto keep = [&](const Tile& tile) { place(tile, part, result.rgb); };

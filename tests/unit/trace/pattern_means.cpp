@@ -135,6 +135,7 @@ TEST_CASE("floors of checks, bricks and lines come out as the mean of many rays"
             for (std::size_t k = 0; k < one.size(); ++k) exact[k] += one[k] / (grid * grid);
         }
         CellPicture picture(scene, view, all, 1. / 510);
+        picture.check();
         double squares = 0;
         std::vector<double> rgb(exact.size());
         const Counts counts =

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <vector>
 
 #include "num/thread_pool.h"
@@ -12,6 +13,7 @@
 #include "tests/unit/scenes.h"
 #include "tests/unit/trace/cut_out.h"
 #include "trace/cells/cell_picture.h"
+#include "trace/cells/checked_pixels.h"
 #include "trace/tracer.h"
 
 namespace strahl::sampling {
@@ -76,6 +78,20 @@ TEST_CASE("averages come out as exact as they aim") {
     }
 }
 
+/// Returns the estimate of a refined picture's error over the true one.
+double estimate_over_error(const Scene& scene, const View& view, double aim, const std::vector<double>& exact) {
+    const Lattice all{.columns = view.width, .rows = view.height};
+    ThreadPool pool(2);
+    Tracer tracer(scene, Precision::float64);
+    CellPicture cells(scene, view, all, aim);
+    cells.check();
+    std::vector<double> rgb(exact.size());
+    tracer.trace({view, pool, [&](const Tile& tile) { place(tile, all, rgb); }}, CellPass{cells, 0});
+    double squares = 0;
+    for (std::size_t i = 0; i < rgb.size(); ++i) squares += (rgb[i] - exact[i]) * (rgb[i] - exact[i]);
+    return cells.sampled().error() / std::sqrt(squares / double(rgb.size()));
+}
+
 TEST_CASE("the error that is estimated is the true one, within a factor of two") {
     if (sanitized()) return;
     for (const auto& [name, depth] : {std::pair<std::string, int>{"article", 20},
@@ -87,20 +103,67 @@ TEST_CASE("the error that is estimated is the true one, within a factor of two")
         const Scene scene = read_scene(name);
         View view = view_of(scene, 120, 90);
         view.depth = depth;
-        const Lattice all{.columns = view.width, .rows = view.height};
         const std::vector<double> exact = whole(scene, view, {.grid = 16}, Precision::float32);
-        ThreadPool pool(2);
-        Tracer tracer(scene, Precision::float64);
         for (const double aim : {4. / 510, 1. / 510, .5 / 510}) {
             CAPTURE(aim);
-            CellPicture cells(scene, view, all, aim);
-            std::vector<double> rgb(exact.size());
-            tracer.trace({view, pool, [&](const Tile& tile) { place(tile, all, rgb); }}, CellPass{cells, 0});
-            const double ratio = 510 * cells.sampled().error() / rms(rgb, exact);
+            const double ratio = estimate_over_error(scene, view, aim, exact);
+            MESSAGE("estimate over error: ", ratio);
             CHECK(ratio > .5);
             CHECK(ratio < 2);
         }
     }
+}
+
+TEST_CASE("the error that is estimated of worlds at random is half to three times the true one") {
+    if (sanitized()) return;
+    for (std::uint64_t seed = 900; seed < 906; ++seed) {
+        CAPTURE(seed);
+        const Scene scene = random_scene(seed, {.lights = seed % 2 == 0, .patterns = true, .bumps = seed % 3 == 0});
+        const View view = view_of(scene, 64, 48);
+        const double ratio =
+            estimate_over_error(scene, view, 1. / 510, whole(scene, view, {.grid = 16}, Precision::float32));
+        MESSAGE("estimate over error: ", ratio);
+        CHECK(ratio > .5);
+        CHECK(ratio < 3);
+    }
+}
+
+TEST_CASE("the squares of errors measured at some pixels are expected to be those of all") {
+    // A half-plane, whose edge is known exactly, in a tile with errors of our own.
+    constexpr int columns = 24, rows = 10;
+    const auto edge_at = [](double y) { return 9.3 + .37 * y; };
+    std::vector<double> rgb;
+    std::vector<std::uint32_t> samples;
+    double squares = 0;
+    for (int y = 0; y < rows; ++y)
+        for (int x = 0; x < columns; ++x) {
+            double share = 0;
+            for (int i = 0; i < 1000; ++i) share += std::clamp(edge_at(y + (i + .5) / 1000) - x, 0., 1.) / 1000;
+            const bool edge = share > 0 && share < 1;
+            for (int c = 0; c < 3; ++c) {
+                const double off = (edge ? .02 : .002) * (c - .7) * ((x * 7 + y * 5) % 4 - 1.5);
+                rgb.push_back(share + off), squares += off * off / 3;
+            }
+            samples.push_back(edge ? 20 : (x + y) % 2);
+        }
+    const TraceSquares trace = [&](std::span<const Point> points, double, CellSample* seen) {
+        for (const Point& p : points) {
+            const double value = double(p.x) / Point::unit < edge_at(double(p.y) / Point::unit);
+            *seen = {}, std::fill_n((seen++)->rgb, 3, value);
+        }
+    };
+    MeasuredError sum;
+    double spread = 0;
+    constexpr int times = 400;
+    for (std::uint32_t seed = 1; seed <= times; ++seed) {
+        const MeasuredError one = measured_error({columns, rgb, samples}, .02, seed, trace);
+        sum += one, spread += (one.squares - squares) * (one.squares - squares);
+    }
+    CHECK(double(sum.checked) / times == doctest::Approx(.02 * (std::accumulate(samples.begin(), samples.end(), 0.) +
+                                                                .25 * columns * rows)).epsilon(.01));
+    CHECK(sum.squares / times == doctest::Approx(squares).epsilon(.06));
+    CHECK(sum.variance > spread);  // it counts what a few of the pixels share
+    CHECK(sum.variance < 4 * spread);
 }
 
 TEST_CASE("checks and bricks are known by themselves, not by their colours alone") {
@@ -185,11 +248,15 @@ TEST_CASE("a chord halves a cell") {
 
 TEST_CASE("what is counted of samples") {
     Sampled a, b;
-    a.pixels[1] = 3, a.pixels[7] = 2, a.squares = 5;
+    a.pixels[1] = 3, a.pixels[7] = 2, a.measured = {9, 5, 4};
     CHECK(a.count() == 5);
     CHECK(a.median() == 1);
     CHECK(a.most() == 7);
     CHECK(a.error() == 1);
+    a.measured.variance = 100;
+    CHECK(a.error() == std::sqrt(2.));
+    a.measured.squares = -3;
+    CHECK(a.error() == std::sqrt(2.));
     b.pixels[4096] = 20;
     a += b;
     CHECK(a.median() == 4096);
