@@ -256,6 +256,31 @@ bool has_word(const std::string& text, const std::string& word) {
     return false;
 }
 
+std::string text_of(const std::string& file) {
+    std::ostringstream text;
+    text << std::ifstream(STRAHL_SOURCE "/" + file).rdbuf();
+    return text.str();
+}
+
+// The drawing leaves out arrows to what is reached along others.
+TEST_CASE("the drawing of the modules has the includes that are allowed") {
+    const std::string page = text_of("src/architecture.md");
+    const std::regex arrow(" +([a-z]+) --> ([a-z]+)\n");
+    std::map<std::string, std::set<std::string>> drawn;
+    for (std::sregex_iterator at(page.begin(), page.end(), arrow), end; at != end; ++at) {
+        const std::string from = (*at)[1], to = (*at)[2];
+        REQUIRE_MESSAGE(modules.contains(from), from << " is drawn and is no module");
+        CHECK_MESSAGE(modules.at(from).below.contains(to), "drawn but not allowed: " << from << " to " << to);
+        drawn[from].insert(to);
+    }
+    const std::function<bool(const std::string&, const std::string&)> reaches = [&](const auto& from, const auto& to) {
+        return std::ranges::any_of(drawn[from], [&](const auto& next) { return next == to || reaches(next, to); });
+    };
+    for (const auto& [module, allowed] : modules)
+        for (const std::string& below : allowed.below)
+            CHECK_MESSAGE(reaches(module, below), "allowed but not drawn: " << module << " to " << below);
+}
+
 TEST_CASE("the page on the source names only what there is") {
     std::string code;
     std::set<std::string> files;
@@ -265,9 +290,7 @@ TEST_CASE("the page on the source names only what there is") {
         text << std::ifstream(path).rdbuf();
         code += text.str();
     }
-    std::ostringstream text;
-    text << std::ifstream(STRAHL_SOURCE "/src/README.md").rdbuf();
-    const std::string page = text.str();
+    const std::string page = text_of("src/README.md") + text_of("src/architecture.md");
     const std::regex quoted("`([^`\n]+)`"), name("[A-Za-z_]\\w*"), own("[A-Za-z_/]+\\.(h|cpp|cmake)");
     int names = 0;
     for (std::sregex_iterator at(page.begin(), page.end(), quoted), end; at != end; ++at) {
@@ -277,11 +300,11 @@ TEST_CASE("the page on the source names only what there is") {
             if (word.find("NAME") != word.npos || word.starts_with("X")) continue;
             ++names;
             CHECK_MESSAGE((files.contains(word) || is("") || is("src")),
-                          "src/README.md names the file " << word << ", which is not there");
+                          "a page names the file " << word << ", which is not there");
         } else if (std::regex_match(word, name) || word.ends_with("()")) {
             ++names;
             CHECK_MESSAGE(has_word(code, word.substr(0, word.find('('))),
-                          "src/README.md speaks of " << word << ", which is not there");
+                          "a page speaks of " << word << ", which is not there");
         }
     }
     CHECK(names > 40);
