@@ -19,17 +19,17 @@ add_custom_command(OUTPUT ${reference_files} ${reference}/strahl.1.gz ${referenc
 add_custom_target(reference ALL DEPENDS ${reference_files})
 
 install(TARGETS strahl RUNTIME DESTINATION bin)
-install(DIRECTORY scenes DESTINATION share/strahl)
+install(DIRECTORY scenes DESTINATION share/strahl PATTERN *.md EXCLUDE PATTERN *.jpg EXCLUDE PATTERN make_pictures EXCLUDE)
 install(FILES assets/balls.png DESTINATION share/strahl/assets)  # which scenes show
 install(DIRECTORY assets/farm DESTINATION share/strahl PATTERN README.md EXCLUDE)
 install(FILES LICENSE DESTINATION share/doc/strahl)
 # The pages for users, without their pictures and their links to files. Commands are written as for the installed
 # program, and paths of scenes as from the folder of the pages.
 set(pages ${CMAKE_BINARY_DIR}/pages)
-foreach(page text:language main:films import:import)
+foreach(page src/text:language src/main:films src/import:import scenes/tutorial:tutorial)
   string(REGEX MATCH "(.*):(.*)" page ${page})
   set(name ${CMAKE_MATCH_2})
-  set(source ${CMAKE_SOURCE_DIR}/src/${CMAKE_MATCH_1}/README.md)
+  set(source ${CMAKE_SOURCE_DIR}/${CMAKE_MATCH_1}/README.md)
   file(READ ${source} content)
   string(REGEX REPLACE "!\\[[^]]*\\]\\([^)]*\\)\n*" "" content "${content}")
   string(REGEX REPLACE "\\[([^]]*)\\]\\([^#h)][^)]*\\)" "\\1" content "${content}")
