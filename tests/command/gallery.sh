@@ -13,7 +13,7 @@ expect_pictures() { # FOLDER
     for picture in "$1"/*.jpg; do
         convert "$scenes/$picture" -resize 40x30 stored.png
         difference=$(compare -metric RMSE "$picture" stored.png null: 2>&1 | sed 's/.*(\(.*\))/\1/')
-        awk -v difference="$difference" 'BEGIN { exit !(difference < .06) }' ||
+        awk -v difference="$difference" 'BEGIN { exit !(difference < .09) }' ||
             fault "$picture is another picture now, by $difference: run scenes/make_pictures"
     done
 }
