@@ -8,12 +8,14 @@ import pathlib
 SIDE, TEETH = 17, 60  # wheels along each side; teeth, a multiple of 4 so that neighbours on all four sides mesh
 METALS = ["brass", "copper", "brass", "steel"]
 
-HEAD = """/* A machine of 289 wheels with 70 parts each, 20,230 bodies in all. Each wheel meshes with its four neighbours, and
-   turns the other way; waves run through the field and lift the wheels. gears.py writes this file. */
+HEAD = """/* A machine of 289 wheels with 70 parts each, 20,230 bodies in all. Each wheel meshes with its four
+   neighbours, which would turn the other way; waves run through the field and lift the wheels. gears.py writes this
+   file. */
 
 camera { position <-3,-19.8,4.4>  look_at <.8,-6,1.3>  sky <0,0,1>  angle 52  aspectratio 1.333333 }
 global_settings { ambient_light <.5,.5,.6>  max_trace_level 5 }
-background { color gradient { axis <0,0,1>  colors { 0 <1,.72,.46>  .12 <.86,.48,.46>  .4 <.36,.26,.48>  1 <.08,.10,.28> } } }
+background { color gradient { axis <0,0,1>
+                              colors { 0 <1,.72,.46>  .12 <.86,.48,.46>  .4 <.36,.26,.48>  1 <.08,.10,.28> } } }
 
 light { position <-30,-2,22>  color <1.15,.90,.64> }
 light { position <20,-30,30>  color <.38,.42,.56> }
@@ -47,7 +49,8 @@ def field():
             height = .8 * math.sin(.36 * x + .25 * y) + .5 * math.sin(.5 * y - .22 * x)
             turn = (i + j) % 2 * 180 / TEETH
             metal = METALS[(3 * i + 5 * j + i * j) % 4]
-            lines.append(f"wheel {{ material {metal}  rotate <0,0,{turn:g}>  translate <{x:.2f},{y:.2f},{height:.3f}> }}\n")
+            place = f"rotate <0,0,{turn:g}>  translate <{x:.2f},{y:.2f},{height:.3f}>"
+            lines.append(f"wheel {{ material {metal}  {place} }}\n")
     return "".join(lines)
 
 
