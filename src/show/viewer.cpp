@@ -60,13 +60,16 @@ Viewer::Viewer(const ViewOptions& o, const Loaded& first, std::unique_ptr<Reload
       input(screen, session, panels, pace, o.play,
             {.perform = [this](Command command) { perform(command); },
              .turn_wheel = [this](double n) { notes.tell(session.change_speed(std::pow(1.25, n), pace.now())); },
-             .drop = [this](std::string path) { file.open(std::move(path)); }}),
+             .drop = [this](std::string path) { file.open(std::move(path)); },
+             .click = [this](double x, double y) { click(x, y); }}),
       picture(o.threads, notes, pace, glfwPostEmptyEvent),
       stills(options, notes, pace, glfwPostEmptyEvent),
       file(first, error_is_final(o), std::move(reload), notes, pace, glfwPostEmptyEvent),
+      bodies(session, file, notes, pace, glfwPostEmptyEvent),
       tracks(o.rocket, session, notes, pace, glfwPostEmptyEvent),
       sound(notes, pace) {
     session.editor.words = first.words;
+    if (first.scene) bodies.loaded(first);
     if (!file.waiting()) start_scene();
 }
 
@@ -81,7 +84,16 @@ void Viewer::perform(Command command) {
             if (screen.width() == 0 || file.waiting()) return;  // an icon, or nothing to see
             return stills.add(session, file.path(), session.view(screen.width(), screen.height()));
         case Action::write_path:
-            return file.write(session.editor.path());
+            return file.write(session.editor.path(), bodies.changes());
+        case Action::undo:
+        case Action::redo:
+            if (!bodies.undo(command.action)) notes.tell(session.perform(command, pace.now()));
+            return;
+        case Action::open_text:
+            return bodies.open_text();
+        case Action::approach:
+            if (screen.width() > 0) bodies.approach(session.view(screen.width(), screen.height()));
+            return;
         case Action::stability:
             return picture.toggle_marks();
         case Action::full_screen:
@@ -104,6 +116,20 @@ void Viewer::apply(const TimelineInput& done) {
     if (const auto& change = done.change)
         notes.tell(session.change_key(change->number, change->key, change->merged, pace.now()));
     pace.redraw(3);
+}
+
+void Viewer::apply(const BodyInput& done) {
+    if (done.command) perform(*done.command);
+    bodies.apply(done);
+}
+
+/// Chooses the body at a point of the window.
+void Viewer::click(double x, double y) {
+    const ScreenArea area = screen.area();
+    const bool on_picture = x >= area.x && y >= area.y && x < area.x + area.width && y < area.y + area.height;
+    if (file.waiting() || screen.width() == 0 || !on_picture) return;
+    const View view = session.view(screen.width(), screen.height());
+    bodies.click(view, (x - area.x) * view.width / area.width, (y - area.y) * view.height / area.height);
 }
 
 /// Moves the camera to where it should be now.
@@ -137,9 +163,11 @@ void Viewer::draw() {
     const bool update = picture.take([this](const Fresh& fresh) { screen.upload(fresh); });
     const Overlay over = overlay();
     TimelineInput done;
+    BodyInput on_body;
     screen.draw([&] {
         draw_overlay(over);
         done = panels.draw_timeline(session);
+        on_body = panels.draw_body(bodies.editor(), file.name());
     });
     pace.drawn(began);
     const Refinement& state = picture.state();
@@ -149,7 +177,7 @@ void Viewer::draw() {
     }
     if (options.play && !tracks.wanted() && state.number > 0 && !sound.loading() && !std::exchange(started, true))
         session.perform({Action::pause}, pace.now());
-    apply(done);
+    apply(done), apply(on_body);
     if (update && picture.newest()) tracks.shown();
     if (!update || before > 0) return;
     char text[80];
@@ -180,6 +208,7 @@ void Viewer::take_scene() {
     if (session.replace(loaded->scene, loaded->opened || first))
         notes.announce("the file has another path now, which replaces yours; Ctrl+Z brings yours back");
     session.editor.words = loaded->words;
+    bodies.loaded(*loaded);
     if (first || (options.play && loaded->opened)) {
         start_scene();
     } else {
@@ -245,7 +274,8 @@ Overlay Viewer::overlay() const {
     const std::string work = work_under_way();
     if (!work.empty() && (!panels.quiet || state.number == 0)) overlay.notes.push_back({work});
     if (panels.quiet) return overlay;
-    overlay.reserved = panels.reserved();
+    overlay.reserved = panels.reserved(), overlay.reserved_right = panels.reserved_right();
+    if (!pace.moving()) overlay.silhouette = bodies.lines();
     overlay.help = panels.help, overlay.share = state.share;
     overlay.fault = file.fault(), overlay.fault_title = file.fault_title();
     if (panels.info) overlay.info = info_lines(session, pace, picture);
@@ -279,7 +309,10 @@ int Viewer::run(const std::atomic<bool>& interrupted) {
     while (!closed) {
         sound.follow(session);
         move();
-        if (!file.waiting()) picture.order(session, screen.width(), screen.height());
+        if (!file.waiting() && screen.width() > 0) {
+            bodies.follow(session.view(screen.width(), screen.height()));
+            picture.order(session, screen.width(), screen.height());
+        }
         draw();
         picture.log_finished();
         input.hide_pointer();
@@ -305,6 +338,9 @@ void Viewer::quit() {
     notes.tell(session.end_recording(pace.now()));
     if (!options.play && session.editor.asks())
         return notes.announce("the path is not written: " + file.way_to_keep() + "; Esc again quits");
+    if (!options.play && bodies.asks())
+        return notes.announce("changed numbers are not written: F2 writes them into " + file.name() +
+                              "; Esc again quits");
     stills.finish();
 }
 
@@ -315,6 +351,7 @@ void Viewer::print_paths() {
         log_line("a path that was not written into the file:");
         std::fputs(write_flythrough(path, session.editor.words).c_str(), stdout), std::fflush(stdout);
     }
+    bodies.print_unwritten();
 }
 
 void Viewer::end() {

@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "show/body_tools.h"
 #include "show/session/session.h"
 #include "show/session/view_options.h"
 #include "show/window/input.h"
@@ -39,6 +40,8 @@ class Viewer {
   private:
     void perform(Command command);
     void apply(const TimelineInput& input);
+    void apply(const BodyInput& input);
+    void click(double x, double y);
 
     // The loop
     bool in_motion() const { return session.flight.under_way() || input.active(); }
@@ -71,6 +74,7 @@ class Viewer {
     WindowPicture picture;
     StillRequests stills;
     WatchedScene file;
+    BodyTools bodies;
     TrackEditor tracks;
     SceneSound sound;
     bool started = false;  // the flight of `strahl play`

@@ -48,11 +48,13 @@ shows filled.png
 
 echo "-- a click moves nothing, a drag from elsewhere only by its own length"
 xdotool mousemove --window "$id" 10 10 mousedown 1 mousemove_relative 1 1 mouseup 1
+await 'chosen: body 3, plane, line 5'
+xdotool click 1 # again: nothing is behind it
 xdotool key F11
 await 'finished 800x400'
 still full.png --size 800x400 --depth 2
 shows full.png
-xdotool mousemove --window "$id" 700 300 mousedown 1 mousemove_relative 1 0 mouseup 1 key c
+xdotool mousemove --window "$id" 700 300 mousedown 1 mousemove_relative 1 0 mouseup 1 click 1 key c
 await 'camera copied'
 await 'look_at <0, 0, 0>'
 xdotool key F11

@@ -18,6 +18,7 @@ sed 's/{/{ {/' good.rt >broken.rt
 echo 'int dlclose(void *library) { return !library; }' | cc -shared -fPIC -x c - -o keep.so || exit 77
 export ASAN_OPTIONS=verify_asan_link_order=0:log_path=$work/report UBSAN_OPTIONS=print_stacktrace=1:log_path=$work/report
 export TSAN_OPTIONS=log_path=$work/report:print_suppressions=0:suppressions=$here/races.txt
+export EDITOR=true
 width=96 height=72
 LD_PRELOAD=$PWD/keep.so "$strahl" scene.rt --size ${width}x$height --still-size 64x48 --verbose >log 2>&1 &
 pid=$!
@@ -29,7 +30,7 @@ id=$(xdotool search --pid "$pid" | tail -n 1)
 
 RANDOM=$seed
 keys=(w a s d q e f space p r c h i Tab comma period bracketleft bracketright 1 2 3 shift+1 shift+2 shift+3 F11 F12 ctrl+s
-    shift+w shift+c n v t t x F2 Home End Left Right Prior Next Insert Delete ctrl+z ctrl+y ctrl+n shift+Right Return)
+    shift+w shift+c n v t t x F2 Home End Left Right Prior Next Insert Delete ctrl+z ctrl+y ctrl+n shift+Right Return F4)
 change_file() {
     case $((RANDOM % 8)) in
         0) cp broken.rt new && mv new scene.rt ;;

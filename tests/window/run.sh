@@ -142,7 +142,7 @@ await 'finished 400x300'
 shows larger.png
 
 echo "-- quitting asks about a path that is not written, and waits for stills; a path that the file replaces is printed"
-xdotool key ctrl+s ctrl+s Escape
+xdotool key F12 F12 Escape
 await 'F2 writes it into scene.rt; Esc again quits'
 put "$camera" "$world" "${path//60/50}"
 await 'Ctrl+Z brings yours back'
@@ -156,7 +156,7 @@ count=$(grep -c 'still saved' log)
 echo "-- Esc twice drops them; and a flight from the start"
 start scene.rt --size 200x100 --still-size 8000x6000 --fly --time 5
 grep -q 'flight continues' log || fault "--fly does not fly"
-xdotool key ctrl+s
+xdotool key F12
 await 'still queued'
 xdotool key Escape
 await 'waiting for'

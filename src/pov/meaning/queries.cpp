@@ -1,10 +1,13 @@
 #include "pov/meaning/queries.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
-#include "pov/meaning/nearest_hit.h"
+#include "num/vec_math.h"
 #include "pov/meaning/scene_maker.h"
 #include "scene/overlap.h"
+#include "scene/ray_hits.h"
 
 namespace strahl::pov {
 namespace {
@@ -39,7 +42,17 @@ std::pair<DVec3, DVec3> PovLayer::extent(Interpreter& in, const Thing& object) {
 
 bool PovLayer::trace(Interpreter& in, const Thing& object, const DVec3& from, const DVec3& direction, DVec3& hit,
                      DVec3& normal) {
-    return nearest_hit(bodies_of(in, object), from, direction, hit, normal);
+    constexpr double least = 1e-4, most = 1e7;  // distances, as POV-Ray has them
+    const double size = length(direction);
+    if (!(size > 0)) return false;
+    const Ray<double> ray{from, direction / size, {}};
+    double nearest = most;
+    for (const Primitive& body : bodies_of(in, object))
+        if (const auto hits = ray_hits(body, ray, least, nearest); !hits.empty())
+            nearest = hits[0].t, normal = hits[0].normal;
+    if (nearest == most) return false;
+    hit = from + nearest * ray.direction;
+    return true;
 }
 
 }  // namespace strahl::pov

@@ -26,14 +26,16 @@ constexpr Meaning letters[] = {
     {'F', {Action::play}},        {'P', {Action::add_key}},  {'R', {Action::reset}},  {'V', {Action::fill}},
     {'C', {Action::copy_camera}}, {'H', {Action::help}},     {'I', {Action::info}},   {'X', {Action::stability}},
     {'N', {Action::quiet}},       {'T', {Action::timeline}}, {'K', {Action::record}},
+    {'B', {Action::approach}},
 };
 constexpr Meaning control_letters[] = {
-    {'S', {Action::still}}, {'Z', {Action::undo}}, {'Y', {Action::redo}}, {'N', {Action::clear_path}}};
+    {'S', {Action::write_path}}, {'Z', {Action::undo}}, {'Y', {Action::redo}}, {'N', {Action::clear_path}}};
 /// Keys that are the same in all layouts.
 constexpr Meaning other_keys[] = {
     {GLFW_KEY_ESCAPE, {Action::quit}},         {GLFW_KEY_SPACE, {Action::pause}},
     {GLFW_KEY_F11, {Action::full_screen}},     {GLFW_KEY_F12, {Action::still}},
     {GLFW_KEY_F2, {Action::write_path}},       {GLFW_KEY_HOME, {Action::rewind}},
+    {GLFW_KEY_F4, {Action::open_text}},
     {GLFW_KEY_END, {Action::to_end}},          {GLFW_KEY_LEFT, {Action::step, -1}},
     {GLFW_KEY_RIGHT, {Action::step, 1}},       {GLFW_KEY_PAGE_UP, {Action::to_key, -1}},
     {GLFW_KEY_PAGE_DOWN, {Action::to_key, 1}}, {GLFW_KEY_INSERT, {Action::set_key}},

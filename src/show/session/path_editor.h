@@ -33,6 +33,8 @@ class PathEditor {
     /// May have one key or none: then it cannot be flown yet.
     const Flythrough& path() const { return present; }
     bool changed() const { return present != saved; }
+    /// How many changes can be undone.
+    std::size_t steps() const { return past.size(); }
 
     /// To be called when the scene file was read, with its path. If that has changed it replaces the edited one, which
     /// undo brings back. Returns whether the edited one had changes that were not written.

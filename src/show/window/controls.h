@@ -3,6 +3,7 @@
 #include <array>
 #include <glm/vec2.hpp>
 #include <optional>
+#include <utility>
 
 #include "show/session/camera_control.h"
 #include "show/session/keys.h"
@@ -38,7 +39,8 @@ class Controls {
 class Pointer {
   public:
     void press(double x, double y) { held = true, dragging = false, last = {x, y}; }
-    void release() { held = false; }
+    /// Returns whether that was a click.
+    bool release() { return std::exchange(held, false) && !dragging; }
     /// Returns how far the pointer was dragged by moving here. Less than 4 pixels is a click and not a drag.
     std::optional<glm::dvec2> move(double x, double y);
 

@@ -45,7 +45,8 @@ Input::Input(Screen& screen, const Session& session, Panels& panels, Pace& pace,
 void Input::on_key(int key, int scancode, int action, int modifiers) {
     GLFWwindow* const window = screen.window();
     const bool typing = ImGui::GetIO().WantTextInput;
-    if (panels.with_timeline() && (typing || action == GLFW_RELEASE)) {
+    const bool control = key == GLFW_KEY_LEFT_CONTROL || key == GLFW_KEY_RIGHT_CONTROL;
+    if (panels.take_input() && (typing || control || action == GLFW_RELEASE)) {
         ImGui_ImplGlfw_KeyCallback(window, key, scancode, action, modifiers);
         pace.redraw(after_input);
     }
@@ -83,25 +84,35 @@ void Input::on_character(unsigned character) {
 
 void Input::on_button(int button, int action, int modifiers) {
     ImGui_ImplGlfw_MouseButtonCallback(screen.window(), button, action, modifiers);
-    if (panels.with_timeline()) pace.redraw(after_input);
+    if (panels.take_input()) pace.redraw(after_input);
     if (button != GLFW_MOUSE_BUTTON_LEFT) return;
     double x = 0, y = 0;
     glfwGetCursorPos(screen.window(), &x, &y);
-    action == GLFW_PRESS && !on_panel() ? pointer.press(x, y) : pointer.release();
+    if (action == GLFW_PRESS && !on_panel())
+        pointer.press(x, y);
+    else if (pointer.release() && !fixed)
+        handlers.click(pointed().x, pointed().y);
+}
+
+/// The place of the pointer in pixels.
+glm::dvec2 Input::pointed() const {
+    double x = 0, y = 0;
+    int width = 1, height = 1;
+    glfwGetCursorPos(screen.window(), &x, &y);
+    glfwGetWindowSize(screen.window(), &width, &height);
+    return {x / std::max(width, 1) * screen.width(), y / std::max(height, 1) * screen.height()};
 }
 
 /// Is the pointer on a panel that takes input?
 bool Input::on_panel() const {
-    double x = 0, y = 0;
-    int height = 1;
-    glfwGetCursorPos(screen.window(), &x, &y);
-    glfwGetWindowSize(screen.window(), nullptr, &height);
-    return y / height * screen.height() > screen.height() - panels.reserved();
+    const glm::dvec2 at = pointed();
+    const bool on_list = panels.take_input() && ImGui::GetIO().WantCaptureMouse;  // one that a panel has opened
+    return at.y > screen.height() - panels.reserved() || panels.body_covers(at.x, at.y) || on_list;
 }
 
 void Input::on_cursor(double x, double y) {
     pointer_moved = pace.now();
-    if (panels.with_timeline()) pace.redraw();
+    if (panels.take_input()) pace.redraw();
     const auto way = pointer.move(x, y);
     if (!way || fixed) return;
     // The view turns by the angle that the pointer crosses in the picture.
@@ -112,6 +123,7 @@ void Input::on_cursor(double x, double y) {
 }
 
 void Input::on_wheel(double notches) {
+    if (panels.take_input()) ImGui_ImplGlfw_ScrollCallback(screen.window(), 0, notches), pace.redraw(after_input);
     if (!fixed && !on_panel()) handlers.turn_wheel(notches);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 #include <functional>
+#include <glm/vec2.hpp>
 #include <string>
 
 #include "show/session/session.h"
@@ -17,6 +18,7 @@ struct InputHandlers {
     std::function<void(Command)> perform;
     std::function<void(double)> turn_wheel;  // notches, up is positive
     std::function<void(std::string)> drop;   // the path of a file that is dropped onto the window
+    std::function<void(double, double)> click;  // x and y in pixels of the window
 };
 
 class Input {
@@ -43,6 +45,7 @@ class Input {
     void on_button(int button, int action, int modifiers);
     void on_cursor(double x, double y);
     void on_wheel(double notches);
+    glm::dvec2 pointed() const;
     bool on_panel() const;
 
     Screen& screen;

@@ -122,6 +122,22 @@ ImVec2 draw_notes(const Overlay& overlay, const FreeArea& free, float x) {
     });
 }
 
+/// Draws a line of two colours around the body that is chosen, to be seen on any picture.
+void draw_silhouette(const Overlay& overlay) {
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    const auto place = [&](int x, int y) {
+        const auto along = [](int begin, int size, int at, int pixels) {
+            return static_cast<float>(begin + double(size) * at / pixels);
+        };
+        return ImVec2{along(overlay.area.x, overlay.area.width, x, overlay.width),
+                      along(overlay.area.y, overlay.area.height, y, overlay.height)};
+    };
+    for (const auto& [color, width] : {std::pair(IM_COL32(0, 0, 0, 160), 3.f), {IM_COL32(255, 190, 90, 255), 1.f}})
+        for (const auto& [x0, y0, x1, y1] : overlay.silhouette)
+            list.AddRectFilled({place(x0, y0).x - width / 2, place(x0, y0).y - width / 2},
+                               {place(x1, y1).x + width / 2, place(x1, y1).y + width / 2}, color);
+}
+
 /// Draws pixels that are not proved in blue, and small crosses, because single pixels are hard to see: orange where
 /// only float differs, red where double does too.
 void draw_marks(const Overlay& overlay) {
@@ -145,8 +161,9 @@ void draw_marks(const Overlay& overlay) {
 
 void draw_overlay(const Overlay& overlay) {
     draw_marks(overlay);
+    draw_silhouette(overlay);
     const ImVec2 all = ImGui::GetIO().DisplaySize;
-    FreeArea free{gap(), gap(), all.x - gap(), all.y - overlay.reserved - gap()};
+    FreeArea free{gap(), gap(), all.x - overlay.reserved_right - gap(), all.y - overlay.reserved - gap()};
     if (overlay.help) free.right -= draw_help(free).x;
     const bool info = !overlay.info.empty();
     if (info) free.top += draw_info(overlay, free).y;

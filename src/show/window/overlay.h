@@ -6,6 +6,7 @@
 
 #include "show/session/framing.h"
 #include "show/work/notes.h"
+#include "show/work/silhouette.h"
 #include "show/work/stability_check.h"
 
 namespace strahl {
@@ -24,7 +25,9 @@ struct Overlay {
     Stability marks;            // on pixels of the picture
     int width = 1, height = 1;  // of the picture, in its own pixels
     ScreenArea area;            // where the picture is on the screen
-    float reserved = 0;         // pixels at the bottom of the window that panels must leave free
+    std::vector<SilhouetteLine> silhouette;  // of the body that is chosen, in those pixels
+    // Pixels at the bottom and at the right of the window that panels must leave free.
+    float reserved = 0, reserved_right = 0;
 };
 
 /// To be called while ImGui makes a frame.

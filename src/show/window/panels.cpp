@@ -22,4 +22,9 @@ TimelineInput Panels::draw_timeline(const Session& session) {
                           .running = session.flight.under_way()});
 }
 
+BodyInput Panels::draw_body(const BodyEditor& editor, const std::string& file) {
+    body_shown = editor.choice() && !quiet && !help;  // the help needs the room
+    return body_shown ? body.draw(editor, file, reserved()) : BodyInput{};
+}
+
 }  // namespace strahl

@@ -1,6 +1,9 @@
 // Which panels lie over the picture.
 #pragma once
+#include <string>
+
 #include "show/session/session.h"
+#include "show/window/body_panel.h"
 #include "show/window/timeline.h"
 #include "show/work/pace.h"
 
@@ -16,10 +19,17 @@ class Panels {
 
     /// Draws the timeline, if it is shown, and returns what the user did on it. To be called while ImGui makes a frame.
     TimelineInput draw_timeline(const Session& session);
+    /// Draws the panel of the body that is chosen, if any, and returns what the user did on it. Likewise. `file` is the
+    /// name of the scene.
+    BodyInput draw_body(const BodyEditor& editor, const std::string& file);
+    /// Does that panel cover this point of the window?
+    bool body_covers(double x, double y) const { return body_shown && body.covers(x, y); }
+    /// The width in pixels that it takes at the right of the window.
+    float reserved_right() const { return body_shown ? body.width() : 0; }
     /// The height in pixels of what lies at the bottom of the window.
     float reserved() const { return timeline_shown() ? timeline.height() : 0; }
-    /// Is the timeline open, even if all text is hidden?
-    bool with_timeline() const { return timeline_open; }
+    /// Is there a panel that takes input, even if all text is hidden?
+    bool take_input() const { return timeline_open || body_shown; }
 
     bool help = false, info = false, quiet;
 
@@ -29,6 +39,8 @@ class Panels {
     Pace& pace;
     bool timeline_open = false;
     Timeline timeline;
+    bool body_shown = false;
+    BodyPanel body;
 };
 
 }  // namespace strahl

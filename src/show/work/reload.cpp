@@ -15,12 +15,15 @@
 #include "files/regular_file.h"
 #include "files/utf8.h"
 #include "image/pixels.h"
+#include "show/session/edited_text.h"
 #include "text/edit_path.h"
 #include "text/reading/tracks_file.h"
 #include "trace/tracer.h"
 
 namespace strahl {
 namespace {
+
+constexpr std::size_t most_text = 16 << 20;  // bytes of a text whose numbers can be changed in the window
 
 /// All zero, unless it is a regular file: reading another one again would take something else from it.
 FileStamp stamp_of(const std::string& path) {
@@ -36,7 +39,11 @@ Loaded load(const std::string& path, const std::string& text, bool opened) try {
         for (const std::string& note : read.notes) std::cerr << "strahl: warning: " << printable(note) << '\n';
     auto scene = std::make_shared<const Scene>(std::move(read.scene));
     const EyeWords words = is_pov(path) ? EyeWords{} : eye_words(text);
-    return {.path = path, .scene = std::move(scene), .opened = opened, .words = words};
+    return {.path = path,
+            .scene = std::move(scene),
+            .opened = opened,
+            .words = words,
+            .text = is_pov(path) || text.size() > most_text ? std::string() : text};
 } catch (const FileError& error) {
     return {.path = path, .fault = error.what(), .opened = opened};
 }
@@ -63,9 +70,9 @@ struct Reload::Desk {
     std::condition_variable wake, changed;  // wake: there is something to do; changed: something is done
     bool quit = false, ended = false, left = false;
     bool away = false, writing = false;  // away: in a file that may give no answer
-    std::optional<std::string> to_open;
+    std::optional<std::string> to_open, to_show;
     std::vector<Request> to_write;
-    std::optional<Loaded> result;
+    std::optional<Loaded> result, shown;
     std::vector<Written> written;
     std::function<void()> notify;
 };
@@ -103,6 +110,7 @@ class Reload::FileThread {
         answer([&] { return write_file(file, content), true; });
     }
     void tell(Loaded loaded);
+    void show_text(const std::string& changed);
     void notify();
     void open_file(const std::string& file, bool first);
     void check_file();
@@ -156,15 +164,26 @@ std::optional<Loaded> Reload::take(double seconds) {
     return std::exchange(desk->result, std::nullopt);
 }
 
-void Reload::write(std::optional<Flythrough> flythrough, bool anyway) {
+void Reload::show(std::string text) {
     std::lock_guard lock(desk->mutex);
-    desk->to_write.push_back({std::move(flythrough), anyway});
+    desk->to_show = std::move(text);
+    desk->wake.notify_one();
+}
+
+std::optional<Loaded> Reload::take_shown() {
+    std::lock_guard lock(desk->mutex);
+    return std::exchange(desk->shown, std::nullopt);
+}
+
+void Reload::write(std::optional<Flythrough> flythrough, ChangedText changes, bool anyway) {
+    std::lock_guard lock(desk->mutex);
+    desk->to_write.push_back({std::move(flythrough), std::move(changes), anyway});
     desk->wake.notify_one();
 }
 
 void Reload::write(std::vector<Track> tracks) {
     std::lock_guard lock(desk->mutex);
-    desk->to_write.push_back({{}, true, std::move(tracks)});
+    desk->to_write.push_back({{}, {}, true, std::move(tracks)});
     desk->wake.notify_one();
 }
 
@@ -179,15 +198,18 @@ std::optional<Written> Reload::take_written() {
 void Reload::FileThread::run() {
     open_file(path, true);
     while (true) {
-        std::optional<std::string> other;
+        std::optional<std::string> other, changed;
         std::vector<Request> requests;
         bool quit;
         {
             std::unique_lock lock(desk->mutex);
             desk->writing = false;
             desk->wake.wait_for(lock, std::chrono::milliseconds(200),
-                                [this] { return desk->quit || desk->to_open || !desk->to_write.empty(); });
+                                [this] {
+                                    return desk->quit || desk->to_open || desk->to_show || !desk->to_write.empty();
+                                });
             other = std::exchange(desk->to_open, std::nullopt), requests = std::exchange(desk->to_write, {});
+            changed = std::exchange(desk->to_show, std::nullopt);
             desk->writing = !requests.empty(), quit = desk->quit;
         }
         for (const Request& request : requests) {  // before the window closes, too
@@ -198,7 +220,8 @@ void Reload::FileThread::run() {
         if (quit) return;
         if (!requests.empty()) notify();
         if (other) open_file(*other, false);
-        if (requests.empty() && !other) check_file();
+        if (changed) show_text(*changed);
+        if (requests.empty() && !other && !changed) check_file();
     }
 }
 
@@ -207,6 +230,15 @@ void Reload::FileThread::tell(Loaded loaded) {
         std::lock_guard lock(desk->mutex);
         desk->result = std::move(loaded);
         desk->changed.notify_all();
+    }
+    notify();
+}
+
+void Reload::FileThread::show_text(const std::string& changed) {
+    Loaded loaded = load(path, changed, false);
+    {
+        std::lock_guard lock(desk->mutex);
+        desk->shown = std::move(loaded);
     }
     notify();
 }
@@ -247,16 +279,22 @@ void Reload::FileThread::check_file() {
 }
 
 Written Reload::FileThread::write_path(const Request& request) try {
+    const bool numbers = request.changes.text != request.changes.in_file;
     if (path == "-") return {.fault = "the scene came from standard input; Shift+C copies the path"};
     if (is_pov(path)) return {.fault = "a scene of POV-Ray cannot hold a path; Shift+C copies it"};
     const std::string content = read(path);
     if (content != text && !request.anyway) return {.file = path, .asks = true};
-    static_cast<void>(scene_for_window(content, path));  // throws: in a text with errors the block cannot be found
-    const std::string changed = with_path(content, request.flythrough);
+    const OpenedScene before = scene_for_window(content, path);  // throws: in texts with errors no block can be found
+    const bool same_path = before.scene.flythrough == request.flythrough;
+    bool lost = false;
+    const std::string merged =
+        numbers ? merged_lines(request.changes.in_file, request.changes.text, content, lost) : content;
+    if (lost) return {.fault = path + " has changed in lines that were changed here; undo, or copy it and reload"};
+    const std::string changed = same_path ? merged : with_path(merged, request.flythrough);
     Loaded loaded = load(path, changed, false);
     if (!loaded.scene || loaded.scene->flythrough != request.flythrough)
-        return {.fault = "the path cannot be written: " + loaded.fault};
-    Written done{.file = path};
+        return {.fault = "the changes cannot be written: " + loaded.fault};
+    Written done{.file = path, .what = !numbers ? "path" : same_path ? "numbers" : "path and numbers"};
     if (content != own_text) write(done.copy = path + "~", content);
     write(path, changed);
     text = own_text = changed;

@@ -1,4 +1,4 @@
-// Reads the scene file again whenever it changes on disk, and writes paths into it.
+// Reads the scene file again whenever it changes on disk, and writes paths and numbers into it.
 #pragma once
 #include <sys/types.h>
 
@@ -35,6 +35,7 @@ struct Loaded {
     std::string fault{};                   // the message of the error
     bool opened = false;                   // it is a newly opened file
     EyeWords words{};                      // those of its camera
+    std::string text{};                    // of the file; empty if it is a scene of POV-Ray or larger than 16 MB
 };
 
 /// The result of writing a path into the scene file, or tracks into the file beside it.
@@ -43,6 +44,12 @@ struct Written {
     std::string copy{};   // the name of a copy of the file as it was, if one was made
     bool asks = false;    // nothing was written, because others have changed the file since it was read
     std::string fault{};  // the reason if nothing was written
+    std::string what{};   // of the scene was written: "path", "numbers" or "path and numbers"
+};
+
+/// The text of the scene file with changes that are not in the file yet.
+struct ChangedText {
+    std::string in_file, text;  // as it was read, and with the changes, which add or remove no line
 };
 
 /// Checks the file a few times a second, in a thread of its own. Waits until a file is completely written. The thread
@@ -63,10 +70,15 @@ class Reload {
     /// Returns what was read last, if it was not taken yet. Waits for it this long.
     std::optional<Loaded> take(double seconds = 0);
 
-    /// Replaces the flythrough in the watched file and leaves the rest as it is. A file that others have changed since
-    /// it was read is only written if `anyway`, a file with an error never. FILE~ becomes a copy of the file as it was,
-    /// unless Strahl wrote that.
-    void write(std::optional<Flythrough> flythrough, bool anyway);
+    /// Reads this text as if the file had it, without writing it. Texts that were not read yet are skipped.
+    void show(std::string text);
+    /// Returns the result of that which was read last, if it was not taken yet.
+    std::optional<Loaded> take_shown();
+
+    /// Replaces the flythrough and the changed lines in the watched file and leaves the rest as it is. A file that
+    /// others have changed since it was read is only written if `anyway`; a file with an error never, nor one in which
+    /// others have changed the same lines. FILE~ becomes a copy of the file as it was, unless Strahl wrote that.
+    void write(std::optional<Flythrough> flythrough, ChangedText changes, bool anyway);
     /// Writes these tracks into the file beside the watched one, with a copy likewise.
     void write(std::vector<Track> tracks);
     std::optional<Written> take_written();
@@ -74,6 +86,7 @@ class Reload {
   private:
     struct Request {
         std::optional<Flythrough> flythrough;
+        ChangedText changes;
         bool anyway;
         std::optional<std::vector<Track>> tracks{};  // instead of the flythrough
     };

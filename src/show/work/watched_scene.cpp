@@ -38,10 +38,10 @@ std::optional<Loaded> WatchedScene::take() {
     return std::nullopt;
 }
 
-void WatchedScene::write(const Flythrough& flythrough) {
+void WatchedScene::write(const Flythrough& flythrough, ChangedText changes) {
     if (flythrough.keys.size() == 1) return notes.note("a path needs two keys");
     const bool confirmed = pace.now() < std::exchange(write_until, -1);
-    reload->write(flythrough.keys.empty() ? std::nullopt : std::optional(flythrough), confirmed);
+    reload->write(flythrough.keys.empty() ? std::nullopt : std::optional(flythrough), std::move(changes), confirmed);
 }
 
 void WatchedScene::write(const std::vector<Track>& tracks) {
@@ -54,11 +54,12 @@ void WatchedScene::tell_written() {
     const std::string copy = written->copy.empty() ? "" : "; the file as it was is " + written->copy;
     if (written->asks) {
         write_until = pace.now() + 10;
-        notes.announce(file + " has changed since it was read; F2 again writes the path into it");
+        notes.announce(file + " has changed since it was read; F2 again writes into it");
     } else if (!written->fault.empty()) {
         notes.fail(written->fault);
     } else {
-        notes.announce((written->file == file ? "path written into " : "tracks saved: ") + written->file + copy);
+        notes.announce((written->file == file ? written->what + " written into " : "tracks saved: ") + written->file +
+                       copy);
     }
 }
 

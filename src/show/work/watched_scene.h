@@ -26,13 +26,17 @@ class WatchedScene {
     bool reading() const { return awaited && error.empty(); }
     /// Opens another file, unless it has an error.
     void open(std::string path) { reload->open(std::move(path)); }
+    /// Reads this text in place of the file's.
+    void show(const std::string& text) { reload->show(text); }
+    /// Returns what was read of it since the last call.
+    std::optional<Loaded> take_shown() { return reload->take_shown(); }
     /// Returns a scene that was read since the last call. Shows the error if there is one instead, or throws it as
     /// FileError.
     std::optional<Loaded> take();
 
-    /// Writes this path into the file, or removes the one in it if it has no keys. A file that others have changed is
-    /// only written if this is asked for again within 10 seconds.
-    void write(const Flythrough& flythrough);
+    /// Writes this path into the file, or removes the one in it if it has no keys; and the changed lines. A file that
+    /// others have changed is only written if this is asked for again within 10 seconds.
+    void write(const Flythrough& flythrough, ChangedText changes);
     /// Writes these tracks into the file beside the scene's. Nothing while there is no scene.
     void write(const std::vector<Track>& tracks);
     /// Tells the user about what was written since the last call.

@@ -202,7 +202,7 @@ TEST_CASE("a path is written into the scene file, of which a copy stays; a file 
     REQUIRE(reload.take(10));
     std::optional<Written> written;
     const auto write = [&](std::optional<Flythrough> flythrough, bool anyway) {
-        reload.write(std::move(flythrough), anyway);
+        reload.write(std::move(flythrough), {}, anyway);
         return soon([&] { return (written = reload.take_written()).has_value(); });
     };
     Flythrough flight{4, false, {{0, {1, 2, 3}, {0, 0, 0}, {}, {}}, {4, {3, 2, 1}, {0, 0, 0}, {}, {}}}};

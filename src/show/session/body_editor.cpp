@@ -1,0 +1,73 @@
+#include "show/session/body_editor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "num/vec_math.h"
+
+namespace strahl {
+
+Ray<double> ray_at(const View& view, double x, double y) {
+    const CameraFrame frame = frame_of(view.camera, double(view.width) / view.height);
+    const double right = (2 * x / view.width - 1) * frame.tan_x, down = (2 * y / view.height - 1) * frame.tan_y;
+    return {view.camera.position, normalize(frame.forward + right * frame.right + down * frame.down), -1};
+}
+
+Camera approached(const Camera& camera, const Box& box, double aspect) {
+    const CameraFrame frame = frame_of(camera, aspect);
+    const double radius = length(box.high - box.low) / 2, angle = std::atan(std::min(frame.tan_x, frame.tan_y));
+    Camera moved = camera;
+    moved.look_at = box.centre();
+    moved.position = moved.look_at - 1.2 * radius / std::sin(angle) * frame.forward;
+    return moved;
+}
+
+void BodyEditor::click(const Scene& now, const Scene& scene, const View& view, double x, double y) {
+    const Ray<double> ray = ray_at(view, x, y);
+    const double same_point = 3 * length(ray_at(view, x + 1, y).direction - ray.direction);
+    const bool again = chosen && clicked && clicked->origin == ray.origin &&
+                       length(clicked->direction - ray.direction) < same_point;
+    const Ray<double> along = again ? *clicked : ray;
+    const std::vector<BodyHit> met = bodies_along(now, along);
+    const int number = again ? chosen->behind + 1 : 0;
+    chosen.reset(), clicked = along, allowed.clear(), description = {};
+    if (number >= std::ssize(met)) return;
+    const BodyHit& at = met[std::size_t(number)];
+    chosen = {at, number, along.origin + at.hit.t * along.direction};
+    look(scene);
+}
+
+void BodyEditor::look(const Scene& scene) {
+    if (!chosen) return;
+    if (chosen->at.body >= std::ssize(scene.primitives)) return close();
+    const std::string before = description.kind;
+    description = body_text(edited.text(), scene, chosen->at.body, chosen->at.hit.leaf);
+    if (description.kind.empty() || (!before.empty() && description.kind != before)) close();
+}
+
+bool BodyEditor::open_to_change(const BodyValue& value) const {
+    if (!value.fixed.empty()) return false;
+    return value.slices.empty() ? value.own_at > 0 : value.source.empty() || allowed.contains(value.source);
+}
+
+bool BodyEditor::change(const BodyValue& value, std::span<const double> numbers, bool merged, std::size_t others) {
+    if (!open_to_change(value)) return false;
+    std::vector<double> within(numbers.begin(), numbers.end());
+    for (double& number : within) {
+        if (!(number == number)) return false;
+        number = std::clamp(number, value.range.low, value.range.high);
+    }
+    const std::string before = edited.text();
+    edited.change(value.slices.empty() ? with_own_value(before, value, within) : with_numbers(before, value, within),
+                  merged, others);
+    return edited.text() != before;
+}
+
+bool BodyEditor::make_own(const BodyValue& value, std::size_t others) {
+    if (value.own_at == 0 || !value.fixed.empty()) return false;
+    edited.change(with_own_value(edited.text(), value, value.numbers), false, others);
+    return true;
+}
+
+}  // namespace strahl

@@ -1,0 +1,143 @@
+#include "show/window/body_panel.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+namespace strahl {
+namespace {
+
+constexpr ImGuiWindowFlags panel_flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                                         ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
+                                         ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoSavedSettings |
+                                         ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing;
+constexpr const char* digits = "%.4g";
+
+/// Draws a slider for a share, else numbers that are dragged or typed. Returns whether they have changed.
+bool draw_numbers(const BodyValue& value, std::vector<double>& numbers) {
+    const NumberRange& range = value.range;
+    if (range.low == 0 && range.high == 1)
+        return ImGui::SliderScalar("##slider", ImGuiDataType_Double, numbers.data(), &range.low, &range.high, "%.3f",
+                                   ImGuiSliderFlags_AlwaysClamp);
+    double largest = 0;
+    for (const double number : numbers) largest = std::max(largest, std::abs(number));
+    const float speed = range.whole ? .1f : static_cast<float>(std::clamp(largest, .1, 1e6) / 200);
+    const bool limited = std::isfinite(range.high - range.low);
+    return ImGui::DragScalarN("##numbers", ImGuiDataType_Double, numbers.data(), static_cast<int>(numbers.size()),
+                              speed, limited ? &range.low : nullptr, limited ? &range.high : nullptr,
+                              range.whole ? "%.0f" : digits, ImGuiSliderFlags_AlwaysClamp);
+}
+
+/// Draws a colour as a field that opens a list of colours. Its numbers may be above 1.
+bool draw_color(std::vector<double>& numbers) {
+    std::array<float, 3> shown;
+    for (std::size_t i = 0; i < 3; ++i) shown[i] = static_cast<float>(numbers[i]);
+    const std::array<float, 3> before = shown;
+    ImGui::ColorEdit3("##color", shown.data(),
+                      ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR | ImGuiColorEditFlags_NoOptions);
+    for (std::size_t i = 0; i < 3; ++i)
+        if (shown[i] != before[i]) numbers[i] = std::round(1000. * static_cast<double>(shown[i])) / 1000;
+    return shown != before;
+}
+
+void dim_text(const std::string& text) {
+    ImGui::PushStyleColor(ImGuiCol_Text, {1, 1, 1, .6f});
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopStyleColor();
+}
+
+/// Draws a button to the right of what was drawn last. Returns whether it was pressed.
+bool button_beside(const char* label, const char* help) {
+    ImGui::SameLine();
+    const bool pressed = ImGui::SmallButton(label);
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", help);
+    return pressed;
+}
+
+std::string numbers_text(const std::vector<double>& numbers) {
+    std::string text;
+    for (const double number : numbers) {
+        char digit[32];
+        std::snprintf(digit, sizeof digit, digits, number);
+        text.append(text.empty() ? "" : ", ").append(digit);
+    }
+    return text;
+}
+
+}  // namespace
+
+BodyInput BodyPanel::draw(const BodyEditor& editor, const std::string& file, float reserved) {
+    BodyInput input;
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    const float edge = ImGui::GetFontSize() * .8f;
+    ImGui::SetNextWindowPos({size.x - edge, edge}, ImGuiCond_Always, {1, 0});
+    const float most = std::max(size.y - reserved - 2 * edge, 1.f);
+    ImGui::SetNextWindowSizeConstraints({0, 0}, {std::max(size.x - 2 * edge, 1.f), most});
+    ImGui::Begin("body", nullptr, panel_flags);
+    const BodyText& body = editor.body();
+    const BodyEditor::Chosen& chosen = *editor.choice();
+    ImGui::Text("body %d: %s", chosen.at.body + 1, body.kind.c_str());
+    if (body.line > 0) dim_text(file + ", line " + std::to_string(body.line));
+    char text[120];
+    std::snprintf(text, sizeof text, "%.5g away, at <%.4g, %.4g, %.4g>", chosen.at.hit.t, chosen.point.x,
+                  chosen.point.y, chosen.point.z);
+    dim_text(text);
+    std::snprintf(text, sizeof text, "face %d, normal <%.3g, %.3g, %.3g>", chosen.at.hit.face + 1,
+                  chosen.at.hit.normal.x, chosen.at.hit.normal.y, chosen.at.hit.normal.z);
+    dim_text(text);
+    if (body.line > 0 && ImGui::SmallButton("open text")) input.command = {Action::open_text};
+    if (editor.edited.changed()) {
+        ImGui::SameLine();
+        if (ImGui::SmallButton("write")) input.command = {Action::write_path};
+    }
+    if (body.line > 0) ImGui::SameLine();
+    if (ImGui::SmallButton("close")) input.close = true;
+    ImGui::Separator();
+    for (std::size_t i = 0; i < body.values.size(); ++i) draw_value(editor, i, input);
+    if (!ImGui::IsAnyItemActive()) held = false;
+    const ImVec2 corner = ImGui::GetWindowPos(), own = ImGui::GetWindowSize();
+    left = corner.x, top = corner.y, right = left + own.x, bottom = top + own.y;
+    wide = own.x + edge;
+    ImGui::End();
+    return input;
+}
+
+void BodyPanel::draw_value(const BodyEditor& editor, std::size_t number, BodyInput& input) {
+    const std::vector<BodyValue>& values = editor.body().values;
+    const BodyValue& value = values[number];
+    const float font = ImGui::GetFontSize();
+    const bool open = editor.open_to_change(value), elsewhere = !value.source.empty() && value.source != no_source;
+    ImGui::PushID(static_cast<int>(number));
+    // Values from the same block stand together below its name.
+    if (elsewhere && (number == 0 || values[number - 1].source != value.source)) {
+        dim_text("from " + value.source);
+        if (!open && value.fixed.empty() && button_beside("change", "changes values there, for all that have them"))
+            input.allow = value.source;
+    }
+    if (elsewhere) ImGui::Indent(font / 2);
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(value.name.c_str());
+    if (ImGui::IsItemHovered() && !value.help.empty()) ImGui::SetTooltip("%s", value.help.c_str());
+    ImGui::SameLine(std::max(7 * font, ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x + font / 2));
+    std::vector<double> numbers = value.numbers;
+    if (open) {
+        ImGui::SetNextItemWidth(12 * font);
+        const bool changed = value.color && numbers.size() == 3 ? draw_color(numbers) : draw_numbers(value, numbers);
+        if (changed) input.change = {number, numbers, std::exchange(held, true)};
+        if (value.source == no_source) ImGui::SameLine(), dim_text(value.source);
+    } else {
+        if (value.fixed != "a pattern") ImGui::TextUnformatted(numbers_text(numbers).c_str()), ImGui::SameLine();
+        dim_text(value.fixed);
+    }
+    if (elsewhere && value.fixed.empty() && value.own_at > 0 &&
+        button_beside("own", "gives this body a value of its own"))
+        input.own = number;
+    if (elsewhere) ImGui::Unindent(font / 2);
+    ImGui::PopID();
+}
+
+}  // namespace strahl

@@ -1,0 +1,43 @@
+// The panel of the body that was clicked: what it is, where it stands in the file, and its numbers, which the user
+// changes there.
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "show/session/body_editor.h"
+#include "show/session/keys.h"
+
+namespace strahl {
+
+/// The user's actions on the panel since the last picture. Values are those of BodyEditor::body(), by number.
+struct BodyInput {
+    std::optional<Command> command;
+    bool close = false;
+    struct NewNumbers {
+        std::size_t value;
+        std::vector<double> numbers;
+        bool merged;  // belongs to the same drag as the change before
+    };
+    std::optional<NewNumbers> change;
+    std::optional<std::size_t> own;    // gets a value of the body's own
+    std::optional<std::string> allow;  // changes values in this block
+};
+
+class BodyPanel {
+  public:
+    /// To be called while ImGui makes a frame. Leaves free so many pixels at the bottom of the window.
+    BodyInput draw(const BodyEditor& editor, const std::string& file, float reserved);
+    /// Its width in pixels, with the space beside it.
+    float width() const { return wide; }
+    /// Does it cover this point of the window?
+    bool covers(double x, double y) const { return x >= left && y >= top && x < right && y < bottom; }
+
+  private:
+    void draw_value(const BodyEditor& editor, std::size_t number, BodyInput& input);
+
+    float wide = 0, left = 0, top = 0, right = 0, bottom = 0;
+    bool held = false;  // a value has been changed since the mouse button is down
+};
+
+}  // namespace strahl

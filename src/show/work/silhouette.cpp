@@ -1,0 +1,105 @@
+#include "show/work/silhouette.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "num/thread_pool.h"
+#include "scene/leaves.h"
+#include "trace/tracer.h"
+
+namespace strahl {
+namespace {
+
+constexpr std::size_t most_lines = 4000;  // as many are drawn without delay
+
+/// The scene with nothing but one body, which shines evenly.
+Scene alone(const Scene& scene, int body) {
+    Scene own;
+    own.camera = scene.camera, own.flythrough = scene.flythrough, own.music = scene.music, own.tracks = scene.tracks;
+    own.materials = {Material{.rgb = {1, 1, 1}, .reflection = 0, .diffuse = 0, .ambient = 1, .specular = 0}};
+    Primitive primitive = scene.primitives[std::size_t(body)];
+    const auto paint = [](const auto& self, Primitive& part) -> void {
+        part.material = 0;
+        change_parts(part, [&](Primitive& inner) { self(self, inner); });
+    };
+    paint(paint, primitive);
+    own.primitives = {std::move(primitive)};
+    return own;
+}
+
+std::vector<SilhouetteLine> traced_lines(const Scene& scene, View view) {
+    ThreadPool pool(1);
+    Tracer tracer(scene, Precision::float32);
+    view.depth = 1, view.error = 0;
+    // Of an uneven body, such as a tree, the lines are those of a coarser picture.
+    for (int step = 1;; step *= 2) {
+        const Lattice lattice{.x = step / 2,
+                              .y = step / 2,
+                              .columns = std::max(1, view.width / step),
+                              .rows = std::max(1, view.height / step),
+                              .step_x = step,
+                              .step_y = step};
+        const std::vector<double> rgb = values_of(tracer, view, lattice, pool);
+        std::vector<bool> inside(rgb.size() / 3);
+        for (std::size_t i = 0; i < inside.size(); ++i) inside[i] = rgb[3 * i] > .5;
+        std::vector<SilhouetteLine> lines = lines_around(inside, lattice.columns, lattice.rows);
+        if (lines.size() > most_lines && step < 64) continue;
+        for (SilhouetteLine& line : lines) line.x0 *= step, line.y0 *= step, line.x1 *= step, line.y1 *= step;
+        return lines;
+    }
+}
+
+}  // namespace
+
+std::vector<SilhouetteLine> lines_around(const std::vector<bool>& inside, int width, int height) {
+    std::vector<SilhouetteLine> lines;
+    const auto at = [&](int x, int y) { return inside[std::size_t(y) * width + x]; };
+    for (int y = 1; y < height; ++y)
+        for (int x = 0, begin = -1; x <= width; ++x) {
+            const bool border = x < width && at(x, y - 1) != at(x, y);
+            if (border && begin < 0) begin = x;
+            if (!border && begin >= 0) lines.push_back({std::exchange(begin, -1), y, x, y});
+        }
+    for (int x = 1; x < width; ++x)
+        for (int y = 0, begin = -1; y <= height; ++y) {
+            const bool border = y < height && at(x - 1, y) != at(x, y);
+            if (border && begin < 0) begin = y;
+            if (!border && begin >= 0) lines.push_back({x, std::exchange(begin, -1), x, y});
+        }
+    return lines;
+}
+
+Silhouette::~Silhouette() {
+    if (thread.joinable()) thread.join();
+}
+
+void Silhouette::want(std::shared_ptr<const Scene> scene, int body, const View& view) {
+    const View& last = wanted.view;
+    if (wanted.scene == scene && wanted.body == body && last.camera == view.camera && last.width == view.width &&
+        last.height == view.height && last.time == view.time && last.tracks == view.tracks)
+        return;
+    wanted = {std::move(scene), body, view}, waiting = true;
+    if (!thread.joinable()) start();
+}
+
+void Silhouette::start() {
+    waiting = false;
+    thread = std::thread([this, subject = wanted] {
+        traced = traced_lines(alone(*subject.scene, subject.body), subject.view);
+        ready = true;
+        notify();
+    });
+}
+
+void Silhouette::drop() { wanted = {}, waiting = false, found.clear(); }
+
+bool Silhouette::take() {
+    if (!ready) return false;
+    thread.join();
+    ready = false;
+    if (wanted.scene) found = std::exchange(traced, {});
+    if (waiting) start();
+    return true;
+}
+
+}  // namespace strahl

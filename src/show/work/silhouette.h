@@ -1,0 +1,54 @@
+// Finds the silhouette of a body in the picture, in the background: by tracing it alone.
+#pragma once
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "scene/scene.h"
+#include "trace/world/view.h"
+
+namespace strahl {
+
+/// A line between pixels that show the body and pixels that do not, in pixels from the picture's top left corner.
+struct SilhouetteLine {
+    int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+    bool operator==(const SilhouetteLine&) const = default;
+};
+/// Returns the lines around what is true in a picture, each as long as it can be.
+std::vector<SilhouetteLine> lines_around(const std::vector<bool>& inside, int width, int height);
+
+class Silhouette {
+  public:
+    /// `notify` is called from another thread when there is something to take.
+    explicit Silhouette(std::function<void()> notify) : notify(std::move(notify)) {}
+    ~Silhouette();
+    Silhouette(const Silhouette&) = delete;
+
+    /// Asks for the silhouette of a body. Nothing is done if it is the one that was asked for last.
+    void want(std::shared_ptr<const Scene> scene, int body, const View& view);
+    /// Forgets the body.
+    void drop();
+    /// To be called regularly. Returns true when the lines have changed.
+    bool take();
+    const std::vector<SilhouetteLine>& lines() const { return found; }
+
+  private:
+    struct Subject {
+        std::shared_ptr<const Scene> scene;
+        int body = 0;
+        View view;
+    };
+    void start();
+
+    const std::function<void()> notify;
+    Subject wanted;
+    bool waiting = false;  // `wanted` has not been started
+    std::atomic<bool> ready = false;
+    std::vector<SilhouetteLine> traced, found;  // the first is the thread's
+    std::thread thread;
+};
+
+}  // namespace strahl

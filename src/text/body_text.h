@@ -1,0 +1,52 @@
+// The values of a body as a scene's text gives them: its shape, its place and its material; and changes of them that
+// leave the rest of the text as it is.
+#pragma once
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/scene.h"
+#include "text/reading/parameter.h"
+
+namespace strahl {
+
+/// The source of values that no block gives.
+inline constexpr std::string_view no_source = "default";
+
+/// A value: one number, or a vector or a colour of three.
+struct BodyValue {
+    std::string name, help;
+    NumberRange range = anything;
+    bool color = false;
+    std::vector<double> numbers{};
+    struct NumberSlice {
+        std::size_t begin = 0, size = 0;
+    };
+    std::vector<NumberSlice> slices{};  // of the numbers in the text; none if they do not stand there
+    /// The block that gives them if it is not the body's own: "defaultmaterial, line 3", or `no_source`.
+    std::string source{};
+    std::string fixed{};  // why the value cannot be changed, or ""
+    /// Where a value of the body's own would be added, and the text around it; 0 if there is no such place.
+    std::size_t own_at = 0;
+    std::string before{}, after{};
+};
+
+struct BodyText {
+    std::string kind;    // "sphere", or "sphere in difference"
+    std::size_t at = 0;  // where its first word stands in the text
+    int line = 0;        // of that, counted from 1; 0 if there is no text of it
+    std::vector<BodyValue> values;
+};
+/// Returns what a text without errors says of a leaf of a body; `scene` is that of the text. If the text is empty, as
+/// for scenes that come from elsewhere, values cannot be changed.
+BodyText body_text(const std::string& text, const Scene& scene, int body, int leaf);
+
+/// Returns the text with other numbers in place of those of a value whose `slices` it has. Numbers that are the same
+/// stay as they are written.
+std::string with_numbers(const std::string& text, const BodyValue& value, std::span<const double> numbers);
+/// Returns the text in which the body has a value of its own. Adds no lines. `value` has a place `own_at`.
+std::string with_own_value(const std::string& text, const BodyValue& value, std::span<const double> numbers);
+
+}  // namespace strahl

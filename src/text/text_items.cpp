@@ -1,0 +1,84 @@
+#include "text/text_items.h"
+
+#include <algorithm>
+
+#include "scene/error.h"
+#include "text/blocks/blocks.h"
+#include "text/reading/lexer.h"
+
+namespace strahl {
+namespace {
+
+constexpr int most_depth = 64;  // of blocks in blocks; more than any text without errors has
+
+/// Reads numbers, vectors, names in quotes and the word `track` into an item, until something else comes.
+void read_values(Lexer& lexer, TextItem& item) {
+    while (true) {
+        const char c = lexer.peek();
+        if (c == '"') {
+            lexer.quotation("a name");
+        } else if (c == '<' || c == '>' || c == ',') {
+            lexer.accept(c);
+        } else if (lexer.at_value()) {
+            item.numbers.push_back(lexer.number("", "").at);
+        } else if (c == 't') {
+            const std::string_view word = lexer.word();
+            if (word != "track") return lexer.rewind(word);
+            item.tracked = true;
+        } else {
+            return;
+        }
+    }
+}
+
+/// Reads the next item. Throws ParseAbort or FileError where no item can be.
+TextItem read_item(Lexer& lexer, int depth) {
+    TextItem item;
+    item.word = lexer.word();
+    if (item.word.empty() || depth > most_depth) throw ParseAbort{};
+    const bool defines = item.word == "define";
+    if (defines || item.word == "material" || item.word == "defaultmaterial") item.name = lexer.word();
+    if (defines) {
+        item.items.push_back(read_item(lexer, depth + 1));
+        return item;
+    }
+    read_values(lexer, item);
+    if (!lexer.accept('{')) return item;
+    read_values(lexer, item);
+    while (lexer.peek() != '}') item.items.push_back(read_item(lexer, depth + 1));
+    item.end = lexer.token();
+    lexer.accept('}');
+    return item;
+}
+
+}  // namespace
+
+const TextItem* TextItem::item(std::string_view item_word) const {
+    const auto found = std::ranges::find(items, item_word, &TextItem::word);
+    return found == items.end() ? nullptr : &*found;
+}
+
+bool is_body_word(std::string_view word) { return contains(body_words, word); }
+
+BodyItems items_of_body(std::string_view text, int number) try {
+    if (constexpr std::string_view mark = "\xEF\xBB\xBF"; text.starts_with(mark)) text.remove_prefix(mark.size());
+    Diagnostics diagnostics(text, "");
+    Lexer lexer(text, diagnostics);
+    BodyItems found;
+    while (!lexer.at_end()) {
+        TextItem item = read_item(lexer, 0);
+        if (item.word == "define")
+            found.definitions.emplace(item.name, std::move(item));
+        else if (item.word == "defaultmaterial")
+            found.defaults.push_back(std::move(item));
+        else if ((is_body_word(item.word) || found.definitions.contains(item.word)) && number-- == 0)
+            return found.body = std::move(item), found;
+    }
+    return {};
+} catch (const ParseAbort&) {
+    return {};
+} catch (const FileError&) {
+    return {};
+}
+
+}  // namespace strahl

@@ -1,0 +1,34 @@
+// The words of a scene's text with what belongs to each, and where that stands: for changing numbers in place.
+#pragma once
+#include <map>
+#include <string_view>
+#include <vector>
+
+namespace strahl {
+
+/// A word of the language with what follows it, as slices of the text.
+struct TextItem {
+    std::string_view word;
+    std::string_view name;                  // that follows `define` or a word for materials; empty if there is none
+    std::vector<std::string_view> numbers;  // one after the other, also those of vectors; of a block those before words
+    std::vector<TextItem> items;            // of its block; of `define` what it names
+    std::string_view end;                   // the closing brace; empty if there is no block
+    bool tracked = false;                   // a number follows a track
+    /// Returns the first item with this word, or null.
+    const TextItem* item(std::string_view item_word) const;
+};
+
+/// The text of one body of the top level, and what applies to it.
+struct BodyItems {
+    TextItem body;  // without a word if there is no such body
+    std::map<std::string_view, TextItem> definitions;
+    std::vector<TextItem> defaults;  // `defaultmaterial`, in the order of the text
+};
+/// Finds the body with this number among those of the top level, counted from 0, in a text without errors; in others
+/// perhaps none. The slices are of `text`.
+BodyItems items_of_body(std::string_view text, int number);
+
+/// Is this the word of a kind of body?
+bool is_body_word(std::string_view word);
+
+}  // namespace strahl

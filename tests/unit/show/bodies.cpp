@@ -1,0 +1,231 @@
+// Choosing bodies by a click, and changing their numbers, without a window.
+#include <doctest/doctest.h>
+
+#include <atomic>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "num/vec_math.h"
+#include "scene/leaves.h"
+#include "show/external_editor.h"
+#include "show/session/body_editor.h"
+#include "show/work/silhouette.h"
+#include "tests/unit/show/show_scene.h"
+#include "trace/tracer.h"
+
+using namespace strahl;
+
+namespace {
+
+View shown_view(const Scene& scene) { return {.camera = scene.camera, .width = 160, .height = 120}; }
+
+std::size_t number_of(const BodyEditor& editor, const std::string& name) {
+    for (std::size_t i = 0; i < editor.body().values.size(); ++i)
+        if (editor.body().values[i].name == name) return i;
+    FAIL("no value " << name);
+    return 0;
+}
+const BodyValue& value_of(const BodyEditor& editor, const std::string& name) {
+    return editor.body().values[number_of(editor, name)];
+}
+
+}  // namespace
+
+TEST_CASE("a click chooses the body that is seen there; again, the one behind it") {
+    const auto scene = shown_scene();
+    const View view = shown_view(*scene);
+    BodyEditor editor;
+    editor.open(scene_text);
+    editor.click(*scene, *scene, view, 80, 50);
+    REQUIRE(editor.choice());
+    CHECK(editor.choice()->at.body == 0);
+    CHECK(editor.body().kind == "sphere");
+    CHECK(editor.body().line == 4);
+    CHECK(std::abs(length(editor.choice()->point - DVec3(0, 0, 2)) - 2) < 1e-9);
+    CHECK(dot_product(editor.choice()->at.hit.normal, editor.choice()->point - DVec3(0, 0, 2)) > 1.9);
+    editor.click(*scene, *scene, view, 81, 50);
+    CHECK(editor.body().kind == "plane");
+    editor.click(*scene, *scene, view, 80, 50);
+    CHECK(!editor.choice());
+    editor.click(*scene, *scene, view, 80, 50);
+    CHECK(editor.body().kind == "sphere");
+    editor.click(*scene, *scene, view, 2, 100);
+    CHECK(editor.body().kind == "plane");
+    Camera up = view.camera;
+    up.look_at = up.position + DVec3(0, .1, 5);
+    editor.click(*scene, *scene, {.camera = up, .width = 160, .height = 120}, 80, 60);
+    CHECK(!editor.choice());
+}
+
+TEST_CASE("the camera moves to where a body fills the picture, and looks into the same direction") {
+    const auto scene = shown_scene();
+    const Camera near = approached(scene->camera, {{1, 2, 3}, {2, 4, 3.5}}, 4. / 3);
+    CHECK(near.look_at == DVec3(1.5, 3, 3.25));
+    const DVec3 before = normalize(scene->camera.look_at - scene->camera.position);
+    CHECK(length(normalize(near.look_at - near.position) - before) < 1e-12);
+    View view = shown_view(*scene);
+    view.camera = near;
+    // A ball around it is in the picture, and not far from its edges.
+    const auto around = shown_scene("sphere { <1.5,3,3.25>, 1.1456 }");
+    CHECK(bodies_along(*around, ray_at(view, 80, 12))[0].body == 3);
+    for (const BodyHit& met : bodies_along(*around, ray_at(view, 80, 4))) CHECK(met.body != 3);
+}
+
+TEST_CASE("what is clicked is what is traced") {
+    const auto scene = shown_scene(
+        "difference { box { <-4,-4,0>, <-1,-1,3> } sphere { <-2,-4,2>, 1.5 } cylinder { <-3,-3,-1>, <-3,-3,9>, .5 } }"
+        "torus { <3,3,1>, <0,0,1>, 2, .5 } cone { <4,-4,0>, 1, <4,-4,3>, .2 rotate <0,0,20> }");
+    View view = shown_view(*scene);
+    view.depth = 1;
+    Scene painted = *scene;
+    painted.lights.clear(), painted.materials.clear();
+    for (std::size_t i = 0; i < painted.primitives.size(); ++i) {
+        painted.materials.push_back({.rgb = {double(i + 1) / 8, 0, 0}, .reflection = 0, .ambient = 1});
+        painted.primitives[i].material = static_cast<int>(i);
+        change_parts(painted.primitives[i], [i](Primitive& part) { part.material = static_cast<int>(i); });
+    }
+    const Frame frame = render(painted, view);
+    int wrong = 0;
+    for (int y = 0; y < view.height; ++y)
+        for (int x = 0; x < view.width; ++x) {
+            const std::vector<BodyHit> met = bodies_along(*scene, ray_at(view, x + .5, y + .5));
+            const double seen = 8 * frame.rgb[std::size_t(3 * (y * view.width + x))];
+            wrong += std::lround(seen) != (met.empty() ? 0 : met[0].body + 1);
+        }
+    CHECK(wrong == 0);
+}
+
+TEST_CASE("a number follows the panel, within its range, and undo takes back a whole drag") {
+    const auto scene = shown_scene();
+    BodyEditor editor;
+    editor.open(scene_text);
+    editor.click(*scene, *scene, shown_view(*scene), 80, 50);
+    const auto set = [&](const char* name, std::vector<double> numbers, bool merged = false, std::size_t others = 0) {
+        const bool changed = editor.change(value_of(editor, name), numbers, merged, others);
+        editor.look(*scene);
+        return changed;
+    };
+    CHECK(set("radius", {2.5}));
+    CHECK(set("radius", {2.75}, true));
+    CHECK(editor.edited.text().find("sphere { <0,0,2>, 2.75 material") != std::string::npos);
+    CHECK(!set("radius", {2.75}));
+    CHECK(!set("radius", {std::numeric_limits<double>::quiet_NaN()}));
+    CHECK(set("rgb", {1, -5, .2}));
+    CHECK(value_of(editor, "rgb").numbers[1] == 0);
+    CHECK(editor.edited.undo(0));
+    CHECK(editor.edited.undo(0));
+    CHECK(editor.edited.text() == scene_text);
+    CHECK(!editor.edited.undo(0));
+    CHECK(editor.edited.redo(0));
+    editor.look(*scene);
+    CHECK(value_of(editor, "radius").numbers[0] == 2.75);
+    // Changes of the path come in between.
+    CHECK(set("radius", {3}, false, 1));
+    CHECK(!editor.edited.undo(2));
+    CHECK(editor.edited.undo(1));
+    CHECK(!editor.edited.redo(0));
+    editor.look(*scene);
+    // A value that stands elsewhere is not touched before the user has said which is meant.
+    CHECK(editor.open_to_change(value_of(editor, "ior")));  // the default: becomes the body's own
+    CHECK(set("ior", {1.2}));
+    CHECK(set("ior", {1.3}, true));
+    CHECK(editor.edited.text().find("rgb <1,.2,.2>  ior 1.3 }") != std::string::npos);
+}
+
+TEST_CASE("a value of a definition is changed there or for one body, as the user says") {
+    const std::string text =
+        "define red material { rgb <1,0,0> }\n" + scene_text + "sphere { <0,0,2>, 2 material red }\n";
+    const Scene scene = parse_scene(text, "");
+    BodyEditor editor;
+    editor.open(text);
+    const View view = shown_view(scene);
+    for (int i = 0; i < 2; ++i) editor.click(scene, scene, view, 80, 50);  // there are two at the same place
+    REQUIRE(editor.choice()->at.body == 3);
+    const std::size_t rgb = number_of(editor, "rgb");
+    const std::vector<double> green{0, 1, 0};
+    CHECK(!editor.change(editor.body().values[rgb], green, false, 0));
+    CHECK(editor.make_own(editor.body().values[rgb], 0));
+    editor.look(scene);
+    CHECK(editor.change(editor.body().values[rgb], green, false, 0));
+    CHECK(editor.edited.text().find("material red { rgb <0, 1, 0> } }") != std::string::npos);
+    CHECK(editor.edited.undo(0));
+    CHECK(editor.edited.undo(0));
+    editor.look(scene);
+    editor.allow("define red, line 1");
+    CHECK(editor.change(editor.body().values[rgb], green, false, 0));
+    CHECK(editor.edited.text() == std::string(text).replace(text.find("<1,0,0>"), 7, "<0,1,0>"));
+}
+
+TEST_CASE("changes stay when others change other lines of the file, and give way in the same ones") {
+    EditedText edited;
+    edited.open("a\nb\nc\nd\n");
+    edited.change("a\nB\nc\nd\n", false, 0);
+    edited.change("a\nB\nc\nD\n", false, 0);
+    CHECK(!edited.reload("new\na\nb\nc\nd\n"));
+    CHECK(edited.text() == "new\na\nB\nc\nD\n");
+    CHECK(edited.unwritten() == std::vector<std::string>{"3: B", "5: D"});
+    CHECK(edited.undo(0));
+    CHECK(edited.text() == "new\na\nB\nc\nd\n");
+    CHECK(edited.redo(0));
+    CHECK(edited.reload("new\na\ntheirs\nc\nd\n"));
+    CHECK(edited.text() == "new\na\ntheirs\nc\nD\n");
+    CHECK(edited.undo(0));
+    CHECK(!edited.changed());
+    CHECK(!edited.undo(0));  // of a line that is another one now
+    CHECK(edited.redo(0));
+    CHECK(!edited.reload(edited.text()));  // it was written
+    CHECK(!edited.changed());
+    CHECK(edited.undo(0));
+    CHECK(edited.changed());
+    edited.open("path\na\nb\n");
+    edited.change("path\nA\nb\n", false, 0);
+    CHECK(!edited.reload("new path\nA\nb\n"));  // written together with something else
+    CHECK(!edited.changed());
+    CHECK(edited.undo(0));
+    CHECK(edited.text() == "new path\na\nb\n");
+    bool lost = false;
+    CHECK(merged_lines("a\r\nb", "a\r\nB", "x\r\na\r\nb", lost) == "x\r\na\r\nB");
+    CHECK(merged_lines("a\nb", "a\nB", "", lost) == "");
+    CHECK(lost);
+}
+
+TEST_CASE("the lines around a body are those between its pixels and others") {
+    const std::vector<bool> inside{false, true, true, false,  //
+                                   false, true, false, false};
+    CHECK(lines_around(inside, 4, 2) ==
+          std::vector<SilhouetteLine>{{2, 1, 3, 1}, {1, 0, 1, 2}, {2, 1, 2, 2}, {3, 0, 3, 1}});
+    CHECK(lines_around({true}, 1, 1).empty());
+    const auto scene = shown_scene();
+    std::atomic<bool> told = false;
+    Silhouette silhouette([&] { told = true, told.notify_all(); });
+    silhouette.want(scene, 0, shown_view(*scene));
+    told.wait(false);
+    REQUIRE(silhouette.take());
+    CHECK(silhouette.lines().size() > 20);
+    for (const auto& [x0, y0, x1, y1] : silhouette.lines()) {
+        CHECK((x0 > 30 && x1 < 130 && y0 > 5 && y1 < 110));
+        CHECK((x0 == x1) != (y0 == y1));
+    }
+    CHECK(!silhouette.take());
+    silhouette.drop();
+    CHECK(silhouette.lines().empty());
+}
+
+TEST_CASE("editors are started as each of them wants the line") {
+    using Words = std::vector<std::string>;
+    CHECK(editor_command("gedit", "xterm", "a b.rt", 7) == Words{"gedit", "+7", "a b.rt"});
+    CHECK(editor_command("/usr/bin/vim -n", "xterm", "a.rt", 7) ==
+          Words{"xterm", "-e", "/usr/bin/vim", "-n", "+7", "a.rt"});
+    CHECK(editor_command("code -w", "xterm", "a.rt", 7) == Words{"code", "-w", "--goto", "a.rt:7"});
+    CHECK(editor_command(" ", "xterm", "a.rt", 7).empty());
+    ::unsetenv("VISUAL"), ::unsetenv("EDITOR");
+    CHECK(open_in_editor("a.rt", 7).starts_with("no editor is known: set EDITOR"));
+    ::setenv("EDITOR", "no-such-editor", 1);
+    CHECK(open_in_editor("a.rt", 7) == "the editor cannot be started: there is no 'no-such-editor'");
+    ::setenv("EDITOR", "true", 1);
+    CHECK(open_in_editor("a.rt", 7) == "");
+    ::unsetenv("EDITOR");
+}
