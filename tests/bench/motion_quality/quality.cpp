@@ -1,0 +1,89 @@
+#include "tests/bench/motion_quality/quality.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstdlib>
+#include <utility>
+
+namespace strahl {
+namespace {
+
+int channel(std::uint32_t rgba, int c) { return static_cast<int>(rgba >> 8 * c & 255); }
+
+/// Returns the brightness as in Rec. 601, from 0 to 255.
+double luma(std::uint32_t rgba) {
+    return .299 * channel(rgba, 0) + .587 * channel(rgba, 1) + .114 * channel(rgba, 2);
+}
+
+}  // namespace
+
+double structural_similarity(const ScreenImage& a, const ScreenImage& b) {
+    constexpr int side = 8, step = 4;
+    constexpr double c1 = .01 * .01 * 255 * 255, c2 = .03 * .03 * 255 * 255;
+    double sum = 0, blocks = 0;
+    for (int top = 0; top + side <= a.height; top += step)
+        for (int left = 0; left + side <= a.width; left += step) {
+            double mean_a = 0, mean_b = 0, aa = 0, bb = 0, ab = 0;
+            for (int y = top; y < top + side; ++y)
+                for (int x = left; x < left + side; ++x) {
+                    const std::size_t i = std::size_t(y) * a.width + x;
+                    const double own = luma(a.rgba[i]), other = luma(b.rgba[i]);
+                    mean_a += own, mean_b += other;
+                    aa += own * own, bb += other * other, ab += own * other;
+                }
+            constexpr double pixels = side * side;
+            mean_a /= pixels, mean_b /= pixels;
+            const double variances = aa / pixels - mean_a * mean_a + bb / pixels - mean_b * mean_b;
+            const double covariance = ab / pixels - mean_a * mean_b;
+            sum += (2 * mean_a * mean_b + c1) * (2 * covariance + c2) /
+                   ((mean_a * mean_a + mean_b * mean_b + c1) * (variances + c2));
+            ++blocks;
+        }
+    return blocks > 0 ? sum / blocks : 1;
+}
+
+void QualityLog::add(ScreenImage shown, ScreenImage finished, bool next) {
+    assert(shown.rgba.size() == finished.rgba.size());
+    const bool pair = next && last_shown.rgba.size() == shown.rgba.size();
+    for (std::size_t i = 0; i < shown.rgba.size(); ++i) {
+        int most = 0;
+        for (int c = 0; c < 3; ++c) {
+            const int off = channel(shown.rgba[i], c) - channel(finished.rgba[i], c);
+            squares += off * off, most = std::max(most, std::abs(off));
+            if (!pair) continue;
+            const int before = channel(last_shown.rgba[i], c) - channel(last_finished.rgba[i], c);
+            changes += (off - before) * (off - before);
+        }
+        ++worst[static_cast<std::size_t>(most)];
+    }
+    similarity += structural_similarity(shown, finished);
+    values = 3 * static_cast<double>(shown.rgba.size());
+    ++count, pairs += pair;
+    last_shown = std::move(shown), last_finished = std::move(finished);
+}
+
+Quality QualityLog::quality() const {
+    Quality quality;
+    if (count == 0) return quality;
+    quality.rms = std::sqrt(squares / (values * count)), quality.ssim = similarity / count;
+    if (pairs > 0) quality.flicker = std::sqrt(changes / (values * pairs));
+    const double pixels = values / 3 * count;
+    double seen = 0;
+    for (std::size_t off = 0; off < worst.size(); ++off) {
+        seen += static_cast<double>(worst[off]);
+        if (seen < .99 * pixels) quality.p99 = static_cast<double>(off + 1);
+        if (off > 8) quality.visible += static_cast<double>(worst[off]) / pixels;
+    }
+    return quality;
+}
+
+ScreenImage all_pixels(const ScreenImage& level, Steps steps, int width, int height) {
+    if (steps == Steps{}) return level;
+    ScreenImage whole;
+    whole.resize(width, height);
+    expand(level, steps, whole);
+    return whole;
+}
+
+}  // namespace strahl
