@@ -236,6 +236,39 @@ TEST_CASE("a path is written into the scene file, of which a copy stays; a file 
     CHECK(bytes_of(path) == "camera {");
 }
 
+TEST_CASE("changed numbers are shown before they are written, and are written beside what others have changed") {
+    const Scratch folder;
+    const std::string path = folder / "scene.rt", color = "<1,.2,.2>";
+    const auto with_color = [&](const std::string& other) {
+        return std::string(scene_text).replace(scene_text.find(color), color.size(), other);
+    };
+    const auto put = [&](const std::string& content) { std::ofstream(path) << content; };
+    put(scene_text);
+    Reload reload(path);
+    REQUIRE(reload.take(10));
+    const std::string changed = with_color("<0,.2,.2>");
+    reload.show(changed);
+    std::optional<Loaded> shown;
+    REQUIRE(soon([&] { return (shown = reload.take_shown()).has_value(); }));
+    REQUIRE(shown->scene);
+    CHECK(shown->text == changed);
+    CHECK(shown->scene->materials[0].rgb.color.x == 0);
+    CHECK(bytes_of(path) == scene_text);
+    std::optional<Written> written;
+    const auto write = [&] {
+        reload.write({}, {scene_text, changed}, true);
+        return soon([&] { return (written = reload.take_written()).has_value(); });
+    };
+    put("// theirs\n" + scene_text);
+    REQUIRE(write());
+    CHECK(written->what == "numbers");
+    CHECK(bytes_of(path) == "// theirs\n" + changed);
+    put(with_color("<.5,.2,.2>"));  // the same line
+    REQUIRE(write());
+    CHECK(written->fault.find("has changed in lines that were changed here") != std::string::npos);
+    CHECK(bytes_of(path) == with_color("<.5,.2,.2>"));
+}
+
 TEST_CASE("the window's size and place are kept in the XDG state folder") {
     const Scratch folder;
     ::setenv("XDG_STATE_HOME", (folder / "new/state").c_str(), 1);
