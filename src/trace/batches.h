@@ -35,7 +35,7 @@ class Batches {
           prove(with_bounds),
           filters(with_footprints) {
         if (prove) workspace.hold_extra(), bounds.resize(scattered_pixels);
-        if (filters) workspace.hold_cones();
+        if (filters) workspace.hold_differentials();
     }
 
     Counts counts;  // its own memory: threads that count beside each other wait for each other

@@ -1,28 +1,8 @@
 // Footprints of samples, over which patterns are averaged. Computed only if a batch has `footprints`.
 #pragma once
-#include "trace/kernel/ray_cone.h"
+#include "trace/kernel/differentials.h"
 
 namespace strahl::inline STRAHL_LEVEL {
-
-/// Returns the footprints of camera rays that meet surfaces with these normals at distance `t`. Let D be the direction
-/// before it is normalised, of length 1 along `forward`: the ray of the next pixel goes along D + right.
-template <class S, class P>
-Footprint<S> footprint_of(const Shading<S, P>& shading, const S& pixel, const Vec3<S>& direction, const S& t,
-                          const Vec3<S>& normal) {
-    const Footprints<Element<S>>& all = *shading.batch.footprints;
-    const S size = t * dot(direction, splat<S>(all.forward)) * sides_of(all, pixel);
-    return {direction, normal, scale(size, splat<S>(all.right)), scale(size, splat<S>(all.down))};
-}
-
-/// Returns the footprints of rays whose cones are `size` wide there: two axes perpendicular to the direction (T. Duff
-/// et al., "Building an Orthonormal Basis, Revisited", 2017). Any two will do: the ellipse of a square does not depend
-/// on how it is turned.
-template <class S>
-Footprint<S> footprint_of(const Vec3<S>& d, const S& size, const Vec3<S>& normal) {
-    const S sign = select(d.z >= S(0), S(1), S(-1)), a = S(-1) / (sign + d.z), b = d.x * d.y * a;
-    return {d, normal, scale(size, {fma(sign * d.x, d.x * a, S(1)), sign * b, -sign * d.x}),
-            scale(size, {b, fma(d.y, d.y * a, sign), -d.y})};
-}
 
 /// Pixels of an image above which a pixel of the view may show parts of the image that the pixels around it do not
 /// show.
@@ -49,10 +29,10 @@ STRAHL_INLINE void note_colors(const Shading<S, P>& shading, const Filtering<S>&
     }
 }
 
-/// Counts filters as loose where the cones of rays are only bounds.
+/// Counts filters as loose where differentials are.
 template <class S>
-STRAHL_INLINE void loosen(Filtering<S>& filtering, const S& width) {
-    filtering.loose = select(width < S(0), select(filtering.loose < S(0), filtering.loose, S(1)), filtering.loose);
+STRAHL_INLINE void loosen(Filtering<S>& filtering, const S& loose) {
+    filtering.loose = select(filtering.loose < S(0), filtering.loose, max(filtering.loose, loose));
 }
 
 /// Sets the colours of patterned materials to means over footprints.
@@ -62,14 +42,12 @@ template <class S, class P>
                                       MaterialKernel<S>& values) {
     const auto& d = from.direction;
     const Vec3<S> direction(pick(d.x), pick(d.y), pick(d.z)), &normal = hit.point.normal;
-    const S pixel = pick(from.pixel);
-    const S wide = shading.depth > 1 ? cone_at(shading, from, pick, direction, t).width : S(0);
-    const Footprint<S> footprint =
-        shading.depth > 1 ? footprint_of(direction, wide, normal) : footprint_of(shading, pixel, direction, t, normal);
+    const Differentials<S> beside = differentials_at(shading, from, pick, direction, t);
+    const Footprint<S> footprint{direction, normal, beside.place[0], beside.place[1]};
     Filtering<S> filtering =
         PatternCalls<S>::paint_filtered(shading.world, materials, hit.point.position, hit.surface, footprint, values);
-    loosen(filtering, wide);
-    note_colors(shading, filtering, values.ambient + values.diffuse, pixel, pick(from.weight), pick.lanes);
+    loosen(filtering, beside.loose);
+    note_colors(shading, filtering, values.ambient + values.diffuse, pick(from.pixel), pick(from.weight), pick.lanes);
 }
 
 /// Returns the mean background over footprints.
@@ -77,13 +55,12 @@ template <class S, class P>
 [[gnu::noinline]] Vec3<S> filtered_sky(const Shading<S, P>& shading, const LaneIndices<S>& pick) {
     const RayQueue<Element<S>>& from = shading.rays.open;
     const Vec3<S> direction(pick(from.direction.x), pick(from.direction.y), pick(from.direction.z));
-    const S pixel = pick(from.pixel);
+    const Differentials<S> beside = differentials_at(shading, from, pick, direction, S(0));
     Vec3<S> color;
-    const Footprint<S> footprint = shading.depth > 1 ? footprint_of(direction, pick(from.spread), direction)
-                                                     : footprint_of(shading, pixel, direction, S(1), direction);
+    const Footprint<S> footprint{direction, direction, beside.direction[0], beside.direction[1]};
     Filtering<S> filtering = PatternCalls<S>::sky_filtered(shading.world, footprint, color);
-    loosen(filtering, shading.depth > 1 ? pick(from.width) : S(0));
-    note_colors(shading, filtering, color, pixel, pick(from.weight), pick.lanes);
+    loosen(filtering, beside.loose);
+    note_colors(shading, filtering, color, pick(from.pixel), pick(from.weight), pick.lanes);
     return color;
 }
 

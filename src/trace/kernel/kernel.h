@@ -14,6 +14,21 @@ namespace strahl {
 /// Most pixels in a batch, and most rays in each queue of a generation.
 inline constexpr int batch_pixels = 256, batch_rays = 4096;
 
+/// How a ray's place and direction change from a sample to those beside it, right of it and below it: by a side of the
+/// square that the sample stands for.
+template <class S>
+struct Differentials {
+    Vec3<S> place[2], direction[2];  // of the ray's start or, of hits, its end
+    S loose;                         // how much they change in that square, from 0 to 1; below 0 if they are not known
+};
+/// Calls visit(numbers...) for each number of differentials, of several side by side.
+template <class Visit, class... All>
+void each_number(const Visit& visit, All&... all) {
+    for (int i = 0; i < 2; ++i)
+        for (int c = 0; c < 3; ++c) visit(all.place[i][c]...), visit(all.direction[i][c]...);
+    visit(all.loose...);
+}
+
 /// A queue of rays, one array per value. Arrays that no ray of the queue needs are null.
 template <class T>
 struct RayQueue {
@@ -25,12 +40,12 @@ struct RayQueue {
     T* t;       // where it leaves its body; only of rays inside an enclosed one
     int count = 0;
     T* extra[4] = {};                       // values that the kernel's policy keeps, see plain.h
-    T *width = nullptr, *spread = nullptr;  // see RayCone; only where patterns are filtered
+    Differentials<T*> differentials{};      // only where patterns are filtered
 };
 
 /// Says which rays have an array: all; those inside an enclosed body; those of a policy that keeps more; those with
-/// cones.
-enum class RayPart { all, inside, extra, cone };
+/// differentials.
+enum class RayPart { all, inside, extra, beside };
 inline constexpr int ray_arrays = 11;  // number of those of the first two parts
 
 /// Calls visit(part, arrays...) for each array of a queue, or of several queues side by side.
@@ -41,7 +56,7 @@ void each_array(const Visit& visit, Queues&... queues) {
     visit(RayPart::all, queues.weight...), visit(RayPart::all, queues.medium...);
     visit(RayPart::inside, queues.t...);
     for (int i = 0; i < 4; ++i) visit(RayPart::extra, queues.extra[i]...);
-    visit(RayPart::cone, queues.width...), visit(RayPart::cone, queues.spread...);
+    each_number([&](auto&... arrays) { visit(RayPart::beside, arrays...); }, queues.differentials...);
 }
 
 /// The rays of a generation: open ones, whose hits are searched, and those inside an enclosed body (see World), which

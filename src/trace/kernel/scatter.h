@@ -1,7 +1,7 @@
 // Reflected and refracted rays: the rays that go on from hits.
 #pragma once
 #include "trace/kernel/prune.h"
-#include "trace/kernel/ray_cone.h"
+#include "trace/kernel/differentials.h"
 
 namespace strahl::inline STRAHL_LEVEL {
 
@@ -53,7 +53,7 @@ STRAHL_INLINE void push(const Shading<S, P>& shading, RayQueue<Element<S>>& to, 
     else
         put_with([&](T* place, const S& value) { compress(place, value, ray.mask); });
     if (filters(shading)) [[unlikely]]
-        put_cones(shading, to, Hit<S>(hit), Vec3<S>(ray.direction), Mask<S>(ray.mask), notes);
+        put_differentials(shading, to, Hit<S>(hit), Vec3<S>(ray.direction), Mask<S>(ray.mask), notes);
     to.count += count(ray.mask);
 }
 

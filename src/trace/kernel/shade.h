@@ -175,8 +175,8 @@ bool shade_bin(const Shading<S, P>& shading, int bin) {
             if (notes_sights(shading)) {
                 Mask<S> filtered = first_lanes<S>(0);
                 if (filters(shading)) {
-                    notes.cone = cone_at(shading, from, pick, hit.direction, pick(t));
-                    filtered = !(notes.cone.width == S(0));
+                    note_differentials(shading, from, pick, hit, pick(t), notes);
+                    filtered = notes.beside.loose >= S(0);
                 }
                 S seen_from = pick(from.source);
                 if (world.patterns.list)

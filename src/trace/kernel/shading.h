@@ -54,20 +54,13 @@ struct Hit {
     int bin;
 };
 
-/// A cone around a ray, which stands for the square of the view around a sample and is nowhere wider than what becomes
-/// of that along the ray (J. Amanatides, "Ray Tracing with Cones", 1984).
-template <class S>
-struct RayCone {
-    S width;   // where the ray starts or, of hits, ends; 0 if not known, negative if some way wider than that
-    S spread;  // growth of the width per length along the ray
-};
-
 /// Data of a pack of hits that only some worlds, batches and policies need.
 template <class S, class P>
 struct HitNotes {
     std::uint32_t words[width<S>];  // hashes of these hits for their samples' signatures; 0 if too faint
     Vec3<S> flat;                   // normals before they were bent
-    RayCone<S> cone;                // only set where patterns are filtered
+    Differentials<S> beside;        // on the surface; only set where patterns are filtered, as the next
+    Vec3<S> turn[2];                // changes of the normal from there to those places
     [[no_unique_address]] typename P::template OfHit<S> own;
 };
 

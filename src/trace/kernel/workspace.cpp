@@ -81,7 +81,7 @@ template <class T>
 void Workspace<T>::hold_more(RayQueue<T>& queue) {
     each_array(
         [&](RayPart part, T*& array) {
-            if ((part == RayPart::extra && with_extra) || (part == RayPart::cone && with_cones)) hold(array);
+            if ((part == RayPart::extra && with_extra) || (part == RayPart::beside && with_differentials)) hold(array);
         },
         queue);
 }
@@ -99,8 +99,8 @@ void Workspace<T>::hold_extra() {
 }
 
 template <class T>
-void Workspace<T>::hold_cones() {
-    with_cones = true;
+void Workspace<T>::hold_differentials() {
+    with_differentials = true;
     hold_more();
 }
 

@@ -38,14 +38,14 @@ class Workspace {
     int batch = scattered_pixels;  // number of pixels that fitted last time
     /// Allocates the arrays of a policy's data of rays.
     void hold_extra();
-    /// Allocates the arrays of ray cones, for filtering patterns.
-    void hold_cones();
+    /// Allocates the arrays of differentials, for filtering patterns.
+    void hold_differentials();
 
   private:
     Buffer<T> values, order_by_bin;
     std::vector<Buffer<T>> more;  // memory of arrays that queues have besides those in `values`
     std::size_t used = 0;         // arrays taken from the last of these
-    bool with_extra = false, with_cones = false;
+    bool with_extra = false, with_differentials = false;
     void hold(T*& array);
     void hold_more(RayQueue<T>& queue);
     void hold_more();

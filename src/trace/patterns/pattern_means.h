@@ -18,7 +18,7 @@ struct PatternArea {
 
 /// Values of noise, layers or rings, not yet folded or limited, at the corners of a parallelogram's columns and rows.
 struct ValueGrid {
-    static constexpr int most_steps = 6, most_values = (most_steps + 1) * (most_steps + 1);
+    static constexpr int most_steps = 10, most_values = (most_steps + 1) * (most_steps + 1);
     int columns, rows;
     double spread;  // the standard deviation of what the values lack of the finest noise
     double step;    // of columns and rows, in cells of that noise
