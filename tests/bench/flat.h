@@ -22,9 +22,14 @@ struct FlatScene {
     std::vector<Body<MeshData>> meshes;  // of flat triangles
 };
 
-/// Throws std::invalid_argument for ellipsoids and their like, and for other kinds: the peers have none.
+/// Throws std::invalid_argument for ellipsoids and their like, and for other kinds, lights and materials: peers have
+/// none.
 inline FlatScene flatten(const Scene& scene) {
     FlatScene flat;
+    bool more = scene.fog || scene.background.pattern;
+    for (const Light& light : scene.lights) more |= light.spot || light.area || light.direction;
+    for (const Material& material : scene.materials) more |= material.patterned();
+    if (more) throw std::invalid_argument("the other programs know only lights at points, and no patterns or fog");
     for (const Primitive& primitive : scene.primitives) {
         const glm::dmat4 m = matrix(primitive.transformations);
         const double factor = similarity(primitive.transformations);
