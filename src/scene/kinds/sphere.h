@@ -17,8 +17,6 @@ struct SphereKernel {
     T radius;
 
     Ball ball() const { return {DVec3(centre), static_cast<double>(radius)}; }
-    /// The curvature of the surface.
-    T curvature() const { return T(1) / radius; }
 
     /// Finds the closest approach first, then half the chord: r^2 - |l|^2 does not cancel the way b^2 - c does (E.
     /// Haines, J. Guenther, T. Akenine-Moeller, "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems,
