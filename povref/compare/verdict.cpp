@@ -35,6 +35,7 @@ Verdict judge(Tracer& tracer, const View& view, const Frame& ours, const Picture
         if (stop && *stop) throw Stopped{};
         if (apart > 1) {
             ++verdict.beyond_off_edges;
+            verdict.places.push_back({x, y});
             if (apart > verdict.worst_off_edges) verdict.x = x, verdict.y = y;
         }
         verdict.worst_off_edges = std::max(verdict.worst_off_edges, apart);

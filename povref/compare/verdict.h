@@ -1,5 +1,6 @@
 // Compares Strahl's picture with POV-Ray's: which pixels differ, and whether they are on an edge.
 #pragma once
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <vector>
@@ -16,6 +17,7 @@ struct Verdict {
     std::size_t beyond_off_edges = 0;  // pixels that differ by more than one step
     std::size_t beyond_on_edges = 0;   // the same on edges
     int x = -1, y = -1;                // of the worst pixel off the edges, if it is beyond one step
+    std::vector<std::array<int, 2>> places{};  // x and y of all pixels that beyond_off_edges counts
 };
 
 /// A pixel this near to an edge, in pixels, may differ, because POV-Ray ignores lengths below 1e-4 and 1e-3.

@@ -43,11 +43,30 @@ bool keeps_angles(const std::vector<Transformation>& steps) {
     return similarity(steps) > 0 && std::ranges::none_of(steps, moves);
 }
 
-/// Returns a simple body without its closing brace. POV-Ray makes the normals of a smooth triangle unit vectors once it
-/// has transformed them, which changes how they bend between the corners. In a mesh it transforms what it interpolated.
+/// Returns whether the normals of all corners are on one side of the triangle's plane.
+bool faces_one_side(const SmoothTriangle& smooth) {
+    const DVec3 across = cross_product(smooth.b - smooth.a, smooth.c - smooth.a);
+    const double a = dot_product(across, smooth.normal_a), b = dot_product(across, smooth.normal_b),
+                 c = dot_product(across, smooth.normal_c);
+    return std::min({a, b, c}) > 0 || std::max({a, b, c}) < 0;
+}
+
+/// Returns a torus without its closing brace. One whose hole is closed is solid; POV-Ray also sees the sheet inside it,
+/// which a ball between the points where it ends on the axis lies over.
+std::string torus_text(const Torus& torus) {
+    const std::string tube = sentence(torus);
+    if (torus.major >= torus.minor) return tube;
+    const double radius = std::sqrt((torus.minor - torus.major) * (torus.minor + torus.major));
+    return "merge { " + tube + " } sphere { " + text_of(torus.centre) + ", " + text_of(radius) + " }";
+}
+
+/// Returns a simple body without its closing brace. Some smooth triangles become a mesh of one: POV-Ray drops those
+/// whose normals are on both sides, and makes the normals of others unit vectors once it has transformed them, which
+/// changes how they bend between the corners. In a mesh it keeps all, and transforms what it interpolated.
 std::string leaf_text(const Primitive& leaf) {
+    if (const Torus* const torus = std::get_if<Torus>(&leaf.shape)) return torus_text(*torus);
     const SmoothTriangle* const smooth = std::get_if<SmoothTriangle>(&leaf.shape);
-    if (!smooth || keeps_angles(leaf.transformations)) return sentence(leaf.shape);
+    if (!smooth || (keeps_angles(leaf.transformations) && faces_one_side(*smooth))) return sentence(leaf.shape);
     const auto& [a, b, c, normal_a, normal_b, normal_c] = *smooth;
     const MeshData alone{{a, b, c}, {normal_a, normal_b, normal_c}, {{0, 1, 2}}, {{0, 1, 2}}};
     return sentence(Mesh{std::make_shared<const MeshData>(alone), ""});

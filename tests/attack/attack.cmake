@@ -34,7 +34,7 @@ add_test(NAME attack_renderer COMMAND attack_renderer --seconds 5)
 # Random scenes, against POV-Ray, which must be installed.
 add_library(strahl_povray_scene STATIC ${attack}/povray/povray_scene.cpp)
 target_link_libraries(strahl_povray_scene PUBLIC strahl_referee)
-add_executable(attack_povray ${attack}/povray/povray.cpp)
+add_executable(attack_povray ${attack}/povray/povray.cpp ${attack}/povray/reasons.cpp)
 target_link_libraries(attack_povray PRIVATE strahl_povray_scene strahl_povref strahl_picture_check)
 add_dependencies(attack attack_povray)
 

@@ -93,11 +93,11 @@ struct Leaf {
 template <class R>
 struct Body {
     Primitive primitive;
-    double ior;  // of the medium that it is as a whole: its own material's, or that of its first glass part
+    Material medium;  // that it is as a whole: its own, or that of its first glass part
     std::vector<Leaf<R>> leaves;
 
     Body(const Primitive& primitive, const std::vector<Material>& materials)
-        : primitive(primitive), ior(materials[primitive.material].ior) {
+        : primitive(primitive), medium(materials[primitive.material]) {
         int faces = 0;
         for_each_leaf_placed(primitive, [&](const Primitive& leaf, const LeafMatrices& matrices) {
             leaves.emplace_back(leaf.shape, materials[leaf.material], faces, matrices);
@@ -107,7 +107,7 @@ struct Body {
         });
         const auto glass = [](const Leaf<R>& leaf) { return leaf.material.refraction > 0; };
         const auto first = std::find_if(leaves.begin(), leaves.end(), glass);
-        if (!(materials[primitive.material].refraction > 0) && first != leaves.end()) ior = first->material.ior;
+        if (!(medium.refraction > 0) && first != leaves.end()) medium = first->material;
     }
     bool transparent() const {
         return std::any_of(leaves.begin(), leaves.end(), [](const auto& leaf) { return leaf.material.refraction > 0; });

@@ -1,7 +1,9 @@
 // The referee. Every formula is written as the article and the scene language state it, and none as the tracer has it.
 #include "tests/referee/referee.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "tests/referee/body.h"
@@ -23,6 +25,7 @@ struct Referee<R>::World {
     Scene scene;
     Vector<R> eye, right, down, forward;
     int width, height, depth;
+    OtherRules rules;
     Paint<R> sky;
     std::vector<Body<R>> bodies;
 
@@ -32,8 +35,10 @@ struct Referee<R>::World {
         Crossing<R> hit{};
         for (int i = 0; i < static_cast<int>(bodies.size()); ++i)
             for (const auto& crossing : bodies[i].meet(line, i))
-                if (crossing.t > 0 && (body < 0 || crossing.t < hit.t)) body = i, hit = crossing;
-        if (body < 0) return signature.add(missed), scene.fog ? Vector<R>(scene.fog->color) : sky.at(line.direction);
+                if (crossing.t > rules.nearest && crossing.t < rules.farthest && (body < 0 || crossing.t < hit.t))
+                    body = i, hit = crossing;
+        const bool clear = !scene.fog || (rules.sky_behind_glass && !inside.empty());
+        if (body < 0) return signature.add(missed), clear ? sky.at(line.direction) : Vector<R>(scene.fog->color);
         signature.add(100 + 1000 * body + hit.face);
         const Vector<R> seen = sent(line, body, hit, generation, inside, signature);
         if (!scene.fog || !inside.empty()) return seen;
@@ -57,7 +62,8 @@ struct Referee<R>::World {
             const Vector<R> way = light.direction ? R(-1) * Vector<R>(*light.direction) : Vector<R>(light.position) - p;
             const Vector<R> l = unit(way);
             const R facing = dot(n, l), glance = dot(mirrored, l), shines = spot_share(light, l);
-            if (!(facing > 0) || !(dot(flat, l) > 0) || !(shines > 0)) continue;
+            const bool behind = !rules.bent_side && !(dot(flat, l) > 0);
+            if (!(facing > 0) || behind || !(shines > 0)) continue;
             signature.add(glance > 0 ? lit : lit + 10);
             Vector<R> answer = R(material.diffuse) * facing * of;
             const R highlight = glance > 0 ? R(material.specular) * power(glance, R(material.pow)) : R(0);
@@ -74,7 +80,8 @@ struct Referee<R>::World {
             const R s = -dot(e, before), k = 1 - ratio * ratio * (1 - s * s);
             signature.add(k < 0 ? total : through);
             if (k < 0) {
-                share += R(material.refraction);
+                const Material& whole = rules.one_share ? bodies[body].medium : material;
+                share = R(whole.reflection) + R(whole.refraction);
             } else {
                 const Line<R> bent{p, unit(ratio * e + (ratio * s - root(k)) * before), body, hit.face};
                 sum = sum + R(material.refraction) * see(bent, generation + 1, after, signature);
@@ -113,22 +120,32 @@ struct Referee<R>::World {
     Vector<R> arriving(const Line<R>& line, R distance, Signature& signature) const {
         Vector<R> share{1, 1, 1};
         Signature crossed;
+        struct Caster {
+            R t;
+            int body, face;
+        };
+        std::vector<Caster> casters;
         for (int i = 0; i < static_cast<int>(bodies.size()); ++i)
-            for (const auto& crossing : bodies[i].meet(line, i)) {
-                if (!(crossing.t > 0 && crossing.t < distance)) continue;
-                const Material& material = bodies[i].material(crossing.face);
-                if (!(material.refraction > 0)) return signature.add(0), Vector<R>();
-                const Vector<R> p = line.origin + crossing.t * line.direction;
-                share = R(material.refraction) * share * bodies[i].color(crossing.face, p);
-                crossed.add(i);
-            }
+            for (const auto& crossing : bodies[i].meet(line, i))
+                if (crossing.t > 0 && crossing.t < distance - rules.shadow && crossing.t < rules.farthest)
+                    casters.push_back({crossing.t, i, crossing.face});
+        std::stable_sort(casters.begin(), casters.end(), [](const auto& a, const auto& b) { return a.t < b.t; });
+        R last = 0;
+        for (const auto& [t, body, face] : casters) {
+            if (t - last < rules.shadow) continue;
+            const Material& material = bodies[body].material(face);
+            if (!(material.refraction > 0)) return signature.add(0), Vector<R>();
+            share = R(material.refraction) * share * bodies[body].color(face, line.origin + t * line.direction);
+            crossed.add(body);
+            last = t;
+        }
         signature.add(crossed.value);
         return share;
     }
 
     /// The ratio n1/n2 at a surface of `body`, and the medium stack behind it, by POV-Ray's rule.
     std::pair<R, std::vector<int>> pass(int body, std::vector<int> inside) const {
-        const auto ior = [&](int i) { return R(bodies[i].ior); };
+        const auto ior = [&](int i) { return R(bodies[i].medium.ior); };
         const R here = inside.empty() ? R(1) : ior(inside.back());
         for (std::size_t i = 0; i < inside.size(); ++i) {
             if (inside[i] != body) continue;
@@ -143,7 +160,8 @@ struct Referee<R>::World {
 };
 
 template <class R>
-Referee<R>::Referee(const Scene& given, const Camera& camera, int width, int height, int depth) {
+Referee<R>::Referee(const Scene& given, const Camera& camera, int width, int height, int depth,
+                    const OtherRules& rules) {
     Scene scene = given;
     if (scene.settings.linear) {
         decode(scene.background);
@@ -158,6 +176,7 @@ Referee<R>::Referee(const Scene& given, const Camera& camera, int width, int hei
             width,
             height,
             depth,
+            rules,
             Paint<R>(scene.background, glm::dmat4(1)),
             {}};
     w.scene.lights = points_of(scene.lights);

@@ -4,6 +4,7 @@
 // time, by recursion, with intersection formulas of its own. R is long double, or Quadruple for tiny pictures.
 #pragma once
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <memory>
 
@@ -20,12 +21,22 @@ struct Sample {
     std::uint64_t signature = 0;
 };
 
+/// Rules by which POV-Ray decides otherwise. The defaults are Strahl's.
+struct OtherRules {
+    double nearest = 0;             // hits nearer to the start of a ray do not count,
+    double farthest = HUGE_VAL;     // nor does what is farther away,
+    double shadow = 0;              // nor a caster nearer to either end of a shadow ray, or to the caster before it
+    bool bent_side = false;         // a bent normal alone decides on which side of a surface a light is
+    bool one_share = false;         // all parts of a composite reflect the share of its medium totally
+    bool sky_behind_glass = false;  // in fog, a ray that never leaves a transparent body sees the background
+};
+
 template <class R>
 class Referee {
   public:
     /// The scene is copied; `camera`, `width`, `height` and `depth` (generations, the primary ray being 1) as in a
     /// View.
-    Referee(const Scene& scene, const Camera& camera, int width, int height, int depth);
+    Referee(const Scene& scene, const Camera& camera, int width, int height, int depth, const OtherRules& rules = {});
     ~Referee();
 
     /// The sample at the picture point (x, y) in pixels; the centre of pixel (i, j) is (i + 1/2, j + 1/2).

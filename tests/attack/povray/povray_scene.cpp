@@ -19,6 +19,22 @@ void make_smooth(Mesh& mesh, Dice& dice) {
     mesh.data = std::make_shared<const MeshData>(std::move(data));
 }
 
+/// Rounds a picture to values that its file for POV-Ray can hold: sixteenths of a floating-point picture, which POV-Ray
+/// reads rounded to 11 bits, and steps of 16 bits.
+template <class Owner>
+void make_exact(Owner& owner) {
+    const ImagePattern* const image = owner.pattern ? std::get_if<ImagePattern>(&owner.pattern->kind) : nullptr;
+    if (!image) return;
+    Pixels pixels = *image->pixels;
+    const double steps = pixels.linear ? 16 : 65535;
+    for (float& value : pixels.values) value = static_cast<float>(std::round(value * steps) / steps);
+    ImagePattern exact = *image;
+    exact.pixels = std::make_shared<const Pixels>(std::move(pixels));
+    Pattern pattern = *owner.pattern;
+    pattern.kind = std::move(exact);
+    owner.pattern = std::make_shared<const Pattern>(std::move(pattern));
+}
+
 /// Multiplies all lengths and positions by `factor`, then moves everything.
 void place(Scene& scene, double factor, const DVec3& by) {
     const auto placed = [&](const DVec3& p) { return p * factor + by; };
@@ -47,6 +63,8 @@ Scene scene_for_povray(std::uint64_t seed) {
     Scene scene = random_scene(seed, what);
     for (Primitive& primitive : scene.primitives)
         if (Mesh* const mesh = std::get_if<Mesh>(&primitive.shape); mesh && dice.chance(.5)) make_smooth(*mesh, dice);
+    make_exact(scene.background);
+    for (Material& material : scene.materials) make_exact(material.rgb), make_exact(material.bump);
     if (dice.chance(.1)) {
         const double away = -std::pow(10., dice.in(3, 7));
         const Material floor{.rgb = dice.vector(0, 1), .reflection = 0, .diffuse = 1, .ambient = .2, .specular = 0};

@@ -123,6 +123,11 @@ TEST_CASE("scenes that once disagreed") {
         {"parts that all share another material than the whole", "union { sphere { <-.5, 0, 0>, 1 " + glass("ior 1.1") +
                                                                      " } sphere { <.5, 0, 0>, 1 " + glass("ior 1.1") +
                                                                      " } " + glass("ior 1.6") + " }"},
+        {"a torus without a hole",
+         "torus { <0, 0, 0>, <.2, -1, .5>, .6, .9 rotate <20, 0, 30> " + glass("ior 1.3") + " }"},
+        {"a smooth triangle whose normals are on both sides",
+         "smooth_triangle { <-2, 0, -1>, <2, 0, -1>, <0, 0, 1>, <-1, -1, .2>, <1, 1, .3>, <0, -1, -1> "
+         "material { rgb <1, 1, 1> reflection 0 diffuse 1 } }"},
         {"a smooth triangle scaled unevenly",
          "smooth_triangle { <-2, 0, -1>, <2, 0, -1>, <0, 0, 1>, <-1, -1, .2>, <1, -1, .3>, <0, -1, -1> "
          "scale <.6, 3, 1> rotate <0, 0, 30> material { rgb <1, 1, 1> reflection 0 diffuse 1 } }"}};

@@ -180,6 +180,17 @@ TEST_CASE("what POV-Ray keeps in single precision, or interpolates after it was 
     const std::string bent = "smooth_triangle { <0,0,0>, <1,0,0>, <0,1,0>, <0,0,1>, <1,0,1>, <0,1,1> ";
     CHECK(has(convert(camera + bent + "scale <1, 2, 1> }").pov, "mesh {\n  smooth_triangle {"));
     CHECK_FALSE(has(convert(camera + bent + "scale 2 }").pov, "mesh {"));
+    const std::string both = "smooth_triangle { <0,0,0>, <1,0,0>, <0,1,0>, <0,0,1>, <1,0,1>, <0,1,-1> }";
+    CHECK(has(convert(camera + both).pov, "mesh {\n  smooth_triangle {"));
+}
+
+TEST_CASE("a torus without a hole is solid") {
+    const auto torus = [](const char* radii) {
+        return convert(camera + "torus { <1, 2, 3>, <0, 1, 0>, " + radii + " }").pov;
+    };
+    CHECK(has(torus("3, 5"), "merge { torus { 3, 5 sturm matrix <"));
+    CHECK(has(torus("3, 5"), " } sphere { <1, 2, 3>, 4 }"));
+    CHECK_FALSE(has(torus("5, 3"), "merge"));
 }
 
 TEST_CASE("patterns move with their bodies, and go through the parts that share them") {
