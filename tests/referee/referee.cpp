@@ -84,7 +84,8 @@ struct Referee<R>::World {
                 share = R(whole.reflection) + R(whole.refraction);
             } else {
                 const Line<R> bent{p, unit(ratio * e + (ratio * s - root(k)) * before), body, hit.face};
-                sum = sum + R(material.refraction) * see(bent, generation + 1, after, signature);
+                const int next = rules.straight_is_free && ratio == 1 ? generation : generation + 1;
+                sum = sum + R(material.refraction) * see(bent, next, after, signature);
             }
         }
         if (share > 0) {

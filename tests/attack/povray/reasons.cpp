@@ -52,7 +52,7 @@ Reasons reasons_of(const Scene& scene, const View& view, const Verdict& verdict,
     const double unit = scale_for(scene, {view.camera}).factor;
     const OtherRules lengths{.nearest = 1e-4 / unit, .farthest = 1e7 / unit, .shadow = 1e-3 / unit};
     OtherRules all = lengths;
-    all.bent_side = all.one_share = all.sky_behind_glass = true;
+    all.bent_side = all.one_share = all.sky_behind_glass = all.straight_is_free = true;
     const auto referee = [&](const Scene& own, const OtherRules& rules) {
         return Referee<long double>(own, view.camera, view.width, view.height, view.depth, rules);
     };
@@ -67,9 +67,11 @@ Reasons reasons_of(const Scene& scene, const View& view, const Verdict& verdict,
         {"light behind bumps", referee(scene, {.bent_side = true})},
         {"one share of total reflection", referee(scene, {.one_share = true})},
         {"no fog behind endless glass", referee(scene, {.sky_behind_glass = true})},
-        {"several of these", referee(scene, all)}};
-    const Referee<long double> exact = referee(scene, {}), rounded = referee(single, {}),
-                               rounded_all = referee(single, all);
+        {"single precision", referee(single, {})},
+        {"unrefracted rays are no generation", referee(single, {.straight_is_free = true})},
+        {"several of these", referee(single, all)}};
+    const Referee<long double> exact = referee(scene, {}), all_but_rounded = referee(scene, all);
+    const Referee<long double>&rounded = rules[5].referee, &all_rounded = std::end(rules)[-1].referee;
 
     Reasons found;
     const std::size_t step = (verdict.places.size() + 39) / 40;
@@ -89,7 +91,7 @@ Reasons reasons_of(const Scene& scene, const View& view, const Verdict& verdict,
         if (rule != std::end(rules))
             ++found.pixels[rule->name];
         else if (2 * apart(seen(rounded), seen(exact)) >= off ||
-                 2 * apart(seen(rounded_all), seen(rules[5].referee)) >= apart(seen(rules[5].referee), wanted))
+                 2 * apart(seen(all_rounded), seen(all_but_rounded)) >= apart(seen(all_but_rounded), wanted))
             ++found.pixels["single precision, magnified"];
         else
             ++found.unexplained, found.worst = std::max(found.worst, off);
