@@ -38,6 +38,9 @@ await 'read again'
 still flown.png --size 320x240
 shows flown.png
 
+# From here on without notes, which would have to disappear each time.
+xdotool key n
+
 echo "-- looking around, orbiting, storing and recalling"
 xdotool key shift+1
 await 'camera 1 stored'
@@ -93,6 +96,7 @@ xdotool key h
 shows_other paused.png
 xdotool key h
 shows paused.png
+xdotool key n
 
 echo "-- pixels that depend on rounding are marked while the picture is at rest"
 xdotool key x
@@ -101,11 +105,12 @@ xdotool key x
 shows paused.png
 
 echo "-- the file changes: a broken one, and a good one"
+xdotool key n
 put "$camera" "$world" "shpere { }" "$path"
 await 'has an error'
 await 'scene.rt:6:1'
 shows_other paused.png
-xdotool key space
+xdotool key n space
 await 'flight continues'
 sleep 0.3 # the flight goes on meanwhile
 pause
@@ -169,6 +174,7 @@ start scene.rt --size 320x240
 await 'finished'
 still moving.png --size 320x240
 shows moving.png
+xdotool key n
 fly_and_pause
 still moved.png --size 320x240 --time "$seconds"
 shows moved.png

@@ -50,10 +50,11 @@ CameraInput Controls::take(double seconds) {
 }
 
 std::optional<glm::dvec2> Pointer::move(double x, double y) {
-    const glm::dvec2 way = glm::dvec2(x, y) - last;
+    at = {x, y};
+    const glm::dvec2 way = *at - last;
     dragging |= std::hypot(way.x, way.y) >= 4;
     if (!held || !dragging) return std::nullopt;
-    last = {x, y};
+    last = *at;
     return way;
 }
 

@@ -38,15 +38,20 @@ class Controls {
 /// Distinguishes drags from clicks. All in pixels of the window.
 class Pointer {
   public:
-    void press(double x, double y) { held = true, dragging = false, last = {x, y}; }
+    /// Begins a drag where the pointer moved last. When events have waited it may be elsewhere by now, at `now`, which
+    /// counts only if it has not moved in this window.
+    void press(const glm::dvec2& now) { held = true, dragging = false, last = at.value_or(now); }
     /// Returns whether that was a click.
     bool release() { return std::exchange(held, false) && !dragging; }
+    /// Ends a drag because the window becomes another one under the pointer.
+    void leave() { held = false, at.reset(); }
     /// Returns how far the pointer was dragged by moving here. Less than 4 pixels is a click and not a drag.
     std::optional<glm::dvec2> move(double x, double y);
 
   private:
     bool held = false, dragging = false;
-    glm::dvec2 last{0};
+    std::optional<glm::dvec2> at;
+    glm::dvec2 last{0};  // up to where the drag was reported
 };
 
 }  // namespace strahl

@@ -89,7 +89,7 @@ void Input::on_button(int button, int action, int modifiers) {
     double x = 0, y = 0;
     glfwGetCursorPos(screen.window(), &x, &y);
     if (action == GLFW_PRESS && !on_panel())
-        pointer.press(x, y);
+        pointer.press({x, y});
     else if (pointer.release() && !fixed)
         handlers.click(pointed().x, pointed().y);
 }

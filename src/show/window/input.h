@@ -35,7 +35,7 @@ class Input {
     /// The input for the camera since the last call, `seconds` ago.
     CameraInput take(double seconds) { return controls.take(seconds); }
     /// Ends a drag, because the window changes under the pointer.
-    void release_pointer() { pointer.release(); }
+    void release_pointer() { pointer.leave(); }
     /// Hides the pointer in full screen, if it has not moved for 2 seconds or is not needed.
     void hide_pointer();
 
