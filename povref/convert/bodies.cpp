@@ -31,7 +31,7 @@ std::optional<int> only_material(const Scene& scene, const Primitive& primitive)
 int medium_of(const Scene& scene, const Primitive& primitive) {
     int medium = primitive.material;
     for_each_leaf(primitive, [&](const Primitive& leaf, const glm::dmat4&) {
-        if (scene.materials[medium].refraction == 0 && scene.materials[leaf.material].refraction > 0)
+        if (!scene.materials[medium].transmits() && scene.materials[leaf.material].transmits())
             medium = leaf.material;
     });
     return medium;
@@ -131,6 +131,7 @@ void BodyWriter::add(const Scene& scene, const Primitive& primitive) {
     const std::string head =
         head_of(primitive, primitive.material, how.motions, [](int, const std::string&) { return ""; });
     if (material.transparent && how.shadow_copies) return add_clear(primitive, head, material, items);
+    if (material.no_shadow) items.push_back("no_shadow");
     items.insert(items.begin(), dressed(*number));
     if (how.hollow && !material.transparent) items.push_back("hollow");
     (material.transparent ? clear : solid) += block(head, items);
@@ -141,6 +142,7 @@ void BodyWriter::add(const Scene& scene, const Primitive& primitive) {
 void BodyWriter::add_mixed(const Scene& scene, const Primitive& primitive) {
     Items items = statements(primitive.transformations, how.motions);
     if (how.scaled) items.push_back("scale Unit");
+    if (how.materials[primitive.material].no_shadow) items.push_back("no_shadow");
     const int medium_number = medium_of(scene, primitive);
     // POV-Ray looks first for the shadow of the body that was in the way of a light last, if its own texture, not those
     // of its parts, is opaque; and dims light by its transparent parts once more afterwards. A pattern of the whole

@@ -81,10 +81,54 @@ std::string seen_through(const Material& m, const std::string& weight, const std
            "\n" + indent + texture(pigment_text(m.rgb, " transmit 0.5"), finish(m, "0.5", weight), indent, m.bump);
 }
 
+/// Returns a layer of POV-Ray's finish.
+std::vector<std::string> layer_finish(const Material& m) {
+    std::vector<std::string> terms{"ambient rgb " + text_of(m.ambient * m.glow), "diffuse " + text_of(m.diffuse)};
+    const auto add = [&](bool applies, const std::string& term) {
+        if (applies) terms.push_back(term);
+    };
+    add(m.brilliance != 1, "brilliance " + text_of(m.brilliance));
+    add(m.specular > 0, "phong " + text_of(m.specular) + " phong_size " + text_of(m.pow));
+    add(m.blinn > 0, "specular " + text_of(m.blinn) + " roughness " + text_of(m.roughness));
+    add(m.metallic > 0, "metallic " + text_of(m.metallic));
+    if (m.reflection > 0) {
+        const Color most = m.reflection * m.mirror;
+        std::string text = "reflection { rgb " + text_of(m.facing * most) + ", rgb " + text_of(most);
+        if (m.fresnel > 0)
+            text += " fresnel";
+        else if (m.falloff != 1)
+            text += " falloff " + text_of(m.falloff);
+        if (m.gilding > 0) text += " metallic " + text_of(m.gilding);
+        terms.push_back(text + " }");
+    }
+    return terms;
+}
+/// Returns the layers of a material with POV-Ray's finish, which says all of it but Kt.
+std::string layers_of(const Material& m, const std::string& indent) {
+    Material lowest = m;
+    lowest.rgb.transmit += m.refraction;
+    std::string text = texture(pigment_text(lowest.rgb), layer_finish(m), indent, m.coats.empty() ? m.bump : Bump{});
+    for (const Material& coat : m.coats)
+        text += "\n" + indent + texture(pigment_text(coat.rgb), layer_finish(coat), indent,
+                                        &coat == &m.coats.back() ? m.bump : Bump{});
+    return text;
+}
+
 PovMaterial describe(const Material& m, const std::string& name, const Circumstances& scene) {
     PovMaterial pov{.name = name};
     pov.patterned = m.patterned();
-    pov.transparent = m.refraction > 0;
+    pov.transparent = m.transmits();
+    pov.no_shadow = m.shadow == 0;
+    if (!m.plain()) {
+        pov.ior = text_of(m.ior);
+        pov.transparent |= m.ior != 1;
+        pov.declaration = "#declare " + name + " = ";
+        if (pov.transparent)
+            pov.declaration += "material {\n  " + layers_of(m, "  ") + "\n  interior { ior " + pov.ior + " }\n}\n";
+        else
+            pov.declaration += layers_of(m, "") + "\n";
+        return pov;
+    }
     if (!pov.transparent) {
         pov.declaration = "#declare " + name + " = " + part_texture(m, "", "") + "\n";
         return pov;
@@ -105,6 +149,7 @@ PovMaterial describe(const Material& m, const std::string& name, const Circumsta
 }  // namespace
 
 std::string part_texture(const Material& m, const std::string& weight, const std::string& indent) {
+    if (!m.plain()) return layers_of(m, indent);
     if (m.refraction > 0) return seen_through(m, weight, indent);
     return texture(pigment_text(m.rgb), finish(m, "", weight), indent, m.bump);
 }

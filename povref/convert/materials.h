@@ -15,6 +15,7 @@ struct PovMaterial {
     std::string declaration{};
     bool transparent = false;
     bool own_shadow = false;  // needs that copy
+    bool no_shadow = false;   // the body casts none
     std::string ior{};        // of a transparent one
     std::string weight{};     // of the finish keyword `refraction`, about which POV-Ray warns; empty if it is not used
     bool layered = false;     // has two layers of texture

@@ -1,6 +1,7 @@
 #include "povref/convert/pigments.h"
 
 #include <algorithm>
+#include <array>
 
 #include "num/decimal.h"
 #include "num/vec_math.h"
@@ -28,12 +29,28 @@ std::string moved(const std::string& coordinate, const Kind& kind) {
     return coordinate + " + " + text_of(kind.turbulence) + "*(" + octaves_text(kind) + ")";
 }
 
+std::string solid_text(const SolidPattern& own) {
+    constexpr std::array<const char*, 5> waves{"ramp", "triangle", "sine", "scallop", "cubic"};
+    const SolidPattern usual;
+    std::string text(solid_names[static_cast<std::size_t>(own.solid)]);
+    if (own.solid == Solid::gradient) text += " " + text_of(own.axis);
+    text += std::string(" ") + waves[static_cast<std::size_t>(std::clamp(own.wave, 0., 4.))] + "_wave";
+    if (own.turbulence != DVec3(0)) text += " turbulence " + text_of(own.turbulence);
+    if (own.octaves != usual.octaves) text += " octaves " + text_of(own.octaves);
+    if (own.omega != usual.omega) text += " omega " + text_of(own.omega);
+    if (own.lambda != usual.lambda) text += " lambda " + text_of(own.lambda);
+    if (own.frequency != usual.frequency) text += " frequency " + text_of(own.frequency);
+    if (own.phase != usual.phase) text += " phase " + text_of(own.phase);
+    return text + " noise_generator " + text_of(own.generator);
+}
+
 /// Writes the value of a pattern as a function. Empty where POV-Ray has the pattern without visible tolerances; its own
 /// gradient is off by 1e-5 at -1.
 struct ValueText {
     std::string operator()(const Checker&) const { return ""; }
     std::string operator()(const Brick&) const { return ""; }
     std::string operator()(const ImagePattern&) const { return ""; }
+    std::string operator()(const SolidPattern& own) const { return solid_text(own); }
     std::string operator()(const Gradient& gradient) const {
         const DVec3 axis = normalize(gradient.axis);
         return "Fraction(" + text_of(axis.x) + "*x + " + text_of(axis.y) + "*y + " + text_of(axis.z) + "*z + 1e-10)";
@@ -46,19 +63,24 @@ struct ValueText {
 }  // namespace
 
 std::string pigment_text(const Pigment& pigment, const std::string& more) {
-    const auto color = [&](const Color& c) { return "rgb " + text_of(c) + more; };
-    if (!pigment.pattern) return color(pigment.color);
+    const auto color = [&](const Color& c, double filter = 0, double transmit = 0) {
+        return "rgb " + text_of(c) + (filter > 0 ? " filter " + text_of(filter) : "") +
+               (transmit > 0 ? " transmit " + text_of(transmit) : "") + more;
+    };
+    if (!pigment.pattern) return color(pigment.color, pigment.filter, pigment.transmit);
     const auto& [kind, colors, transformations, by_uv] = *pigment.pattern;
     std::string text;
     if (const std::string value = std::visit(ValueText{}, kind); !value.empty()) {
-        text = "function { " + value + " } color_map {";
-        for (const ColorStop& stop : colors) text += " [" + text_of(stop.at) + " " + color(stop.color) + "]";
+        text = (std::holds_alternative<SolidPattern>(kind) ? value : "function { " + value + " }") + " color_map {";
+        for (const ColorStop& stop : colors)
+            text += " [" + text_of(stop.at) + " " + color(stop.color, stop.filter, stop.transmit) + "]";
         text += " }";
     } else if (const auto* const image = std::get_if<ImagePattern>(&kind)) {
         text = image_text(*image, more);
     } else {
         const Brick* const brick = std::get_if<Brick>(&kind);
-        text = std::string(brick ? "brick " : "checker ") + color(colors[0].color) + ", " + color(colors[1].color);
+        const auto own = [&](const ColorStop& stop) { return color(stop.color, stop.filter, stop.transmit); };
+        text = std::string(brick ? "brick " : "checker ") + own(colors[0]) + ", " + own(colors[1]);
         if (brick) text += " brick_size " + text_of(brick->size) + " mortar " + text_of(brick->mortar);
     }
     for (const Transformation& step : transformations) text += " " + step_text(step);
@@ -70,10 +92,13 @@ std::string normal_text(const Bump& bump) {
     // POV-Ray's size of 1 is 0.1 / accuracy times the sum over the corners that scene/pattern.h describes.
     constexpr double size_of_height = 3 / (4 * .1);
     const ImagePattern* const image = std::get_if<ImagePattern>(&bump.pattern->kind);
+    const SolidPattern* const solid = std::get_if<SolidPattern>(&bump.pattern->kind);
     std::string text = std::string(bump.pattern->by_uv ? "normal { uv_mapping " : "normal { ") +
                        (image ? "pigment_pattern { " + image_text(*image, "", true) + " } "
-                              : "function { " + std::visit(ValueText{}, bump.pattern->kind) + " } ") +
-                       text_of(size_of_height * bump.height) + " accuracy " + text_of(bump.step());
+                       : solid ? solid_text(*solid) + " "
+                               : "function { " + std::visit(ValueText{}, bump.pattern->kind) + " } ") +
+                       text_of(solid ? bump.height : size_of_height * bump.height) +
+                       " accuracy " + text_of(bump.step());
     for (const Transformation& step : bump.pattern->transformations) text += " " + step_text(step);
     return text + " }";
 }
@@ -85,7 +110,7 @@ std::string function_section(const Scene& scene) {
                std::ranges::any_of(scene.materials, is, &Material::bump);
     };
     const bool images = any([]<class Kind>(const Kind&) { return std::is_same_v<Kind, ImagePattern>; });
-    const bool maps = any([]<class Kind>(const Kind&) { return has_map<Kind>; });
+    const bool maps = any([]<class Kind>(const Kind&) { return has_map<Kind> && !std::is_same_v<Kind, SolidPattern>; });
     if (!images && !maps) return "";
     std::string text = heading("Patterns") + (images ? image_macro(scene.settings.linear) : "");
     if (!maps) return text;
@@ -93,7 +118,7 @@ std::string function_section(const Scene& scene) {
         "#declare Fraction = function(a) { a - floor(a) };\n"
         "#declare Wave = function(a) { 1 - abs(2*Fraction(a) - 1) };\n";
     if (!any([](const auto& kind) {
-            return requires { kind.octaves; };
+            return requires { kind.octaves; } && !requires { kind.solid; };
         }))
         return text;
     text += comment(

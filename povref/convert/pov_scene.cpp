@@ -113,7 +113,9 @@ std::string top(const Scene& scene, const PovRequest& request, const Plan& plan)
                                : "  assumed_gamma srgb    // values go straight to the file, which is sRGB as well\n") +
         "  ambient_light rgb " + text_of(scene.settings.ambient_light) + "\n  max_trace_level " +
         padded(std::to_string(request.depth), 6) + "// generations of rays, the camera's being the first\n" +
-        "  adc_bailout 0         // follow even the weakest ray\n}\n";
+        (scene.settings.adc_bailout == 0
+             ? "  adc_bailout 0         // follow even the weakest ray\n}\n"
+             : "  adc_bailout " + text_of(scene.settings.adc_bailout) + "    // rays of less weight are black\n}\n");
     if (!scene.background.pattern) text += "\nbackground { " + pigment_text(scene.background) + " }\n";
     if (plan.scaled)
         text += "\n" +
@@ -177,6 +179,10 @@ std::string light_section(const Scene& scene, const Plan& plan, PovMotions& moti
         const DVec3 place = light.direction ? place_of_parallel(*light.direction, plan) : light.position;
         const auto placed = [&](const DVec3& p) { return light.motion ? text_of(p) : scaled(text_of(p), plan); };
         std::vector<std::string> items{placed(place) + ", rgb " + text_of(light.color)};
+        if (light.shadowless) items.push_back("shadowless");
+        if (light.fades())
+            items.push_back("fade_distance " + scaled(text_of(light.fade_distance), plan) + " fade_power " +
+                            text_of(light.fade_power));
         if (light.direction) items.insert(items.end(), {"parallel", "point_at 0"});
         if (light.area) {
             items.push_back("area_light " + placed(light.area->u) + ", " + placed(light.area->v) + ", 16, 16");

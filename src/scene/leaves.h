@@ -123,7 +123,7 @@ void for_each_leaf(const Primitive& primitive, const Visit& visit) {
 inline bool transparent(const Scene& scene, const Primitive& primitive) {
     bool any = false;
     for_each_leaf(primitive, [&](const Primitive& leaf, const glm::dmat4&) {
-        any |= scene.materials[static_cast<std::size_t>(leaf.material)].refraction > 0;
+        any |= scene.materials[static_cast<std::size_t>(leaf.material)].transmits();
     });
     return any;
 }

@@ -1,4 +1,4 @@
-// Lights. Their light does not fade with distance.
+// Lights.
 #pragma once
 #include <optional>
 #include <tuple>
@@ -40,9 +40,13 @@ struct Light {
     std::optional<DVec3> direction{};
     std::optional<Spot> spot{};
     std::optional<Area> area{};
+    bool shadowless = false;  // it shines through all bodies, and makes no highlights
+    /// With both above 0 its light is multiplied by 2 / (1 + (distance / fade_distance)^fade_power), as in POV-Ray.
+    double fade_distance = 0, fade_power = 0;
     std::optional<Motion> motion{};  // of its position, direction, edges, and the point that its spot looks at
     std::vector<Follow> follows{};   // numbers of it and its spot that follow tracks
     bool operator==(const Light&) const = default;
+    bool fades() const { return fade_distance > 0 && fade_power > 0 && !direction; }
 };
 
 /// The number of lights that the tracer makes of one.
@@ -63,6 +67,9 @@ inline std::vector<Light> points_of(const std::vector<Light>& lights) {
             for (int i = 0; i < columns; ++i)
                 all.push_back({.position = light.position + offset(i, columns) * u + offset(j, rows) * v,
                                .color = light.color / (double(columns) * rows),
+                               .shadowless = light.shadowless,
+                               .fade_distance = light.fade_distance,
+                               .fade_power = light.fade_power,
                                .motion = light.motion});
     }
     return all;

@@ -1,7 +1,8 @@
-// The material of a body: the coefficients of the article's illumination equation.
+// The material of a body: the coefficients of the article's illumination equation, and what POV-Ray has besides.
 #pragma once
 #include <array>
 #include <tuple>
+#include <vector>
 
 #include "scene/pattern.h"
 
@@ -17,16 +18,46 @@ struct Material {
     double specular = 1;      // Ks, the highlight
     double pow = 50;          // p, the highlight's exponent
     double ior = 1;           // index of refraction of the body
+
+    // Terms of POV-Ray's finish. Scenes that leave them as they are do not pay for them.
+    double blinn = 0, roughness = .05;  // a second highlight, blinn (n.h)^(1 / roughness), h between eye and light
+    double metallic = 0;                // of both highlights: 1 gives them the colour of the body
+    double brilliance = 1;              // diffuse light is Kd (n.l)^brilliance
+    Color glow{1};                      // factors of the ambient light
+    // Light is reflected as Kr mirror (facing + (1 - facing) x), where x is (1 - the cosine of the angle of
+    // incidence)^falloff, or with fresnel the reflectance by `ior`. `gilding` is what `metallic` is for highlights.
+    Color mirror{1};
+    double facing = 1, falloff = 1, fresnel = 0, gilding = 0;
+    double shadow = 1;  // 0: the body casts none
+
     NormalMap normal{};
     Bump bump{};                    // bends the normals that `normal` has bent
     std::vector<Follow> follows{};  // numbers of it that follow tracks
+    /// Layers above this one, the lowest first: each lights, mirrors and lets through light by its own colour and
+    /// finish. Their refraction, ior, shadow, normal and bump do not count.
+    std::vector<Material> coats{};
 
     bool operator==(const Material&) const = default;
-    /// Is the body transparent, or could a track make it so?
-    bool may_transmit() const { return refraction > 0 || any_follows(follows, "refraction"); }
+    /// Is the body transparent?
+    bool transmits() const {
+        bool all = refraction > 0 || rgb.clear();
+        for (const Material& coat : coats) all = all && coat.rgb.clear();
+        return all;
+    }
+    /// Is it, or could a track make it so?
+    bool may_transmit() const { return transmits() || any_follows(follows, "refraction"); }
+    /// Does it use only what the article's equation has?
+    bool plain() const {
+        return blinn == 0 && metallic == 0 && brilliance == 1 && glow == Color(1) && mirror == Color(1) &&
+               facing == 1 && fresnel == 0 && gilding == 0 && shadow == 1 && coats.empty() && !rgb.clear();
+    }
     bool bends() const { return normal.pattern || bump.pattern; }
     /// Does it vary across the body?
-    bool patterned() const { return rgb.pattern || bends(); }
+    bool patterned() const {
+        bool any = rgb.pattern || bends();
+        for (const Material& coat : coats) any = any || coat.rgb.pattern;
+        return any;
+    }
     /// Has it a pattern that is mapped by uv?
     bool by_uv() const {
         bool any = false;
@@ -39,6 +70,8 @@ struct Material {
     void each_pattern(const Visit& visit) const {
         for (const Pattern* const own : {rgb.pattern.get(), normal.pattern.get(), bump.pattern.get()})
             if (own) visit(*own);
+        for (const Material& coat : coats)
+            if (coat.rgb.pattern) visit(*coat.rgb.pattern);
     }
 
     static constexpr auto fields = std::make_tuple(
@@ -53,6 +86,23 @@ struct Material {
         Field{"pow", &Material::pow, "exponent of the highlight: the larger, the smaller the highlight",
               Range::zero_or_more},
         Field{"ior", &Material::ior, "index of refraction", Range::positive},
+        Field{"blinn", &Material::blinn, "strength of a highlight as wide as `roughness` says, POV-Ray's `specular`",
+              Range::zero_or_more},
+        Field{"roughness", &Material::roughness, "how wide that highlight is", Range::positive},
+        Field{"metallic", &Material::metallic, "how much highlights have the colour of the body", Range::zero_or_more},
+        Field{"brilliance", &Material::brilliance, "exponent of diffuse light: above 1 it falls off faster",
+              Range::zero_or_more},
+        Field{"glow", &Material::glow, "factors of ambient light", Range::zero_or_more},
+        Field{"mirror", &Material::mirror, "colour of what is reflected", Range::zero_or_more},
+        Field{"facing", &Material::facing, "share of `reflection` where the surface faces the eye",
+              Range::zero_to_one},
+        Field{"falloff", &Material::falloff, "how late reflection grows from that to `reflection`, with the angle",
+              Range::zero_or_more},
+        Field{"fresnel", &Material::fresnel, "1: reflection grows with the angle by Fresnel's law, and `ior`",
+              Range::zero_to_one},
+        Field{"gilding", &Material::gilding, "how much mirror images have the colour of the body",
+              Range::zero_or_more},
+        Field{"shadow", &Material::shadow, "0: the body casts no shadow", Range::zero_to_one},
         Field{"normal", &Material::normal, "an image of normals, see below", Range::zero_or_more},
         Field{"bump", &Material::bump, "a pattern that bends normals, see below", Range::zero_or_more});
 };

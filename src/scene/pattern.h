@@ -12,13 +12,16 @@
 #include "scene/image_pattern.h"
 #include "scene/kinds/field.h"
 #include "scene/motion/transformation.h"
+#include "scene/solid.h"
 
 namespace strahl {
 
-/// The colour at a value of the pattern. Between two stops it changes linearly.
+/// The colour at a value of the pattern, and the light that a surface lets through there, see Pigment. Between stops
+/// all change linearly.
 struct ColorStop {
     double at = 0;
     Color color{0};
+    double filter = 0, transmit = 0;
     bool operator==(const ColorStop&) const = default;
 };
 
@@ -105,7 +108,7 @@ struct Wood : Octaves {
     bool operator==(const Wood&) const = default;
 };
 
-using PatternKind = std::variant<Checker, Gradient, Brick, Noise, Marble, Wood, ImagePattern>;
+using PatternKind = std::variant<Checker, Gradient, Brick, Noise, Marble, Wood, ImagePattern, SolidPattern>;
 
 /// Does a kind have two colours of its own in place of a map?
 template <class Kind>
@@ -133,9 +136,13 @@ struct Pattern {
 };
 
 /// A colour, the same everywhere or by a pattern. With a pattern, `color` is the largest of its colours, channel by
-/// channel, from which bounds on light are computed.
+/// channel, from which bounds on light are computed, and so are the next two.
+///
+/// As in POV-Ray a surface lets the share filter * color + transmit of light through, and scatters the share
+/// 1 - filter - transmit of what its finish says.
 struct Pigment {
     Color color{0};
+    double filter = 0, transmit = 0;
     std::shared_ptr<const Pattern> pattern;
 
     Pigment(const Color& color) : color(color) {}
@@ -144,14 +151,19 @@ struct Pigment {
         const auto include = [&](const Color& own) {
             for (int c = 0; c < 3; ++c) color[c] = std::max(color[c], own[c]);
         };
-        for (const ColorStop& stop : pattern->colors) include(stop.color);
+        for (const ColorStop& stop : pattern->colors) {
+            include(stop.color);
+            filter = std::max(filter, stop.filter), transmit = std::max(transmit, stop.transmit);
+        }
         if (const ImagePattern* const image = std::get_if<ImagePattern>(&pattern->kind)) {
             include(image->pixels->largest);
             if (image->once) include(*image->once);
         }
     }
+    /// Does light come through anywhere?
+    bool clear() const { return filter > 0 || transmit > 0; }
     bool operator==(const Pigment& other) const {
-        return color == other.color &&
+        return color == other.color && filter == other.filter && transmit == other.transmit &&
                (pattern == other.pattern || (pattern && other.pattern && *pattern == *other.pattern));
     }
 };

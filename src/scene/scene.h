@@ -1,5 +1,6 @@
 // A scene as a plain value: the contents of an .rt file, in double.
 #pragma once
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -22,6 +23,7 @@ struct Settings {
     Color ambient_light{1};    // Ia
     int max_trace_level = 20;  // generations of rays, camera rays being the first; 1 to 256
     bool linear = false;  // `assumed_gamma 1`: values are linear light, shown sRGB-encoded; otherwise shown as they are
+    double adc_bailout = 0;  // in scenes with POV-Ray's finishes rays of less weight than this are black
     bool operator==(const Settings&) const = default;
 };
 
@@ -50,6 +52,12 @@ struct Scene {
     std::vector<Track> tracks;  // saved beside the scene; read only if some number follows one
     std::vector<Follow> camera_follows, background_follows;  // numbers of the camera and the background's colour
     bool operator==(const Scene&) const = default;
+    /// Has it anything that the article's equation lacks?
+    bool finished() const {
+        const auto special = [](const Light& light) { return light.shadowless || light.fades(); };
+        return settings.adc_bailout > 0 || !std::ranges::all_of(materials, &Material::plain) ||
+               std::ranges::any_of(lights, special);
+    }
 };
 
 }  // namespace strahl

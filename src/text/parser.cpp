@@ -30,6 +30,9 @@ constexpr auto words_in<Mesh> = joined(mesh_words, shape_words);
 template <Operation operation>
 constexpr auto words_in<Composite<operation>> = composite_words;
 
+constexpr std::array<std::string_view, 1> coat_word{"coat"};
+constexpr std::size_t most_coats = 7;
+
 class Parser {
   public:
     Parser(std::string_view text, Diagnostics& diagnostics, SceneFiles& files, const TextLimits& limits)
@@ -52,6 +55,7 @@ class Parser {
     bool finish(std::string_view word, Primitive& primitive, Block& block, Ending& ending);
     void background(std::string_view word);
     Block material(std::string_view word, MaterialText& target);
+    bool coat(std::string_view word, MaterialText& target, Block& outer);
     bool body(std::string_view word, std::vector<Primitive>& bodies, Block& outer, int depth);
     template <class Kind>
     void shape(std::string_view word, std::vector<Primitive>& bodies, Block& outer, int depth);
@@ -135,11 +139,31 @@ Block Parser::material(std::string_view word, MaterialText& target) {
     MaterialText own;
     auto parameters = field_parameters(own.values);
     block.follows = &own.values.follows;
-    reader.block(block, parameters);
+    reader.block(
+        block, parameters, coat_word, [] {}, [&](std::string_view inner) { return coat(inner, own, block); });
     block.follows = nullptr;
     for (std::size_t i = 0; i < parameters.size(); ++i) own.named[i] = parameters[i].given();
     target.add(own);
     return block;
+}
+
+/// Reads `coat { ... }`, a layer above those before, or `coat none`.
+bool Parser::coat(std::string_view word, MaterialText& target, Block& outer) {
+    if (word != coat_word[0]) return false;
+    target.coated = true;
+    if (reader.lexer.peek() != '{') {
+        const std::string_view name = reader.lexer.word();
+        if (name != "none") reader.fault(outer, name.empty() ? word : name, "'{' or 'none' expected after 'coat'");
+        return target.values.coats.clear(), true;
+    }
+    Block block{word};
+    Material own = coat_base();
+    auto parameters = field_parameters(own);
+    reader.block(block, parameters);
+    outer.absorb(block);
+    reader.limit(target.values.coats.size(), most_coats, word, "coats");
+    target.values.coats.push_back(std::move(own));
+    return true;
 }
 
 /// Reads `define NAME material { ... }` or `define NAME BODY { ... }`.
@@ -258,11 +282,11 @@ void Parser::check(const Kind& shape, const Primitive& primitive, Block& block, 
 }  // namespace
 
 Scene parse_scene(std::string_view text, std::string_view file, const TextLimits& limits, const ReadPixels& read_pixels,
-                  FilesRead* read) {
+                  FilesRead* read, std::span<const TextOrigin> origins) {
     text = utf8_text(text, file);
     refuse_other_files(text, file);
     refuse_other_scenes(text, file);
-    Diagnostics diagnostics(text, file);
+    Diagnostics diagnostics(text, file, origins);
     diagnostics.check_encoding();
     SceneFiles files(file, read_pixels);
     Scene scene = Parser(text, diagnostics, files, limits).parse();

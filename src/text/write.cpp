@@ -7,6 +7,7 @@
 
 #include "num/decimal.h"
 #include "text/blocks/follow_text.h"
+#include "text/blocks/materials.h"
 #include "text/blocks/pigment.h"
 #include "text/blocks/transformations.h"
 
@@ -18,7 +19,7 @@ std::string parameters(const Material& material, const Material& base) {
     std::string text;
     const auto value = [&]<class T>(const char* name, const T& own) {
         if constexpr (std::is_same_v<T, Pigment>)
-            return own.pattern ? text_of(own) : text_of(own.color, material.follows, name);
+            return own.pattern || own.clear() ? text_of(own) : text_of(own.color, material.follows, name);
         else if constexpr (std::is_base_of_v<Relief, T>)
             return text_of(own);
         else
@@ -35,6 +36,10 @@ std::string parameters(const Material& material, const Material& base) {
         text += (text.empty() ? "" : "  ") + std::string(field.name) + " " + value(field.name, material.*field.member);
     };
     std::apply([&](const auto&... field) { (add(field), ...); }, Material::fields);
+    if (material.coats == base.coats) return text;
+    const auto put = [&](const std::string& coat) { text += (text.empty() ? "coat " : "  coat ") + coat; };
+    if (material.coats.empty()) put("none");
+    for (const Material& coat : material.coats) put("{ " + parameters(coat, coat_base()) + " }");
     return text;
 }
 
@@ -136,6 +141,9 @@ std::string light_text(const Light& light) {
         std::apply([&](const auto&... field) { (add(field), ...); }, Spot::fields);
         text += " }";
     }
+    if (light.shadowless) text += "  shadowless";
+    if (light.fade_distance != 0) text += "  fade_distance " + text_of(light.fade_distance, follows, "fade_distance");
+    if (light.fade_power != 0) text += "  fade_power " + text_of(light.fade_power, follows, "fade_power");
     if (light.motion) return text + "\n  " + text_of(*light.motion, "\n  ") + "\n}\n";
     return text + " }\n";
 }
@@ -148,6 +156,7 @@ std::string settings_text(const Settings& settings) {
     if (settings.max_trace_level != usual.max_trace_level)
         text += "  max_trace_level " + std::to_string(settings.max_trace_level) + "\n";
     if (settings.linear) text += "  assumed_gamma 1\n";
+    if (settings.adc_bailout != usual.adc_bailout) text += "  adc_bailout " + text_of(settings.adc_bailout) + "\n";
     return text.empty() ? text : "global_settings {\n" + text + "}\n";
 }
 

@@ -33,9 +33,10 @@ class Batches {
           limits(own_limits),
           workspace(own_workspace),
           prove(with_bounds),
-          filters(with_footprints) {
+          filters(with_footprints && !own_world.finishes.list) {
         if (prove) workspace.hold_extra(), bounds.resize(scattered_pixels);
         if (filters) workspace.hold_differentials();
+        if (world.finishes.list) workspace.hold_finishes();
     }
 
     Counts counts;  // its own memory: threads that count beside each other wait for each other

@@ -124,6 +124,10 @@ struct ValueAt {
         return value < 0 ? 0 : value > 1 ? 1 : value;
     }
     R operator()(const Marble& marble) const { return up_and_down(p.x + R(marble.turbulence) * octaves(marble, p)); }
+    /// In double, as it is defined. Its values are checked beside POV-Ray's.
+    R operator()(const SolidPattern& solid) const {
+        return value_at(solid, DVec3(static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)));
+    }
     R operator()(const Wood& wood) const {
         return up_and_down(root(p.x * p.x + p.y * p.y) + R(wood.turbulence) * octaves(wood, p));
     }

@@ -34,6 +34,16 @@ inline ImagePattern random_image(Dice& dice) {
     return image;
 }
 
+inline SolidPattern random_solid(Dice& dice) {
+    SolidPattern own;
+    own.solid = static_cast<Solid>(dice.upto(static_cast<int>(solid_names.size()) - 1));
+    if (own.solid == Solid::cells) own.solid = Solid::bozo;  // cells have edges everywhere
+    own.axis = dice.direction();
+    if (dice.chance(.4)) own.turbulence = dice.vector(0, .6);
+    own.octaves = 1 + dice.upto(3), own.wave = dice.upto(4), own.phase = dice.chance(.3) ? dice.in(0, 1) : 0;
+    return own;
+}
+
 /// One of every kind, by its place in the list.
 inline PatternKind random_pattern_kind(Dice& dice) {
     const auto octaves = [&](auto kind, int most) {
@@ -42,7 +52,7 @@ inline PatternKind random_pattern_kind(Dice& dice) {
         if constexpr (requires { kind.turbulence; }) kind.turbulence = dice.chance(.2) ? 0 : dice.in(0, 2);
         return kind;
     };
-    switch (dice.upto(6)) {
+    switch (dice.upto(7)) {
         case 0:
             return Checker{};
         case 1:
@@ -55,6 +65,8 @@ inline PatternKind random_pattern_kind(Dice& dice) {
             return octaves(Marble{}, 6);
         case 5:
             return octaves(Wood{}, 6);
+        case 6:
+            return random_solid(dice);
         default:
             return random_image(dice);
     }

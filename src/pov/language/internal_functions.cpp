@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "pov/language/noise.h"
+#include "num/lattice_noise.h"
 
 namespace strahl::pov {
 namespace {
@@ -45,11 +45,11 @@ void octaves(double count, const Add& add) {
 /// F. K. Musgrave's heterogeneous terrain ("Texturing and Modeling", 1994); a fraction of an octave counts in part.
 double hetero_terrain(DVec3 point, const double* p) {
     const int generator = generator_of(p[5]);
-    double strength = 1, sum = 2 * noise(point, generator) - 1 + p[3];
+    double strength = 1, sum = 2 * lattice::noise(point, generator) - 1 + p[3];
     const auto next = [&] {
         point *= p[1];
         strength *= std::pow(p[1], -p[0]);
-        return (2 * noise(point, generator) - 1 + p[3]) * strength;
+        return (2 * lattice::noise(point, generator) - 1 + p[3]) * strength;
     };
     const int count = static_cast<int>(std::clamp(std::ceil(p[2]), 0., 30.));
     const int power = static_cast<int>(std::clamp(p[4], 0., 30.));
@@ -66,7 +66,7 @@ double hetero_terrain(DVec3 point, const double* p) {
 double ridged_terrain(DVec3 point, const double* p) {
     const int generator = generator_of(p[5]);
     const auto ridge = [&] {
-        const double value = p[3] - std::abs(2 * noise(point, generator) - 1);
+        const double value = p[3] - std::abs(2 * lattice::noise(point, generator) - 1);
         return value * value;
     };
     double signal = ridge(), sum = signal;
@@ -84,7 +84,7 @@ double ridge(DVec3 point, const double* p) {
     const double ridge = p[4], offset = p[3];
     double sum = 0, most = 0, strength = 1;
     octaves(p[1], [&](int, double share) {
-        const double value = std::abs(noise(point, generator) - ridge) / std::max(ridge, 1 - ridge);
+        const double value = std::abs(lattice::noise(point, generator) - ridge) / std::max(ridge, 1 - ridge);
         sum += share * strength * (value - offset);
         most += share * strength * std::max(offset, 1 - offset);
         point *= p[0];
@@ -373,9 +373,9 @@ double value_of(int number, double x, double y, double z, const double* p, int g
             around(3);
             return C(p[2] - sqr(p[1]) * y - x * x * y);
         case 76:
-            return noise({x, y, z}, generator);
+            return lattice::noise({x, y, z}, generator);
         case 78:
-            return noise({x, y, z}, generator_of(p[0]));
+            return lattice::noise({x, y, z}, generator_of(p[0]));
     }
     return std::numeric_limits<double>::quiet_NaN();
 }

@@ -11,8 +11,8 @@
 #include <unordered_set>
 #include <vector>
 
+#include "num/lattice_noise.h"
 #include "pov/language/interpreter.h"
-#include "pov/language/noise.h"
 #include "pov/language/symbols.h"
 #include "pov/language/text_file.h"
 

@@ -266,6 +266,12 @@ void SceneMaker::add(const ObjectThing& object, const Around& around) {
     }
 }
 
+/// Gives a body and its parts materials that cast no shadow.
+void SceneMaker::cast_none(Primitive& body) {
+    body.material = materials.without_shadow(body.material);
+    change_parts(body, [&](Primitive& part) { cast_none(part); });
+}
+
 /// Finds pairs of one body of which one is only seen and the other only casts a shadow, as `strahl pov` writes them,
 /// and makes each pair one body again. Tells of all others that cast no shadow or are not seen.
 void SceneMaker::drop_shadow_copies() {
@@ -296,7 +302,7 @@ void SceneMaker::drop_shadow_copies() {
             notes.left_out(place, "the shadow of a body that is not seen");
             continue;
         }
-        if (no_shadow) notes.approximated(place, "no_shadow: a body casts a shadow");
+        if (no_shadow) cast_none(scene.primitives[i]);
         if (no_image) notes.left_out(place, "no_image: a body that only mirrors show");
         if (no_reflection) notes.approximated(place, "no_reflection: mirrors show a body");
         if (!no_image) kept.push_back(std::move(scene.primitives[i]));

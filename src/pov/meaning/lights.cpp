@@ -53,12 +53,9 @@ void SceneMaker::add_light(const ObjectThing& object, const Around& around) {
         return notes.left_out(object.place, "a light of a negative colour");
     if (own.color == DVec3(0)) return;
     const DVec3 target = mirror(transform_point(m, own.point_at), mirrored);
-    if (own.fade_distance > 0 && own.fade_power > 0) {
-        const double away = length(light.position - scene.camera.look_at);
-        light.color = light.color * tidy(2 / (1 + std::pow(away / own.fade_distance, own.fade_power)));
-        approximated(true, "a light that fades is everywhere as bright as where the camera looks");
-    }
-    approximated(own.shadowless, "a shadowless light casts shadows and has highlights");
+    if (own.fade_distance > 0 && own.fade_power > 0)
+        light.fade_distance = own.fade_distance, light.fade_power = own.fade_power;
+    light.shadowless = own.shadowless;
     if (own.parallel && target != light.position) {
         light.direction = target - light.position;
         light.position = DVec3(0);

@@ -41,6 +41,13 @@ int MaterialMaker::without_patterns(int number) {
     Material own = (*this)[number];
     own.rgb = Pigment(own.rgb.color);
     own.bump = {};
+    own.coats.clear();
+    return materials.number(own);
+}
+
+int MaterialMaker::without_shadow(int number) {
+    Material own = (*this)[number];
+    own.shadow = 0;
     return materials.number(own);
 }
 
@@ -89,8 +96,107 @@ void MaterialMaker::set_finish(Material& material, const FinishThing& finish, co
     if (finish.subsurface) notes.left_out(finish.place, "'subsurface'");
 }
 
+/// Sets the terms of a layer's finish.
+void MaterialMaker::set_layer(Material& layer, const FinishThing& finish) {
+    const Color light = max(contents.ambient_light, Color(1e-9));
+    const Color ambient = finish.ambient + finish.emission / light;
+    layer.ambient = coefficient(max_of(ambient));
+    if (!is_grey(ambient)) layer.glow = coefficients(ambient / max_of(ambient));
+    layer.diffuse = coefficient(finish.diffuse), layer.brilliance = coefficient(finish.brilliance);
+    layer.specular = coefficient(finish.phong), layer.pow = coefficient(finish.phong_size);
+    layer.blinn = coefficient(finish.specular);
+    if (layer.blinn > 0) layer.roughness = std::clamp(tidy(finish.roughness), 1e-9, 1e9);
+    if (layer.specular > 0 || layer.blinn > 0) layer.metallic = coefficient(finish.metallic);
+    const ReflectionValues& reflection = finish.reflection;
+    const double most = max_of(reflection.most);
+    const auto approximated = [&](bool applies, const char* text) {
+        if (applies) notes.approximated(finish.place, text);
+    };
+    if (reflection.most != DVec3(0)) {
+        layer.reflection = share(most);
+        if (!is_grey(reflection.most)) layer.mirror = coefficients(reflection.most / most);
+        layer.fresnel = reflection.fresnel ? 1 : 0;
+        if (reflection.least != reflection.most || reflection.fresnel) {
+            layer.facing = share(mean(reflection.least) / mean(reflection.most));
+            layer.falloff = coefficient(reflection.falloff);
+        }
+        layer.gilding = coefficient(reflection.metallic);
+        approximated(most > 1, "reflection above 1 is 1");
+        approximated(length(reflection.least - layer.facing * reflection.most) > 1e-6,
+                     "the two colours of a reflection are of one colour");
+        approximated(reflection.exponent != 1, "'exponent' of a reflection is 1");
+    }
+    approximated(finish.diffuse_behind > 0, "light from behind does not shine through");
+    if (finish.crand != 0) notes.left_out(finish.place, "'crand'");
+    if (finish.irid) notes.left_out(finish.place, "'irid'");
+    if (finish.subsurface) notes.left_out(finish.place, "'subsurface'");
+}
+
+Material MaterialMaker::layered_material_of(const TextureThing& texture, const InteriorThing* interior,
+                                            const MaterialUse& use, const Steps& way) {
+    Material whole;
+    bool lowest = true;
+    const std::size_t count = std::min<std::size_t>(texture.layers.size(), 8);
+    if (count < texture.layers.size())
+        notes.approximated(texture.layers[0].place, "of the layers of a texture the upper eight are shown");
+    for (std::size_t i = texture.layers.size() - count; i < texture.layers.size(); ++i) {
+        const LayerValues values = without_blend(texture.layers[i], notes);
+        Look look = pigments.look_of(values.pigment, way, use.mapped);
+        if (look.pigment.pattern && std::holds_alternative<ImagePattern>(look.pigment.pattern->kind) &&
+            look.filter + look.transmit > 0)
+            notes.approximated(values.place, "a picture that lets light through is opaque");
+        Material layer{.rgb = look.clear(), .reflection = 0, .specular = 0, .pow = 40};
+        set_layer(layer, values.finish);
+        if (values.finish.refraction.value_or(1) != 1)
+            notes.approximated(values.finish.place, "'refraction' of a finish is 1");
+        approximate_opacity(layer, values);
+        if (values.finish.conserve_energy && layer.reflection > 0 && layer.rgb.clear())
+            notes.approximated(values.finish.place, "'conserve_energy' changes nothing");
+        if (i + 1 < texture.layers.size() && values.normal.blend && values.normal.amount != 0)
+            notes.approximated(values.normal.blend.place, "only the uppermost layer has bumps");
+        if (lowest)
+            whole = std::move(layer);
+        else
+            whole.coats.push_back(std::move(layer));
+        lowest = false;
+    }
+    whole.bump = pigments.bump_of(texture.layers.back().normal, way, use.mapped);
+    if (interior) whole.ior = std::clamp(decimal(static_cast<float>(interior->ior)), 1e-9, 1e9);
+    if (interior && std::fabs(interior->ior - 1) < 1.5e-7) whole.ior = 1;
+    if (interior && whole.transmits()) {
+        if (interior->fades) notes.approximated(interior->place, "light does not fade inside bodies");
+        if (interior->dispersion) notes.left_out(interior->place, "dispersion");
+        if (interior->caustics) notes.left_out(interior->place, "caustics");
+    }
+    if (interior && interior->media) notes.left_out(interior->place, "media");
+    return whole;
+}
+
+/// Before version 3.7 POV-Ray weakens what a layer scatters by another share: 1 - (filter max(r, g, b) + transmit).
+void MaterialMaker::approximate_opacity(Material& layer, const LayerValues& values) {
+    const double version = notes.in.version_given() ? notes.in.version() : 3.62;
+    if (version >= 3.7 || layer.rgb.filter == 0) return;
+    const double now = 1 - layer.rgb.filter - layer.rgb.transmit;
+    const double then = 1 - layer.rgb.filter * max_of(layer.rgb.color) - layer.rgb.transmit;
+    if (layer.rgb.pattern || !(now > 1e-6))
+        return notes.approximated(values.place, "a surface that filters light scatters as in version 3.7");
+    layer.diffuse = coefficient(layer.diffuse * then / now), layer.ambient = coefficient(layer.ambient * then / now);
+}
+
+/// Returns the material by the article's terms alone, or by POV-Ray's if those do not say all.
 Material MaterialMaker::material_of(const TextureThing& texture, const InteriorThing* interior, const MaterialUse& use,
                                     const Steps& way) {
+    if (use.shadow_only) return plain_material_of(texture, interior, use, way);
+    bool differs = false;
+    notes.only_asked = &differs;
+    Material plain = plain_material_of(texture, interior, use, way);
+    notes.only_asked = nullptr;
+    if (differs) return layered_material_of(texture, interior, use, way);
+    return plain;
+}
+
+Material MaterialMaker::plain_material_of(const TextureThing& texture, const InteriorThing* interior,
+                                          const MaterialUse& use, const Steps& way) {
     struct Layer {
         LayerValues values;
         Look look;
@@ -101,6 +207,8 @@ Material MaterialMaker::material_of(const TextureThing& texture, const InteriorT
     for (const LayerValues& own : texture.layers) {
         Layer layer{.values = without_blend(own, notes), .look = {}};
         layer.look = pigments.look_of(layer.values.pigment, way, use.mapped);
+        if (layer.look.varies)
+            notes.approximated(layer.values.place, "transparency that varies in a pattern is its mean");
         layers.push_back(std::move(layer));
     }
     Color through(1);  // the light that all layers let through
@@ -126,7 +234,8 @@ Material MaterialMaker::material_of(const TextureThing& texture, const InteriorT
     if (count > 1 && !use.shadow_only)
         notes.approximated(shown.values.place, "of the layers of a texture the one that scatters most light is shown");
 
-    Material material{.rgb = shown.look.pigment, .reflection = 0, .diffuse = 0, .ambient = 0, .specular = 0, .pow = 40};
+    const Pigment pigment = shown.look.opaque();
+    Material material{.rgb = pigment, .reflection = 0, .diffuse = 0, .ambient = 0, .specular = 0, .pow = 40};
     double above = 1;
     for (std::size_t i = best + 1; i < layers.size(); ++i)
         above *= mean(layers[i].look.pigment.color * layers[i].look.filter + Color(layers[i].look.transmit));
@@ -158,8 +267,9 @@ Material MaterialMaker::material_of(const TextureThing& texture, const InteriorT
         const bool unlit = material.diffuse == 0 && material.ambient == 0;
         if (unlit && !use.no_shadow) material.rgb = Pigment(coefficients(through / material.refraction));
         if (use.shadow_only) return material;
-        unbent |= !interior || interior->ior == 1;
         const TextPlace place = shown.values.place;
+        if (!interior || interior->ior == 1)
+            notes.approximated(place, "rays that pass a clear body count for max_trace_level");
         const Color shadow = material.rgb.color * material.refraction;
         bool coloured = false, shaded = false;
         for (int c = 0; c < 3; ++c) {

@@ -34,15 +34,22 @@ class MaterialMaker {
     }
     /// Returns the number of the same material without its patterns.
     int without_patterns(int number);
+    /// Returns the number of the same material of bodies that cast no shadow.
+    int without_shadow(int number);
     /// Returns the number of an equal material whose patterns have a space of their own.
     int apart(int number);
     const Material& operator[](int number) const { return materials.list[static_cast<std::size_t>(number)]; }
 
     Materials materials;
-    bool unbent = false;  // some body lets light through without bending it
     PigmentMaker& pigment_maker() { return pigments; }
 
   private:
+    void set_layer(Material& layer, const FinishThing& finish);
+    void approximate_opacity(Material& layer, const LayerValues& values);
+    Material plain_material_of(const TextureThing& texture, const InteriorThing* interior, const MaterialUse& use,
+                               const Steps& way);
+    Material layered_material_of(const TextureThing& texture, const InteriorThing* interior, const MaterialUse& use,
+                                 const Steps& way);
     static bool has_pattern(const TextureThing& texture);
     Material material_of(const TextureThing& texture, const InteriorThing* interior, const MaterialUse& use,
                          const Steps& way);

@@ -15,48 +15,6 @@ std::string word_text(std::uint16_t code) { return std::string(reserved_words[co
 /// The exchange of y and z: POV-Ray's pictures have their poles on the y axis, those of scenes on the z axis.
 const MatrixStep poles{glm::dmat4(1, 0, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0, 0, 0, 0, 1)};
 
-/// Returns the pattern's value after its wave. `v` is from 0 to 1.
-double waved(Wave wave, double v) {
-    const double turn = 2 * std::numbers::pi * v;
-    switch (wave) {
-        case Wave::triangle:
-            return v < .5 ? 2 * v : 2 - 2 * v;
-        case Wave::sine:
-            return (1 + std::sin(turn)) / 2;
-        case Wave::scallop:
-            return std::fabs(std::sin(turn / 2));
-        case Wave::cubic:
-            return v * v * (3 - 2 * v);
-        default:
-            return v;
-    }
-}
-
-/// The colour of a map at a value.
-Color color_at(const std::vector<ColorStop>& stops, double v) {
-    if (v <= stops.front().at) return stops.front().color;
-    for (std::size_t i = 1; i < stops.size(); ++i)
-        if (v <= stops[i].at) {
-            const double share = (v - stops[i - 1].at) / (stops[i].at - stops[i - 1].at);
-            return stops[i - 1].color + share * (stops[i].color - stops[i - 1].color);
-        }
-    return stops.back().color;
-}
-
-/// Returns the map that shows at a value what `stops` shows at its wave.
-std::vector<ColorStop> with_wave(const std::vector<ColorStop>& stops, Wave wave) {
-    std::vector<ColorStop> all;
-    if (wave == Wave::triangle) {
-        for (const ColorStop& stop : stops) all.push_back({stop.at / 2, stop.color});
-        for (auto stop = stops.rbegin(); stop != stops.rend(); ++stop) all.push_back({1 - stop->at / 2, stop->color});
-    } else {
-        constexpr int steps = 64;
-        for (int i = 0; i <= steps; ++i)
-            all.push_back({double(i) / steps, color_at(stops, waved(wave, double(i) / steps))});
-    }
-    return all;
-}
-
 }  // namespace
 
 PigmentMaker::Mean PigmentMaker::mean_of(const MapEntry& entry) {
@@ -104,7 +62,8 @@ std::vector<ColorStop> PigmentMaker::stops_of(const Blend& blend) {
     bool mixed = false;
     for (const MapEntry& entry : blend.map->entries) {
         const double at = std::clamp(decimal(static_cast<float>(entry.at)), stops.empty() ? 0 : stops.back().at, 1.);
-        stops.push_back({at, mean_of(entry).color});
+        const Mean own = mean_of(entry);
+        stops.push_back({at, own.color, own.filter, own.transmit});
         const auto* const nested = dynamic_cast<const PigmentThing*>(entry.thing.get());
         mixed |= nested && nested->blend;
     }
@@ -133,66 +92,59 @@ std::vector<Transformation> PigmentMaker::space_of(const Blend& blend, const Ste
     return transformations_of(steps, mirrored);
 }
 
-/// Sets the kind of a pattern that has values, and where it is. Folds waves into the map if `fold`. Returns false if
-/// the scene has no such pattern.
-bool PigmentMaker::set_kind(const Blend& blend, Pattern& pattern, bool fold) {
-    const std::uint16_t own = blend.word;
-    const bool turbulent = blend.turbulence != DVec3(0);
-    const double strength =
-        std::max({std::fabs(blend.turbulence.x), std::fabs(blend.turbulence.y), std::fabs(blend.turbulence.z)});
-    const auto layers = [&](auto kind, double turbulence) {
-        if (turbulent) {
-            kind.turbulence = turbulence;
-            kind.octaves = std::clamp(std::floor(blend.octaves), 1., 10.);
-            kind.omega = std::clamp(blend.omega, 0., 1.), kind.lambda = std::clamp(blend.lambda, 1e-9, 1e9);
-            notes.approximated(blend.place, "the turbulence of '" + word_text(own) + "' is another noise");
-        }
-        pattern.kind = kind;
-    };
-    const auto ramp = [&](const DVec3& axis, Wave usual) {
-        pattern.kind = Gradient{mirror(axis, mirrored)};
-        if (fold && blend.wave.value_or(usual) != Wave::ramp)
-            pattern.colors = with_wave(pattern.colors, blend.wave.value_or(usual));
-        if (turbulent) notes.approximated(blend.place, strahl::quoted(word_text(own)) + " without turbulence");
-    };
-    switch (own) {
-        case word("gradient"):
-            ramp(blend.axis, Wave::ramp);
-            return true;
-        case word("marble"):
-            if (blend.wave && *blend.wave != Wave::triangle) return ramp(DVec3(1, 0, 0), Wave::triangle), true;
-            return layers(Marble(), std::fabs(blend.turbulence.x)), true;
-        case word("wood"):
-            layers(Wood(), strength);
-            if (blend.wave && *blend.wave != Wave::triangle)
-                notes.approximated(blend.place, "'wood' has a triangle_wave");
-            return true;
-        case word("planar"):
-            // 1 - |y| up to 1 from the plane, repeated far away.
-            pattern.kind = Gradient{DVec3(0, 1, 0)};
-            if (turbulent) notes.approximated(blend.place, "'planar' without turbulence");
-            return fold;
-        case word("bozo"):
-        case word("spotted"):
-        case word("bumps"):
-        case word("dents"):
-        case word("crackle"):
-        case word("cells"):
-        case word("leopard"):
-        case word("granite"):
-        case word("wrinkles"):
-        case word("agate"): {
-            const bool plain = own == word("bozo") || own == word("spotted") || own == word("bumps");
-            Noise noise;
-            noise.octaves = plain ? turbulent ? 3 : 1 : own == word("dents") || own == word("leopard") ? 1 : 6;
-            pattern.kind = noise;
-            notes.approximated(
-                blend.place, plain ? "'" + word_text(own) + "' is another noise" : "'" + word_text(own) + "' is noise");
-            return true;
-        }
-        default:
-            return false;
+/// Returns the scene's solid pattern for POV-Ray's, if it has one. `bends`: it bends normals.
+std::optional<SolidPattern> PigmentMaker::solid_of(const Blend& blend, bool bends) const {
+    const std::string name = word_text(blend.word);
+    const bool noise = name == "spotted" || (name == "bumps" && !bends);
+    const auto found = std::ranges::find(solid_names, noise ? std::string("bozo") : name);
+    if (found == solid_names.end()) return std::nullopt;
+    SolidPattern solid{.solid = static_cast<Solid>(found - solid_names.begin())};
+    const Wave usual = name == "marble" || name == "wood" ? Wave::triangle : Wave::ramp;
+    const Wave wave = blend.wave.value_or(usual);
+    if (wave == Wave::poly) notes.approximated(blend.place, "a poly_wave is a ramp");
+    if (name == "gradient" && blend.axis != DVec3(0)) solid.axis = blend.axis;
+    solid.wave = wave == Wave::poly ? 0 : static_cast<int>(wave);
+    if (blend.turbulence != DVec3(0)) {
+        solid.turbulence = blend.turbulence;
+        solid.octaves = std::clamp(std::floor(blend.octaves), 1., 10.);
+        solid.omega = blend.omega, solid.lambda = blend.lambda;
+    } else if (name == "agate") {
+        solid.octaves = std::clamp(std::floor(blend.octaves), 1., 10.);
+        solid.omega = blend.omega, solid.lambda = blend.lambda;
     }
+    solid.frequency = blend.frequency, solid.phase = blend.phase;
+    solid.generator = std::clamp(notes.in.noise_generator, 1, 3);
+    return solid;
+}
+
+/// Sets the kind of a pattern that has values. Returns false if the scene has no such pattern.
+bool PigmentMaker::set_kind(const Blend& blend, Pattern& pattern) {
+    const std::uint16_t own = blend.word;
+    const bool plain = blend.turbulence == DVec3(0);
+    const auto waves = [&](Wave usual) { return blend.wave.value_or(usual) == usual; };
+    if (plain && own == word("gradient") && waves(Wave::ramp))
+        pattern.kind = Gradient{mirror(blend.axis, mirrored)};
+    else if (plain && own == word("marble") && waves(Wave::triangle))
+        pattern.kind = Marble();
+    else if (plain && own == word("wood") && waves(Wave::triangle) && blend.phase == 0)
+        pattern.kind = Wood();
+    else if (const std::optional<SolidPattern> solid = solid_of(blend, false))
+        pattern.kind = *solid;
+    else
+        return false;
+    return true;
+}
+
+Pigment Look::clear() const {
+    Pigment own = pigment;
+    if (!pigment.pattern) own.filter = filter, own.transmit = transmit;
+    return own;
+}
+Pigment Look::opaque() const {
+    if (!pigment.clear()) return pigment;
+    Pattern pattern = *pigment.pattern;
+    for (ColorStop& stop : pattern.colors) stop.filter = stop.transmit = 0;
+    return Pigment(std::move(pattern));
 }
 
 Look PigmentMaker::look_of(const PigmentThing& pigment, const Steps& way, bool mapped) {
@@ -206,30 +158,30 @@ Look PigmentMaker::look_of(const PigmentThing& pigment, const Steps& way, bool m
     };
     if (blend.uv && !mapped) return as_mean("a pigment by uv of a body that is no mesh");
     if (blend.map && !blend.map->entries.empty()) {
-        bool varies = false;
         const Mean first = mean_of(blend.map->entries[0]);
         for (const MapEntry& entry : blend.map->entries) {
             const Mean own = mean_of(entry);
-            varies |= own.filter != first.filter || own.transmit != first.transmit;
+            look.varies |= own.filter != first.filter || own.transmit != first.transmit;
         }
-        if (varies) notes.approximated(blend.place, "transparency that varies in a pattern is its mean");
     }
     if (blend.warped) notes.approximated(blend.place, "a pattern without its warps");
     Pattern pattern{.kind = Checker{}, .colors = {}, .transformations = {}, .by_uv = blend.uv};
     if (blend.word == word("checker") || blend.word == word("brick")) {
         const bool brick = blend.word == word("brick");
-        std::array<Color, 2> colors{brick ? Color(.5) : Color(0, 0, 1), brick ? Color(.6, .15, .15) : Color(0, 1, 0)};
+        std::array<ColorStop, 2> colors{ColorStop{0, brick ? Color(.5) : Color(0, 0, 1)},
+                                        ColorStop{1, brick ? Color(.6, .15, .15) : Color(0, 1, 0)}};
         // A colour that is missing is the usual one; a pigment that is missing is black.
-        if (blend.map && blend.map->entries[0].thing) colors[1] = Color(0);
+        if (blend.map && blend.map->entries[0].thing) colors[1].color = Color(0);
         for (std::size_t i = 0; blend.map && i < std::min<std::size_t>(blend.map->entries.size(), 2); ++i) {
             const auto* const nested = dynamic_cast<const PigmentThing*>(blend.map->entries[i].thing.get());
-            colors[i] = mean_of(blend.map->entries[i]).color;
+            const Mean own = mean_of(blend.map->entries[i]);
+            colors[i] = {double(i), own.color, own.filter, own.transmit};
             if (nested && nested->blend) notes.approximated(blend.place, "patterns in a list are their mean colours");
         }
         if (blend.turbulence != DVec3(0))
             notes.approximated(blend.place, "'" + word_text(blend.word) + "' without turbulence");
         if (brick) pattern.kind = Brick{blend.brick_size, blend.mortar};
-        pattern.colors = {{0, colors[0]}, {1, colors[1]}};
+        pattern.colors = {colors[0], colors[1]};
         // All that is mirrored is the argument of the pattern.
         pattern.transformations = space_of(blend, way, {});
         if (mirrored) pattern.transformations.insert(pattern.transformations.begin(), Scale{{1, 1, -1}});
@@ -267,23 +219,16 @@ Look PigmentMaker::look_of(const PigmentThing& pigment, const Steps& way, bool m
         return look;
     }
     pattern.colors = stops_of(blend);
-    if (!set_kind(blend, pattern, true)) return as_mean("the pattern '" + word_text(blend.word) + "'");
+    if (!set_kind(blend, pattern)) return as_mean("the pattern '" + word_text(blend.word) + "'");
+    const bool solid = std::holds_alternative<SolidPattern>(pattern.kind);
     Steps first;
-    if (blend.word == word("planar")) {
-        constexpr double period = 200;
-        std::vector<ColorStop> stops;
-        const auto add = [&](double y, const Color& color) { stops.push_back({(y + period / 2) / period, color}); };
-        for (const ColorStop& stop : pattern.colors) add(stop.at - 1, stop.color);
-        for (auto stop = pattern.colors.rbegin(); stop != pattern.colors.rend(); ++stop) add(1 - stop->at, stop->color);
-        pattern.colors = std::move(stops);
-        first = {Translate{{0, -.5, 0}}, Scale{DVec3(period)}};
-    }
-    const bool ramp = std::holds_alternative<Gradient>(pattern.kind) && blend.word != word("planar");
+    const bool ramp = std::holds_alternative<Gradient>(pattern.kind);
     const DVec3 axis = blend.word == word("gradient") ? normalize(blend.axis) : DVec3(1, 0, 0);
-    if (blend.phase != 0 && (ramp || blend.word == word("marble"))) first.push_back(Translate{-blend.phase * axis});
-    if (blend.frequency != 1 && blend.frequency != 0 && blend.word != word("planar"))
-        first.push_back(Scale{DVec3(1 / blend.frequency)});
+    if (!solid && blend.phase != 0 && (ramp || blend.word == word("marble")))
+        first.push_back(Translate{-blend.phase * axis});
+    if (!solid && blend.frequency != 1 && blend.frequency != 0) first.push_back(Scale{DVec3(1 / blend.frequency)});
     pattern.transformations = space_of(blend, way, first);
+    if (solid && mirrored) pattern.transformations.insert(pattern.transformations.begin(), Scale{{1, 1, -1}});
     look.pigment = Pigment(std::move(pattern));
     return look;
 }
@@ -305,15 +250,15 @@ Bump PigmentMaker::bump_of(const NormalThing& normal, const Steps& way, bool map
         if (blend.image->once) std::get<ImagePattern>(pattern.kind).once = Color(0);
         bump.height = normal.amount / pixels->width;
         notes.approximated(blend.place, "a bump_map bends normals a little differently");
-    } else if (blend.map || !set_kind(blend, pattern, false)) {
-        return none("'" + word_text(blend.word) + "'");
     } else {
-        // POV-Ray's amount of 1 is .1 / accuracy of the differences that scene/pattern.h describes.
-        bump.height = normal.amount * (blend.word == word("gradient") || blend.word == word("marble") ? .1333 : .5);
-        notes.approximated(blend.place, "'" + word_text(blend.word) + "' bends normals differently");
+        const std::optional<SolidPattern> solid = solid_of(blend, true);
+        if (blend.map || !solid) return none("'" + word_text(blend.word) + "'");
+        pattern.kind = *solid;
+        bump.height = decimal(static_cast<float>(normal.amount));
     }
-    pattern.transformations = space_of(
-        blend, way, blend.frequency > 0 && blend.frequency != 1 ? Steps{Scale{DVec3(1 / blend.frequency)}} : Steps{});
+    pattern.transformations = space_of(blend, way, {});
+    if (mirrored && std::holds_alternative<SolidPattern>(pattern.kind))
+        pattern.transformations.insert(pattern.transformations.begin(), Scale{{1, 1, -1}});
     bump.pattern = std::make_shared<const Pattern>(std::move(pattern));
     return bump;
 }

@@ -1,6 +1,7 @@
 // Makes a scene's pigments and reliefs of POV-Ray's.
 #pragma once
 #include <map>
+#include <optional>
 
 #include "pov/meaning/notes.h"
 #include "pov/things/textures.h"
@@ -9,10 +10,15 @@
 
 namespace strahl::pov {
 
-/// A pigment, and how much light its colours let through, which a scene does not vary from place to place.
+/// A pigment, and how much light its colours let through: in the mean, and whether that varies from place to place.
 struct Look {
     Pigment pigment{Color(0)};
     double filter = 0, transmit = 0;
+    bool varies = false;
+    /// Returns the pigment whose colours let through as much as these, but for pictures; and the one whose colours let
+    /// nothing through.
+    Pigment clear() const;
+    Pigment opaque() const;
 };
 
 class PigmentMaker {
@@ -33,8 +39,9 @@ class PigmentMaker {
     Mean mean_of(const PigmentThing& pigment);
     Mean mean_of(const MapThing& map, bool list);
     std::vector<ColorStop> stops_of(const Blend& blend);
+    std::optional<SolidPattern> solid_of(const Blend& blend, bool bends) const;
     std::shared_ptr<const Pixels> pixels_of(const Blend& blend);
-    bool set_kind(const Blend& blend, Pattern& pattern, bool fold);
+    bool set_kind(const Blend& blend, Pattern& pattern);
     std::vector<Transformation> space_of(const Blend& blend, const Steps& way, const Steps& first) const;
 
     NoteTaker notes;

@@ -57,6 +57,7 @@ class SceneMaker {
     int material_of(const ObjectThing& object, const Around& around, bool mapped);
     void push(Part part, const ObjectThing& object, const Around& around);
     void tell_notes(const ObjectThing& object) const;
+    void cast_none(Primitive& body);
     void drop_shadow_copies();
     void settle_materials();
     // lights.cpp
@@ -65,7 +66,7 @@ class SceneMaker {
     void set_camera();
     void set_background();
     void set_settings();
-    void set_depth();
+    void set_bailout();
 
     Interpreter& in;
     const PovContents& contents;

@@ -112,7 +112,7 @@ void SceneMaker::set_background() {
         while (best > 0 && opacity(best) < .5) --best;
         if (pigments.size() > 1 || opacity(best) < 1)
             notes.approximated(contents.sky->place, "of the layers of the sky one is shown");
-        if (opacity(best) > 0 || looks[best].pigment.pattern) scene.background = looks[best].pigment;
+        if (opacity(best) > 0 || looks[best].pigment.pattern) scene.background = looks[best].opaque();
     }
     for (const FogThing& fog : contents.fogs) {
         if (!(fog.distance > 0) || scene.fog || fog.type != 1) {
@@ -165,17 +165,14 @@ std::vector<Primitive> SceneMaker::bodies_of(const ObjectThing& object) {
     return std::move(scene.primitives);
 }
 
-/// Rays that pass clear bodies without being bent do not count for POV-Ray's depth.
-void SceneMaker::set_depth() {
-    int& depth = scene.settings.max_trace_level;
-    double mirrored_most = 0;
-    for (const Material& own : scene.materials) mirrored_most = std::max(mirrored_most, own.reflection);
-    constexpr int deep = 40;
-    if (!materials.unbent || depth >= deep) return;
-    if (std::pow(mirrored_most, depth) < 1e-5)
-        depth = deep;
-    else
-        notes.approximated(contents.depth_place, "rays that pass a clear body count for max_trace_level");
+/// Rays that bring too little are black, which shows in scenes with mirrors or glass.
+void SceneMaker::set_bailout() {
+    const double bailout = std::clamp(contents.adc_bailout, 0., 1.);
+    const auto ends = [&](const Material& own) {
+        const double most = own.reflection + own.refraction;
+        return most > 0 && std::pow(most, scene.settings.max_trace_level - 1) < bailout;
+    };
+    if (scene.finished() || std::ranges::any_of(scene.materials, ends)) scene.settings.adc_bailout = bailout;
 }
 
 Scene SceneMaker::make() {
@@ -189,7 +186,7 @@ Scene SceneMaker::make() {
     }
     drop_shadow_copies();
     settle_materials();
-    set_depth();
+    set_bailout();
     return std::move(scene);
 }
 

@@ -30,7 +30,7 @@ void PovReader::read_settings(Interpreter& in) {
                 contents.ambient_light = color_of(in.read_color());
                 break;
             case word("max_trace_level"):
-                contents.max_trace_level = in.read_integer(), contents.depth_place = place;
+                contents.max_trace_level = in.read_integer();
                 break;
             case word("adc_bailout"):
                 contents.adc_bailout = in.read_number();
@@ -98,7 +98,7 @@ bool PovReader::read_item(Interpreter& in) {
             contents.sky = read_sky(in);
             return true;
         case word("light_group"):
-            return read_light_group(in), true;
+            return place(read_light_group(in)), true;
         case word("rainbow"):
         case word("media"): {
             const char* const what = in.at("media") ? "media" : "a rainbow";

@@ -104,7 +104,6 @@ struct PovContents {
     DVec3 background{0};
     DVec3 ambient_light{1};
     int max_trace_level = 5;
-    TextPlace depth_place;
     double adc_bailout = 1. / 255;
     bool assumes_srgb = false;
     TextPlace gamma_place;

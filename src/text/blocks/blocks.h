@@ -98,10 +98,15 @@ inline std::array<Parameter, 5> motion_parameters(MotionKeyText& key) {
     return joined(time_parameters(key.when, "the time of the key in seconds"), place);
 }
 
-inline std::array<Parameter, 3> light_parameters(Light& light) {
+inline std::array<Parameter, 6> light_parameters(Light& light) {
     return {{{"position", &light.position, coordinates, "where the light is", required, "direction"},
              {"direction", &light.direction, directions, "the direction in which parallel light shines"},
-             {"color", &light.color, not_negative, "its colour and strength", required}}};
+             {"color", &light.color, not_negative, "its colour and strength", required},
+             {"shadowless", &light.shadowless, {}, "it shines through all bodies, without highlights", "shadows"},
+             {"fade_distance", &light.fade_distance, not_negative,
+              "the distance at which it is as strong as `color`; 0: it does not fade"},
+             {"fade_power", &light.fade_power, not_negative,
+              "light is multiplied by 2 / (1 + (distance / `fade_distance`)^`fade_power`)"}}};
 }
 inline constexpr std::array<std::string_view, 4> light_words{"spot", "edges", "grid", "motion"};
 inline std::array<Parameter, 4> spot_parameters(Spot& spot) {
@@ -130,14 +135,18 @@ struct SettingsText {
     Color ambient_light = Settings{}.ambient_light;
     double max_trace_level = Settings{}.max_trace_level;
     std::optional<double> assumed_gamma;
+    double adc_bailout = Settings{}.adc_bailout;
 };
-inline std::array<Parameter, 3> settings_parameters(SettingsText& settings) {
+inline std::array<Parameter, 4> settings_parameters(SettingsText& settings) {
     return {{{"ambient_light", &settings.ambient_light, not_negative, "the ambient light, the same everywhere"},
              {"max_trace_level", &settings.max_trace_level, depths,
               "how many generations of rays are traced; camera rays are the first"},
              {"assumed_gamma", &settings.assumed_gamma, only_one,
               "declares that values are linear light: the window and 8- and 16-bit files are then sRGB-encoded",
-              "values are shown unchanged"}}};
+              "values are shown unchanged"},
+             {"adc_bailout", &settings.adc_bailout, shares,
+              "in scenes with shadowless or fading lights, or with materials' words from `blinn` on, rays of less "
+              "weight than this are black"}}};
 }
 
 /// Calls visit(word, parameters) for all blocks but those of bodies.

@@ -19,15 +19,18 @@ namespace strahl {
 struct MaterialText {
     Material values;
     std::array<bool, std::tuple_size_v<decltype(Material::fields)>> named{};  // which are given, in field order
+    bool coated = false;                                                      // coats, or none, are given
 
     /// Adds the parameters that `more` gives, which replace those given before.
     void add(const MaterialText& more) {
         values = more.on(values);
         for (std::size_t i = 0; i < named.size(); ++i) named[i] |= more.named[i];
+        coated |= more.coated;
     }
     /// The base with these parameters in place of its own.
     Material on(const Material& base) const {
         Material result = base;
+        if (coated) result.coats = values.coats;
         auto is_named = named.begin();
         const auto change = [&](const auto& field) {
             if (*is_named++) result.*field.member = values.*field.member;
@@ -45,12 +48,20 @@ struct MaterialText {
     }
 };
 
+/// The material from which a coat's parameters differ.
+inline Material coat_base() {
+    Material base;
+    base.reflection = 0, base.specular = 0;
+    return base;
+}
+
 /// Hashes the fields of a material.
 class MaterialHash {
   public:
     std::size_t operator()(const Material& material) const {
         std::size_t hash = 0;
         add_fields(hash, material, Material::fields);
+        for (const Material& coat : material.coats) add(hash, double((*this)(coat)));
         return hash;
     }
 

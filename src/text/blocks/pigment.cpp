@@ -81,12 +81,22 @@ class PatternBlock {
         if constexpr (two_colored<Kind>)
             for (const double at : {0., 1.}) {
                 if (at == 1) reader.lexer.accept(',');
-                Color color{0};
-                reader.read(color, colors, Kind::colors[static_cast<std::size_t>(at)], block);
-                pattern.colors.push_back({at, color});
+                ColorStop stop{at};
+                reader.read_clear(stop.color, stop.filter, stop.transmit, colors,
+                                  Kind::colors[static_cast<std::size_t>(at)], block);
+                pattern.colors.push_back(stop);
             }
+        else if constexpr (requires { kind.solid; })
+            solid(kind, block);
         else if constexpr (!has_map<Kind>)
             file(kind, block);
+    }
+    void solid(SolidPattern& own, Block& block) {
+        const std::string_view name = reader.lexer.word();
+        if (name.empty()) reader.lexer.fail("the name of a solid pattern, such as 'granite', expected");
+        const auto found = std::ranges::find(solid_names, name);
+        if (found != solid_names.end()) return void(own.solid = static_cast<Solid>(found - solid_names.begin()));
+        reader.fault(block, name, unknown_word(name, solid_names, " after 'solid {'"));
     }
     void file(ImagePattern& image, Block& block) {
         reader.file(block, "picture", [&](std::string_view name) {
@@ -140,7 +150,7 @@ class PatternBlock {
         ColorStop stop;
         reader.read(stop.at, shares, "stop", block);
         reader.lexer.accept(',');
-        reader.read(stop.color, colors, "colour", block);
+        reader.read_clear(stop.color, stop.filter, stop.transmit, colors, "colour", block);
         if (block.good() && !stops.empty() && stop.at < stops.back().at)
             reader.fault(block, at, "stops must not fall: the one before is at " + text_of(stops.back().at));
         if (stops.size() < most_stops)
@@ -182,9 +192,9 @@ std::string map_text(const Kind& kind, bool by_uv) {
 
 void BlockReader::read(Pigment& value, const NumberRange& range, std::string_view name, Block& block) {
     if (lexer.peek() == '<') {
-        Color color{0};
-        read(color, range, name, block);
-        value = color;
+        Pigment own(Color(0));
+        read_clear(own.color, own.filter, own.transmit, range, name, block);
+        value = own;
         return;
     }
     const std::string_view word = lexer.word();
@@ -233,6 +243,14 @@ void BlockReader::read(NormalMap& value, const NumberRange& range, std::string_v
 
 namespace {
 
+/// <r, g, b>, or <r, g, b, filter, transmit> if light comes through.
+std::string color_text(const ColorStop& own) {
+    std::string text = text_of(own.color);
+    if (own.filter == 0 && own.transmit == 0) return text;
+    text.back() = ',';
+    return text + " " + text_of(own.filter) + ", " + text_of(own.transmit) + ">";
+}
+
 /// The block of a pattern. `first` stands before the other parameters.
 std::string block_text(const Pattern& pattern, const std::string& first) {
     const auto& [kind, colors, transformations, by_uv] = pattern;
@@ -243,7 +261,8 @@ std::string block_text(const Pattern& pattern, const std::string& first) {
             const auto put = [&](const std::string& more) {
                 if (!more.empty()) words += (words.back() == '{' ? " " : "  ") + more;
             };
-            if constexpr (two_colored<Kind>) put(text_of(colors[0].color) + ", " + text_of(colors[1].color));
+            if constexpr (two_colored<Kind>) put(color_text(colors[0]) + ", " + color_text(colors[1]));
+            if constexpr (requires { own.solid; }) put(std::string(solid_names[static_cast<std::size_t>(own.solid)]));
             if constexpr (requires { own.file; }) put("\"" + own.file + "\"");
             put(map_text(own, by_uv));
             if constexpr (requires { own.once; })
@@ -260,7 +279,7 @@ std::string block_text(const Pattern& pattern, const std::string& first) {
     if (!colors.empty() && std::visit([]<class Kind>(const Kind&) { return has_map<Kind>; }, kind)) {
         text += text.back() == '{' ? " colors {" : "  colors {";
         for (const ColorStop& stop : colors)
-            text += std::string(&stop == &colors[0] ? " " : "  ") + text_of(stop.at) + " " + text_of(stop.color);
+            text += std::string(&stop == &colors[0] ? " " : "  ") + text_of(stop.at) + " " + color_text(stop);
         text += " }";
     }
     for (const Transformation& step : transformations) text += "  " + text_of(step);
@@ -270,7 +289,8 @@ std::string block_text(const Pattern& pattern, const std::string& first) {
 }  // namespace
 
 std::string text_of(const Pigment& pigment) {
-    return pigment.pattern ? block_text(*pigment.pattern, "") : text_of(pigment.color);
+    return pigment.pattern ? block_text(*pigment.pattern, "")
+                           : color_text({0, pigment.color, pigment.filter, pigment.transmit});
 }
 std::string text_of(const Bump& bump) {
     return bump.pattern ? block_text(*bump.pattern, "height " + text_of(bump.height)) : "none";

@@ -10,7 +10,8 @@ Settings read_settings(BlockReader& reader, std::string_view word) {
     auto parameters = settings_parameters(settings);
     reader.block(block, parameters);
     if (!block.good()) return {};
-    return {settings.ambient_light, static_cast<int>(settings.max_trace_level), settings.assumed_gamma.has_value()};
+    return {settings.ambient_light, static_cast<int>(settings.max_trace_level), settings.assumed_gamma.has_value(),
+            settings.adc_bailout};
 }
 
 Fog read_fog(BlockReader& reader, std::string_view word) {

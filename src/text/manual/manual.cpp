@@ -85,6 +85,8 @@ std::string pattern_rows() {
     };
     if constexpr (two_colored<Kind>)
         add("two colours", "required", not_negative.words, Kind::help);
+    else if constexpr (requires { Kind().solid; })
+        add("its name", "required", "see above", Kind::help), add("`colors`", "required", "see above", "the colours");
     else if constexpr (has_map<Kind>)
         add("`colors`", "required", "see above", Kind::help);
     else

@@ -34,10 +34,10 @@ constexpr std::array foreign{
     Foreign{"rgbft", "rgb", "use 'rgb', and 'refraction' for what is transmitted"},
     Foreign{"finish", "rgb", "leave it out: its values stand in 'material' itself"},
     Foreign{"interior", "rgb", "leave it out: 'ior' stands in 'material' itself"},
-    Foreign{"phong", "specular"}, Foreign{"phong_size", "pow"}, Foreign{"roughness", "pow"},
+    Foreign{"phong", "specular"}, Foreign{"phong_size", "pow"},
     Foreign{"shininess", "pow"}, Foreign{"transmit", "refraction"}, Foreign{"filter", "refraction"},
     Foreign{"transparency", "refraction"}, Foreign{"opacity", "refraction"}, Foreign{"alpha", "refraction"},
-    Foreign{"mirror", "reflection"}, Foreign{"emission", "ambient"},
+    Foreign{"emission", "ambient"},
     // In a camera, a light, and at the top level.
     Foreign{"location", "position"}, Foreign{"eye", "position"}, Foreign{"from", "position"},
     Foreign{"right", "aspectratio", "use 'aspectratio', or leave it out: the picture's own is taken"},

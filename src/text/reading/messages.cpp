@@ -63,31 +63,44 @@ void Diagnostics::check_encoding() {
     check();
 }
 
+TextOrigin Diagnostics::origin(std::string_view at) const {
+    const auto offset = static_cast<std::size_t>(at.data() - text.data());
+    const auto behind = std::ranges::upper_bound(origins, offset, {}, &TextOrigin::at);
+    if (behind == origins.begin()) return {offset, file, text, offset};
+    TextOrigin own = behind[-1];
+    own.source_at = std::min(own.source_at + (offset - own.at), own.source.size());
+    return own;
+}
+
 std::string Diagnostics::line(std::string_view at) const {
-    return "line " + std::to_string(line_number(text, static_cast<std::size_t>(at.data() - text.data())));
+    const TextOrigin own = origin(at);
+    return "line " + std::to_string(line_number(own.source, own.source_at));
 }
 
 std::string Diagnostics::tell(const Fault& fault) const {
-    std::size_t at = fault.at.data() - text.data();
-    if (at == text.size()) at = text.find_last_not_of(" \t\r\n") + 1;  // where the text visibly ends
-    const std::size_t newline = at == 0 ? text.npos : text.find_last_of("\r\n", at - 1);
-    const std::size_t start = newline == text.npos ? 0 : newline + 1;
-    const std::size_t end = std::min({text.find('\n', at), text.find('\r', at), text.size()});
+    const TextOrigin own = origin(fault.at);
+    const std::string_view source = own.source;
+    std::size_t at = own.source_at;
+    if (at == source.size()) at = source.find_last_not_of(" \t\r\n") + 1;  // where the text visibly ends
+    const std::size_t newline = at == 0 ? source.npos : source.find_last_of("\r\n", at - 1);
+    const std::size_t start = newline == source.npos ? 0 : newline + 1;
+    const std::size_t end = std::min({source.find('\n', at), source.find('\r', at), source.size()});
 
     const auto column =
-        1 + std::count_if(text.begin() + start, text.begin() + at, [](char c) { return !continues(c); });
+        1 + std::count_if(source.begin() + start, source.begin() + at, [](char c) { return !continues(c); });
     // Shows only the part of a long line around the error; if one side is short the other gets its space.
-    const std::size_t reach = forth(text, at, end, line_width - before_fault);
+    const std::size_t reach = forth(source, at, end, line_width - before_fault);
     const auto right_of_fault = static_cast<int>(reach < end ? line_width - before_fault : reach - at);
-    const std::size_t from = back(text, at, start, line_width - right_of_fault);
-    const std::size_t to = forth(text, from, end, line_width);
+    const std::size_t from = back(source, at, start, line_width - right_of_fault);
+    const std::size_t to = forth(source, from, end, line_width);
     const std::size_t fault_end = std::clamp(at + fault.at.size(), at, to);
 
-    const Shown before = show(text.substr(from, at - from)), marked = show(text.substr(at, fault_end - at));
-    const Shown after = show(text.substr(fault_end, to - fault_end));
+    const Shown before = show(source.substr(from, at - from)), marked = show(source.substr(at, fault_end - at));
+    const Shown after = show(source.substr(fault_end, to - fault_end));
     const std::string left = from > start ? "..." : "", right = to < end ? "..." : "";
-    return show(file).text + ":" + std::to_string(line_number(text, start)) + ":" + std::to_string(column) + ": " +
-           fault.message + "\n    " + left + before.text + marked.text + after.text + right + "\n    " +
+    const std::string line = std::to_string(line_number(source, start));
+    return show(own.file).text + ":" + line + ":" + std::to_string(column) + ": " + fault.message + "\n    " + left +
+           before.text + marked.text + after.text + right + "\n    " +
            std::string(left.size() + before.width, ' ') + "^" + std::string(std::max(0, marked.width - 1), '~');
 }
 

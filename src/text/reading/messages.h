@@ -10,12 +10,21 @@
 
 namespace strahl {
 
+/// Says that a text was made of others: from `at` on, up to the next origin, it is that of a file from `source_at` on.
+struct TextOrigin {
+    std::size_t at;
+    std::string_view file, source;
+    std::size_t source_at;
+};
+
 /// Collects the errors of one text. Each stands at a slice of that text, which is empty at its end.
 class Diagnostics {
   public:
     static constexpr std::size_t most = 10;
 
-    Diagnostics(std::string_view text, std::string_view file) : text(text), file(file) {}
+    /// If the text was made of others, its `origins` are in messages, in ascending order.
+    Diagnostics(std::string_view text, std::string_view file, std::span<const TextOrigin> origins = {})
+        : text(text), file(file), origins(origins) {}
 
     /// Adds an error, unless one begins at the same place. Throws FileError with all errors once there are `most`.
     void add(std::string_view at, std::string message);
@@ -34,8 +43,11 @@ class Diagnostics {
         std::string message;
     };
     std::string tell(const Fault& fault) const;
+    /// Where a slice of the text comes from.
+    TextOrigin origin(std::string_view at) const;
 
     std::string_view text, file;
+    std::span<const TextOrigin> origins;
     std::vector<Fault> faults;
 };
 

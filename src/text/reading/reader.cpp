@@ -49,7 +49,7 @@ void BlockReader::read(double& value, const NumberRange& range, std::string_view
           quoted(name) + " of " + quoted(block.name) + " must be " + range.words + ", not " + quoted(number.at));
 }
 
-void BlockReader::read(DVec3& value, const NumberRange& range, std::string_view name, Block& block) {
+void BlockReader::read_three(DVec3& value, const NumberRange& range, std::string_view name, Block& block) {
     if (!lexer.accept('<')) lexer.fail("a vector <x, y, z> expected for " + quoted(name) + " of " + quoted(block.name));
     for (int i = 0; i < 3; ++i) {
         if (i > 0 && !lexer.accept(',')) lexer.fail("',' expected between the three numbers of a vector");
@@ -57,6 +57,23 @@ void BlockReader::read(DVec3& value, const NumberRange& range, std::string_view 
         read(value[i], range, name, block);
     }
     block.component = 0;
+}
+
+void BlockReader::read_clear(Color& color, double& filter, double& transmit, const NumberRange& range,
+                             std::string_view name, Block& block) {
+    read_three(color, range, name, block);
+    if (lexer.accept(',')) {
+        Block shares_of{block.name};  // they follow no tracks
+        read(filter, shares, name, shares_of);
+        if (!lexer.accept(',')) lexer.fail("',' and the share that is transmitted expected after the filter");
+        read(transmit, shares, name, shares_of);
+        block.absorb(shares_of);
+    }
+    if (!lexer.accept('>')) lexer.fail("'>' expected after the three or five numbers of a colour");
+}
+
+void BlockReader::read(DVec3& value, const NumberRange& range, std::string_view name, Block& block) {
+    read_three(value, range, name, block);
     if (!lexer.accept('>')) lexer.fail("'>' expected after the three numbers of a vector");
 }
 

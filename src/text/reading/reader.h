@@ -42,6 +42,9 @@ class BlockReader {
     void read(std::array<double, 2>& value, const NumberRange& range, std::string_view name, Block& block);
     /// Reads a vector of factors, or one number for all three.
     void read(Scale& value, const NumberRange& range, std::string_view name, Block& block);
+    /// Reads a colour <r, g, b>, or <r, g, b, filter, transmit>.
+    void read_clear(Color& color, double& filter, double& transmit, const NumberRange& range, std::string_view name,
+                    Block& block);
     void read(Pigment& value, const NumberRange& range, std::string_view name, Block& block);
     void read(Bump& value, const NumberRange& range, std::string_view name, Block& block);
     void read(NormalMap& value, const NumberRange& range, std::string_view name, Block& block);
@@ -143,6 +146,7 @@ class BlockReader {
     std::optional<Music> music;  // once it is read
 
   private:
+    void read_three(DVec3& value, const NumberRange& range, std::string_view name, Block& block);
     bool follow(double& value, const NumberRange& range, std::string_view name, Block& block);
     void open(const Block& block);
     bool closed(Block& block, std::span<const std::string_view> words, std::string_view& word);

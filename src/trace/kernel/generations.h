@@ -7,9 +7,10 @@
 namespace strahl::inline STRAHL_LEVEL {
 namespace {  // a copy for each kernel, so that functions which are called once are inlined
 
-/// Generates the camera rays of a batch, one through each of its places (x, y).
+/// Generates the camera rays of a batch, one through each of its places (x, y). `finished`: the world has POV-Ray's
+/// finishes.
 template <class S, class T>
-void generate_camera_rays(const Eye<T>& eye, const PixelBatch<T>& batch, RayQueue<T>& rays) {
+void generate_camera_rays(const Eye<T>& eye, const PixelBatch<T>& batch, bool finished, RayQueue<T>& rays) {
     for (int i = 0; i < batch.count; i += width<S>) {
         const S u = fma(load_lanes<S>(batch.x + i), S(eye.scale_x), S(eye.bias_x));
         const S v = fma(load_lanes<S>(batch.y + i), S(eye.scale_y), S(eye.bias_y));
@@ -25,6 +26,9 @@ void generate_camera_rays(const Eye<T>& eye, const PixelBatch<T>& batch, RayQueu
         store_lanes(rays.medium + i, S(eye.medium));
     }
     rays.count = batch.count;
+    if (finished)
+        for (T* const array : {rays.tint[0], rays.tint[1], rays.tint[2], rays.level})
+            std::fill_n(array, batch.count, T(1));
 }
 
 /// Returns the bodies that rays of a pack can meet, and perhaps more: the rays start in a ball around the first one's
@@ -214,8 +218,8 @@ bool trace(const World<T>& world, const Eye<T>& eye, const Limits<T>& limits, co
     const Counts before = counts;
     const auto start = [&](int slot) {
         Generation<T>& first = generation(workspace, slot);
-        generate_camera_rays<S>(eye, batch, first.open);
-        P::start(eye, limits, batch, first.open);
+        generate_camera_rays<S>(eye, batch, world.finishes.list, first.open);
+        P::start(world, eye, limits, batch, first.open);
         first.inside.count = 0;
         std::fill_n(first.inside_begin, world.bins, 0);
         std::fill_n(first.inside_end, world.bins, 0);

@@ -41,11 +41,13 @@ struct RayQueue {
     int count = 0;
     T* extra[4] = {};                       // values that the kernel's policy keeps, see plain.h
     Differentials<T*> differentials{};      // only where patterns are filtered
+    // In worlds with POV-Ray's finishes: the colour of its light beside `weight`, and its generation as POV-Ray counts.
+    T *tint[3] = {}, *level = nullptr;
 };
 
 /// Says which rays have an array: all; those inside an enclosed body; those of a policy that keeps more; those with
-/// differentials.
-enum class RayPart { all, inside, extra, beside };
+/// differentials; those of worlds with POV-Ray's finishes.
+enum class RayPart { all, inside, extra, beside, finish };
 inline constexpr int ray_arrays = 11;  // number of those of the first two parts
 
 /// Calls visit(part, arrays...) for each array of a queue, or of several queues side by side.
@@ -57,6 +59,8 @@ void each_array(const Visit& visit, Queues&... queues) {
     visit(RayPart::inside, queues.t...);
     for (int i = 0; i < 4; ++i) visit(RayPart::extra, queues.extra[i]...);
     each_number([&](auto&... arrays) { visit(RayPart::beside, arrays...); }, queues.differentials...);
+    for (int c = 0; c < 3; ++c) visit(RayPart::finish, queues.tint[c]...);
+    visit(RayPart::finish, queues.level...);
 }
 
 /// The rays of a generation: open ones, whose hits are searched, and those inside an enclosed body (see World), which

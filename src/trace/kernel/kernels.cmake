@@ -47,8 +47,8 @@ function(strahl_kernel level elements)
     endif()
   endforeach()
   strahl_instances(${folder}/kinds.cpp "forms/kind_kernel.h;forms/composite_kernel.h" "${strahl_kind_calls}" "${elements}")
-  strahl_instances(${folder}/features.cpp "lights/area_light_kernel.h;lights/light_buffer_kernel.h;patterns/pattern_kernel.h"
-                   "AreaLightCalls<;LightBufferCalls<;PatternCalls<" "${elements}")
+  strahl_instances(${folder}/features.cpp "lights/area_light_kernel.h;lights/light_buffer_kernel.h;patterns/finish_kernel.h;patterns/pattern_kernel.h"
+                   "AreaLightCalls<;LightBufferCalls<;FinishCalls<;PatternCalls<" "${elements}")
   list(APPEND sources ${folder}/kinds.cpp ${folder}/features.cpp)
   if(proving)
     strahl_instances(${folder}/pattern_bounds.cpp proof/relief_bounds_kernel.h PatternBounds< "${proving}")

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "trace/kernel/fog.h"
+#include "trace/kernel/finish.h"
 #include "trace/kernel/footprint.h"
 #include "trace/kernel/illuminate.h"
 #include "trace/kernel/scatter.h"
@@ -28,6 +29,8 @@ void shade_misses(const Shading<S, P>& shading) {
         }
         if (world.fog.any) [[unlikely]]
             color = splat<S>(world.fog.color);
+        if (world.finishes.list) [[unlikely]]
+            color = color * tint_of(shading.rays.open, pick);
         add_light(shading.batch, pixel, pick.lanes, scale(weight, color));
         P::miss(shading, pick, weight, pixel, color);
     }
@@ -184,6 +187,10 @@ bool shade_bin(const Shading<S, P>& shading, int bin) {
                                 PatternCalls<S>::piece(world, material.numbers, hit.position, hit.surface, filtered);
                 note_hits(shading, hit, seen_from, pick(t), pick.lanes, material.numbers, notes);
             }
+        }
+        if (world.finishes.list) [[unlikely]] {
+            shade_finish(shading, Hit<S>(hit), material.numbers, from, pick, notes);
+            continue;
         }
         Mask<S> dim = first_lanes<S>(0);
         if (shading.depth < shading.limits.depth)

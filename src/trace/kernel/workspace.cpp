@@ -81,7 +81,9 @@ template <class T>
 void Workspace<T>::hold_more(RayQueue<T>& queue) {
     each_array(
         [&](RayPart part, T*& array) {
-            if ((part == RayPart::extra && with_extra) || (part == RayPart::beside && with_differentials)) hold(array);
+            if ((part == RayPart::extra && with_extra) || (part == RayPart::beside && with_differentials) ||
+                (part == RayPart::finish && with_finishes))
+                hold(array);
         },
         queue);
 }
@@ -101,6 +103,12 @@ void Workspace<T>::hold_extra() {
 template <class T>
 void Workspace<T>::hold_differentials() {
     with_differentials = true;
+    hold_more();
+}
+
+template <class T>
+void Workspace<T>::hold_finishes() {
+    with_finishes = true;
     hold_more();
 }
 

@@ -16,6 +16,7 @@ STRAHL_INLINE bool patterned(const World<T>& world, int material) {
 template <class T>
 STRAHL_INLINE bool uneven(const World<T>& world, int material) {
     if (!patterned(world, material)) return false;
+    if (world.finishes.list) return true;
     const int which = material - world.patterns.first;
     if (world.patterns.bends && !(world.patterns.bends[which].map.flat && world.patterns.bends[which].bump.flat))
         return true;

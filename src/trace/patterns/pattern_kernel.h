@@ -2,6 +2,7 @@
 #pragma once
 #include <bit>
 
+#include "trace/patterns/finish_calls.h"
 #include "trace/patterns/footprint_kernel.h"
 #include "trace/patterns/pattern_calls.h"
 #include "trace/patterns/pattern_means.h"
@@ -17,15 +18,23 @@ STRAHL_INLINE Vec3<S> place_of(const World<Element<S>>& world, const PatternKern
     return in_space_of(pattern, place_in(placed_triangles(world, pattern.places, surface), position));
 }
 
-/// Returns the colour of a pattern at points of the world, which are on these surfaces.
+/// A colour, and the shares of light that come through where a surface has it.
 template <class S>
-[[gnu::noinline]] Vec3<S> color_at(const World<Element<S>>& world, const PatternKernel<Element<S>>& pattern,
-                                   const Vec3<S>& position, const S& surface) {
+struct ClearColor {
+    Vec3<S> color;
+    S filter{0}, transmit{0};
+};
+/// Returns the colour of a pattern at points of the world, which are on these surfaces, and if `clear` the shares.
+template <bool clear, class S>
+STRAHL_INLINE ClearColor<S> clear_color_at(const World<Element<S>>& world, const PatternKernel<Element<S>>& pattern,
+                                           const Vec3<S>& position, const S& surface) {
     const Vec3<S> p = place_of(world, pattern, position, surface);
-    if (pattern.form == PatternForm::image) return image_color(pattern.image, p);
+    if (pattern.form == PatternForm::image) return {image_color(pattern.image, p)};
     const S value = value_at(pattern, p);
     const auto* stop = world.patterns.stops + pattern.first_stop;
-    Vec3<S> color = splat<S>(stop->color);
+    ClearColor<S> found{splat<S>(stop->color)};
+    if constexpr (clear) found.filter = S(stop->filter), found.transmit = S(stop->transmit);
+    Vec3<S>& color = found.color;
     for (int i = 1; i < pattern.stops; ++i) {
         const auto *const before = stop++, *const after = stop;
         const Mask<S> beyond = value > S(before->at);
@@ -34,8 +43,17 @@ template <class S>
         const S share = min((value - S(before->at)) * S(after->per), S(1)), rest = S(1) - share;
         for (int c = 0; c < 3; ++c)
             color[c] = select(beyond, fma(share, S(after->color[c]), rest * S(before->color[c])), color[c]);
+        if constexpr (clear) {
+            found.filter = select(beyond, fma(share, S(after->filter), rest * S(before->filter)), found.filter);
+            found.transmit = select(beyond, fma(share, S(after->transmit), rest * S(before->transmit)), found.transmit);
+        }
     }
-    return color;
+    return found;
+}
+template <class S>
+[[gnu::noinline]] Vec3<S> color_at(const World<Element<S>>& world, const PatternKernel<Element<S>>& pattern,
+                                   const Vec3<S>& position, const S& surface) {
+    return clear_color_at<false>(world, pattern, position, surface).color;
 }
 
 /// Calls visit(which, lanes) for each lane among `lanes`.
@@ -111,8 +129,9 @@ template <class S>
 [[gnu::noinline]] Filtering<S> filtered_at(const World<Element<S>>& world, const PatternKernel<Element<S>>& pattern,
                                            const Vec3<S>& position, const S& surface, const Footprint<S>& footprint,
                                            Mask<S> lanes, Vec3<S>& color) {
-    if (pattern.form == PatternForm::constant) {
+    if (pattern.form == PatternForm::constant || pattern.form == PatternForm::solid) {
         color = color_at(world, pattern, position, surface);
+        if (pattern.form == PatternForm::solid) return {S(1), S(1)};  // not filtered at all
         return {};
     }
     const auto along = [&](const Vec3<S>& way, const Vec3<S>& normal) {
@@ -182,6 +201,7 @@ STRAHL_INLINE void set_colors(const PatternKernel<Element<S>>& pattern, Mask<S> 
 template <class S>
 void PatternCalls<S>::paint(const World<T>& world, const int* materials, const Vec3<S>& position, const S& surface,
                             MaterialKernel<S>& values) {
+    if (world.finishes.list) return;  // those find colours themselves
     each_pattern<S>(world, materials, [&](int which, Mask<S> lanes) {
         const PatternKernel<T>& pattern = world.patterns.list[which];
         set_colors(pattern, lanes, color_at(world, pattern, position, surface), values);
@@ -274,6 +294,11 @@ template <class S>
 void PatternCalls<S>::filter(const World<T>& world, int material, const S& surface, const Ray<S>& ray, const S& t,
                              Mask<S> lanes, Vec3<S>& share) {
     if (none(lanes)) return;
+    if (world.finishes.list) {
+        const Vec3<S> through = FinishCalls<S>::through(world, material, fma(t, ray.direction, ray.origin), surface);
+        for (int c = 0; c < 3; ++c) share[c] = select(lanes, min(share[c] * through[c], S(largest_gain)), share[c]);
+        return;
+    }
     const PatternKernel<T>& pattern = world.patterns.list[material - world.patterns.first];
     const Vec3<S> color = color_at(world, pattern, fma(t, ray.direction, ray.origin), surface);
     for (int c = 0; c < 3; ++c)

@@ -1,5 +1,6 @@
 // Values of patterns. scene/pattern.h defines the patterns.
 #pragma once
+#include "scene/solid.h"
 #include "trace/patterns/image_kernel.h"
 #include "trace/patterns/mesh_places_kernel.h"
 
@@ -170,6 +171,13 @@ template <class S>
         case PatternForm::image: {
             const Vec3<S> color = image_color(pattern.image, p);
             return fma(S(T(brightness[0])), color.x, fma(S(T(brightness[1])), color.y, S(T(brightness[2])) * color.z));
+        }
+        case PatternForm::solid: {
+            alignas(64) T at[3][width<S>], values[width<S>];
+            for (int c = 0; c < 3; ++c) store_lanes(at[c], p[c]);
+            for (int k = 0; k < width<S>; ++k)
+                values[k] = static_cast<T>(strahl::value_at(*pattern.solid, DVec3(at[0][k], at[1][k], at[2][k])));
+            return load_lanes<S>(values);
         }
         case PatternForm::constant:
             break;

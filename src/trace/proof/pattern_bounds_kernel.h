@@ -152,6 +152,7 @@ template <class S>
             return wave_error(radius, fma(S(2 * u), radius, off.x + off.y));
         }
         case PatternForm::image:
+        case PatternForm::solid:
             break;
         case PatternForm::constant:
             return S(0);

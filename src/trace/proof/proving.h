@@ -1,6 +1,7 @@
 // The policy of proving kernels: error bounds travel with rays, and add up in their pixels.
 #pragma once
 #include <algorithm>
+#include <limits>
 
 #include "trace/proof/eye_bounds.h"
 #include "trace/proof/lighting_bounds.h"
@@ -33,11 +34,14 @@ struct Proving {
         return proving(limits).slack.fits();
     }
     template <class T>
-    static void start(const Eye<T>& eye, const Limits<T>& limits, const PixelBatch<T>& batch, RayQueue<T>& rays) {
+    static void start(const World<T>& world, const Eye<T>& eye, const Limits<T>& limits, const PixelBatch<T>& batch,
+                      RayQueue<T>& rays) {
         using S = Widest<T>;
         const Slack<T>& slack = proving(limits).slack;
         const DoubtArrays<T> doubts(rays);
-        std::fill_n(proving(batch).bounds, batch.count, T(0));
+        // Nothing is known of POV-Ray's finishes.
+        std::fill_n(proving(batch).bounds, batch.count,
+                    world.finishes.list ? std::numeric_limits<T>::infinity() : T(0));
         std::fill_n(doubts.away, batch.count, slack.eye_away);
         std::fill_n(doubts.side, batch.count, slack.eye_away);
         for (int i = 0; i < batch.count; i += width<S>) {

@@ -1,4 +1,4 @@
-// Makes kernels of patterns, each in the spaces of the bodies that have it.
+// Makes kernels of patterns and of POV-Ray's finishes, each in the spaces of the bodies that have it.
 #include <algorithm>
 #include <array>
 #include <map>
@@ -37,11 +37,14 @@ void WorldArrays<T>::add_colors(const Pigment& pigment, PatternKernel<T>& kernel
     const Pattern* const pattern = pigment.pattern.get();
     const ImagePattern* const image = image_of(pigment.pattern);
     if (image) add_image(image->pixels, linear, true, kernel.image);
+    patterns.kept.push_back(pigment.pattern);
     kernel.first_stop = static_cast<std::int32_t>(patterns.stops.size());
-    const std::vector<ColorStop> colors = pattern ? pattern->colors : std::vector{ColorStop{0, pigment.color}};
+    const std::vector<ColorStop> colors =
+        pattern ? pattern->colors : std::vector{ColorStop{0, pigment.color, pigment.filter, pigment.transmit}};
     for (double before = 0; const ColorStop& stop : colors) {
         patterns.stops.push_back(
-            {static_cast<T>(stop.at), static_cast<T>(1 / (M(stop.at) - before)), cast<T>(stop.color)});
+            {static_cast<T>(stop.at), static_cast<T>(1 / (M(stop.at) - before)), cast<T>(stop.color),
+             static_cast<T>(stop.filter), static_cast<T>(stop.transmit)});
         before = stop.at;
     }
     kernel.stops = static_cast<std::int32_t>(colors.size());
@@ -73,7 +76,7 @@ void WorldArrays<T>::add_patterns(const Scene& scene, const Placement& placement
     const bool any_bent = std::ranges::any_of(scene.materials, &Material::bends);
     const auto varies = [&](const Material& m) { return any_bent || m.patterned(); };
     if (std::ranges::none_of(scene.materials, varies)) return;
-    auto& [list, bends, stops, sky, meshes, leaf_materials, first_leaf] = patterns;
+    auto& [list, bends, stops, sky, meshes, leaf_materials, first_leaf, kept] = patterns;
     world.patterns.first = static_cast<int>(materials.size());
     std::vector<PatternKernel<T>> ranges(scene.materials.size());
     for (std::size_t i = 0; i < ranges.size(); ++i)
@@ -112,6 +115,7 @@ void WorldArrays<T>::add_patterns(const Scene& scene, const Placement& placement
             kernel.slack = ranges[leaf.material].slack;
             if (compared) compare(*material.rgb.pattern, ways[own_way].material, placement, true, kernel);
             kernel.ambient = Vec3<T>(cast<M>(scene.settings.ambient_light) * M(material.ambient));
+            if (scene.finished()) add_finish(material, scene, matrices.material, placement, kernel.places);
             list.push_back(kernel);
             if (any_bent) bends.push_back(bend_of(material, matrices.material, placement, kernel.places));
             if (proves && any_bent) compare(material, ways[own_way].material, placement, true, bends.back());
@@ -133,5 +137,78 @@ template void WorldArrays<long double>::add_image(const std::shared_ptr<const Pi
 template void WorldArrays<float>::add_patterns(const Scene&, const Placement&, bool);
 template void WorldArrays<double>::add_patterns(const Scene&, const Placement&, bool);
 template void WorldArrays<long double>::add_patterns(const Scene&, const Placement&, bool);
+
+
+/// Adds the finish of a material whose body has the matrix `to_world`.
+template <class T>
+void WorldArrays<T>::add_finish(const Material& material, const Scene& scene, const glm::dmat4& to_world,
+                                const Placement& placement, const PlacesKernel& places) {
+    using M = Made<T>;
+    const auto number = [](double v) { return static_cast<T>(v); };
+    const auto add_layer = [&](const Material& own) {
+        LayerKernel<T> layer{};
+        layer.pattern.form = PatternForm::constant;
+        if (own.rgb.pattern) layer.pattern = kernel_of<T>(*own.rgb.pattern, to_world, placement);
+        add_colors(own.rgb, layer.pattern, scene.settings.linear);
+        layer.pattern.places = places;
+        layer.ambient = Vec3<T>(cast<M>(scene.settings.ambient_light * own.glow) * M(own.ambient));
+        layer.diffuse = number(own.diffuse), layer.brilliance = number(own.brilliance);
+        layer.phong = number(own.specular), layer.phong_size = number(own.pow);
+        layer.blinn = number(own.blinn), layer.blinn_size = number(1 / own.roughness);
+        layer.metallic = number(own.metallic), layer.gilding = number(own.gilding);
+        layer.mirror = cast<T>(own.reflection * own.mirror);
+        layer.facing = number(own.facing), layer.falloff = number(own.falloff), layer.fresnel = own.fresnel > 0;
+        finishes.layers.push_back(layer);
+    };
+    const bool clear = material.transmits() && material.rgb.clear();
+    finishes.list.push_back({static_cast<std::int32_t>(finishes.layers.size()),
+                             static_cast<std::int32_t>(1 + material.coats.size()), number(material.refraction),
+                             number(material.ior), number(clear ? 1 : material.reflection + material.refraction), clear,
+                             material.shadow > 0});
+    add_layer(material);
+    for (const Material& coat : material.coats) add_layer(coat);
+}
+
+/// Adds the finishes of the scene's materials, if it has any of POV-Ray's. Those of patterned ones follow later, for
+/// each space in which they are.
+template <class T>
+void WorldArrays<T>::add_finishes(const Scene& scene, const Placement& placement) {
+    if (!scene.finished()) return;
+    for (std::size_t i = 0; const Material& own : scene.materials) {
+        add_finish(own, scene, glm::dmat4(1), placement, {});
+        MaterialKernel<T>& kernel = materials[i++];
+        // Shadow rays multiply light by `filter`. Bodies without a shadow count as transparent to them alone.
+        constexpr T hardly = std::numeric_limits<T>::min();
+        Color through(1), reflected(0);
+        double shine = 0;
+        const auto add = [&](const Material& layer) {
+            through = through * (layer.rgb.color * layer.rgb.filter + Color(layer.rgb.transmit));
+            reflected = reflected + layer.reflection * layer.mirror;
+            shine += layer.specular + layer.blinn;
+        };
+        add(own);
+        through = through + own.refraction * own.rgb.color;
+        for (const Material& coat : own.coats) add(coat);
+        const auto most = [](const Color& c) { return std::max({c.x, c.y, c.z}); };
+        kernel.filter = own.shadow > 0 ? cast<T>(through) : Vec3<T>(1);
+        kernel.refraction = own.transmits() ? static_cast<T>(std::max(most(through), own.refraction))
+                            : own.shadow > 0 ? T(0)
+                                             : hardly;
+        kernel.reflection = static_cast<T>(most(reflected));
+        kernel.specular = static_cast<T>(shine), kernel.scattered = 0;
+        world.transparent |= kernel.refraction > 0;
+    }
+    world.finishes.bailout = static_cast<T>(scene.settings.adc_bailout);
+}
+
+template void WorldArrays<float>::add_finish(const Material&, const Scene&, const glm::dmat4&, const Placement&,
+                                             const PlacesKernel&);
+template void WorldArrays<double>::add_finish(const Material&, const Scene&, const glm::dmat4&, const Placement&,
+                                              const PlacesKernel&);
+template void WorldArrays<long double>::add_finish(const Material&, const Scene&, const glm::dmat4&, const Placement&,
+                                                   const PlacesKernel&);
+template void WorldArrays<float>::add_finishes(const Scene&, const Placement&);
+template void WorldArrays<double>::add_finishes(const Scene&, const Placement&);
+template void WorldArrays<long double>::add_finishes(const Scene&, const Placement&);
 
 }  // namespace strahl

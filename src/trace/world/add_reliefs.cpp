@@ -32,6 +32,10 @@ BumpKernel<T> kernel_of(const Bump& bump, const glm::dmat4& to_world, const Plac
     KernelSpace<T> space{kernel.pattern};
     std::visit(space, bump.pattern->kind);
     const glm::dmat4 back = glm::inverse(matrix_of(*bump.pattern, to_world));
+    kernel.by_vectors = std::holds_alternative<SolidPattern>(bump.pattern->kind);
+    for (int i = 0; i < 3 && kernel.by_vectors; ++i)
+        for (int c = 0; c < 3; ++c) kernel.bends[i][c] = static_cast<T>(bump.height * longest * back[c][i]);
+    if (kernel.by_vectors) return kernel;
     const double strength = -bump.height * 3 / (4 * bump.step()) * longest;
     for (std::size_t i = 0; i < Bump::corners.size(); ++i) {
         const DVec3& v = Bump::corners[i];
@@ -53,6 +57,7 @@ BendKernel<T> WorldArrays<T>::bend_of(const Material& material, const glm::dmat4
                       kernel_of<T>(material.bump, to_world, placement)};
     const auto finish = [&](const Relief& relief, PatternKernel<T>& kernel) {
         kernel.places = places;
+        patterns.kept.push_back(relief.pattern);
         if (const auto* const image = image_of(relief.pattern)) add_image(image->pixels, false, false, kernel.image);
     };
     finish(material.normal, own.map.pattern);

@@ -81,6 +81,11 @@ LightKernel<T> light_kernel(const Light& light, const Placement& placement) {
         kernel.per = static_cast<T>(1 / (falloff - radius));
         kernel.tightness = static_cast<T>(light.spot->tightness);
     }
+    kernel.shadowless = light.shadowless;
+    if (light.fades()) {
+        kernel.fade_per = static_cast<T>(1 / (light.fade_distance * placement.scale));
+        kernel.fade_power = static_cast<T>(light.fade_power);
+    }
     return kernel;
 }
 
@@ -128,9 +133,9 @@ void WorldArrays<T>::list_transparent(const Scene& scene) {
         const Material* medium = &scene.materials[primitive.material];
         for_each_leaf(primitive, [&](const Primitive& leaf, const glm::dmat4&) {
             const Material& own = scene.materials[leaf.material];
-            if (!(medium->refraction > 0) && own.refraction > 0) medium = &own;
+            if (!medium->transmits() && own.transmits()) medium = &own;
         });
-        if (medium->refraction > 0)
+        if (medium->transmits())
             media.transparent.push_back(
                 {static_cast<int>(before.surfaces), primitive.shape, glm::inverse(matrix(primitive.transformations))});
         const auto body = static_cast<std::int32_t>(before.surfaces);
@@ -153,7 +158,8 @@ void WorldArrays<T>::bound_bodies() {
         const auto [centre, radius] = volumes[i].ball;
         for (int c = 0; c < 3; ++c) balls[c * stride + i] = static_cast<T>(centre[c]);
         balls[3 * stride + i] = volumes[i].plane ? std::numeric_limits<T>::infinity() : static_cast<T>(radius + margin);
-        if ((glass & world.few.convex) >> i & 1 && !world.nested && isolated(volumes, i, margin))
+        const bool follows = world.nested || world.finishes.list;  // rays carry more than their queue inside bodies
+        if ((glass & world.few.convex) >> i & 1 && !follows && isolated(volumes, i, margin))
             world.few.enclosed |= BodySet(1) << i;
     }
     const T* const first = balls.data();
@@ -191,14 +197,20 @@ WorldArrays<T>::WorldArrays(const Scene& scene, const Placement& placement, Thre
                             std::shared_ptr<Images> kept, bool proves)
     : moving(moving), images(std::move(kept)) {
     add_materials(scene);
+    add_finishes(scene, placement);
     add_patterns(scene, placement, proves);
+    if (scene.finished()) {
+        world.finishes.list = finishes.list.data(), world.finishes.layers = finishes.layers.data();
+        world.patterns.stops = patterns.stops.data();
+        if (!world.patterns.list) world.patterns.list = &patterns.sky;  // kernels then keep the numbers of materials
+    }
     for (const Light& light : points_of(scene.lights)) lights.push_back(light_kernel<T>(light, placement));
     if (scene.fog) {
         const long double per = 1 / (scene.fog->distance * placement.scale);
         world.fog = {true, static_cast<T>(std::min<long double>(per, std::numeric_limits<T>::max())),
                      cast<T>(scene.fog->color)};
     }
-    const auto bent_glass = [](const Material& m) { return m.refraction > 0 && m.bends(); };
+    const auto bent_glass = [](const Material& m) { return m.transmits() && m.bends(); };
     // With fog rays have to know whether they are in a transparent body.
     world.nested = world.transparent && (world.fog.any || transparent_bodies_overlap(scene) ||
                                          std::any_of(scene.materials.begin(), scene.materials.end(), bent_glass));

@@ -25,9 +25,26 @@ double most_crossings(const Shape& shape) {
         shape);
 }
 
+/// Returns the share of light that colours of filter and transmit let through at most.
+double passed(const Material& m) { return m.rgb.filter * largest(m.rgb.color) + m.rgb.transmit; }
+/// Returns the share that a surface sends on at most: reflected, or refracted, or reflected totally.
+double sent_on(const Material& m) {
+    double reflected = m.reflection * largest(m.mirror) * std::max(1., m.gilding * largest(m.rgb.color));
+    double through = m.refraction + passed(m);
+    for (const Material& coat : m.coats) {
+        reflected += coat.reflection * largest(coat.mirror) * std::max(1., coat.gilding * largest(coat.rgb.color));
+        through *= passed(coat);
+    }
+    return reflected + (m.transmits() && m.rgb.clear() ? std::max(1., through) : through);
+}
+
 /// Returns by how much the bodies on its way can multiply a light at most: glass of a colour above 1 brightens it.
 double gain(const Scene& scene) {
-    const auto filter = [](const Material& m) { return m.refraction * largest(m.rgb.color); };
+    const auto filter = [](const Material& m) {
+        double all = m.refraction * largest(m.rgb.color) + passed(m);
+        for (const Material& coat : m.coats) all *= passed(coat);
+        return all;
+    };
     double product = 1;
     if (std::any_of(scene.materials.begin(), scene.materials.end(), [&](const auto& m) { return filter(m) > 1; }))
         for (const Primitive& primitive : scene.primitives)
@@ -40,11 +57,15 @@ double gain(const Scene& scene) {
 
 /// Most light that a surface of this material sends back by itself.
 double own_light(const Scene& scene, const Material& m, double gain) {
-    Color sum = scene.settings.ambient_light * m.rgb.color * m.ambient;
+    Color sum = scene.settings.ambient_light * m.rgb.color * m.ambient * m.glow;
+    const double tint = std::max(1., m.metallic * largest(m.rgb.color));
     for (const Light& light : scene.lights)
         for (int c = 0; c < 3; ++c)
-            sum[c] += gain * std::abs(light.color[c]) * (m.diffuse * m.rgb.color[c] + m.specular);
-    return largest(sum);
+            sum[c] += gain * (light.fades() ? 2 : 1) * std::abs(light.color[c]) *
+                      (m.diffuse * m.rgb.color[c] + (m.specular + m.blinn) * tint);
+    double all = largest(sum);
+    for (const Material& coat : m.coats) all += own_light(scene, coat, gain);
+    return all;
 }
 
 }  // namespace
@@ -61,13 +82,13 @@ Bound bound_for(const Scene& scene, int depth) {
         double most = background;
         for (std::size_t i = 0; i < own.size(); ++i) {
             const Material& m = scene.materials[i];
-            most = std::max(most, own[i] + (m.reflection + m.refraction) * bound.brightest.back());
+            most = std::max(most, own[i] + sent_on(m) * bound.brightest.back());
         }
         bound.brightest.push_back(most);
     }
     // A geometric series.
     for (std::size_t i = 0; i < own.size(); ++i) {
-        const double lost = 1 - scene.materials[i].reflection - scene.materials[i].refraction;
+        const double lost = 1 - sent_on(scene.materials[i]);
         const double series = lost > 0 ? own[i] / lost : std::numeric_limits<double>::infinity();
         bound.limit = std::max(bound.limit, series);
     }

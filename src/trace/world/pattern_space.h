@@ -70,6 +70,7 @@ struct KernelSpace {
         if (image.once || image.map == ImageMap::spherical) return;
         period = image.map == ImageMap::cylindrical ? DVec3(0, 0, 1) : DVec3(1, 1, 0);
     }
+    void operator()(const SolidPattern& solid) { kernel.form = PatternForm::solid, kernel.solid = &solid; }
     /// Takes the numbers of a sum of noises. Returns whether the sum repeats itself as noise does.
     bool sum(const Octaves& octaves, double turbulence) {
         kernel.turbulence = static_cast<T>(turbulence);
@@ -121,6 +122,7 @@ void compare(const Pattern& pattern, const std::vector<Transformation>& body, co
         const Placement& world = pattern.by_uv ? Placement{} : placement;
         const PatternSlack<T> before = kernel.slack;
         compare_pattern(pattern, steps, world, space.period, border<T>, first, kernel);
+        if (kernel.solid) kernel.slack.turned = std::numeric_limits<T>::infinity();
         if (first) return;
         kernel.slack.turned = std::max(before.turned, kernel.slack.turned);
         kernel.slack.moved = std::max(before.moved, kernel.slack.moved);

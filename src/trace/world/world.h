@@ -55,6 +55,8 @@ struct LightKernel {
     Vec3<T> axis{0};  // of the spot. The next two are 1 less the cosines of its radius and its falloff
     T radius = 0, falloff = 0, per = 0;  // per: 1 over their difference
     T tightness = 0;
+    bool shadowless = false;
+    T fade_per = 0, fade_power = 0;  // fade_per: 1 over the distance; 0 if the light does not fade
     bool area = false;
     Vec3<T> u{0}, v{0};  // edges of a rectangle around its position
 };
@@ -187,6 +189,15 @@ struct PatternTables {
     const PatternKernel<T>* sky = nullptr;   // of the background, by direction; null if it has none
 };
 
+/// POV-Ray's finishes, by material, in worlds that have any: there all materials have one, and rays carry colours
+/// besides their weights. Null in other worlds.
+template <class T>
+struct FinishTables {
+    const FinishKernel<T>* list = nullptr;
+    const LayerKernel<T>* layers = nullptr;
+    T bailout = 0;  // rays of less weight are black
+};
+
 /// Transparent bodies of nested worlds, by surface. Null in other worlds.
 template <class T>
 struct MediumTables {
@@ -222,6 +233,7 @@ struct World {
     CompositeTables<T> composites;
     PatternTables<T> patterns;
     MediumTables<T> media;
+    FinishTables<T> finishes;
 
     Vec3<T> eye{0};  // of the view that is traced
     T rounding = 0;  // what the coordinates of points on bodies may be off

@@ -121,6 +121,12 @@ struct PatternArrays {
     std::vector<std::shared_ptr<const MeshData>> meshes;  // those with places in pictures
     // The material of each leaf of the scene, and the first leaf of each primitive; empty in worlds without patterns.
     std::vector<std::int32_t> leaf_materials, first_leaf;
+    std::vector<std::shared_ptr<const Pattern>> kept;  // kernels point to their numbers
+};
+template <class T>
+struct FinishArrays {
+    std::vector<FinishKernel<T>> list;
+    std::vector<LayerKernel<T>> layers;
 };
 template <class T>
 struct MediumArrays {
@@ -150,6 +156,7 @@ struct WorldArrays {
     CompositeArrays<T> composites;
     PatternArrays<T> patterns;
     MediumArrays<T> media;
+    FinishArrays<T> finishes;
     double reach = 0;  // the largest coordinate of a bounded body
     int surfaces = 0;
 
@@ -185,6 +192,9 @@ struct WorldArrays {
     std::int32_t leaf_of(std::int32_t primitive) const {
         return patterns.first_leaf.empty() ? 0 : patterns.first_leaf[primitive];
     }
+    void add_finish(const Material& material, const Scene& scene, const glm::dmat4& to_world,
+                    const Placement& placement, const PlacesKernel& places);
+    void add_finishes(const Scene& scene, const Placement& placement);
     // build_world.cpp
     void add_materials(const Scene& scene);
     void list_transparent(const Scene& scene);

@@ -8,9 +8,10 @@
 namespace strahl {
 
 enum class ImageMap : std::int32_t;
+struct SolidPattern;
 
 /// The forms of patterns, by how their value is computed.
-enum class PatternForm : std::int32_t { checker, brick, ramp, noise, layers, rings, image, constant };
+enum class PatternForm : std::int32_t { checker, brick, ramp, noise, layers, rings, image, solid, constant };
 /// A picture at one size: three values for each pixel, row by row from the top.
 struct MipLevel {
     const float* pixels;
@@ -58,6 +59,7 @@ struct PatternKernel {
     Vec3<T> mortar;  // its share of a brick along each axis
     T border, turbulence, omega, lambda;
     ImageKernel<T> image;
+    const SolidPattern* solid;
     PlacesKernel places;
     Vec3<T> ambient;        // Ia Ka
     T diffuse, refraction;  // Kd, Kt
@@ -81,6 +83,7 @@ struct ReliefKernel {
 template <class T>
 struct BumpKernel : ReliefKernel<T> {
     Vec3<T> steps[4], bends[4];
+    bool by_vectors;  // a solid pattern's, whose components take the places of the values
 };
 template <class T>
 struct NormalMapKernel : ReliefKernel<T> {
@@ -96,6 +99,27 @@ template <class T>
 struct ColorStopKernel {
     T at, per;  // per: 1 over the way from the stop before
     Vec3<T> color;
+    T filter, transmit;
+};
+
+/// A layer of a surface in worlds with POV-Ray's finishes, see Material. Its pattern is constant if it has none.
+template <class T>
+struct LayerKernel {
+    PatternKernel<T> pattern;
+    Vec3<T> ambient;  // Ia Ka glow
+    T diffuse, phong, phong_size, blinn, blinn_size, metallic, brilliance;
+    Vec3<T> mirror;  // Kr mirror
+    T facing, falloff, gilding;
+    bool fresnel;
+};
+/// The layers of a material, the lowest first, and what they share.
+template <class T>
+struct FinishKernel {
+    std::int32_t first_layer, layers;
+    T refraction, ior;  // Kt of the lowest layer
+    T total;            // the share of light that is reflected totally
+    bool clear;         // light comes through by the colours: it goes straight on without a new generation
+    bool shadow;
 };
 
 }  // namespace strahl

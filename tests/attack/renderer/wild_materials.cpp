@@ -59,12 +59,17 @@ Material WildMaterials::material() {
         } else if constexpr (std::is_same_v<decltype(value), NormalMap&>) {
             if (dice.chance(.2)) value = random_normal_map(dice);
             if (value.pattern && dice.chance(.3)) value.height = number(not_negative);
+        } else if constexpr (std::is_same_v<decltype(value), DVec3&>) {
+            if (dice.chance(.1)) value = color();
         } else if (!dice.chance(.3)) {  // the default is a value too
             value = dice.chance(.3) ? dice.upto(1) : usual_or(bounds, 0, 1);
             if (!bounds.contains(value)) value = 1;
         }
     };
     std::apply([&](const auto&... field) { (fill(m.*field.member, range_of(field.range)), ...); }, Material::fields);
+    // The referee has only the article's terms.
+    m.blinn = m.metallic = m.fresnel = m.gilding = 0, m.brilliance = m.facing = m.shadow = 1;
+    m.glow = m.mirror = Color(1);
     if (dice.chance(.5)) m.refraction = 0;
     m.pow = usual_or(not_negative, 0, 80);
     m.ior = dice.chance(.3) ? 1 : usual_or(positive, .5, 2.5);

@@ -55,6 +55,37 @@ TEST_CASE("POV-Ray: finishes and pigments") {
               .diffuse == .3);
 }
 
+TEST_CASE("POV-Ray: what only its finishes have") {
+    const auto of = [](const std::string& text) { return material(whole("sphere { 0, 1 " + text + " }")); };
+    const Material brass = of(
+        "pigment { rgb <.8, .6, .2> } finish { ambient rgb <.1, .05, 0> diffuse .4 brilliance 3 specular .8 "
+        "roughness .02 metallic reflection { .1, .5 falloff 2 metallic .7 } }");
+    CHECK(brass.ambient == .1);
+    CHECK(brass.glow == Color(1, .5, 0));
+    CHECK(brass.brilliance == 3);
+    CHECK(brass.blinn == .8);
+    CHECK(brass.roughness == .02);
+    CHECK(brass.metallic == 1);
+    CHECK(brass.reflection == .5);
+    CHECK(brass.facing == .2);
+    CHECK(brass.falloff == 2);
+    CHECK(brass.gilding == .7);
+    const Material stained = of("pigment { rgbft <1, .5, 0, .5, .25> } no_shadow");
+    CHECK(stained.rgb.filter == .5);
+    CHECK(stained.rgb.transmit == .25);
+    CHECK(stained.diffuse == .6);
+    CHECK(stained.shadow == 0);
+    const Material layered = of("texture { pigment { rgb <1, .5, .5> } } texture { pigment { rgbf <0, 0, 1, .5> } }");
+    REQUIRE(layered.coats.size() == 1);
+    CHECK(layered.rgb.color == Color(1, .5, .5));
+    CHECK(layered.coats[0].rgb.filter == .5);
+    // Rays that would bring less than POV-Ray follows are black.
+    CHECK(whole("sphere { 0, 1 finish { specular 1 } }").settings.adc_bailout == 1. / 255);
+    CHECK(whole("sphere { 0, 1 finish { phong 1 } }").settings.adc_bailout == 0);
+    const Light fill = whole("light_source { 0 rgb 1 shadowless fade_distance 2 fade_power 3 }").lights.at(0);
+    CHECK((fill.shadowless && fill.fade_distance == 2 && fill.fade_power == 3));
+}
+
 TEST_CASE("POV-Ray: patterns that scenes have are exact") {
     const auto pattern = [](const std::string& text) {
         const Material own = material(whole("sphere { 0, 1 pigment { " + text + " } }"));
@@ -71,14 +102,15 @@ TEST_CASE("POV-Ray: patterns that scenes have are exact") {
     // The old form of a map, and a wave.
     const Pattern old = pattern(
         "gradient x triangle_wave color_map { [0, .5 color rgb 0 color rgb 1] [.5 1 color rgb 1 color rgb 1] }");
-    CHECK(old.colors == std::vector<ColorStop>{{0, Color(0)},
-                                               {.25, Color(1)},
-                                               {.25, Color(1)},
-                                               {.5, Color(1)},
-                                               {.5, Color(1)},
-                                               {.75, Color(1)},
-                                               {.75, Color(1)},
-                                               {1, Color(0)}});
+    CHECK(old.colors == std::vector<ColorStop>{{0, Color(0)}, {.5, Color(1)}, {.5, Color(1)}, {1, Color(1)}});
+    CHECK(std::get<SolidPattern>(old.kind).wave == 1);
+    CHECK(std::get<SolidPattern>(pattern("bumps turbulence .2").kind) ==
+          SolidPattern{.solid = Solid::bozo, .turbulence = DVec3(.2)});
+    const Scene clear = whole(
+        "#version 3.7; sphere { 0, 1 pigment { granite color_map { [0 rgbt <1, 0, 0, .5>] [1 rgbft <0, 1, 0, .25, .5>] } "
+        "} }");
+    REQUIRE(material(clear).rgb.pattern);
+    CHECK(material(clear).rgb.pattern->colors == std::vector<ColorStop>{{0, {1, 0, 0}, 0, .5}, {1, {0, 1, 0}, .25, .5}});
     CHECK(std::holds_alternative<Marble>(pattern("marble").kind));
     CHECK(std::holds_alternative<Wood>(pattern("wood").kind));
 }
@@ -118,27 +150,21 @@ TEST_CASE("POV-Ray: what scenes cannot hold is told with its line, once") {
         const std::string all = notes_of("\n" + text);
         CHECK_MESSAGE(says(all, std::string("x.pov:2: ") + note), text, " tells: ", all);
     };
-    told("sphere { 0, 1 finish { specular .5 } }", "approximated: 'specular' is a highlight of Phong's");
-    told("sphere { 0, 1 finish { reflection { .1, .9 } } }", "approximated: reflection that depends on the angle");
-    told("sphere { 0, 1 finish { reflection rgb x } }", "approximated: coloured reflection");
-    told("sphere { 0, 1 pigment { crackle } }", "approximated: 'crackle' is noise");
+    told("sphere { 0, 1 finish { reflection { .5 exponent 2 } } }", "approximated: 'exponent' of a reflection");
     told("sphere { 0, 1 pigment { hexagon } }", "approximated: the pattern 'hexagon' is its mean colour");
-    told("sphere { 0, 1 no_shadow }", "approximated: no_shadow");
-    told("sphere { 0, 1 pigment { rgbf <1, 0, 0, .5> } }", "approximated: light that is seen through a body");
-    told("blob { sphere { 0, 1, 1 } }", "left out: the body 'blob'");
-    told("isosurface { function { x } }", "left out: the body 'isosurface'");
+    told("blob { sphere { 0, 1, 2 } }", "approximated: 'blob' is a mesh of flat pieces");
+    told("text { internal 1 \"A\" 1, 0 }", "left out: the body 'text'");
     told("media { emission 1 }", "left out: media");
     told("rainbow { distance 1 }", "left out: a rainbow");
     told("sphere { 0, 0 }", "left out: a body: a number of it is out of range");
-    told("light_source { 0 rgb 1 shadowless }", "approximated: a shadowless light");
     told("fog { fog_type 2 distance 1 fog_alt 1 }", "left out: ground fog");
     told("global_settings { radiosity { count 9 } }", "approximated: radiosity");
     told("camera { orthographic }", "approximated: an orthographic camera");
     const std::string loop =
-        "#declare B = sphere { 0, 1 finish { specular .5 } } #for (I, 1, 50) object { B translate I*x } #end";
+        "#declare B = sphere { 0, 1 pigment { hexagon } } #for (I, 1, 50) object { B translate I*x } #end";
     CHECK(opened(loop).notes.size() == 1);
     CHECK(opened("sphere { 0, 1 }").summary() == "opens whole");
-    CHECK(opened("blob { sphere { 0, 1, 1 } } sphere { 0, 1 no_shadow }").summary() ==
+    CHECK(opened("julia_fractal { 0 } sphere { 0, 1 pigment { hexagon } }").summary() ==
           "approximated in 1 place, left out in 1 place");
 }
 

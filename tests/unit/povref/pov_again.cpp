@@ -88,7 +88,7 @@ TEST_CASE("scenes of POV-Ray agree with its stored pictures") {
         CHECK_MESSAGE(fault(verdict, {}).empty(), name, ": ", fault(verdict, {}));
         ++count;
     }
-    CHECK(count >= 6);
+    CHECK(count >= 8);
 }
 
 TEST_CASE("scenes survive the way to POV-Ray's text and back") {

@@ -70,7 +70,6 @@ TEST_CASE("words of POV-Ray and of materials in the wrong place get advice") {
     for (const char* const word : {"color", "pigment"}) in_material(word, "use 'rgb'");
     in_material("finish", "leave it out: its values stand in 'material' itself");
     in_material("phong", "use 'specular'");
-    in_material("roughness", "use 'pow'");
     in_material("transmit", "use 'refraction'");
     check_fault("light { position <0,0,0> rgb <1,1,1> }", "2:26: unknown word 'rgb' in 'light'; use 'color'");
     check_fault("sky_sphere { }", "2:1: unknown word 'sky_sphere'; use 'background'");

@@ -137,7 +137,7 @@ TEST_CASE("bumps, and what can be wrong with them") {
     check("noise { }", "3:1", "'noise' lacks 'height'");
     check("nois { height 1 }", "3:1", "unknown word 'nois' for 'bump' of 'material'; did you mean 'noise'?");
     check("checker { height 1 }", "3:1",
-          "unknown word 'checker' for 'bump' of 'material'; known here: gradient, noise, marble, wood, image, none");
+          "unknown word 'checker' for 'bump' of 'material'; known here: gradient, noise, marble, wood, image, solid, none");
     check("<1,1,1>", "3:1", "a pattern or 'none' expected for 'bump' of 'material', but found '<'");
     check("noise { height 1 height 1 }", "3:18", "a second 'height'; the first is in line 3");
     check("noise { height -1 }", "3:16", "'height' of 'noise' must be from 0 to 1e9, not '-1'");

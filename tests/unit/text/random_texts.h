@@ -18,7 +18,8 @@ class RandomScenes {
     Scene scene() {
         result = {};
         result.camera = camera();
-        if (chance(3)) result.settings = {color(), std::uniform_int_distribution(1, 256)(random), chance(2)};
+        if (chance(3)) result.settings = {color(), std::uniform_int_distribution(1, 256)(random), chance(2),
+                                         chance(2) ? uniform(0, 1) : 0};
         if (chance(2)) result.background = chance(3) ? Pigment(pattern()) : Pigment(color());
         if (chance(4)) result.fog = Fog{length(), color()};
         for (int i = below(6); i > 0; --i) result.lights.push_back(light());
@@ -60,17 +61,21 @@ class RandomScenes {
             if (*own.direction == DVec3(0)) own.direction = DVec3(0, 0, -1);
         }
         if (chance(4)) own.motion = motion();
+        own.shadowless = chance(6);
+        if (chance(6)) own.fade_distance = not_negative(), own.fade_power = not_negative();
         return own;
     }
     Color color() { return {not_negative(), not_negative(), not_negative()}; }
 
-    Material random_material() {
+    Material random_material(bool coats = true) {
         Material material;
         const auto fill = [&](const auto& field) {
             auto& value = material.*field.member;
             if (chance(2)) return;
             if constexpr (std::is_same_v<decltype(value), Pigment&>)
-                value = chance(3) ? Pigment(pattern()) : Pigment(color());
+                value = chance(3) ? Pigment(pattern()) : clear(color());
+            else if constexpr (std::is_same_v<decltype(value), DVec3&>)
+                value = color();
             else if constexpr (std::is_same_v<decltype(value), Bump&>)
                 value = chance(2) ? Bump{} : bump();
             else if constexpr (std::is_same_v<decltype(value), NormalMap&>)
@@ -81,14 +86,25 @@ class RandomScenes {
                                                           : not_negative();
         };
         std::apply([&](const auto&... field) { (fill(field), ...); }, Material::fields);
+        if (coats)
+            while (chance(4) && material.coats.size() < 7) material.coats.push_back(random_material(false));
         return material;
+    }
+    /// A pigment that may let light through.
+    Pigment clear(const Color& color) {
+        Pigment own(color);
+        if (chance(3)) own.filter = uniform(0, 1), own.transmit = uniform(0, 1);
+        return own;
     }
     Pattern pattern() {
         Dice dice(random());
         Pattern own = random_pattern(dice);
         if (chance(2)) own.transformations = transformations();
         for (ColorStop& stop : own.colors)
-            if (chance(2)) stop.color = color();
+            if (chance(2)) {
+                stop.color = color();
+                if (chance(4)) stop.filter = uniform(0, 1), stop.transmit = uniform(0, 1);
+            }
         return own;
     }
     Bump bump() {

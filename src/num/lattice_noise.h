@@ -5,7 +5,7 @@
 
 #include "num/vec.h"
 
-namespace strahl::pov {
+namespace strahl::lattice {
 
 /// The tables that POV-Ray makes at its start. Lattice noise as in K. Perlin, "An image synthesizer" (1985), with
 /// tables of POV-Ray's own.
@@ -26,4 +26,4 @@ DVec3 vector_noise(const DVec3& point);
 double turbulence(const DVec3& point, int octaves, float omega, float lambda, int generator);
 DVec3 vector_turbulence(const DVec3& point, int octaves, float omega, float lambda);
 
-}  // namespace strahl::pov
+}  // namespace strahl::lattice

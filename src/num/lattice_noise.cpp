@@ -1,4 +1,4 @@
-#include "pov/language/noise.h"
+#include "num/lattice_noise.h"
 
 #include <algorithm>
 #include <bit>
@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <utility>
 
-namespace strahl::pov {
+namespace strahl::lattice {
 namespace {
 
 /// CRC-16 of a double's bytes, most significant first, three times.
@@ -158,4 +158,4 @@ DVec3 vector_turbulence(const DVec3& point, int octaves, float omega, float lamb
     return sum;
 }
 
-}  // namespace strahl::pov
+}  // namespace strahl::lattice

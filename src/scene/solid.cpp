@@ -1,0 +1,257 @@
+#include "scene/solid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "num/lattice_noise.h"
+#include "num/vec_math.h"
+
+namespace strahl {
+namespace {
+
+constexpr double nearly = 1e-10;  // POV-Ray's EPSILON
+constexpr int wave_sources = 10;
+/// The corners of a tetrahedron around a point, where normals compare values.
+constexpr std::array<DVec3, 4> bend_corners{
+    DVec3(0.942809041582063366, -1. / 3, 0), DVec3(-0.471404520791031683, -1. / 3, 0.816496580927726033),
+    DVec3(-0.471404520791031683, -1. / 3, -0.816496580927726033), DVec3(0, 1, 0)};
+
+double fraction(double x) { return x - std::floor(x); }
+/// sin(2 pi x).
+double cycle(double x) { return std::sin(2 * std::numbers::pi * fraction(x)); }
+double rise_and_fall(double x) {
+    const double part = fraction(x);
+    return part > .5 ? 2 - 2 * part : 2 * part;
+}
+DVec3 moved(const SolidPattern& own, const DVec3& p, const DVec3& by) {
+    return p + by * lattice::vector_turbulence(p, static_cast<int>(own.octaves), static_cast<float>(own.omega),
+                                               static_cast<float>(own.lambda));
+}
+double turbulent(const SolidPattern& own, const DVec3& p) {
+    return lattice::turbulence(p, static_cast<int>(own.octaves), static_cast<float>(own.omega),
+                               static_cast<float>(own.lambda), static_cast<int>(own.generator));
+}
+double noise(const SolidPattern& own, const DVec3& p) { return lattice::noise(p, static_cast<int>(own.generator)); }
+
+/// POV-Ray's table of random numbers from 0 to 1, of the Mersenne twister.
+const std::array<double, 32768>& random_numbers() {
+    static const auto table = [] {
+        std::array<double, 32768> all;
+        std::mt19937 twister(5489);
+        for (double& value : all) value = twister() * 0x1p-32;
+        return all;
+    }();
+    return table;
+}
+int hash_of(int x, int y, int z) {
+    const auto& hash = lattice::noise_tables().hash;
+    return hash[hash[hash[x & 4095] ^ (y & 4095)] ^ (z & 4095)];
+}
+double random_at(int index) { return random_numbers()[static_cast<std::size_t>(index & 32767)]; }
+int whole(double x) { return static_cast<int>(std::floor(std::clamp(x, -1e9, 1e9))); }
+
+/// The difference of the distances to the two nearest of points that are spread one to a cell.
+double crackle_at(const DVec3& p) {
+    const int x = whole(p.x - nearly), y = whole(p.y - nearly), z = whole(p.z - nearly);
+    double nearest = 1e9, second = 1e9;
+    for (int i = -2; i <= 2; ++i)
+        for (int j = -2; j <= 2; ++j)
+            for (int k = -2; k <= 2; ++k) {
+                if ((std::abs(i) == 2) + (std::abs(j) == 2) + (std::abs(k) == 2) > 1) continue;
+                const int first = hash_of(x + i, y + j, z + k);
+                const DVec3 point(x + i + random_at(first), y + j + random_at(first + 1), z + k + random_at(first + 2));
+                const DVec3 way = p - point;
+                const double squared = dot_product(way, way);
+                if (squared < nearest)
+                    second = nearest, nearest = squared;
+                else
+                    second = std::min(second, squared);
+            }
+    return std::clamp(std::sqrt(second) - std::sqrt(nearest), 0., 1.);
+}
+
+struct WaveSource {
+    DVec3 centre;
+    double frequency;
+};
+const std::array<WaveSource, wave_sources>& sources() {
+    static const auto all = [] {
+        std::array<WaveSource, wave_sources> own;
+        auto state = static_cast<std::uint32_t>(-560851967);
+        for (int i = 0; i < wave_sources; ++i) {
+            state = 1812433253u * state + 12345u;
+            own[static_cast<std::size_t>(i)] = {normalize(lattice::vector_noise(DVec3(i, 0, 0))),
+                                                (state >> 16 & 32767) * .000030518509476 + .01};
+        }
+        return own;
+    }();
+    return all;
+}
+
+double quilt(double t) {
+    const double rest = 1 - t;
+    return (t * t * t + 3 * t * rest * rest + 3 * t * t * rest) * 1.154700538;
+}
+
+/// The value before frequency, phase and wave, at a point that turbulence has moved.
+double raw_value(const SolidPattern& own, const DVec3& p) {
+    const double frequency = static_cast<float>(own.frequency), phase = static_cast<float>(own.phase);
+    const auto length_of = [](double a, double b) { return std::sqrt(a * a + b * b); };
+    switch (own.solid) {
+        case Solid::agate:
+            return std::pow(std::clamp(.5 * (cycle(1.3 * turbulent(own, p) + 1.1 * p.z) + 1), 0., 1.), .77);
+        case Solid::boxed:
+            return std::max(0., 1 - std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)}));
+        case Solid::bozo:
+        case Solid::bumps:
+            return noise(own, p);
+        case Solid::cells:
+            return random_at(hash_of(whole(p.x + nearly), whole(p.y + nearly), whole(p.z + nearly)));
+        case Solid::crackle:
+            return crackle_at(p);
+        case Solid::cylindrical:
+            return std::max(0., 1 - length_of(p.x, p.z));
+        case Solid::dents:
+            return std::pow(noise(own, p), 3);
+        case Solid::gradient: {
+            const double along = dot_product(normalize(own.axis), p);
+            return along > 1 ? std::fmod(along, 1.) : along;
+        }
+        case Solid::granite: {
+            double sum = 0;
+            for (int i = 0; i < 6; ++i) {
+                const double fine = std::ldexp(1, i), n = noise(own, p * (4 * fine));
+                sum += (own.generator > 1 ? std::min(.5, std::fabs(1 - 2 * n)) : std::fabs(.5 - n)) / fine;
+            }
+            return sum;
+        }
+        case Solid::leopard: {
+            const double sum = (std::sin(p.x) + std::sin(p.y) + std::sin(p.z)) / 3;
+            return sum * sum;
+        }
+        case Solid::marble:
+            return p.x + own.turbulence.x * (own.turbulence.x == 0 ? 0 : turbulent(own, p));
+        case Solid::onion:
+            return std::fmod(length(p), 1.);
+        case Solid::planar:
+            return std::max(0., 1 - std::fabs(p.y));
+        case Solid::quilted: {
+            const DVec3 v(fraction(p.x) - .5, fraction(p.y) - .5, fraction(p.z) - .5);
+            const double t = quilt(length(v));
+            return (std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z)) * t / 3;
+        }
+        case Solid::radial:
+            if (std::fabs(p.x) < .001 && std::fabs(p.z) < .001) return .25;
+            return .25 + (std::atan2(p.x, p.z) + std::numbers::pi) / (2 * std::numbers::pi);
+        case Solid::ripples: {
+            double sum = 0;
+            for (const WaveSource& source : sources())
+                sum += cycle(length(p - source.centre) * frequency + phase);
+            return .5 * (1 + sum / wave_sources);
+        }
+        case Solid::waves: {
+            double sum = 0;
+            for (const WaveSource& source : sources())
+                sum += cycle(length(p - source.centre) * frequency * source.frequency + phase) /
+                       source.frequency;
+            return .2 * (2.5 + sum / wave_sources);
+        }
+        case Solid::spherical:
+            return std::max(0., 1 - length(p));
+        case Solid::wood: {
+            if (own.turbulence == DVec3(0)) return length_of(p.x, p.y);
+            const DVec3 d = moved(own, p, DVec3(1)) - p;
+            return length_of(p.x + cycle((p.x + d.x) * own.turbulence.x), p.y + cycle((p.y + d.y) * own.turbulence.y));
+        }
+        case Solid::wrinkles: {
+            double sum = 0;
+            for (int i = 0; i < 10; ++i) {
+                const double fine = std::ldexp(1, i), n = noise(own, p * fine);
+                sum += (own.generator > 1 ? std::clamp(2 * n - .5, 0., 1.) : n) / fine;
+            }
+            return sum / 2;
+        }
+    }
+    return 0;
+}
+
+/// Are there digits left for where in a cell the point is?
+bool within_reach(const DVec3& p) {
+    return std::fabs(p.x) <= 1e9 && std::fabs(p.y) <= 1e9 && std::fabs(p.z) <= 1e9;
+}
+bool moves_itself(Solid solid) { return solid == Solid::marble || solid == Solid::wood; }
+DVec3 place_of(const SolidPattern& own, const DVec3& p) {
+    return own.turbulence == DVec3(0) || moves_itself(own.solid) ? p : moved(own, p, own.turbulence);
+}
+
+/// The value at a point that turbulence has moved.
+double value_of(const SolidPattern& own, const DVec3& p) {
+    double value = raw_value(own, p);
+    if (own.frequency != 0)
+        value = std::fmod(value * static_cast<float>(own.frequency) + static_cast<float>(own.phase), 1.00001);
+    if (value < 0) value -= std::floor(value);
+    switch (static_cast<int>(own.wave)) {
+        case 1:
+            value = rise_and_fall(value);
+            break;
+        case 2:
+            value = (1 + cycle(value)) / 2;
+            break;
+        case 3:
+            value = std::fabs(cycle(value / 2));
+            break;
+        case 4:
+            value = value * value * (3 - 2 * value);
+            break;
+        default:
+            break;
+    }
+    return std::isfinite(value) ? std::clamp(value, 0., 1.) : 0;
+}
+
+}  // namespace
+
+double value_at(const SolidPattern& own, const DVec3& p) {
+    return within_reach(p) ? value_of(own, place_of(own, p)) : 0;
+}
+
+DVec3 bend_at(const SolidPattern& own, const DVec3& given) {
+    if (!within_reach(given)) return DVec3(0);
+    const DVec3 p = place_of(own, given);
+    switch (own.solid) {
+        case Solid::bumps:
+            return lattice::vector_noise(p);
+        case Solid::dents:
+            return std::pow(noise(own, p), 3) * lattice::vector_noise(p);
+        case Solid::wrinkles: {
+            DVec3 sum(0);
+            for (int i = 0; i < 10; ++i) {
+                const double fine = std::ldexp(1, i);
+                const DVec3 n = lattice::vector_noise(p * fine);
+                for (int c = 0; c < 3; ++c) sum[c] += std::fabs(n[c]) / fine;
+            }
+            return sum;
+        }
+        case Solid::ripples:
+        case Solid::waves: {
+            DVec3 sum(0);
+            for (const WaveSource& source : sources()) {
+                const double f = own.solid == Solid::waves ? source.frequency : 1;
+                const DVec3 way = p - source.centre;
+                const double away = length(way);
+                if (away > 0) sum = sum + cycle(away * own.frequency * f + own.phase) / (away * 10 * f) * way;
+            }
+            return sum;
+        }
+        default: {
+            // Differences of values, not of noise: turbulence has moved the point already.
+            DVec3 sum(0);
+            for (const DVec3& corner : bend_corners) sum = sum - 5 * value_of(own, p + .02 * corner) * corner;
+            return sum;
+        }
+    }
+}
+
+}  // namespace strahl

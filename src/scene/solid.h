@@ -1,0 +1,50 @@
+// Solid patterns with POV-Ray's own values, so that its scenes keep their stones, woods and clouds.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <tuple>
+
+#include "scene/kinds/field.h"
+
+namespace strahl {
+
+/// The kinds of solid patterns, in the order of `solid_names`.
+enum class Solid : std::int32_t {
+    agate, boxed, bozo, bumps, cells, crackle, cylindrical, dents, gradient, granite, leopard,
+    marble, onion, planar, quilted, radial, ripples, spherical, waves, wood, wrinkles,
+};
+inline constexpr std::array<std::string_view, 21> solid_names{
+    "agate", "boxed", "bozo", "bumps", "cells", "crackle", "cylindrical", "dents", "gradient", "granite", "leopard",
+    "marble", "onion", "planar", "quilted", "radial", "ripples", "spherical", "waves",    "wood",    "wrinkles"};
+
+/// A pattern of POV-Ray 3.7: what its manual calls the pattern's value goes through `frequency` and `phase`, repeats
+/// every 1.00001 and then takes the form of a wave. It is computed in double, point by point, whatever the precision of
+/// the picture.
+struct SolidPattern {
+    Solid solid = Solid::bozo;
+    DVec3 axis{1, 0, 0}, turbulence{0};
+    double octaves = 6, omega = .5, lambda = 2, frequency = 1, phase = 0, wave = 0, generator = 2;
+
+    static constexpr const char* name = "solid";
+    static constexpr const char* help = "a pattern of POV-Ray; its name stands first in the block";
+    static constexpr auto fields = std::make_tuple(
+        Field{"axis", &SolidPattern::axis, "the direction of `gradient`", Range::direction},
+        Field{"turbulence", &SolidPattern::turbulence, "how far noise moves the pattern", Range::any},
+        Field{"octaves", &SolidPattern::octaves, "how many sizes of detail that noise has", Range::octaves},
+        Field{"omega", &SolidPattern::omega, "strength of each octave relative to the one before", Range::any},
+        Field{"lambda", &SolidPattern::lambda, "how many times finer each octave is than the one before", Range::any},
+        Field{"frequency", &SolidPattern::frequency, "how often the colours repeat", Range::any},
+        Field{"phase", &SolidPattern::phase, "by how much the values are moved", Range::any},
+        Field{"wave", &SolidPattern::wave, "0 ramp, 1 triangle, 2 sine, 3 scallop, 4 cubic", Range::zero_or_more},
+        Field{"generator", &SolidPattern::generator, "POV-Ray's noise_generator: 1, 2 or 3", Range::positive});
+    bool operator==(const SolidPattern&) const = default;
+};
+
+/// Returns the value at a point, from 0 to 1.
+double value_at(const SolidPattern& pattern, const DVec3& point);
+/// Returns what is added to the normal at a point, for a height of 1, which is POV-Ray's amount: noise or waves for
+/// `bumps`, `dents`, `wrinkles`, `ripples` and `waves`, for all others the slope of the values.
+DVec3 bend_at(const SolidPattern& pattern, const DVec3& point);
+
+}  // namespace strahl

@@ -1,0 +1,135 @@
+// Shades hits in worlds with POV-Ray's finishes: their light, by layers, and their rays, which carry colours.
+#pragma once
+#include "trace/kernel/illuminate.h"
+#include "trace/kernel/scatter.h"
+#include "trace/patterns/finish_calls.h"
+
+namespace strahl::inline STRAHL_LEVEL {
+
+/// Returns the colours of rays' light, whose largest channel their weights are.
+template <class S>
+STRAHL_INLINE Vec3<S> tint_of(const RayQueue<Element<S>>& rays, const LaneIndices<S>& pick) {
+    return {pick(rays.tint[0]), pick(rays.tint[1]), pick(rays.tint[2])};
+}
+
+/// Adds the light of all lights to `sum`. An area light shines from its middle, and only its shadows are soft.
+template <class S, class P>
+void add_lights(const Shading<S, P>& shading, const Hit<S>& hit, const int* numbers, const LayeredHit<S>& layers,
+                const HitNotes<S, P>& notes, Vec3<S>& sum) {
+    using T = Element<S>;
+    const auto& world = shading.world;
+    const S zero(0);
+    const Vec3<S> reflected = reflect(hit), nothing = splat<S>(Vec3<T>(0));
+    for (int i = 0; i < world.light_count; ++i) {
+        const LightKernel<T>& light = world.lights[i];
+        const Vec3<S> to_light = fma(S(-light.finite), hit.position, splat<S>(light.position));
+        const S squared = dot(to_light, to_light), length = sqrt(squared);
+        WayToLight<S> way{scale(S(1) / length, to_light), length * S(light.far), zero};
+        way.cosine = dot(hit.normal, way.l);
+        const Mask<S> lost = (squared < S(least_square<T>)) | (way.cosine > S(2));
+        if (any(lost)) {
+            const WayToLight<S> near = way_to_near_light(hit, to_light);
+            way.l = select(lost, near.l, way.l), way.cosine = select(lost, near.cosine, way.cosine);
+            way.distance = select(lost, near.distance, way.distance);
+        }
+        Mask<S> faces = hit.active & (way.cosine > zero);
+        if (world.patterns.bends) faces = faces & (dot(notes.flat, way.l) > zero);
+        S strength(1);
+        if (light.spot) strength = spot_share(light, way.l);
+        if (light.fade_per > 0) strength = strength * FinishCalls<S>::faded(light, way.distance);
+        faces = faces & (strength > zero);
+        if (none(faces)) continue;
+        Vec3<S> share = splat<S>(Vec3<T>(1));
+        if (light.area) {
+            constexpr T error = T(1) / 510;
+            const LitHits<S> hits{faces, hit.outside, hit.position, hit.normal,
+                                  world.patterns.bends ? notes.flat : hit.normal, reflected, hit.surface, hit.weight,
+                                  S(1), zero, S(1), S(1), hit.bin};
+            const AreaMeans<S> means = AreaLightCalls<S>::means(world, i, hits, error, visibility<S>);
+            share = means.share, shading.counts.shadow += means.rays;
+        } else if (!light.shadowless) {
+            share = visibility(world, Ray<S>{hit.position, way.l, hit.surface}, way.distance, faces,
+                               Start<S>{i, hit.bin, hit.outside});
+            shading.counts.shadow += count(faces);
+        }
+        if (notes_sights(shading)) note_light(shading, hit, notes, i, share, S(dot(reflected, way.l)), faces);
+        Vec3<S> arriving;
+        for (int c = 0; c < 3; ++c) arriving[c] = strength * share[c] * S(light.color[c]);
+        arriving = select(faces, arriving, nothing);
+        const LitSurface<S> lit{hit.direction, hit.normal, reflected, way.l, way.cosine, !light.shadowless};
+        Vec3<S> lighted = sum;
+        FinishCalls<S>::scatter(world, numbers, layers, lit, arriving, lighted);
+        sum = select(faces, lighted, sum);
+    }
+}
+
+/// Queues a ray that goes on from hits, with its colour and its generation as POV-Ray counts them.
+template <class S, class P>
+void push(const Shading<S, P>& shading, RayQueue<Element<S>>& to, const Hit<S>& hit, Branch<S, P> ray,
+          const Vec3<S>& tint, const S& level, const HitNotes<S, P>& notes) {
+    ray.mask = ray.mask & (ray.weight >= S(shading.world.finishes.bailout));
+    for (int c = 0; c < 3; ++c) compress(to.tint[c] + to.count, tint[c], ray.mask);
+    compress(to.level + to.count, level, ray.mask);
+    push(shading, to, hit, ray, notes);
+}
+
+/// Adds the light of hits to their pixels, and queues their rays. Nothing is pruned.
+template <class S, class P>
+[[gnu::noinline]] void shade_finish(const Shading<S, P>& shading, const Hit<S>& hit, const int* numbers,
+                                    const RayQueue<Element<S>>& from, const LaneIndices<S>& pick,
+                                    HitNotes<S, P>& notes) {
+    using T = Element<S>;
+    const auto& world = shading.world;
+    const S zero(0), one(1);
+    const Vec3<S> tint = tint_of(from, pick);
+    LayeredHit<S> layers;
+    FinishCalls<S>::look(world, numbers, {hit.position, hit.direction, hit.normal, hit.surface, hit.outside}, layers);
+    Vec3<S> light = layers.ambient;
+    add_lights(shading, hit, numbers, layers, notes, light);
+    light = scale(hit.weight, light);
+    if (world.fog.any) light = fma(pick(from.weight) - hit.weight, splat<S>(world.fog.color), light);
+    add_light(shading.batch, hit.pixel, pick.lanes, light * tint);
+
+    const S level = pick(from.level);
+    const Mask<S> deeper = hit.active & (level < S(static_cast<T>(shading.limits.depth)));
+    constexpr int deepest = 256;  // also of rays that go straight on, whose level stays
+    if (none(deeper) || shading.depth >= deepest) return truncate(shading, hit);
+    const Mask<S> glass = deeper & (largest(layers.through) > zero);
+    const bool bends = world.patterns.bends;
+    const Vec3<S> away = bends ? reflect_bent(hit, notes.flat) : reflect(hit);
+    Vec3<S> mirrored = layers.mirrored;
+    Branch<S, P> refracted{};
+    if (any(glass)) {
+        S b = select(hit.outside, one / hit.material.ior, hit.material.ior), medium = hit.medium;
+        if (world.nested) change_medium(shading, hit, glass, b, medium);
+        Vec3<S> normal = hit.normal;
+        if (bends) normal = select(dot(hit.direction, normal) > zero, -normal, normal);
+        const S s = -dot(hit.direction, normal);
+        S k = fma(b * b, fma(s, s, S(-1)), one);
+        Vec3<S> beyond = fma(fma(b, s, -sqrt(max(k, zero))), normal, scale(b, hit.direction));
+        const Mask<S> far = glass & (b > S(far_ratio)), straight = b == one;
+        if (any(far)) {
+            S far_k;
+            const Vec3<S> far_beyond = refract_far(hit, normal, b, s, far_k);
+            k = select(far, far_k, k), beyond = select(far, far_beyond, beyond);
+        }
+        beyond = select(straight, hit.direction, beyond);
+        const Mask<S> total = glass & (k < zero);
+        const Vec3<S> all(layers.total, layers.total, layers.total);
+        mirrored = select(total, all, mirrored);
+        const S share = largest(layers.through);
+        refracted = branch<P>(hit, glass & !total, beyond, share, medium);
+        P::refract(shading, hit, notes.own, glass, far, b, s, k, refracted);
+        const S counted = one - select(straight, layers.clear, zero);
+        push(shading, shading.refracted, hit, refracted, tint * scale(one / share, layers.through), level + counted,
+             notes);
+        shading.counts.refracted += count(refracted.mask);
+    }
+    const S share = largest(mirrored);
+    Branch<S, P> reflected = branch<P>(hit, deeper & (share > zero), away, share, hit.medium);
+    P::reflect(shading, hit, notes, share, reflected);
+    push(shading, shading.next.open, hit, reflected, tint * scale(one / share, mirrored), level + one, notes);
+    shading.counts.reflected += count(reflected.mask);
+}
+
+}  // namespace strahl::inline STRAHL_LEVEL

@@ -1,0 +1,50 @@
+// The interface of POV-Ray's finishes: compiled once per precision and SIMD level, apart from the kernel.
+#pragma once
+#include "num/memory.h"
+#include "num/ray.h"
+#include "trace/world/world.h"
+
+namespace strahl::inline STRAHL_LEVEL {
+
+/// Points of surfaces as rays see them. The normals are turned towards the rays.
+template <class S>
+struct SeenSurface {
+    Vec3<S> position, direction, normal;
+    S surface;
+    Mask<S> outside;
+};
+/// The way from there to a light. `reflected` is the ray's mirrored direction.
+template <class S>
+struct LitSurface {
+    const Vec3<S>&direction, &normal, &reflected, &l;
+    const S& cosine;
+    bool highlights;
+};
+
+/// Most layers of a surface.
+inline constexpr int most_layers = 8;
+/// The layers of surfaces at points. Each has its colour, the share that it scatters, and what the layers above it
+/// let through.
+template <class S>
+struct LayeredHit {
+    Vec3<S> ambient, through, mirrored;  // light of its own; shares of light that comes through, and is reflected
+    S total, clear;                      // see FinishKernel; clear is 1 or 0
+    Vec3<S> color[most_layers], above[most_layers];
+    S opacity[most_layers];
+};
+
+template <class S>
+struct FinishCalls {
+    using T = Element<S>;
+    /// Finds the layers of surfaces with these materials, one in each lane.
+    static void look(const World<T>& world, const int* materials, const SeenSurface<S>& seen, LayeredHit<S>& hit);
+    /// Adds the light that these layers send back to `sum`, of light that arrives.
+    static void scatter(const World<T>& world, const int* materials, const LayeredHit<S>& hit,
+                        const LitSurface<S>& lit, const Vec3<S>& arriving, Vec3<S>& sum);
+    /// Returns the share of light that comes through a surface on its way to another one.
+    static Vec3<S> through(const World<T>& world, int material, const Vec3<S>& position, const S& surface);
+    /// Returns the share of a light that is left after a distance.
+    static S faded(const LightKernel<T>& light, const S& distance);
+};
+
+}  // namespace strahl::inline STRAHL_LEVEL

@@ -1,0 +1,159 @@
+// POV-Ray's finishes: layers of colours that let light through, highlights, and reflection. The formulas are those that
+// POV-Ray 3.7 follows.
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "num/lane_math.h"
+#include "trace/patterns/finish_calls.h"
+#include "trace/patterns/pattern_kernel.h"
+
+namespace strahl::inline STRAHL_LEVEL {
+
+/// Calls visit(finish, lanes) for each different material of a pack.
+template <class S, class Visit>
+STRAHL_INLINE void each_finish(const World<Element<S>>& world, const int* materials, const Visit& visit) {
+    using T = Element<S>;
+    alignas(64) T numbers[width<S>];
+    for (int k = 0; k < width<S>; ++k) numbers[k] = static_cast<T>(materials[k]);
+    const S number = load_lanes<S>(numbers);
+    for (Mask<S> left = first_lanes<S>(width<S>); any(left);) {
+        const T own = lane(number, first(left));
+        const Mask<S> lanes = left & (number == S(own));
+        visit(world.finishes.list[static_cast<int>(own)], lanes);
+        left = left & !lanes;
+    }
+}
+
+/// Returns x^p, 0 for x <= 0.
+template <class S>
+STRAHL_INLINE S power_or_zero(const S& x, Element<S> p) {
+    const Mask<S> some = x > S(0);
+    if (none(some)) return S(0);
+    return select(some, power_of_uniform(select(some, min(x, S(1)), S(1)), p), S(0));
+}
+
+/// Returns by how much a metal tints light that meets it at an angle with this cosine: 1 if it comes straight, 0 if it
+/// grazes, where F = .014567225 / (a - 1.12)^2 - .011612903 of the angle a in quarter turns is 1.
+template <class S>
+[[gnu::noinline]] S metal_share(const S& cosine) {
+    using T = Element<S>;
+    alignas(64) T values[width<S>];
+    store_lanes(values, cosine);
+    for (T& value : values) {
+        const T a = std::acos(std::clamp(value, T(0), T(1))) * (2 / std::numbers::pi_v<T>) - T(1.12);
+        value = 1 - std::clamp(T(.014567225) / (a * a) - T(.011612903), T(0), T(1));
+    }
+    return load_lanes<S>(values);
+}
+/// Returns the colour that light gets from a metal of this colour.
+template <class S>
+STRAHL_INLINE Vec3<S> tint_of(const Vec3<S>& color, Element<S> metallic, const S& cosine) {
+    const S share = S(metallic) * metal_share(cosine);
+    Vec3<S> tint;
+    for (int c = 0; c < 3; ++c) tint[c] = fma(share, color[c] - S(1), S(1));
+    return tint;
+}
+
+/// Returns the reflectance of unpolarised light by Fresnel's equations, for a ratio of indices `ior` beyond the surface
+/// to before it; 1 for total reflection.
+template <class S>
+STRAHL_INLINE S fresnel(const S& ior, const S& c) {
+    const S squared = fma(ior, ior, fma(c, c, S(-1)));
+    const S g = sqrt(max(squared, S(0))), a = (g - c) / (g + c);
+    const S b = fma(c, g + c, S(-1)) / fma(c, g - c, S(1));
+    return select(squared > S(0), S(Element<S>(.5)) * a * a * fma(b, b, S(1)), S(1));
+}
+
+template <class S>
+void FinishCalls<S>::look(const World<T>& world, const int* materials, const SeenSurface<S>& seen,
+                          LayeredHit<S>& hit) {
+    const Vec3<S> none = splat<S>(Vec3<T>(0));
+    hit.ambient = hit.through = hit.mirrored = none, hit.total = hit.clear = S(0);
+    for (int i = 0; i < most_layers; ++i) hit.color[i] = hit.above[i] = none, hit.opacity[i] = S(0);
+    const S one(1), zero(0), cosine = min(max(-dot(seen.direction, seen.normal), zero), one);
+    each_finish<S>(world, materials, [&](const FinishKernel<T>& finish, Mask<S> lanes) {
+        Vec3<S> through = splat<S>(Vec3<T>(1)), ambient = splat<S>(Vec3<T>(0)), mirrored = ambient;
+        const int layers = std::min(finish.layers, most_layers);
+        for (int i = layers; i-- > 0;) {
+            const LayerKernel<T>& layer = world.finishes.layers[finish.first_layer + i];
+            const ClearColor<S> own = clear_color_at<true>(world, layer.pattern, seen.position, seen.surface);
+            const S opacity = one - own.filter - own.transmit;
+            for (int c = 0; c < 3; ++c) {
+                hit.color[i][c] = select(lanes, own.color[c], hit.color[i][c]);
+                hit.above[i][c] = select(lanes, through[c], hit.above[i][c]);
+                ambient[c] = fma(through[c] * opacity * own.color[c], S(layer.ambient[c]), ambient[c]);
+            }
+            hit.opacity[i] = select(lanes, opacity, hit.opacity[i]);
+            if (largest(layer.mirror) > 0) {
+                S x = one;
+                if (layer.fresnel)
+                    x = fresnel(select(seen.outside, S(finish.ior), S(1 / finish.ior)), cosine);
+                else if (layer.facing != 1)
+                    x = power_or_zero(one - cosine, layer.falloff);
+                const S share = fma(S(1 - layer.facing), x, S(layer.facing));
+                Vec3<S> tint = splat<S>(Vec3<T>(1));
+                if (layer.gilding != 0) tint = tint_of(own.color, layer.gilding, cosine);
+                for (int c = 0; c < 3; ++c) mirrored[c] = fma(share * S(layer.mirror[c]), tint[c], mirrored[c]);
+            }
+            const S more = own.transmit + S(i == 0 ? finish.refraction : T(0));
+            for (int c = 0; c < 3; ++c) through[c] = through[c] * fma(own.filter, own.color[c], more);
+        }
+        hit.ambient = select(lanes, ambient, hit.ambient);
+        hit.through = select(lanes, through, hit.through);
+        hit.mirrored = select(lanes, mirrored, hit.mirrored);
+        hit.total = select(lanes, S(finish.total), hit.total);
+        hit.clear = select(lanes, S(finish.clear ? 1 : 0), hit.clear);
+    });
+}
+
+template <class S>
+void FinishCalls<S>::scatter(const World<T>& world, const int* materials, const LayeredHit<S>& hit,
+                             const LitSurface<S>& lit, const Vec3<S>& arriving, Vec3<S>& sum) {
+    const S shine = dot(lit.reflected, lit.l);
+    const Vec3<S> between = lit.l - lit.direction;
+    const S half = dot(between, lit.normal) / sqrt(dot(between, between));
+    each_finish<S>(world, materials, [&](const FinishKernel<T>& finish, Mask<S> lanes) {
+        for (int i = 0; i < std::min(finish.layers, most_layers); ++i) {
+            const LayerKernel<T>& layer = world.finishes.layers[finish.first_layer + i];
+            const S diffuse = S(layer.diffuse) * hit.opacity[i] *
+                              (layer.brilliance == 1 ? lit.cosine : power_or_zero(lit.cosine, layer.brilliance));
+            S highlight(0);
+            if (lit.highlights && layer.phong > 0)
+                highlight = S(layer.phong) * power_or_zero(shine, layer.phong_size);
+            if (lit.highlights && layer.blinn > 0)
+                highlight = fma(S(layer.blinn), power_or_zero(half, layer.blinn_size), highlight);
+            Vec3<S> tint = splat<S>(Vec3<T>(1));
+            if (layer.metallic != 0) tint = tint_of(hit.color[i], layer.metallic, lit.cosine);
+            for (int c = 0; c < 3; ++c) {
+                const S sent = fma(diffuse, hit.color[i][c], highlight * tint[c]);
+                sum[c] = select(lanes, fma(arriving[c] * hit.above[i][c], sent, sum[c]), sum[c]);
+            }
+        }
+    });
+}
+
+template <class S>
+Vec3<S> FinishCalls<S>::through(const World<T>& world, int material, const Vec3<S>& position, const S& surface) {
+    const FinishKernel<T>& finish = world.finishes.list[material];
+    Vec3<S> through = splat<S>(Vec3<T>(1));
+    if (!finish.shadow) return through;
+    for (int i = 0; i < finish.layers; ++i) {
+        const LayerKernel<T>& layer = world.finishes.layers[finish.first_layer + i];
+        const ClearColor<S> own = clear_color_at<true>(world, layer.pattern, position, surface);
+        const S filter = own.filter + S(i == 0 ? finish.refraction : T(0));
+        for (int c = 0; c < 3; ++c) through[c] = through[c] * fma(filter, own.color[c], own.transmit);
+    }
+    return through;
+}
+
+template <class S>
+S FinishCalls<S>::faded(const LightKernel<T>& light, const S& distance) {
+    alignas(64) T values[width<S>];
+    store_lanes(values, distance * S(light.fade_per));
+    for (T& value : values) value = 2 / (1 + std::pow(value, light.fade_power));
+    return load_lanes<S>(values);
+}
+
+}  // namespace strahl::inline STRAHL_LEVEL
