@@ -124,7 +124,7 @@ std::shared_ptr<const ObjectThing> PovReader::read_light(Interpreter& in) {
 }
 
 /// Reads light_group { ... }: its lights shine on everything.
-void PovReader::read_light_group(Interpreter& in) {
+std::shared_ptr<const ObjectThing> PovReader::read_light_group(Interpreter& in) {
     in.skip();
     in.remark(Remark::Kind::approximated, in.last_place(), "light_group: its lights shine on all bodies");
     auto group = std::make_shared<ObjectThing>();
@@ -138,7 +138,7 @@ void PovReader::read_light_group(Interpreter& in) {
             break;
     }
     in.end_block();
-    place(std::move(group));
+    return group;
 }
 
 }  // namespace strahl::pov

@@ -198,7 +198,7 @@ void PovReader::read_parts(Interpreter& in, ObjectThing& object) {
     for (;;) {
         if (auto known = in.accept_thing<ObjectThing>(ValueKind::object))
             object.parts.push_back(std::move(known));
-        else if (auto read = read_object(in))
+        else if (auto read = in.at("light_group") ? read_light_group(in) : read_object(in))
             object.parts.push_back(std::move(read));
         else
             return;

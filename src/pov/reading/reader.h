@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "pov/language/interpreter.h"
+#include "pov/things/implicit.h"
 #include "pov/things/objects.h"
 #include "text/reading/scene_files.h"
 
@@ -70,13 +71,20 @@ class PovReader : public SceneLayer {
     // surfaces.cpp
     bool read_surface(Interpreter& in, std::uint16_t code, ObjectThing& object);
     void read_height_field(Interpreter& in, ObjectThing& object);
+    // implicit.cpp
+    bool read_implicit(Interpreter& in, std::uint16_t code, ObjectThing& object);
+    void read_blob(Interpreter& in, ObjectThing& object);
+    void read_isosurface(Interpreter& in, ObjectThing& object);
+    void set_polynomial(ObjectThing& object, int order, const std::vector<double>& coefficients);
+    void set_level_surface(ObjectThing& object, const char* name, const Inside& value, const Box& box);
     // lights.cpp
     std::shared_ptr<const ObjectThing> read_light(Interpreter& in);
-    void read_light_group(Interpreter& in);
+    std::shared_ptr<const ObjectThing> read_light_group(Interpreter& in);
 
     std::vector<std::pair<TextPlace, std::shared_ptr<std::atomic<bool>>>> pattern_functions;  // was it called?
     std::shared_ptr<const TextureThing> default_texture = std::make_shared<TextureThing>();
     CameraThing default_camera;
+    int level_surfaces = 0;  // made so far
 };
 
 }  // namespace strahl::pov

@@ -344,7 +344,7 @@ void PovReader::read_shape(Interpreter& in, std::uint16_t code, ObjectThing& obj
         case word("mesh2"):
             return read_mesh2(in, object);
         default:
-            if (read_surface(in, code, object)) break;
+            if (read_surface(in, code, object) || read_implicit(in, code, object)) break;
             object.left_out("the body '" + std::string(reserved_words[code - first_word_code]) + "'");
             skip_arguments(in);
     }

@@ -236,8 +236,11 @@ bool PovReader::read_surface(Interpreter& in, std::uint16_t code, ObjectThing& o
             in.skip_comma();
             const DVec3 linear = in.read_vector();
             in.skip_comma();
-            if (set_quadric(object, squares, products, linear, in.read_number())) return true;
-            object.left_out("the body 'quadric', but for balls, cylinders and cones");
+            const double number = in.read_number();
+            if (set_quadric(object, squares, products, linear, number)) return true;
+            set_polynomial(object, 2,
+                           {squares.x, products.x, products.y, linear.x, squares.y, products.z, linear.y, squares.z,
+                            linear.z, number});
             return true;
         }
         case word("sphere_sweep"): {

@@ -1,5 +1,8 @@
 // Bodies of POV-Ray's scenes: shapes, composites, transformations, and which texture each has.
+#include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
 
 #include "num/vec_math.h"
 #include "pov/things/steps.h"
@@ -162,4 +165,33 @@ TEST_CASE("POV-Ray: curved bodies become closed meshes") {
     }
     CHECK(contains(opened("superellipsoid { <1, 1> }").scene.primitives[0], {.57, .57, .57}));
     CHECK_FALSE(contains(opened("superellipsoid { <1, 1> }").scene.primitives[0], {.6, .6, .6}));
+}
+
+TEST_CASE("POV-Ray: blobs, polynomials and isosurfaces become meshes near their surfaces") {
+    // Returns the least and the largest distance of the mesh's points from the origin, or from a circle around y.
+    const auto distances = [](const std::string& text, double circle = 0) {
+        const Scene scene = opened(text).scene;
+        const MeshData& mesh = *shape<Mesh>(scene).data;
+        CHECK(mesh.corner_normals.size() == mesh.triangles.size());
+        std::pair<double, double> range{1e9, 0};
+        for (const DVec3& p : mesh.points) {
+            const double away = std::hypot(std::hypot(p.x, p.z) - circle, p.y);
+            range = {std::min(range.first, away), std::max(range.second, away)};
+        }
+        return range;
+    };
+    const auto is = [](std::pair<double, double> range, double radius) {
+        CHECK(range.first == doctest::Approx(radius).epsilon(.002));
+        CHECK(range.second == doctest::Approx(radius).epsilon(.002));
+    };
+    // 2 (1 - r^2)^2 is 1/2 where r^2 is 1/2.
+    is(distances("blob { threshold .5 sphere { x, 1, 2 translate -x } }"), std::sqrt(.5));
+    is(distances("quadric { <1, 1, 1>, <0, 0, .0001>, 0, -1 }"), 1);
+    // The torus of radii 3 and 1: (x^2 + y^2 + z^2 + 8)^2 = 36 (x^2 + z^2).
+    is(distances("quartic { <1, 0, 0, 0, 2, 0, 0, 2, 0, -20, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 2, 0, 16, 0, 0, 0, 0,"
+                 "1, 0, -20, 0, 64> }",
+                 3),
+       1);
+    is(distances("isosurface { function { x*x + y*y + z*z } threshold 4 contained_by { box { -3, 3 } } }"), 2);
+    CHECK(opened("isosurface { function { 1 } }").scene.primitives.empty());
 }

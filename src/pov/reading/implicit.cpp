@@ -1,0 +1,203 @@
+// Reads bodies that are defined by functions, and makes them meshes: blobs, polynomials and isosurfaces.
+#include <algorithm>
+#include <cmath>
+
+#include "files/words.h"
+#include "num/vec_math.h"
+#include "pov/reading/reader.h"
+#include "pov/things/implicit.h"
+
+namespace strahl::pov {
+namespace {
+
+/// Polynomials are shown within this distance from their origin along each axis.
+constexpr double reach = 20;
+
+/// A part of a blob: a ball, or a cylinder with round ends. The matrix takes points into its own space.
+struct BlobPart {
+    DVec3 base, axis;
+    double radius, strength;
+    glm::dmat4 inverse{1};
+
+    double field(const DVec3& point) const {
+        const DVec3 p = transform_point(inverse, point) - base;
+        const double squared = dot_product(axis, axis);
+        const double along = squared > 0 ? std::clamp(dot_product(p, axis) / squared, 0., 1.) : 0;
+        const DVec3 away = p - along * axis;
+        const double share = 1 - dot_product(away, away) / (radius * radius);
+        return share > 0 ? strength * share * share : 0;
+    }
+    void add_to(Box& box) const {
+        const glm::dmat4 m = glm::inverse(inverse);
+        for (int corner = 0; corner < 8; ++corner) {
+            const DVec3 side(corner & 1 ? radius : -radius, corner & 2 ? radius : -radius,
+                             corner & 4 ? radius : -radius);
+            box.add(transform_point(m, base + side)), box.add(transform_point(m, base + axis + side));
+        }
+    }
+};
+
+double number_after_comma(Interpreter& in) {
+    in.skip_comma();
+    return in.read_number();
+}
+DVec3 vector_after_comma(Interpreter& in) {
+    in.skip_comma();
+    return in.read_vector();
+}
+
+std::vector<double> read_coefficients(Interpreter& in, int order) {
+    std::vector<double> all;
+    in.expect('<');
+    for (int i = (order + 1) * (order + 2) * (order + 3) / 6; i > 0; --i)
+        all.push_back(in.read_number()), in.skip_comma();
+    in.expect('>');
+    return all;
+}
+
+}  // namespace
+
+/// Sets the mesh of a body of which a function below 0 is the inside.
+void PovReader::set_level_surface(ObjectThing& object, const char* name, const Inside& value, const Box& box) {
+    const int cells = ++level_surfaces <= 8 ? 64 : level_surfaces <= 64 ? 32 : 16;
+    MeshData mesh = box.empty() ? MeshData() : level_surface(value, box, cells);
+    if (mesh.triangles.empty()) return object.left_out(strahl::quoted(name) + " without a surface");
+    object.kind = ObjectKind::shape;
+    object.shape = Mesh{std::make_shared<const MeshData>(std::move(mesh)), ""};
+    object.approximated(strahl::quoted(name) + " is a mesh of flat pieces");
+}
+
+void PovReader::read_blob(Interpreter& in, ObjectThing& object) {
+    double threshold = 1;
+    std::vector<BlobPart> parts;
+    for (;;) {
+        BlobPart part{};
+        if (in.accept("threshold")) {
+            threshold = in.read_number();
+            in.skip_comma();
+            continue;
+        }
+        if (in.accept("component")) {  // the old form
+            part.strength = in.read_number(), part.radius = number_after_comma(in), part.base = vector_after_comma(in);
+            in.skip_comma();
+            parts.push_back(part);
+            continue;
+        }
+        const bool cylinder = in.at("cylinder");
+        if (!cylinder && !in.at("sphere")) break;
+        in.skip();
+        in.begin_block();
+        part.base = in.read_vector();
+        if (cylinder) part.axis = vector_after_comma(in) - part.base;
+        part.radius = number_after_comma(in);
+        in.skip_comma();
+        in.accept("strength");
+        part.strength = in.read_number();
+        Steps steps;
+        while (!in.at('}')) {
+            if (read_step(in, steps)) continue;
+            in.skip();
+            if (!in.at('{')) continue;
+            in.skip_block();
+            object.approximated("the parts of a blob have the texture of the whole");
+        }
+        in.end_block();
+        part.inverse = glm::inverse(matrix_of(steps));
+        if (part.radius > 0) parts.push_back(part);
+    }
+    Box box;
+    for (const BlobPart& part : parts) part.add_to(box);
+    set_level_surface(
+        object, "blob",
+        [&](const DVec3& p) {
+            double sum = threshold;
+            for (const BlobPart& part : parts) sum -= part.field(p);
+            return sum;
+        },
+        box);
+}
+
+void PovReader::read_isosurface(Interpreter& in, ObjectThing& object) {
+    std::shared_ptr<const FunctionThing> function;
+    double threshold = 0;
+    bool open = false, ball = false;
+    Box box{DVec3(-1), DVec3(1)};
+    for (;;) {
+        if (in.at("function")) {
+            function = in.read_function();
+        } else if (in.accept("contained_by")) {
+            in.begin_block();
+            ball = in.at("sphere");
+            in.skip();
+            in.begin_block();
+            const DVec3 first = in.read_vector();
+            if (ball) {
+                const DVec3 radius(std::fabs(number_after_comma(in)));
+                box = {first - radius, first + radius};
+            } else {
+                const DVec3 second = vector_after_comma(in);
+                box = {min(first, second), max(first, second)};
+            }
+            in.end_block();
+            in.end_block();
+        } else if (in.accept("threshold")) {
+            threshold = in.read_number();
+        } else if (in.accept("accuracy") || in.accept("max_gradient") || in.accept("max_trace")) {
+            in.read_number();
+        } else if (in.accept("evaluate")) {
+            in.read_number(), number_after_comma(in), number_after_comma(in);
+        } else if (in.accept("open")) {
+            open = true;
+        } else if (!in.accept("all_intersections")) {
+            break;
+        }
+        in.skip_comma();
+    }
+    if (!function) return object.left_out("an isosurface without a function");
+    const DVec3 middle = box.centre(), half = box.size() / 2.;
+    const auto beyond = [&](const DVec3& p) {  // of the container
+        const DVec3 off = abs(p - middle);
+        return ball ? length(p - middle) - half.x : std::max({off.x - half.x, off.y - half.y, off.z - half.z});
+    };
+    const DVec3 margin = (open ? 0. : .02) * box.size();
+    set_level_surface(
+        object, "isosurface",
+        [&](const DVec3& p) {
+            const double own = function->at(p) - threshold;
+            return open ? own : std::max(own, beyond(p));
+        },
+        {box.low - margin, box.high + margin});
+}
+
+/// Reads the arguments of a body that a function defines; reads nothing and returns false for all others.
+bool PovReader::read_implicit(Interpreter& in, std::uint16_t code, ObjectThing& object) {
+    switch (code) {
+        case word("blob"):
+            return read_blob(in, object), true;
+        case word("isosurface"):
+            return read_isosurface(in, object), true;
+        case word("cubic"):
+        case word("quartic"):
+        case word("poly"): {
+            const int order = code == word("cubic") ? 3 : code == word("quartic") ? 4 : in.read_integer();
+            if (order < 2 || order > 35) in.fail("the order of a polynomial is from 2 to 35");
+            in.skip_comma();
+            return set_polynomial(object, order, read_coefficients(in, order)), true;
+        }
+        default:
+            return false;
+    }
+}
+
+void PovReader::set_polynomial(ObjectThing& object, int order, const std::vector<double>& coefficients) {
+    const Inside value = [&](const DVec3& p) { return polynomial(order, coefficients, p); };
+    const Box whole{DVec3(-reach), DVec3(reach)};
+    Box region = region_of(value, whole);
+    for (int i = 0; i < 2 && !region.empty(); ++i) region = region_of(value, region);
+    if (region.empty()) region = region_of(value, {DVec3(-2), DVec3(2)});
+    if (!region.empty() && (region.low == whole.low || region.high == whole.high))
+        object.approximated("of a polynomial that goes on for ever the part within 20 is there");
+    set_level_surface(object, "polynomial", value, region);
+}
+
+}  // namespace strahl::pov

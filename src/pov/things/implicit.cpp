@@ -1,0 +1,123 @@
+#include "pov/things/implicit.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "pov/things/mesh_builder.h"
+
+namespace strahl::pov {
+namespace {
+
+/// A function's values on a grid of points, (cells + 1)^3 of them.
+struct ValuesOnGrid {
+    Box box;
+    int cells;
+    std::vector<double> values;
+
+    ValuesOnGrid(const Inside& value, const Box& box, int cells) : box(box), cells(cells) {
+        for (int k = 0; k <= cells; ++k)
+            for (int j = 0; j <= cells; ++j)
+                for (int i = 0; i <= cells; ++i) {
+                    const double own = value(point(i, j, k));
+                    values.push_back(std::isfinite(own) ? own : 1e30);
+                }
+    }
+    DVec3 point(int i, int j, int k) const { return box.low + box.size() * DVec3(i, j, k) / double(cells); }
+    std::size_t number(int i, int j, int k) const {
+        return (std::size_t(k) * std::size_t(cells + 1) + std::size_t(j)) * std::size_t(cells + 1) + std::size_t(i);
+    }
+};
+
+struct GridPoint {
+    std::size_t number;
+    DVec3 p;
+    double value;
+};
+
+/// Returns where the function is 0 between two points on different sides, by four steps of the regula falsi.
+DVec3 crossing(const Inside& value, GridPoint a, GridPoint b) {
+    if (a.number > b.number) std::swap(a, b);  // an edge gives the same point to all its cells
+    DVec3 p = a.p;
+    for (int i = 0; i < 4; ++i) {
+        const double share = std::clamp(a.value / (a.value - b.value), .01, .99);
+        p = a.p + share * (b.p - a.p);
+        const double own = value(p);
+        if (!std::isfinite(own) || own == 0) break;
+        ((own < 0) == (a.value < 0) ? a : b) = {0, p, own};
+    }
+    return p;
+}
+
+}  // namespace
+
+MeshData level_surface(const Inside& value, const Box& box, int cells) {
+    // Each cell is divided into six tetrahedra around the diagonal from its first corner to its last (A. Doi and
+    // A. Koide, "An Efficient Method of Triangulating Equi-Valued Surfaces by Using Tetrahedral Cells", 1991).
+    static constexpr std::array<std::array<int, 2>, 6> between{{{1, 3}, {3, 2}, {2, 6}, {6, 4}, {4, 5}, {5, 1}}};
+    const ValuesOnGrid grid(value, box, cells);
+    const double step = length(box.size()) / cells * 1e-3;
+    const auto slope = [&](const DVec3& p) {
+        const auto along = [&](const DVec3& way) { return value(p + step * way) - value(p - step * way); };
+        const DVec3 n(along({1, 0, 0}), along({0, 1, 0}), along({0, 0, 1}));
+        return std::isfinite(n.x + n.y + n.z) ? n : DVec3(0);
+    };
+    MeshBuilder mesh;
+    const auto add = [&](const DVec3& a, const DVec3& b, const DVec3& c) {
+        mesh.add_triangle({a, b, c}, {slope(a), slope(b), slope(c)}, true);
+    };
+    const auto tetrahedron = [&](const std::array<GridPoint, 4>& corners) {
+        std::array<GridPoint, 4> in{}, out{};
+        std::size_t inside = 0, outside = 0;
+        for (const GridPoint& own : corners) (own.value < 0 ? in[inside++] : out[outside++]) = own;
+        const auto at = [&](std::size_t i, std::size_t o) { return crossing(value, in[i], out[o]); };
+        if (inside == 1) add(at(0, 0), at(0, 1), at(0, 2));
+        if (inside == 3) add(at(0, 0), at(1, 0), at(2, 0));
+        if (inside != 2) return;
+        const DVec3 a = at(0, 0), b = at(0, 1), c = at(1, 1), d = at(1, 0);
+        add(a, b, c), add(a, c, d);
+    };
+    for (int k = 0; k < cells; ++k)
+        for (int j = 0; j < cells; ++j)
+            for (int i = 0; i < cells; ++i) {
+                std::array<GridPoint, 8> corners;
+                int below = 0;
+                for (int n = 0; n < 8; ++n) {
+                    const int x = i + (n & 1), y = j + (n >> 1 & 1), z = k + (n >> 2);
+                    const std::size_t number = grid.number(x, y, z);
+                    corners[std::size_t(n)] = {number, grid.point(x, y, z), grid.values[number]};
+                    below += grid.values[number] < 0;
+                }
+                if (below == 0 || below == 8) continue;
+                for (const auto& [a, b] : between)
+                    tetrahedron({corners[0], corners[std::size_t(a)], corners[std::size_t(b)], corners[7]});
+            }
+    return mesh.finish();
+}
+
+double polynomial(int order, std::span<const double> coefficients, const DVec3& p) {
+    double sum = 0;
+    std::size_t next = 0;
+    for (int i = order; i >= 0; --i)
+        for (int j = order - i; j >= 0; --j)
+            for (int k = order - i - j; k >= 0; --k)
+                if (const double own = coefficients[next++]; own != 0)
+                    sum += own * std::pow(p.x, i) * std::pow(p.y, j) * std::pow(p.z, k);
+    return sum;
+}
+
+Box region_of(const Inside& value, const Box& within) {
+    constexpr int cells = 40;
+    const ValuesOnGrid grid(value, within, cells);
+    Box found;
+    for (int k = 0; k <= cells; ++k)
+        for (int j = 0; j <= cells; ++j)
+            for (int i = 0; i <= cells; ++i)
+                if (grid.values[grid.number(i, j, k)] < 0) found.add(grid.point(i, j, k));
+    if (found.empty()) return found;
+    const DVec3 more = within.size() / double(cells);
+    return {max(found.low - more, within.low), min(found.high + more, within.high)};
+}
+
+}  // namespace strahl::pov

@@ -1,0 +1,25 @@
+// Turns bodies that a function defines into meshes.
+#pragma once
+#include <functional>
+#include <span>
+
+#include "num/bounding_box.h"
+#include "scene/kinds/mesh_data.h"
+
+namespace strahl::pov {
+
+/// A function of points that is below 0 inside a body.
+using Inside = std::function<double(const DVec3&)>;
+
+/// Returns the surface on which a function is 0, within a box that is divided into so many cells along each axis. The
+/// normals are those of the function's slope.
+MeshData level_surface(const Inside& value, const Box& box, int cells);
+
+/// Returns the value of a polynomial, whose coefficients stand in POV-Ray's order: of falling powers of x, then of y,
+/// then of z.
+double polynomial(int order, std::span<const double> coefficients, const DVec3& p);
+
+/// Returns a box around all places where a function of a box is below 0, as far as a coarse grid shows them.
+Box region_of(const Inside& value, const Box& within);
+
+}  // namespace strahl::pov
