@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "pov/expand.h"
 #include "pov/open_pov.h"
 #include "text/parse.h"
 
@@ -11,16 +12,25 @@ bool is_pov(const std::string& path) { return path.ends_with(".pov") || path.end
 
 OpenedScene open_scene(const std::string& text, const std::string& path, const OpeningOptions& options,
                        const ReadPixels& read_pixels, FilesRead* read) {
-    if (!is_pov(path)) {
-        FilesRead own;
-        FilesRead& files = read ? *read : own;
-        Scene scene = parse_scene(text, path == "-" ? "standard input" : path, {}, read_pixels, &files);
-        return {.scene = std::move(scene), .notes = files.warnings};
-    }
     pov::InterpreterOptions how;
     how.file = path, how.library = options.library;
     for (const std::string& folder : pov::standard_library()) how.library.push_back(folder);
     how.clock = options.clock;
+    if (!is_pov(path)) {
+        FilesRead own;
+        FilesRead& files = read ? *read : own;
+        const std::string name = path == "-" ? "standard input" : path;
+        OpenedScene result;
+        if (pov::has_directives(text)) {
+            const pov::ExpandedText expanded = pov::expand(text, how);
+            result.scene = parse_scene(expanded.text, name, {}, read_pixels, &files, expanded.origins);
+            result.files = expanded.files;
+        } else {
+            result.scene = parse_scene(text, name, {}, read_pixels, &files);
+        }
+        result.notes = files.warnings;
+        return result;
+    }
     pov::OpenedPov opened = open_pov(text, how, read_pixels);
     OpenedScene result{.scene = std::move(opened.scene), .summary = opened.summary(), .files = std::move(opened.files)};
     for (const pov::PovNote& note : opened.notes) result.notes.push_back(note.text);

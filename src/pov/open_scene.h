@@ -21,7 +21,7 @@ struct OpenedScene {
     // about the meshes and pictures of scene text.
     std::vector<std::string> notes{};
     std::string summary{};             // of the notes; empty for scene text
-    std::vector<std::string> files{};  // of a .pov: all that were read, the scene's first
+    std::vector<std::string> files{};  // of a .pov, or of a text with directives: all that were read, the scene's first
 };
 
 /// Does the path end like a scene of POV-Ray?

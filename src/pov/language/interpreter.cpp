@@ -258,6 +258,10 @@ void Interpreter::remark(Remark::Kind kind, TextPlace at, const std::string& tex
 const std::vector<Remark>& Interpreter::remarks() const { return state->remarks; }
 void Interpreter::fail(TextPlace at, const std::string& text) { state->fail(at, text); }
 void Interpreter::expected(const std::string& what) { state->expected(what); }
+std::string_view Interpreter::text_at(TextPlace at) const {
+    return std::string_view(state->files[at.file]->text).substr(at.at);
+}
+const std::string& Interpreter::path_of(TextPlace at) const { return state->files[at.file]->path; }
 std::string Interpreter::name_of(TextPlace at) const { return state->where(at); }
 
 double Interpreter::version() const { return state->version; }

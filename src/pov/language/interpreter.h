@@ -129,6 +129,9 @@ class Interpreter {
     [[noreturn]] void fail(const std::string& text) { fail(last_place(), text); }
     /// Fails at the next token: "`what` expected, but found 'x'; did you mean 'y'?".
     [[noreturn]] void expected(const std::string& what);
+    /// Returns the text of a file from a place on, and the file's path.
+    std::string_view text_at(TextPlace at) const;
+    const std::string& path_of(TextPlace at) const;
     /// "wood.inc:12" of a place.
     std::string name_of(TextPlace at) const;
 

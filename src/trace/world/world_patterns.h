@@ -99,7 +99,7 @@ template <class T>
 struct ColorStopKernel {
     T at, per;  // per: 1 over the way from the stop before
     Vec3<T> color;
-    T filter, transmit;
+    T filter = 0, transmit = 0;
 };
 
 /// A layer of a surface in worlds with POV-Ray's finishes, see Material. Its pattern is constant if it has none.

@@ -99,6 +99,7 @@ class RandomScenes {
     Pattern pattern() {
         Dice dice(random());
         Pattern own = random_pattern(dice);
+        if (!own.colors.empty() && chance(6)) own.kind = random_solid(dice);
         if (chance(2)) own.transformations = transformations();
         for (ColorStop& stop : own.colors)
             if (chance(2)) {
