@@ -155,6 +155,12 @@ std::optional<SceneMaker::Part> SceneMaker::build(const ObjectThing& object, con
     std::optional<Part> part;
     if (object.kind == ObjectKind::shape) {
         Shape shape = *object.shape;
+        if (object.surface) {
+            const bool known = object.surface->made != nullptr;
+            const int cells = surfaces_made < 8 ? 64 : surfaces_made < 64 ? 32 : 16;
+            shape = Mesh{object.surface->mesh(cells), ""};
+            surfaces_made += !known;
+        }
         Steps steps = object.steps;
         fold_matrix(shape, steps);
         if (mirrored) shape = mirrored_shape(shape);

@@ -80,6 +80,7 @@ class SceneMaker {
         TextPlace place;
     };
     std::vector<Seen> shown;  // of each primitive
+    int surfaces_made = 0;    // meshes of bodies that functions define
 };
 
 }  // namespace strahl::pov

@@ -1,6 +1,7 @@
 // Reads bodies that are defined by functions, and makes them meshes: blobs, polynomials and isosurfaces.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "files/words.h"
 #include "num/vec_math.h"
@@ -57,13 +58,11 @@ std::vector<double> read_coefficients(Interpreter& in, int order) {
 
 }  // namespace
 
-/// Sets the mesh of a body of which a function below 0 is the inside.
-void PovReader::set_level_surface(ObjectThing& object, const char* name, const Inside& value, const Box& box) {
-    const int cells = ++level_surfaces <= 8 ? 64 : level_surfaces <= 64 ? 32 : 16;
-    MeshData mesh = box.empty() ? MeshData() : level_surface(value, box, cells);
-    if (mesh.triangles.empty()) return object.left_out(strahl::quoted(name) + " without a surface");
+/// Makes an object the body that a mesh will show.
+void PovReader::set_surface(ObjectThing& object, const char* name, std::function<MeshData(int cells)> make) {
     object.kind = ObjectKind::shape;
-    object.shape = Mesh{std::make_shared<const MeshData>(std::move(mesh)), ""};
+    object.shape = Mesh{std::make_shared<const MeshData>(), ""};
+    object.surface = std::make_shared<const LevelSurface>(LevelSurface{std::move(make)});
     object.approximated(strahl::quoted(name) + " is a mesh of flat pieces");
 }
 
@@ -107,14 +106,15 @@ void PovReader::read_blob(Interpreter& in, ObjectThing& object) {
     }
     Box box;
     for (const BlobPart& part : parts) part.add_to(box);
-    set_level_surface(
-        object, "blob",
-        [&](const DVec3& p) {
+    if (parts.empty()) return object.left_out("a blob without parts");
+    set_surface(object, "blob", [threshold, parts, box](int cells) {
+        const Inside value = [&](const DVec3& p) {
             double sum = threshold;
             for (const BlobPart& part : parts) sum -= part.field(p);
             return sum;
-        },
-        box);
+        };
+        return level_surface(value, box, cells);
+    });
 }
 
 void PovReader::read_isosurface(Interpreter& in, ObjectThing& object) {
@@ -154,19 +154,20 @@ void PovReader::read_isosurface(Interpreter& in, ObjectThing& object) {
         in.skip_comma();
     }
     if (!function) return object.left_out("an isosurface without a function");
-    const DVec3 middle = box.centre(), half = box.size() / 2.;
-    const auto beyond = [&](const DVec3& p) {  // of the container
-        const DVec3 off = abs(p - middle);
-        return ball ? length(p - middle) - half.x : std::max({off.x - half.x, off.y - half.y, off.z - half.z});
-    };
-    const DVec3 margin = (open ? 0. : .02) * box.size();
-    set_level_surface(
-        object, "isosurface",
-        [&](const DVec3& p) {
+    set_surface(object, "isosurface", [function, threshold, open, ball, box](int cells) {
+        const DVec3 middle = box.centre(), half = box.size() / 2.;
+        const auto beyond = [&](const DVec3& p) {  // of the container
+            const DVec3 off = abs(p - middle);
+            return ball ? length(p - middle) - half.x
+                        : std::max({off.x - half.x, off.y - half.y, off.z - half.z});
+        };
+        const Inside value = [&](const DVec3& p) {
             const double own = function->at(p) - threshold;
             return open ? own : std::max(own, beyond(p));
-        },
-        {box.low - margin, box.high + margin});
+        };
+        const DVec3 margin = (open ? 0. : .02) * box.size();
+        return level_surface(value, {box.low - margin, box.high + margin}, cells);
+    });
 }
 
 /// Reads the arguments of a body that a function defines; reads nothing and returns false for all others.
@@ -190,14 +191,14 @@ bool PovReader::read_implicit(Interpreter& in, std::uint16_t code, ObjectThing& 
 }
 
 void PovReader::set_polynomial(ObjectThing& object, int order, const std::vector<double>& coefficients) {
-    const Inside value = [&](const DVec3& p) { return polynomial(order, coefficients, p); };
-    const Box whole{DVec3(-reach), DVec3(reach)};
-    Box region = region_of(value, whole);
-    for (int i = 0; i < 2 && !region.empty(); ++i) region = region_of(value, region);
-    if (region.empty()) region = region_of(value, {DVec3(-2), DVec3(2)});
-    if (!region.empty() && (region.low == whole.low || region.high == whole.high))
-        object.approximated("of a polynomial that goes on for ever the part within 20 is there");
-    set_level_surface(object, "polynomial", value, region);
+    set_surface(object, order == 2 ? "quadric" : "polynomial", [order, coefficients](int cells) {
+        const Inside value = [&](const DVec3& p) { return polynomial(order, coefficients, p); };
+        Box region = region_of(value, {DVec3(-reach), DVec3(reach)});
+        for (int i = 0; i < 2 && !region.empty(); ++i) region = region_of(value, region);
+        if (region.empty()) region = region_of(value, {DVec3(-2), DVec3(2)});
+        return region.empty() ? MeshData() : level_surface(value, region, cells);
+    });
+    object.approximated("of a polynomial the part within 20 of its origin is there");
 }
 
 }  // namespace strahl::pov

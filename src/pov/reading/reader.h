@@ -1,11 +1,11 @@
 // Reads what a POV-Ray scene declares: bodies, textures, lights and cameras.
 #pragma once
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <utility>
 
 #include "pov/language/interpreter.h"
-#include "pov/things/implicit.h"
 #include "pov/things/objects.h"
 #include "text/reading/scene_files.h"
 
@@ -75,8 +75,8 @@ class PovReader : public SceneLayer {
     bool read_implicit(Interpreter& in, std::uint16_t code, ObjectThing& object);
     void read_blob(Interpreter& in, ObjectThing& object);
     void read_isosurface(Interpreter& in, ObjectThing& object);
-    void set_polynomial(ObjectThing& object, int order, const std::vector<double>& coefficients);
-    void set_level_surface(ObjectThing& object, const char* name, const Inside& value, const Box& box);
+    static void set_polynomial(ObjectThing& object, int order, const std::vector<double>& coefficients);
+    static void set_surface(ObjectThing& object, const char* name, std::function<MeshData(int cells)> make);
     // lights.cpp
     std::shared_ptr<const ObjectThing> read_light(Interpreter& in);
     std::shared_ptr<const ObjectThing> read_light_group(Interpreter& in);
@@ -84,7 +84,6 @@ class PovReader : public SceneLayer {
     std::vector<std::pair<TextPlace, std::shared_ptr<std::atomic<bool>>>> pattern_functions;  // was it called?
     std::shared_ptr<const TextureThing> default_texture = std::make_shared<TextureThing>();
     CameraThing default_camera;
-    int level_surfaces = 0;  // made so far
 };
 
 }  // namespace strahl::pov

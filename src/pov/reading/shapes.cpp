@@ -348,7 +348,7 @@ void PovReader::read_shape(Interpreter& in, std::uint16_t code, ObjectThing& obj
             object.left_out("the body '" + std::string(reserved_words[code - first_word_code]) + "'");
             skip_arguments(in);
     }
-    if (!object.shape) return;
+    if (!object.shape || object.surface) return;
     if (const char* const fault = std::visit([](const auto& kind) { return kind.fault(); }, *object.shape)) {
         object.left_out(std::string("a body without extent: ") + fault);
         object.kind = ObjectKind::nothing;

@@ -97,14 +97,18 @@ MeshData level_surface(const Inside& value, const Box& box, int cells) {
 }
 
 double polynomial(int order, std::span<const double> coefficients, const DVec3& p) {
-    double sum = 0;
+    double result = 0;  // by Horner's rule in x, in y and in z
     std::size_t next = 0;
-    for (int i = order; i >= 0; --i)
-        for (int j = order - i; j >= 0; --j)
-            for (int k = order - i - j; k >= 0; --k)
-                if (const double own = coefficients[next++]; own != 0)
-                    sum += own * std::pow(p.x, i) * std::pow(p.y, j) * std::pow(p.z, k);
-    return sum;
+    for (int i = order; i >= 0; --i) {
+        double of_x = 0;
+        for (int j = order - i; j >= 0; --j) {
+            double of_y = 0;
+            for (int k = order - i - j; k >= 0; --k) of_y = of_y * p.z + coefficients[next++];
+            of_x = of_x * p.y + of_y;
+        }
+        result = result * p.x + of_x;
+    }
+    return result;
 }
 
 Box region_of(const Inside& value, const Box& within) {

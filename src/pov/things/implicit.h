@@ -1,6 +1,7 @@
 // Turns bodies that a function defines into meshes.
 #pragma once
 #include <functional>
+#include <memory>
 #include <span>
 
 #include "num/bounding_box.h"
@@ -14,6 +15,17 @@ using Inside = std::function<double(const DVec3&)>;
 /// Returns the surface on which a function is 0, within a box that is divided into so many cells along each axis. The
 /// normals are those of the function's slope.
 MeshData level_surface(const Inside& value, const Box& box, int cells);
+
+/// A body that becomes a mesh once it is shown: standard include files declare many that no scene uses.
+struct LevelSurface {
+    std::function<MeshData(int cells)> make;
+    mutable std::shared_ptr<const MeshData> made{};
+
+    const std::shared_ptr<const MeshData>& mesh(int cells) const {
+        if (!made) made = std::make_shared<const MeshData>(make(cells));
+        return made;
+    }
+};
 
 /// Returns the value of a polynomial, whose coefficients stand in POV-Ray's order: of falling powers of x, then of y,
 /// then of z.

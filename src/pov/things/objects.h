@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "pov/things/implicit.h"
 #include "pov/things/textures.h"
 #include "scene/light.h"
 #include "scene/scene.h"
@@ -51,6 +52,7 @@ struct ObjectThing : Thing {
     ObjectKind kind = ObjectKind::nothing;
     TextPlace place;
     std::optional<Shape> shape;
+    std::shared_ptr<const LevelSurface> surface;  // if any, the shape is its mesh
     std::shared_ptr<const LightThing> light;
     std::vector<std::shared_ptr<const ObjectThing>> parts;
     std::vector<std::shared_ptr<const ObjectThing>> clips;   // cut off what is outside of them
