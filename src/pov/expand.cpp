@@ -1,6 +1,7 @@
 #include "pov/expand.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <map>
 #include <memory>
@@ -13,6 +14,12 @@ namespace strahl::pov {
 namespace {
 
 constexpr std::size_t most_bytes = std::size_t(256) << 20;
+
+/// The words that follow '#' in a program.
+constexpr std::array<std::string_view, 26> directives{
+    "break",  "case",  "debug",  "declare", "default", "else",    "elseif",  "end",   "error",
+    "fclose", "fopen", "for",    "if",      "ifdef",   "ifndef",  "include", "local", "macro",
+    "range",  "read",  "switch", "undef",   "version", "warning", "while",   "write"};
 
 /// Declarations of scene text have values only: no bodies, textures or cameras.
 struct ValuesAlone final : SceneLayer {
@@ -58,7 +65,10 @@ bool at_value(Interpreter& in, std::string_view rest) {
 bool has_directives(std::string_view text) {
     for (std::size_t i = 0; i < text.size(); ++i) {
         const std::string_view rest = text.substr(i);
-        if (rest[0] == '#') return true;
+        if (rest[0] == '#') {
+            const std::string_view behind = rest.substr(std::min(rest.find_first_not_of(" \t", 1), rest.size()));
+            if (std::ranges::find(directives, behind.substr(0, word_length(behind))) != directives.end()) return true;
+        }
         const bool line = rest.starts_with("//"), quotes = rest[0] == '"';
         const std::size_t end = line ? rest.find('\n') : quotes ? rest.find_first_of("\"\n", 1) : 0;
         const std::size_t close = rest.starts_with("/*") ? rest.find("*/", 2) : end;

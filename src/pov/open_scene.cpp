@@ -5,6 +5,7 @@
 #include "pov/expand.h"
 #include "pov/open_pov.h"
 #include "text/parse.h"
+#include "text/reading/other_files.h"
 
 namespace strahl {
 
@@ -21,6 +22,7 @@ OpenedScene open_scene(const std::string& text, const std::string& path, const O
         FilesRead& files = read ? *read : own;
         const std::string name = path == "-" ? "standard input" : path;
         OpenedScene result;
+        refuse_other_files(text, name);
         if (pov::has_directives(text)) {
             const pov::ExpandedText expanded = pov::expand(text, how);
             result.scene = parse_scene(expanded.text, name, {}, read_pixels, &files, expanded.origins);

@@ -268,7 +268,7 @@ Material MaterialMaker::plain_material_of(const TextureThing& texture, const Int
         if (unlit && !use.no_shadow) material.rgb = Pigment(coefficients(through / material.refraction));
         if (use.shadow_only) return material;
         const TextPlace place = shown.values.place;
-        constexpr int deep = 40;  // enough for all rays that pass clear bodies
+        constexpr int deep = 20;  // enough for rays through nine clear bodies
         if ((!interior || interior->ior == 1) && contents.max_trace_level < deep)
             notes.approximated(place, "rays that pass a clear body count for max_trace_level");
         const Color shadow = material.rgb.color * material.refraction;

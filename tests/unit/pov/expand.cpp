@@ -52,6 +52,8 @@ TEST_CASE("texts have directives only outside of comments and quotes") {
     CHECK(pov::has_directives("/* a */ // b\n\"c\" #if (1) #end"));
     CHECK_FALSE(pov::has_directives("// #declare A = 1;"));
     CHECK_FALSE(pov::has_directives("/* # */ mesh { file \"a#b.ply\" } //#"));
+    CHECK(pov::has_directives("a # \tif (1)"));
+    CHECK_FALSE(pov::has_directives("# a comment\n#"));
     CHECK_FALSE(pov::has_directives("/* #"));
     CHECK_FALSE(pov::has_directives("\"#"));
 }

@@ -131,8 +131,10 @@ TEST_CASE("scenes survive the way to POV-Ray's text and back") {
             CAPTURE(i);
             const Primitive &own = scene.primitives[i], &back = again.primitives[i];
             const bool composite = leaves_of(own.shape) > 1;
-            if (!composite) CHECK(same_body(own.shape, back.shape));
-            CHECK(leaves_of(own.shape) == leaves_of(back.shape));
+            const Torus* const torus = std::get_if<Torus>(&own.shape);
+            const bool closed = torus && torus->major < torus->minor;  // becomes a union with a ball
+            if (!composite && !closed) CHECK(same_body(own.shape, back.shape));
+            CHECK(leaves_of(back.shape) == (closed ? 2 : leaves_of(own.shape)));
             std::vector<Transformation> steps = own.transformations;
             if (unit != 1) steps.push_back(Scale{DVec3(unit)});
             CHECK(back.transformations == steps);
