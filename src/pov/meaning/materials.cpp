@@ -29,6 +29,11 @@ LayerValues without_blend(const LayerValues& layer, const NoteTaker& notes) {
     return without_blend(own, notes);
 }
 
+/// Is the object a light, or does it hold one?
+bool shines(const ObjectThing& object) {
+    return object.light || std::ranges::any_of(object.parts, [](const auto& part) { return shines(*part); });
+}
+
 }  // namespace
 
 bool MaterialMaker::has_pattern(const TextureThing& texture) {
@@ -278,7 +283,8 @@ Material MaterialMaker::plain_material_of(const TextureThing& texture, const Int
             shaded |= std::fabs(shadow[c] - through[c]) > 1e-6;
         }
         if (coloured) notes.approximated(place, "light that is seen through a body keeps its colour");
-        if (shaded && !use.no_shadow)
+        const auto lit = [](const PlacedObject& placed) { return shines(*placed.object); };
+        if (shaded && !use.no_shadow && std::ranges::any_of(contents.objects, lit))
             notes.approximated(place, "the shadow of a transparent body has the body's colour");
         if (material.ior != 1 && std::fabs(material.reflection + material.refraction - lost) > 1e-6)
             notes.approximated(place, "total reflection is weaker");

@@ -78,13 +78,15 @@ TEST_CASE("averages come out as exact as they aim") {
     }
 }
 
-/// Returns the estimate of a refined picture's error over the true one.
-double estimate_over_error(const Scene& scene, const View& view, double aim, const std::vector<double>& exact) {
+/// Returns the estimate of a refined picture's error over the true one. About `checked` pixels are checked for each
+/// sample that pixels take on average.
+double estimate_over_error(const Scene& scene, const View& view, double aim, const std::vector<double>& exact,
+                           int checked) {
     const Lattice all{.columns = view.width, .rows = view.height};
     ThreadPool pool(2);
     Tracer tracer(scene, Precision::float64);
     CellPicture cells(scene, view, all, aim);
-    cells.check();
+    cells.check(checked);
     std::vector<double> rgb(exact.size());
     tracer.trace({view, pool, [&](const Tile& tile) { place(tile, all, rgb); }}, CellPass{cells, 0});
     double squares = 0;
@@ -107,7 +109,8 @@ TEST_CASE("the error that is estimated is the true one, within a factor of two")
         const std::vector<double> exact = whole(scene, view, {.grid = 24}, Precision::float32);
         for (const double aim : {4. / 510, 1. / 510, .5 / 510}) {
             CAPTURE(aim);
-            const double ratio = estimate_over_error(scene, view, aim, exact);
+            // Half of the error of a small picture may be in one pixel, as in that of the die, which few checks miss.
+            const double ratio = estimate_over_error(scene, view, aim, exact, 1000);
             MESSAGE("estimate over error: ", ratio);
             CHECK(ratio > .5);
             CHECK(ratio < 2);
@@ -122,7 +125,7 @@ TEST_CASE("the error that is estimated of worlds at random is half to three time
         const Scene scene = random_scene(seed, {.lights = seed % 2 == 0, .patterns = true, .bumps = seed % 3 == 0});
         const View view = view_of(scene, 64, 48);
         const double ratio =
-            estimate_over_error(scene, view, 1. / 510, whole(scene, view, {.grid = 16}, Precision::float32));
+            estimate_over_error(scene, view, 1. / 510, whole(scene, view, {.grid = 16}, Precision::float32), 96);
         MESSAGE("estimate over error: ", ratio);
         CHECK(ratio > .5);
         CHECK(ratio < 3);
