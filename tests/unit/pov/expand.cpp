@@ -66,7 +66,11 @@ TEST_CASE("errors of texts with directives are where they are written") {
     CHECK(message("sphere { <0, 0, 0>, -A }").starts_with("x.rt:3:21: 'radius' of 'sphere' must be greater than 0"));
     CHECK(message("#if (A) sphere { <0, 0, 0>, A }").find("'#end' expected") != std::string::npos);
     CHECK(message("#declare B = sphere { 0, 1 }").find("x.rt:3") == 0);
-    CHECK(message("#while (1) #end").find("x.rt") == 0);
+    pov::InterpreterOptions few_steps;
+    few_steps.file = "x.rt", few_steps.limits.steps = 10000;
+    const std::string endless = fault_of([&] { pov::expand("#while (1) #end", few_steps); }, "no error");
+    CHECK(endless.find("x.rt:1") == 0);
+    CHECK(endless.find("does not end") != std::string::npos);
     const Scratch folder;
     std::ofstream(folder / "balls.inc")
         << "#macro Two(R)\n  sphere { <0, 0, 0>, R }\n  sphere { <3, 0, 0>, 0*R }\n#end\n";
