@@ -40,7 +40,7 @@ std::size_t word_length(std::string_view text) {
 
 std::string text_of(const Components& value) {
     if (value.count == 1) return strahl::text_of(value.value[0]);
-    // Of a colour that lets nothing through the first three.
+    // Writes three numbers of a colour that lets nothing through.
     const int count = value.count == 5 && value.value[3] == 0 && value.value[4] == 0 ? 3 : value.count;
     std::string text = "<";
     for (int i = 0; i < count; ++i)

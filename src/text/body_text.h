@@ -28,7 +28,7 @@ struct BodyValue {
     /// The block that gives them if it is not the body's own: "defaultmaterial, line 3", or `no_source`.
     std::string source{};
     std::string fixed{};  // why the value cannot be changed, or ""
-    /// Where a value of the body's own would be added, and the text around it; 0 if there is no such place.
+    /// Says where a value of the body's own would be added, 0 for nowhere, and by which text around it.
     std::size_t own_at = 0;
     std::string before{}, after{};
 };

@@ -1,5 +1,5 @@
-// What small readers must do with any bytes: tracks, messages of a GNU Rocket editor, sound, checkpoints, and the state
-// of the window.
+// Checks what small readers do with any bytes: those of tracks, messages of a GNU Rocket editor, sound, checkpoints,
+// and the state of the window.
 #pragma once
 #include <array>
 #include <string>

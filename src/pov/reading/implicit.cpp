@@ -5,6 +5,7 @@
 
 #include "files/words.h"
 #include "num/vec_math.h"
+#include "pov/reading/next_value.h"
 #include "pov/reading/reader.h"
 #include "pov/things/implicit.h"
 
@@ -38,15 +39,6 @@ struct BlobPart {
     }
 };
 
-double number_after_comma(Interpreter& in) {
-    in.skip_comma();
-    return in.read_number();
-}
-DVec3 vector_after_comma(Interpreter& in) {
-    in.skip_comma();
-    return in.read_vector();
-}
-
 std::vector<double> read_coefficients(Interpreter& in, int order) {
     std::vector<double> all;
     in.expect('<');
@@ -77,7 +69,7 @@ void PovReader::read_blob(Interpreter& in, ObjectThing& object) {
             continue;
         }
         if (in.accept("component")) {  // the old form
-            part.strength = in.read_number(), part.radius = number_after_comma(in), part.base = vector_after_comma(in);
+            part.strength = in.read_number(), part.radius = next_number(in), part.base = next_vector(in);
             in.skip_comma();
             parts.push_back(part);
             continue;
@@ -87,8 +79,8 @@ void PovReader::read_blob(Interpreter& in, ObjectThing& object) {
         in.skip();
         in.begin_block();
         part.base = in.read_vector();
-        if (cylinder) part.axis = vector_after_comma(in) - part.base;
-        part.radius = number_after_comma(in);
+        if (cylinder) part.axis = next_vector(in) - part.base;
+        part.radius = next_number(in);
         in.skip_comma();
         in.accept("strength");
         part.strength = in.read_number();
@@ -132,10 +124,10 @@ void PovReader::read_isosurface(Interpreter& in, ObjectThing& object) {
             in.begin_block();
             const DVec3 first = in.read_vector();
             if (ball) {
-                const DVec3 radius(std::fabs(number_after_comma(in)));
+                const DVec3 radius(std::fabs(next_number(in)));
                 box = {first - radius, first + radius};
             } else {
-                const DVec3 second = vector_after_comma(in);
+                const DVec3 second = next_vector(in);
                 box = {min(first, second), max(first, second)};
             }
             in.end_block();
@@ -145,7 +137,7 @@ void PovReader::read_isosurface(Interpreter& in, ObjectThing& object) {
         } else if (in.accept("accuracy") || in.accept("max_gradient") || in.accept("max_trace")) {
             in.read_number();
         } else if (in.accept("evaluate")) {
-            in.read_number(), number_after_comma(in), number_after_comma(in);
+            in.read_number(), next_number(in), next_number(in);
         } else if (in.accept("open")) {
             open = true;
         } else if (!in.accept("all_intersections")) {

@@ -4,6 +4,7 @@
 
 #include "mesh/split.h"
 #include "num/vec_math.h"
+#include "pov/reading/next_value.h"
 #include "pov/reading/reader.h"
 #include "pov/things/surfaces.h"
 
@@ -11,15 +12,6 @@ namespace strahl::pov {
 namespace {
 
 using MeshPointer = std::shared_ptr<MeshData>;
-
-DVec3 next_vector(Interpreter& in) {
-    in.skip_comma();
-    return in.read_vector();
-}
-double next_number(Interpreter& in) {
-    in.skip_comma();
-    return in.read_number();
-}
 
 /// Does the number of a texture come next, and not the next triangle?
 bool at_texture_number(Interpreter& in) {

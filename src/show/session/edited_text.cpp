@@ -98,19 +98,17 @@ void EditedText::change(const std::string& newer, bool merged, std::size_t other
     present = newer;
 }
 
-bool EditedText::undo(std::size_t others) {
-    if (past.empty() || past.back().others != others) return false;
-    apply(past.back(), &ChangedLine::before);
-    future.push_back(std::move(past.back()));
-    past.pop_back();
-    return true;
-}
+bool EditedText::undo(std::size_t others) { return move_step(past, future, &ChangedLine::before, others); }
 
-bool EditedText::redo(std::size_t others) {
-    if (future.empty() || future.back().others != others) return false;
-    apply(future.back(), &ChangedLine::after);
-    past.push_back(std::move(future.back()));
-    future.pop_back();
+bool EditedText::redo(std::size_t others) { return move_step(future, past, &ChangedLine::after, others); }
+
+/// Applies the last step of `from` and moves it to the end of `into`. False if there is none with this many others.
+bool EditedText::move_step(std::vector<Step>& from, std::vector<Step>& into, std::string ChangedLine::*to,
+                           std::size_t others) {
+    if (from.empty() || from.back().others != others) return false;
+    apply(from.back(), to);
+    into.push_back(std::move(from.back()));
+    from.pop_back();
     return true;
 }
 

@@ -47,6 +47,7 @@ class EditedText {
     };
     static std::vector<ChangedLine> differences(const std::string& before, const std::string& after);
     void apply(const Step& step, std::string ChangedLine::*to);
+    bool move_step(std::vector<Step>& from, std::vector<Step>& into, std::string ChangedLine::*to, std::size_t others);
 
     std::string saved, present;
     std::vector<Step> past, future;

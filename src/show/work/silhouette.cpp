@@ -31,7 +31,7 @@ std::vector<SilhouetteLine> traced_lines(const Scene& scene, View view) {
     ThreadPool pool(1);
     Tracer tracer(scene, Precision::float32);
     view.depth = 1, view.error = 0;
-    // Of an uneven body, such as a tree, the lines are those of a coarser picture.
+    // Coarsens the picture as long as it has too many lines, as that of an uneven body such as a tree.
     for (int step = 1;; step *= 2) {
         const Lattice lattice{.x = step / 2,
                               .y = step / 2,

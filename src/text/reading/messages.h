@@ -43,7 +43,7 @@ class Diagnostics {
         std::string message;
     };
     std::string tell(const Fault& fault) const;
-    /// Where a slice of the text comes from.
+    /// Returns where a slice of the text comes from.
     TextOrigin origin(std::string_view at) const;
 
     std::string_view text, file;

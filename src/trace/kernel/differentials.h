@@ -35,7 +35,7 @@ Differentials<S> differentials_at(const Shading<S, P>& shading, const RayQueue<E
     if (shading.depth > 1) {
         each_number([&](S& value, const Element<S>* array) { value = pick(array); }, all, from.differentials);
     } else {
-        // Of a direction that is 1 long along `forward` before it is normalised.
+        // The direction is that of a vector whose part along `forward` has length 1.
         const Footprints<Element<S>>& view = *shading.batch.footprints;
         const S side = dot(direction, splat<S>(view.forward)) * sides_of(view, S(pick(from.pixel)));
         const Vec3<S> ways[2] = {splat<S>(view.right), splat<S>(view.down)};

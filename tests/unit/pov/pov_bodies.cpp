@@ -194,6 +194,6 @@ TEST_CASE("POV-Ray: blobs, polynomials and isosurfaces become meshes near their 
        1);
     is(distances("isosurface { function { x*x + y*y + z*z } threshold 4 contained_by { box { -3, 3 } } }"), 2);
     CHECK(opened("isosurface { function { 1 } }").scene.primitives.empty());
-    // What is declared and not shown is not made.
+    // A body that is declared and not shown is not made.
     CHECK(opened("#declare S = isosurface { function { x } }").notes.empty());
 }

@@ -1,4 +1,4 @@
-// Where the numbers of bodies stand in a text, and changing them there.
+// Tests where the numbers of bodies are found in a text, and that they are changed there.
 #include "text/body_text.h"
 
 #include <doctest/doctest.h>
