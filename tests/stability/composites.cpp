@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <vector>
 
+#include "num/thread_pool.h"
 #include "scene/camera.h"
 #include "tests/referee/box.h"
 #include "tests/referee/cone.h"
@@ -259,4 +260,32 @@ TEST_CASE("random trees with faces in the same planes, against plain inside test
 
 TEST_CASE("random trees with closed meshes, against plain inside tests") {
     compare(sanitized() ? 2000 : std::max(wanted_rays() / 2, 3e4), true);
+}
+
+/// Half of the light is mirrored and some passes, so that rays start on faces; the sun makes shadows.
+TEST_CASE("what a ray sees of random trees does not depend on the rays beside it") {
+    Dice dice;
+    ThreadPool pool(1);
+    for (int round = 0; round < (sanitized() ? 4 : 120); ++round) {
+        Tree tree(dice, round % 3 == 0);
+        Scene& scene = tree.stage.scene;
+        for (Material& material : scene.materials) {
+            material.reflection = .5, material.diffuse = .3;
+            if (dice(0, 1) < .3) material.refraction = .3, material.ior = 1.1;
+        }
+        tree.stage.light(dice.direction() * 20.);
+        tree.stage.look(dice.direction() * dice(5, 9), DVec3(dice(-1, 1), dice(-1, 1), dice(-1, 1)), 30,
+                        dice.direction());
+        const Lattice all{.columns = 20, .rows = 15};
+        const View view{.camera = scene.camera, .width = all.columns, .height = all.rows, .depth = 6};
+        Tracer tracer(scene, round % 2 ? Precision::float32 : Precision::float64);
+        std::vector<double> together(3 * all.columns * all.rows), alone(together.size());
+        const auto trace = [&](const Lattice& part, std::vector<double>& rgb) {
+            tracer.trace({view, pool, [&](const Tile& tile) { place(tile, all, rgb); }}, part);
+        };
+        trace(all, together);
+        for (int y = 0; y < all.rows; ++y)
+            for (int x = 0; x < all.columns; ++x) trace({.x = x, .y = y, .columns = 1, .rows = 1}, alone);
+        CHECK(together == alone);
+    }
 }

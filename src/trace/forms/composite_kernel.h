@@ -6,37 +6,36 @@
 
 namespace strahl::inline STRAHL_LEVEL {
 
-/// The leaves of a composite along a pack of rays.
+/// The leaves of a composite along a pack of rays, up to a limit: those that matter to any of them there.
 template <class S>
 class CompositeWalk {
     using T = Element<S>;
+    static constexpr T inf = std::numeric_limits<T>::infinity();
 
   public:
     [[gnu::noinline]] CompositeWalk(const World<T>& world, const CompositeInfo& composite, const Ray<S>& ray,
-                                    Mask<S> lanes)
-        : world(world), composite(composite), ray(ray) {
+                                    Mask<S> lanes, const S& limit)
+        : world(world),
+          composite(composite),
+          ray(ray),
+          whole{select(lanes, S(0), S(inf)), select(lanes, limit, S(-inf))} {
         start_key = S(T(-1));
-        if (any((ray.source >= S(static_cast<T>(composite.surface))) &
-                (ray.source < S(static_cast<T>(composite.surface + composite.surfaces)))))
-            start_key = keys_of(ray.source);
-        for (int i = 0; i < composite.planes; ++i) {
-            const CompositePlane<T>& plane = world.composites.planes[composite.first_plane + i];
-            const Vec3<S> n = splat<S>(plane.normal);
-            const S t = (S(plane.distance) - dot(n, ray.origin)) / dot(n, ray.direction);
-            planes[i] = select(start_key == S(static_cast<T>(i)), S(0), t);
-        }
-        for (int i = 0; i < composite.leaves; ++i) cross(i, lanes);
+        starts_here = any((ray.source >= S(static_cast<T>(composite.surface))) &
+                          (ray.source < S(static_cast<T>(composite.surface + composite.surfaces))));
+        if (starts_here) start_key = keys_of(ray.source);
+        find_leaves();
     }
 
     /// Returns the lanes in which the inside of the composite is there, just after `t`; with `other`, as if that leaf
-    /// were the opposite of what it is.
-    [[gnu::noinline]] Mask<S> inside_after(const S& t, int other = -1) const {
+    /// were the opposite of what it is; with `passed`, as if leaves from that one on were as just before `t`.
+    [[gnu::noinline]] Mask<S> inside_after(const S& t, int other = -1, int passed = most_leaves) const {
         Room<Mask<S>, most_leaves> stack;
-        int height = 0, leaf = 0;
-        for (int i = 0; i < composite.steps; ++i) switch (world.composites.steps[composite.first_step + i]) {
+        int height = 0;
+        for (int i = 0; i < step_count; ++i) switch (steps[i].step) {
                 case CompositeStep::leaf:
-                    stack[height] = inside_leaf(leaf, t);
-                    if (leaf++ == other) stack[height] = !stack[height];
+                    stack[height] =
+                        steps[i].leaf < passed ? inside_leaf(steps[i].leaf, t) : inside_leaf_before(steps[i].leaf, t);
+                    if (steps[i].leaf == other) stack[height] = !stack[height];
                     ++height;
                     break;
                 case CompositeStep::unite:
@@ -53,56 +52,136 @@ class CompositeWalk {
     }
     /// Returns the next end of any leaf beyond `t`; infinite if there is none.
     [[gnu::noinline]] S next(const S& t) const {
-        S best(std::numeric_limits<T>::infinity());
+        S best(inf);
         const auto look = [&](const S& end) { best = select((end > t) & (end < best), end, best); };
-        for (int i = 0; i < composite.leaves; ++i)
+        each_leaf([&](int i) {
             for (int k = 0; k < ends[i].pairs; ++k) look(ends[i].near[k]), look(ends[i].far[k]);
+        });
         return best;
     }
     /// Calls visit(leaf, lanes, faces) for the leaves that make the whole change at `t`. If several end there, this is
-    /// the first declared one without which the whole would not change, or the first one if it would change without any
-    /// of them.
+    /// the first declared one without which the whole would not change. If it would change without any of them, this is
+    /// the one at which it changes when they end in the order declared: never one that does not matter there.
     template <class Visit>
     void ends_at(const S& t, Mask<S> lanes, const Visit& visit) const {
         S found(0);
-        for (int i = 0; i < composite.leaves; ++i) found = found + select(ends_of(i, t), S(1), S(0));
+        each_leaf([&](int i) { found = found + select(ends_of(i, t), S(1), S(0)); });
         const Mask<S> several = lanes & (found > S(1));
         if (any(several)) [[unlikely]] {
             const Mask<S> inside = inside_after(t);
             Mask<S> left = several;
-            for (int i = 0; i < composite.leaves && any(left); ++i) {
-                const Mask<S> own = left & ends_of(i, t);
-                if (none(own)) continue;
-                const Mask<S> without = inside_after(t, i), decides = own & ((inside & !without) | (without & !inside));
-                show(i, t, decides, visit);
-                left = left & !decides;
-            }
-            lanes = (lanes & !several) | left;
+            const auto show_first = [&](const auto& decides) {
+                each_leaf([&](int i) {
+                    const Mask<S> own = left & ends_of(i, t);
+                    if (none(own)) return;
+                    const Mask<S> shown = own & decides(i);
+                    show(i, t, shown, visit);
+                    left = left & !shown;
+                });
+            };
+            show_first([&](int i) { return differ(inside, inside_after(t, i)); });
+            show_first([&](int i) { return !differ(inside, inside_after(t, -1, i + 1)); });
+            lanes = lanes & !several;
         }
-        for (int i = 0; i < composite.leaves && any(lanes); ++i) {
+        each_leaf([&](int i) {
             const Mask<S> own = lanes & ends_of(i, t);
             show(i, t, own, visit);
             lanes = lanes & !own;
-        }
+        });
     }
     /// Walks along the rays and calls crossed(t, lanes) where they enter or leave the composite, until no lanes are
-    /// left: crossed returns the lanes that go on. `limit(t)` returns the lanes in which anything beyond can matter.
-    template <class Crossed, class Limit>
-    void go(Mask<S> lanes, const Crossed& crossed, const Limit& limit) {
+    /// left: crossed returns the lanes that go on.
+    template <class Crossed>
+    void go(const Crossed& crossed) {
+        Mask<S> lanes = whole.lanes();
+        if (step_count == 0 || none(lanes)) return;
         S t(0);
         Mask<S> inside = inside_after(t);
         while (any(lanes)) {
-            for (int i = 0; has_meshes && i < composite.leaves; ++i)
-                if (leaf(i).nodes) pass_mesh(i, t);
-            t = next(t);
-            lanes = lanes & (t < S(std::numeric_limits<T>::infinity())) & limit(t);
-            const Mask<S> after = inside_after(t), changes = lanes & ((inside & !after) | (after & !inside));
+            S ahead = next(t);
+            if (list_count > 0)
+                each_leaf([&](int i) {
+                    if (leaf(i).nodes && look_ahead(i, lanes, t, ahead)) ahead = next(t);
+                });
+            t = ahead;
+            lanes = lanes & (t < S(inf)) & (t <= whole.high);
+            const Mask<S> after = inside_after(t), changes = lanes & differ(inside, after);
             inside = after;
             if (any(changes)) lanes = lanes & crossed(t, changes);
         }
     }
 
   private:
+    /// A stretch of each ray, outside of which a body is not there.
+    struct Reach {
+        S low, high;
+        /// Returns the lanes in which it is not empty.
+        Mask<S> lanes() const { return (low <= high) & (low < S(inf)); }
+    };
+    struct WalkStep {
+        CompositeStep step;
+        std::int16_t leaf;  // if the step takes one
+    };
+
+    static Mask<S> differ(const Mask<S>& a, const Mask<S>& b) { return (a & !b) | (b & !a); }
+    /// Calls visit(leaf) for the leaves that matter, in the order declared.
+    template <class Visit>
+    STRAHL_INLINE void each_leaf(const Visit& visit) const {
+        for (int n = 0; n < leaf_count; ++n) visit(leaves[n]);
+    }
+    /// Finds the leaves that matter to any ray within its stretch, and the steps that combine them. What can only cut
+    /// is not looked for where there is nothing to be cut.
+    void find_leaves() {
+        struct Operand {
+            Reach stretch;
+            int within;         // the part that it is to cut, -1 if there is none
+            int steps, leaves;  // how many there were before it: if as many as now, it is nowhere
+        };
+        Room<Operand, most_leaves> operands;
+        int height = 0, next = 0;
+        const auto remove = [&](const Operand& part) { step_count = part.steps, leaf_count = part.leaves; };
+        for (int i = 0; i < composite.steps; ++i) {
+            const CompositeStep step = world.composites.steps[composite.first_step + i];
+            Operand& second = operands[step == CompositeStep::leaf ? height : height - 1];
+            if (step == CompositeStep::leaf) {
+                const CompositeLeaf& own = leaf(next);
+                if (own.until > 0 && operands[height - 1].steps == step_count) {
+                    i = own.until, next += own.leaves;
+                    continue;
+                }
+                second.within = own.until > 0 ? height - 1 : height > 0 ? operands[height - 1].within : -1;
+                second.steps = step_count, second.leaves = leaf_count;
+                second.stretch = second.within < 0 ? whole : operands[second.within].stretch;
+                cross(next, second.stretch);
+                if (any(second.stretch.lanes())) {
+                    leaves[leaf_count++] = static_cast<std::int16_t>(next);
+                    steps[step_count++] = {step, static_cast<std::int16_t>(next)};
+                }
+                ++next, ++height;
+                continue;
+            }
+            --height;
+            Operand& first = operands[height - 1];
+            Reach &all = first.stretch, &own = second.stretch;
+            const bool nowhere = second.steps == step_count;
+            if (step == CompositeStep::unite) {
+                if (nowhere) continue;
+                if (first.steps == second.steps)
+                    all = own;
+                else
+                    all = {min(all.low, own.low), max(all.high, own.high)}, steps[step_count++] = {step, 0};
+            } else if (step == CompositeStep::subtract) {
+                if (!nowhere) steps[step_count++] = {step, 0};
+            } else {
+                all = {max(all.low, own.low), min(all.high, own.high)};
+                if (nowhere || none(all.lanes()))
+                    remove(first);
+                else
+                    steps[step_count++] = {step, 0};
+            }
+        }
+        whole = operands[0].stretch;
+    }
     /// Returns the lanes in which a leaf ends there.
     Mask<S> ends_of(int i, const S& t) const {
         Mask<S> any = (ends[i].near[0] == t) | (ends[i].far[0] == t);
@@ -115,6 +194,13 @@ class CompositeWalk {
         Mask<S> near = ends[i].near[0] == t;
         if (ends[i].pairs > 1) near = near | (ends[i].near[1] == t);
         visit(leaf(i), lanes, select(near, ends[i].near_face, ends[i].far_face));
+    }
+    const CompositePlane<T>& plane(int key) const { return world.composites.planes[composite.first_plane + key]; }
+    /// Returns where rays cross a plane: at 0 if they start on it.
+    S cross_plane(int key) const {
+        const Vec3<S> n = splat<S>(plane(key).normal);
+        const S t = (S(plane(key).distance) - dot(n, ray.origin)) / dot(n, ray.direction);
+        return select(start_key == S(static_cast<T>(key)), S(0), t);
     }
     const CompositeLeaf& leaf(int i) const { return world.composites.leaves[composite.first_leaf + i]; }
 
@@ -133,98 +219,179 @@ class CompositeWalk {
         if (ends[i].pairs > 1) inside = inside | ((ends[i].near[1] <= t) & (t < ends[i].far[1]));
         return inside;
     }
-    /// Finds the spans of rays in leaf i. Faces in the same place share a key, and so are crossed at the same t: planes
-    /// by being one, others by their own equal formulas. A ray that starts on one of them starts on all.
-    void cross(int i, Mask<S> lanes) {
+    Mask<S> inside_leaf_before(int i, const S& t) const {
+        Mask<S> inside = (ends[i].near[0] < t) & (t <= ends[i].far[0]);
+        if (ends[i].pairs > 1) inside = inside | ((ends[i].near[1] < t) & (t <= ends[i].far[1]));
+        return inside;
+    }
+    /// Finds the spans of rays in leaf i, and shortens the stretch to them. Faces in the same place share a key, and so
+    /// are crossed at the same t: planes by being one, others by their own equal formulas. A ray that starts on one of
+    /// them starts on all of these.
+    void cross(int i, Reach& stretch) {
         const CompositeLeaf& own = leaf(i);
+        LeafEnds<S>& end = ends[i];
+        if (own.nodes) return cross_mesh(own, stretch, end);
+        if (own.half_space == 0 && none(reached(world.composites.balls[composite.first_leaf + i], stretch)))
+            return void(stretch.low = S(inf));
         const std::int32_t* const keys =
             world.composites.face_keys + composite.first_key + (own.surface - composite.surface);
-        LeafEnds<S>& end = ends[i];
-        if (own.half_space != 0) return cross_half_space(own, keys[0], planes[keys[0]], end);
-        if (own.nodes) return cross_mesh(own, lanes, end);
+        if (own.half_space != 0)
+            cross_half_space(own, keys[0], end);
+        else
+            cross_body(own, keys, end);
+        stretch = {max(stretch.low, end.near[0]), min(stretch.high, end.far[end.pairs - 1])};
+    }
+    /// Returns the lanes whose rays may meet a ball within their stretch. How far they pass from its centre is off by
+    /// some rounding errors of its distance.
+    STRAHL_INLINE Mask<S> reached(const CompositeBall<T>& ball, const Reach& stretch) const {
+        const Vec3<S> away = splat<S>(ball.centre) - ray.origin;
+        const S along = dot(away, ray.direction), square(ball.square);
+        const S far = dot(away, away) * S(1 - 64 * std::numeric_limits<T>::epsilon());
+        return stretch.lanes() & !((far > square) & ((along < S(0)) | (far - along * along > square)));
+    }
+    void cross_body(const CompositeLeaf& own, const std::int32_t* keys, LeafEnds<S>& end) const {
+        const S surface(static_cast<T>(own.surface));
         S start(T(-1));
-        for (int face = 0; face < own.faces; ++face)
-            start = select(start_key == S(static_cast<T>(keys[face])), S(static_cast<T>(face)), start);
-        const Ray<S> from{ray.origin, ray.direction, S(static_cast<T>(own.surface)) + start};
+        for (int face = 0; starts_here && face < own.faces; ++face) {
+            const S number(static_cast<T>(face));
+            // Another body's face in the same plane may end before it gets there.
+            const Mask<S> here =
+                keys[face] < most_planes ? ray.source == surface + number : start_key == S(static_cast<T>(keys[face]));
+            start = select(here, number, start);
+        }
+        const Ray<S> from{ray.origin, ray.direction, surface + start};
         calls<S>(own.form).ends(world, own.item, from, end);
         const Mask<S> met = end.near[0] <= end.far[0];
         for (int face = 0; face < own.faces; ++face) {
             if (keys[face] >= most_planes) continue;
-            const S number(static_cast<T>(face)), &t = planes[keys[face]];
-            end.near[0] = select(met & (end.near_face == number), t, end.near[0]);
-            end.far[0] = select(met & (end.far_face == number), t, end.far[0]);
+            const S number(static_cast<T>(face));
+            const Mask<S> near = met & (end.near_face == number), far = met & (end.far_face == number);
+            if (none(near | far)) continue;
+            const S t = cross_plane(keys[face]);
+            end.near[0] = select(near, t, end.near[0]);
+            end.far[0] = select(far, t, end.far[0]);
         }
     }
-    void cross_half_space(const CompositeLeaf& own, int key, const S& t, LeafEnds<S>& end) const {
-        const S zero(0), inf(std::numeric_limits<T>::infinity()), turn(static_cast<T>(own.half_space));
-        const CompositePlane<T>& plane = world.composites.planes[composite.first_plane + key];
-        const Vec3<S> n = splat<S>(plane.normal);
-        const S towards = turn * dot(n, ray.direction), height = turn * (dot(n, ray.origin) - S(plane.distance));
+    void cross_half_space(const CompositeLeaf& own, int key, LeafEnds<S>& end) const {
+        const S zero(0), turn(static_cast<T>(own.half_space)), t = cross_plane(key);
+        const Vec3<S> n = splat<S>(plane(key).normal);
+        const S towards = turn * dot(n, ray.direction), height = turn * (dot(n, ray.origin) - S(plane(key).distance));
         const Mask<S> enters = towards<zero, leaves = towards> zero, along = !(enters | leaves);
         end.pairs = 1;
-        end.near[0] = select(enters, t, select(along & !(height < zero), inf, -inf));
-        end.far[0] = select(leaves, t, inf);
+        end.near[0] = select(enters, t, select(along & !(height < zero), S(inf), S(-inf)));
+        end.far[0] = select(leaves, t, S(inf));
         end.near_face = end.far_face = zero;
     }
 
-    /// Finds the next crossing of a mesh. Rays that start on a triangle in the place of one of the mesh's own count as
-    /// starting on that.
-    MeshCrossing<S> next_of_mesh(const CompositeLeaf& own, Mask<S> lanes, const S& place, bool all) const {
-        const S start = start_key - S(static_cast<T>(own.first_key)), surface(static_cast<T>(own.surface));
-        const Mask<S> starts_here = (start >= S(0)) & (start < S(static_cast<T>(own.faces)));
-        const Ray<S> from{ray.origin, ray.direction, select(starts_here, surface + start, ray.source)};
-        return next_mesh_crossing(world, own, from, lanes, place, all);
+    /// A place where rays cross a mesh, at infinity if there is none, and the number of the triangle in the mesh.
+    struct MeshCrossing {
+        S t{inf}, triangle{T(-1)};
+    };
+    /// Returns the next crossing of a mesh beyond `from`. Crossings of an even number of triangles in one place, at a
+    /// fold, do not count. Lists more crossings where that does not suffice. Rays that start on a triangle in the place
+    /// of one of the mesh's own count as starting on that.
+    [[gnu::noinline]] MeshCrossing next_of_mesh(const CompositeLeaf& own, Mask<S> lanes, const S& from, Mask<S> all,
+                                                S& unlisted, MeshCrossings<S>& list) const {
+        const S surface(static_cast<T>(own.surface)), limit = own.in_planes ? S(inf) : select(all, S(inf), whole.high);
+        MeshCrossing next;
+        while (true) {
+            for (int k = list.most - 1; k >= 0; --k) {
+                const Mask<S> here = lanes & list.odd[k] & (list.t[k] > from);
+                next.t = select(here, list.t[k], next.t);
+                next.triangle = select(here, list.surface[k] - surface, next.triangle);
+            }
+            lanes = lanes & !(next.t < S(inf)) & (unlisted < limit);
+            if (none(lanes)) return next;
+            const S start = start_key - S(static_cast<T>(own.first_key));
+            const Mask<S> starts_on_it = (start >= S(0)) & (start < S(static_cast<T>(own.faces)));
+            const Ray<S> line{ray.origin, ray.direction, select(starts_on_it, surface + start, ray.source)};
+            list_mesh_crossings(world, own, line, lanes, S(unlisted), limit, Mask<S>(all & lanes), list);
+            unlisted = select(lanes, list.t[list.most - 1], unlisted);
+        }
     }
     /// Returns the distance of a crossing: if the triangle lies in a plane that other faces share, that of the plane.
-    [[gnu::noinline]] S place_of(const CompositeLeaf& own, const MeshCrossing<S>& found) const {
+    [[gnu::noinline]] S place_of(const CompositeLeaf& own, const MeshCrossing& found) const {
         if (!own.in_planes) return found.t;
         S t = found.t;
         const std::int32_t* const keys =
             world.composites.face_keys + composite.first_key + (own.surface - composite.surface);
-        for (unsigned left = bits(found.surface >= S(0)); left; left &= left - 1) {
-            const int k = std::countr_zero(left), key = keys[static_cast<int>(lane(found.surface, k))];
+        for (unsigned left = bits(found.triangle >= S(0)); left; left &= left - 1) {
+            const int k = std::countr_zero(left), key = keys[static_cast<int>(lane(found.triangle, k))];
             if (key >= most_planes) continue;
-            const T place = lane(planes[key], k);
-            if (std::abs(place) < std::numeric_limits<T>::infinity()) t = with_lane(t, k, place);
+            const T place = lane(cross_plane(key), k);
+            if (std::abs(place) < inf) t = with_lane(t, k, place);
         }
         return t;
     }
-    /// Finds the span of rays in a mesh that they are in, or that comes next. Its end for the mesh alone is far[1]:
-    /// from there the next span is looked for.
-    void cross_mesh(const CompositeLeaf& own, Mask<S> lanes, LeafEnds<S>& end) {
-        const S zero(0), inf(std::numeric_limits<T>::infinity());
-        const MeshCrossing<S> first = next_of_mesh(own, lanes, zero, true);
-        const Mask<S> inside = first.odd_in_all;
-        const MeshCrossing<S> second = next_of_mesh(own, lanes & !inside & (first.t < inf), first.t, false);
-        const S begins = place_of(own, first), ends_there = place_of(own, second);
+    // Of the span of a mesh only the next end is looked for, and not before the others end beyond where it may be:
+    // near[1] is the least distance at which it can be; from far[1] on, crossings are not listed yet.
+
+    /// Finds out whether rays start in a mesh: only those that start in its box can.
+    void cross_mesh(const CompositeLeaf& own, Reach& stretch, LeafEnds<S>& end) {
+        Vec3<S> low, high;
+        Mask<S> within = stretch.lanes();
+        for (int c = 0; c < 3; ++c) {
+            low[c] = S(static_cast<T>(own.low[c])), high[c] = S(static_cast<T>(own.high[c]));
+            within = within & (ray.origin[c] >= low[c]) & (ray.origin[c] <= high[c]);
+        }
+        S enters, leaves;
+        cross_boxes(low, high, traversal_ray(ray), enters, leaves);
+        enters = enters * S(1 - 8 * std::numeric_limits<T>::epsilon());
+        const Mask<S> lanes = stretch.lanes() & (max(stretch.low, enters) <= min(stretch.high, leaves));
+        stretch.low = select(lanes, max(stretch.low, enters), S(inf));
+        if (none(lanes)) return;
+        end.list = std::min(list_count++, most_lists - 1);
+        lists[end.list] = {};
+        lists[end.list].clear(first_lanes<S>(width<S>));
         end.pairs = 1;
-        end.near[0] = select(inside, -inf, begins), end.near_face = first.surface;
-        end.far[0] = select(inside, begins, ends_there), end.far[1] = select(inside, first.t, second.t);
-        end.far_face = select(inside, first.surface, second.surface);
-        has_meshes = true;
+        end.near[0] = end.far[0] = S(inf), end.far[1] = S(0);
+        // A triangle in a plane of other faces may be crossed a little further on than that.
+        end.near[1] = select(lanes, own.in_planes ? S(0) : enters, S(inf));
+        if (any(within)) cross_next(own, within, within, end);
     }
-    /// Goes on to the mesh's next span where this one lies behind.
-    void pass_mesh(int i, const S& t) {
+    /// Looks for the next crossing of a mesh, and in the lanes of `all` for whether rays start inside.
+    void cross_next(const CompositeLeaf& own, Mask<S> lanes, Mask<S> all, LeafEnds<S>& end) {
+        MeshCrossings<S>& list = lists[end.list];
+        if (end.list == most_lists - 1) list.clear(lanes), end.far[1] = select(lanes, end.near[1], end.far[1]);
+        const MeshCrossing found = next_of_mesh(own, lanes, end.near[1], all, end.far[1], list);
+        const Mask<S> inside = (lanes & (end.near[0] == S(-inf))) | (all & list.odd_in_all);
+        const S place = place_of(own, found);
+        end.near[0] = select(lanes, select(inside, S(-inf), place), end.near[0]);
+        end.far[0] = select(inside, place, end.far[0]);
+        end.near_face = select(lanes, found.triangle, end.near_face);
+        end.far_face = select(lanes, found.triangle, end.far_face);
+        end.near[1] = select(lanes, found.t, end.near[1]);
+    }
+    /// Passes the end of a mesh's span if it is not beyond `t`, and looks for the next one if it may come before the
+    /// others' next, which is `ahead`. Returns true if it did.
+    bool look_ahead(int i, Mask<S> lanes, const S& t, const S& ahead) {
+        const CompositeLeaf& own = leaf(i);
         LeafEnds<S>& end = ends[i];
-        const S inf(std::numeric_limits<T>::infinity());
-        const Mask<S> passed = (end.far[0] <= t) & (end.far[0] < inf);
-        if (none(passed)) return;
-        const MeshCrossing<S> first = next_of_mesh(leaf(i), passed, end.far[1], false);
-        const MeshCrossing<S> second = next_of_mesh(leaf(i), passed & (first.t < inf), first.t, false);
-        end.near[0] = select(passed, place_of(leaf(i), first), end.near[0]);
-        end.far[0] = select(passed, place_of(leaf(i), second), end.far[0]);
-        end.far[1] = select(passed, second.t, end.far[1]);
-        end.near_face = select(passed, first.surface, end.near_face);
-        end.far_face = select(passed, second.surface, end.far_face);
+        const Mask<S> entered = (end.near[0] <= t) & !(end.near[0] == S(-inf)), left = end.far[0] <= t;
+        end.near[0] = select(entered, S(-inf), select(left, S(inf), end.near[0]));
+        end.far[0] = select(left, S(inf), end.far[0]);
+        const Mask<S> open = ((end.near[0] == S(-inf)) | (end.near[0] == S(inf))) & (end.far[0] == S(inf));
+        const S limit = own.in_planes ? S(inf) : whole.high;
+        const Mask<S> unknown = lanes & open & (end.near[1] < limit);
+        // Where one ray has to be followed, following others with it costs less than doing so later.
+        if (none(own.in_planes ? unknown : unknown & (end.near[1] < ahead))) return false;
+        cross_next(own, unknown, first_lanes<S>(0), end);
+        return true;
     }
+
+    static constexpr int most_lists = 32;  // the last is for all further meshes, and made anew for each crossing
 
     const World<T>& world;
     const CompositeInfo& composite;
     const Ray<S>& ray;
-    bool has_meshes = false;
+    Reach whole;  // of the composite
+    int leaf_count = 0, step_count = 0, list_count = 0;
+    bool starts_here;
     S start_key;
-    Room<S, most_planes> planes;  // distances at which rays cross them
+    Room<std::int16_t, most_leaves> leaves;  // those that matter
+    Room<WalkStep, 2 * most_leaves> steps;
     Room<LeafEnds<S>, most_leaves> ends;
+    Room<MeshCrossings<S>, most_lists> lists;
 };
 
 template <class S>
@@ -233,19 +400,16 @@ struct FormFunctions<CompositeForm, S> {
     static void intersect(const World<T>& world, int first, int count, const Ray<S>& ray, Mask<S> mask,
                           Nearest<S>& best) {
         for (int i = first; i < first + count; ++i) {
-            CompositeWalk<S> walk(world, composite_of(world, i), ray, mask);
-            walk.go(
-                mask,
-                [&](const S& t, Mask<S> lanes) {
-                    walk.ends_at(t, lanes, [&](const CompositeLeaf& leaf, Mask<S> own, const S& face) {
-                        const S surface = S(static_cast<T>(leaf.surface)) + face;
-                        const Mask<S> better = own & closer(t, surface, best.t, best.surface);
-                        best.t = select(better, t, best.t);
-                        best.surface = select(better, surface, best.surface);
-                    });
-                    return Mask<S>(!lanes);
-                },
-                [&](const S& t) { return t <= best.t; });
+            CompositeWalk<S> walk(world, composite_of(world, i), ray, mask, best.t);
+            walk.go([&](const S& t, Mask<S> lanes) {
+                walk.ends_at(t, lanes, [&](const CompositeLeaf& leaf, Mask<S> own, const S& face) {
+                    const S surface = S(static_cast<T>(leaf.surface)) + face;
+                    const Mask<S> better = own & closer(t, surface, best.t, best.surface);
+                    best.t = select(better, t, best.t);
+                    best.surface = select(better, surface, best.surface);
+                });
+                return Mask<S>(!lanes);
+            });
         }
     }
     static void intersect_single(const World<T>& world, int first, int count, SingleRay<S>& single) {
@@ -257,28 +421,25 @@ struct FormFunctions<CompositeForm, S> {
     static bool occlude(const World<T>& world, int first, int count, const Ray<S>& ray, const S& distance, Mask<S> mask,
                         Transmission<S>& light) {
         for (int i = first; i < first + count; ++i) {
-            CompositeWalk<S> walk(world, composite_of(world, i), ray, mask);
-            walk.go(
-                mask,
-                [&](const S& t, Mask<S> lanes) {
-                    Mask<S> through = !lanes;
-                    walk.ends_at(t, lanes, [&](const CompositeLeaf& leaf, Mask<S> own, const S& face) {
-                        const MaterialKernel<T>& material = world.materials[leaf.material];
-                        if (!(material.refraction > 0)) {
-                            light.limit = select(own, S(-1), light.limit);
-                            return;
-                        }
-                        through = through | own;
-                        if (patterned(world, leaf.material)) [[unlikely]]
-                            return PatternCalls<S>::filter(world, leaf.material, S(static_cast<T>(leaf.surface)) + face,
-                                                           ray, t, own, light.share);
-                        for (int c = 0; c < 3; ++c)
-                            light.share[c] = select(own, min(light.share[c] * S(material.filter[c]), S(largest_gain)),
-                                                    light.share[c]);
-                    });
-                    return through;
-                },
-                [&](const S& t) { return t < distance; });
+            CompositeWalk<S> walk(world, composite_of(world, i), ray, mask, distance);
+            walk.go([&](const S& t, Mask<S> lanes) {
+                Mask<S> through = !lanes;
+                walk.ends_at(t, lanes & (t < distance), [&](const CompositeLeaf& leaf, Mask<S> own, const S& face) {
+                    const MaterialKernel<T>& material = world.materials[leaf.material];
+                    if (!(material.refraction > 0)) {
+                        light.limit = select(own, S(-1), light.limit);
+                        return;
+                    }
+                    through = through | own;
+                    if (patterned(world, leaf.material)) [[unlikely]]
+                        return PatternCalls<S>::filter(world, leaf.material, S(static_cast<T>(leaf.surface)) + face,
+                                                       ray, t, own, light.share);
+                    for (int c = 0; c < 3; ++c)
+                        light.share[c] =
+                            select(own, min(light.share[c] * S(material.filter[c]), S(largest_gain)), light.share[c]);
+                });
+                return through;
+            });
             if (all(light.limit < S(0))) return true;
         }
         return false;

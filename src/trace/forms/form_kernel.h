@@ -23,14 +23,50 @@ template <class S>
 struct LeafEnds {
     S near[2], far[2], near_face, far_face;
     int pairs;
+    int list;  // of a mesh: the number of the list of its crossings
 };
 
-/// The next crossing of rays with the triangles of a mesh, beyond some distance.
+/// Lists where rays cross the triangles of a mesh beyond some distance: the nearest places, ascending, at infinity if
+/// there are fewer, each with the least number of the surfaces there.
 template <class S>
-struct MeshCrossing {
-    S t{std::numeric_limits<Element<S>>::infinity()}, surface{-1};
-    Mask<S> odd, odd_in_all;  // whether the number of triangles crossed is odd: at t, and of all looked at
+struct MeshCrossings {
+    static constexpr int most = 8;
+    S t[most], surface[most];
+    Mask<S> odd[most];   // whether the number of triangles there is odd
+    Mask<S> odd_in_all;  // and of all triangles looked at, also those further off
+
+    /// Forgets what the lanes of the mask hold.
+    void clear(Mask<S> lanes) {
+        for (int k = 0; k < most; ++k) {
+            t[k] = select(lanes, S(std::numeric_limits<Element<S>>::infinity()), t[k]);
+            odd[k] = odd[k] & !lanes;
+        }
+        odd_in_all = odd_in_all & !lanes;
+    }
+    /// Adds a crossing, in the lanes of the mask.
+    [[gnu::noinline]] void add(Mask<S> lanes, S place, S own) {
+        odd_in_all = (lanes & !odd_in_all) | (odd_in_all & !lanes);
+        Mask<S> own_odd = lanes;
+        for (int k = 0; k < most && any(lanes); ++k) {  // what is further off moves on
+            const Mask<S> same = lanes & (place == t[k]), nearer = lanes & (place < t[k]);
+            const S moved = t[k], moved_surface = surface[k];
+            const Mask<S> moved_odd = odd[k];
+            t[k] = select(nearer, place, moved);
+            surface[k] = select(nearer, own, select(same, min(own, moved_surface), moved_surface));
+            odd[k] = (nearer & own_odd) | (same & !moved_odd) | (moved_odd & !(nearer | same));
+            lanes = lanes & !(same | (nearer & !(moved < S(std::numeric_limits<Element<S>>::infinity()))));
+            place = select(nearer, moved, place), own = select(nearer, moved_surface, own);
+            own_odd = (nearer & moved_odd) | (own_odd & !nearer);
+        }
+    }
 };
+
+/// Returns the ray of one lane in all lanes.
+template <class S>
+STRAHL_INLINE Ray<S> lane_of(const Ray<S>& ray, int k) {
+    const auto pick = [k](const Vec3<S>& v) { return Vec3<S>(S(lane(v.x, k)), S(lane(v.y, k)), S(lane(v.z, k))); };
+    return {pick(ray.origin), pick(ray.direction), S(lane(ray.source, k))};
+}
 
 /// Loads item i of a leaf and those after it, one in each lane. `first` and `count` are the leaf's.
 template <class S, class Group>
@@ -58,9 +94,12 @@ struct FormFunctions {
                             SurfaceHit<S>& hit, int* materials);
     /// Finds the spans of rays in a leaf of a composite.
     static void ends(const World<T>& world, int item, const Ray<S>& ray, LeafEnds<S>& ends);
-    /// Looks for the next crossing of the items beyond distance `place`, in the lanes of the mask.
+    /// Finds where rays cross the items beyond distance `place`, in the lanes of the mask.
     static void cross_beyond(const World<T>& world, int first, int count, const Ray<S>& ray, Mask<S> mask,
-                             const S& place, MeshCrossing<S>& found);
+                             const S& place, MeshCrossings<S>& found);
+    /// Does the same for the ray of lane k, with the items of a leaf side by side.
+    static void cross_beyond_single(const World<T>& world, int first, int count, const Ray<S>& ray, int k,
+                                    const S& place, MeshCrossings<S>& found);
     // The two below are never called for hot forms: see if_hot(). Only convex forms have the second.
     /// Finds the points at distance `t` where rays first meet an item, the same for all.
     static void surface_at(const World<T>& world, int item, const Ray<S>& ray, const S& t, SurfaceHit<S>& hit);
@@ -96,7 +135,8 @@ struct FormCalls {
     bool (*occlude_single)(const W&, int, int, SingleRay<S>&);
     void (*surfaces_at)(const W&, const int*, const Ray<S>&, const S&, const S&, SurfaceHit<S>&, int*) = nullptr;
     void (*ends)(const W&, int, const Ray<S>&, LeafEnds<S>&) = nullptr;
-    void (*cross_beyond)(const W&, int, int, const Ray<S>&, Mask<S>, const S&, MeshCrossing<S>&) = nullptr;
+    void (*cross_beyond)(const W&, int, int, const Ray<S>&, Mask<S>, const S&, MeshCrossings<S>&) = nullptr;
+    void (*cross_beyond_single)(const W&, int, int, const Ray<S>&, int, const S&, MeshCrossings<S>&) = nullptr;
     void (*surface_at)(const W&, int, const Ray<S>&, const S&, SurfaceHit<S>&) = nullptr;
     Span<S> (*span)(const W&, int, const Ray<S>&) = nullptr;
 };

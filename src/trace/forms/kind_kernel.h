@@ -228,18 +228,31 @@ void FormFunctions<Form, S>::ends(const World<T>& world, int item, const Ray<S>&
 
 template <class Form, class S>
 void FormFunctions<Form, S>::cross_beyond(const World<T>& world, int first, int count, const Ray<S>& ray, Mask<S> mask,
-                                          const S& place, MeshCrossing<S>& found) {
+                                          const S& place, MeshCrossings<S>& found) {
     for (int i = first; i < first + count; ++i) {
         const auto& item = world.groups.template get<Form>().items[i];
         auto crossed = cross<Form>(item, ray, cross_one);
         settle_start(world, i, 0, item, ray, mask, crossed);
         const Mask<S> beyond = mask & crossed.hit & (crossed.far > place);
-        const Mask<S> nearer = beyond & (crossed.far < found.t), same = beyond & (crossed.far == found.t);
-        const S surface(item.surface);
-        found.surface = select(nearer, surface, select(same, min(found.surface, surface), found.surface));
-        found.t = select(nearer, crossed.far, found.t);
-        found.odd = nearer | (same & !found.odd) | (found.odd & !same);
-        found.odd_in_all = (beyond & !found.odd_in_all) | (found.odd_in_all & !beyond);
+        if (any(beyond)) found.add(beyond, crossed.far, S(item.surface));
+    }
+}
+
+template <class Form, class S>
+void FormFunctions<Form, S>::cross_beyond_single(const World<T>& world, int first, int count, const Ray<S>& ray, int k,
+                                                 const S& place, MeshCrossings<S>& found) {
+    const auto& group = world.groups.template get<Form>();
+    const Ray<S> one = lane_of(ray, k);
+    const Mask<S> own = first_lanes<S>(k + 1) & !first_lanes<S>(k);
+    for (int i = first; i < first + count; i += width<S>) {
+        const auto item = load_of_leaf<S>(group, first, count, i);
+        const Mask<S> items = first_lanes<S>(first + count - i);
+        auto crossed = cross<Form>(item, one, cross_each);
+        settle_start(world, i, 1, item, one, items, crossed);
+        for (unsigned hits = bits(items & crossed.hit & (crossed.far > S(lane(place, k)))); hits; hits &= hits - 1) {
+            const int n = std::countr_zero(hits);
+            found.add(own, S(lane(crossed.far, n)), S(lane(item.surface, n)));
+        }
     }
 }
 
@@ -249,7 +262,8 @@ constexpr FormCalls<S> calls_of() {
     FormCalls<S> calls{&Own::intersect, &Own::intersect_single, &Own::occlude, &Own::occlude_single};
     calls.surfaces_at = &Own::surfaces_at;
     if constexpr (Form::Kind::closed && Form::Kind::bounded) calls.ends = &Own::ends;
-    if constexpr (Form::compact && !Form::hot) calls.cross_beyond = &Own::cross_beyond;  // the forms of meshes
+    if constexpr (Form::compact && !Form::hot)  // the forms of meshes
+        calls.cross_beyond = &Own::cross_beyond, calls.cross_beyond_single = &Own::cross_beyond_single;
     if constexpr (!Form::hot) calls.surface_at = &Own::surface_at;
     if constexpr (!Form::hot && Form::Kind::convex) calls.span = &Own::span;
     return calls;

@@ -12,20 +12,27 @@ namespace strahl::inline STRAHL_LEVEL {
 /// The most entries of a stack: on each level the children of a node but the one that is entered, and that one.
 inline constexpr int most_entries = Hierarchy::most_levels * (Node::width - 1) + 1;
 
-/// Returns whether rays cross boxes before `limit`, and sets `near` to where they enter. Boxes are grown when they are
-/// built and far ends here, so that rounding hides no hit (T. Ize, "Robust BVH Ray Traversal", JCGT 2013). Lanes hold
-/// rays and one box, or boxes and one ray.
+/// Finds where rays enter boxes, at 0 if they start inside, and leave them; where they do not cross them they leave
+/// before they enter. Boxes are grown when they are built and far ends here, so that rounding hides no hit (T. Ize,
+/// "Robust BVH Ray Traversal", JCGT 2013). Lanes hold rays and one box, or boxes and one ray.
 template <class S, class L>
-STRAHL_INLINE Mask<S> crosses(const Vec3<S>& low, const Vec3<S>& high, const L& ray, const S& limit, S& near) {
+STRAHL_INLINE void cross_boxes(const Vec3<S>& low, const Vec3<S>& high, const L& ray, S& near, S& far) {
     const S grow(1 + 8 * std::numeric_limits<Element<S>>::epsilon());
-    S far(std::numeric_limits<Element<S>>::infinity());
+    far = S(std::numeric_limits<Element<S>>::infinity());
     near = S(0);
     for (int i = 0; i < 3; ++i) {
         const S a = (low[i] - ray.high(i)) * ray.inverse[i], b = (high[i] - ray.low(i)) * ray.inverse[i];
         near = max(near, min(a, b));
         far = min(far, max(a, b));
     }
-    return near <= min(far * grow, limit);
+    far = far * grow;
+}
+/// Returns whether rays cross boxes before `limit`, and sets `near` to where they enter.
+template <class S, class L>
+STRAHL_INLINE Mask<S> crosses(const Vec3<S>& low, const Vec3<S>& high, const L& ray, const S& limit, S& near) {
+    S far;
+    cross_boxes(low, high, ray, near, far);
+    return near <= min(far, limit);
 }
 
 /// Returns one side of the boxes of the children from `c` on, one child in each lane.

@@ -11,13 +11,6 @@ namespace strahl::inline STRAHL_LEVEL {
 template <class Group>
 using FormOf = typename std::remove_cvref_t<Group>::Form;
 
-/// Returns the ray of one lane in all lanes.
-template <class S>
-STRAHL_INLINE Ray<S> lane_of(const Ray<S>& ray, int k) {
-    const auto pick = [k](const Vec3<S>& v) { return Vec3<S>(S(lane(v.x, k)), S(lane(v.y, k)), S(lane(v.z, k))); };
-    return {pick(ray.origin), pick(ray.direction), S(lane(ray.source, k))};
-}
-
 /// Calls look(group, item) for the items of hot forms outside the hierarchy, until it returns true; if each item has a
 /// bin, only for the items in the set.
 template <class T, class Look>

@@ -54,6 +54,7 @@ class CompositeBuilder {
         info.steps = static_cast<std::int32_t>(tables.steps.size()) - info.first_step;
         info.planes = static_cast<std::int32_t>(tables.planes.size()) - info.first_plane;
         info.surfaces = next_surface - surface;
+        mark_what_cuts();
         tables.list.push_back(info);
     }
 
@@ -63,6 +64,21 @@ class CompositeBuilder {
                : operation == Operation::intersect ? CompositeStep::intersect
                                                    : CompositeStep::subtract;
     }
+    /// Marks the first leaf of all that a step cuts another body with.
+    void mark_what_cuts() const {
+        std::vector<std::int32_t> first;  // the leaves with which the bodies on the stack begin
+        std::int32_t next = 0;
+        for (std::int32_t i = 0; i < info.steps; ++i) {
+            const CompositeStep step = tables.steps[info.first_step + i];
+            if (step == CompositeStep::leaf) {
+                first.push_back(next++);
+                continue;
+            }
+            CompositeLeaf& own = tables.leaves[info.first_leaf + first.back()];
+            if (step != CompositeStep::unite) own.until = i, own.leaves = next - first.back();
+            first.pop_back();
+        }
+    }
     template <class Kind>
     void add_leaf(const Kind& shape, const Primitive& part, const LeafWay& way) {
         const glm::dmat4& m = way.inner;
@@ -70,6 +86,7 @@ class CompositeBuilder {
         const std::int32_t material = arrays.material_of(part, next_leaf);
         CompositeLeaf leaf{-1, 0, material, next_surface, faces_of_leaf(shape), 0};
         std::vector<ItemBox> boxes;
+        tables.balls.emplace_back();
         const auto put = [&]<class K>(const K& kernel) {
             constexpr int form = form_number<K, T>(Forms{});
             using Own = Item<FormAt<form, Forms>, T>;
@@ -82,6 +99,7 @@ class CompositeBuilder {
             const T* const first = reinterpret_cast<const T*>(&item);
             numbers.insert(numbers.end(), first, first + fields);
             if constexpr (std::is_same_v<Kind, Mesh>) boxes.push_back(item_box(kernel.bounds(), form));
+            if constexpr (requires { kernel.ball(); }) tables.balls.back() = ball_around(kernel.ball());
         };
         emit_in<T>(shape, to_world, way.steps, put, proves);
         if constexpr (std::is_same_v<Kind, Mesh>) {
@@ -102,6 +120,12 @@ class CompositeBuilder {
         tables.leaves.push_back(leaf);
         tables.steps.push_back(CompositeStep::leaf);
     }
+    static CompositeBall<T> ball_around(const Ball& ball) {
+        const DVec3& c = ball.centre;
+        const double reach = std::max({std::abs(c.x), std::abs(c.y), std::abs(c.z)}) + ball.radius;
+        const double radius = ball.radius + WorldArrays<T>::rounding(reach);
+        return {cast<T>(ball.centre), static_cast<T>(radius * radius)};
+    }
     /// Adds a mesh, whose triangles are put into the order of a hierarchy of their own.
     void add_mesh(CompositeLeaf& leaf, const std::vector<ItemBox>& boxes) {
         const std::size_t fields = WorldArrays<T>::traits[leaf.form].fields;
@@ -121,6 +145,11 @@ class CompositeBuilder {
                 if (node->leaves[c] != 0) node->first[c] += leaf.item;
         own.order.reset();
         leaf.nodes = own.nodes.get();
+        for (int c = 0; c < 3; ++c) {
+            const auto &low = leaf.nodes->low[c], &high = leaf.nodes->high[c];
+            leaf.low[c] = *std::min_element(low, low + leaf.nodes->children);
+            leaf.high[c] = *std::max_element(high, high + leaf.nodes->children);
+        }
         tables.mesh_hierarchies.push_back(std::move(own));
         leaf.first_key = mesh_key(leaf);
         for (std::int32_t i = 0; i < size; ++i) tables.face_keys.push_back(leaf.first_key + i);
@@ -238,8 +267,14 @@ void WorldArrays<T>::add_composites(const Scene& scene, const Placement& placeme
         std::copy_n(own.numbers.get(), size, longer.get());
         std::copy_n(leaf_numbers[form].data(), more, longer.get() + size);
         own.numbers = std::move(longer);
+        if (composites.mesh_hierarchies.empty()) continue;
+        Buffer<T> columns = uninitialized_buffer<T>(size + more + widest_pack);
+        std::fill_n(&columns[size + more], widest_pack, T(0));
+        std::copy_n(own.columns.get(), std::size_t(own.in_hierarchy) * traits[form].fields, columns.get());
+        own.columns = std::move(columns);
     }
-    auto& [list, leaves, steps, planes, hierarchies, face_keys, leaf_faces] = composites;
+    for (const Hierarchy& own : composites.mesh_hierarchies) add_columns(own, pool);
+    auto& [list, leaves, balls, steps, planes, hierarchies, face_keys, leaf_faces] = composites;
     leaf_faces.assign(surfaces, -1);
     for (const CompositeLeaf& leaf : leaves) {
         const auto refer = [&](std::int32_t surface, std::int32_t item, int face) {
@@ -254,7 +289,8 @@ void WorldArrays<T>::add_composites(const Scene& scene, const Placement& placeme
             else
                 refer(leaf.surface + i, leaf.item, i);
     }
-    world.composites = {list.data(), leaves.data(), steps.data(), planes.data(), face_keys.data(), leaf_faces.data()};
+    world.composites = {list.data(),   leaves.data(),    balls.data(),     steps.data(),
+                        planes.data(), face_keys.data(), leaf_faces.data()};
 }
 
 template void WorldArrays<float>::add_composites(const Scene&, const Placement&, ThreadPool&, bool);

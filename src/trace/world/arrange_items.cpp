@@ -32,19 +32,13 @@ int remove_items(FormItems<T>& own, int fields, const std::vector<std::int32_t>&
     return left;
 }
 
+}  // namespace
+
 /// Adds the items of the leaves once more, field by field, see Group::columns.
 template <class T>
-void add_columns(std::array<FormItems<T>, Forms::size>& forms, const Hierarchy& hierarchy, ThreadPool& pool) {
-    constexpr auto& traits = WorldArrays<T>::traits;
-    for (int form = 0; form < Forms::size; ++form) {
-        FormItems<T>& own = forms[form];
-        if (own.in_hierarchy == 0) continue;
-        const std::size_t size = std::size_t(own.in_hierarchy) * traits[form].fields;
-        own.columns = uninitialized_buffer<T>(size + widest_pack);
-        std::fill_n(&own.columns[size], widest_pack, T(0));
-    }
-    share_out(pool, hierarchy.size, 256, [&](std::int32_t first, std::int32_t last) {
-        for (const Node* node = &hierarchy.nodes[first]; node < &hierarchy.nodes[last]; ++node)
+void WorldArrays<T>::add_columns(const Hierarchy& of, ThreadPool& pool) {
+    share_out(pool, of.size, 256, [&](std::int32_t first, std::int32_t last) {
+        for (const Node* node = &of.nodes[first]; node < &of.nodes[last]; ++node)
             for (int c = 0; c < node->children; ++c) {
                 if (node->leaves[c] == 0) continue;
                 const FormItems<T>& own = forms[LeafCode::form(node->leaves[c])];
@@ -57,8 +51,6 @@ void add_columns(std::array<FormItems<T>, Forms::size>& forms, const Hierarchy& 
             }
     });
 }
-
-}  // namespace
 
 /// Makes one hierarchy of all bounded items, and puts these into the order of its leaves.
 template <class T>
@@ -121,7 +113,14 @@ void WorldArrays<T>::make_hierarchy(ThreadPool& pool) {
     }
     hierarchy.order.reset();
     places.reset(), form_of.reset();
-    add_columns(forms, hierarchy, pool);
+    for (int form = 0; form < Forms::size; ++form) {
+        FormItems<T>& own = forms[form];
+        if (own.in_hierarchy == 0) continue;
+        const std::size_t length = std::size_t(own.in_hierarchy) * traits[form].fields;
+        own.columns = uninitialized_buffer<T>(length + widest_pack);
+        std::fill_n(&own.columns[length], widest_pack, T(0));
+    }
+    add_columns(hierarchy, pool);
     world.nodes = hierarchy.nodes.get();
 }
 
@@ -184,7 +183,10 @@ void WorldArrays<T>::arrange_items(ThreadPool& pool) {
 }
 
 template void WorldArrays<float>::arrange_items(ThreadPool&);
+template void WorldArrays<float>::add_columns(const Hierarchy&, ThreadPool&);
 template void WorldArrays<double>::arrange_items(ThreadPool&);
+template void WorldArrays<double>::add_columns(const Hierarchy&, ThreadPool&);
 template void WorldArrays<long double>::arrange_items(ThreadPool&);
+template void WorldArrays<long double>::add_columns(const Hierarchy&, ThreadPool&);
 
 }  // namespace strahl

@@ -110,6 +110,12 @@ struct CompositePlane {
     Vec3<T> normal;
     T distance;
 };
+/// A ball around a leaf of a composite, infinite if none is known.
+template <class T>
+struct CompositeBall {
+    Vec3<T> centre{0};
+    T square = std::numeric_limits<T>::infinity();  // of its radius
+};
 /// A simple body of a composite: an item of its form, beyond those that are looked at by themselves.
 struct CompositeLeaf {
     std::int32_t form, item, material;
@@ -118,6 +124,10 @@ struct CompositeLeaf {
     const Node* nodes = nullptr;  // of a mesh: the hierarchy of its triangles, which are the items from `item` on
     std::int32_t first_key = 0;   // of a mesh: the key of its first triangle, if that has one of its own
     bool in_planes = false;       // of a mesh: some of its triangles have the keys of planes
+    float low[3] = {}, high[3] = {};  // of a mesh: the box around it, as the hierarchy's are
+    // Of the first leaf of what an intersection is made with, or what is taken away: the step that does so, and the
+    // number of leaves up to there. Without a body before it nothing is left either.
+    std::int32_t until = 0, leaves = 0;
 };
 /// The steps that combine the insides of leaves to that of the whole: take the next leaf, or make one of the last two
 /// results.
@@ -170,6 +180,7 @@ template <class T>
 struct CompositeTables {
     const CompositeInfo* list = nullptr;  // by the number in a composite's kernel
     const CompositeLeaf* leaves = nullptr;
+    const CompositeBall<T>* balls = nullptr;  // by leaf
     const CompositeStep* steps = nullptr;
     const CompositePlane<T>* planes = nullptr;
     const std::int32_t* face_keys = nullptr;

@@ -107,6 +107,7 @@ template <class T>
 struct CompositeArrays {
     std::vector<CompositeInfo> list;
     std::vector<CompositeLeaf> leaves;
+    std::vector<CompositeBall<T>> balls;
     std::vector<CompositeStep> steps;
     std::vector<CompositePlane<T>> planes;
     std::vector<Hierarchy> mesh_hierarchies;  // of meshes that are leaves
@@ -173,6 +174,7 @@ struct WorldArrays {
     // arrange_items.cpp
     void arrange_items(ThreadPool& pool);
     void make_hierarchy(ThreadPool& pool);
+    void add_columns(const Hierarchy& of, ThreadPool& pool);
     void number_bins(ThreadPool& pool);
     // add_composites.cpp
     void add_composites(const Scene& scene, const Placement& placement, ThreadPool& pool, bool proves);
