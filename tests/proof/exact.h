@@ -70,9 +70,10 @@ class Tracer {
         for (int i = 0; i < std::ssize(bodies); ++i)
             for (const auto& crossing : bodies[i].meet(line, i))
                 if (crossing.t > 0 && (body < 0 || crossing.t < hit.t)) body = i, hit = crossing;
-        if (body < 0) return scene.fog ? Vector(scene.fog->color) : sky.at(line.direction);
+        const bool foggy = scene.fog && inside.empty();
+        if (body < 0) return foggy ? Vector(scene.fog->color) : sky.at(line.direction);
         const Vector sum = light_of(line, hit, body, generation, inside);
-        if (!scene.fog || !inside.empty()) return sum;
+        if (!foggy) return sum;
         const R left = exponential(-hit.t / R(scene.fog->distance));
         return left * sum + (1 - left) * Vector(scene.fog->color);
     }

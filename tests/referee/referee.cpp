@@ -37,11 +37,11 @@ struct Referee<R>::World {
             for (const auto& crossing : bodies[i].meet(line, i))
                 if (crossing.t > rules.nearest && crossing.t < rules.farthest && (body < 0 || crossing.t < hit.t))
                     body = i, hit = crossing;
-        const bool clear = !scene.fog || (rules.sky_behind_glass && !inside.empty());
-        if (body < 0) return signature.add(missed), clear ? sky.at(line.direction) : Vector<R>(scene.fog->color);
+        const bool foggy = scene.fog && inside.empty();
+        if (body < 0) return signature.add(missed), foggy ? Vector<R>(scene.fog->color) : sky.at(line.direction);
         signature.add(100 + 1000 * body + hit.face);
         const Vector<R> seen = sent(line, body, hit, generation, inside, signature);
-        if (!scene.fog || !inside.empty()) return seen;
+        if (!foggy) return seen;
         const R left = exponential(-hit.t / R(scene.fog->distance));
         return left * seen + (1 - left) * Vector<R>(scene.fog->color);
     }

@@ -28,7 +28,6 @@ struct OtherRules {
     double shadow = 0;              // nor a caster nearer to either end of a shadow ray, or to the caster before it
     bool bent_side = false;         // a bent normal alone decides on which side of a surface a light is
     bool one_share = false;         // all parts of a composite reflect the share of its medium totally
-    bool sky_behind_glass = false;  // in fog, a ray that never leaves a transparent body sees the background
     bool straight_is_free = false;  // a ray that passes a surface unrefracted does not count as a generation
 };
 

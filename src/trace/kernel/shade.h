@@ -10,7 +10,8 @@
 
 namespace strahl::inline STRAHL_LEVEL {
 
-/// Adds the background, or the colour of fog, to the pixels of rays that hit nothing.
+/// Adds the background to the pixels of rays that hit nothing. In fog those outside all transparent bodies have its
+/// colour.
 template <class S, class P>
 void shade_misses(const Shading<S, P>& shading) {
     const auto& world = shading.world;
@@ -27,8 +28,10 @@ void shade_misses(const Shading<S, P>& shading) {
             color = filters(shading) ? filtered_sky(shading, pick)
                                      : PatternCalls<S>::sky(world, {pick(d.x), pick(d.y), pick(d.z)});
         }
-        if (world.fog.any) [[unlikely]]
-            color = splat<S>(world.fog.color);
+        if (world.fog.any) [[unlikely]] {
+            const Vec3<S> fog = splat<S>(world.fog.color);
+            color = world.nested ? select(pick(shading.rays.open.medium) == S(0), fog, color) : fog;
+        }
         if (world.finishes.list) [[unlikely]]
             color = color * tint_of(shading.rays.open, pick);
         add_light(shading.batch, pixel, pick.lanes, scale(weight, color));

@@ -210,7 +210,7 @@ STRAHL_INLINE void bound_hit(const ProvedShading<S>& shading, const Hit<S>& hit,
     }
 }
 
-/// Bounds the error of the background, which rays that hit nothing bring back.
+/// Bounds the error of the background, or of the colour of fog, which rays that hit nothing bring back.
 template <class S>
 STRAHL_INLINE void bound_miss(const ProvedShading<S>& shading, const LaneIndices<S>& pick, const S& weight,
                               const S& pixel, const Vec3<S>& color) {
@@ -219,7 +219,9 @@ STRAHL_INLINE void bound_miss(const ProvedShading<S>& shading, const LaneIndices
     const DoubtArrays<Element<S>> doubts(shading.rays.open);
     const Mask<S> followed = first_lanes<S>(pick.lanes) & (pick(doubts.away) >= S(0));
     S off = rounding_of(scale(weight, color), shading.depth, 0);
-    if (world.patterns.sky && !world.fog.any) [[unlikely]]
+    if (world.fog.any && !proving(shading.limits).slack.medium) [[unlikely]]
+        off = weight * S(brightest_of(shading.limits, shading.depth));
+    else if (world.patterns.sky && (!world.fog.any || world.nested)) [[unlikely]]
         off = fma(weight, PatternBounds<S>::of_sky(world, {pick(d.x), pick(d.y), pick(d.z)}, pick(doubts.turn)), off);
     add_bounds(shading.batch, pixel, pick.lanes, select(followed, off, S(0)));
 }
