@@ -49,8 +49,10 @@ std::string image_text(const ImagePattern& image, const std::string& more, bool 
     const bool linear = image.pixels->linear;
     const std::string of_all =
         more.empty() ? "" : more.substr(0, more.find(' ', 1)) + " all" + more.substr(more.find(' ', 1));
+    // POV-Ray would divide colours of an .exr by the opacity that "all" gives them.
+    const std::string colors = linear && !more.empty() ? " premultiplied off" : "";
     const std::string map = "image_map { " + std::string(linear ? "exr" : "png") + " \"" + name_of(*image.pixels) +
-                            "\" " + (linear || as_it_is ? "As_It_Is()" : "gamma srgb") + " map_type " +
+                            "\" " + (linear || as_it_is ? "As_It_Is()" : "gamma srgb") + colors + " map_type " +
                             std::to_string(static_cast<int>(image.map)) + (image.once ? " once" : "") +
                             " interpolate 2" + of_all + " }";
     const bool flat = image.map == ImageMap::planar;

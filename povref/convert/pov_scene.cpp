@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <utility>
+#include <vector>
 
 #include "files/output_file.h"
 #include "num/decimal.h"
@@ -164,19 +165,23 @@ std::string camera_section(const PovRequest& request, const Plan& plan) {
            "\n  direction " + value("Direction", &PovCamera::direction) + "\n}\n";
 }
 
-/// Returns a place for a parallel light, since every light of POV-Ray needs one: as far away as POV-Ray looks.
-DVec3 place_of_parallel(const DVec3& direction, const Plan& plan) {
+/// Returns a place for a parallel light, since every light of POV-Ray needs one. Bodies behind it cast no shadow, so it
+/// is as far behind all that the cameras see as POV-Ray looks.
+DVec3 place_of_parallel(const DVec3& direction, const std::vector<Camera>& cameras, const Plan& plan) {
     constexpr double far = 1e7;
-    return -far / plan.scale.factor * normalize(direction);
+    double off = 0;
+    for (const Camera& camera : cameras) off = std::max(off, length(camera.position));
+    return -(2 * far / plan.scale.factor + off) * normalize(direction);
 }
 
 /// Writes the lights. Grids are written as single points: POV-Ray's own grids multiply the mean of the points' light by
 /// the mean of their shadows, even with area_illumination.
-std::string light_section(const Scene& scene, const Plan& plan, PovMotions& motions) {
+std::string light_section(const Scene& scene, const std::vector<Camera>& cameras, const Plan& plan,
+                          PovMotions& motions) {
     if (scene.lights.empty()) return "";
     std::string text = heading("Lights");
     for (const Light& light : points_of(scene.lights)) {
-        const DVec3 place = light.direction ? place_of_parallel(*light.direction, plan) : light.position;
+        const DVec3 place = light.direction ? place_of_parallel(*light.direction, cameras, plan) : light.position;
         const auto placed = [&](const DVec3& p) { return light.motion ? text_of(p) : scaled(text_of(p), plan); };
         std::vector<std::string> items{placed(place) + ", rgb " + text_of(light.color)};
         if (light.shadowless) items.push_back("shadowless");
@@ -242,7 +247,7 @@ PovFiles write_pov(const Scene& whole, const PovRequest& request) {
     const Scene& scene = animated ? whole : still;
     const Plan plan = plan_for(scene, request);
     PovMotions motions;
-    const std::string lights = light_section(scene, plan, motions);
+    const std::string lights = light_section(scene, request.cameras, plan, motions);
     const std::string bodies =
         body_sections(scene, {plan.materials, plan.shadow_copies, plan.scaled, scene.fog.has_value(), motions});
     std::vector<PovPicture> pictures = pictures_of(scene);

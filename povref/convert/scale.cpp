@@ -54,8 +54,11 @@ void SceneSizes::add(const Scene& scene, const std::vector<Camera>& cameras) {
             if (!light.direction) farthest = std::max(farthest, length(light.position - camera.position));
     }
     for (const Primitive& primitive : scene.primitives) {
+        // A flat body has no size across.
         const DVec3 size = world_bounds(primitive).size();
-        smallest = std::min({smallest, size.x, size.y, size.z});
+        const double flat = 1e-9 * std::max({size.x, size.y, size.z});
+        for (int i = 0; i < 3; ++i)
+            if (size[i] > flat) smallest = std::min(smallest, size[i]);
     }
     horizon |= has_horizon(scene);
 }

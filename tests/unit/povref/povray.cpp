@@ -109,12 +109,15 @@ TEST_CASE("scenes that once disagreed") {
         "light { position <-3, -5, 6> color <1, 1, 1> }\n"
         "box { <-9, -9, -3>, <9, 9, -2> material { rgb checker { <1, 1, 1>, <0, 0, 1> } "
         "reflection 0 diffuse .6 specular 0 } }\n";
-    const auto glass = [](const std::string& more) {
-        return "material { rgb <1, .9, .8> refraction .7 reflection .1 diffuse .1 specular 0 " + more + " }";
+    const auto glass = [](const std::string& more, const std::string& color = "<1, .9, .8>") {
+        return "material { rgb " + color + " refraction .7 reflection .1 diffuse .1 specular 0 " + more + " }";
     };
     const std::pair<const char*, std::string> scenes[]{
         {"an eye in coloured glass that is in fog",
          "fog { distance 6 color <.3, .4, .1> } sphere { <0, -8, 1>, 2 " + glass("ior 1") + " }"},
+        {"glass without an end in fog, which ends at its surface",
+         "fog { distance 6 color <.3, .4, .1> } background { color <.9, .2, .1> } disc { <0, -2, 1>, <0, 1, 0>, 1 " +
+             glass("ior 1.1") + " } plane { <0, 0, -1>, <1, 0, -1>, <0, -1, -1> " + glass("ior 1.3") + " }"},
         {"parts with an ior of their own",
          "union { sphere { <-.5, 0, 0>, 1 } sphere { <.5, 0, 0>, 1 material { ior 1 } } " + glass("ior 1.5") + " }"},
         {"parts of glass in an opaque body, and of other colours",
@@ -149,6 +152,15 @@ TEST_CASE("scenes that once disagreed") {
     far.primitives[1].shape = Mesh{std::make_shared<const MeshData>(moved), ""};
     const std::string found = check("far", far, {}, 64, 48);
     CHECK_MESSAGE(found.empty(), found);
+    // POV-Ray's parallel lights have a place, and what is behind it casts no shadow.
+    far.lights[0].direction = DVec3(.3, 1, -1);
+    const std::string shadow = check("shadow", far, {}, 64, 48);
+    CHECK_MESSAGE(shadow.empty(), shadow);
+    // Floats of a picture in glass. They have as few bits as POV-Ray keeps.
+    const auto floats = [](const std::string&) { return Pixels{2, 1, true, {.125, .5, 1, .75, .25, .5}, {.75, .5, 1}}; };
+    const std::string ball = "sphere { <0, 0, 0>, 1.5 " + glass("ior 1.2", "image { \"floats.exr\" }") + " }";
+    const std::string glass_image = check("floats", parse_scene(view + ball, "floats", {}, floats), {}, 64, 48);
+    CHECK_MESSAGE(glass_image.empty(), glass_image);
 }
 
 TEST_CASE("povray renders an emitted .ini without warnings, to Strahl's picture") {

@@ -248,6 +248,8 @@ TEST_CASE("small and large scenes are scaled") {
     wide.materials.emplace_back();
     wide.primitives.push_back({Sphere{{0, 0, 0}, 1e-6}, 0, {}});
     CHECK(scale_for(wide, {wide.camera}).fault != "");
+    wide.primitives[0].shape = Disc{{0, 0, 0}, {0, 0, 1}, 100};  // it is flat, not small
+    CHECK(scale_for(wide, {wide.camera}).fault == "");
 }
 
 TEST_CASE("materials get different, descriptive names") {
