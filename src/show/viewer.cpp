@@ -82,7 +82,8 @@ void Viewer::perform(Command command) {
             return quit();
         case Action::still:
             if (screen.width() == 0 || file.waiting()) return;  // an icon, or nothing to see
-            return stills.add(session, file.path(), session.view(screen.width(), screen.height()));
+            return stills.add(session, file.path(), session.view(screen.width(), screen.height()),
+                              command.number == 1 ? ".png" : options.still_ending);
         case Action::write_path:
             return file.write(session.editor.path(), bodies.changes());
         case Action::undo:

@@ -21,6 +21,11 @@ await 'finished 320x160'
 echo "-- nobody has to wait for a pipe; what comes through it is shown, as from standard input"
 [[ $(cat log) != *'finished 320x240'* ]] || fault "a picture of nothing was traced"
 quit
+printf '#while (1)\n#end\n' >long.rt
+start_log 'reading long.rt' long.rt --size 320x240
+xdotool key Escape
+timeout 20 tail --pid="$pid" -f /dev/null || fault "the window closes only when the scene has been read"
+quit
 mkfifo pipe.rt
 start_log 'reading pipe.rt' pipe.rt --size 320x240
 quit
@@ -70,13 +75,16 @@ await 'X checks rounding in a picture at rest'
 xdotool key f
 
 echo "-- a signal waits for stills, as Esc does; one that cannot be written is told at once"
+xdotool key shift+F12
+await 'still saved: scene'
+[[ $line == *.png ]] || fault "with Shift a still is no .png: $line"
 xdotool key F12
 await 'still queued'
 kill -TERM "$pid"
 await 'interrupted'
 wait "$pid"
 (($? == 130)) || fault "after a signal the exit status is not 130"
-grep -qF 'still saved: ' log || fault "after a signal the still was not saved" # sometimes it is before
+(($(grep -cF 'still saved: ' log) == 2)) || fault "after a signal the still was not saved" # sometimes it is before
 start_log "stills cannot be written into 'missing'" scene.rt --size 64x48 --still-folder missing --still-format png
 await 'first picture'
 xdotool key F12

@@ -81,9 +81,12 @@ std::vector<std::string> with_command(const CLI::App& app, int argc, char** argv
     const std::string first = arguments[0];
     const auto commands = commands_of(app);
     const bool known = std::ranges::any_of(commands, [&](auto* command) { return command->get_name() == first; });
-    std::error_code error;
-    const bool file = std::filesystem::exists(first, error) && !std::filesystem::is_directory(first, error);
-    const bool scene = first == "-" || first.ends_with(".rt") || (!first.starts_with('-') && file);
+    const auto is_file = [&] {
+        std::error_code error;
+        return std::filesystem::exists(first, error) && !std::filesystem::is_directory(first, error);
+    };
+    // The disk is asked last: it may give no answer, which the window says.
+    const bool scene = first == "-" || first.ends_with(".rt") || (!first.starts_with('-') && !known && is_file());
     if (!known && scene) {
         arguments.insert(arguments.begin(), "view");
     } else if (first == "help") {

@@ -55,6 +55,7 @@ std::optional<Command> command_of_key(int key, int scancode, int modifiers, bool
     if (key == GLFW_KEY_TAB) return alone ? std::optional(Command{Action::change_style}) : std::nullopt;
     if (auto command = find(other_keys, key)) {
         if (shift && command->action == Action::step) command->number *= 25;
+        if (shift && command->action == Action::still) command->number = 1;
         return command;
     }
     const char letter = letter_of(key, scancode);

@@ -44,7 +44,8 @@ enum class Action {
 };
 struct Command {
     Action action;
-    int number = 0;  // of a camera, 1 to 9; or how many 1/25 s or keys to step, backwards if negative
+    /// Of a camera, 1 to 9; or how many 1/25 s or keys to step, backwards if negative; or 1 for a still that is a .png.
+    int number = 0;
     bool operator==(const Command&) const = default;
 };
 
@@ -97,7 +98,7 @@ inline constexpr std::array key_help{
     KeyHelp{"B", "move the camera to the chosen body"},
     KeyHelp{"F4", "open the chosen body's line in $EDITOR"},
     KeyHelp{"Picture", ""},
-    KeyHelp{"F12", "save a still"},
+    KeyHelp{"F12", "save a still; with Shift a .png"},
     KeyHelp{"[ ]", "fewer, more reflections"},
     KeyHelp{", .", "lower, higher quality in motion"},
     KeyHelp{"F11", "full screen"},

@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <mutex>
@@ -32,7 +33,7 @@ FileStamp stamp_of(const std::string& path) {
     return {s.st_dev, s.st_ino, s.st_size, s.st_mtim.tv_sec, s.st_mtim.tv_nsec};
 }
 
-Loaded load(const std::string& path, const std::string& text, bool opened) try {
+Loaded loaded_scene(const std::string& path, const std::string& text, bool opened) try {
     const std::string name = path == "-" ? "standard input" : path;
     OpenedScene read = scene_for_window(text, name);
     if (opened)
@@ -109,6 +110,10 @@ class Reload::FileThread {
     void write(const std::string& file, const std::string& content) {
         answer([&] { return write_file(file, content), true; });
     }
+    /// Makes a scene of a text, which may name other files.
+    Loaded load(const std::string& file, const std::string& content, bool opened) {
+        return answer([&] { return loaded_scene(file, content, opened); });
+    }
     void tell(Loaded loaded);
     void show_text(const std::string& changed);
     void notify();
@@ -145,6 +150,8 @@ Reload::~Reload() {
     desk->left = !desk->ended;
     lock.unlock();
     desk->left ? thread.detach() : thread.join();
+    // It may still make a scene, with data that are destroyed after main() has returned.
+    if (desk->left) on_exit([](int status, void*) { std::_Exit(status); }, nullptr);
 }
 
 void Reload::listen(std::function<void()> notify) {
@@ -291,7 +298,7 @@ Written Reload::FileThread::write_path(const Request& request) try {
         numbers ? merged_lines(request.changes.in_file, request.changes.text, content, lost) : content;
     if (lost) return {.fault = path + " has changed in lines that were changed here; undo, or copy it and reload"};
     const std::string changed = same_path ? merged : with_path(merged, request.flythrough);
-    Loaded loaded = load(path, changed, false);
+    Loaded loaded = loaded_scene(path, changed, false);
     if (!loaded.scene || loaded.scene->flythrough != request.flythrough)
         return {.fault = "the changes cannot be written: " + loaded.fault};
     Written done{.file = path, .what = !numbers ? "path" : same_path ? "numbers" : "path and numbers"};

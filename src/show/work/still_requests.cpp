@@ -12,7 +12,8 @@ StillRequests::StillRequests(const ViewOptions& options, Notes& notes, Pace& pac
     if (const std::string why = folder_fault(options.still_folder); !why.empty()) notes.fail(why);
 }
 
-void StillRequests::add(const Session& session, const std::string& scene_path, View view) {
+void StillRequests::add(const Session& session, const std::string& scene_path, View view,
+                        const std::string& ending) {
     if (options.still_size.width > 0) view.width = options.still_size.width, view.height = options.still_size.height;
     const bool in_flight = session.flight.flying() || session.time != 0;
     const std::string name =
@@ -22,7 +23,7 @@ void StillRequests::add(const Session& session, const std::string& scene_path, V
         any_failed = true;
         return notes.fail(why);
     }
-    stills.add({session.scene, view, name, options.still_ending});
+    stills.add({session.scene, view, name, ending});
     log_line("still queued: " + name + ", " + std::to_string(view.width) + "x" + std::to_string(view.height));
     told = pace.now();
     pace.redraw();

@@ -15,8 +15,8 @@ class StillRequests {
     /// something to tell.
     StillRequests(const ViewOptions& options, Notes& notes, Pace& pace, std::function<void()> notify);
 
-    /// Queues a still of this view.
-    void add(const Session& session, const std::string& scene_path, View view);
+    /// Queues a still of this view. `ending` is that of its file, .bmp or .png.
+    void add(const Session& session, const std::string& scene_path, View view, const std::string& ending);
     /// Tells the user about the stills that are done, and logs progress every 2 seconds.
     void tell_done();
 
