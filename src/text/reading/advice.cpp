@@ -88,7 +88,7 @@ std::string advice_on_sign(std::string_view text, std::size_t at) {
     const bool called = end > at && end < text.size() && text[end] == '(';
     const bool operation = (sign == '*' || sign == '/' || sign == '^') && after_number;
     if (operation || sign == '(' || called || spaced_sign || ((sign == '+' || sign == '-') && directly))
-        return "nothing is calculated here: write the result";
+        return "expressions are calculated only in a text with a directive such as #declare; write the result";
     return "";
 }
 

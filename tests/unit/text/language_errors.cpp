@@ -90,7 +90,8 @@ TEST_CASE("signs that mean something elsewhere get advice") {
     check_fault("sphere { <0,0,0>, 2,5 }", "2:20: " + word + "','; decimals have a point, as in 2.5");
     check_fault("sphere { <0,5, 0,5, 2>, 1 }",
                 "2:17: '>' expected after the three numbers of a vector, but found ','; decimals have a point, as in 2.5");
-    const std::string result = "; nothing is calculated here: write the result";
+    const std::string result =
+        "; expressions are calculated only in a text with a directive such as #declare; write the result";
     check_fault("sphere { <0,0,0>, 1+1 }", "2:20: " + word + "'+1'" + result);
     check_fault("sphere { <0,0,0>, 3-1 }", "2:20: " + word + "'-1'" + result);
     check_fault("sphere { <0,0,0>, 1 + 1 }", "2:21: " + word + "'+'" + result);
