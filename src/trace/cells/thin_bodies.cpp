@@ -16,6 +16,10 @@ namespace {
 /// more curved everything is small, and not worth two to three times the rays.
 constexpr double most_widening = 2;
 
+/// Shadows and reflections are only looked for if no corner is so many times as far away as another: cells that reach
+/// to the horizon are not parallelograms of the surface.
+constexpr double most_receding = 2;
+
 /// Cells of less than so many pixels are not divided for what facets that some of their corners meet may leave.
 constexpr double finest_doubt = 1. / 8;
 /// Facets at the very eye or light do not count.
@@ -63,21 +67,25 @@ ThinBodies::ThinBodies(const Scene& scene, const View& view, std::shared_ptr<con
 
 bool ThinBodies::hides_in(const std::array<CellCorner, 4>& corners, double least) const {
     if (bodies.empty()) return false;
-    double furthest = 0, nearest = end, brightest = 0, reflection = 0, further = 0;
+    double least_distance = std::numeric_limits<double>::infinity(), most_distance = 0, furthest = 0, nearest = end;
+    double brightest = 0, reflection = 0, further = 0, reach = 0;
     std::uint32_t lit = 0;
     bool one_surface = true, same = true;
     for (const CellCorner& corner : corners) {
         const CellSample& sample = *corner.sample;
+        least_distance = std::min(least_distance, double(sample.distance));
+        most_distance = std::max(most_distance, double(sample.distance));
         const double distance = std::min(double(sample.distance), end);
         furthest = std::max(furthest, distance), nearest = std::min(nearest, distance);
         for (const double value : sample.rgb) brightest = std::max(brightest, value);
         reflection = std::max(reflection, double(sample.reflection));
         further = std::max(further, double(sample.further));
+        reach = std::max(reach, 1 + double(sample.further) / double(sample.distance));
         lit |= sample.lit;
         one_surface = one_surface && sample.surface == corners[0].sample->surface;
         same = same && sample.signature == corners[0].sample->signature;
     }
-    one_surface = one_surface && corners[0].sample->surface >= 0;
+    one_surface = one_surface && corners[0].sample->surface >= 0 && most_distance < most_receding * least_distance;
     // How far apart the corners are, at most. Where all bodies are larger, neither they nor their shadows are thin.
     const double own_growth = std::max(corners[2].x - corners[0].x, corners[2].y - corners[0].y) * diagonal / 2;
     const double across = 2 * own_growth * (furthest + 2 * bodies.least());
@@ -100,7 +108,7 @@ bool ThinBodies::hides_in(const std::array<CellCorner, 4>& corners, double least
     for (int k = 0; k < 4; ++k) places[k] = eye + double(corners[k].sample->distance) * places[k];
     const double radius = radius_of(places);
     return (wide && hides_shadow(places, radius, lit, seen, least / brightest)) ||  // all that a shadow can take
-           (mirrors && hides_reflection(places, radius, reflected, further, seen, least / reflection));
+           (mirrors && hides_reflection(places, radius, reflected, further, reach, seen, least / reflection));
 }
 
 Tube ThinBodies::from_eye(const FourPoints& directions, double furthest) const {
@@ -162,7 +170,7 @@ bool ThinBodies::hides_shadow(const FourPoints& points, double radius, std::uint
 }
 
 bool ThinBodies::hides_reflection(const FourPoints& points, double radius, const FourPoints& directions,
-                                  double furthest, FacetsSeen seen, double least) const {
+                                  double furthest, double reach, FacetsSeen seen, double least) const {
     const DVec3 axis = quick_unit(middle_of(directions)), middle = middle_of(points);
     const double growth = growth_of(directions, axis), start = radius * (1 + growth);
     const double longest = std::min(furthest, end + quick_length(middle - eye));
@@ -185,7 +193,7 @@ bool ThinBodies::hides_reflection(const FourPoints& points, double radius, const
                            .down = ways[3] - ways[0],
                            .parallel = false,
                            .nearest = 1 + own_depth * radius / distance,
-                           .furthest = 1 + furthest / distance};
+                           .furthest = reach * (1 + own_depth)};
     return bodies.meets(tube, bundle, least, seen, points);
 }
 

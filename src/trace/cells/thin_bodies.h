@@ -39,7 +39,7 @@ class ThinBodies {
     bool hides_shadow(const FourPoints& points, double radius, std::uint32_t lit, FacetsSeen seen,
                       double least) const;
     bool hides_reflection(const FourPoints& points, double radius, const FourPoints& directions, double furthest,
-                          FacetsSeen seen, double least) const;
+                          double reach, FacetsSeen seen, double least) const;
 
     const std::shared_ptr<const CapsuleTree> own;
     const CapsuleTree& bodies;

@@ -228,6 +228,7 @@ class MapFunction {
     MapFunction(const ColorStopKernel<T>* own, int own_count, Fold own_fold)
         : stops(own), count(own_count), fold(own_fold) {
         if (fold == Fold::limit) return;
+        if (fold == Fold::wave) half = sums_of_map(1);
         const Sums period = sums(1);
         mean = period.first, middle = period.second - .5 * mean;
     }
@@ -254,20 +255,25 @@ class MapFunction {
         return own.second - x * x / 2 * mean - x * middle;
     }
     /// Returns whether a colour jumps, or a value begins anew, for an argument in this range.
-    bool has_jump(double low, double high) const {
+    bool has_jump(double low, double high) const { return has_stop(low, high, true); }
+    /// Returns whether colours change linearly in this range.
+    bool is_linear(double low, double high) const { return !has_stop(low, high, false); }
+
+  private:
+    bool has_stop(double low, double high, bool jumps) const {
         const auto within = [&](double place) {
             return fold == Fold::limit ? low < place && place < high
                                        : std::floor(low - place) != std::floor(high - place);
         };
         if (fold == Fold::repeat && within(0)) return true;
-        for (int i = 1; i < count; ++i) {
-            if (at(i) > at(i - 1)) continue;
+        if (fold == Fold::wave && !jumps && (within(0) || within(.5))) return true;
+        for (int i = 0; i < count; ++i) {
+            if (jumps && (i == 0 || at(i) > at(i - 1))) continue;
             if (fold == Fold::wave ? within(at(i) / 2) || within(1 - at(i) / 2) : within(at(i))) return true;
         }
         return false;
     }
 
-  private:
     /// The integral of the colours from 0 on, and the integral of that.
     struct Sums {
         DVec3 first{0}, second{0};
@@ -278,7 +284,6 @@ class MapFunction {
     }
     Sums sums(double x) const {
         if (fold != Fold::wave) return sums_of_map(x);
-        const Sums half = sums_of_map(1);
         if (x <= .5) {
             const Sums own = sums_of_map(2 * x);
             return {.5 * own.first, .25 * own.second};
@@ -308,6 +313,7 @@ class MapFunction {
     int count;
     Fold fold;
     DVec3 middle{0};  // of the integral
+    Sums half;        // the integrals over the way up of a wave
 };
 
 }  // namespace
@@ -357,13 +363,14 @@ PatternMean mean_over(const PatternKernel<T>& pattern, const ColorStopKernel<T>*
             const double a = (top[1] - top[0] + bottom[1] - bottom[0]) / 2;
             const double b = std::hypot((bottom[0] - top[0] + bottom[1] - top[1]) / 2, spread);
             const double x = (top[0] + top[1] + bottom[0] + bottom[1]) / 4, reach = 1.5 * (std::abs(a) + b);
-            sum += mean_of(map, x, a, b);
+            sum += map.is_linear(x - reach / 3, x + reach / 3) ? map.value(x) : mean_of(map, x, a, b);
             low = std::min(low, x - reach), high = std::max(high, x + reach);
         }
     const bool detailed = grid.cells > finely || high - low > .25 || map.has_jump(low, high);
     const DVec3 color = map.mean + 1. / (grid.rows * grid.columns) * sum;
     const bool known = std::abs(color.x) + std::abs(color.y) + std::abs(color.z) < furthest;
-    return {known ? max(color, DVec3(0)) : map.mean + map.value(0), detailed, std::clamp(from_values * grid.step, exact, 1.)};
+    return {known ? max(color, DVec3(0)) : map.mean + map.value(0), detailed,
+            std::clamp(from_values * grid.step, exact, 1.)};
 }
 
 template PatternMean mean_over(const PatternKernel<float>&, const ColorStopKernel<float>*, const PatternArea&);

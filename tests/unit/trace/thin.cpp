@@ -288,3 +288,19 @@ TEST_CASE("a gap between two bodies is seen") {
         for (int x = 20; x < 60; ++x) sum += ours[3 * (80 * y + x)], exact_sum += exact[3 * (80 * y + x)];
     CHECK(sum == doctest::Approx(exact_sum).epsilon(.08));  // a sixth of a pixel, as above
 }
+
+TEST_CASE("what a flat mirror shows of a large body takes no rays for what may be hidden") {
+    const Scene scene = parse_scene(
+        "camera { position <0, -10, 4>  look_at <0, 0, 0>  sky <0, 0, 1>  angle 10 }\n"
+        "light { position <-6, -8, 40>  color <1, 1, 1> }\n"
+        "plane { <0, 0, 0>, <1, 0, 0>, <0, 1, 0>  material { diffuse 0  specular 0  reflection .8 } }\n"
+        "difference { box { <-30, 6, -1>, <30, 6.7, 50> }  box { <-1, 5, 48>, <1, 9, 60> }\n"
+        "             material { diffuse .8  ambient .1  specular 0  reflection 0 } }\n",
+        "wall");
+    const View view{.camera = scene.camera, .width = 64, .height = 48, .error = 1. / 510};
+    ThreadPool pool(1);
+    Tracer tracer(scene, Precision::float64);
+    tracer.prepare(view, pool);
+    const Job job{view, pool, [](const Tile&) {}};
+    CHECK(tracer.trace(job, SampledRegion{{.columns = 64, .rows = 48}, {}}).camera < 64 * 48);
+}
