@@ -55,6 +55,11 @@ is ON samples reached
 (($(value samples checked) > 100)) || fault "$(value samples checked) pixels are checked"
 (($(value samples median) >= 1 && $(value samples most) > $(value samples median))) || fault "samples in $(<stats.json)"
 
+# A floor with sharp spots far smaller than a pixel, in a mirror and a mirror ball.
+expect 0 "strahl: warning: the error of averages over pixels is about 0.00" \
+    render "$source_folder/tests/bench/sampling/worlds/mirrored_noise.rt" -o x.bmp --size 64x48 --stats stats.json
+is OFF samples reached
+
 expect 0 "" render scene.rt -o x.bmp --size 64x48 --depth 1 --stats stats.json
 is 0 rays reflected
 is 0 rays refracted

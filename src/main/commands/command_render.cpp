@@ -134,6 +134,18 @@ void check_aspect(const RenderOptions& options, const Scene& scene) {
     std::cerr << said;
 }
 
+/// Warns of averages over pixels whose error was measured and is above the one aimed at.
+void check_error(const Stats& stats) {
+    const double aimed = std::max(stats.sampling.error, least_sampling_error), measured = stats.sampled.error();
+    if (stats.sampling.grid > 0 || measured <= aimed) return;
+    char said[200];
+    std::snprintf(said, sizeof said,
+                  "strahl: warning: the error of averages over pixels is about %.2g, above the %.2g aimed at; a smaller "
+                  "--error brings it down\n",
+                  measured, aimed);
+    std::cerr << said;
+}
+
 }  // namespace
 
 int render_command(const RenderOptions& asked) {
@@ -170,7 +182,7 @@ int render_command(const RenderOptions& asked) {
     stats.finished = options.numbered() ? render_frames(options, part, renderer, ending)
                      : options.frames   ? render_stream(options, part, renderer, ending, ffmpeg, stats)
                                         : renderer.render(first, {options.output, ending, {}}, "", options.share);
-    if (!options.stats.empty()) write_file(options.stats, to_json(stats));
+    if (!options.stats.empty()) write_file(options.stats, to_json(stats)), check_error(stats);
     return stats.finished ? exit_status::done : exit_status::interrupted;
 }
 
