@@ -1,4 +1,4 @@
-// Composites of meshes that rays cross often, and of many meshes; rays that start in the plane of another part's face.
+// Composites of meshes that rays cross often, and of many meshes; faces of several parts in one place.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -45,7 +45,7 @@ TEST_CASE("a ray that starts in the plane of another part's face, beside it, doe
     const Cuboid square{{-.5, -.5, -2}, {.5, .5, 0}};
     for (const Shape& pillar : {Shape(round), Shape(taper), Shape(square)}) {
         Scene scene;
-        scene.camera.position = {2, -8.5, -1}, scene.camera.look_at = {2, -.5, 0}, scene.camera.fov = 5;
+        scene.camera.position = {.7, -4, -3.5}, scene.camera.look_at = {.7, -.5, 0}, scene.camera.fov = 2;
         scene.background = {0, 0, 1};
         scene.materials = {{.reflection = 1, .diffuse = 0, .ambient = 0, .specular = 0},
                            {.rgb = {Color{1, 0, 0}}, .reflection = 0, .diffuse = 0, .ambient = 1, .specular = 0}};
@@ -59,6 +59,25 @@ TEST_CASE("a ray that starts in the plane of another part's face, beside it, doe
             for (std::size_t i = 0; i < seen.rgb.size(); ++i) CHECK(seen.rgb[i] == (i % 3 == 2 ? 1 : 0));
         }
     }
+}
+
+TEST_CASE("of faces in one place a part that is not there is never shown") {
+    // A cube of which only a piece in its middle is left, and two equal cubes that are declared after it.
+    const Cuboid cube{{-1, -1, -1}, {1, 1, 1}}, piece{{.4, -.5, -.5}, {2, .6, .7}};
+    const auto share = [](std::vector<Primitive> parts) {
+        return std::make_shared<const std::vector<Primitive>>(std::move(parts));
+    };
+    Scene scene;
+    scene.camera.position = {.3, -9, .2}, scene.camera.look_at = {.3, 0, .2}, scene.camera.fov = 5;
+    for (const Color& rgb : {Color{1, 0, 0}, {0, 1, 0}, {0, 0, 1}})
+        scene.materials.push_back({.rgb = {rgb}, .reflection = 0, .diffuse = 0, .ambient = 1, .specular = 0});
+    scene.settings.ambient_light = Color(1);
+    scene.primitives = {
+        {Union{share({{Intersection{share({{cube, 0, {}}, {piece, 0, {}}})}, 0, {}}, {cube, 1, {}}, {cube, 2, {}}})},
+         0,
+         {}}};
+    const Frame seen = render(scene, {.camera = scene.camera, .width = 16, .height = 12});
+    for (std::size_t i = 0; i < seen.rgb.size(); ++i) CHECK(seen.rgb[i] == (i % 3 == 1 ? 1 : 0));
 }
 
 TEST_CASE("a body pierced by meshes looks like one pierced by boxes, however often a ray crosses them") {
