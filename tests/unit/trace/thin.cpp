@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 #include <span>
 #include <string>
@@ -15,6 +16,8 @@
 #include "scene/kinds/capsule.h"
 #include "tests/referee/random_scene.h"
 #include "tests/unit/scenes.h"
+#include "trace/cells/cell_sample.h"
+#include "trace/cells/thin_bodies.h"
 #include "trace/cells/tube.h"
 #include "trace/tracer.h"
 
@@ -303,4 +306,29 @@ TEST_CASE("what a flat mirror shows of a large body takes no rays for what may b
     tracer.prepare(view, pool);
     const Job job{view, pool, [](const Tile&) {}};
     CHECK(tracer.trace(job, SampledRegion{{.columns = 64, .rows = 48}, {}}).camera < 64 * 48);
+}
+
+TEST_CASE("shadows are not looked for in cells that reach to the horizon") {
+    const Scene scene = parse_scene(
+        "camera { position <0, -10, 4>  look_at <0, 0, 4>  sky <0, 0, 1>  angle 10 }\n"
+        "light { position <-6, -8, 10>  color <1, 1, 1> }\n"
+        "plane { <0, 0, 0>, <1, 0, 0>, <0, 1, 0> }  sphere { <10, 20, 1>, .005 }\n",
+        "horizon");
+    const ThinBodies thin(scene, {.camera = scene.camera, .width = 64, .height = 48});
+    const auto hides = [&](double low, double high) {  // in pixels below the horizon
+        const double pixel = 2 * std::tan(std::numbers::pi / 36) / 64;
+        const auto sample = [&](double below) {
+            CellSample own{};
+            own.rgb[0] = 1, own.lit = 1, own.distance = static_cast<float>(4 / (pixel * below));
+            return own;
+        };
+        const CellSample upper = sample(low), lower = sample(high);
+        const double left = 32, right = left + high - low;
+        return thin.hides_in({{{left, 24 + low, &upper},
+                               {right, 24 + low, &upper},
+                               {right, 24 + high, &lower},
+                               {left, 24 + high, &lower}}},
+                             1e-3);
+    };
+    CHECK(!hides(.002, .0645));
 }
