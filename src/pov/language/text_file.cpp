@@ -3,6 +3,7 @@
 #include <charconv>
 #include <limits>
 
+#include "files/utf8.h"
 #include "files/words.h"
 #include "pov/language/words.h"
 
@@ -191,6 +192,7 @@ std::uint16_t NamePool::find(std::string_view text, std::uint32_t& name) {
 }
 
 TextFile::TextFile(std::string path, std::string text, NamePool& names) : path(std::move(path)), text(std::move(text)) {
+    utf8_text(this->text, this->path);  // throws for UTF-16; what is in another encoding may stand in comments
     Cutter(*this, names).run();
 }
 

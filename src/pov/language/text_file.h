@@ -42,7 +42,7 @@ inline constexpr std::uint16_t bad_code = 8;
 /// One of the texts: the scene, an include file.
 struct TextFile {
     /// Cuts a text into tokens. Links the directives of each block: #if to #else, #else to #end. The text must be
-    /// smaller than 4 GB.
+    /// smaller than 4 GB. Throws FileError if it is in UTF-16 or UTF-32.
     TextFile(std::string path, std::string text, NamePool& names);
 
     std::string path, text;

@@ -104,7 +104,8 @@ std::string_view Lexer::token() {
 
 void Lexer::fail(const std::string& message) {
     const std::string_view here = token();
-    std::string found = here.empty() ? ", but the text ends" : ", but found " + quoted(here);
+    const std::string sign = here == "\u00A0" ? "a no-break space" : quoted(here);
+    std::string found = here.empty() ? ", but the text ends" : ", but found " + sign;
     const auto size = static_cast<std::size_t>(end - begin), at = static_cast<std::size_t>(here.data() - begin);
     if (const std::string advice = advice_on_sign({begin, size}, at); !advice.empty()) found += "; " + advice;
     diagnostics.add(here, message + found);

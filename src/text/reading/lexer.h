@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "files/utf8.h"
 #include "text/reading/messages.h"
 
 namespace strahl {
@@ -71,6 +72,8 @@ class Lexer {
             const char c = *next;
             if (is_space(c))
                 ++next;
+            else if (std::string_view(next, end).starts_with(byte_order_mark))  // texts were joined
+                next += byte_order_mark.size();
             else if (c != '/' || !skip_comment())
                 return;
         }

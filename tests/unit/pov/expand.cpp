@@ -79,4 +79,8 @@ TEST_CASE("errors of texts with directives are where they are written") {
     CHECK(included.find("balls.inc:3:23: 'radius' of 'sphere'") != std::string::npos);
     const std::string one = eye + "#include \"balls.inc\"\nsphere { <1, 0, 0>, 1 }";
     CHECK(open_scene(one, folder / "x.rt", {}, {}).files.size() == 2);
+    const std::string wide("#\0d\0e\0c\0l\0", 10), said = "this text is in UTF-16; save the file as UTF-8";
+    std::ofstream(folder / "wide.inc") << wide;
+    CHECK(fault_of([&] { expanded("#include \"wide.inc\"", folder / "x.rt"); }, "").ends_with("wide.inc: " + said));
+    CHECK(fault_of([&] { open_scene(wide, "x.pov", {}, {}); }, "") == "x.pov: " + said);
 }

@@ -25,6 +25,8 @@ TEST_CASE("a byte order mark is skipped, and UTF-16 and UTF-32 are called so") {
     const std::string bom = "\xEF\xBB\xBF", tracks = "track \"a\" { 0 1 step }\n";
     CHECK(parse(bom + eye) == parse(eye));
     CHECK(parse(bom + bom + eye) == parse(eye));
+    CHECK(parse(eye + bom) == parse(eye));
+    CHECK(faults(eye + "\nsphere {\u00A0<0, 0, 0>, 1 }").at(0).find("found a no-break space") != std::string::npos);
     CHECK(faults(bom + eye + "x") == faults(eye + "x"));
     CHECK(parse_tracks(bom + tracks, "x.tracks") == parse_tracks(tracks, "x.tracks"));
     const auto wide = [](const std::string& text, std::size_t before, std::size_t after) {
