@@ -98,9 +98,9 @@ class Batches {
     }
 
     /// Traces a tile of pixels, one ray each where cells are not smooth.
-    void trace_filled(const Lattice& tile, double contrast, const ThinBodies& thin, double scale,
-                      LatticeCells<Out>& cells, const Sink& sink) {
-        using TilePixels = std::span<const typename LatticeCells<Out>::TilePixel>;
+    void trace_filled(const Lattice& tile, const FilledLattice& filled, const ThinBodies& thin, double scale,
+                      LatticeCells& cells) {
+        using TilePixels = std::span<const LatticeCells::TilePixel>;
         const auto each_batch = [&](TilePixels spots, const auto& trace) {
             for (std::size_t done = 0; done < spots.size(); done += scattered_pixels) {
                 const int count = static_cast<int>(std::min<std::size_t>(scattered_pixels, spots.size() - done));
@@ -111,15 +111,13 @@ class Batches {
         const auto seen = [&](TilePixels spots, CellSample* samples) {
             each_batch(spots, [&](int count, std::size_t done) { look(count, scale, samples + done); });
         };
-        const auto plain = [&](TilePixels spots, Out* rgb) {
+        const auto plain = [&](TilePixels spots, std::uint32_t* colors) {
             each_batch(spots, [&](int count, std::size_t done) {
                 trace_batches(count, nullptr);
-                for (int i = 0; i < count; ++i)
-                    for (int c = 0; c < 3; ++c) rgb[3 * (done + i) + c] = finite<Out>(workspace.sums[i].rgb[c]);
+                for (int i = 0; i < count; ++i) colors[done + i] = color_of(i, filled);
             });
         };
-        cells.trace(tile, contrast, thin, seen, plain);
-        if (!limits.stopped()) sink({tile, cells.values()});
+        cells.trace(tile, filled, thin, seen, plain);
     }
 
   private:
@@ -137,6 +135,13 @@ class Batches {
     template <class To>
     static To finite(T value) {
         return static_cast<To>(std::min(value, static_cast<T>(std::numeric_limits<To>::max())));
+    }
+
+    /// Returns the colour of pixel i of the batch.
+    std::uint32_t color_of(int i, const FilledLattice& filled) const {
+        double rgb[3];
+        for (int c = 0; c < 3; ++c) rgb[c] = finite<double>(workspace.sums[i].rgb[c]);
+        return filled.encode(rgb);
     }
 
     /// Makes a pixel of a lattice pixel i of the next batch.

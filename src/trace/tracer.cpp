@@ -39,6 +39,8 @@ class AnyTracer {
     virtual void prepare(const View& view, ThreadPool& pool) = 0;
     virtual Counts trace(const Job& job, const TracedPixels& pixels) = 0;
     const Scene& scene() const { return in_time.scene(); }
+    /// With more bodies it takes longer to find the thin ones than filled cells save.
+    bool many_bodies() const { return scene().primitives.size() > (in_time.moves() ? 1000 : 10000); }
 
     SceneInTime in_time;
     const Precision precision;
@@ -98,19 +100,38 @@ class TracerOf : public AnyTracer {
     }
 
     Counts traced(const Job& job, const FilledLattice& filled) {
-        const auto& [lattice, contrast] = filled;
-        // With more bodies it takes longer to find the thin ones than cells save.
-        constexpr std::size_t many = 10000, many_moving = 1000;
-        if (scene().primitives.size() > (in_time.moves() ? many_moving : many)) return traced(job, lattice);
+        const Lattice& lattice = filled.lattice;
+        if (many_bodies()) return all_traced(job, filled);
         if (!capsules) capsules = std::make_shared<const CapsuleTree>(scene(), false);
         const ThinBodies thin(scene(), job.view, capsules);
         lattice_cells.resize(std::max<std::size_t>(lattice_cells.size(), job.pool.size()));
-        int side = LatticeCells<Out>::side;  // smaller where threads would wait for the last ones; pixels are the same
+        int side = LatticeCells::side;  // smaller where threads would wait for the last ones; pixels are the same
         const double few = 8. * job.pool.size(), all = double(lattice.columns) * lattice.rows;
         while (side > lattice_tile && all < few * side * side) side /= 2;
-        return each_tile(job, lattice, side, contrast, [&](Batches<T>& batches, const Lattice& tile, int thread) {
-            batches.trace_filled(tile, filled.contrast, thin, placed.scale, lattice_cells[thread], job.sink);
-        });
+        const auto trace = [&](Batches<T>& batches, const Lattice& tile, int thread) {
+            batches.trace_filled(tile, filled, thin, placed.scale, lattice_cells[thread]);
+        };
+        return each_tile(job, lattice, side, filled.contrast, trace);
+    }
+
+    /// Traces a ray in each pixel of the lattice.
+    Counts all_traced(const Job& job, const FilledLattice& filled) {
+        const Lattice& all = filled.lattice;
+        const auto encode = [&](const Lattice& part, const auto& values) {
+            auto value = values.begin();
+            for (int row = 0; row < part.rows; ++row) {
+                const std::ptrdiff_t y = (part.y - all.y) / all.step_y + row;
+                std::uint32_t* color = filled.colors + y * all.columns + (part.x - all.x) / all.step_x;
+                for (int column = 0; column < part.columns; ++column, value += 3) {
+                    const double rgb[]{value[0], value[1], value[2]};
+                    *color++ = filled.encode(rgb);
+                }
+            }
+        };
+        const auto keep = [&](const Tile& tile) {
+            std::visit([&](const auto& values) { encode(tile.lattice, values); }, tile.rgb);
+        };
+        return traced({job.view, job.pool, keep, job.stop}, all);
     }
 
     Counts traced(const Job& job, const SampledRegion& sampled) {
@@ -243,7 +264,7 @@ class TracerOf : public AnyTracer {
     std::int64_t traced_pixels = 0;                  // in this world
     std::shared_ptr<const CapsuleTree> capsules;     // made when first needed
     std::vector<std::unique_ptr<Workspace<T>>> workspaces;
-    std::vector<LatticeCells<Out>> lattice_cells;  // one for each thread
+    std::vector<LatticeCells> lattice_cells;  // one for each thread
 };
 
 std::unique_ptr<AnyTracer> tracer_of(Scene&& scene, Precision precision, Simd simd) {
@@ -269,6 +290,7 @@ Tracer::~Tracer() = default;
 Tracer::Tracer(Tracer&&) noexcept = default;
 Tracer& Tracer::operator=(Tracer&&) noexcept = default;
 const Scene& Tracer::scene() const { return own->scene(); }
+bool Tracer::many_bodies() const { return own->many_bodies(); }
 Precision Tracer::precision() const { return own->precision; }
 Simd Tracer::simd() const { return own->simd; }
 void Tracer::prepare(const View& view, ThreadPool& pool) { own->prepare(view, pool); }

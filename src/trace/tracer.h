@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "scene/scene.h"
+#include "trace/cells/filled_lattice.h"
 #include "trace/cells/pixel_sampling.h"
 #include "trace/kernel/ray_counts.h"
 #include "trace/world/view.h"
@@ -39,14 +40,6 @@ int lanes(Precision precision, Simd simd);
 /// tracer does so too when it prepares such a scene.
 void check_capacity(const Scene& scene, Precision precision);
 
-/// Pixels of a lattice, with rays only where the picture is not smooth: what lies between is interpolated (see
-/// lattice_cells.h). Interpolated pixels are off by at most half of `contrast`, in linear values, but for a few: this
-/// is no bound. Worlds of very many bodies get a ray in each pixel. A crop must begin at multiples of 8 pixels of the
-/// lattice.
-struct FilledLattice {
-    Lattice lattice;
-    double contrast;
-};
 /// A region, which is a lattice with steps of 1, with more than one ray in a pixel. Values are in double, in every
 /// precision.
 struct SampledRegion {
@@ -83,6 +76,8 @@ class Tracer {
     /// Returns the scene at the time of the last view, with unions split (split_unions.h). At time 0 motions may be as
     /// declared.
     const Scene& scene() const;
+    /// Returns whether there are so many bodies that a FilledLattice gets a ray in each pixel.
+    bool many_bodies() const;
     Precision precision() const;
     Simd simd() const;
 

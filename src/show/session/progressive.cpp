@@ -1,7 +1,9 @@
 // Resolution levels and passes.
 #include "show/session/progressive.h"
 
+#include <algorithm>
 #include <cassert>
+#include <cmath>
 
 namespace strahl {
 namespace {
@@ -14,6 +16,10 @@ int steps_below(int end, int step) { return (end + step - 1) / step; }
 Steps steps_of(int level) {
     assert(level >= 0 && level <= finest_level);
     return {16 >> ((level + 1) / 2), 16 >> (level / 2)};
+}
+
+int level_of(double share) {
+    return std::clamp(finest_level + static_cast<int>(std::lround(std::log2(share))), 0, finest_level);
 }
 
 Lattice pixels_of(int level, int width, int height) {

@@ -19,7 +19,12 @@ struct Steps {
 inline constexpr int finest_level = 8;
 /// All pixels are averages over their squares, as in stills.
 inline constexpr int averaged_level = finest_level + 1;
+/// As a limit of pictures in motion: rays go where the picture needs them, not to pixels of equal distances.
+inline constexpr int uneven_level = averaged_level;
 Steps steps_of(int level);
+
+/// Returns the level that has about as many pixels as this share of all.
+int level_of(double share);
 
 /// Returns the pixels of a level, 0 <= level <= finest_level.
 Lattice pixels_of(int level, int width, int height);

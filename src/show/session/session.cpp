@@ -100,8 +100,11 @@ Answer Session::perform(Command command, double now) {
             return {"depth " + std::to_string(depth()), ""};
         case Action::finer:
         case Action::coarser:
-            finest = std::clamp(finest + (command.action == Action::finer ? 1 : -1), 0, finest_level);
-            return {"motion quality: " + (finest == finest_level ? "full" : "at most " + resolution_text(finest)), ""};
+            finest = std::clamp(finest + (command.action == Action::finer ? 1 : -1), 0, uneven_level);
+            return {"motion quality: " + (finest == uneven_level   ? "rays where they are needed"
+                                           : finest == finest_level ? "full"
+                                                                    : "at most " + resolution_text(finest)),
+                    ""};
         case Action::fill:
             fill = !fill;
             return {!camera.aspectratio ? "this camera has no aspectratio and always fills the window"

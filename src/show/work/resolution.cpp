@@ -1,4 +1,4 @@
-// Chooses the resolution by the times of the last pictures.
+// Chooses the tolerance or the resolution by the times of the last pictures.
 #include "show/work/resolution.h"
 
 #include <algorithm>
@@ -15,25 +15,38 @@ constexpr int sixteenth = finest_level - 4;
 
 }  // namespace
 
+void RecentCosts::add(double cost) {
+    if (count == 0) costs.fill(cost);
+    costs[count++ % costs.size()] = cost;
+}
+
+double RecentCosts::median() const {
+    std::array<double, 5> sorted = costs;
+    std::ranges::sort(sorted);
+    return sorted[sorted.size() / 2];
+}
+
+double Tolerance::choose(double pixels, double budget) const {
+    if (!costs.any()) return first;
+    const double fitting = costs.median() * pixels / budget;
+    return std::clamp(fitting > coarse ? std::max(coarse, fitting / 4) : fitting, finest, coarsest);
+}
+
 double allowed_seconds(int level, double budget) { return level <= sixteenth ? 4 * budget : budget; }
 
 double Resolution::seconds_for(int l) const {
-    std::array<double, 5> sorted = costs;
-    std::ranges::sort(sorted);
-    return sorted[sorted.size() / 2] * count(pixels_of(l, width, height));
+    return costs.median() * count(pixels_of(l, width, height));
 }
 
 void Resolution::observe(double pixels, double seconds) {
     if (pixels <= 0) return;
-    const double cost = seconds / pixels;
-    if (observed == 0) costs.fill(cost);
-    costs[observed++ % costs.size()] = cost;
+    costs.add(seconds / pixels);
     ++since;
 }
 
 int Resolution::choose(int new_width, int new_height, double budget, int finest) {
     width = new_width, height = new_height;
-    if (observed == 0) return std::min(level, finest);
+    if (!costs.any()) return std::min(level, finest);
     const auto allowed = [&](int l) { return allowed_seconds(l, budget); };
     for (; level > 0 && seconds_for(level) > allowed(level); --level) since = 0;
     if (since >= patience && level < finest_level && seconds_for(level + 1) < headroom * allowed(level + 1))

@@ -53,9 +53,7 @@ std::uint32_t TransferTable::operator()(double v) const { return quantise(v, lin
 std::vector<std::uint32_t> encoded(const Tile& tile, const TransferTable& table) {
     std::vector<std::uint32_t> rgba(std::size_t(tile.lattice.columns) * tile.lattice.rows);
     const auto encode = [&](const auto& values) {
-        const auto code = [&](std::size_t i) { return table(values[i]); };
-        for (std::size_t i = 0; i < rgba.size(); ++i)
-            rgba[i] = code(3 * i) | code(3 * i + 1) << 8 | code(3 * i + 2) << 16 | 0xff000000u;
+        for (std::size_t i = 0; i < rgba.size(); ++i) rgba[i] = table.pixel(&values[3 * i]);
     };
     std::visit(encode, tile.rgb);
     return rgba;

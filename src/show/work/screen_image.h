@@ -32,6 +32,16 @@ class TransferTable {
 
     /// Converts doubles without the table: some lie between a float and the least one of the next code.
     std::uint32_t operator()(double v) const;
+    /// Returns the pixel of a red, green and blue value.
+    template <class T>
+    std::uint32_t pixel(const T* rgb) const {
+        return (*this)(rgb[0]) | (*this)(rgb[1]) << 8 | (*this)(rgb[2]) << 16 | 0xff000000u;
+    }
+    /// The same for doubles that are floats.
+    std::uint32_t float_pixel(const double* rgb) const {
+        const float values[]{static_cast<float>(rgb[0]), static_cast<float>(rgb[1]), static_cast<float>(rgb[2])};
+        return pixel(values);
+    }
 
   private:
     bool linear;

@@ -14,6 +14,10 @@ namespace {
 /// Largest contrast of a cell that is filled; its pixels may be off by half of it on the screen.
 constexpr double most_off = 3. / 255;
 
+/// Pictures that took as many rays as this level and have them where they are needed are as good at edges as cells of 2
+/// pixels: the first pass would not be better.
+constexpr int sharp_level = finest_level - 4;
+
 double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
@@ -57,8 +61,7 @@ bool TraceThread::outdated(const Order& newer) const {
     const View& view = order.view;
     const bool useless = newer.scene != order.scene || newer.view.width != view.width ||
                          newer.view.height != view.height || newer.view.depth != view.depth;
-    const double planned = allowed_seconds(level_in_work, order.budget);
-    return useless || (level_in_work > 0 && seconds_since(work_began) > 4 * planned);
+    return useless || (planned > 0 && seconds_since(work_began) > 4 * planned);
 }
 
 void TraceThread::want(Order newer) {
@@ -101,8 +104,6 @@ bool TraceThread::accept(std::stop_token quit) {
         order = *std::exchange(next, std::nullopt);
     } while (!unfinished());
     work = done < 0 ? Work::first : Work::refining;
-    const int finest = order.moving ? order.finest : finest_level;
-    if (done < 0) level_in_work = resolution.choose(order.view.width, order.view.height, order.budget, finest);
     work_began = Clock::now();
     stop = quit.stop_requested();
     return true;
@@ -114,28 +115,48 @@ void TraceThread::announce(std::unique_lock<std::mutex>& lock) {
     if (!told) notify();
 }
 
+/// Chooses the pixels of the first picture that are traced, and returns the level of their lattice.
+int TraceThread::choose(FilledLattice& filled) {
+    const View& view = order.view;
+    const bool uneven = order.finest == uneven_level && !tracer->many_bodies();
+    const int finest = order.moving ? std::min(order.finest, finest_level) : finest_level;
+    const int level = uneven ? finest_level : resolution.choose(view.width, view.height, order.budget, finest);
+    filled.lattice = pixels_of(level, view.width, view.height);
+    filled.contrast = most_off / (order.scene->settings.linear ? steepest_srgb : 1);
+    if (uneven) filled.tolerance = tolerance.choose(count(filled.lattice), order.budget);
+    const bool coarsest = uneven ? filled.tolerance == Tolerance::coarsest : level == 0;
+    std::lock_guard lock(mutex);
+    planned = coarsest ? 0
+              : uneven ? Tolerance::allowed_seconds(filled.tolerance, order.budget)
+                       : allowed_seconds(level, order.budget);
+    return level;
+}
+
 void TraceThread::first_picture() {
     // The world is built here and not when the scene arrives, because the window must not wait for it.
     const bool built = tracer.has_value();
     building = Clock::now();
     if (!built) tracer.emplace(*order.scene, Precision::float32);
     const View& view = order.view;
-    const int level = level_in_work;
-    const Steps steps = steps_of(level);
-    const Lattice pixels = pixels_of(level, view.width, view.height);
-    spare.resize(pixels.columns, pixels.rows);
     tracer->prepare(view, pool);  // not counted: a coarser picture would need it too
     building = Clock::time_point();
     const auto start = Clock::now();
-    const auto keep = [&](const Tile& tile) { store(tile.lattice, encoded(tile, *table).data(), steps, spare); };
-    const double contrast = most_off / (order.scene->settings.linear ? steepest_srgb : 1);
-    const Counts rays = tracer->trace({view, pool, keep, &stop}, FilledLattice{pixels, contrast});
+    FilledLattice filled;
+    int level = choose(filled);
+    const Lattice& pixels = filled.lattice;
+    spare.resize(pixels.columns, pixels.rows);
+    filled.colors = spare.rgba.data();
+    filled.encode = [this](const double* rgb) { return table->float_pixel(rgb); };
+    const Counts rays = tracer->trace({view, pool, {}, &stop}, filled);
     const double seconds = seconds_since(start);
-    if (built) resolution.observe(count(pixels), seconds);  // a stopped one would have taken even longer
+    const bool even = filled.tolerance == 0;
+    if (built && even) resolution.observe(count(pixels), seconds);  // a stopped one would have taken even longer
+    if (built && !even) tolerance.observe(filled.tolerance, count(pixels), seconds);
     if (stop) return;
-    done = level;
+    if (!even) level = level_of(static_cast<double>(rays.camera) / count(pixels));
+    done = even || level < sharp_level ? level : std::max(level, passes[0].level);
     std::unique_lock lock(mutex);
-    shown.replace(spare, steps);
+    shown.replace(spare, {pixels.step_x, pixels.step_y});
     state = {order.number, view.width, view.height, level, 0, seconds, rays};
     complete = state.finished() && !next;
     announce(lock);

@@ -24,14 +24,14 @@ struct Order {
     View view;
     bool moving = false;        // pictures in motion are not refined: the next one comes soon
     double budget = 0.01;       // seconds for the first, coarse picture
-    int finest = finest_level;  // level of the first picture in motion
+    int finest = uneven_level;  // level of the first picture in motion
 };
 
 /// The progress of the picture on the screen.
 struct Refinement {
     std::uint64_t number = 0;  // of the order; 0 before the first
     int width = 0, height = 0;
-    int level = 0;       // the finest that is complete
+    int level = 0;       // the finest that is complete, or that took about as many rays
     double share = 0;    // of its passes that is done
     double seconds = 0;  // spent tracing them
     Counts rays;
@@ -94,6 +94,7 @@ class TraceThread {
     void loop(std::stop_token quit);
     bool accept(std::stop_token quit);
     void first_picture();
+    int choose(FilledLattice& filled);
     void begin_passes();
     void refine();
     void announce(std::unique_lock<std::mutex>& lock);
@@ -103,6 +104,7 @@ class TraceThread {
     std::optional<Tracer> tracer;
     std::optional<TransferTable> table;
     Resolution resolution;
+    Tolerance tolerance;
     ScreenImage spare;                 // pictures are made here and then swapped with the one on the screen
     int done = -1;                     // the finest level of `order` that is complete
     std::optional<CellPicture> cells;  // of `order`, while it is refined
@@ -113,7 +115,7 @@ class TraceThread {
     std::optional<Order> next;
     Order order;  // read by its thread without a lock, because no other one changes it
     Work work = Work::none;
-    int level_in_work = 0;
+    double planned = 0;  // seconds for the first picture in work; 0 if none would be faster
     Clock::time_point work_began;
     std::atomic<bool> stop = false;
     PictureOnScreen shown;

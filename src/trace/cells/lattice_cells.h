@@ -1,11 +1,12 @@
-// Traces a tile of a lattice in cells of 8 and of 4 of its pixels, and fills those that are known to be smooth.
+// Traces a tile of a lattice in cells of 8 to 2 of its pixels, and fills those that are known to be smooth.
 //
 // In motion there is time for some of the pixels only, and where the picture is smooth a few tell all. Cells have their
 // corners on pixels. A cell whose corners and middle saw the same is filled between its corners, and where that is a
-// pattern that varies only if the middles of its sides agree as well; one of 8 pixels that saw two or three things is
-// divided; of what is left all pixels are traced, by blocks, so that packs are those of a
-// plain lattice. Where much is seen, as in flakes, that is most of the picture. Pixels that are traced have the values
-// that they have in a plain lattice.
+// pattern that varies only if the middles of its sides agree as well. Others are divided, unless their samples differ
+// so little, or they are so small, that rays are better spent elsewhere; then they are filled between corners and
+// middle. A cell that saw more than three things is not divided: all its pixels are traced.
+// Without a tolerance nothing but what is smooth is filled, and pixels of cells of 4 pixels are all traced, by blocks,
+// so that packs are those of a plain lattice. Pixels that are traced have the values that they have in one.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -16,12 +17,11 @@
 #include <vector>
 
 #include "trace/cells/cell_sample.h"
+#include "trace/cells/filled_lattice.h"
 #include "trace/cells/thin_bodies.h"
-#include "trace/world/view.h"
 
 namespace strahl {
 
-template <class Out>
 class LatticeCells {
   public:
     static constexpr int side = 64;  // of a tile, at most
@@ -32,14 +32,12 @@ class LatticeCells {
     };
     /// Traces pixels, and writes what they saw and brought back.
     using Look = std::function<void(std::span<const TilePixel>, CellSample*)>;
-    /// Traces pixels, and writes only what they brought back: 3 numbers each.
-    using Trace = std::function<void(std::span<const TilePixel>, Out*)>;
+    /// Traces pixels, and writes only their colours.
+    using Trace = std::function<void(std::span<const TilePixel>, std::uint32_t*)>;
 
-    /// Traces a tile. A filled pixel is assumed to be off by half of `contrast` at most.
-    void trace(const Lattice& tile, double contrast, const ThinBodies& thin, const Look& look, const Trace& trace);
-
-    /// Returns red, green, blue of the tile's pixels, row by row.
-    std::span<const Out> values() const { return rgb; }
+    /// Writes the colours of a tile, whose pixels are some of `filled`.
+    void trace(const Lattice& tile, const FilledLattice& filled, const ThinBodies& thin, const Look& look,
+               const Trace& trace);
 
   private:
     struct LatticeCell {
@@ -50,25 +48,31 @@ class LatticeCells {
 
     static constexpr int across = side + 1;
 
-    int& sample_at(int x, int y) { return known[y * across + x]; }
+    int& sample_at(int x, int y) { return known[std::size_t(y) * across + x]; }
     bool within(int x, int y) const { return x < tile.columns && y < tile.rows; }
+    std::uint32_t* color_at(int x, int y) { return first + std::ptrdiff_t(y) * lattice->lattice.columns + x; }
     void ask(std::initializer_list<std::pair<int, int>> pixels);
     void ask(const LatticeCell& cell);
     void look(const Look& look);
-    Corners corners_of(const LatticeCell& cell);
-    const CellSample& middle_of(const LatticeCell& cell);
-    bool smooth(const LatticeCell& cell, const Corners& corners, double contrast, const ThinBodies& thin);
-    bool even_sides(const LatticeCell& cell, const Corners& corners, double contrast);
-    void fill(const LatticeCell& cell, const Corners& corners);
+    std::array<int, 5> samples_of(const LatticeCell& cell);
+    std::array<std::uint32_t, 5> colors_of(const std::array<int, 5>& own) const;
+    bool hides(const LatticeCell& cell, const Corners& corners) const;
+    bool even_sides(const LatticeCell& cell, const Corners& corners);
+    void fill(const LatticeCell& cell);
+    void fill(int x, int y, int size, const std::array<std::uint32_t, 4>& corners);
     void leave(const LatticeCell& cell);
-    void advance(const LatticeCell& cell, double contrast, const ThinBodies& thin);
+    void advance(const LatticeCell& cell);
 
     Lattice tile;
-    std::vector<Out> rgb, traced;
+    const FilledLattice* lattice = nullptr;
+    const ThinBodies* thin = nullptr;
+    std::uint32_t* first = nullptr;  // the tile's first pixel
     std::array<int, across * across> known;  // samples by place, -1 where there are none
     std::vector<CellSample> samples;
-    std::vector<TilePixel> places;  // of the samples
-    std::vector<TilePixel> rest;    // pixels of cells that are neither smooth nor divided
+    std::vector<std::uint32_t> colors;  // of the samples
+    std::vector<TilePixel> places;      // of the samples
+    std::vector<TilePixel> rest;        // pixels that are traced for their colours alone
+    std::vector<std::uint32_t> traced;  // those colours
     std::vector<LatticeCell> cells, parts, filled;
 };
 

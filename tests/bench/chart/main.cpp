@@ -130,7 +130,7 @@ void show_passes(const std::string& path) {
         for (std::size_t pass = 0; pass < seconds.size(); ++pass) {
             const auto keep = [&](const Tile& tile) { canvas.fill(tile, pass == 0 ? steps_of(first) : Steps{}); };
             if (pass == 0)
-                tracer.trace({view, pool, keep}, FilledLattice{pixels_of(first, view.width, view.height), 3. / 255});
+                tracer.trace({view, pool, keep}, pixels_of(first, view.width, view.height));
             else
                 tracer.trace({view, pool, keep}, CellPass{*cells, later[pass - 1].finest});
             if (pass == 0) cells.emplace(tracer.scene(), view, whole, Sampling{}.error);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
@@ -15,6 +16,7 @@
 #include "num/thread_pool.h"
 #include "show/session/flight.h"
 #include "show/session/progressive.h"
+#include "show/work/screen_image.h"
 #include "tests/bench/measure.h"
 #include "text/parse.h"
 #include "trace/tracer.h"
@@ -23,16 +25,27 @@ namespace strahl {
 namespace {
 
 struct Run {
-    std::vector<float> rgb;
+    std::vector<std::uint32_t> colors;
     Counts rays;
     double seconds = 0;  // of the processor
 };
 
-template <class Trace>
-Run run(const Lattice& lattice, const Trace& trace) {
-    Run result{.rgb = std::vector<float>(std::size_t(3) * lattice.columns * lattice.rows)};
+/// Traces a lattice; plainly if `contrast` is 0.
+Run run(Tracer& tracer, const View& view, ThreadPool& pool, const Lattice& lattice, double contrast) {
+    Run result{.colors = std::vector<std::uint32_t>(std::size_t(lattice.columns) * lattice.rows)};
+    const TransferTable table(tracer.scene().settings.linear);
+    const auto keep = [&](const Tile& tile) {
+        const std::vector<std::uint32_t> colors = encoded(tile, table);
+        for (int i = 0; i < tile.lattice.columns * tile.lattice.rows; ++i) {
+            const int x = (tile.lattice.x - lattice.x) / lattice.step_x + i % tile.lattice.columns;
+            const int y = (tile.lattice.y - lattice.y) / lattice.step_y + i / tile.lattice.columns;
+            result.colors[std::size_t(y) * lattice.columns + x] = colors[i];
+        }
+    };
+    const auto encode = [&](const double* rgb) { return table.float_pixel(rgb); };
+    const FilledLattice filled{lattice, contrast, 0, encode, result.colors.data()};
     const std::clock_t start = std::clock();
-    result.rays = trace([&](const Tile& tile) { place(tile, lattice, result.rgb); });
+    result.rays = contrast > 0 ? tracer.trace({view, pool, {}}, filled) : tracer.trace({view, pool, keep}, lattice);
     result.seconds = double(std::clock() - start) / CLOCKS_PER_SEC;
     return result;
 }
@@ -40,15 +53,15 @@ Run run(const Lattice& lattice, const Trace& trace) {
 using bench::median;
 
 /// Pixels whose worst channel, as the screen shows it, is off by more than this many steps.
-double share_off(const Run& a, const Run& b, bool linear, int steps) {
+double share_off(const Run& a, const Run& b, int steps) {
     std::size_t count = 0;
-    for (std::size_t i = 0; i < a.rgb.size(); i += 3) {
+    for (std::size_t i = 0; i < a.colors.size(); ++i) {
         int most = 0;
-        for (std::size_t c = i; c < i + 3; ++c)
-            most = std::max(most, std::abs(quantise(a.rgb[c], linear, 255) - quantise(b.rgb[c], linear, 255)));
+        for (int shift = 0; shift < 24; shift += 8)
+            most = std::max(most, std::abs(int(a.colors[i] >> shift & 255) - int(b.colors[i] >> shift & 255)));
         count += most > steps;
     }
-    return 3 * double(count) / double(a.rgb.size());
+    return double(count) / double(a.colors.size());
 }
 
 /// A scene with a moment of its flight, as the window asks for it.
@@ -85,13 +98,11 @@ void compare(Shot& shot, double time, int runs, int coarsest) {
         std::vector<double> plain_seconds, ratios;
         Run plain, filled;
         for (int i = 0; i < runs; ++i) {
-            plain = run(lattice, [&](const Sink& sink) { return tracer.trace({view, pool, sink}, lattice); });
-            filled = run(lattice, [&](const Sink& sink) {
-                return tracer.trace({view, pool, sink}, FilledLattice{lattice, shot.contrast});
-            });
+            plain = run(tracer, view, pool, lattice, 0);
+            filled = run(tracer, view, pool, lattice, shot.contrast);
             plain_seconds.push_back(plain.seconds), ratios.push_back(filled.seconds / plain.seconds);
         }
-        const auto off = [&](int steps) { return 100 * share_off(plain, filled, shot.scene.settings.linear, steps); };
+        const auto off = [&](int steps) { return 100 * share_off(plain, filled, steps); };
         const auto share = [](std::uint64_t a, std::uint64_t b) { return double(a) / double(b); };
         std::printf("%-6d %7.3f %7.3f %7.3f %9.4f %7.3f%% %8.4f%% %8.4f%%\n", step,
                     share(filled.rays.camera, plain.rays.camera), share(filled.rays.total(), plain.rays.total()),
@@ -125,7 +136,12 @@ void fly(Shot& shot, int moments) {
         tracer.prepare(shot.view, pool);
         const Job job{shot.view, pool, [](const Tile&) {}};
         const auto plain = [&](const Lattice& l) { tracer.trace(job, l); };
-        const auto filled = [&](const Lattice& l) { tracer.trace(job, FilledLattice{l, shot.contrast}); };
+        std::vector<std::uint32_t> colors(std::size_t(shot.view.width) * shot.view.height);
+        const TransferTable table(shot.scene.settings.linear);
+        const auto encode = [&](const double* rgb) { return table.float_pixel(rgb); };
+        const auto filled = [&](const Lattice& l) {
+            tracer.trace(job, FilledLattice{l, shot.contrast, 0, encode, colors.data()});
+        };
         ++plain_levels.at(std::size_t(finest_that_fits(plain) + 1)),
             ++filled_levels.at(std::size_t(finest_that_fits(filled) + 1));
     }

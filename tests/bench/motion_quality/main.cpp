@@ -28,7 +28,8 @@ namespace {
 
 struct Flown {
     std::string scene, folder, picture;
-    bool one = false;  // one ray in each pixel, whatever it takes
+    bool one = false;   // one ray in each pixel, whatever it takes
+    bool even = false;  // equal distances between traced pixels
     int width = 480, height = 270, frames = 60, shown = 30;
     double start = 0, fps = 60, speed = 1;
     double budget = 2 * .8 / 60;  // seconds of processor time: .8 of a 60th of a second on two threads
@@ -85,11 +86,13 @@ int run(const Flown& options) {
     ThreadPool pool(1);
     Tracer tracer(*scene, Precision::float32);
     const double contrast = 3. / 255 / (scene->settings.linear ? steepest_srgb : 1);  // as in the window
+    const auto encode = [&](const double* rgb) { return table.float_pixel(rgb); };
+    Tolerance tolerance;
     Resolution resolution;
     QualityLog log;
     std::map<int, int> levels;
     double seconds = 0;
-    for (int frame = -10; frame < options.frames; ++frame) {  // the first ones find the level that fits
+    for (int frame = -40; frame < options.frames; ++frame) {  // the first ones find the level that fits
         session.follow(options.speed * frame / options.fps);
         const View view = session.view(options.width, options.height);
         tracer.prepare(view, pool);
@@ -97,15 +100,22 @@ int run(const Flown& options) {
         const double start = processor_seconds();
         if (options.one) {
             if (frame >= 0) image = traced(tracer, view, pool, table, false);
+        } else if (!options.even) {
+            image.resize(view.width, view.height);
+            const FilledLattice filled{.lattice = pixels_of(finest_level, view.width, view.height),
+                                       .contrast = contrast,
+                                       .tolerance = tolerance.choose(double(view.width) * view.height, options.budget),
+                                       .encode = encode,
+                                       .colors = image.rgba.data()};
+            const Counts rays = tracer.trace({view, pool, {}}, filled);
+            tolerance.observe(filled.tolerance, count(filled.lattice), processor_seconds() - start);
+            if (frame >= 0) ++levels[level_of(static_cast<double>(rays.camera) / count(filled.lattice))];
         } else {
             const int level = resolution.choose(view.width, view.height, options.budget, finest_level);
             const Lattice pixels = pixels_of(level, view.width, view.height);
             ScreenImage coarse;
             coarse.resize(pixels.columns, pixels.rows);
-            const auto keep = [&](const Tile& tile) {
-                store(tile.lattice, encoded(tile, table).data(), steps_of(level), coarse);
-            };
-            tracer.trace({view, pool, keep}, FilledLattice{pixels, contrast});
+            tracer.trace({view, pool, {}}, FilledLattice{pixels, contrast, 0, encode, coarse.rgba.data()});
             resolution.observe(count(pixels), processor_seconds() - start);
             image = all_pixels(coarse, steps_of(level), view.width, view.height);
             if (frame >= 0) ++levels[level];
@@ -122,7 +132,10 @@ int run(const Flown& options) {
     const Quality quality = log.quality();
     std::printf("| %s, %dx%d | %s | %.1f | %.1f | %.2f | %.0f | %.4f | %.2f %% | %.2f |",
                 std::filesystem::path(options.scene).stem().c_str(), options.width, options.height,
-                options.one ? "one ray a pixel" : "window", 1000 * options.budget, 1000 * seconds / options.frames,
+                options.one    ? "one ray a pixel"
+                : options.even ? "even"
+                               : "uneven",
+                1000 * options.budget, 1000 * seconds / options.frames,
                 quality.rms, quality.p99, quality.ssim, 100 * quality.visible, quality.flicker);
     for (auto at = levels.rbegin(); at != levels.rend(); ++at)
         std::printf(" 1/%d: %d", 1 << (finest_level - at->first), at->second);
@@ -148,6 +161,8 @@ int main(int argc, char** argv) {
             std::sscanf(value.c_str(), "%dx%d", &options.width, &options.height);
         else if (text == "one=yes")
             options.one = true;
+        else if (text == "even=yes")
+            options.even = true;
         else if (name == "budget")
             options.budget = number / 1000;
         else if (name == "frames")
@@ -166,7 +181,7 @@ int main(int argc, char** argv) {
     if (options.scene.empty())
         return std::puts(
                    "usage: bench_motion_quality SCENE [size=480x270] [budget=26.7] [frames=60] [start=0] "
-                   "[one=yes]\n                            [speed=1] [picture=NAME [shown=30]]\n"
+                   "[one=yes] [even=yes]\n                            [speed=1] [picture=NAME [shown=30]]\n"
                    "The budget is in ms of processor time. One row: RMS in 1/255, 99 %, SSIM, share of the pixels off\n"
                    "by more than 8/255, flicker; and how many pictures had which share of the pixels traced."),
                2;

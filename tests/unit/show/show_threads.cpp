@@ -144,6 +144,23 @@ TEST_CASE("in motion a picture is not refined; at rest refinement continues") {
     CHECK(watcher.screen.rgba == exact(order).image.rgba);
 }
 
+TEST_CASE("in motion a picture has all pixels, with rays where they are needed; the finished one is exact") {
+    Watcher watcher;
+    Order order = order_of(1, shown_scene(), 96, 64);
+    order.moving = true;
+    for (; order.number <= 20; ++order.number, order.view.camera.fov += .01) {
+        watcher.tracing.want(order);
+        REQUIRE(watcher.watch([&](const Refinement& r) { return r.number == order.number; }));
+        CHECK(watcher.screen.width == 96);
+        CHECK(watcher.steps == Steps{});
+        CHECK(watcher.state.rays.camera < 96 * 64 * 3 / 2);
+    }
+    order.moving = false;
+    watcher.tracing.want(order);
+    REQUIRE(watcher.finish(order.number));
+    CHECK(watcher.screen.rgba == exact(order).image.rgba);
+}
+
 TEST_CASE("the resolution follows the budget, up to the limit") {
     Watcher watcher;
     const auto scene = shown_scene();

@@ -1,0 +1,26 @@
+// A lattice of which the tracer traces some pixels and fills the others, as colours of a screen.
+#pragma once
+#include <cstdint>
+#include <functional>
+
+#include "trace/world/view.h"
+
+namespace strahl {
+
+/// Pixels of a lattice, with rays only where the picture is not smooth: what lies between is interpolated (see
+/// lattice_cells.h). Filled pixels are off by at most half of `contrast`, in linear values, but for a few: this is no
+/// bound. Worlds of very many bodies get a ray in each pixel (see Tracer::many_bodies). A crop must begin at multiples
+/// of 8 pixels of the lattice.
+struct FilledLattice {
+    Lattice lattice;
+    double contrast = 0;
+    /// Cells whose samples differ by d steps of the screen's 255 in a channel are not divided if d times their side is
+    /// at most this; so rays go where most of the picture is off. 0: all cells that are not smooth are divided.
+    double tolerance = 0;
+    /// Returns the colour of a pixel with these values: four channels of 8 bits.
+    std::function<std::uint32_t(const double* rgb)> encode{};
+    /// All pixels of the lattice, row by row. Those that were not reached when the job was stopped are as before.
+    std::uint32_t* colors = nullptr;
+};
+
+}  // namespace strahl
