@@ -113,7 +113,8 @@ Kernel<T> kernel_for([[maybe_unused]] Simd simd) {
     constexpr bool proving = std::is_same_v<Purpose, ForProofs>, extended = std::is_same_v<T, long double>;
     if constexpr (!extended && !(proving && least)) {
 #if defined(STRAHL_KERNEL_v2)
-        if (simd == Simd::v2) return v2::kernel<T, Purpose>();
+        if constexpr (!proving)
+            if (simd == Simd::v2) return v2::kernel<T, Purpose>();
 #endif
 #if defined(STRAHL_KERNEL_v3)
         if (simd == Simd::v3) return v3::kernel<T, Purpose>();

@@ -31,10 +31,10 @@ stop() {
 
 for signal in INT TERM HUP; do
     echo "an older picture" >picture.bmp
-    stop "$signal" -o picture.bmp --size 1000x750 --stats stats.json
+    stop "$signal" -o picture.bmp --size 600x450 --stats stats.json
     grep -q "the finished part ([0-9]* %) is in 'picture.part.bmp'" said || fault "it said: $(<said)"
     [[ $(<picture.bmp) == "an older picture" ]] || fault "the older picture is gone"
-    expect 0 "1000x750" compare picture.part.bmp picture.part.bmp
+    expect 0 "600x450" compare picture.part.bmp picture.part.bmp
     grep -q '"finished": false' stats.json || fault "the statistics say: $(<stats.json)"
     rm -f picture.bmp.checkpoint # where a band was finished
     expect_only long.rt scene.rt said picture.bmp picture.part.bmp stats.json
@@ -42,8 +42,8 @@ for signal in INT TERM HUP; do
 done
 
 # Finished frames stay after an interruption, and --resume continues.
-expect 0 "" render long.rt -o film.bmp --frames 0-1 --size 1000x750 --depth 1
-stop INT -o film.bmp --frames 0-9 --size 1000x750 --resume
+expect 0 "" render long.rt -o film.bmp --frames 0-1 --size 600x450 --depth 1
+stop INT -o film.bmp --frames 0-9 --size 600x450 --resume
 grep -q "with --resume continues" said || fault "it said: $(<said)"
 rm -f film-0002.bmp.checkpoint
 expect_only long.rt scene.rt said film-0000.bmp film-0001.bmp film-0002.part.bmp

@@ -1,5 +1,6 @@
 // Keeps a picture in cells between passes: its tiles and what they know.
 #pragma once
+#include <algorithm>
 #include <atomic>
 #include <memory>
 #include <mutex>
@@ -33,8 +34,9 @@ class CellPicture {
     int tiles() const { return static_cast<int>(places.size()); }
     double contrast() const { return most_contrast; }
     /// Measures the error as well, see measured_error(): about `pixels` pixels are checked for each sample that pixels
-    /// take on average.
-    void check(int pixels = 96) { checked = pixels; }
+    /// take on average. By default this takes at most half as many rays as the picture.
+    void check(double pixels) { checked = pixels; }
+    void check() { check(std::min(96., double(region.columns) * region.rows / 256)); }
     /// Traces points of the tile whose corner is (x, y). Footprints have this side, in pixels; 0 for side_of() each.
     using TraceAt = std::function<void(int x, int y, std::span<const Point>, double side, CellSample*)>;
     /// Refines tile i and hands it to the job's sink, unless the job is stopped: then the tile cannot go on.
@@ -49,7 +51,8 @@ class CellPicture {
 
     Lattice region;
     double most_contrast = 0;
-    int largest_filled = 0, checked = 0;
+    int largest_filled = 0;
+    double checked = 0;
     std::vector<TilePlace> places;
     std::vector<std::unique_ptr<Cells>> made, spare;  // those in work, by tile; those of finished tiles
     std::vector<char> begun;

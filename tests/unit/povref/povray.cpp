@@ -86,7 +86,7 @@ TEST_CASE("every scene's picture agrees with POV-Ray's") {
             if (!allowed.comparable()) continue;
             std::string found;
             try {
-                found = check(names[i], read_scene(names[i]), allowed, 160, 120);
+                found = check(names[i], read_scene(names[i]), allowed, 96, 72);
             } catch (const std::exception& error) {
                 found = error.what();
             }

@@ -105,7 +105,7 @@ TEST_CASE("the error that is estimated is the true one, within a factor of two")
         const Scene scene = read_scene(name);
         View view = view_of(scene, 120, 90);
         view.depth = depth;
-        const std::vector<double> exact = whole(scene, view, {.grid = 16}, Precision::float32);
+        const std::vector<double> exact = whole(scene, view, {.grid = 12}, Precision::float32);
         for (const double aim : {4. / 510, .5 / 510}) {
             CAPTURE(aim);
             // Half of the error of a small picture may be in one pixel, as in that of the die, which few checks miss.
@@ -124,7 +124,7 @@ TEST_CASE("the error that is estimated of worlds at random is half to three time
         const Scene scene = random_scene(seed, {.lights = seed % 2 == 0, .patterns = true, .bumps = seed % 3 == 0});
         const View view = view_of(scene, 64, 48);
         const double ratio =
-            estimate_over_error(scene, view, 1. / 510, whole(scene, view, {.grid = 16}, Precision::float32), 96);
+            estimate_over_error(scene, view, 1. / 510, whole(scene, view, {.grid = 12}, Precision::float32), 96);
         MESSAGE("estimate over error: ", ratio);
         CHECK(ratio > .5);
         CHECK(ratio < 3);
@@ -183,7 +183,7 @@ TEST_CASE("checks and bricks are known by themselves, not by their colours alone
                 "sphere { <0, 0, 1>, 1  material { reflection .6 } }",
             "checks");
         const View view = view_of(scene, 160, 120);
-        const double error = rms(whole(scene, view, Sampling{}), whole(scene, view, {.grid = 16}));
+        const double error = rms(whole(scene, view, Sampling{}), whole(scene, view, {.grid = 12}));
         CAPTURE(error);
         CHECK(error < 2);
     }
