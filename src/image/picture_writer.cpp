@@ -12,22 +12,26 @@
 namespace strahl {
 namespace {
 
-/// Converts `count` values to the codes of the file.
+/// Converts `count` values to the codes of the file, those of linear light to 8 bits by the table.
 template <class T>
-void store(const T* values, std::size_t count, int bits, bool linear, std::byte* codes) {
-    const auto quantised = [&](auto* to, int steps) {
+void store(const T* values, std::size_t count, int bits, bool linear, const std::optional<TransferTable>& table,
+           std::byte* codes) {
+    const auto convert = [&](auto* to, const auto& code_of) {
         using Code = std::remove_pointer_t<decltype(to)>;
-        if (linear)
-            for (std::size_t i = 0; i < count; ++i) to[i] = static_cast<Code>(quantise(values[i], true, steps));
-        else
-            for (std::size_t i = 0; i < count; ++i) to[i] = static_cast<Code>(quantise(values[i], false, steps));
+        for (std::size_t i = 0; i < count; ++i) to[i] = static_cast<Code>(code_of(values[i]));
     };
-    if (bits == 8)
-        quantised(reinterpret_cast<std::uint8_t*>(codes), 255);
-    else if (bits == 16)
-        quantised(reinterpret_cast<std::uint16_t*>(codes), 65535);
-    else
+    const auto bytes = reinterpret_cast<std::uint8_t*>(codes);
+    const auto words = reinterpret_cast<std::uint16_t*>(codes);
+    if (bits == 32)
         std::copy_n(values, count, reinterpret_cast<float*>(codes));
+    else if (table)
+        convert(bytes, *table);
+    else if (bits == 8)
+        convert(bytes, [](double v) { return quantise(v, false, 255); });
+    else if (linear)
+        convert(words, [](double v) { return quantise(v, true, 65535); });
+    else
+        convert(words, [](double v) { return quantise(v, false, 65535); });
 }
 
 Layout layout_of(int width, int height, int channels, const std::string& named, int bits) {
@@ -45,6 +49,7 @@ PictureWriter::PictureWriter(int width, int height, int channels, const std::str
     : format(own_format),
       encoder(encoder_for(ending_of(named), layout_of(width, height, channels, named, own_format.bits),
                           own_format.compression)) {
+    if (format.linear && layout().bits == 8) table.emplace(true);
     for (int i = 0; i < encoder->bands(); ++i) {
         bands.push_back(std::make_unique<Band>());
         bands.back()->missing = std::size_t(width) * unsigned(encoder->rows(i));
@@ -80,7 +85,7 @@ void PictureWriter::put_any(int x, int y, int columns, int rows, const T* values
             const std::size_t row = unsigned(place(done) % band_rows);
             const std::size_t pixel = row * unsigned(layout.width) + unsigned(x);
             std::byte* const to = codes + pixel * unsigned(layout.channels * layout.bits / 8);
-            store(values + unsigned(done) * count, count, layout.bits, format.linear, to);
+            store(values + unsigned(done) * count, count, layout.bits, format.linear, table, to);
         }
         const auto pixels = std::size_t(columns) * unsigned(done - first);
         if (band.missing.fetch_sub(pixels) == pixels) encode(band, encoder->rows(i));

@@ -4,11 +4,13 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "image/band_file.h"
+#include "image/transfer_table.h"
 
 namespace strahl {
 
@@ -57,6 +59,7 @@ class PictureWriter {
 
     const FileFormat format;
     const std::unique_ptr<Encoder> encoder;
+    std::optional<TransferTable> table;  // if the file has 8 bits of linear light
     std::vector<std::unique_ptr<Band>> bands;
     std::mutex mutex;  // guards the memory of the bands
     std::atomic<std::size_t> bytes_held = 0;

@@ -1,5 +1,5 @@
-// Converts computed values to those of a screen or an 8- or 16-bit file. The window has a table of it
-// (show/work/screen_image.h).
+// Converts computed values to those of a screen or an 8- or 16-bit file. For 8 bits there is a table of it
+// (transfer_table.h).
 #pragma once
 #include <algorithm>
 #include <cmath>

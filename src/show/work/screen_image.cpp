@@ -5,8 +5,6 @@
 #include <bit>
 #include <cassert>
 
-#include "image/transfer.h"
-
 namespace strahl {
 namespace {
 
@@ -29,26 +27,6 @@ void widen(const std::uint32_t* row, int columns, int step, std::vector<std::uin
 }
 
 }  // namespace
-
-TransferTable::TransferTable(bool is_linear) : linear(is_linear) {
-    least[0] = 0;
-    for (int code = 1; code < 256; ++code) {
-        // Positive floats are ordered as their bits are.
-        std::uint32_t low = 0, high = std::bit_cast<std::uint32_t>(1.f);  // quantised below `code`, and not below
-        while (high - low > 1) {
-            const std::uint32_t middle = low + (high - low) / 2;
-            (quantise(std::bit_cast<float>(middle), linear, 255) < code ? low : high) = middle;
-        }
-        least[code] = std::bit_cast<float>(high);
-    }
-    least[256] = 2;  // never reached
-    for (int i = 0, code = 0; i <= bins; ++i) {
-        while (static_cast<float>(i) / bins >= least[code + 1]) ++code;
-        start[i] = static_cast<std::uint8_t>(code);
-    }
-}
-
-std::uint32_t TransferTable::operator()(double v) const { return quantise(v, linear, 255); }
 
 std::vector<std::uint32_t> encoded(const Tile& tile, const TransferTable& table) {
     std::vector<std::uint32_t> rgba(std::size_t(tile.lattice.columns) * tile.lattice.rows);

@@ -1,9 +1,9 @@
 // Pictures for the screen, and functions that store traced values in them.
 #pragma once
-#include <array>
 #include <cstdint>
 #include <vector>
 
+#include "image/transfer_table.h"
 #include "show/session/progressive.h"
 
 namespace strahl {
@@ -16,38 +16,6 @@ struct ScreenImage {
         width = new_width, height = new_height;
         rgba.resize(std::size_t(width) * height);
     }
-};
-
-/// The transfer curve as a table: gives exactly quantise(v, linear, 255) for every float, without the power function.
-class TransferTable {
-  public:
-    explicit TransferTable(bool linear);
-    std::uint32_t operator()(float v) const {
-        if (!(v > 0)) return 0;
-        if (v >= 1) return 255;
-        std::uint32_t code = start[static_cast<int>(v * bins)];
-        while (v >= least[code + 1]) ++code;
-        return code;
-    }
-
-    /// Converts doubles without the table: some lie between a float and the least one of the next code.
-    std::uint32_t operator()(double v) const;
-    /// Returns the pixel of a red, green and blue value.
-    template <class T>
-    std::uint32_t pixel(const T* rgb) const {
-        return (*this)(rgb[0]) | (*this)(rgb[1]) << 8 | (*this)(rgb[2]) << 16 | 0xff000000u;
-    }
-    /// The same for doubles that are floats.
-    std::uint32_t float_pixel(const double* rgb) const {
-        const float values[]{static_cast<float>(rgb[0]), static_cast<float>(rgb[1]), static_cast<float>(rgb[2])};
-        return pixel(values);
-    }
-
-  private:
-    bool linear;
-    static constexpr int bins = 4096;
-    std::array<float, 257> least;              // the least value with this code
-    std::array<std::uint8_t, bins + 1> start;  // the code at the lower end of each bin
 };
 
 /// Returns the pixels of a tile as 8-bit colours, row by row.

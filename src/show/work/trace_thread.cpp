@@ -146,7 +146,7 @@ void TraceThread::first_picture() {
     const Lattice& pixels = filled.lattice;
     spare.resize(pixels.columns, pixels.rows);
     filled.colors = spare.rgba.data();
-    filled.encode = [this](const double* rgb) { return table->float_pixel(rgb); };
+    filled.encode = [this](const double* rgb) { return table->pixel(rgb); };
     const Counts rays = tracer->trace({view, pool, {}, &stop}, filled);
     const double seconds = seconds_since(start);
     const bool even = filled.tolerance == 0;

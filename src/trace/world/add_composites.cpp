@@ -52,7 +52,6 @@ class CompositeBuilder {
         share_planes();
         info.leaves = static_cast<std::int32_t>(tables.leaves.size()) - info.first_leaf;
         info.steps = static_cast<std::int32_t>(tables.steps.size()) - info.first_step;
-        info.planes = static_cast<std::int32_t>(tables.planes.size()) - info.first_plane;
         info.surfaces = next_surface - surface;
         mark_what_cuts();
         tables.list.push_back(info);

@@ -135,7 +135,7 @@ enum class CompositeStep : std::uint8_t { leaf, unite, intersect, subtract };
 /// Ranges of the world's arrays. Faces have keys: those below `most_planes` are numbers of planes. A triangle has that
 /// of its plane if a face of another part lies there.
 struct CompositeInfo {
-    std::int32_t first_leaf, leaves, first_step, steps, first_plane, planes;
+    std::int32_t first_leaf, leaves, first_step, steps, first_plane;
     std::int32_t first_key, surface, surfaces;
 };
 inline constexpr int most_planes = 6 * most_leaves;

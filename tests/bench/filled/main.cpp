@@ -42,7 +42,7 @@ Run run(Tracer& tracer, const View& view, ThreadPool& pool, const Lattice& latti
             result.colors[std::size_t(y) * lattice.columns + x] = colors[i];
         }
     };
-    const auto encode = [&](const double* rgb) { return table.float_pixel(rgb); };
+    const auto encode = [&](const double* rgb) { return table.pixel(rgb); };
     const FilledLattice filled{lattice, contrast, 0, encode, result.colors.data()};
     const std::clock_t start = std::clock();
     result.rays = contrast > 0 ? tracer.trace({view, pool, {}}, filled) : tracer.trace({view, pool, keep}, lattice);
@@ -138,7 +138,7 @@ void fly(Shot& shot, int moments) {
         const auto plain = [&](const Lattice& l) { tracer.trace(job, l); };
         std::vector<std::uint32_t> colors(std::size_t(shot.view.width) * shot.view.height);
         const TransferTable table(shot.scene.settings.linear);
-        const auto encode = [&](const double* rgb) { return table.float_pixel(rgb); };
+        const auto encode = [&](const double* rgb) { return table.pixel(rgb); };
         const auto filled = [&](const Lattice& l) {
             tracer.trace(job, FilledLattice{l, shot.contrast, 0, encode, colors.data()});
         };

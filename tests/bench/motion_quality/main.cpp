@@ -86,7 +86,7 @@ int run(const Flown& options) {
     ThreadPool pool(1);
     Tracer tracer(*scene, Precision::float32);
     const double contrast = 3. / 255 / (scene->settings.linear ? steepest_srgb : 1);  // as in the window
-    const auto encode = [&](const double* rgb) { return table.float_pixel(rgb); };
+    const auto encode = [&](const double* rgb) { return table.pixel(rgb); };
     Tolerance tolerance;
     Resolution resolution;
     QualityLog log;

@@ -15,6 +15,7 @@
 #include "image/uncompressed.h"
 #include "image/pixels.h"
 #include "image/transfer.h"
+#include "image/transfer_table.h"
 #include "tests/unit/faults.h"
 #include "tests/unit/scratch.h"
 
@@ -108,6 +109,25 @@ TEST_CASE("the transfer curve: round(255 v) as in 1999, or sRGB where light is l
     CHECK(quantise(.21405, true, 255) == 128);
     CHECK(quantise(.0031308, true, 65535) == 2651);
     CHECK(std::abs(srgb(.0031308) - srgb(.00313081)) < 1e-6);
+}
+
+TEST_CASE("the tabulated transfer curve equals quantise") {
+    for (const bool linear : {false, true}) {
+        const TransferTable table(linear);
+        const auto check = [&](double v) { CHECK(table(v) == quantise(v, linear, 255)); };
+        for (const double v : {0., -0., -1., 1., 2., HUGE_VAL, -HUGE_VAL, double(NAN), 1e-310, 1 - 0x1p-53}) check(v);
+        for (int i = 0; i <= 50000; ++i) check(i / 49999.), check(static_cast<float>(i / 49999.));
+        // Around each step of the curve, number by number.
+        for (int code = 1; code < 256; ++code) {
+            double low = 0, high = 1;
+            for (int i = 0; i < 60; ++i) {
+                const double middle = (low + high) / 2;
+                (quantise(middle, linear, 255) < code ? low : high) = middle;
+            }
+            for (int i = 0; i < 4; ++i) low = std::nextafter(low, 0.);
+            for (int i = 0; i < 8; ++i, low = std::nextafter(low, 1.)) check(low);
+        }
+    }
 }
 
 TEST_CASE("pictures without compression hold what the file holds from which they were read") {

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <vector>
 
-#include "image/transfer.h"
 #include "show/work/resolution.h"
 #include "show/work/screen_image.h"
 
@@ -84,26 +83,6 @@ TEST_CASE("tiles are stored where their pixels belong") {
     CHECK(level.rgba[2 * 4 + 2] == (128u << 8 | 255u << 16 | 0xff000000u));
     CHECK(level.rgba[2 * 4 + 3] == (255u | 64u << 16 | 0xff000000u));
     CHECK(level.rgba[2 * 4 + 1] == 0);
-}
-
-TEST_CASE("the tabulated transfer curve equals quantise") {
-    for (const bool linear : {false, true}) {
-        const TransferTable table(linear);
-        const auto check = [&](float v) { CHECK(table(v) == quantise(v, linear, 255)); };
-        for (const float v : {0.f, -0.f, -1.f, 1.f, 2.f, NAN, INFINITY, -INFINITY, 1e-40f, 0.99999994f}) check(v);
-        for (int i = 0; i <= 100000; ++i) check(static_cast<float>(i) / 99991);
-        // Around each step of the curve, float by float.
-        for (int code = 1; code < 256; ++code) {
-            double low = 0, high = 1;
-            for (int i = 0; i < 60; ++i) {
-                const double middle = (low + high) / 2;
-                (quantise(middle, linear, 255) < code ? low : high) = middle;
-            }
-            float v = static_cast<float>(low);
-            for (int i = 0; i < 4; ++i) v = std::nextafter(v, 0.f);
-            for (int i = 0; i < 8; ++i, v = std::nextafter(v, 1.f)) check(v);
-        }
-    }
 }
 
 namespace {
