@@ -15,11 +15,12 @@ int steps_below(int end, int step) { return (end + step - 1) / step; }
 
 Steps steps_of(int level) {
     assert(level >= 0 && level <= finest_level);
-    return {16 >> ((level + 1) / 2), 16 >> (level / 2)};
+    return level_steps[static_cast<std::size_t>(level)];
 }
 
 int level_of(double share) {
-    return std::clamp(finest_level + static_cast<int>(std::lround(std::log2(share))), 0, finest_level);
+    const auto off = [&](const Steps& steps) { return std::abs(std::log(share * steps.area())); };
+    return static_cast<int>(std::ranges::min_element(level_steps, {}, off) - level_steps.begin());
 }
 
 Lattice pixels_of(int level, int width, int height) {

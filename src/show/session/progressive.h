@@ -7,16 +7,19 @@
 
 namespace strahl {
 
-/// Distances between traced pixels, powers of two.
+/// Distances between traced pixels.
 struct Steps {
     int x = 1, y = 1;
+    int area() const { return x * y; }
     bool operator==(const Steps&) const = default;
 };
 
-/// Each level has twice the pixels of the one before: every 16th in both directions, then every 8th column of every
-/// 16th row, every 8th, ... and finally all. This is the scheme of interlaced PNG ("Adam7") with two more levels
-/// before.
-inline constexpr int finest_level = 8;
+/// By level: every 16th pixel in both directions, then every 8th column of every 16th row, ... and finally all. Each
+/// level has at most twice the pixels of the one before, and up to a quarter of all at most 1.8 times as many, so that
+/// one fits the time well.
+inline constexpr std::array<Steps, 13> level_steps{{{16, 16}, {8, 16}, {8, 8}, {6, 8}, {6, 6}, {4, 6}, {4, 4},
+                                                    {3, 4}, {3, 3}, {2, 3}, {2, 2}, {1, 2}, {1, 1}}};
+inline constexpr int sixteenth_level = 6, finest_level = static_cast<int>(level_steps.size()) - 1;
 /// All pixels are averages over their squares, as in stills.
 inline constexpr int averaged_level = finest_level + 1;
 /// As a limit of pictures in motion: rays go where the picture needs them, not to pixels of equal distances.

@@ -323,7 +323,7 @@ std::string seconds_text(double seconds) { return text_of(rounded_time(seconds))
 
 std::string resolution_text(int level) {
     if (level == averaged_level) return "anti-aliased";
-    return level == finest_level ? "all pixels" : "1/" + std::to_string(1 << (finest_level - level)) + " of the pixels";
+    return level == finest_level ? "all pixels" : "1/" + std::to_string(steps_of(level).area()) + " of the pixels";
 }
 
 }  // namespace strahl

@@ -118,7 +118,7 @@ std::string json_of(const Benchmark& b, const BenchmarkSetting& s) {
                    b.worst);
     json += "  \"resolutions\": {";
     for (auto at = b.levels.rbegin(); at != b.levels.rend(); ++at)
-        json += format("%s \"1/%d\": %.9g", at == b.levels.rbegin() ? "" : ",", 1 << (finest_level - at->first),
+        json += format("%s \"1/%d\": %.9g", at == b.levels.rbegin() ? "" : ",", steps_of(at->first).area(),
                        at->second);
     return json + format(" },\n  \"pixels_per_second\": %.9g,\n  \"draw_seconds\": %.9g\n}\n", b.pixels_per_second,
                          s.draw_seconds);

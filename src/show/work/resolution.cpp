@@ -8,10 +8,9 @@
 namespace strahl {
 namespace {
 
-constexpr double headroom = 0.85;  // share of the budget that a finer level may need if it takes twice the time: with
-                                   // filled cells (trace/cells/lattice_cells.h) it takes 1.6 to 1.9 times as long
-constexpr int patience = 6;        // observations before it is tried
-constexpr int sixteenth = finest_level - 4;
+constexpr double headroom = 0.85;  // share of the budget that a finer level may need if its time grows as its pixels do:
+                                   // with filled cells (trace/cells/lattice_cells.h) it grows less
+constexpr int patience = 4;        // observations before it is tried
 
 }  // namespace
 
@@ -32,7 +31,7 @@ double Tolerance::choose(double pixels, double budget) const {
     return std::clamp(fitting > coarse ? std::max(coarse, fitting / 4) : fitting, finest, coarsest);
 }
 
-double allowed_seconds(int level, double budget) { return level <= sixteenth ? 4 * budget : budget; }
+double allowed_seconds(int level, double budget) { return level <= sixteenth_level ? 4 * budget : budget; }
 
 double Resolution::seconds_for(int l) const {
     return costs.median() * count(pixels_of(l, width, height));

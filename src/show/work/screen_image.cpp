@@ -2,27 +2,25 @@
 #include "show/work/screen_image.h"
 
 #include <algorithm>
-#include <bit>
 #include <cassert>
 
 namespace strahl {
 namespace {
 
-/// Computes a + (b - a) * weight / 2^shift in all four bytes at once.
-std::uint32_t blend(std::uint32_t a, std::uint32_t b, std::uint32_t weight, int shift) {
+/// Computes a + (b - a) * part / whole in all four bytes at once, with 256ths.
+std::uint32_t blend(std::uint32_t a, std::uint32_t b, int part, int whole) {
     constexpr std::uint32_t odd = 0x00ff00ff;
-    const std::uint32_t rest = (1u << shift) - weight;
-    const std::uint32_t low = ((a & odd) * rest + (b & odd) * weight) >> shift & odd;
-    const std::uint32_t high = ((a >> 8 & odd) * rest + (b >> 8 & odd) * weight) >> shift & odd;
+    const std::uint32_t weight = static_cast<unsigned>((256 * part + whole / 2) / whole), rest = 256 - weight;
+    const std::uint32_t low = ((a & odd) * rest + (b & odd) * weight) >> 8 & odd;
+    const std::uint32_t high = ((a >> 8 & odd) * rest + (b >> 8 & odd) * weight) >> 8 & odd;
     return low | high << 8;
 }
 
 /// Widens one row of a level to the width of the picture.
 void widen(const std::uint32_t* row, int columns, int step, std::vector<std::uint32_t>& wide) {
-    const int shift = std::countr_zero(static_cast<unsigned>(step));
     for (int x = 0; x < static_cast<int>(wide.size()); ++x) {
-        const int i = x >> shift;
-        wide[x] = blend(row[i], row[std::min(i + 1, columns - 1)], x & (step - 1), shift);
+        const int i = x / step;
+        wide[x] = blend(row[i], row[std::min(i + 1, columns - 1)], x % step, step);
     }
 }
 
@@ -48,7 +46,6 @@ void store(const Lattice& pixels, const std::uint32_t* rgba, Steps steps, Screen
 
 void expand(const ScreenImage& level, Steps ratio, ScreenImage& finer) {
     assert(level.width == (finer.width + ratio.x - 1) / ratio.x);
-    const int shift = std::countr_zero(static_cast<unsigned>(ratio.y));
     std::vector<std::uint32_t> above(finer.width), below(finer.width);
     for (int row = 0; row < level.height; ++row) {
         const int next = std::min(row + 1, level.height - 1);
@@ -57,7 +54,7 @@ void expand(const ScreenImage& level, Steps ratio, ScreenImage& finer) {
         widen(&level.rgba[std::size_t(next) * level.width], level.width, ratio.x, below);
         for (int y = row * ratio.y; y < std::min((row + 1) * ratio.y, finer.height); ++y)
             for (int x = 0; x < finer.width; ++x)
-                finer.rgba[std::size_t(y) * finer.width + x] = blend(above[x], below[x], y & (ratio.y - 1), shift);
+                finer.rgba[std::size_t(y) * finer.width + x] = blend(above[x], below[x], y % ratio.y, ratio.y);
     }
 }
 

@@ -16,7 +16,7 @@ constexpr double most_off = 3. / 255;
 
 /// Pictures that took as many rays as this level and have them where they are needed are as good at edges as cells of 2
 /// pixels: the first pass would not be better.
-constexpr int sharp_level = finest_level - 4;
+constexpr int sharp_level = sixteenth_level;
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
