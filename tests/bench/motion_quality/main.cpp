@@ -138,7 +138,7 @@ int run(const Flown& options) {
                 1000 * options.budget, 1000 * seconds / options.frames,
                 quality.rms, quality.p99, quality.ssim, 100 * quality.visible, quality.flicker);
     for (auto at = levels.rbegin(); at != levels.rend(); ++at)
-        std::printf(" 1/%d: %d", 1 << (finest_level - at->first), at->second);
+        std::printf(" 1/%d: %d", steps_of(at->first).area(), at->second);
     std::puts(" |");
     return 0;
 }

@@ -165,12 +165,12 @@ TEST_CASE("the resolution follows the budget, up to the limit") {
     Watcher watcher;
     const auto scene = shown_scene();
     for (const auto& [budget, finest, level] : {std::tuple{1e9, 5, 5}, {1e9, finest_level, finest_level}, {1e-9, 8, 0}})
-        for (int i = 1; i <= 20; ++i) {
+        for (int i = 1; i <= 50; ++i) {
             Order order = order_of(watcher.state.number + 1, scene, 32, 24, 10 + 0.01 * i);
             order.moving = true, order.budget = budget, order.finest = finest;
             watcher.tracing.want(order);
             REQUIRE(watcher.watch([&](const Refinement& r) { return r.number == order.number; }));
-            if (i == 20) CHECK(watcher.state.level == level);
+            if (i == 50) CHECK(watcher.state.level == level);
         }
 }
 
