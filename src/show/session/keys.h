@@ -44,7 +44,7 @@ enum class Action {
 };
 struct Command {
     Action action;
-    /// Of a camera, 1 to 9; or how many 1/25 s or keys to step, backwards if negative; or 1 for a still that is a .png.
+    /// Says which camera, 1 to 9; how many 1/25 s or keys to step, backwards if negative; or 1 if a still is a .png.
     int number = 0;
     bool operator==(const Command&) const = default;
 };

@@ -323,8 +323,9 @@ class CompositeWalk {
         }
         return t;
     }
-    // Of the span of a mesh only the next end is looked for, and not before the others end beyond where it may be:
-    // near[1] is the least distance at which it can be; from far[1] on, crossings are not listed yet.
+    // The functions below look only for the next end of a mesh's span, and only once the ends of the other leaves lie
+    // beyond where it may be: near[1] is the least distance at which it can be; from far[1] on, crossings are not
+    // listed yet.
 
     /// Finds out whether rays start in a mesh: only those that start in its box can.
     void cross_mesh(const CompositeLeaf& own, Reach& stretch, LeafEnds<S>& end) {
@@ -373,7 +374,7 @@ class CompositeWalk {
         const Mask<S> open = ((end.near[0] == S(-inf)) | (end.near[0] == S(inf))) & (end.far[0] == S(inf));
         const S limit = own.in_planes ? S(inf) : whole.high;
         const Mask<S> unknown = lanes & open & (end.near[1] < limit);
-        // Where one ray has to be followed, following others with it costs less than doing so later.
+        // Follow all rays together as soon as one has to be followed: that costs less than following the others later.
         if (none(own.in_planes ? unknown : unknown & (end.near[1] < ahead))) return false;
         cross_next(own, unknown, first_lanes<S>(0), end);
         return true;

@@ -125,8 +125,9 @@ struct CompositeLeaf {
     std::int32_t first_key = 0;   // of a mesh: the key of its first triangle, if that has one of its own
     bool in_planes = false;       // of a mesh: some of its triangles have the keys of planes
     float low[3] = {}, high[3] = {};  // of a mesh: the box around it, as the hierarchy's are
-    // Of the first leaf of what an intersection is made with, or what is taken away: the step that does so, and the
-    // number of leaves up to there. Without a body before it nothing is left either.
+    // Say, at the first leaf of what an intersection is made with or a difference takes away, which step does so, and
+    // how many leaves there are up to it. Where no body comes before that leaf, nothing is left by the step either, so
+    // that these leaves are not looked at.
     std::int32_t until = 0, leaves = 0;
 };
 /// The steps that combine the insides of leaves to that of the whole: take the next leaf, or make one of the last two
