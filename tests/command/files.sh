@@ -78,7 +78,8 @@ make 0 "" scene.rt film-0012.png --stats film-12.json
 rm -r same hard.rt kept.* film-* one.png two.png three.png
 
 # Control characters in names do not reach the terminal.
-steering=$'red\e[31m\u009b2J.rt'
+csi=$'\xc2\x9b'  # U+009B in UTF-8, whatever the locale
+steering=$'red\e[31m'${csi}2J.rt
 cp scene.rt "$steering"
 "$strahl" render scene.rt -o $'\e[1m.png' --size 8x6
 for words in "check $steering" "check no$steering" "render $steering -o no/$steering.png" "render -o $steering $steering" \
@@ -86,7 +87,7 @@ for words in "check $steering" "check no$steering" "render $steering -o no/$stee
     "render $steering -o x.png --$steering"; do
     # shellcheck disable=SC2086  # the words are arguments
     said=$("$strahl" $words 2>&1)
-    [[ -n $said && $said != *[$'\e\u009b']* ]] || fault "strahl $words: $(od -c <<<"$said" | head -5)"
+    [[ -n $said && $said != *$'\e'* && $said != *$csi* ]] || fault "strahl $words: $(od -c <<<"$said" | head -5)"
 done
 cat scene.rt >"$steering"
 echo "sphere {" >>"$steering"

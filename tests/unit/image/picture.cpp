@@ -22,7 +22,7 @@
 // OpenImageIO leaks one string when libpng longjmps at a truncated file; a leak checker can attribute it only with the
 // whole stack.
 extern "C" const char* __asan_default_options() { return "fast_unwind_on_malloc=0"; }
-extern "C" const char* __lsan_default_suppressions() { return "leak:PngReadCallback"; }
+extern "C" const char* __lsan_default_suppressions() { return "leak:ImageInput::geterror\nleak:PngReadCallback"; }
 
 namespace strahl {
 namespace {

@@ -81,7 +81,8 @@ TEST_CASE(".exr files without colours are refused with the names of their channe
     refuses({floats("B", 1), floats("L.B", 9), floats("L.G", 9), floats("L.R", 9)}, "colours need R, G and B");
     refuses({floats("Z", 1)}, "its channels are Z");
     refuses({floats("X", 1), floats("Y", 1), floats("Z", 1)}, "colours need R, G and B");
-    refuses({floats("BY", 1), floats("RY", 1), floats("Y", 1)}, "colours need R, G and B");
+    // OpenImageIO 2.5 reads luminance and chroma, of which this file has too much, and gives its own reason.
+    refuses({floats("BY", 1), floats("RY", 1), floats("Y", 1)}, "BY");
 }
 
 }  // namespace
