@@ -1,8 +1,11 @@
 # The program and the launcher as users see them: one bash script per topic.
-foreach(topic usage pictures frames film resume interrupt files stats stability check import pov_scenes broken_scenes install launcher readme tutorial gallery crosscheck farm bundle ci)
+foreach(topic usage pictures frames film resume interrupt files stats stability check import pov_scenes broken_scenes install launcher readme tutorial gallery crosscheck farm bundle lsp ci)
   add_test(NAME command_${topic}
            COMMAND bash ${CMAKE_SOURCE_DIR}/tests/command/${topic}.sh $<TARGET_FILE:strahl> ${CMAKE_SOURCE_DIR}
                    ${CMAKE_BINARY_DIR})
 endforeach()
 # With sanitizers these take minutes, and show no more of the program than the others do.
 set_tests_properties(command_pictures command_farm command_film command_resume command_install PROPERTIES LABELS slow)
+
+# The language server, without the program.
+strahl_tests(test_lsp unit/main strahl_lsp lsp)

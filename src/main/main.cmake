@@ -1,16 +1,17 @@
 # The program: the options of all commands, and a file for the work of each.
 file(GLOB sources CONFIGURE_DEPENDS src/main/*.cpp src/main/*/*.cpp)
-list(FILTER sources EXCLUDE REGEX "/options/")
+list(FILTER sources EXCLUDE REGEX "/(options|lsp)/")
 if(NOT TARGET strahl_show)
   list(FILTER sources EXCLUDE REGEX "/command_view\\.cpp$")
   list(APPEND sources src/main/commands/without_window/command_view.cpp)
 endif()
+strahl_module(lsp src/main/lsp strahl_pov strahl_image)  # apart from the rest, which need not read the JSON library
 add_executable(strahl ${sources})
 file(READ ${CMAKE_SOURCE_DIR}/LICENSE licence)
 file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/generated/main/licence.h @ONLY
      CONTENT "inline constexpr const char* licence = R\"licence(@licence@)licence\";\n")
 target_include_directories(strahl PRIVATE ${CMAKE_BINARY_DIR}/generated)
-target_link_libraries(strahl PRIVATE strahl_text strahl_import strahl_pov strahl_image strahl_trace strahl_povref)
+target_link_libraries(strahl PRIVATE strahl_lsp strahl_import strahl_pov strahl_image strahl_trace strahl_povref)
 if(TARGET strahl_show)
   target_link_libraries(strahl PRIVATE strahl_show)
 endif()

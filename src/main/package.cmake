@@ -26,7 +26,7 @@ install(FILES LICENSE DESTINATION share/doc/strahl)
 # The pages for users, without their pictures and their links to files. Commands are written as for the installed
 # program, and paths of scenes as from the folder of the pages.
 set(pages ${CMAKE_BINARY_DIR}/pages)
-foreach(page src/text:language src/main:films src/import:import scenes/tutorial:tutorial)
+foreach(page src/text:language src/main:films src/main/lsp:editors src/import:import scenes/tutorial:tutorial)
   string(REGEX MATCH "(.*):(.*)" page ${page})
   set(name ${CMAKE_MATCH_2})
   set(source ${CMAKE_SOURCE_DIR}/${CMAKE_MATCH_1}/README.md)

@@ -19,7 +19,7 @@ for page in moved/share/doc/strahl/*.md; do
     done
 done
 expect_file moved/share/doc/strahl/language.md
-for command in '' render view play join check compare bundle import pov crosscheck stability; do
+for command in '' render view play join check compare bundle import pov crosscheck stability lsp; do
     # shellcheck disable=SC2086  # without a command there is no word
     ! "$strahl" $command --help | grep -nE '(src|tests|povref|assets|scenes)/' ||
         fault "strahl $command --help names what is not installed"

@@ -42,13 +42,13 @@ const std::map<std::string, Module> modules{
     {"show", {{"num", "scene", "files", "text", "pov", "trace", "image"}, {"session", "work", "window", ""}}},
     {"main",
      {{"num", "scene", "files", "text", "import", "pov", "trace", "image", "povref", "show"},
-      {"process", "reference", "render", "commands", "options", ""}}},
+      {"process", "reference", "render", "lsp", "commands", "options", ""}}},
 };
 /// Headers of libraries, and the only module that may include them.
 const std::vector<std::pair<std::regex, std::string>> libraries{
     {std::regex("OpenImageIO/.*|zlib\\.h"), "image"},
     {std::regex("(GLFW|GL|GLES[0-9]*|EGL|AL|vorbis)/.*|imgui.*"), "show"},
-    {std::regex("CLI(11)?/.*"), "main"},
+    {std::regex("(CLI(11)?|nlohmann)/.*"), "main"},
     {std::regex("[a-z0-9]*intrin\\.h|arm_neon\\.h|experimental/simd"), "num"},
 };
 

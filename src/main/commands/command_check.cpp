@@ -13,12 +13,12 @@
 #include "files/utf8.h"
 #include "image/pixels.h"
 #include "main/commands/scene_file.h"
-#include "main/commands/scene_warnings.h"
 #include "main/process/exit_status.h"
 #include "scene/leaves.h"
 #include "scene/moving_scene.h"
 #include "scene/overlap.h"
 #include "text/reading/tracks_file.h"
+#include "text/scene_warnings.h"
 #include "text/write.h"
 
 namespace strahl {

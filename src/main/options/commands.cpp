@@ -5,6 +5,7 @@
 #include "main/commands/command_crosscheck.h"
 #include "main/commands/command_import.h"
 #include "main/commands/command_join.h"
+#include "main/commands/command_lsp.h"
 #include "main/commands/command_pov.h"
 #include "main/commands/command_render.h"
 #include "main/commands/command_stability.h"
@@ -278,6 +279,13 @@ void add_stability(CLI::App& app, ChosenCommand& chosen) {
         "so this takes a while.");
 }
 
+void add_lsp(CLI::App& app, ChosenCommand& chosen) {
+    auto [command, o] = add_command(app, chosen, "lsp", "Show errors and help in an editor, which starts this command",
+                                    lsp_command);
+    command->add_flag("--stdio", o->stdio, "Use standard input and output, which it does anyway");
+    command->footer("A server of the Language Server Protocol for .rt files, and for errors in .pov files.");
+}
+
 }  // namespace
 
 void add_commands(CLI::App& app, ChosenCommand& chosen) {
@@ -292,6 +300,7 @@ void add_commands(CLI::App& app, ChosenCommand& chosen) {
     add_pov(app, chosen);
     add_crosscheck(app, chosen);
     add_stability(app, chosen);
+    add_lsp(app, chosen);
 }
 
 }  // namespace strahl

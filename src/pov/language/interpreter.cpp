@@ -280,7 +280,9 @@ void Interpreter::State::fail(TextPlace at, const std::string& message) {
     const Shown before = show(text.substr(start, std::min<std::size_t>(at.at - start, 90)));
     const std::string_view rest =
         text.substr(at.at, std::min<std::size_t>(text.find_first_of("\r\n", at.at), text.size()) - at.at);
-    std::string full = where(at) + ":" + std::to_string(at.at - start + 1) + ": " + message;
+    const auto column =
+        1 + std::count_if(text.begin() + start, text.begin() + at.at, [](char c) { return !continues(c); });
+    std::string full = where(at) + ":" + std::to_string(column) + ": " + message;
     if (at.at - start <= 90)
         full += "\n    " + before.text + show(rest.substr(0, 110 - std::min<std::size_t>(before.width, 90))).text +
                 "\n    " + std::string(before.width, ' ') + "^";

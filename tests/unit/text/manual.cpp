@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <tuple>
@@ -10,6 +11,8 @@
 
 #include "files/read_file.h"
 #include "scene/scene.h"
+#include "text/manual/syntax.h"
+#include "text/manual/word_help.h"
 #include "text/parse.h"
 
 using namespace strahl;
@@ -58,4 +61,24 @@ TEST_CASE("a page with a missing, unknown, doubled or open table is refused") {
     CHECK_THROWS_AS(with_current_tables(replaced(page, "table: light", "table: lamp")), std::runtime_error);
     CHECK_THROWS_AS(with_current_tables(page + "<!-- table: light -->\n<!-- end of table -->"), std::runtime_error);
     CHECK_THROWS_AS(with_current_tables(page + "<!-- table: light -->\n"), std::runtime_error);
+}
+
+TEST_CASE("every word has help where it may stand, and editors offer every word") {
+    const LanguageWords words = words_of_language();
+    std::set<std::string> blocks = words.blocks, offered{"define", "track", "none"};
+    blocks.merge(std::set(words.patterns)), blocks.merge(std::set(words.others));
+    blocks.insert("");
+    for (const std::string& block : blocks) {
+        for (const std::string& word : words_after(block)) offered.insert(word);
+        for (const std::string outer : {"", "flythrough", "motion", "mesh"})
+            for (const std::string& word : words_in(block, outer)) {
+                offered.insert(word);
+                CHECK_MESSAGE(help_on_word(word, block, outer) != "", word << " in '" << block << "' has no help");
+            }
+    }
+    for (const auto* list : {&words.blocks, &words.patterns, &words.others})
+        for (const std::string& word : *list) CHECK_MESSAGE(offered.contains(word), word << " is offered nowhere");
+    CHECK(help_on_word("pow", "material", "sphere").find("default `50`") != std::string::npos);
+    CHECK(help_on_word("time", "key", "motion") != help_on_word("time", "key", "flythrough"));
+    CHECK(help_on_word("shpere", "", "") == "");
 }

@@ -1,4 +1,4 @@
-#include "main/commands/scene_warnings.h"
+#include "text/scene_warnings.h"
 
 #include <algorithm>
 #include <array>

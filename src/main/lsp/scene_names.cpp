@@ -1,0 +1,103 @@
+#include "main/lsp/scene_names.h"
+
+#include <algorithm>
+
+#include "files/utf8.h"
+#include "files/words.h"
+
+namespace strahl {
+namespace {
+
+bool in_word(char c) { return (lower(c) >= 'a' && lower(c) <= 'z') || c == '_' || (c >= '0' && c <= '9'); }
+
+class SceneTokens {
+  public:
+    explicit SceneTokens(std::string_view text) : text(text) {}
+
+    /// Returns the next token, with comments or without; its kind is `none` at the end.
+    SceneToken next(bool comments = false) {
+        SceneToken token = any();
+        while (!comments && token.kind == SceneToken::comment) token = any();
+        return token;
+    }
+
+  private:
+    SceneToken any() {
+        while (at < text.size() && is_space(text[at])) ++at;
+        const std::string_view rest = text.substr(at);
+        if (rest.empty()) return {};
+        if (rest.starts_with("//")) return take(SceneToken::comment, rest.find_first_of("\r\n"));
+        if (rest.starts_with("/*")) return take(SceneToken::comment, behind(rest.find("*/", 2), 2));
+        if (rest[0] == '"') return take(SceneToken::quotation, behind(rest.find_first_of("\"\r\n", 1), 1));
+        std::size_t length = rest[0] == '#' ? 1 : 0;
+        while (length < rest.size() && in_word(rest[length])) ++length;
+        if (length > 0) return take(SceneToken::word, length);
+        return take(SceneToken::sign, forth(rest, 0, rest.size(), 1));
+    }
+    static std::size_t behind(std::size_t end, std::size_t length) {
+        return end + (end == std::string_view::npos ? 0 : length);
+    }
+    SceneToken take(SceneToken::TokenKind kind, std::size_t length) {
+        const SceneToken token{kind, text.substr(at, length)};
+        at += token.text.size();
+        return token;
+    }
+
+    std::string_view text;
+    std::size_t at = 0;
+};
+
+}  // namespace
+
+SceneCursor cursor_at(std::string_view text, std::size_t at) {
+    SceneTokens tokens(text);
+    SceneCursor cursor;
+    SceneToken previous;  // the token before `cursor.before`
+    for (SceneToken token; (token = tokens.next(true)).kind != SceneToken::none;) {
+        const auto begin = static_cast<std::size_t>(token.text.data() - text.data());
+        if (begin > at) break;
+        // A sign, or a comment of more than a line, does not go on at its end.
+        const bool goes_on = token.kind == SceneToken::word || token.text.starts_with("//");
+        if (at < begin + token.text.size() + (goes_on ? 1 : 0)) {
+            cursor.at = token;
+            break;
+        }
+        if (token.kind == SceneToken::comment) continue;
+        if (token.text == "{") {
+            const bool named = previous.text == "material" || previous.text == "defaultmaterial";
+            cursor.blocks.push_back(named ? previous.text : cursor.before.text);
+        } else if (token.text == "}" && !cursor.blocks.empty()) {
+            cursor.blocks.pop_back();
+        }
+        previous = cursor.before, cursor.before = token;
+    }
+    return cursor;
+}
+
+std::vector<SceneName> names_in(std::string_view text) {
+    SceneTokens tokens(text);
+    std::vector<SceneName> names;
+    const auto add = [&](SceneName::NameKind kind, const SceneToken& token) {
+        if (token.kind == SceneToken::word) names.push_back({kind, token.text});
+    };
+    for (SceneToken token; (token = tokens.next()).kind != SceneToken::none;) {
+        if (token.text == "define") {
+            const SceneToken name = tokens.next();
+            add(tokens.next().text == "material" ? SceneName::material : SceneName::body, name);
+        } else if (token.text == "#declare" || token.text == "#local") {
+            add(SceneName::value, tokens.next());
+        } else if (token.text == "#for") {
+            tokens.next(), add(SceneName::value, tokens.next());
+        } else if (token.text == "#macro") {
+            add(SceneName::value, tokens.next());
+            while ((token = tokens.next()).kind == SceneToken::word || token.text == "(" || token.text == ",")
+                add(SceneName::value, token);
+        } else if (token.text == "track") {
+            const SceneToken name = tokens.next();
+            if (name.kind == SceneToken::quotation) names.push_back({SceneName::track, name.text});
+        }
+    }
+    return names;
+}
+
+}  // namespace strahl

@@ -1,0 +1,35 @@
+// Finds words, blocks and names in scene text that may be half written.
+#pragma once
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+namespace strahl {
+
+/// A piece of scene text: a word, perhaps with '#' before it, a text in quotes, a comment, or one other character.
+struct SceneToken {
+    enum TokenKind { none, word, quotation, comment, sign } kind = none;
+    std::string_view text;
+};
+
+/// The token at a place of a text, or that ends there, the one before it, and the words that opened the blocks around
+/// it, the outermost first.
+struct SceneCursor {
+    SceneToken at, before;
+    std::vector<std::string_view> blocks;
+    /// The word of the innermost block, or of one around it; empty if there is none.
+    std::string_view block(std::size_t level = 0) const {
+        return level < blocks.size() ? blocks[blocks.size() - 1 - level] : std::string_view();
+    }
+};
+SceneCursor cursor_at(std::string_view text, std::size_t at);
+
+/// A name that a text gives to something: by `define`, #declare, #local, #macro, as a parameter of a macro or by #for;
+/// or to a track of a file of tracks.
+struct SceneName {
+    enum NameKind { material, body, value, track } kind;
+    std::string_view text;  // the name where it is given
+};
+std::vector<SceneName> names_in(std::string_view text);
+
+}  // namespace strahl
