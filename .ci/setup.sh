@@ -3,7 +3,7 @@
 # shellcheck disable=SC2034  # the lists are for those scripts
 
 build_packages=(g++ cmake ninja-build pkg-config libglfw3-dev libgl-dev libglm-dev libopenimageio-dev zlib1g-dev
-    libimgui-dev libcli11-dev nlohmann-json3-dev libopenal-dev libvorbis-dev)
+    libfreetype-dev libimgui-dev libcli11-dev nlohmann-json3-dev libopenal-dev libvorbis-dev)
 test_packages=(doctest-dev povray xvfb xauth libgl1-mesa-dri xdotool imagemagick openimageio-tools parallel
     dpkg-dev)
 attack_packages=(clang-16 libclang-rt-16-dev)

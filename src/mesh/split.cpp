@@ -62,7 +62,7 @@ bool same(const P& a, const P& b) {
 /// Does the triangle of a corner and its neighbours lie inside the face, without another corner in it?
 bool FaceSplitter::is_ear(std::int32_t corner) const {
     const RingCorner &b = ring[corner], &a = ring[b.before], &c = ring[b.after];
-    if (area(a, b, c) < 0) return false;
+    if (area(a, b, c) <= 0) return false;
     for (std::int32_t i = c.after; i != b.before; i = ring[i].after) {
         const RingCorner& p = ring[i];
         if (same(p, a) || same(p, b) || same(p, c)) continue;  // a hole is often cut open along an edge used twice

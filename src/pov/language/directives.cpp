@@ -424,9 +424,13 @@ void Interpreter::State::include_file() {
     const std::string name = in.read_file_name();
     if (readings.size() > static_cast<std::size_t>(options.limits.nesting))
         fail(at, "files include each other without an end");
-    const std::string path = find(name, {".inc", ".INC"}, true);
-    auto [known, fresh] = file_numbers.emplace(path, static_cast<std::uint32_t>(files.size()));
-    if (fresh) files.push_back(std::make_unique<TextFile>(path, load(path), names));
+    const std::string path = find_text(name, {".inc", ".INC"});
+    const auto count = static_cast<std::uint32_t>(files.size());
+    auto [known, fresh] = file_numbers.emplace(path, count);
+    if (fresh || is_written(path)) {  // that may have changed
+        known->second = count;
+        files.push_back(std::make_unique<TextFile>(path, load(path), names));
+    }
     symbols.push();
     push_file(known->second, at);
 }

@@ -239,8 +239,8 @@ std::shared_ptr<const FunctionThing> Interpreter::read_function(std::array<int, 
 
 // Files, messages and settings.
 
-std::string Interpreter::find_file(const std::string& name, const std::vector<std::string>& extensions) {
-    return state->find(name, extensions, true);
+std::string Interpreter::find_file(const std::string& name, const std::vector<std::string>& extensions, bool must) {
+    return state->find(name, extensions, must);
 }
 const std::vector<std::string>& Interpreter::files() const { return state->paths; }
 

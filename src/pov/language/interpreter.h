@@ -110,9 +110,9 @@ class Interpreter {
     std::shared_ptr<const FunctionThing> read_function(std::array<int, 2>* size = nullptr);
 
     // Files.
-    /// Finds a file that the scene names, with one of these extensions added to it if need be; fails if there is none,
-    /// or if it lies outside the scene's folder and the library.
-    std::string find_file(const std::string& name, const std::vector<std::string>& extensions = {});
+    /// Finds a file that the scene names, with one of these extensions added to it if need be. If there is none, or if
+    /// it lies outside the scene's folder and the library, it fails, or without `must` returns nothing.
+    std::string find_file(const std::string& name, const std::vector<std::string>& extensions = {}, bool must = true);
     /// Returns the paths of all files that were read or found, the scene's first.
     const std::vector<std::string>& files() const;
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 
 #include "files/read_file.h"
 #include "files/words.h"
@@ -51,7 +52,20 @@ std::vector<std::string> standard_library() {
     return folders;
 }
 
-std::string Interpreter::State::load(const std::string& path) { return read_text(path, most_text); }
+bool Interpreter::State::is_written(const std::string& name) const { return kept_files.contains(name); }
+
+/// Finds a text on the disk, or one that the scene has written, whose path is its name.
+std::string Interpreter::State::find_text(const std::string& name, const std::vector<std::string>& extensions) {
+    return is_written(name) ? name : find(name, extensions, true);
+}
+
+std::string Interpreter::State::load(const std::string& path) {
+    if (!is_written(path)) return read_text(path, most_text);
+    std::string text = kept_files.at(path)->str();
+    *bytes += text.size() * sizeof(RawToken);
+    check_limits();
+    return text;
+}
 
 std::string Interpreter::State::find(const std::string& name, const std::vector<std::string>& extensions, bool must) {
     const TextPlace at = last;
@@ -73,13 +87,19 @@ std::string Interpreter::State::find(const std::string& name, const std::vector<
         for (const std::string& extension : extensions) names.push_back(plain + extension);
     names.push_back(plain);
 
+    const auto begins = [](const fs::path& path, const fs::path& folder) {
+        return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first == folder.end();
+    };
     const auto allowed = [&](const fs::path& path) {
         std::error_code error;
         const fs::path real = fs::weakly_canonical(path, error);
-        return !error && std::ranges::any_of(folders, [&](const fs::path& folder) {
+        const bool inside = !error && std::ranges::any_of(folders, [&](const fs::path& folder) {
             const fs::path root = fs::weakly_canonical(folder, error);
-            return !error && std::mismatch(root.begin(), root.end(), real.begin(), real.end()).first == root.end();
+            return !error && begins(real, root);
         });
+        if (inside || std::ranges::find(path, fs::path("..")) != path.end()) return inside;
+        // The fonts of POV-Ray's package are links to another folder.
+        return std::ranges::any_of(standard_library(), [&](const fs::path& folder) { return begins(path, folder); });
     };
     const auto accepted = [&](const fs::path& path) {
         if (!allowed(path))
@@ -118,25 +138,30 @@ void Interpreter::State::open_file() {
     const std::string file_name = in.read_file_name();
     auto file = std::make_shared<FileThing>();
     if (accept(word("read"))) {
-        file->path = find(file_name, {}, true);
+        file->path = find_text(file_name, {});
         file->reading = std::make_unique<TextFile>(file->path, load(file->path), names);
     } else {
         const bool append = code() == word("append");
         if (!append && !in.at("write")) expected("'read', 'write' or 'append'");
         take();
-        const fs::path name_only(file_name);
-        if (options.write_folder.empty())
-            fail(at, "this scene writes a file, " + strahl::quoted(file_name) +
-                         "; it may do so only in a folder that an option allows");
-        if (name_only.has_parent_path() || file_name == ".." || file_name.find('\\') != file_name.npos)
-            fail(at, "a scene may write only to files right in the folder that is allowed, not to " +
-                         strahl::quoted(file_name));
-        file->path = (fs::path(options.write_folder) / name_only).string();
-        std::error_code error;
-        if (fs::exists(file->path, error) && !is_file(file->path))
-            fail(at, strahl::quoted(file->path) + " is no regular file");
-        file->writing.open(file->path, append ? std::ios::binary | std::ios::app : std::ios::binary);
-        if (!file->writing) throw OutputError("cannot write " + strahl::quoted(file->path));
+        if (options.write_folder.empty()) {
+            std::shared_ptr<std::ostringstream>& kept = kept_files[file_name];
+            if (!append || !kept) kept = std::make_shared<std::ostringstream>();
+            file->path = file_name, file->writing = kept;
+            warn(at, strahl::quoted(file_name) + " is not written to the disk; only the scene itself can read it");
+        } else {
+            const fs::path name_only(file_name);
+            if (name_only.has_parent_path() || file_name == ".." || file_name.find('\\') != file_name.npos)
+                fail(at, "a scene may write only to files right in the folder that is allowed, not to " +
+                             strahl::quoted(file_name));
+            file->path = (fs::path(options.write_folder) / name_only).string();
+            std::error_code error;
+            if (fs::exists(file->path, error) && !is_file(file->path))
+                fail(at, strahl::quoted(file->path) + " is no regular file");
+            file->writing = std::make_shared<std::ofstream>(
+                file->path, append ? std::ios::binary | std::ios::app : std::ios::binary);
+            if (!*file->writing) throw OutputError("cannot write " + strahl::quoted(file->path));
+        }
     }
     Symbol* symbol = symbols.find(name.index);
     if (!symbol) symbol = &symbols.add(name.index, true);
@@ -225,10 +250,12 @@ void Interpreter::State::write_file() {
     const auto file = std::static_pointer_cast<const FileThing>(handle->value.thing);
     if (file->reading) fail(last, "the file is open for reading");
     accept(',');
+    std::ostream& writing = *file->writing;
+    const auto before = writing.tellp();
     const auto print = [&](double value) {
         char text[40];
         std::snprintf(text, sizeof text, "%g", value);
-        file->writing << text;
+        writing << text;
     };
     std::uint16_t binary = 0;
     while (!in.at(')')) {
@@ -247,7 +274,7 @@ void Interpreter::State::write_file() {
                 continue;
         }
         if (at_string()) {
-            file->writing << string();
+            writing << string();
         } else {
             Components value;
             sum(value);
@@ -261,22 +288,23 @@ void Interpreter::State::write_file() {
                         std::clamp(std::floor(value.value[c] + .5), is_signed ? -most - 1 : 0., most));
                     for (int i = 0; i < size; ++i) {
                         const int byte = type.ends_with("be") ? size - 1 - i : i;
-                        file->writing.put(static_cast<char>(whole >> (8 * byte) & 255));
+                        writing.put(static_cast<char>(whole >> (8 * byte) & 255));
                     }
                 }
             } else if (value.count == 1) {
                 print(value.value[0]);
             } else {
                 for (int i = 0; i < value.count; ++i) {
-                    file->writing << (i ? "," : "<");
+                    writing << (i ? "," : "<");
                     print(value.value[i]);
                 }
-                file->writing << "> ";
+                writing << "> ";
             }
         }
         accept(',');
-        if (!file->writing) throw OutputError("cannot write " + strahl::quoted(file->path));
+        if (!writing) throw OutputError("cannot write " + strahl::quoted(file->path));
     }
+    if (is_written(file->path)) *bytes += static_cast<std::size_t>(writing.tellp() - before), check_limits();
     expect(')');
 }
 

@@ -2,9 +2,11 @@
 #pragma once
 #include <array>
 #include <deque>
-#include <fstream>
+#include <map>
 #include <memory>
+#include <ostream>
 #include <set>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -33,7 +35,7 @@ struct FileThing : Thing {
     std::string path;
     std::unique_ptr<TextFile> reading;
     mutable std::size_t next = 0;
-    mutable std::ofstream writing;
+    std::shared_ptr<std::ostream> writing;
 };
 
 struct Interpreter::State {
@@ -193,6 +195,8 @@ struct Interpreter::State {
     double decode(double value) const;
 
     // Files.
+    bool is_written(const std::string& name) const;
+    std::string find_text(const std::string& name, const std::vector<std::string>& extensions);
     std::string load(const std::string& path);
     std::string find(const std::string& name, const std::vector<std::string>& extensions, bool must);
 
@@ -219,6 +223,7 @@ struct Interpreter::State {
     Symbols symbols;
     std::vector<std::unique_ptr<TextFile>> files;
     std::unordered_map<std::string, std::uint32_t> file_numbers;
+    std::map<std::string, std::shared_ptr<std::ostringstream>> kept_files;  // that the scene has written
     std::vector<std::string> paths;  // of all files that were read or found
     std::vector<Reading> readings;
     std::vector<Control> controls;

@@ -71,6 +71,7 @@ class PovReader : public SceneLayer {
     // surfaces.cpp
     bool read_surface(Interpreter& in, std::uint16_t code, ObjectThing& object);
     void read_height_field(Interpreter& in, ObjectThing& object);
+    void read_text_body(Interpreter& in, ObjectThing& object);
     // implicit.cpp
     bool read_implicit(Interpreter& in, std::uint16_t code, ObjectThing& object);
     void read_blob(Interpreter& in, ObjectThing& object);

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "files/words.h"
 #include "num/vec_math.h"
 #include "pov/reading/reader.h"
+#include "pov/things/letters.h"
 #include "scene/error.h"
 
 namespace strahl::pov {
@@ -40,21 +42,11 @@ std::shared_ptr<const ObjectThing> part_of(const ObjectThing& whole, const Shape
     return part;
 }
 
-/// Is a point inside of a closed outline?
-bool surrounds(const std::vector<Point2>& outline, const Point2& p) {
-    bool in = false;
-    for (std::size_t i = 0, k = outline.size() - 1; i < outline.size(); k = i++) {
-        const Point2 &a = outline[i], &b = outline[k];
-        if ((a[1] > p[1]) != (b[1] > p[1]) && p[0] < (b[0] - a[0]) * (p[1] - a[1]) / (b[1] - a[1]) + a[0]) in = !in;
-    }
-    return in;
-}
-
 /// Joins lines to closed outlines.
-std::vector<std::vector<Point2>> outlines_of(const std::vector<std::vector<Point2>>& lines) {
-    std::vector<std::vector<Point2>> all(1);
+std::vector<Outline> outlines_of(const std::vector<std::vector<Point2>>& lines) {
+    std::vector<Outline> all(1);
     for (const std::vector<Point2>& line : lines) {
-        std::vector<Point2>& own = all.back();
+        Outline& own = all.back();
         own.insert(own.end(), line.begin() + (own.empty() ? 0 : 1), line.end());
         if (std::hypot(own.back()[0] - own[0][0], own.back()[1] - own[0][1]) > 1e-9) continue;
         own.pop_back();
@@ -171,10 +163,10 @@ bool PovReader::read_surface(Interpreter& in, std::uint16_t code, ObjectThing& o
             double high = in.read_number();
             in.skip_comma();
             if (low > high) std::swap(low, high);
-            std::vector<Point2> points = read_points(in);
-            std::vector<std::vector<Point2>> outlines;
+            const std::vector<Point2> points = read_points(in);
+            std::vector<Outline> outlines;
             if (kind == SplineKind::linear) {
-                std::vector<Point2> own;
+                Outline own;
                 for (const Point2& p : points) {
                     if (own.size() > 2 && p == own[0])
                         outlines.push_back(std::exchange(own, {}));
@@ -186,16 +178,11 @@ bool PovReader::read_surface(Interpreter& in, std::uint16_t code, ObjectThing& o
                 outlines = outlines_of(lines_of(kind, points));
                 object.approximated("'prism" + mesh);
             }
-            const bool open = in.accept("open");
-            if (outlines.size() == 1) {
-                set_mesh(object, swept(outlines[0], low, high, conic, !open));
-            } else if (!outlines.empty()) {
-                const bool holes = surrounds(outlines[0], outlines[1][0]);
-                object.kind = holes ? ObjectKind::subtract : ObjectKind::unite;
-                for (const auto& own : outlines)
-                    object.parts.push_back(part_of(
-                        object, Mesh{std::make_shared<const MeshData>(swept(own, low, high, conic, true)), ""}));
-            }
+            set_mesh(object, swept(std::move(outlines), {.low = low,
+                                                         .high = high,
+                                                         .conic = conic,
+                                                         .caps = !in.accept("open"),
+                                                         .smooth = kind != SplineKind::linear}));
             return true;
         }
         case word("superellipsoid"): {
@@ -295,8 +282,56 @@ bool PovReader::read_surface(Interpreter& in, std::uint16_t code, ObjectThing& o
         case word("height_field"):
             read_height_field(in, object);
             return true;
+        case word("text"):
+            read_text_body(in, object);
+            return true;
         default:
             return false;
+    }
+}
+
+/// Reads text { ttf "font" "line" depth, offset }: its letters stand in the plane of x and y, and are deep in z.
+void PovReader::read_text_body(Interpreter& in, ObjectThing& object) {
+    static constexpr const char* internal_fonts[]{"timrom.ttf", "cyrvetic.ttf", "crystal.ttf", "povlogo.ttf"};
+    std::string font;
+    if (in.accept("internal")) {
+        font = internal_fonts[std::clamp(in.read_integer(), 1, 4) - 1];
+        in.skip_comma();
+    } else {
+        in.accept("ttf");
+        font = in.read_file_name();
+        in.skip_comma();
+    }
+    const std::string line = in.read_string();
+    in.skip_comma();
+    const double depth = in.read_number();
+    in.skip_comma();
+    const DVec3 offset = in.read_vector();
+    std::string path = in.find_file(font, {".ttf", ".TTF"}, false);
+    if (path.empty()) {
+        path = in.find_file(internal_fonts[0], {}, false);
+        if (path.empty()) return object.left_out("a text: cannot find its font " + strahl::quoted(font));
+        object.approximated("letters of timrom.ttf are in place of those of " + strahl::quoted(font) +
+                            ", which is not there");
+    }
+    try {
+        object.kind = ObjectKind::unite;
+        for (int i = 0; std::vector<Outline>& outlines : letters_of(path, line)) {
+            MeshData letter = swept(std::move(outlines), {.low = std::min(-depth, 0.),
+                                                          .high = std::max(-depth, 0.),
+                                                          .smooth = true});
+            const auto turn_up = [](DVec3& p) { p = {p.x, p.z, -p.y}; };
+            std::ranges::for_each(letter.points, turn_up);
+            std::ranges::for_each(letter.normals, turn_up);
+            const Steps moved{Translate{double(i++) * offset}};
+            if (!letter.triangles.empty())
+                object.parts.push_back(
+                    part_of(object, Mesh{std::make_shared<const MeshData>(std::move(letter)), ""}, moved));
+        }
+        object.steps = {Rotate{DVec3(.001)}};  // as POV-Ray turns it, so that rays hardly meet its edges
+        object.approximated("the curves of letters are straight pieces");
+    } catch (const FileError& error) {
+        object.left_out(std::string("a text: ") + error.what());
     }
 }
 

@@ -7,6 +7,7 @@
 #include "mesh/split.h"
 #include "num/vec_math.h"
 #include "pov/things/mesh_builder.h"
+#include "pov/things/outlines.h"
 
 namespace strahl::pov {
 namespace {
@@ -100,28 +101,41 @@ MeshData turned(std::span<const std::vector<Point2>> lines) {
     return mesh.finish();
 }
 
-MeshData swept(std::span<const Point2> outline, double low, double high, bool conic, bool caps) {
+MeshData swept(std::vector<Outline> outlines, const Sweep& sweep) {
+    const auto& [low, high, conic, caps, smooth] = sweep;
     MeshBuilder mesh;
-    const auto at = [&](const Point2& p, double y) {
+    const auto at = [&conic = conic](const Point2& p, double y) {
         return conic ? DVec3(p[0] * y, y, p[1] * y) : DVec3(p[0], y, p[1]);
     };
-    const std::size_t count = outline.size();
-    for (std::size_t i = 0; i < count; ++i) {
-        const Point2 &p = outline[i], &q = outline[(i + 1) % count];
-        mesh.add_square({at(p, low), at(q, low), at(q, high), at(p, high)}, {}, false);
-    }
-    for (const double y : {low, high}) {
-        if (!caps || (conic && y == 0)) continue;
-        std::vector<DVec3> points;
-        std::vector<std::int32_t> corners;
-        for (const Point2& p : outline)
-            corners.push_back(static_cast<std::int32_t>(points.size())), points.push_back(at(p, y));
-        FaceSplitter splitter;
-        for (const auto& [a, b, c] : splitter.split(points, corners)) {
-            const DVec3 &p = points[std::size_t(a)], &q = points[std::size_t(b)], &r = points[std::size_t(c)];
-            mesh.add_triangle(y == low ? std::array{p, r, q} : std::array{p, q, r}, {}, false);
+    for (const Outline& outline : turned_as_faces(outlines)) {
+        const std::size_t count = outline.size();
+        const auto side = [&](std::size_t i) {  // the normal of the side that begins at a corner
+            const Point2 &p = outline[i % count], &q = outline[(i + 1) % count];
+            return normalize(DVec3(p[1] - q[1], 0, q[0] - p[0]));
+        };
+        for (std::size_t i = 0; i < count; ++i) {
+            const Point2 &p = outline[i], &q = outline[(i + 1) % count];
+            const DVec3 own = side(i), before = side(i + count - 1), behind = side(i + 1);
+            constexpr double hardly = .9;  // the cosine of 26 degrees
+            const DVec3 first = dot_product(own, before) > hardly ? own + before : own;
+            const DVec3 last = dot_product(own, behind) > hardly ? own + behind : own;
+            mesh.add_square({at(p, low), at(q, low), at(q, high), at(p, high)}, {first, last, last, first},
+                            smooth && !conic);
         }
     }
+    for (const Outline& face : faces_of(outlines))
+        for (const double y : {low, high}) {
+            if (!caps || (conic && y == 0)) continue;
+            std::vector<DVec3> points;
+            std::vector<std::int32_t> corners;
+            for (const Point2& p : face)
+                corners.push_back(static_cast<std::int32_t>(points.size())), points.push_back(at(p, y));
+            FaceSplitter splitter;
+            for (const auto& [a, b, c] : splitter.split(points, corners)) {
+                const DVec3 &p = points[std::size_t(a)], &q = points[std::size_t(b)], &r = points[std::size_t(c)];
+                mesh.add_triangle(y == low ? std::array{p, r, q} : std::array{p, q, r}, {}, false);
+            }
+        }
     return mesh.finish();
 }
 

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "pov/things/outlines.h"
 #include "scene/kinds/mesh_data.h"
 
 namespace strahl::pov {
@@ -11,7 +12,6 @@ namespace strahl::pov {
 /// Joins equal points, and equal normals, of a mesh whose triangles have corners of their own.
 void join_points(MeshData& mesh);
 
-using Point2 = std::array<double, 2>;
 enum class SplineKind { linear, quadratic, cubic, bezier };
 /// How many straight pieces approximate each piece of a curve, and a whole turn.
 inline constexpr int curve_pieces = 16, turn_pieces = 96;
@@ -22,8 +22,16 @@ std::vector<std::vector<Point2>> lines_of(SplineKind kind, std::span<const Point
 
 /// Returns the surface that a line of radii and heights makes when it turns about the y axis.
 MeshData turned(std::span<const std::vector<Point2>> lines);
-/// Returns the solid over a closed outline in x and z, from `low` to `high`. A conic one narrows towards y = 0.
-MeshData swept(std::span<const Point2> outline, double low, double high, bool conic, bool caps);
+/// How outlines in x and z become a solid: over y from `low` to `high`.
+struct Sweep {
+    double low = 0, high = 1;
+    bool conic = false;   // it narrows towards y = 0
+    bool caps = true;
+    bool smooth = false;  // its sides have no edges where the outline hardly turns
+};
+/// Returns the solid over closed outlines. Where one lies within another there are holes, within these there is
+/// material again, and so on.
+MeshData swept(std::vector<Outline> outlines, const Sweep& sweep);
 /// (|x|^(2/e) + |y|^(2/e))^(e/n) + |z|^(2/n) = 1.
 MeshData superellipsoid(double e, double n);
 /// The bicubic surface of 16 control points, row by row, in `pieces` by `pieces` squares.

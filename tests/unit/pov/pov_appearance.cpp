@@ -153,7 +153,7 @@ TEST_CASE("POV-Ray: what scenes cannot hold is told with its line, once") {
     told("sphere { 0, 1 finish { reflection { .5 exponent 2 } } }", "approximated: 'exponent' of a reflection");
     told("sphere { 0, 1 pigment { hexagon } }", "approximated: the pattern 'hexagon' is its mean colour");
     told("blob { sphere { 0, 1, 2 } }", "approximated: 'blob' is a mesh of flat pieces");
-    told("text { internal 1 \"A\" 1, 0 }", "left out: the body 'text'");
+    told("text { ttf \"no.ttf\" \"A\" 1, 0 }", "left out: a text: cannot find its font 'no.ttf'");
     told("media { emission 1 }", "left out: media");
     told("rainbow { distance 1 }", "left out: a rainbow");
     told("sphere { 0, 0 }", "left out: a body: a number of it is out of range");

@@ -1,11 +1,15 @@
 // Bodies of POV-Ray's scenes: shapes, composites, transformations, and which texture each has.
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <string>
 #include <utility>
 
 #include "num/vec_math.h"
+#include "pov/language/interpreter_options.h"
+#include "pov/things/letters.h"
 #include "pov/things/steps.h"
+#include "pov/things/surfaces.h"
 #include "scene/leaves.h"
 #include "scene/overlap.h"
 #include "tests/unit/pov/opened.h"
@@ -165,6 +169,83 @@ TEST_CASE("POV-Ray: curved bodies become closed meshes") {
     }
     CHECK(contains(opened("superellipsoid { <1, 1> }").scene.primitives[0], {.57, .57, .57}));
     CHECK_FALSE(contains(opened("superellipsoid { <1, 1> }").scene.primitives[0], {.6, .6, .6}));
+}
+
+/// Checks that a mesh is closed and has this volume.
+static void check_solid(const MeshData& mesh, double volume) {
+    CHECK(!open_side(mesh));
+    double sum = 0;
+    for (const MeshData::Corners& own : mesh.triangles) {
+        const auto at = [&](int k) { return mesh.points[static_cast<std::size_t>(own[static_cast<std::size_t>(k)])]; };
+        sum += dot_product(at(0), cross_product(at(1), at(2))) / 6;
+    }
+    CHECK(std::fabs(sum) == doctest::Approx(std::fabs(volume)).epsilon(1e-9));
+}
+
+TEST_CASE("POV-Ray: prisms have holes, and what is within these") {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> unit(0, 1);
+    // Stars around a middle: the outermost, four holes in it, and an island in each hole.
+    const auto star = [&](const pov::Point2& middle, double radius, double& area) {
+        pov::Outline all;
+        for (int i = 0, count = 3 + int(9 * unit(random)); i < count; ++i) {
+            const double angle = 2 * 3.14159265358979323846 * i / count, r = radius * (.6 + .4 * unit(random));
+            all.push_back({middle[0] + r * std::cos(angle), middle[1] + r * std::sin(angle)});
+        }
+        double twice = 0;
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            const pov::Point2 &p = all[i], &q = all[(i + 1) % all.size()];
+            twice += p[0] * q[1] - p[1] * q[0];
+        }
+        area = twice / 2;
+        if (unit(random) < .5) std::ranges::reverse(all);
+        return all;
+    };
+    for (int trial = 0; trial < 30; ++trial) {
+        std::vector<pov::Outline> outlines{{{-1, -1}, {0, -1}, {1, -1}, {1, 1}, {-1, 1}, {-1, 0}}};
+        double area = 4, own = 0;
+        for (const double x : {-.5, .5})
+            for (const double y : {-.5, .5}) {
+                outlines.push_back(star({x, y}, .45, own)), area -= own;
+                outlines.push_back(star({x, y}, .12, own)), area += own;
+            }
+        std::ranges::shuffle(outlines, random);
+        check_solid(pov::swept(outlines, {.low = -1, .high = 2}), 3 * area);
+    }
+    const Scene frame =
+        whole("prism { 0, 1, 8, <0, 0>, <3, 0>, <0, 3>, <0, 0>, <.5, .5>, <.5, 1>, <1, .5>, <.5, .5> }");
+    CHECK(contains(frame.primitives.at(0), {.2, .5, .2}));
+    CHECK_FALSE(contains(frame.primitives[0], {.6, .5, .6}));
+}
+
+TEST_CASE("POV-Ray: letters are solid, and follow each other as in POV-Ray") {
+    const std::vector<std::string> folders = pov::standard_library();
+    if (folders.empty()) return;  // POV-Ray's fonts are not there
+    const auto font = folders[0] + "/timrom.ttf";
+    std::string all;
+    for (char c = '!'; c <= '~'; ++c) all += c;
+    for (const std::vector<pov::Outline>& letter : pov::letters_of(font, all)) {
+        std::vector<pov::Outline> turned = letter;
+        double area = 0;
+        for (const pov::Outline& own : pov::turned_as_faces(turned))
+            for (std::size_t i = 0; i < own.size(); ++i) {
+                const pov::Point2 &p = own[i], &q = own[(i + 1) % own.size()];
+                area += (p[0] * q[1] - p[1] * q[0]) / 2;
+            }
+        check_solid(pov::swept(letter, {.smooth = true}), area);
+    }
+    const auto begin = [&](const std::string& line) {  // of the last letter
+        double least = 9;
+        const std::vector<pov::Outline> last = pov::letters_of(font, line).back();
+        for (const pov::Outline& own : last)
+            for (const pov::Point2& p : own) least = std::min(least, p[0]);
+        return least;
+    };
+    CHECK(begin("A") == 0);
+    CHECK(begin("AV") < begin("AH") - .05);  // they are moved together
+    CHECK(pov::letters_of(font, "A A").at(1).empty());
+    CHECK(pov::letters_of(font, "\xC3\x84\xE2\x82\xAC").size() == 2);
+    CHECK(says(fault_of([&] { pov::letters_of(__FILE__, "A"); }), "is not a font with outlines"));
 }
 
 TEST_CASE("POV-Ray: blobs, polynomials and isosurfaces become meshes near their surfaces") {

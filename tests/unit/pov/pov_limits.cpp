@@ -147,8 +147,16 @@ TEST_CASE("files that a scene reads and writes") {
         run_script("#fopen F \"data.txt\" read #read (F, a, b, c, d, e) #debug str(defined(F),0,0) #fclose F", options)
             .printed == "0");
     const std::string writing = "#fopen F \"y.txt\" write #write (F, \"a\", 1.5, <1,2,3>, 1e10, \"\\n\") #fclose F";
-    CHECK(run_script(writing, options).error.find("only in a folder that an option allows") != std::string::npos);
+    // Without a folder that is allowed, only the scene itself can read what it writes: what it has written last.
+    CHECK(run_script(writing + " #include \"y.txt\"", options).error.find("y.txt:1") != std::string::npos);
+    CHECK(run_script("#macro Say(S) #fopen F \"y.inc\" write #write (F, S) #fclose F #include \"y.inc\" #end "
+                     "Say(\"#debug \\\"a\\\"\") Say(\"#debug \\\"b\\\"\") "
+                     "#fopen F \"data.txt\" append #write (F, 7) #fclose F "
+                     "#fopen F \"data.txt\" read #read (F, n) #debug str(n,0,0)",
+                     options)
+              .printed == "ab7");
     CHECK(!std::filesystem::exists(folder / "y.txt"));
+    CHECK(read(folder / "data.txt").front() == '1');
     options.write_folder = (folder / "out").string();
     CHECK(run_script(writing, options).error == "");
     CHECK(read(folder / "out/y.txt") == "a1.5<1,2,3> 1e+10\n");
