@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <ctime>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -61,6 +62,7 @@ class Server {
         EditedScene scene;
         Json version{};
         bool checked = false;
+        bool slow = false;  // the last check took more than a second
         const Document& document() const { return *scene.document; }
     };
     /// A place that the editor asks about.
@@ -168,7 +170,8 @@ void Server::take_notice(const std::string& method, const Json& params) {
     } else if (method == "textDocument/didChange") {
         change(params);
     } else if (method == "textDocument/didSave") {
-        for (auto& [uri, open] : texts) open.checked = false;  // each may include what was saved
+        const std::string saved = params.at("textDocument").at("uri");
+        for (auto& [uri, open] : texts) open.checked &= open.slow && uri != saved;  // each may include what was saved
     } else if (method == "textDocument/didClose") {
         const std::string uri = params.at("textDocument").at("uri");
         if (texts.erase(uri))
@@ -185,13 +188,15 @@ void Server::change(const Json& params) {
     if (changes.back().contains("range")) throw Refusal{-32602, "changed texts must come whole"};
     OpenText& open = found->second;
     open.scene.document = std::make_shared<const Document>(open.document().path, changes.back().at("text"));
-    open.version = text.value("version", Json()), open.checked = false;
+    open.version = text.value("version", Json()), open.checked &= open.slow;
 }
 
 void Server::publish(const std::string& uri, OpenText& open) {
     Json list = Json::array();
+    const std::clock_t begin = std::clock();
     for (const Problem& problem : check_scene(open.document().text, open.document().path, open.scene.files))
         list.push_back(diagnostic(open.document(), problem));
+    open.slow = std::clock() - begin > CLOCKS_PER_SEC;
     Json params{{"uri", uri}, {"diagnostics", list}};
     if (open.version.is_number_integer()) params["version"] = open.version;
     send({{"method", "textDocument/publishDiagnostics"}, {"params", params}});

@@ -9,7 +9,8 @@ namespace strahl {
 ///
 /// It is a server of the Language Server Protocol 3.17 (microsoft.github.io/language-server-protocol): it publishes
 /// errors and warnings, and answers `hover`, `completion` and `definition`. Texts come whole with each change. While
-/// one is checked, messages wait; several that wait lead to one check.
+/// one is checked, messages wait; several that wait lead to one check. A text whose last check took more than a second
+/// is checked when it is saved, not when it changes.
 int serve_editor(std::istream& in, std::ostream& out);
 
 }  // namespace strahl
