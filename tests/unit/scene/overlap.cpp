@@ -4,8 +4,8 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
+#include <ctime>
 #include <limits>
 #include <memory>
 #include <random>
@@ -80,9 +80,9 @@ TEST_CASE("a hundred thousand glass balls are searched in no time, along any axi
                 add_ball(scene, {3. * (i % 46), 3. * (i / 46 % 46), 3. * (i / 2116)}, 1.5);
             else
                 add_ball(scene, double(i) * step, 1);
-        const auto start = std::chrono::steady_clock::now();
+        const std::clock_t start = std::clock();  // processor time, which other programs do not lengthen
         CHECK_FALSE(transparent_bodies_overlap(scene));
-        CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(10));
+        CHECK(std::clock() - start < 10 * CLOCKS_PER_SEC);
         add_ball(scene, (balls - 1.) * step, 1);
         CHECK(transparent_bodies_overlap(scene));
     }

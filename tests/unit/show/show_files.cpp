@@ -25,9 +25,9 @@ using namespace strahl;
 
 namespace {
 
-/// Waits for another thread.
+/// Waits for another thread, for a minute at most.
 bool soon(const std::function<bool()>& done) {
-    for (int i = 0; i < 1000; ++i) {
+    for (int i = 0; i < 6000; ++i) {
         if (done()) return true;
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }

@@ -24,12 +24,12 @@ class Watcher {
   public:
     explicit Watcher(int threads = 2) : tracing(threads, [this] { hear(); }) {}
 
-    /// Takes updates until `enough`; false after ten seconds without one.
+    /// Takes updates until `enough`; false after a minute without one.
     bool watch(const std::function<bool(const Refinement&)>& enough) {
         while (true) {
             {
                 std::unique_lock lock(mutex);
-                if (!wake.wait_for(lock, std::chrono::seconds(10), [this] { return heard; })) return false;
+                if (!wake.wait_for(lock, std::chrono::seconds(60), [this] { return heard; })) return false;
                 heard = false;
             }
             const auto notify = tracing.take([this](const Fresh& fresh) { copy(fresh); });

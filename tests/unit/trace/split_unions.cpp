@@ -4,7 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <chrono>
+#include <ctime>
 #include <memory>
 #include <random>
 
@@ -102,11 +102,11 @@ TEST_CASE("what a union of many bodies becomes") {
     CHECK(materials.at(4).bump.pattern->transformations == back);
     materials.assign(4, {});
 
-    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t start = std::clock();  // processor time, which other programs do not lengthen
     const std::size_t many = sanitized() ? 20000 : 100000;
     for (const double step : {0., .001, 3.})
         CHECK(split_union(row(static_cast<int>(many), step, 0), materials).size() == many);
-    CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(10));
+    CHECK(std::clock() - start < 10 * CLOCKS_PER_SEC);
     CHECK(materials.size() == 4);
 }
 
