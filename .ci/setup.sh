@@ -7,6 +7,34 @@ build_packages=(g++ cmake ninja-build pkg-config libglfw3-dev libgl-dev libglm-d
 test_packages=(doctest-dev povray xvfb xauth libgl1-mesa-dri xdotool imagemagick openimageio-tools parallel
     dpkg-dev)
 attack_packages=(clang-16 libclang-rt-16-dev)
+# What other systems call them: Debian, Fedora, Arch, openSUSE; - where it may have none.
+names_elsewhere='
+g++               gcc-c++                 gcc              gcc-c++
+cmake             cmake                   cmake            cmake
+ninja-build       ninja-build             ninja            ninja
+pkg-config        pkgconf-pkg-config      pkgconf          pkg-config
+libglfw3-dev      glfw-devel              glfw             libglfw-devel
+libgl-dev         mesa-libGL-devel        libglvnd         Mesa-libGL-devel
+libglm-dev        glm-devel               glm              glm-devel
+libopenimageio-dev OpenImageIO-devel      openimageio      OpenImageIO-devel
+zlib1g-dev        zlib-devel              zlib             zlib-devel
+libfreetype-dev   freetype-devel          freetype2        freetype2-devel
+libimgui-dev      -                       imgui            imgui-devel
+libcli11-dev      cli11-devel             cli11            cli11-devel
+nlohmann-json3-dev json-devel             nlohmann-json    nlohmann_json-devel
+libopenal-dev     openal-soft-devel       openal           openal-soft-devel
+libvorbis-dev     libvorbis-devel         libvorbis        libvorbis-devel
+doctest-dev       doctest-devel           doctest          doctest-devel
+povray            -                       povray           povray
+xvfb              xorg-x11-server-Xvfb    xorg-server-xvfb xorg-x11-server-Xvfb
+xauth             xorg-x11-xauth          xorg-xauth       xauth
+libgl1-mesa-dri   mesa-dri-drivers        mesa             Mesa-dri
+xdotool           xdotool                 xdotool          xdotool
+imagemagick       ImageMagick             imagemagick      ImageMagick
+openimageio-tools -                       openimageio      -
+parallel          parallel                parallel         gnu_parallel
+dpkg-dev          -                       dpkg             -
+'
 
 say() { printf 'strahl: %s\n' "$*" >&2; }
 die() {
@@ -37,12 +65,50 @@ logged() {
     return 1
 }
 
+# Says what a system without apt calls the given Debian packages, and how it installs them.
+name_packages() { # PACKAGE...
+    local column=0 install='' names=() others=() row package name
+    if command -v dnf >/dev/null; then
+        column=1 install='dnf install'
+    elif command -v pacman >/dev/null; then
+        column=2 install='pacman -S --needed'
+    elif command -v zypper >/dev/null; then
+        column=3 install='zypper install'
+    fi
+    for package; do
+        name=-
+        while read -ra row; do
+            [[ ${row[0]-} != "$package" || $column == 0 ]] || name=${row[column]}
+        done <<<"$names_elsewhere"
+        if [[ $name != - ]]; then names+=("$name"); else others+=("$package"); fi
+    done
+    say "not a Debian system: nothing is installed. These packages are needed, if they are not there yet:"
+    [[ -z $install ]] || say "    sudo $install ${names[*]}"
+    ((${#others[@]} == 0)) || say "    ${install:+and }what Debian calls ${others[*]}"
+    [[ -z $install || " ${others[*]} " != *" libimgui-dev "* ]] ||
+        say "without Dear ImGui there is no window; once, before this: cmake --preset release -D STRAHL_WINDOW=OFF"
+}
+
+# Stops on releases whose compiler and libraries are too old, before anything is installed.
+require_release() {
+    local ID='' VERSION_ID='' PRETTY_NAME='' first=0
+    # shellcheck source=/dev/null
+    source "${SYSTEMD_OS_RELEASE-/etc/os-release}" 2>/dev/null || return 0
+    case $ID in
+    debian) first=12 ;;
+    ubuntu) first=24 ;;
+    esac
+    [[ ! $VERSION_ID =~ ^[0-9]+ ]] || ((BASH_REMATCH[0] >= first)) ||
+        die "$PRETTY_NAME is too old: strahl builds on Debian from 12 on and on Ubuntu from 24.04 on;" \
+            "src/building.md says how to make a package there that runs here"
+}
+
 # Installs those of the given Debian packages that are not there yet, and says so first.
 install_packages() {
     local root=$1 missing=() package
     shift
     if ! command -v dpkg-query >/dev/null; then
-        say "not a Debian system: nothing is installed; the build needs what Debian calls: $*"
+        name_packages "$@"
         return
     fi
     local there
@@ -51,6 +117,7 @@ install_packages() {
         grep -qxF -e "$package" <<<"$there" || missing+=("$package")
     done
     ((${#missing[@]})) || return 0
+    require_release
 
     local apt=(env DEBIAN_FRONTEND=noninteractive apt-get -q -y -o DPkg::Lock::Timeout=300) su=()
     if ((EUID != 0)); then

@@ -180,6 +180,19 @@ rm -r "$root/build"
 FAILING=install launch 1 "*install --no-install-recommends cmake libimgui-dev"
 warns "could not install them; try it by hand"
 
+# On a release whose compiler is too old it says so and installs nothing.
+rm -r "$root/build"
+for release in "debian 11" "ubuntu 22.04"; do
+    printf 'ID=%s\nVERSION_ID="%s"\nPRETTY_NAME="The %s"\n' $release "$release" >"$work/os-release"
+    SYSTEMD_OS_RELEASE="$work/os-release" launch 1 ""
+    warns "The $release is too old: strahl builds on Debian from 12 on and on Ubuntu from 24.04 on"
+done
+for release in "debian 13" "debian" "ubuntu 24.04" "other 3"; do
+    printf 'ID=%s\nVERSION_ID="%s"\n' $release >"$work/os-release"
+    SYSTEMD_OS_RELEASE="$work/os-release" launch 7 "*install*$first"
+    rm -r "$root/build"
+done
+
 # Without root and sudo it prints what to do.
 rm -rf "$tools/sudo" "$root/build" "$LOG"
 mkdir "$work/bin"
@@ -203,9 +216,25 @@ grep -qxF "strahl: cannot write to $root/build, where the program is built: copy
  start it there" "$work/stderr" || fault "in a tree without permission to write it says: $(<"$work/stderr")"
 chmod u+w "$root"
 
-# On other systems it prints what is needed, and tries to build.
+# On other systems it prints what is needed, in the words of the package manager that is there, and tries to build.
 rm "$tools/dpkg-query"
 launch 7 "$first"
 warns "not a Debian system"
+warns "what Debian calls g++ cmake"
+for words in "dnf install gcc-c++" "pacman -S --needed gcc" "zypper install gcc-c++"; do
+    rm -r "$root/build"
+    : | tool "${words%% *}"
+    launch 7 "$first"
+    warns "    sudo $words cmake ninja"
+    grep -q "libopenimageio-dev" "$work/stderr" && fault "a package has Debian's name: $(<"$work/stderr")"
+    rm "$tools/${words%% *}"
+done
+# shellcheck source=../../.ci/setup.sh
+source "$root/.ci/setup.sh"
+# shellcheck disable=SC2154  # setup.sh sets them
+for package in "${build_packages[@]}" "${test_packages[@]}"; do
+    read -ra row < <(grep "^$package " <<<"$names_elsewhere")
+    ((${#row[@]} == 4)) || fault "of $package there are no names on other systems in names_elsewhere"
+done
 PATH="$tools:/usr/bin:/bin"
 finish
