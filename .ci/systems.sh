@@ -63,8 +63,9 @@ prepare_arm64() { # ROOT
         --extract-hook='mkdir "$1/DEBIAN" && cd "$1/var/cache/apt/archives" && for deb in *.deb; do
             for list in symbols shlibs; do dpkg-deb -I "$deb" $list >>"$1/DEBIAN/$list" 2>/dev/null || true; done; done' \
         bookworm "$libraries.new"
-    # What installing would have linked.
+    # Links that installing would have made, and one that holds in a system of its own only.
     ln -s blas/libblas.so.3 lapack/liblapack.so.3 "$libraries.new/usr/lib/aarch64-linux-gnu/"
+    ln -sfr "$libraries.new"/lib/aarch64-linux-gnu/libz.so.1 "$libraries.new/usr/lib/aarch64-linux-gnu/libz.so"
     mv -- "$libraries.new" "$libraries"
 }
 

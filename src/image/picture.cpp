@@ -62,8 +62,8 @@ Decode load_library() {
     // Never closed: the libraries behind it do not all survive being unloaded.
     void* const handle = ::dlopen(path.c_str(), RTLD_LAZY | RTLD_LOCAL);
     if (!handle)
-        throw OutputError(std::string("the part of strahl that reads pictures does not load: ") +
-                          ::dlerror());
+        throw OutputError(std::string("the part of strahl that reads pictures does not load: ") + ::dlerror() +
+                          "; it needs OpenImageIO in the version that strahl was built with");
 #if defined(__SANITIZE_ADDRESS__)
     // One of these libraries ends its threads at exit, and the leak check fails on threads that are just ending: check
     // before.

@@ -23,6 +23,10 @@ target_compile_options(strahl_options PRIVATE -O0)
 target_link_libraries(strahl_options PRIVATE strahl_flags)
 set_target_properties(strahl_options PROPERTIES UNITY_BUILD ON)
 target_link_libraries(strahl PRIVATE strahl_options)
-set_target_properties(strahl PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR})
+# Installed with libraries of its own, it finds these beside its module for reading pictures; they find each other there,
+# too, by the older of the linker's two kinds of such paths.
+set_target_properties(strahl PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}
+                      BUILD_WITH_INSTALL_RPATH ON INSTALL_RPATH "$ORIGIN/../lib/strahl")
+target_link_options(strahl PRIVATE -Wl,--disable-new-dtags)
 
 include(src/main/package.cmake)

@@ -26,6 +26,15 @@ for command in '' render view play join check compare bundle import pov crossche
 done
 for scene in moved/share/strahl/scenes/*.rt; do expect 0 "no errors" check "$scene"; done
 
+# Libraries beside its module come before the system's, also for those that need each other.
+for library in libvorbisfile.so.3 libvorbis.so.0; do
+    system=$(ldd "$strahl" | sed -n "s/.*$library => \(.*\) (.*/\1/p")
+    [[ $system ]] || continue # it was built without sound
+    cp "$system" moved/lib/strahl
+    [[ $(ldd "$strahl") == *"$library => $work/moved/"* ]] || fault "it does not find its own $library"
+    rm "moved/lib/strahl/$library"
+done
+
 # A desktop's menu starts it without a scene.
 said=$(env -u DISPLAY -u WAYLAND_DISPLAY "$strahl" view 2>&1)
 [[ $said != *required* ]] || fault "without a scene it opens none: $said"
@@ -74,6 +83,7 @@ if command -v dpkg-shlibdeps >/dev/null; then
     [[ $(dpkg-deb -f package/*.deb Depends) == *libglfw3* ]] || fault "the package does not depend on GLFW"
     [[ $(dpkg-deb -f package/*.deb Depends) != *openimageio* && $(dpkg-deb -f package/*.deb Recommends) == *openimageio* ]] ||
         fault "the package depends on $(dpkg-deb -f package/*.deb Depends), not only recommends OpenImageIO"
+    [[ $(dpkg-deb -f package/*.deb Recommends) != *libc6* ]] || fault "the package recommends what it depends on"
     rm -rf package
 fi
 
@@ -95,5 +105,6 @@ for module in missing broken; do
     expect 0 "" render scene.rt -o y.png --size 8x6
     expect_same x.png y.png
     expect 1 "libstrahl_image.so" compare x.png y.png
+    [[ $module == missing ]] || expect 1 "it needs OpenImageIO in the version that" compare x.png y.png
 done
 finish
