@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "files/output_file.h"
+#include "files/read_file.h"
 #include "files/streams.h"
 #include "num/decimal.h"
 
@@ -46,7 +47,8 @@ class Scratch {
     /// both.
     ~Scratch() {
         const int opened = ::open(folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC);
-        for (const char* const file : {"scene.pov", "scene.ini", "scene.png", "log"}) ::unlinkat(opened, file, 0);
+        for (const char* const file : {"scene.pov", "scene.ini", "view.pov", "scene.ppm", "log"})
+            ::unlinkat(opened, file, 0);
         ::close(opened);
         if (::rmdir(folder.c_str()) != 0) remove_folder(folder);
     }
@@ -150,7 +152,14 @@ PovRun finished(const Scratch& scratch, const std::string& folder, std::vector<s
     const std::string log = content(log_path);
     if (status != 0)
         throw std::runtime_error("povray failed:\n" + log.substr(log.size() < 1500 ? 0 : log.size() - 1500));
-    return {picture_of(scratch.path("scene.png"), width, height), trace_seconds(log), warnings_in(log)};
+    return {picture_of(scratch.path("scene.ppm"), width, height), trace_seconds(log), warnings_in(log)};
+}
+
+/// Adds the options for averages over pixels.
+void add_grid(std::vector<std::string>& words, int grid) {
+    if (grid == 0) return;
+    words.insert(words.end(), {"Antialias=On", "Sampling_Method=1", "Antialias_Threshold=0", "Jitter=Off",
+                               "Antialias_Depth=" + std::to_string(grid)});
 }
 
 }  // namespace
@@ -159,31 +168,36 @@ PovRun run_povray(const Scene& scene, PovRequest request, int threads, const std
     const Scratch scratch;
     // It runs in that folder: no .ini file need hold the folder's name, whatever characters are in it.
     request.pov_path = "scene.pov";
-    request.picture_path = "scene.png";
+    request.picture_path = "scene.ppm";
     request.bits = 16;
     const PovFiles files = write_pov(scene, request);
     write(files, scratch.path("scene.pov"));
-    std::vector<std::string> words{"povray", "scene.ini", "Warning_Console=On", "Verbose=Off"};
+    // The library that reads .png files takes longer to load than many a picture to trace.
+    std::vector<std::string> words{"povray", "scene.ini", "Output_File_Type=P", "Warning_Console=On", "Verbose=Off"};
     // Linear values are compared without a transfer curve.
     if (scene.settings.linear) words.push_back("File_Gamma=1.0");
     if (threads > 0) words.push_back("Work_Threads=" + std::to_string(threads));
-    if (request.grid > 0)
-        for (const char* const word : {"Antialias=On", "Sampling_Method=1", "Antialias_Threshold=0", "Jitter=Off"})
-            words.push_back(word);
-    if (request.grid > 0) words.push_back("Antialias_Depth=" + std::to_string(request.grid));
+    add_grid(words, request.grid);
     return finished(scratch, scratch.path("."), std::move(words), request.width, request.height, stop);
 }
 
 PovRun run_povray_file(const PovFile& file, int threads, const std::atomic<bool>* stop) {
     const Scratch scratch;
     const fs::path path = fs::absolute(file.path);
+    std::string input = path.filename().string();
+    if (file.camera) {
+        // POV-Ray takes the last camera. A text that included the file would have another #version than its own.
+        input = scratch.path("view.pov");
+        const double aspect = double(file.width) / file.height;
+        write_file(input, read_text(file.path) + "\n" + pov_camera(*file.camera, aspect, file.mirrored));
+    }
     std::vector<std::string> words{"povray",
-                                   "+I" + path.filename().string(),
-                                   "+O" + scratch.path("scene.png"),
+                                   "+I" + input,
+                                   "+O" + scratch.path("scene.ppm"),
                                    "+W" + std::to_string(file.width),
                                    "+H" + std::to_string(file.height),
                                    "+K" + text_of(file.clock),
-                                   "+FN16",
+                                   "+FP16",
                                    "Antialias=Off",
                                    "Display=Off",
                                    "Dither=Off",
@@ -193,6 +207,7 @@ PovRun run_povray_file(const PovFile& file, int threads, const std::atomic<bool>
                                    file.linear ? "File_Gamma=1.0" : "File_Gamma=srgb"};
     for (const std::string& folder : file.library) words.push_back("+L" + fs::absolute(folder).string());
     if (threads > 0) words.push_back("Work_Threads=" + std::to_string(threads));
+    add_grid(words, file.grid);
     return finished(scratch, path.parent_path().string(), std::move(words), file.width, file.height, stop);
 }
 

@@ -1,6 +1,7 @@
 // Runs POV-Ray.
 #pragma once
 #include <atomic>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,9 +31,14 @@ struct PovFile {
     bool linear = false;  // the values of the picture are linear light
     std::vector<std::string> library{};  // folders of included files
     double clock = 0;
+    int grid = 0;  // n > 0: as in PovRequest
+    /// If given, this camera of the Scene that was made of the file replaces the file's own. `mirrored`: that scene is
+    /// the file's mirror image in z.
+    std::optional<Camera> camera{};
+    bool mirrored = false;
 };
 
-/// Renders a file in its folder, one ray through the middle of each pixel. Throws as run_povray does.
+/// Renders a file in its folder; without a grid one ray through the middle of each pixel. Throws as run_povray does.
 PovRun run_povray_file(const PovFile& file, int threads, const std::atomic<bool>* stop = nullptr);
 
 }  // namespace strahl

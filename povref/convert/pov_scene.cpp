@@ -131,7 +131,7 @@ std::string top(const Scene& scene, const PovRequest& request, const Plan& plan)
 struct PovCamera {
     DVec3 location, right, up, direction;
 };
-PovCamera pov_camera(const Camera& camera, double aspect) {
+PovCamera axes_of(const Camera& camera, double aspect) {
     const CameraFrame frame = frame_of(camera, aspect);
     return {camera.position, 2 * frame.tan_x * frame.right, -2 * frame.tan_y * frame.down, frame.forward};
 }
@@ -143,10 +143,18 @@ std::string array(const std::string& name, const std::vector<PovCamera>& cameras
     return text + "}\n";
 }
 
+/// Writes a camera from the text of each of its vectors.
+template <class Text>
+std::string camera_block(const Text& text) {
+    return "camera {\n  perspective\n  location  " + text("Eye", &PovCamera::location) + "\n  right     " +
+           text("Right", &PovCamera::right) + "\n  up        " + text("Up", &PovCamera::up) + "\n  direction " +
+           text("Direction", &PovCamera::direction) + "\n}\n";
+}
+
 std::string camera_section(const PovRequest& request, const Plan& plan) {
     std::vector<PovCamera> cameras;
     for (const Camera& camera : request.cameras)
-        cameras.push_back(pov_camera(camera, double(request.width) / request.height));
+        cameras.push_back(axes_of(camera, double(request.width) / request.height));
     const bool animated = request.fps > 0;
     std::string text =
         heading("Camera") + comment(
@@ -157,12 +165,10 @@ std::string camera_section(const PovRequest& request, const Plan& plan) {
         text += comment("One entry per frame, " + text_of(request.fps) + " frames a second; frame_number chooses.") +
                 array("Eye", cameras, &PovCamera::location) + array("Right", cameras, &PovCamera::right) +
                 array("Up", cameras, &PovCamera::up) + array("Direction", cameras, &PovCamera::direction);
-    const auto value = [&](const char* name, DVec3 PovCamera::*member) {
-        return animated ? name + std::string("[frame_number]") : text_of(cameras[0].*member);
-    };
-    return text + "camera {\n  perspective\n  location  " + scaled(value("Eye", &PovCamera::location), plan) +
-           "\n  right     " + value("Right", &PovCamera::right) + "\n  up        " + value("Up", &PovCamera::up) +
-           "\n  direction " + value("Direction", &PovCamera::direction) + "\n}\n";
+    return text + camera_block([&](const char* name, DVec3 PovCamera::*member) {
+               const std::string value = animated ? name + std::string("[frame_number]") : text_of(cameras[0].*member);
+               return member == &PovCamera::location ? scaled(value, plan) : value;
+           });
 }
 
 /// Returns a place for a parallel light, since every light of POV-Ray needs one. Bodies behind it cast no shadow, so it
@@ -256,6 +262,14 @@ PovFiles write_pov(const Scene& whole, const PovRequest& request) {
                 bodies,
             ini_of(scene, request, {plan.inside, plan.keyword, plan.moves, !pictures.empty()}), warnings_of(plan),
             std::move(pictures)};
+}
+
+std::string pov_camera(const Camera& camera, double aspect, bool mirrored) {
+    const PovCamera axes = axes_of(camera, aspect);
+    return camera_block([&](const char*, DVec3 PovCamera::*member) {
+        const DVec3& v = axes.*member;
+        return text_of(mirrored ? DVec3(v.x, v.y, -v.z) : v);
+    });
 }
 
 void write(const PovFiles& files, const std::string& pov_path) {

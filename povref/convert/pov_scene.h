@@ -34,4 +34,7 @@ void write(const PovFiles& files, const std::string& pov_path);
 /// term, and its camera's axes are written out, so that the handedness of the world does not matter.
 PovFiles write_pov(const Scene& scene, const PovRequest& request);
 
+/// Returns the block of a camera for pictures of these proportions (width / height); `mirrored` in z.
+std::string pov_camera(const Camera& camera, double aspect, bool mirrored);
+
 }  // namespace strahl

@@ -1,18 +1,49 @@
 #include "pov/open_pov.h"
 
 #include <algorithm>
+#include <map>
+#include <string_view>
 
 #include "pov/meaning/queries.h"
 #include "pov/meaning/scene_maker.h"
 
 namespace strahl::pov {
+namespace {
+
+SourceLines lines_of(const std::vector<TextPlace>& places, const Interpreter& in) {
+    struct KnownText {
+        std::uint32_t number;
+        std::vector<std::uint32_t> ends;  // of its lines
+    };
+    std::map<std::uint32_t, KnownText> texts;
+    SourceLines lines;
+    for (const TextPlace& place : places) {
+        const auto number = static_cast<std::uint32_t>(texts.size());
+        const auto [known, fresh] = texts.try_emplace(place.file, KnownText{number, {}});
+        auto& ends = known->second.ends;
+        if (fresh) {
+            const std::string_view text = in.text_at({place.file, 0});
+            for (std::size_t i = 0; i < text.size(); ++i)
+                if (text[i] == '\n' || (text[i] == '\r' && text.substr(i + 1, 1) != "\n"))
+                    ends.push_back(static_cast<std::uint32_t>(i));
+            lines.files.push_back(in.path_of(place));
+        }
+        const auto before = std::ranges::lower_bound(ends, place.at) - ends.begin();
+        lines.bodies.push_back({known->second.number, static_cast<int>(before) + 1});
+    }
+    return lines;
+}
+
+}  // namespace
 
 OpenedPov open_pov(std::string text, const InterpreterOptions& options, const ReadPixels& read_pixels) {
     PovLayer layer(read_pixels);
     Interpreter in(std::move(text), options, layer);
     layer.read_all(in);
+    SceneMaker maker(in, read_pixels, layer.contents);
     OpenedPov opened{
-        .scene = SceneMaker(in, read_pixels, layer.contents).make(), .notes = {}, .warnings = {}, .files = in.files()};
+        .scene = maker.make(), .mirrored = maker.mirrors(), .notes = {}, .warnings = {}, .files = in.files()};
+    opened.lines = lines_of(maker.places(), in);
     std::vector<Remark> remarks = in.remarks();
     std::ranges::stable_sort(remarks, {}, [](const Remark& own) { return std::pair(own.place.file, own.place.at); });
     for (const Remark& own : remarks) {

@@ -1,5 +1,6 @@
 // Opens scenes of POV-Ray.
 #pragma once
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -15,8 +16,20 @@ struct PovNote {
     std::string text;  // "scene.pov:12: left out: media"
 };
 
+/// The places of the bodies of a scene in the texts that it was made of.
+struct SourceLines {
+    struct BodyLine {
+        std::uint32_t file = 0;  // its number in `files`
+        int number = 0;          // counted from 1
+    };
+    std::vector<std::string> files{};  // their paths
+    std::vector<BodyLine> bodies{};        // by the number of the body
+};
+
 struct OpenedPov {
     Scene scene;
+    SourceLines lines{};
+    bool mirrored = false;              // the scene is the file's mirror image in z
     std::vector<PovNote> notes;         // in the order of files and lines, each once
     std::vector<std::string> warnings;  // about the text itself
     std::vector<std::string> files;     // all that were read, the scene's first

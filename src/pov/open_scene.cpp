@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "pov/expand.h"
-#include "pov/open_pov.h"
 #include "text/parse.h"
 #include "text/reading/other_files.h"
 
@@ -34,7 +33,11 @@ OpenedScene open_scene(const std::string& text, const std::string& path, const O
         return result;
     }
     pov::OpenedPov opened = open_pov(text, how, read_pixels);
-    OpenedScene result{.scene = std::move(opened.scene), .summary = opened.summary(), .files = std::move(opened.files)};
+    OpenedScene result{.scene = std::move(opened.scene),
+                       .summary = opened.summary(),
+                       .lines = std::move(opened.lines),
+                       .mirrored = opened.mirrored,
+                       .files = std::move(opened.files)};
     for (const pov::PovNote& note : opened.notes) result.notes.push_back(note.text);
     if (!options.strict || result.notes.empty()) return result;
     constexpr std::size_t most = 10;

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "pov/open_pov.h"
 #include "scene/scene.h"
 #include "text/reading/scene_files.h"
 
@@ -21,6 +22,8 @@ struct OpenedScene {
     // about the meshes and pictures of scene text.
     std::vector<std::string> notes{};
     std::string summary{};             // of the notes; empty for scene text
+    pov::SourceLines lines{};          // of the bodies of a .pov
+    bool mirrored = false;             // the scene is the mirror image in z of that of a .pov
     std::vector<std::string> files{};  // of a .pov, or of a text with directives: all that were read, the scene's first
 };
 

@@ -13,19 +13,19 @@ check() { expect "$1" "$2" crosscheck scene.rt --size 32x24 --depth 2; }
 
 expect 0 "" render scene.rt -o "$work/right.png" --size 32x24 --depth 2 --bits 16 --samples 1
 expect 0 "" render scene.rt -o "$work/wrong.png" --size 24x32 --depth 2 --bits 16 --samples 1
-povray "cp $work/right.png scene.png"
+povray "cp $work/right.png scene.ppm"
 check 0 " 0.000 |"
 for seconds in ...... 1.2.3 . 1e999 99999999999999999999999999999999999999999; do
-    povray "cp $work/right.png scene.png; echo 'Trace Time:   0 hours (${seconds} seconds)'"
+    povray "cp $work/right.png scene.ppm; echo 'Trace Time:   0 hours (${seconds} seconds)'"
     check 0 "| scene "
 done
 said=$("$strahl" crosscheck scene.rt --size 32x24 --depth 2 2>&1)
 [[ $said != *stod* ]] || fault "it says: $said"
 povray ":"
 check 1 "its picture is not the requested one"
-povray "cp $work/wrong.png scene.png"
+povray "cp $work/wrong.png scene.ppm"
 check 1 "24x32 pixels"
-povray "echo nonsense >scene.png"
+povray "echo nonsense >scene.ppm"
 check 1 "is not a .bmp, .png, .exr, .ppm, .pgm or .pfm file"
 povray $'printf "\\e[31mred\\n"; exit 3'
 said=$("$strahl" crosscheck scene.rt 2>&1)

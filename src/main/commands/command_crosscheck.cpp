@@ -115,7 +115,6 @@ int crosscheck_command(const CrosscheckOptions& options, const std::atomic<bool>
                 refuse_overwriting("--sheet", sheet, "that of another scene", sheet_path(options, other));
         }
     }
-    require_picture_library();
     // Differences are in steps of 1/65535; times are for tracing alone.
     std::printf(
         "| %-36s | %7s | %9s | %10s | %8s | %8s | %9s |\n|%s|\n", "scene", "pixels", "worst off", "beyond off",

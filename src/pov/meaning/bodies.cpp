@@ -311,7 +311,7 @@ void SceneMaker::drop_shadow_copies() {
         if (no_shadow) cast_none(scene.primitives[i]);
         if (no_image) notes.left_out(place, "no_image: a body that only mirrors show");
         if (no_reflection) notes.approximated(place, "no_reflection: mirrors show a body");
-        if (!no_image) kept.push_back(std::move(scene.primitives[i]));
+        if (!no_image) kept.push_back(std::move(scene.primitives[i])), kept_places.push_back(place);
     }
     scene.primitives = std::move(kept);
 }

@@ -23,6 +23,10 @@ class SceneMaker {
     /// `mirrored` decides whether the scene is turned over in z; by default it is if the camera is left-handed.
     SceneMaker(Interpreter& in, ReadPixels read_pixels, const PovContents& contents, std::optional<bool> mirrored = {});
     Scene make();
+    /// Is the scene turned over in z?
+    bool mirrors() const { return mirrored; }
+    /// The places of the scene's bodies in the texts.
+    const std::vector<TextPlace>& places() const { return kept_places; }
     /// Returns the bodies of one object.
     std::vector<Primitive> bodies_of(const ObjectThing& object);
 
@@ -80,6 +84,7 @@ class SceneMaker {
         TextPlace place;
     };
     std::vector<Seen> shown;  // of each primitive
+    std::vector<TextPlace> kept_places;
     int surfaces_made = 0;    // meshes of bodies that functions define
 };
 

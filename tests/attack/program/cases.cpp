@@ -34,7 +34,7 @@ sphere { <-3, 2, 1>, 1  motion { key { time 0 }  key { time 2  translate <0, 0, 
 )";
 
 /// Replaces POV-Ray, because the attack is on the program that starts it.
-const char povray[] = "#!/bin/sh\nexec cp \"$TMPDIR/a.bmp\" scene.png\n";
+const char povray[] = "#!/bin/sh\nexec cp \"$TMPDIR/a.bmp\" scene.ppm\n";
 /// Replaces ffmpeg: writes its input as the film.
 const char ffmpeg[] = "#!/bin/sh\nfor file; do :; done\nexec cat >\"${file#file:}\"\n";
 

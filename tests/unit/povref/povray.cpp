@@ -11,8 +11,10 @@
 
 #include "image/compare.h"
 #include "image/picture.h"
+#include "image/pixels.h"
 #include "main/commands/command_pov.h"
 #include "num/thread_pool.h"
+#include "pov/open_scene.h"
 #include "povref/compare/run_povray.h"
 #include "scene/moving_scene.h"
 #include "tests/unit/povref/agreement.h"
@@ -213,6 +215,32 @@ TEST_CASE("animations of ten frames agree frame by frame") {
             const Verdict verdict = judge(tracer, view, render(scene, view), theirs);
             CHECK_MESSAGE(fault(verdict, {}).empty(), fault(verdict, {}));
         }
+    }
+}
+
+TEST_CASE("a scene file of POV-Ray's is seen by another camera than its own") {
+    const Scratch folder;
+    for (const char* const right : {"x", "-x"}) {  // the one is left-handed, the other right-handed
+        CAPTURE(right);
+        const std::string path = folder / "scene.pov";
+        std::ofstream(path) << "#version 3.7; global_settings { assumed_gamma 1 }\n"
+                               "camera { location <1, 2, -6> right 4/3*" << right << " look_at <0, .5, 0> angle 40 }\n"
+                               "light_source { <-5, 9, -3>, 1 } plane { y, 0 pigment { rgb <.3, .6, .2> } }\n"
+                               "sphere { <.5, 1, 1>, 1 pigment { rgb <.9, .2, .1> } } // no end of line";
+        const OpenedScene opened = open_scene(bytes_of(path), path, {}, read_pixels);
+        CHECK(opened.mirrored == (right[0] == 'x'));
+        PovFile file{.path = path, .width = 40, .height = 30, .linear = true, .mirrored = opened.mirrored};
+        const Picture own = run_povray_file(file, 1).picture;
+        file.camera = opened.scene.camera;
+        CHECK(compare(own, run_povray_file(file, 1).picture, 0).max < 2. / 65535);
+        file.camera->position += DVec3(2, 1, 0), file.camera->fov = 25;
+        const Picture other = run_povray_file(file, 1).picture;
+        const View view{.camera = *file.camera, .width = 40, .height = 30};
+        Tracer tracer(opened.scene, Precision::float64);
+        const Verdict verdict = judge(tracer, view, render(opened.scene, view), other);
+        CHECK(verdict.beyond_off_edges == 0);
+        CHECK(verdict.beyond_on_edges < 4);
+        CHECK(compare(own, other, 0).max > .1);
     }
 }
 

@@ -44,7 +44,7 @@ struct StandIn {
         const std::string tool = tools / "povray", picture = tools / "picture.png";
         write_picture({4, 3, 3, std::vector<double>(36, .5), 16}, picture, {.bits = 16});
         std::ofstream(tool) << "#!/bin/sh\ntouch '" << tools / "ran"
-                            << "'\nexec cp '" << picture << "' scene.png\n";
+                            << "'\nexec cp '" << picture << "' scene.ppm\n";
         std::filesystem::permissions(tool, std::filesystem::perms::owner_all);
         ::setenv("PATH", ((tools / "") + ":" + path).c_str(), 1);
         ::setenv("TMPDIR", (temporary / "").c_str(), 1);
