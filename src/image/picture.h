@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "image/transfer.h"
 #include "scene/error.h"
 
 namespace strahl {
@@ -23,6 +24,7 @@ struct FileFormat {
     int bits = 0;         // 8 for .bmp, 8 or 16 for .png, 32 (float) for .exr; 0 takes the first of these
     bool linear = false;  // the scene's `assumed_gamma 1`: 8- and 16-bit files are sRGB-encoded
     Compression compression = Compression::fast;
+    Exposure exposure{};  // of 8-bit files
 };
 
 /// The ending of a path in lower case: ".png" of "a/b.PNG".

@@ -12,7 +12,7 @@
 namespace strahl {
 namespace {
 
-/// Converts `count` values to the codes of the file, those of linear light to 8 bits by the table.
+/// Converts `count` values to the codes of the file, by the table where there is one.
 template <class T>
 void store(const T* values, std::size_t count, int bits, bool linear, const std::optional<TransferTable>& table,
            std::byte* codes) {
@@ -49,7 +49,7 @@ PictureWriter::PictureWriter(int width, int height, int channels, const std::str
     : format(own_format),
       encoder(encoder_for(ending_of(named), layout_of(width, height, channels, named, own_format.bits),
                           own_format.compression)) {
-    if (format.linear && layout().bits == 8) table.emplace(true);
+    if ((format.linear || format.exposure) && layout().bits == 8) table.emplace(format.linear, format.exposure);
     for (int i = 0; i < encoder->bands(); ++i) {
         bands.push_back(std::make_unique<Band>());
         bands.back()->missing = std::size_t(width) * unsigned(encoder->rows(i));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 
 namespace strahl {
 
@@ -12,6 +13,21 @@ inline constexpr double steepest_srgb = 12.92;
 
 /// The sRGB encoding of linear light (IEC 61966-2-1), 0 <= v <= 1.
 inline double srgb(double v) { return v <= 0.0031308 ? steepest_srgb * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055; }
+
+/// How bright a screen shows light: the power of two by which it is multiplied. What is then above 0.8 is compressed, so
+/// that it comes near to white, 1, and never reaches it. Without one, light is shown as it is, and what is brighter than
+/// white is white.
+using Exposure = std::optional<double>;
+inline constexpr double most_exposure = 20;  // either way
+
+/// Light as it is shown with an exposure of so many stops. Its slope is continuous.
+inline double exposed(double v, double stops) {
+    constexpr double shoulder = 0.8, rest = 1 - shoulder;
+    const double light = v * std::exp2(stops), over = (light - shoulder) / rest;
+    return over > 0 ? shoulder + rest * over / (1 + over) : light;
+}
+/// The most by which an exposure enlarges differences; not below 1.
+inline double gain_of(const Exposure& exposure) { return std::exp2(std::max(exposure.value_or(0), 0.)); }
 
 /// round(steps * clamp(v, 0, 1)), halves up; sRGB-encoded first where the scene declares linear light. NaN becomes 0.
 inline std::uint16_t quantise(double v, bool linear, int steps) {

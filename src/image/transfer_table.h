@@ -1,19 +1,22 @@
-// The transfer curve to 8 bits as a table, for the screen and for files of linear light.
+// The transfer curve to 8 bits as a table, for the screen and for files of linear light or with an exposure.
 #pragma once
 #include <array>
 #include <cstddef>
 #include <cstdint>
 
+#include "image/transfer.h"
+
 namespace strahl {
 
-/// Gives exactly quantise(v, linear, 255) for every v, without the power function.
+/// Gives exactly quantise(v, linear, 255) for every v, or quantise(exposed(v, *exposure), linear, 255), without the power
+/// function.
 class TransferTable {
   public:
-    explicit TransferTable(bool linear);
+    explicit TransferTable(bool linear, const Exposure& exposure = {});
     std::uint32_t operator()(double v) const {
         if (!(v > 0)) return 0;
-        if (v >= 1) return 255;
-        std::uint32_t code = start[static_cast<std::size_t>(v * bins)];
+        if (v >= white) return 255;
+        std::uint32_t code = start[static_cast<std::size_t>(v * bins_per_unit)];
         while (v >= least[code + 1]) ++code;
         return code;
     }
@@ -25,6 +28,7 @@ class TransferTable {
 
   private:
     static constexpr int bins = 4096;
+    double white = 1, bins_per_unit = bins;    // all light from `white` on has the last code
     std::array<double, 257> least;             // the least value with this code
     std::array<std::uint8_t, bins + 1> start;  // the code at the lower end of each bin
 };

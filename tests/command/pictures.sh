@@ -117,4 +117,21 @@ expect 0 "" render linear.rt -o linear.exr "${size[@]}"
 expect 0 "" render linear.rt -o linear.png "${size[@]}"
 expect_same linear.exr whole.exr
 unequal linear.png whole.png 0.1
+
+# An exposure multiplies what 8 bits show, and compresses what is bright; other files hold light as it is.
+printf 'camera { position <0, 0, 0> look_at <0, 1, 0> sky <0, 0, 1> angle 40 } background { color <.25, .5, 4> }\n' >bright.rt
+for given in "1 <128,230,254>" "-1 <32,64,248>" "0 <64,128,252>"; do
+    read -r stops code <<<"$given"
+    for ending in png bmp; do
+        expect 0 "" render bright.rt -o "bright.$ending" --size 4x4 --exposure "$stops"
+        said=$(convert "bright.$ending" -format '<%[fx:round(255*u.r)],%[fx:round(255*u.g)],%[fx:round(255*u.b)]>' info:)
+        [[ $said == "$code" ]] || fault "--exposure $stops makes $said in a .$ending"
+    done
+done
+expect 0 "" render bright.rt -o plain.png --size 4x4
+expect_other plain.png bright.png
+expect 2 "--exposure is for pictures of 8 bits" render scene.rt -o x.exr --exposure 1
+expect 2 "--exposure is for pictures of 8 bits" render scene.rt -o x.png --bits 16 --exposure 1
+expect 2 "without --exposure" render scene.rt -o x.png --prove map.png --exposure 1
+for stops in nan 21 x; do expect 2 "--exposure" render scene.rt -o x.png --exposure "$stops"; done
 finish

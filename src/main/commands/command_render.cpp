@@ -162,6 +162,7 @@ int render_command(const RenderOptions& asked) {
     Stats stats;
     stats.sampling = options.sampling;
     if (options.error) stats.sampling.error = *options.error;
+    stats.sampling.error /= gain_of(options.exposure);
     stats.size = options.size;
     stats.crop = options.crop;
     Stopwatch watch;
@@ -174,7 +175,8 @@ int render_command(const RenderOptions& asked) {
         if (!options.frames && !options.time) options.frames = frames_of(flight, options.rate);
     }
 
-    const FileFormat format{bits_of(ending_of(ending), options.bits), scene.settings.linear, options.compression};
+    const FileFormat format{bits_of(ending_of(ending), options.bits), scene.settings.linear, options.compression,
+                            options.exposure};
     const Shot first =
         shot_of(scene, options.frames ? std::optional(options.rate.moment(options.frames->first())) : options.time);
     if (!options.prove.empty() && !options.time) scene = at(scene, 0);  // proofs need a scene in which nothing moves

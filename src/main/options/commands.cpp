@@ -63,6 +63,7 @@ void add_render(CLI::App& app, ChosenCommand& chosen) {
                             {{"fast", Compression::fast}, {"small", Compression::small}},
                             "Compression of .png: fast (default), or small, which takes about a second per megapixel",
                             "KIND");
+    add_exposure(command, o->exposure);
     add_choice<std::string>(
         command, "--format", o->format,
         {{"bmp", "bmp"}, {"png", "png"}, {"exr", "exr"}, {"ppm", "ppm"}, {"y4m", "y4m"}},
@@ -132,6 +133,7 @@ void add_window_options(CLI::App* command, ViewOptions& options) {
     add_time(command, options.time);
     add_fps(command, options.fps, parse_pace,
             "Pictures per second in motion, 60 by default; the resolution adapts to it");
+    add_exposure(command, options.exposure);
     add_depth(command, options.depth);
     add_threads(command, options.threads);
     std::optional<int>& port = options.rocket;

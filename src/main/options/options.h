@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "image/transfer.h"
 #include "main/render/values.h"
 #include "pov/open_scene.h"
 #include "text/reading/messages.h"
@@ -167,6 +168,14 @@ inline CLI::Option* add_time(CLI::App* command, std::optional<double>& value) {
     return command->add_option("--time", value, "A moment of the scene's flythrough and motions, in seconds")
         ->check(numbers(0, 1e9))
         ->type_name("T");
+}
+inline CLI::Option* add_exposure(CLI::App* command, Exposure& value) {
+    return command
+        ->add_option("--exposure", value,
+                     "Multiply light by 2^E in what is shown with 8 bits, and compress what is brighter than 0.8 of "
+                     "white instead of cutting it off there. By default light is shown as it is")
+        ->check(numbers(-most_exposure, most_exposure))
+        ->type_name("E");
 }
 template <class Value>
 CLI::Option* add_fps(CLI::App* command, Value& value, Value (*parse)(std::string_view), const char* help) {

@@ -53,6 +53,7 @@ void check_proof(const RenderOptions& options) {
     const Sampling& asked = options.sampling;
     if (asked.grid > 1 || asked.centre)
         throw UsageError("--prove traces one ray in each pixel; leave --samples out, or give it 1");
+    if (options.exposure) throw UsageError("--prove proves light as it is, without --exposure");
     if (options.frames || options.share || options.resume || is_film(options.output))
         throw UsageError(
             "--prove proves one picture, without --frames, --part and --resume; --time chooses its moment");
@@ -90,6 +91,9 @@ std::string check(const RenderOptions& options) {
         throw UsageError("a " + ending + " can only go to standard output: -o - --format " + ending.substr(1));
     else if (const std::string fault = format_fault(to_stdout ? ending : options.output, options.bits); !fault.empty())
         throw UsageError(format_fault(ending, 0).empty() ? fault : fault + ", or films one of .mp4, .mkv and .webm");
+    if (options.exposure && bits_of(ending_of(ending), options.bits) != 8)
+        throw UsageError("--exposure is for pictures of 8 bits per channel; .exr files and those of 16 bits hold light "
+                         "as it is");
     if (!options.prove.empty()) check_proof(options);
     if (!supported(options.simd)) {
         const char* const lacks =

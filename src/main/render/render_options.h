@@ -5,6 +5,7 @@
 
 #include "image/frame_rate.h"
 #include "image/picture.h"
+#include "image/transfer.h"
 #include "main/render/film.h"
 #include "main/render/values.h"
 #include "pov/open_scene.h"
@@ -19,6 +20,7 @@ struct RenderOptions {
     std::string format;  // "bmp", "png", "exr", "ppm" or "y4m", for standard output only
     int bits = 0;        // per channel; 0 is the format's default
     Compression compression = Compression::fast;
+    Exposure exposure;   // of 8-bit files and films
     Size size;           // of the whole picture, even if only a crop of it is rendered
     std::optional<Lattice> crop;
     bool fit = false;  // widens the view of a camera with an aspectratio to that of the picture

@@ -124,6 +124,7 @@ BandHeader Renderer::header(const Shot& shot, const PictureWriter& writer, const
     for (const int value : {part.x, part.y, part.columns, part.rows}) add("crop", value);
     add("time", shot.time), add("fit", options.fit), add("depth", accuracy.depth), add("dropped", accuracy.dropped);
     add("grid", stats.sampling.grid), add("centre", stats.sampling.centre), add("error", stats.sampling.error);
+    if (options.exposure) add("exposure", *options.exposure);
     words.append(" precision ").append(name(accuracy.precision)).append(tracer.simd() == Simd::v2 ? " unfused" : "");
     return {hash_of_program(),
             scene_hash + " " + hash_of_meshes(scene()),
@@ -178,8 +179,8 @@ Accuracy Renderer::choose(const Scene& scene, const Shot& shot) {
                 .dropped = unseen};
     }
     stats.error = *options.error;
-    return choose_accuracy(scene, view(shot, 1, 0), *options.error / steepest, options.precision, options.depth, pool,
-                           options.simd);
+    return choose_accuracy(scene, view(shot, 1, 0), *options.error / steepest / gain_of(format.exposure),
+                           options.precision, options.depth, pool, options.simd);
 }
 
 View Renderer::view(const Shot& shot, int depth, double dropped) const {

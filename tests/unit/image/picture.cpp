@@ -130,6 +130,29 @@ TEST_CASE("the tabulated transfer curve equals quantise") {
     }
 }
 
+TEST_CASE("an exposure multiplies light, and keeps below white what is brighter") {
+    CHECK(exposed(.3, 1) == .6);
+    CHECK(exposed(.7, 0) == .7);
+    CHECK(exposed(1, 0) == doctest::Approx(.9));
+    CHECK(exposed(0, 20) == 0);
+    CHECK(exposed(-1, 3) == -8);
+    double before = 0;
+    for (double v = .001; v < 1e9; v *= 1.01) {
+        CHECK(exposed(v, .5) > before);
+        before = exposed(v, .5);
+    }
+    CHECK(before < 1);
+    for (const bool linear : {false, true})
+        for (const double stops : {-20., -1.3, 0., .5, 3., 20.}) {
+            CAPTURE(stops);
+            const TransferTable table(linear, stops);
+            const auto check = [&](double v) { CHECK(table(v) == quantise(exposed(v, stops), linear, 255)); };
+            for (const double v : {0., -1., 1e-310, double(NAN), 1e300}) check(v);
+            for (double v = 1e-9; v < 1e9; v *= 1.003) check(v);
+        }
+    CHECK(TransferTable(false, 0)(HUGE_VAL) == 255);
+}
+
 TEST_CASE("pictures without compression hold what the file holds from which they were read") {
     const Scratch folder;
     for (const auto& [ending, bits] : {std::pair{".png", 8}, {".png", 16}, {".exr", 32}})
