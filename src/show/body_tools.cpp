@@ -1,6 +1,7 @@
 #include "show/body_tools.h"
 
 #include <cmath>
+#include <filesystem>
 #include <utility>
 
 #include "num/vec_math.h"
@@ -16,6 +17,7 @@ void BodyTools::loaded(const Loaded& scene) {
     else if (bodies.edited.reload(scene.text))
         notes.announce("the file has other numbers now, which replace yours");
     good = scene.text;
+    bodies.take_lines(scene.lines);
     bodies.look(*session.scene);
     if (bodies.edited.changed()) file.show(bodies.edited.text());
 }
@@ -71,10 +73,15 @@ void BodyTools::approach(const View& view) {
     session.camera = approached(session.camera, box, double(view.width) / view.height);
 }
 
+std::string BodyTools::file_name() const {
+    return bodies.file().empty() ? file.name() : std::filesystem::path(bodies.file()).filename().string();
+}
+
 void BodyTools::open_text() {
     if (!bodies.choice()) return notes.note("click a body first; F4 then opens its line in your editor");
     if (bodies.body().line == 0 || file.path() == "-") return notes.note("no line of a file is known for this body");
-    const std::string fault = open_in_editor(file.path(), bodies.body().line);
+    const std::string fault =
+        open_in_editor(bodies.file().empty() ? file.path() : bodies.file(), bodies.body().line);
     if (!fault.empty()) notes.fail(fault);
 }
 

@@ -41,6 +41,8 @@ class BodyTools {
 
     const BodyEditor& editor() const { return bodies; }
     const std::vector<SilhouetteLine>& lines() const { return silhouette.lines(); }
+    /// The name of the file in which the body chosen stands.
+    std::string file_name() const;
     ChangedText changes() const { return {bodies.edited.in_file(), bodies.edited.text()}; }
     /// Are there changes that are not written, and was this not asked about them before?
     bool asks();

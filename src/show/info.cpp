@@ -35,6 +35,7 @@ std::vector<std::pair<std::string, std::string>> info_lines(const Session& sessi
         rays(state.rays.total()) + "  camera " + rays(state.rays.camera) + ", shadow " + rays(state.rays.shadow));
     add("", "reflected " + rays(state.rays.reflected) + ", refracted " + rays(state.rays.refracted));
     add("depth", std::to_string(session.depth()));
+    if (session.exposure) add("exposure", exposure_text(session.exposure));
     add("precision", formatted("%s, %d lanes (%s)", name(Precision::float32), lanes(Precision::float32, best_simd()),
                                name(best_simd())));
     add("threads", std::to_string(picture.threads()));

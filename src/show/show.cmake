@@ -1,7 +1,7 @@
 # The window. OpenGL is loaded through GLFW at run time, so that the other commands start without it.
 pkg_check_modules(GLFW REQUIRED IMPORTED_TARGET glfw3)
 pkg_check_modules(IMGUI REQUIRED IMPORTED_TARGET imgui)
-strahl_module(show src/show strahl_pov strahl_image strahl_trace PkgConfig::IMGUI PkgConfig::GLFW)
+strahl_module(show src/show strahl_pov strahl_povref strahl_image strahl_trace PkgConfig::IMGUI PkgConfig::GLFW)
 
 # Sound, where its libraries are.
 option(STRAHL_SOUND "Build sound (needs OpenAL and libvorbisfile)" ON)

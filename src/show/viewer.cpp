@@ -61,15 +61,22 @@ Viewer::Viewer(const ViewOptions& o, const Loaded& first, std::unique_ptr<Reload
             {.perform = [this](Command command) { perform(command); },
              .turn_wheel = [this](double n) { notes.tell(session.change_speed(std::pow(1.25, n), pace.now())); },
              .drop = [this](std::string path) { file.open(std::move(path)); },
-             .click = [this](double x, double y) { click(x, y); }}),
+             .click = [this](double x, double y) { click(x, y); },
+             .reaches =
+                 [this](double x, double y) {
+                     return side.divider().reached(screen.area(), x, y, screen.pixels_to_reach());
+                 },
+             .pull = [this](double x) { side.pull(screen.area(), x); }}),
       picture(o.threads, notes, pace, glfwPostEmptyEvent),
       stills(options, notes, pace, glfwPostEmptyEvent),
       file(first, error_is_final(o), std::move(reload), notes, pace, glfwPostEmptyEvent),
       bodies(session, file, notes, pace, glfwPostEmptyEvent),
+      side(o.threads, notes, pace, glfwPostEmptyEvent),
+      dialog(glfwPostEmptyEvent),
       tracks(o.rocket, session, notes, pace, glfwPostEmptyEvent),
       sound(notes, pace) {
-    session.editor.words = first.words;
-    if (first.scene) bodies.loaded(first);
+    session.editor.words = first.words, session.exposure = o.exposure;
+    if (first.scene) bodies.loaded(first), side.loaded(first);
     if (!file.waiting()) start_scene();
 }
 
@@ -84,6 +91,9 @@ void Viewer::perform(Command command) {
             if (screen.width() == 0 || file.waiting()) return;  // an icon, or nothing to see
             return stills.add(session, file.path(), session.view(screen.width(), screen.height()),
                               command.number == 1 ? ".png" : options.still_ending);
+        case Action::open_file:
+            if (const std::string why = dialog.open(file.path()); !why.empty()) notes.fail(why);
+            return;
         case Action::write_path:
             return file.write(session.editor.path(), bodies.changes());
         case Action::undo:
@@ -95,6 +105,9 @@ void Viewer::perform(Command command) {
         case Action::approach:
             if (screen.width() > 0) bodies.approach(session.view(screen.width(), screen.height()));
             return;
+        case Action::second:
+        case Action::difference:
+            return side.toggle(command.action);
         case Action::stability:
             return picture.toggle_marks();
         case Action::full_screen:
@@ -151,7 +164,8 @@ void Viewer::move() {
 /// The time of the next drawing; infinite if there is nothing to draw.
 double Viewer::next_draw() const {
     const double for_picture = pace.next_draw(picture.has_update(), tracks.awaited() || picture.finished());
-    const bool counting = !stills.progress_text().empty() || file.reading() || picture.seconds_built() > 0;
+    const bool counting = !stills.progress_text().empty() || file.reading() || picture.seconds_built() > 0 ||
+                          side.under_way();
     const double for_count = counting ? pace.last_draw() + 0.25 : Pace::forever;
     return std::min({for_picture, for_count, notes.next_change(), file.next_change()});
 }
@@ -162,13 +176,14 @@ void Viewer::draw() {
     notes.expire(), file.expire();
     const std::uint64_t before = picture.state().number;
     const bool update = picture.take([this](const Fresh& fresh) { screen.upload(fresh); });
+    screen.show_second(side.image(), side.divider().column(screen.area()));
     const Overlay over = overlay();
     TimelineInput done;
     BodyInput on_body;
     screen.draw([&] {
         draw_overlay(over);
         done = panels.draw_timeline(session);
-        on_body = panels.draw_body(bodies.editor(), file.name());
+        on_body = panels.draw_body(bodies.editor(), bodies.file_name());
     });
     pace.drawn(began);
     const Refinement& state = picture.state();
@@ -209,7 +224,7 @@ void Viewer::take_scene() {
     if (session.replace(loaded->scene, loaded->opened || first))
         notes.announce("the file has another path now, which replaces yours; Ctrl+Z brings yours back");
     session.editor.words = loaded->words;
-    bodies.loaded(*loaded);
+    bodies.loaded(*loaded), side.loaded(*loaded);
     if (first || (options.play && loaded->opened)) {
         start_scene();
     } else {
@@ -273,6 +288,8 @@ Overlay Viewer::overlay() const {
     overlay.marks = check.found(), overlay.width = state.width, overlay.height = state.height;
     overlay.area = screen.area();
     const std::string work = work_under_way();
+    if (side.divider().shown()) overlay.sides = side.sides(overlay.area);
+    if (panels.quiet && overlay.sides) overlay.sides->left = overlay.sides->right = "";
     if (!work.empty() && (!panels.quiet || state.number == 0)) overlay.notes.push_back({work});
     if (panels.quiet) return overlay;
     overlay.reserved = panels.reserved(), overlay.reserved_right = panels.reserved_right();
@@ -311,8 +328,10 @@ int Viewer::run(const std::atomic<bool>& interrupted) {
         sound.follow(session);
         move();
         if (!file.waiting() && screen.width() > 0) {
-            bodies.follow(session.view(screen.width(), screen.height()));
+            const View view = session.view(screen.width(), screen.height());
+            bodies.follow(view);
             picture.order(session, screen.width(), screen.height());
+            side.follow(session, view, !pace.moving() && picture.finished());
         }
         draw();
         picture.log_finished();
@@ -321,6 +340,10 @@ int Viewer::run(const std::atomic<bool>& interrupted) {
         file.tell_written();  // before the scene is taken that the file has now
         take_scene();
         picture.tell_marks();
+        if (const auto chosen = dialog.take()) {
+            if (!chosen->fault.empty()) notes.fail(chosen->fault);
+            if (!chosen->path.empty()) file.open(chosen->path);
+        }
         if (tracks.follow()) file.write(*session.tracks);
         // A signal ends the window as Esc does; the next one ends the program at once.
         if (interrupted && !std::exchange(signalled, true)) {

@@ -5,8 +5,10 @@
 #include <string>
 
 #include "show/body_tools.h"
+#include "show/file_dialog.h"
 #include "show/session/session.h"
 #include "show/session/view_options.h"
+#include "show/side_by_side.h"
 #include "show/window/input.h"
 #include "show/window/overlay.h"
 #include "show/window/panels.h"
@@ -75,6 +77,8 @@ class Viewer {
     StillRequests stills;
     WatchedScene file;
     BodyTools bodies;
+    SideBySide side;
+    FileDialog dialog;
     TrackEditor tracks;
     SceneSound sound;
     bool started = false;  // the flight of `strahl play`

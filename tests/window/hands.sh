@@ -94,6 +94,18 @@ wait "$pid"
 (($? == 1)) || fault "a still was not written, and the exit status is not 1"
 pid=
 
+echo "-- another scene is chosen by the desktop's dialog, here a program that takes its place"
+mkdir bin
+printf '#!/bin/sh\necho %q\n' "$PWD/other.rt" >bin/zenity
+chmod +x bin/zenity
+printf '%s\n' "$camera" "$world" >other.rt
+path_before=$PATH PATH=$PWD/bin:$PATH
+start scene.rt --size 64x48
+PATH=$path_before
+xdotool key ctrl+o
+await "opened $PWD/other.rt"
+quit
+
 echo "-- size and place are remembered"
 export XDG_STATE_HOME=$work/state
 # placed: waits until the window has the size and place of this test.

@@ -43,6 +43,10 @@ void BodyEditor::look(const Scene& scene) {
     if (chosen->at.body >= std::ssize(scene.primitives)) return close();
     const std::string before = description.kind;
     description = body_text(edited.text(), scene, chosen->at.body, chosen->at.hit.leaf);
+    other_file.clear();
+    const auto body = static_cast<std::size_t>(chosen->at.body);
+    if (read_only() && body < lines.bodies.size())
+        description.line = lines.bodies[body].number, other_file = lines.files[lines.bodies[body].file];
     if (description.kind.empty() || (!before.empty() && description.kind != before)) close();
 }
 

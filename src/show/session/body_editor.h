@@ -4,9 +4,11 @@
 #include <set>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "num/bounding_box.h"
 #include "num/ray.h"
+#include "pov/open_pov.h"
 #include "scene/camera.h"
 #include "scene/ray_hits.h"
 #include "scene/scene.h"
@@ -34,6 +36,8 @@ class BodyEditor {
 
     /// Takes the text of a scene that was just opened; it is empty if its numbers cannot be changed.
     void open(const std::string& text) { *this = {}, edited.open(text); }
+    /// Takes the lines of the bodies of a scene without such a text.
+    void take_lines(pov::SourceLines newer) { lines = std::move(newer); }
 
     /// Chooses the body that is seen at a point of the view's picture, in pixels, or none. The same point clicked again
     /// chooses the body behind the one chosen, and after the last one none. `now` is the scene at the moment seen, and
@@ -43,6 +47,10 @@ class BodyEditor {
     const std::optional<Chosen>& choice() const { return chosen; }
     /// The words and values of the body chosen.
     const BodyText& body() const { return description; }
+    /// The file in which it stands, if that is not the scene's own; else "".
+    const std::string& file() const { return other_file; }
+    /// Are there no numbers to change, because there is no text of the scene?
+    bool read_only() const { return edited.text().empty(); }
     /// Looks at the text again, because the scene is another one. Chooses nothing if the body is no longer there.
     void look(const Scene& scene);
 
@@ -62,6 +70,8 @@ class BodyEditor {
     std::optional<Chosen> chosen;
     std::optional<Ray<double>> clicked;
     BodyText description;
+    std::string other_file;
+    pov::SourceLines lines;
     std::set<std::string> allowed;
 };
 

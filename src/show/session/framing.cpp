@@ -15,6 +15,11 @@ ScreenArea fitted(double aspect, int window_width, int window_height) {
     return {(window_width - width) / 2, (window_height - height) / 2, width, height};
 }
 
+bool same_picture(const View& a, const View& b) {
+    return a.camera == b.camera && a.width == b.width && a.height == b.height && a.depth == b.depth &&
+           a.time == b.time && a.tracks == b.tracks;
+}
+
 Framing framing(const Camera& camera, int window_width, int window_height, bool fill) {
     const ScreenArea whole{0, 0, window_width, window_height};
     if (!camera.aspectratio) return {whole, camera};

@@ -1,6 +1,7 @@
 // The place of the picture in the window, and the camera that fits it.
 #pragma once
 #include "scene/camera.h"
+#include "trace/world/view.h"
 
 namespace strahl {
 
@@ -12,6 +13,9 @@ struct ScreenArea {
 
 /// Returns the largest area of this width / height, in the middle of the window.
 ScreenArea fitted(double aspect, int window_width, int window_height);
+
+/// Do two views show the same picture of a scene, but for the light that they leave out?
+bool same_picture(const View& a, const View& b);
 
 /// The area of the window that the picture takes, and the camera it is traced with.
 struct Framing {

@@ -26,10 +26,12 @@ constexpr Meaning letters[] = {
     {'F', {Action::play}},        {'P', {Action::add_key}},  {'R', {Action::reset}},  {'V', {Action::fill}},
     {'C', {Action::copy_camera}}, {'H', {Action::help}},     {'I', {Action::info}},   {'X', {Action::stability}},
     {'N', {Action::quiet}},       {'T', {Action::timeline}}, {'K', {Action::record}},
-    {'B', {Action::approach}},
+    {'B', {Action::approach}},    {'G', {Action::second}},
 };
 constexpr Meaning control_letters[] = {
-    {'S', {Action::write_path}}, {'Z', {Action::undo}}, {'Y', {Action::redo}}, {'N', {Action::clear_path}}};
+    {'S', {Action::write_path}}, {'O', {Action::open_file}},  {'Z', {Action::undo}},
+    {'Y', {Action::redo}},       {'N', {Action::clear_path}},
+};
 /// Keys that are the same in all layouts.
 constexpr Meaning other_keys[] = {
     {GLFW_KEY_ESCAPE, {Action::quit}},         {GLFW_KEY_SPACE, {Action::pause}},
@@ -67,12 +69,14 @@ std::optional<Command> command_of_key(int key, int scancode, int modifiers, bool
     for (const int first : {GLFW_KEY_1, GLFW_KEY_KP_1})
         if (key >= first && key < first + 9) return Command{shift ? Action::store : Action::recall, key - first + 1};
     if (letter == 'C' && shift) return Command{Action::copy_path};
+    if (letter == 'G' && shift) return Command{Action::difference};
     return find(letters, letter);
 }
 
 std::optional<Command> command_of_character(unsigned character) {
     constexpr Meaning characters[] = {
-        {'[', {Action::shallower}}, {']', {Action::deeper}}, {',', {Action::coarser}}, {'.', {Action::finer}}};
+        {'[', {Action::shallower}}, {']', {Action::deeper}}, {',', {Action::coarser}}, {'.', {Action::finer}},
+        {'+', {Action::expose, 1}}, {'-', {Action::expose, -1}}, {'0', {Action::expose, 0}}};
     return find(characters, static_cast<int>(character));
 }
 

@@ -23,11 +23,13 @@ enum class Action {
     redo,
     copy_path,
     write_path,
+    open_file,
     timeline,
     change_style,
     reset,
     full_screen,
     fill,
+    expose,
     deeper,
     shallower,
     finer,
@@ -39,12 +41,15 @@ enum class Action {
     info,
     quiet,
     stability,
+    second,
+    difference,
     open_text,
     approach,
 };
 struct Command {
     Action action;
-    /// Says which camera, 1 to 9; how many 1/25 s or keys to step, backwards if negative; or 1 if a still is a .png.
+    /// Says which camera, 1 to 9; how many 1/25 s or keys to step, backwards if negative; 1 if a still is a .png; or by
+    /// how many half stops to expose more, 0 for no exposure.
     int number = 0;
     bool operator==(const Command&) const = default;
 };
@@ -52,7 +57,7 @@ struct Command {
 /// Returns the command of a key press; numbers are GLFW's. Letters are identified by what is printed on the key, digits
 /// by their place. `third_level`: AltGr is down, and a character follows.
 std::optional<Command> command_of_key(int key, int scancode, int modifiers, bool third_level);
-/// Returns the command of a character: brackets, comma and full stop, which keyboards have in different places.
+/// Returns the command of a character that keyboards have in different places: brackets, comma, full stop, plus, minus.
 std::optional<Command> command_of_character(unsigned character);
 
 /// Returns the command of a gamepad's button; numbers are GLFW's.
@@ -93,6 +98,7 @@ inline constexpr std::array key_help{
     KeyHelp{"T", "timeline: drag keys, type their values"},
     KeyHelp{"F2 Ctrl+S", "write path and numbers into the file"},
     KeyHelp{"Shift+C", "copy the path and print it"},
+    KeyHelp{"Ctrl+O", "open another scene; or drop a file here"},
     KeyHelp{"Bodies", ""},
     KeyHelp{"click", "choose a body; again: the one behind"},
     KeyHelp{"B", "move the camera to the chosen body"},
@@ -100,9 +106,12 @@ inline constexpr std::array key_help{
     KeyHelp{"Picture", ""},
     KeyHelp{"F12", "save a still; with Shift a .png"},
     KeyHelp{"[ ]", "fewer, more reflections"},
+    KeyHelp{"+ - 0", "brighter, darker, light as it is"},
     KeyHelp{", .", "lower, higher quality in motion"},
     KeyHelp{"F11", "full screen"},
     KeyHelp{"V", "fill the window, or keep proportions"},
+    KeyHelp{"G", "compare with POV-Ray, one ray, long double"},
+    KeyHelp{"Shift+G", "show the difference instead, 16 times"},
     KeyHelp{"X", "check rounding of a picture at rest"},
     KeyHelp{"I", "information"},
     KeyHelp{"H", "this help"},

@@ -105,6 +105,8 @@ Answer Session::perform(Command command, double now) {
                                            : finest == finest_level ? "full"
                                                                     : "at most " + resolution_text(finest)),
                     ""};
+        case Action::expose:
+            return expose(command.number);
         case Action::fill:
             fill = !fill;
             return {!camera.aspectratio ? "this camera has no aspectratio and always fills the window"
@@ -162,6 +164,13 @@ Answer Session::to_key(int step, double now) {
     const double there = found->time;
     if (!go_to(there, now)) camera = camera_of(*found, scene->camera);  // a single key is no flight yet
     return {"key " + std::to_string(*key_at(editor.path(), there) + 1) + " at " + seconds_text(there), ""};
+}
+
+/// Makes the picture brighter or darker by half a stop; with 0 shows light as it is.
+Answer Session::expose(int step) {
+    if (step == 0) return exposure.reset(), Answer{"light as it is", ""};
+    exposure = std::clamp(exposure.value_or(0) + step / 2., -most_exposure, most_exposure);
+    return {"exposure " + exposure_text(exposure) + "; 0 shows light as it is", ""};
 }
 
 Answer Session::recall(int number) {
@@ -270,7 +279,7 @@ View Session::view(int window_width, int window_height) const {
             .width = frame.area.width,
             .height = frame.area.height,
             .depth = depth(),
-            .error = half_step({8, scene->settings.linear}),
+            .error = half_step({.bits = 8, .linear = scene->settings.linear, .exposure = exposure}),
             .time = time,
             .tracks = tracks};
 }
@@ -320,6 +329,11 @@ std::optional<Answer> Session::follow(double now) {
 }
 
 std::string seconds_text(double seconds) { return text_of(rounded_time(seconds)) + " s"; }
+
+std::string exposure_text(const Exposure& exposure) {
+    if (!exposure) return "";
+    return (*exposure > 0 ? "+" : "") + text_of(*exposure) + (std::abs(*exposure) == 1 ? " stop" : " stops");
+}
 
 std::string resolution_text(int level) {
     if (level == averaged_level) return "anti-aliased";

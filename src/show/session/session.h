@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "image/transfer.h"
 #include "scene/scene.h"
 #include "show/session/camera_control.h"
 #include "show/session/flight.h"
@@ -77,6 +78,7 @@ class Session {
     std::shared_ptr<const std::vector<Track>> tracks;
     double speed = 1;           // units of the scene per second
     int finest = finest_level;  // level in motion
+    Exposure exposure;          // of the picture and of stills
     /// The view that a window of this size shows now.
     View view(int window_width, int window_height) const;
     int depth() const { return own_depth.value_or(scene->settings.max_trace_level); }
@@ -89,6 +91,7 @@ class Session {
     Answer edit(Action action, double now);
     Answer add_key(double now);
     Answer record(double now);
+    Answer expose(int step);
     Answer recall(int number);
 
     std::optional<int> own_depth;
@@ -99,6 +102,8 @@ class Session {
 
 /// "1.77 s"
 std::string seconds_text(double seconds);
+/// "+0.5 stops"
+std::string exposure_text(const Exposure& exposure);
 /// "1/4 of the pixels", for a level.
 std::string resolution_text(int level);
 

@@ -3,6 +3,8 @@
 #include <optional>
 #include <string>
 
+#include "image/transfer.h"
+
 namespace strahl {
 
 /// A size in pixels; 0x0 if not given.
@@ -22,6 +24,7 @@ struct ViewOptions {
     int threads = 0;             // 0: all processors
     std::optional<double> time;  // seconds into the flythrough
     bool fly = false;
+    Exposure exposure;          // at the start
     double fps = 60;            // requested pictures per second in motion, above 0
     std::optional<int> rocket;  // the port of an editor of tracks, if one is to be used
     bool verbose = false;

@@ -89,6 +89,7 @@ BodyInput BodyPanel::draw(const BodyEditor& editor, const std::string& file, flo
     std::snprintf(text, sizeof text, "face %d, normal <%.3g, %.3g, %.3g>", chosen.at.hit.face + 1,
                   chosen.at.hit.normal.x, chosen.at.hit.normal.y, chosen.at.hit.normal.z);
     dim_text(text);
+    if (editor.read_only()) dim_text("read only: this text is changed in an editor");
     if (body.line > 0 && ImGui::SmallButton("open text")) input.command = {Action::open_text};
     if (editor.edited.changed()) {
         ImGui::SameLine();

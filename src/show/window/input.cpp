@@ -88,17 +88,18 @@ void Input::on_button(int button, int action, int modifiers) {
     if (button != GLFW_MOUSE_BUTTON_LEFT) return;
     double x = 0, y = 0;
     glfwGetCursorPos(screen.window(), &x, &y);
-    if (action == GLFW_PRESS && !on_panel())
-        pointer.press({x, y});
-    else if (pointer.release() && !fixed)
+    if (action == GLFW_PRESS && !on_panel()) {
+        pulling = handlers.reaches(pointed().x, pointed().y);
+        if (!pulling) pointer.press({x, y});
+    } else if (!std::exchange(pulling, false) && pointer.release() && !fixed)
         handlers.click(pointed().x, pointed().y);
 }
 
-/// The place of the pointer in pixels.
 glm::dvec2 Input::pointed() const {
     double x = 0, y = 0;
     int width = 1, height = 1;
     glfwGetCursorPos(screen.window(), &x, &y);
+    if (cursor) x = cursor->x, y = cursor->y;
     glfwGetWindowSize(screen.window(), &width, &height);
     return {x / std::max(width, 1) * screen.width(), y / std::max(height, 1) * screen.height()};
 }
@@ -110,9 +111,20 @@ bool Input::on_panel() const {
     return at.y > screen.height() - panels.reserved() || panels.body_covers(at.x, at.y) || on_list;
 }
 
+/// Gives the pointer another shape where it can take hold of the divider.
+void Input::show_hold() {
+    const bool hold = pulling || (handlers.reaches(pointed().x, pointed().y) && !on_panel());
+    if (hold == std::exchange(hold_shown, hold)) return;
+    if (!hold_shape) hold_shape = glfwCreateStandardCursor(GLFW_HRESIZE_CURSOR);  // glfwTerminate destroys it
+    glfwSetCursor(screen.window(), hold ? hold_shape : nullptr);
+}
+
 void Input::on_cursor(double x, double y) {
     pointer_moved = pace.now();
+    cursor = {x, y};
     if (panels.take_input()) pace.redraw();
+    show_hold();
+    if (pulling) return handlers.pull(pointed().x);
     const auto way = pointer.move(x, y);
     if (!way || fixed) return;
     // The view turns by the angle that the pointer crosses in the picture.

@@ -3,6 +3,7 @@
 #include <array>
 #include <functional>
 #include <glm/vec2.hpp>
+#include <optional>
 #include <string>
 
 #include "show/session/session.h"
@@ -10,6 +11,8 @@
 #include "show/window/panels.h"
 #include "show/window/screen.h"
 #include "show/work/pace.h"
+
+struct GLFWcursor;
 
 namespace strahl {
 
@@ -19,6 +22,8 @@ struct InputHandlers {
     std::function<void(double)> turn_wheel;  // notches, up is positive
     std::function<void(std::string)> drop;   // the path of a file that is dropped onto the window
     std::function<void(double, double)> click;  // x and y in pixels of the window
+    std::function<bool(double, double)> reaches;  // can the pointer take hold of the divider there?
+    std::function<void(double)> pull;             // moves the divider to this x
 };
 
 class Input {
@@ -35,7 +40,7 @@ class Input {
     /// The input for the camera since the last call, `seconds` ago.
     CameraInput take(double seconds) { return controls.take(seconds); }
     /// Ends a drag, because the window changes under the pointer.
-    void release_pointer() { pointer.leave(); }
+    void release_pointer() { pointer.leave(), pulling = false, cursor.reset(); }
     /// Hides the pointer in full screen, if it has not moved for 2 seconds or is not needed.
     void hide_pointer();
 
@@ -45,8 +50,10 @@ class Input {
     void on_button(int button, int action, int modifiers);
     void on_cursor(double x, double y);
     void on_wheel(double notches);
+    /// The place of the pointer in pixels. It may be elsewhere by now: events wait for their turn.
     glm::dvec2 pointed() const;
     bool on_panel() const;
+    void show_hold();
 
     Screen& screen;
     const Session& session;
@@ -56,6 +63,10 @@ class Input {
     const InputHandlers handlers;
     Controls controls;
     Pointer pointer;
+    std::optional<glm::dvec2> cursor;  // where the pointer moved last, in units of the screen
+    bool pulling = false;     // the divider
+    bool hold_shown = false;  // by the pointer's shape: the divider can be pulled
+    GLFWcursor* hold_shape = nullptr;
     bool pushing = false;  // the character that follows belongs to a key that moves the camera
     double pointer_moved = 0;
     bool pointer_hidden = false;

@@ -157,6 +157,30 @@ void draw_marks(const Overlay& overlay) {
     }
 }
 
+/// Draws the line between the two pictures with a handle, and on both sides what is seen there.
+void draw_divider(const Overlay::Sides& sides, const ScreenArea& area, float lowest) {
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    const float font = ImGui::GetFontSize(), x = static_cast<float>(sides.column), top = static_cast<float>(area.y);
+    const float bottom = top + static_cast<float>(area.height), middle = (top + bottom) / 2, grip = font * .35f;
+    for (const auto& [color, wide] : {std::pair(IM_COL32(0, 0, 0, 160), 2.f), {IM_COL32(255, 255, 255, 255), 1.f}}) {
+        list.AddRectFilled({x - wide, top}, {x + wide - 1, bottom}, color);
+        list.AddRectFilled({x - grip - wide, middle - font - wide}, {x + grip + wide - 1, middle + font + wide}, color,
+                           grip);
+    }
+    const auto label = [&](const std::string& text, bool to_the_right) {
+        if (text.empty()) return;
+        const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+        const float right_end = static_cast<float>(area.x + area.width) - font - size.x;
+        const float left = to_the_right ? std::min(x + font, right_end) : x - font - size.x;
+        const float high = std::min(bottom, lowest) - 1.8f * font;
+        const float edge = font * .4f;
+        list.AddRectFilled({left - edge, high - edge / 2}, {left + size.x + edge, high + size.y + edge / 2},
+                           ImGui::GetColorU32(ImGuiCol_WindowBg), edge);
+        list.AddText({left, high}, IM_COL32(255, 255, 255, 255), text.c_str());
+    };
+    label(sides.left, false), label(sides.right, true);
+}
+
 }  // namespace
 
 void draw_overlay(const Overlay& overlay) {
@@ -164,6 +188,7 @@ void draw_overlay(const Overlay& overlay) {
     draw_silhouette(overlay);
     const ImVec2 all = ImGui::GetIO().DisplaySize;
     FreeArea free{gap(), gap(), all.x - overlay.reserved_right - gap(), all.y - overlay.reserved - gap()};
+    if (overlay.sides) draw_divider(*overlay.sides, overlay.area, free.bottom + gap());
     if (overlay.help) free.right -= draw_help(free).x;
     const bool info = !overlay.info.empty();
     if (info) free.top += draw_info(overlay, free).y;

@@ -1,5 +1,6 @@
 // The panels of text over the picture, and the marks on it.
 #pragma once
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,6 +26,11 @@ struct Overlay {
     Stability marks;            // on pixels of the picture
     int width = 1, height = 1;  // of the picture, in its own pixels
     ScreenArea area;            // where the picture is on the screen
+    struct Sides {
+        int column = 0;           // of the window, where the divider is
+        std::string left, right;  // what is seen there; may be empty
+    };
+    std::optional<Sides> sides;
     std::vector<SilhouetteLine> silhouette;  // of the body that is chosen, in those pixels
     // Pixels at the bottom and at the right of the window that panels must leave free.
     float reserved = 0, reserved_right = 0;

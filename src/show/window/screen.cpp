@@ -157,7 +157,7 @@ void Screen::start_drawing() {
 }
 
 Screen::~Screen() {
-    gl->DeleteTextures(1, &texture);
+    gl->DeleteTextures(1, &texture), gl->DeleteTextures(1, &second_texture);
     ImGui_ImplOpenGL3_Shutdown();
     ImGui_ImplGlfw_Shutdown();
     ImGui::DestroyContext();
@@ -201,6 +201,31 @@ void Screen::upload(const Fresh& fresh) {
     top = along(0, fresh.steps.y, image.height), bottom = along(fresh.height, fresh.steps.y, image.height);
 }
 
+void Screen::show_second(std::shared_ptr<const ScreenImage> image, int from) {
+    second_from = from;
+    if (image == second) return;
+    second = std::move(image);
+    if (!second) return;
+    if (second_texture == 0) gl->GenTextures(1, &second_texture);
+    gl->BindTexture(GL_TEXTURE_2D, second_texture);
+    gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, second->width, second->height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                   second->rgba.data());
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+}
+
+void Screen::draw_pictures() const {
+    const ScreenArea at = area();
+    const ImVec2 corner{static_cast<float>(at.x), static_cast<float>(at.y)};
+    const ImVec2 other{corner.x + static_cast<float>(at.width), corner.y + static_cast<float>(at.height)};
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    const auto id = [](unsigned name) { return reinterpret_cast<void*>(static_cast<std::uintptr_t>(name)); };
+    list.AddImage(id(texture), corner, other, {left, top}, {right, bottom});
+    if (!second) return;
+    const auto from = static_cast<float>(second_from);
+    list.AddImage(id(second_texture), {from, corner.y}, other, {(from - corner.x) / (other.x - corner.x), 0}, {1, 1});
+}
+
 void Screen::draw(const std::function<void()>& overlay) {
     float wanted = 1;
     glfwGetWindowContentScale(glfw, &wanted, nullptr);
@@ -224,13 +249,7 @@ void Screen::draw(const std::function<void()>& overlay) {
     ImGui_ImplOpenGL3_NewFrame();
     if (!io.Fonts->TexID) ImGui_ImplOpenGL3_CreateFontsTexture();
     ImGui::NewFrame();
-    if (texture_width > 0) {
-        const ScreenArea at = area();
-        const ImVec2 corner{static_cast<float>(at.x), static_cast<float>(at.y)};
-        const ImVec2 other{corner.x + static_cast<float>(at.width), corner.y + static_cast<float>(at.height)};
-        ImGui::GetBackgroundDrawList()->AddImage(reinterpret_cast<void*>(static_cast<std::uintptr_t>(texture)), corner,
-                                                 other, {left, top}, {right, bottom});
-    }
+    if (texture_width > 0) draw_pictures();
     overlay();
     ImGui::Render();
     gl->Viewport(0, 0, columns, rows);

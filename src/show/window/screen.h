@@ -1,5 +1,6 @@
 // The window as a surface for one picture and an overlay. GLFW, OpenGL and ImGui are initialised and ended here.
 #pragma once
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <stdexcept>
@@ -35,6 +36,9 @@ class Screen {
     int height() const;
 
     void upload(const Fresh& fresh);
+    /// From now on shows this picture of the same size over the first one, from this column of the window on; null for
+    /// none.
+    void show_second(std::shared_ptr<const ScreenImage> image, int from);
     /// Draws the window: the uploaded picture, and on it what `overlay` draws with ImGui.
     void draw(const std::function<void()>& overlay);
     void toggle_full_screen();
@@ -43,6 +47,8 @@ class Screen {
     bool full_screen() const;
     /// Stores the place for the next start, and the size if it is no longer the default one.
     void remember() const;
+    /// Returns how far from a thin line the pointer may be to take hold of it, in pixels.
+    double pixels_to_reach() const { return 6 * std::max(scale, 1.f); }
     /// The area of the picture in the window.
     ScreenArea area() const;
 
@@ -50,12 +56,15 @@ class Screen {
     struct Functions;
     void make_window(const std::string& title, PixelSize size, bool default_size, bool full);
     void start_drawing();
+    void draw_pictures() const;
     void restore();
     WindowState window_state() const;
 
     GLFWwindow* glfw = nullptr;
     std::unique_ptr<Functions> gl;
-    unsigned texture = 0;
+    unsigned texture = 0, second_texture = 0;  // the second one only where it has been needed
+    std::shared_ptr<const ScreenImage> second;
+    int second_from = 0;
     int texture_width = 0, texture_height = 0;
     int picture_width = 0, picture_height = 0;
     float left = 0, top = 0, right = 1, bottom = 1;  // edges of the part of the texture that is shown

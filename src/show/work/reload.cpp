@@ -44,6 +44,8 @@ Loaded loaded_scene(const std::string& path, const std::string& text, bool opene
             .scene = std::move(scene),
             .opened = opened,
             .words = words,
+            .mirrored = read.mirrored,
+            .lines = std::move(read.lines),
             .text = is_pov(path) || text.size() > most_text ? std::string() : text};
 } catch (const FileError& error) {
     return {.path = path, .fault = error.what(), .opened = opened};
@@ -288,7 +290,10 @@ void Reload::FileThread::check_file() {
 Written Reload::FileThread::write_path(const Request& request) try {
     const bool numbers = request.changes.text != request.changes.in_file;
     if (path == "-") return {.fault = "the scene came from standard input; Shift+C copies the path"};
-    if (is_pov(path)) return {.fault = "a scene of POV-Ray cannot hold a path; Shift+C copies it"};
+    if (is_pov(path) && request.flythrough)
+        return {.fault = "a scene of POV-Ray cannot hold a path; Shift+C copies it"};
+    if (is_pov(path))
+        return {.fault = "scenes of POV-Ray are not changed here; F4 opens the line of the chosen body in your editor"};
     const std::string content = read(path);
     if (content != text && !request.anyway) return {.file = path, .asks = true};
     const OpenedScene before = scene_for_window(content, path);  // throws: in texts with errors no block can be found

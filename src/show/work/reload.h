@@ -35,6 +35,8 @@ struct Loaded {
     std::string fault{};                   // the message of the error
     bool opened = false;                   // it is a newly opened file
     EyeWords words{};                      // those of its camera
+    bool mirrored = false;                 // see OpenedScene
+    pov::SourceLines lines{};              // of the bodies of a scene of POV-Ray
     std::string text{};                    // of the file; empty if it is a scene of POV-Ray or larger than 16 MB
 };
 

@@ -23,7 +23,7 @@ void StillRequests::add(const Session& session, const std::string& scene_path, V
         any_failed = true;
         return notes.fail(why);
     }
-    stills.add({session.scene, view, name, ending});
+    stills.add({session.scene, view, name, ending, session.exposure});
     log_line("still queued: " + name + ", " + std::to_string(view.width) + "x" + std::to_string(view.height));
     told = pace.now();
     pace.redraw();

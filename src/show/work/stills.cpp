@@ -94,11 +94,12 @@ Stills::Outcome Stills::make(const Still& still, ThreadPool& pool) try {
         if (int(100 * before / all) != int(100 * (before + size) / all)) notify();
     };
     Tracer tracer(*still.scene, Precision::float64);
-    tracer.trace({view, pool, keep, &stop}, SampledRegion{whole, {}});
+    const Sampling sampling{.error = Sampling{}.error / gain_of(still.exposure)};
+    tracer.trace({view, pool, keep, &stop}, SampledRegion{whole, sampling});
     if (stop) return {};
     const std::string path = reserve_file(still.name, still.ending);
     try {
-        write_picture(picture, path, {.linear = still.scene->settings.linear});
+        write_picture(picture, path, {.linear = still.scene->settings.linear, .exposure = still.exposure});
     } catch (...) {
         ::unlink(path.c_str());
         throw;

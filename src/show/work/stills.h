@@ -11,6 +11,7 @@
 #include <thread>
 #include <vector>
 
+#include "image/transfer.h"
 #include "trace/tracer.h"
 
 namespace strahl {
@@ -20,6 +21,7 @@ struct Still {
     View view;
     std::string name;  // of the file, without ending; "-2", "-3", ... is added if that exists
     std::string ending = ".bmp";
+    Exposure exposure{};
 };
 
 /// A queue of stills. They are traced in double on all threads, at low priority: they take the processor time that the

@@ -99,7 +99,9 @@ bool TraceThread::accept(std::stop_token quit) {
         wake.wait(lock, quit, [&] { return next || (order.number > 0 && unfinished()); });
         if (quit.stop_requested()) return false;
         if (!next) break;
-        if (next->scene != order.scene) tracer.reset(), table.emplace(next->scene->settings.linear);
+        if (next->scene != order.scene) tracer.reset();
+        if (next->scene != order.scene || next->exposure != order.exposure)
+            table.emplace(next->scene->settings.linear, next->exposure);
         if (next->number != order.number) done = -1, cells.reset();
         order = *std::exchange(next, std::nullopt);
     } while (!unfinished());
@@ -122,7 +124,7 @@ int TraceThread::choose(FilledLattice& filled) {
     const int finest = order.moving ? std::min(order.finest, finest_level) : finest_level;
     const int level = uneven ? finest_level : resolution.choose(view.width, view.height, order.budget, finest);
     filled.lattice = pixels_of(level, view.width, view.height);
-    filled.contrast = most_off / (order.scene->settings.linear ? steepest_srgb : 1);
+    filled.contrast = most_off / (order.scene->settings.linear ? steepest_srgb : 1) / gain_of(order.exposure);
     if (uneven) filled.tolerance = tolerance.choose(count(filled.lattice), order.budget);
     const bool coarsest = uneven ? filled.tolerance == Tolerance::coarsest : level == 0;
     std::lock_guard lock(mutex);
@@ -165,7 +167,8 @@ void TraceThread::first_picture() {
 /// Expands the image on the screen to all pixels.
 void TraceThread::begin_passes() {
     const View& view = order.view;
-    cells.emplace(tracer->scene(), view, Lattice{.columns = view.width, .rows = view.height}, Sampling{}.error);
+    cells.emplace(tracer->scene(), view, Lattice{.columns = view.width, .rows = view.height},
+                  Sampling{}.error / gain_of(order.exposure));
     if (shown.steps() == Steps{}) return;
     spare.resize(view.width, view.height);
     expand(shown.image(), shown.steps(), spare);  // only this thread replaces the picture

@@ -25,6 +25,7 @@ struct Order {
     bool moving = false;        // pictures in motion are not refined: the next one comes soon
     double budget = 0.01;       // seconds for the first, coarse picture
     int finest = uneven_level;  // level of the first picture in motion
+    Exposure exposure{};
 };
 
 /// The progress of the picture on the screen.

@@ -3,17 +3,19 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "show/session/framing.h"
+
 namespace strahl {
 
 void WindowPicture::order(const Session& session, int width, int height) {
     if (width == 0 || height == 0) return;
-    const View view = session.view(width, height), &last = wanted.view;
-    const bool same = wanted.scene == session.scene && last.camera == view.camera && last.width == view.width &&
-                      last.height == view.height && last.depth == view.depth && last.time == view.time &&
-                      last.tracks == view.tracks;
+    const View view = session.view(width, height);
+    const bool same = wanted.scene == session.scene && same_picture(wanted.view, view) &&
+                      wanted.exposure == session.exposure;
     if (same && wanted.moving == pace.moving()) return;
     if (!same && check.active()) toggle_marks();
-    wanted = {wanted.number + (same ? 0 : 1), session.scene, view, pace.moving(), pace.budget(), session.finest};
+    wanted = {wanted.number + (same ? 0 : 1), session.scene, view, pace.moving(), pace.budget(), session.finest,
+              session.exposure};
     moments[wanted.number % moments.size()] = session.time;
     tracing.want(wanted);
 }

@@ -4,15 +4,18 @@
 #include <atomic>
 #include <cmath>
 #include <cstdlib>
+#include <fstream>
 #include <limits>
 #include <string>
 #include <vector>
 
 #include "num/vec_math.h"
+#include "pov/open_scene.h"
 #include "scene/leaves.h"
 #include "show/external_editor.h"
 #include "show/session/body_editor.h"
 #include "show/work/silhouette.h"
+#include "tests/unit/scratch.h"
 #include "tests/unit/show/show_scene.h"
 #include "trace/tracer.h"
 
@@ -212,6 +215,30 @@ TEST_CASE("the lines around a body are those between its pixels and others") {
     CHECK(!silhouette.take());
     silhouette.drop();
     CHECK(silhouette.lines().empty());
+}
+
+TEST_CASE("a body of a scene of POV-Ray stands in a line of its text, which only an editor changes") {
+    const Scratch folder;
+    std::ofstream(folder / "balls.inc") << "\r\n\r\n#macro Ball(P)\r\n  sphere { P, 1 }\r\n#end\r\n";
+    const std::string text =
+        "#version 3.7;\n#include \"balls.inc\"\ncamera { location <0, 0, -5> }\nbox { 5, 6 }\n"
+        "// é\nBall(<0, 0, 0>) union { box { <-9, -9, 8>, <9, 9, 9> }\n sphere { 9, 1 } }";
+    const OpenedScene opened = open_scene(text, folder / "scene.pov", {}, {});
+    BodyEditor editor;
+    editor.open("");
+    editor.take_lines(opened.lines);
+    const View view = shown_view(opened.scene);
+    editor.click(opened.scene, opened.scene, view, 80, 60);
+    REQUIRE(editor.choice());
+    CHECK(editor.body().kind == "sphere");
+    CHECK(editor.body().line == 4);
+    CHECK(editor.file() == folder / "balls.inc");
+    editor.click(opened.scene, opened.scene, view, 80, 60);
+    REQUIRE(editor.choice());
+    CHECK(editor.body().line == 6);
+    CHECK(editor.file() == folder / "scene.pov");
+    CHECK(editor.read_only());
+    for (const BodyValue& value : editor.body().values) CHECK(!editor.open_to_change(value));
 }
 
 TEST_CASE("editors are started as each of them wants the line") {

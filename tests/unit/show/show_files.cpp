@@ -236,6 +236,21 @@ TEST_CASE("a path is written into the scene file, of which a copy stays; a file 
     CHECK(bytes_of(path) == "camera {");
 }
 
+TEST_CASE("nothing is written into a scene of POV-Ray, and the reason is told") {
+    const Scratch folder;
+    const std::string path = folder / "scene.pov", text = "camera { location <0, 0, -5> } sphere { 0, 1 }";
+    std::ofstream(path) << text;
+    Reload reload(path);
+    REQUIRE(reload.take(10));
+    for (const bool with_path : {false, true}) {
+        reload.write(with_path ? std::optional(Flythrough{4, false, {}}) : std::nullopt, {}, true);
+        std::optional<Written> written;
+        REQUIRE(soon([&] { return (written = reload.take_written()).has_value(); }));
+        CHECK(written->fault.find(with_path ? "cannot hold a path" : "are not changed here") != std::string::npos);
+    }
+    CHECK(bytes_of(path) == text);
+}
+
 TEST_CASE("changed numbers are shown before they are written, and are written beside what others have changed") {
     const Scratch folder;
     const std::string path = folder / "scene.rt", color = "<1,.2,.2>";

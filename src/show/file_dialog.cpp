@@ -1,0 +1,74 @@
+#include "show/file_dialog.h"
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <csignal>
+#include <filesystem>
+
+extern char** environ;
+
+namespace strahl {
+namespace {
+
+/// $1 is the folder, with a slash at its end.
+constexpr const char* script = R"(
+if command -v zenity >/dev/null; then
+    exec zenity --file-selection --title='Open a scene' --filename="$1" \
+        --file-filter='Scenes | *.rt *.pov' --file-filter='All files | *' 2>/dev/null
+elif command -v kdialog >/dev/null; then
+    exec kdialog --title 'Open a scene' --getopenfilename "$1" 'Scenes (*.rt *.pov)' 2>/dev/null
+fi
+exit 127)";
+
+}  // namespace
+
+FileDialog::~FileDialog() {
+    if (!thread.joinable()) return;
+    ::kill(child, SIGTERM);
+    thread.join();
+    ::waitpid(child, nullptr, 0);
+}
+
+std::string FileDialog::open(const std::string& scene) {
+    if (thread.joinable()) return "";
+    std::string folder = std::filesystem::path(scene).parent_path().string();
+    folder = folder.empty() ? "./" : folder + "/";
+    std::array<int, 2> pipe{};
+    if (::pipe2(pipe.data(), O_CLOEXEC) != 0) return "the file dialog cannot be started";
+    posix_spawn_file_actions_t files;
+    posix_spawn_file_actions_init(&files);
+    posix_spawn_file_actions_adddup2(&files, pipe[1], 1);
+    std::string words[]{"sh", "-c", script, "sh", folder};
+    std::array<char*, 6> arguments{words[0].data(), words[1].data(), words[2].data(), words[3].data(), words[4].data()};
+    const bool started = posix_spawn(&child, "/bin/sh", &files, nullptr, arguments.data(), environ) == 0;
+    posix_spawn_file_actions_destroy(&files);
+    ::close(pipe[1]);
+    if (!started) return ::close(pipe[0]), "the file dialog cannot be started";
+    said.clear();
+    thread = std::thread([this, from = pipe[0]] {
+        std::array<char, 4096> block;
+        for (ssize_t got = 0; (got = ::read(from, block.data(), block.size())) > 0;)
+            said.append(block.data(), static_cast<std::size_t>(got));
+        ::close(from);
+        done = true;
+        notify();
+    });
+    return "";
+}
+
+std::optional<FileDialog::ChosenFile> FileDialog::take() {
+    if (!done.exchange(false)) return std::nullopt;
+    thread.join();
+    int status = 0;
+    ::waitpid(child, &status, 0);  // it has closed its output, and ends
+    if (WIFEXITED(status) && WEXITSTATUS(status) == 127)
+        return ChosenFile{"", "there is no file dialog: install zenity or kdialog, or drop a file onto the window"};
+    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) return ChosenFile{};
+    return ChosenFile{said.substr(0, said.find_last_not_of('\n') + 1), ""};
+}
+
+}  // namespace strahl

@@ -1,0 +1,39 @@
+// Asks for a scene file by the dialog of the user's desktop: that of zenity or of kdialog.
+#pragma once
+#include <sys/types.h>
+
+#include <atomic>
+#include <functional>
+#include <optional>
+#include <string>
+#include <thread>
+
+namespace strahl {
+
+class FileDialog {
+  public:
+    /// `notify` is called from another thread when there is an answer to take.
+    explicit FileDialog(std::function<void()> notify) : notify(std::move(notify)) {}
+    /// Closes a dialog that is open.
+    ~FileDialog();
+    FileDialog(const FileDialog&) = delete;
+
+    /// Opens the dialog in the folder of this scene, unless it is open. Does not wait for it. Returns the reason if it
+    /// cannot, or "".
+    std::string open(const std::string& scene);
+    struct ChosenFile {
+        std::string path;   // "" if the user has chosen none
+        std::string fault;  // why there is no dialog, or ""
+    };
+    /// Returns the answer, once.
+    std::optional<ChosenFile> take();
+
+  private:
+    const std::function<void()> notify;
+    pid_t child = 0;
+    std::atomic<bool> done = false;
+    std::string said;  // by the dialog; the thread's until `done`
+    std::thread thread;
+};
+
+}  // namespace strahl

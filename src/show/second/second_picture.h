@@ -1,0 +1,42 @@
+// Makes the picture to the right of the window's divider: by POV-Ray, or by Strahl with other settings.
+#pragma once
+#include <atomic>
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "num/thread_pool.h"
+#include "show/session/divider.h"
+#include "show/work/screen_image.h"
+#include "trace/world/view.h"
+
+namespace strahl {
+
+struct SecondOrder {
+    SecondKind kind = SecondKind::none;
+    std::shared_ptr<const Scene> scene{};
+    View view{};
+    std::string path{};     // of the scene's file
+    bool mirrored = false;  // see OpenedScene
+    Exposure exposure{};    // of `image`; POV-Ray's has no light above white that it could show
+
+    /// Are both for the same picture?
+    bool operator==(const SecondOrder& other) const;
+};
+
+struct SecondPicture {
+    ScreenImage image;
+    /// 16 times its difference from a picture of Strahl's that is sampled alike, whether `image` is or not: one ray in
+    /// double for POV-Ray's of one ray, else averages in float.
+    ScreenImage difference;
+    std::size_t differing = 0;  // pixels with a channel that differs by more than 1/255
+    bool finished = false;      // else a better one follows
+};
+
+/// Makes it, and calls `publish` with each stage. POV-Ray first traces one ray in each pixel, as strahl crosscheck has
+/// it, then 10. Throws Stopped when `stop` became true, else std::exception with the reason if it fails.
+void make_second(const SecondOrder& order, ThreadPool& pool, const std::atomic<bool>& stop,
+                 const std::function<void(SecondPicture)>& publish);
+
+}  // namespace strahl

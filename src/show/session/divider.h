@@ -1,0 +1,31 @@
+// The divider of the window: to its right another picture of the same view is seen.
+#pragma once
+#include <string>
+
+#include "show/session/framing.h"
+
+namespace strahl {
+
+/// The second picture, to the right of the divider.
+enum class SecondKind { none, povray, one_ray, extended };
+
+struct Divider {
+    SecondKind second = SecondKind::none;
+    bool difference = false;  // of the second picture from the first is seen instead of it, amplified
+    double at = .5;           // share of the picture's width to its left
+
+    /// Goes on to the next kind of second picture; after the last one, and before the first, there is none.
+    void next();
+    bool shown() const { return second != SecondKind::none; }
+    /// Is this point of the window so near to it that the pointer takes hold of it there? All in pixels.
+    bool reached(const ScreenArea& picture, double x, double y, double reach) const;
+    /// Moves it to this column of the window.
+    void pull(const ScreenArea& picture, double x);
+    /// Returns the column of the window where it is.
+    int column(const ScreenArea& picture) const;
+};
+
+/// Names the second picture, for the window.
+std::string second_name(SecondKind kind);
+
+}  // namespace strahl

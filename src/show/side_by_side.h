@@ -1,0 +1,50 @@
+// Two pictures beside each other: connects the divider, the second picture, and what the window says about them.
+#pragma once
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "show/second/second_pictures.h"
+#include "show/session/divider.h"
+#include "show/session/keys.h"
+#include "show/session/session.h"
+#include "show/window/overlay.h"
+#include "show/work/notes.h"
+#include "show/work/pace.h"
+#include "show/work/reload.h"
+
+namespace strahl {
+
+class SideBySide {
+  public:
+    /// `notify` is called from another thread when there is something to take.
+    SideBySide(int threads, Notes& notes, Pace& pace, std::function<void()> notify)
+        : notes(notes), pace(pace), pictures(threads, std::move(notify)) {}
+
+    /// To be called when the session has taken over a scene that was read from the file.
+    void loaded(const Loaded& scene) { path = scene.path, mirrored = scene.mirrored; }
+    /// Chooses the next second picture, or whether its difference is seen.
+    void toggle(Action action);
+    /// Asks for the second picture of a view, if its first picture is finished; else there is none.
+    void follow(const Session& session, const View& view, bool finished);
+    void pull(const ScreenArea& picture, double x) { line.pull(picture, x), pace.redraw(1); }
+
+    const Divider& divider() const { return line; }
+    /// The picture to be seen to the right of the divider, or null.
+    std::shared_ptr<const ScreenImage> image() const;
+    /// The words beside the divider.
+    Overlay::Sides sides(const ScreenArea& picture) const;
+    /// Is the second picture being made?
+    bool under_way() const { return pictures.under_way(); }
+
+  private:
+    Notes& notes;
+    Pace& pace;
+    SecondPictures pictures;
+    Divider line;
+    std::string path;
+    bool mirrored = false;
+    double began = 0;  // when the picture under way was asked for
+};
+
+}  // namespace strahl

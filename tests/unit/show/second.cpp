@@ -1,0 +1,184 @@
+// The second picture, to the right of the window's divider, without a window.
+#include <doctest/doctest.h>
+#include <signal.h>
+#include <stdlib.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <string>
+#include <thread>
+
+#include "image/transfer_table.h"
+#include "show/second/second_pictures.h"
+#include "show/session/divider.h"
+#include "tests/unit/scratch.h"
+#include "tests/unit/show/show_scene.h"
+#include "trace/tracer.h"
+
+using namespace strahl;
+
+namespace {
+
+bool soon(const std::function<bool()>& done) {
+    for (int i = 0; i < 1000; ++i) {
+        if (done()) return true;
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    return false;
+}
+
+/// Takes the place of POV-Ray: notes its process and its arguments, and runs `script` in its folder.
+class StandInForPovray {
+  public:
+    explicit StandInForPovray(const std::string& script) {
+        std::ofstream(folder / "povray") << "#!/bin/sh\necho $$ \"$@\" >>'" + folder / "runs" + "'\n" << script << '\n';
+        std::filesystem::permissions(folder / "povray", std::filesystem::perms::owner_all);
+        ::setenv("PATH", ((folder / "") + ":" + path).c_str(), 1);
+        ::setenv("TMPDIR", (folder / "").c_str(), 1);
+    }
+    ~StandInForPovray() {
+        ::setenv("PATH", path.c_str(), 1);
+        ::unsetenv("TMPDIR");
+    }
+    std::string runs() const { return bytes_of(folder / "runs"); }
+
+    Scratch folder;
+
+  private:
+    std::string path = ::getenv("PATH");
+};
+
+SecondOrder order_of(std::shared_ptr<const Scene> scene, SecondKind kind, double fov = 12) {
+    SecondOrder order{kind, scene, {.camera = scene->camera, .width = 20, .height = 15, .depth = 4}, "scene.rt"};
+    order.view.camera.fov = fov;
+    return order;
+}
+
+}  // namespace
+
+TEST_CASE("the divider is taken hold of where it is, and stays in the picture") {
+    const ScreenArea area{100, 50, 400, 300};
+    Divider line;
+    CHECK(!line.reached(area, 300, 100, 6));
+    line.next();
+    CHECK(line.second == SecondKind::povray);
+    CHECK(line.column(area) == 300);
+    CHECK(line.reached(area, 306, 50, 6));
+    CHECK(!line.reached(area, 307, 50, 6));
+    CHECK(!line.reached(area, 300, 49, 6));
+    CHECK(!line.reached(area, 300, 350, 6));
+    line.pull(area, 200);
+    CHECK(line.at == .25);
+    line.pull(area, 9999), CHECK(line.column(area) == 500);
+    line.pull(area, -9999), CHECK(line.column(area) == 100);
+    while (line.shown()) CHECK(second_name(line.second) != ""), line.next();
+    CHECK(second_name(line.second) == "");
+}
+
+TEST_CASE("a picture of one ray, and one in long double, are what the tracer makes") {
+    const auto scene = shown_scene();
+    ThreadPool pool(1);
+    const std::atomic<bool> stop = false;
+    const SecondOrder order = order_of(scene, SecondKind::one_ray);
+    int stages = 0;
+    make_second(order, pool, stop, [&](const SecondPicture& made) {
+        ++stages;
+        const Frame frame = render(*scene, order.view, Precision::float32, 1);
+        for (std::size_t i = 0; i < made.image.rgba.size(); ++i)
+            CHECK(made.image.rgba[i] == TransferTable(false).pixel(&frame.rgb[3 * i]));
+        CHECK(made.finished);
+        CHECK(made.differing > 10);  // edges
+        CHECK(made.differing < 150);
+    });
+    make_second(order_of(scene, SecondKind::extended), pool, stop, [&](const SecondPicture& made) {
+        ++stages;
+        CHECK(made.differing == 0);
+        CHECK(made.image.rgba.size() == 300);
+        // Averages are of as many rays as each precision chooses: their difference is no step, but 16 times it shows.
+        for (const std::uint32_t pixel : made.difference.rgba) CHECK((pixel & 0xff) <= 16);
+    });
+    CHECK(stages == 2);
+}
+
+TEST_CASE("POV-Ray's picture comes in two stages, is kept, and ends when another one is wanted") {
+    const StandInForPovray povray(
+        "(printf 'P6 20 15 255\\n'; head -c 900 /dev/zero | tr '\\0' '\\200') >scene.ppm; "
+        "[ ! -e \"${TMPDIR}slow\" ] || exec sleep 1000");
+    const auto scene = shown_scene();
+    SecondPictures pictures(1, [] {});
+    const SecondOrder first = order_of(scene, SecondKind::povray);
+    bool unfinished = false;
+    const auto finish = [&] {
+        return soon([&] {
+            pictures.take();
+            unfinished |= pictures.picture() && !pictures.picture()->finished;
+            return !pictures.under_way();
+        });
+    };
+    pictures.want(first);
+    CHECK(pictures.under_way());
+    REQUIRE(finish());
+    CHECK(pictures.fault() == "");
+    REQUIRE(pictures.picture());
+    const auto kept = pictures.picture();
+    CHECK(kept->image.rgba[7] == 0xff808080);
+    CHECK(kept->differing > 290);
+    const std::string runs = povray.runs();
+    CHECK(runs.find("Antialias_Depth=3") != runs.npos);
+    CHECK(std::ranges::count(runs, '\n') == 2);
+
+    // The same view of an equal scene again: nothing runs.
+    pictures.drop();
+    CHECK(!pictures.picture());
+    pictures.want(order_of(shown_scene(), SecondKind::povray));
+    CHECK(pictures.picture() == kept);
+    CHECK(!pictures.under_way());
+    CHECK(povray.runs() == runs);
+
+    std::ofstream(povray.folder / "slow") << "yes";
+    pictures.want(order_of(scene, SecondKind::povray, 13));
+    CHECK(!pictures.picture());
+    REQUIRE(soon([&] { return std::ranges::count(povray.runs(), '\n') == 3; }));
+    const std::string all = povray.runs();
+    const pid_t process = std::stoi(all.substr(runs.size()));
+    pictures.want(order_of(scene, SecondKind::one_ray, 13));
+    CHECK(soon([&] { return ::kill(process, 0) != 0; }));
+    REQUIRE(finish());
+    CHECK(pictures.picture()->differing < 200);
+    CHECK(pictures.fault() == "");
+    const auto left = [&] {
+        const std::filesystem::directory_iterator all(povray.folder / "");
+        return std::count_if(begin(all), end(all), [](const auto& entry) { return entry.is_directory(); });
+    };
+    CHECK(left() == 0);
+    {
+        SecondPictures others(1, [] {});
+        others.want(order_of(scene, SecondKind::povray, 14));
+        REQUIRE(soon([&] { return std::ranges::count(povray.runs(), '\n') == 4; }));
+    }
+    CHECK(left() == 0);  // the window has been closed
+}
+
+TEST_CASE("without POV-Ray its package is named; what it says of a fault is passed on") {
+    const auto scene = shown_scene();
+    const auto fault = [&](SecondPictures& pictures) {
+        pictures.want(order_of(scene, SecondKind::povray));
+        REQUIRE(soon([&] { return pictures.take(); }));
+        CHECK(!pictures.under_way());
+        CHECK(!pictures.picture());
+        return pictures.fault();
+    };
+    {
+        const StandInForPovray povray("echo 'Parse Error: no such thing'; exit 1");
+        SecondPictures pictures(1, [] {});
+        CHECK(fault(pictures).find("Parse Error: no such thing") != std::string::npos);
+    }
+    const std::string path = ::getenv("PATH");
+    ::setenv("PATH", "/nowhere", 1);
+    SecondPictures pictures(1, [] {});
+    CHECK(fault(pictures) == "povray is not installed; on Debian: apt install povray");
+    ::setenv("PATH", path.c_str(), 1);
+}
