@@ -123,8 +123,10 @@ std::string summary(const Scene& scene) {
 
 int check_command(const CheckOptions& options) {
     const OpenedScene opened = open_scene(read_text(options.scene), options.scene, options.opening, read_pixels);
-    std::string text = write_scene(opened.scene);
-    if (!options.print) {
+    std::string text;
+    if (options.print) {
+        text = write_scene(opened.scene);
+    } else {
         text = show(shown_name(options.scene)).text + ": no errors\n" + summary(opened.scene);
         if (!opened.summary.empty()) text += "  as POV-Ray   " + opened.summary + '\n';
         for (const std::string& note : opened.notes) text += show(note).text + '\n';

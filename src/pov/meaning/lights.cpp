@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "num/vec_math.h"
 #include "pov/meaning/scene_maker.h"
@@ -56,6 +57,7 @@ void SceneMaker::add_light(const ObjectThing& object, const Around& around) {
     if (own.fade_distance > 0 && own.fade_power > 0)
         light.fade_distance = own.fade_distance, light.fade_power = own.fade_power;
     light.shadowless = own.shadowless;
+    approximated(own.dimmed && !contents.fogs.empty(), "fog does not dim a light");
     if (own.parallel && target != light.position) {
         light.direction = target - light.position;
         light.position = DVec3(0);
@@ -76,8 +78,8 @@ void SceneMaker::add_light(const ObjectThing& object, const Around& around) {
         spot.radius = std::clamp(spot.radius, 0., spot.falloff);
         light.spot = spot;
     }
-    if (own.area && !light.direction && !light.spot) light.area = area_of(own, glm::dmat3(m), mirrored);
-    approximated(own.area && (light.direction || light.spot), "an area_light with a direction is a point");
+    if (own.area && !light.direction) light.area = area_of(own, glm::dmat3(m), mirrored);
+    approximated(own.area && light.direction, "an area_light that is parallel is a point");
     approximated(light.area.has_value(),
                  "each point of an area_light shines by itself, also where nothing is in its way");
     approximated(light.area && own.circular, "a circular area_light is a rectangle");
@@ -89,7 +91,13 @@ void SceneMaker::add_light(const ObjectThing& object, const Around& around) {
         approximated(true, "a light further away than 1e9 is parallel light");
     }
     light.color = {std::min(light.color.x, 1e9), std::min(light.color.y, 1e9), std::min(light.color.z, 1e9)};
-    scene.lights.push_back(light);
+    if (!light.area || !light.spot) return scene.lights.push_back(light);
+    // A rectangle cannot be a spotlight: it is a grid of some.
+    if (light.area->columns == 0) light.area->columns = light.area->rows = 4;
+    for (Light& point : points_of(std::vector<Light>{light})) {
+        point.spot = light.spot;
+        scene.lights.push_back(point);
+    }
 }
 
 }  // namespace strahl::pov

@@ -113,7 +113,7 @@ std::optional<SolidPattern> PigmentMaker::solid_of(const Blend& blend, bool bend
         solid.omega = blend.omega, solid.lambda = blend.lambda;
     }
     solid.frequency = blend.frequency, solid.phase = blend.phase;
-    solid.generator = std::clamp(notes.in.noise_generator, 1, 3);
+    solid.generator = std::clamp(blend.noise_generator.value_or(notes.in.noise_generator), 1, 3);
     return solid;
 }
 
@@ -147,6 +147,13 @@ Pigment Look::opaque() const {
     return Pigment(std::move(pattern));
 }
 
+/// Tells what is not shown of a pattern.
+void PigmentMaker::tell_ignored(const Blend& blend) const {
+    if (blend.warped) notes.approximated(blend.place, "a pattern without its warps");
+    if (blend.ignored != end_code)
+        notes.approximated(blend.place, strahl::quoted(word_text(blend.ignored)) + " of a pattern has no effect");
+}
+
 Look PigmentMaker::look_of(const PigmentThing& pigment, const Steps& way, bool mapped) {
     const Mean mean = mean_of(pigment);
     Look look{Pigment(mean.color), mean.filter, mean.transmit};
@@ -164,7 +171,7 @@ Look PigmentMaker::look_of(const PigmentThing& pigment, const Steps& way, bool m
             look.varies |= own.filter != first.filter || own.transmit != first.transmit;
         }
     }
-    if (blend.warped) notes.approximated(blend.place, "a pattern without its warps");
+    tell_ignored(blend);
     Pattern pattern{.kind = Checker{}, .colors = {}, .transformations = {}, .by_uv = blend.uv};
     if (blend.word == word("checker") || blend.word == word("brick")) {
         const bool brick = blend.word == word("brick");
@@ -242,6 +249,7 @@ Bump PigmentMaker::bump_of(const NormalThing& normal, const Steps& way, bool map
         return Bump();
     };
     if (blend.uv && !mapped) return none("bumps by uv of a body that is no mesh");
+    tell_ignored(blend);
     Pattern pattern{.kind = Noise{}, .colors = {}, .transformations = {}, .by_uv = blend.uv};
     if (blend.image && blend.word == word("bump_map")) {
         const auto pixels = pixels_of(blend);

@@ -41,6 +41,7 @@ class PigmentMaker {
     std::vector<ColorStop> stops_of(const Blend& blend);
     std::optional<SolidPattern> solid_of(const Blend& blend, bool bends) const;
     std::shared_ptr<const Pixels> pixels_of(const Blend& blend);
+    void tell_ignored(const Blend& blend) const;
     bool set_kind(const Blend& blend, Pattern& pattern);
     std::vector<Transformation> space_of(const Blend& blend, const Steps& way, const Steps& first) const;
 

@@ -89,6 +89,8 @@ std::shared_ptr<const ObjectThing> PovReader::read_light(Interpreter& in) {
                 light.area_illumination = in.read_flag();
                 break;
             case word("media_attenuation"):
+                light.dimmed = in.read_flag();
+                break;
             case word("media_interaction"):
                 in.read_flag();
                 break;

@@ -35,12 +35,19 @@ constexpr std::array plain_patterns{
     word("crackle"), word("cylindrical"), word("dents"),  word("facets"),   word("granite"), word("leopard"),
     word("marble"),  word("onion"),       word("planar"), word("radial"),   word("ripples"), word("spherical"),
     word("spotted"), word("waves"),       word("wood"),   word("wrinkles"), word("aoi")};
-constexpr std::array numbers_without_effect{
-    word("agate_turb"),  word("control0"),  word("control1"),        word("metric"),
-    word("offset"),      word("size"),      word("coords"),          word("accuracy"),
-    word("strength"),    word("exponent"),  word("number_of_waves"), word("noise_generator"),
-    word("interpolate"), word("map_type"),  word("solid"),           word("use_alpha"),
-    word("use_color"),   word("use_index"), word("no_bump_scale"),   word("once")};
+constexpr std::array numbers_without_effect{word("interpolate"), word("map_type"),  word("use_alpha"),
+                                            word("use_color"),   word("use_index"), word("once")};
+/// Words with a number, which is not shown, and the number that changes nothing.
+struct Usual {
+    std::uint16_t code;
+    double value;
+};
+constexpr std::array numbers_not_shown{
+    Usual{word("agate_turb"), 1},       Usual{word("control0"), 1},    Usual{word("control1"), 1},
+    Usual{word("metric"), 2},           Usual{word("offset"), 0},      Usual{word("size"), 1},
+    Usual{word("coords"), 0},           Usual{word("accuracy"), .02},  Usual{word("strength"), 1},
+    Usual{word("number_of_waves"), 10}, Usual{word("exponent"), 2},    Usual{word("solid"), 0},
+    Usual{word("no_bump_scale"), 0}};
 
 }  // namespace
 
@@ -282,6 +289,11 @@ bool PovReader::read_modifier(Interpreter& in, Blend& blend, ValueKind level) {
     };
     const std::uint16_t code = in.code();
     if (is_one_of(code, numbers_without_effect)) return in.skip(), in.read_number_or(0), true;
+    if (const auto own = std::ranges::find(numbers_not_shown, code, &Usual::code); own != numbers_not_shown.end()) {
+        in.skip();
+        if (in.read_number_or(1) != own->value) blend.ignored = code;
+        return true;
+    }
     switch (code) {
         case word("turbulence"):
             in.skip();
@@ -343,10 +355,15 @@ bool PovReader::read_modifier(Interpreter& in, Blend& blend, ValueKind level) {
         case word("slope_map"):
             in.skip();
             read_map(in, ValueKind::slope_map);
+            blend.ignored = code;
             return true;
         case word("form"):
             in.skip();
-            in.read_vector();
+            if (in.read_vector() != DVec3(-1, 1, 0)) blend.ignored = code;
+            return true;
+        case word("noise_generator"):
+            in.skip();
+            blend.noise_generator = in.read_integer();
             return true;
         case word("interior"):
         case word("exterior"):

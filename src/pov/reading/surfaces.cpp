@@ -2,6 +2,7 @@
 #include "pov/things/surfaces.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "files/words.h"
@@ -99,6 +100,44 @@ bool set_quadric(ObjectThing& object, const DVec3& squares, const DVec3& product
     object.kind = ObjectKind::shape;
     if (centre != DVec3(0)) object.steps.push_back(Translate{centre});
     return true;
+}
+
+void check_size(const std::array<int, 2>& size) {
+    constexpr int most = 2048;
+    if (std::ranges::min(size) < 2 || std::ranges::max(size) > most)
+        throw FileError("it has too few pixels, or too many");
+}
+
+/// Returns the heights that a picture's pixels mean, from its lowest row on.
+std::vector<double> heights_of(const Pixels& pixels) {
+    check_size({pixels.width, pixels.height});
+    std::vector<double> heights;
+    bool grey = true;
+    for (std::size_t i = 0; i + 2 < pixels.values.size(); i += 3)
+        grey &= pixels.values[i] == pixels.values[i + 1] && pixels.values[i] == pixels.values[i + 2];
+    for (int j = pixels.height; j-- > 0;)
+        for (int i = 0; i < pixels.width; ++i) {
+            const float* const own = &pixels.values[3 * (std::size_t(j) * std::size_t(pixels.width) + std::size_t(i))];
+            heights.push_back(grey ? own[0] * 65535. / 65536 : (own[0] * 255. * 256 + own[1] * 255.) / 65536);
+        }
+    return heights;
+}
+
+/// Returns the heights that a function gives over x and y from 0 to 1, where y = 1 is the lowest row. As in POV-Ray,
+/// values outside of 0 to 1 are repeated there, and heights are whole 65536ths.
+std::vector<double> heights_of(const FunctionThing& function, const std::array<int, 2>& size) {
+    check_size(size);
+    std::vector<double> heights;
+    for (int j = size[1]; j-- > 0;)
+        for (int i = 0; i < size[0]; ++i) {
+            const double given[3]{i / (size[0] - 1.), j / (size[1] - 1.), 0};
+            double result[5]{};
+            function.evaluate(given, result);
+            double value = function.results == 1 ? result[0] : .297 * result[0] + .589 * result[1] + .114 * result[2];
+            if (!(value >= 0 && value <= 1)) value -= value > 1 ? std::ceil(value) - 1 : std::floor(value);
+            heights.push_back(std::isfinite(value) ? std::trunc(65535 * value) / 65536 : 0);
+        }
+    return heights;
 }
 
 }  // namespace
@@ -337,6 +376,8 @@ void PovReader::read_text_body(Interpreter& in, ObjectThing& object) {
 
 void PovReader::read_height_field(Interpreter& in, ObjectThing& object) {
     std::string path;
+    std::shared_ptr<const FunctionThing> function;
+    std::array<int, 2> size{};
     double water = 0;
     bool smooth = false;
     for (;;) {
@@ -346,8 +387,8 @@ void PovReader::read_height_field(Interpreter& in, ObjectThing& object) {
             water = in.read_number();
         else if (in.accept("smooth"))
             smooth = in.read_flag();
-        else if (in.accept("function"))
-            in.read_number(), in.skip_comma(), in.read_number(), in.skip_block();
+        else if (in.at("function"))
+            function = in.read_function(&size);
         else if (in.accept("gamma")) {
             if (!in.accept("srgb")) in.read_number();
         } else if (in.at("gif") || in.at("tga") || in.at("pot") || in.at("png") || in.at("pgm") || in.at("ppm") ||
@@ -357,22 +398,16 @@ void PovReader::read_height_field(Interpreter& in, ObjectThing& object) {
             break;
     }
     try {
-        if (path.empty() || !read_pixels) throw FileError("heights of a function");
-        const Pixels pixels = read_pixels(path);
-        constexpr int most = 2048;
-        if (std::min(pixels.width, pixels.height) < 2 || std::max(pixels.width, pixels.height) > most)
-            throw FileError("it has no pixels, or too many");
         std::vector<double> heights;
-        bool grey = true;
-        for (std::size_t i = 0; i + 2 < pixels.values.size(); i += 3)
-            grey &= pixels.values[i] == pixels.values[i + 1] && pixels.values[i] == pixels.values[i + 2];
-        for (int j = pixels.height; j-- > 0;)
-            for (int i = 0; i < pixels.width; ++i) {
-                const float* const own =
-                    &pixels.values[3 * (std::size_t(j) * std::size_t(pixels.width) + std::size_t(i))];
-                heights.push_back(grey ? own[0] * 65535. / 65536 : (own[0] * 255. * 256 + own[1] * 255.) / 65536);
-            }
-        set_mesh(object, height_field(pixels.width, pixels.height, heights, water, smooth));
+        if (function) {
+            heights = heights_of(*function, size);
+        } else {
+            if (path.empty() || !read_pixels) throw FileError("it has no picture");
+            const Pixels pixels = read_pixels(path);
+            size = {pixels.width, pixels.height};
+            heights = heights_of(pixels);
+        }
+        set_mesh(object, height_field(size[0], size[1], heights, water, smooth));
         if (smooth) object.approximated("a smooth height_field has other normals");
     } catch (const FileError& error) {
         object.left_out(std::string("a height_field: ") + error.what());

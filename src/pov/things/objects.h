@@ -29,6 +29,7 @@ struct LightThing {
     enum class Sort { point, spot, cylinder } sort = Sort::point;
     bool parallel = false, shadowless = false, circular = false, orient = false, jitter = false;
     bool area_illumination = false, projected = false;
+    bool dimmed = false;  // by fog
     std::optional<double> radius, falloff, tightness;
     double fade_distance = 0, fade_power = 0;
     std::optional<Area> area;

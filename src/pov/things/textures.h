@@ -42,6 +42,8 @@ struct Blend {
     DVec3 brick_size{8, 3, 4.5};
     double mortar = .5;
     bool uv = false, warped = false;
+    std::optional<int> noise_generator;  // if it is not the scene's
+    std::uint16_t ignored = end_code;    // a word that changes the pattern in a way that is not shown
     std::shared_ptr<const ImageThing> image;
     std::shared_ptr<const MapThing> map;
     Steps steps;

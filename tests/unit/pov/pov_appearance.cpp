@@ -104,6 +104,7 @@ TEST_CASE("POV-Ray: patterns that scenes have are exact") {
         "gradient x triangle_wave color_map { [0, .5 color rgb 0 color rgb 1] [.5 1 color rgb 1 color rgb 1] }");
     CHECK(old.colors == std::vector<ColorStop>{{0, Color(0)}, {.5, Color(1)}, {.5, Color(1)}, {1, Color(1)}});
     CHECK(std::get<SolidPattern>(old.kind).wave == 1);
+    CHECK(std::get<SolidPattern>(pattern("bozo noise_generator 1").kind).generator == 1);
     CHECK(std::get<SolidPattern>(pattern("bumps turbulence .2").kind) ==
           SolidPattern{.solid = Solid::bozo, .turbulence = DVec3(.2)});
     const Scene clear = whole(
@@ -126,6 +127,13 @@ TEST_CASE("POV-Ray: lights") {
     CHECK(light("0 rgb 1 spotlight").spot == Spot{{0, 0, 1}, 30, 45, 0});
     CHECK(light("2*y rgb 1 parallel point_at x").direction == DVec3(1, -2, 0));
     CHECK(light("x rgb 1 translate y").position == DVec3(1, 1, 0));
+    // A spotlight with an area is a grid of spotlights, all at one point.
+    const auto grid =
+        opened("light_source { 2*y rgb 1 spotlight point_at 0 area_light x, z, 2, 2 }").scene.lights;
+    REQUIRE(grid.size() == 4);
+    CHECK(grid[0].color == Color(.25));
+    CHECK(length(grid[0].position - grid[3].position) == doctest::Approx(std::sqrt(2.)));
+    for (const Light& point : grid) CHECK(point.spot->look_at == DVec3(0));
     CHECK(length(light("x rgb 1 spotlight point_at y rotate 90*z").spot->look_at - DVec3(-1, 0, 0)) < 1e-15);
     const Scene body = opened("light_source { x rgb 1 looks_like { sphere { 0, .1 } } translate y }").scene;
     CHECK(body.primitives.at(0).transformations ==
@@ -153,6 +161,10 @@ TEST_CASE("POV-Ray: what scenes cannot hold is told with its line, once") {
     told("sphere { 0, 1 finish { reflection { .5 exponent 2 } } }", "approximated: 'exponent' of a reflection");
     told("sphere { 0, 1 pigment { hexagon } }", "approximated: the pattern 'hexagon' is its mean colour");
     told("blob { sphere { 0, 1, 2 } }", "approximated: 'blob' is a mesh of flat pieces");
+    told("sphere { 0, 1 pigment { crackle metric 1 } }", "approximated: 'metric' of a pattern has no effect");
+    told("sphere { 0, 1 normal { bumps warp { repeat x } } }", "approximated: a pattern without its warps");
+    told("fog { distance 9 } light_source { 9 rgb 1 media_attenuation on }", "approximated: fog does not dim a light");
+    CHECK(notes_of("sphere { 0, 1 pigment { crackle metric 2 form <-1, 1, 0> agate_turb 1 } }") == "");
     told("text { ttf \"no.ttf\" \"A\" 1, 0 }", "left out: a text: cannot find its font 'no.ttf'");
     told("media { emission 1 }", "left out: media");
     told("rainbow { distance 1 }", "left out: a rainbow");

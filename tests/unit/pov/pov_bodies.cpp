@@ -218,6 +218,22 @@ TEST_CASE("POV-Ray: prisms have holes, and what is within these") {
     CHECK_FALSE(contains(frame.primitives[0], {.6, .5, .6}));
 }
 
+TEST_CASE("POV-Ray: height fields of functions") {
+    const Scene scene = whole("height_field { function 3, 2 { x*.5 + y*2 } }");
+    // POV-Ray's own heights at these corners, where y = 1 stands at z = 0, and 2 and 2.25 become 1 and .25.
+    struct Row {
+        double x, z, height;
+    };
+    for (const Row& row : {Row{0, 1, 0}, Row{.5, 1, 16383. / 65536}, Row{1, 1, 32767. / 65536},
+                           Row{0, 0, 65535. / 65536}, Row{.5, 0, 16383. / 65536}, Row{1, 0, 32767. / 65536}}) {
+        bool found = false;
+        for (const DVec3& p : shape<Mesh>(scene).data->points)
+            found |= length(p - DVec3(row.x, row.height, row.z)) < 1e-12;
+        CHECK_MESSAGE(found, row.x, " ", row.z);
+    }
+    CHECK(says(notes_of("\nheight_field { function 1, 2 { x } }"), "left out: a height_field: it has too few pixels"));
+}
+
 TEST_CASE("POV-Ray: letters are solid, and follow each other as in POV-Ray") {
     const std::vector<std::string> folders = pov::standard_library();
     if (folders.empty()) return;  // POV-Ray's fonts are not there
