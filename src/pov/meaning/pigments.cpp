@@ -5,6 +5,7 @@
 
 #include "files/words.h"
 #include "num/vec_math.h"
+#include "pov/things/solids.h"
 #include "scene/error.h"
 
 namespace strahl::pov {
@@ -94,26 +95,8 @@ std::vector<Transformation> PigmentMaker::space_of(const Blend& blend, const Ste
 
 /// Returns the scene's solid pattern for POV-Ray's, if it has one. `bends`: it bends normals.
 std::optional<SolidPattern> PigmentMaker::solid_of(const Blend& blend, bool bends) const {
-    const std::string name = word_text(blend.word);
-    const bool noise = name == "spotted" || (name == "bumps" && !bends);
-    const auto found = std::ranges::find(solid_names, noise ? std::string("bozo") : name);
-    if (found == solid_names.end()) return std::nullopt;
-    SolidPattern solid{.solid = static_cast<Solid>(found - solid_names.begin())};
-    const Wave usual = name == "marble" || name == "wood" ? Wave::triangle : Wave::ramp;
-    const Wave wave = blend.wave.value_or(usual);
-    if (wave == Wave::poly) notes.approximated(blend.place, "a poly_wave is a ramp");
-    if (name == "gradient" && blend.axis != DVec3(0)) solid.axis = blend.axis;
-    solid.wave = wave == Wave::poly ? 0 : static_cast<int>(wave);
-    if (blend.turbulence != DVec3(0)) {
-        solid.turbulence = blend.turbulence;
-        solid.octaves = std::clamp(std::floor(blend.octaves), 1., 10.);
-        solid.omega = blend.omega, solid.lambda = blend.lambda;
-    } else if (name == "agate") {
-        solid.octaves = std::clamp(std::floor(blend.octaves), 1., 10.);
-        solid.omega = blend.omega, solid.lambda = blend.lambda;
-    }
-    solid.frequency = blend.frequency, solid.phase = blend.phase;
-    solid.generator = std::clamp(blend.noise_generator.value_or(notes.in.noise_generator), 1, 3);
+    const std::optional<SolidPattern> solid = pov::solid_of(blend, bends, notes.in.noise_generator);
+    if (solid && blend.wave == Wave::poly) notes.approximated(blend.place, "a poly_wave is a ramp");
     return solid;
 }
 

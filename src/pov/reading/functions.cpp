@@ -1,7 +1,10 @@
 // Reads functions that are made of things of this layer.
+#include <algorithm>
 #include <glm/matrix.hpp>
 
+#include "num/vec_math.h"
 #include "pov/reading/reader.h"
+#include "pov/things/solids.h"
 
 namespace strahl::pov {
 namespace {
@@ -25,6 +28,37 @@ struct ConstantFunction : FunctionThing {
     const std::shared_ptr<std::atomic<bool>> used;
 };
 
+/// The value of a solid pattern or, with a map, its colour.
+struct PatternFunction : FunctionThing {
+    PatternFunction(const SolidPattern& solid, const Blend& blend, bool colored)
+        : solid(solid), inverse(glm::inverse(matrix_of(blend.steps))) {
+        results = colored ? 5 : 1;
+        if (blend.map) entries = blend.map->entries;
+        if (entries.empty()) entries = {{0, {}, nullptr}, {1, {1, 1, 1, 0, 0}, nullptr}};
+    }
+    void evaluate(const double* given, double* result) const override {
+        const double value = value_at(solid, transform_point(inverse, {given[0], given[1], given[2]}));
+        if (results == 1) {
+            *result = value;
+            return;
+        }
+        const auto after = std::ranges::find_if(entries, [&](const MapEntry& own) { return own.at >= value; });
+        const MapEntry& high = after == entries.end() ? entries.back() : *after;
+        const MapEntry& low = after == entries.end() || after == entries.begin() ? high : *(after - 1);
+        const double share = high.at > low.at ? (value - low.at) / (high.at - low.at) : 1;
+        const auto mix = [&](float FilterColor::*part) {
+            return share * double(high.color.*part) + (1 - share) * double(low.color.*part);
+        };
+        int i = 0;
+        for (float FilterColor::*const part : {&FilterColor::red, &FilterColor::green, &FilterColor::blue,
+                                               &FilterColor::filter, &FilterColor::transmit})
+            result[i++] = mix(part);
+    }
+    const SolidPattern solid;
+    const glm::dmat4 inverse;
+    std::vector<MapEntry> entries;
+};
+
 }  // namespace
 
 std::shared_ptr<const FunctionThing> PovReader::read_function(Interpreter& in) {
@@ -35,8 +69,24 @@ std::shared_ptr<const FunctionThing> PovReader::read_function(Interpreter& in) {
     }
     const bool pattern = in.at("pattern");
     in.skip();
-    pattern_functions.emplace_back(in.last_place(), std::make_shared<std::atomic<bool>>(false));
-    in.skip_block();
+    const TextPlace place = in.last_place();
+    PigmentThing own;
+    if (!pattern) {
+        own = default_texture->layers.back().pigment;
+        read_pigment(in, own);
+    } else {
+        in.begin_block();
+        while (read_pattern_word(in, own.blend, ValueKind::none) || read_modifier(in, own.blend, ValueKind::none)) {
+        }
+        in.end_block();
+    }
+    const auto of_color = [](const MapEntry& entry) { return !entry.thing; };
+    if (const auto solid = solid_of(own.blend, false, in.noise_generator);
+        solid && (pattern || !own.blend.map || std::ranges::all_of(own.blend.map->entries, of_color))) {
+        if (own.blend.warped) in.remark(Remark::Kind::approximated, place, "a function of a pattern without its warps");
+        return std::make_shared<PatternFunction>(*solid, own.blend, !pattern);
+    }
+    pattern_functions.emplace_back(place, std::make_shared<std::atomic<bool>>(false));
     return std::make_shared<ConstantFunction>(pattern ? 1 : 5, pattern_functions.back().second);
 }
 

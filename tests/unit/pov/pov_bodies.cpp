@@ -234,6 +234,16 @@ TEST_CASE("POV-Ray: height fields of functions") {
     CHECK(says(notes_of("\nheight_field { function 1, 2 { x } }"), "left out: a height_field: it has too few pixels"));
 }
 
+TEST_CASE("POV-Ray: functions of patterns and pigments") {
+    // Values of POV-Ray's own functions at <.3, .4, .7>.
+    const Scene scene = whole(
+        "#declare F = function { pattern { granite scale 2 } } #declare G = function { pigment { bozo color_map { "
+        "[0 rgb <1, 0, .5>] [1 rgbt <0, 1, .5, .25>] } } } sphere { F(.3, .4, .7), 1 } "
+        "#declare C = G(.3, .4, .7); sphere { <C.red, C.green, C.transmit>, 1 }");
+    CHECK(shape<Sphere>(scene).centre.x == doctest::Approx(0.328662381280).epsilon(1e-9));
+    CHECK(length(shape<Sphere>(scene, 1).centre - DVec3(0.489435613, 0.510564387, 0.127641097)) < 1e-6);
+}
+
 TEST_CASE("POV-Ray: letters are solid, and follow each other as in POV-Ray") {
     const std::vector<std::string> folders = pov::standard_library();
     if (folders.empty()) return;  // POV-Ray's fonts are not there
