@@ -40,9 +40,10 @@ void SideBySide::follow(const Session& session, const View& view, bool finished)
     if (!pictures.fault().empty()) {
         log_line(pictures.fault());
         notes.fail(in_short(pictures.fault()));
-    } else if (pictures.picture()->finished) {
+    } else {
         notes.log("second picture: " + second_name(line.second) + ", " +
-                  std::to_string(pictures.picture()->differing) + " pixels differ by more than 1/255");
+                  std::to_string(pictures.picture()->differing) + " pixels differ by more than 1/255" +
+                  (pictures.picture()->finished ? "" : "; smooth edges follow"));
     }
 }
 
@@ -58,7 +59,7 @@ Overlay::Sides SideBySide::sides(const ScreenArea& area) const {
     if (picture && line.difference)
         right += ", 16 times the difference: " + std::to_string(picture->differing) + " pixels beyond 1/255";
     if (!pictures.fault().empty()) right += ": no picture";
-    if (pictures.under_way())
+    if (pictures.under_way() && !(picture && line.difference))
         right += (picture ? "; smooth edges follow, " : " is tracing, ") +
                  std::to_string(static_cast<int>(pace.now() - began)) + " s";
     return {line.column(area), "Strahl", right};

@@ -37,6 +37,7 @@ xdotool key n
 shows first.png
 xdotool key g
 await 'at the right: POV-Ray'
+await 'smooth edges follow'
 await 'second picture: POV-Ray, '
 [[ ${line#*POV-Ray, } == [0-9]' pixels'* ]] || fault "the pictures differ: $line"
 for ((i = 0; i < 20; ++i)); do

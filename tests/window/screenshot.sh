@@ -1,31 +1,50 @@
 #!/usr/bin/env bash
-# The README's picture of the window with its timeline is what the window shows.
+# The README's pictures of the window are what the window shows: one with its timeline, and one beside POV-Ray's.
 #
-#   tests/window/screenshot.sh STRAHL [FILE]
+#   tests/window/screenshot.sh STRAHL [FOLDER]
 #
-# With FILE it writes the picture anew: tests/window/screenshot.sh build/release/strahl assets/window.jpg
+# With FOLDER it writes the pictures anew: tests/window/screenshot.sh build/release/strahl assets
 # Exit status: 0 all as expected, 1 not, 77 a tool is missing.
 set -uo pipefail
 source "$(dirname -- "$0")/window.sh"
 [[ -z ${2-} ]] || set -- "$1" "$(readlink -f -- "$2")"
 own_display 960x600 "import compare" "$@"
 
+# same NAME ROWS: the window shows this picture of assets in its upper rows; or this becomes what the window shows.
+same() {
+    if [[ -n ${folder-} ]]; then
+        sleep 40 # notes have disappeared, and POV-Ray is done
+        import -window "$id" shot.png
+        convert shot.png -strip -quality 90 "$folder/$1"
+        return
+    fi
+    # Small differences come from the versions of fonts and of OpenGL. A panel less is a tenth of the picture.
+    local i pixels different
+    convert "$here/../../assets/$1" -crop "x$2+0+0" +repage wanted.png
+    pixels=$(convert wanted.png -format '%[fx:w*h]' info:)
+    for ((i = 0; i < 60; ++i)); do
+        import -window "$id" all.png
+        convert all.png -crop "x$2+0+0" +repage shot.png
+        different=$(compare -metric AE -fuzz 15% shot.png wanted.png null: 2>&1)
+        ((different <= pixels / 100)) && return
+        sleep 0.25
+    done
+    fault "$different of $pixels pixels differ from assets/$1"
+}
+folder=${2-}
+
 start "$here/../../scenes/flythrough.rt" --size 960x600 --time 25.4
 await 'finished 960x600'
 xdotool key t
-if [[ -n ${2-} ]]; then
-    sleep 12 # notes have disappeared
-    import -window "$id" shot.png
-    convert shot.png -strip -quality 90 "$2"
-else
-    # Small differences come from the versions of fonts and of OpenGL. A panel less is a tenth of the picture.
-    different=576000
-    for ((i = 0; i < 60 && different > 5760; ++i)); do
-        import -window "$id" shot.png
-        different=$(compare -metric AE -fuzz 15% shot.png "$here/../../assets/window.jpg" null: 2>&1)
-        sleep 0.25
-    done
-    ((different <= 5760)) || fault "$different of 576000 pixels differ from assets/window.jpg"
-fi
+same window.jpg 600
 quit
+
+if command -v povray >/dev/null; then
+    start "$here/../../scenes/article.rt" --size 640x480
+    await 'finished 640x480'
+    xdotool key g
+    await 'second picture: POV-Ray' # of one ray in each pixel; the words at the bottom will change
+    same beside.jpg 440
+    quit
+fi
 finish
