@@ -36,7 +36,7 @@ inside() {
             mkdir "$changes"/{upper,work,system}
             mount -t overlay overlay -o "lowerdir=$system,upperdir=$changes/upper,workdir=$changes/work" "$changes/system"
             system=$changes/system
-            mkdir "$system/strahl"
+            mkdir -p "$system/strahl"
             mount --bind "$work" "$system/strahl"
         fi
         mount -t proc proc "$system/proc"
