@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <memory>
+#include <type_traits>
+#include <utility>
 
 #include "num/vec_math.h"
 #include "scene/leaves.h"
@@ -9,6 +13,42 @@
 
 namespace strahl {
 namespace {
+
+/// Does the ray, from its start on, meet the box?
+bool meets(const Box& box, const Ray<double>& ray) {
+    double near = 0, far = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < 3; ++i) {
+        if (ray.direction[i] == 0) {
+            if (!(box.low[i] <= ray.origin[i] && ray.origin[i] <= box.high[i])) return false;
+            continue;
+        }
+        const double a = (box.low[i] - ray.origin[i]) / ray.direction[i];
+        const double b = (box.high[i] - ray.origin[i]) / ray.direction[i];
+        near = std::max(near, std::min(a, b)), far = std::min(far, std::max(a, b));
+    }
+    return near <= far * (1 + 1e-9) + 1e-9;
+}
+
+/// Returns the triangles of a mesh whose boxes the ray meets; the ray is in the mesh's space.
+Mesh met_by(const Mesh& mesh, const Ray<double>& ray) {
+    const MeshData& all = *mesh.data;
+    MeshData some;
+    for (std::size_t i = 0; i < all.triangles.size(); ++i) {
+        Box box;
+        for (const std::int32_t corner : all.triangles[i]) box.add(all.points[static_cast<std::size_t>(corner)]);
+        const DVec3 margin = 1e-9 * (abs(box.low) + abs(box.high) + DVec3(1e-6));
+        if (!meets({box.low - margin, box.high + margin}, ray)) continue;
+        const auto first = static_cast<std::int32_t>(some.points.size());
+        some.triangles.push_back({first, first + 1, first + 2});
+        for (const std::int32_t corner : all.triangles[i])
+            some.points.push_back(all.points[static_cast<std::size_t>(corner)]);
+        if (all.corner_normals.empty()) continue;
+        some.corner_normals.push_back({first, first + 1, first + 2});
+        for (const std::int32_t corner : all.corner_normals[i])
+            some.normals.push_back(all.normals[static_cast<std::size_t>(corner)]);
+    }
+    return {std::make_shared<const MeshData>(std::move(some)), ""};
+}
 
 /// Adds where a ray crosses the surface of a simple body.
 void add_crossings(std::vector<RayHit>& all, const Primitive& leaf, int number, const glm::dmat4& to_world,
@@ -30,25 +70,17 @@ void add_crossings(std::vector<RayHit>& all, const Primitive& leaf, int number, 
         }
     };
     std::visit(
-        [&](const auto& kind) {
-            kind.template emit<double>(WorldTransform{to_world, 0, DVec3(0), 1}, look);
+        [&]<class Kind>(const Kind& kind) {
+            const WorldTransform there{to_world, 0, DVec3(0), 1};
+            if constexpr (std::is_same_v<Kind, Mesh>) {
+                const glm::dmat4 back = glm::inverse(to_world);
+                const Ray<double> own{transform_point(back, ray.origin), glm::dmat3(back) * ray.direction, {}};
+                met_by(kind, own).template emit<double>(there, look);
+            } else {
+                kind.template emit<double>(there, look);
+            }
         },
         leaf.shape);
-}
-
-/// Does the ray, from its start on, meet the box?
-bool meets(const Box& box, const Ray<double>& ray) {
-    double near = 0, far = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < 3; ++i) {
-        if (ray.direction[i] == 0) {
-            if (!(box.low[i] <= ray.origin[i] && ray.origin[i] <= box.high[i])) return false;
-            continue;
-        }
-        const double a = (box.low[i] - ray.origin[i]) / ray.direction[i];
-        const double b = (box.high[i] - ray.origin[i]) / ray.direction[i];
-        near = std::max(near, std::min(a, b)), far = std::min(far, std::max(a, b));
-    }
-    return near <= far * (1 + 1e-9) + 1e-9;
 }
 
 }  // namespace

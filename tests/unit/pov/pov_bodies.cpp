@@ -234,6 +234,14 @@ TEST_CASE("POV-Ray: height fields of functions") {
     CHECK(says(notes_of("\nheight_field { function 1, 2 { x } }"), "left out: a height_field: it has too few pixels"));
 }
 
+TEST_CASE("POV-Ray: scenes find the surfaces of meshes") {
+    std::string text = "#declare S = superellipsoid { <1, 1> rotate <10, 20, 30> scale 2 translate <3, 4, 5> } ";
+    for (const char* const way : {"x", "-x", "y", "-y", "z", "-z", "<1, 1, 1>", "<-1, 2, .5>"})
+        text += "sphere { trace(S, <3, 4, 5> + 9*vnormalize(" + std::string(way) + "), -" + way + "), 1 } ";
+    for (const Primitive& own : opened(text).scene.primitives)
+        CHECK(length(std::get<Sphere>(own.shape).centre - DVec3(3, 4, 5)) == doctest::Approx(2).epsilon(.002));
+}
+
 TEST_CASE("POV-Ray: functions of patterns and pigments") {
     // Values of POV-Ray's own functions at <.3, .4, .7>.
     const Scene scene = whole(
