@@ -52,6 +52,10 @@ install(FILES ${desktop}/strahl.svg DESTINATION share/icons/hicolor/scalable/app
 install(FILES ${desktop}/strahl.metainfo.xml DESTINATION share/metainfo)
 install(FILES ${desktop}/lintian-overrides DESTINATION share/lintian/overrides RENAME strahl)  # CPack calls it for any .so
 install(FILES ${desktop}/copyright ${reference}/changelog.gz DESTINATION share/doc/strahl)
+# The licences of libraries that are compiled in, from where Debian has them.
+foreach(package libcli11-dev libglm-dev libimgui-dev nlohmann-json3-dev)
+  install(FILES /usr/share/doc/${package}/copyright DESTINATION share/doc/strahl/libraries RENAME ${package} OPTIONAL)
+endforeach()
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
