@@ -7,7 +7,7 @@ build_packages=(g++ cmake ninja-build pkg-config libglfw3-dev libgl-dev libglm-d
 test_packages=(doctest-dev povray xvfb xauth libgl1-mesa-dri xdotool imagemagick openimageio-tools parallel
     dpkg-dev)
 attack_packages=(clang-16 libclang-rt-16-dev)
-# What other systems call them: Debian, Fedora, Arch, openSUSE; - where it may have none.
+# Lists the names of each package in Debian, Fedora, Arch and openSUSE; "-" stands where a system may have none.
 names_elsewhere='
 g++               gcc-c++                 gcc              gcc-c++
 cmake             cmake                   cmake            cmake

@@ -10,7 +10,7 @@ expect 0 "strahl " --version
 expect 0 "" render scene.rt -o x.png --size 8x6
 expect_file x.png
 expect_file moved/share/doc/strahl/LICENSE
-# With the licences of the libraries that are compiled into it.
+# It comes with the licences of the libraries that are compiled into it.
 for package in libcli11-dev libglm-dev libimgui-dev nlohmann-json3-dev; do
     [[ ! -e /usr/share/doc/$package/copyright ]] || expect_file "moved/share/doc/strahl/libraries/$package"
 done
