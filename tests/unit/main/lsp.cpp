@@ -113,7 +113,7 @@ const std::string eye =
     "camera { position <0, -9, 0>  look_at <0, 0, 0>  sky <0, 0, 1>  angle 50 }\n"
     "light { position <0, -9, 9>  color <1, 1, 1> }\n";
 
-/// What is published about this text.
+/// Returns what is published about this text.
 Json diagnostics_of(const std::string& text, const std::string& uri = ::uri) {
     Client client;
     client.open(uri, text);
