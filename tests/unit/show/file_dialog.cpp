@@ -5,12 +5,13 @@
 #include <signal.h>
 #include <stdlib.h>
 
-#include <chrono>
 #include <filesystem>
 #include <fstream>
-#include <thread>
+#include <optional>
+#include <string>
 
 #include "tests/unit/scratch.h"
+#include "tests/unit/show/soon.h"
 
 using namespace strahl;
 
@@ -33,12 +34,9 @@ class OnlyProgram {
 };
 
 FileDialog::ChosenFile answer_of(FileDialog& dialog) {
-    for (int i = 0; i < 1000; ++i) {
-        if (const auto chosen = dialog.take()) return *chosen;
-        std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    }
-    FAIL("no answer");
-    return {};
+    std::optional<FileDialog::ChosenFile> chosen;
+    REQUIRE(soon([&] { return (chosen = dialog.take()).has_value(); }));
+    return *chosen;
 }
 
 }  // namespace
@@ -73,11 +71,7 @@ TEST_CASE("a dialog that is open goes with the window") {
     {
         FileDialog dialog([] {});
         CHECK(dialog.open("scene.rt") == "");
-        for (int i = 0; i < 1000 && process == 0; ++i) {
-            std::this_thread::sleep_for(std::chrono::milliseconds(10));
-            std::ifstream(program.folder / "process") >> process;
-        }
-        REQUIRE(process > 0);
+        REQUIRE(soon([&] { return std::ifstream(program.folder / "process") >> process && process > 0; }));
         CHECK(::kill(process, 0) == 0);
     }
     CHECK(::kill(process, 0) != 0);

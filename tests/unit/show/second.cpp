@@ -4,31 +4,21 @@
 #include <stdlib.h>
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <string>
-#include <thread>
 
 #include "image/transfer_table.h"
 #include "show/second/second_pictures.h"
 #include "show/session/divider.h"
 #include "tests/unit/scratch.h"
 #include "tests/unit/show/show_scene.h"
+#include "tests/unit/show/soon.h"
 #include "trace/tracer.h"
 
 using namespace strahl;
 
 namespace {
-
-bool soon(const std::function<bool()>& done) {
-    for (int i = 0; i < 1000; ++i) {
-        if (done()) return true;
-        std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    }
-    return false;
-}
 
 /// Takes the place of POV-Ray: notes its process and its arguments, and runs `script` in its folder.
 class StandInForPovray {
@@ -130,7 +120,7 @@ TEST_CASE("POV-Ray's picture comes in two stages, is kept, and ends when another
     CHECK(runs.find("Antialias_Depth=3") != runs.npos);
     CHECK(std::ranges::count(runs, '\n') == 2);
 
-    // The same view of an equal scene again: nothing runs.
+    // POV-Ray does not run again for the same view of an equal scene.
     pictures.drop();
     CHECK(!pictures.picture());
     pictures.want(order_of(shown_scene(), SecondKind::povray));

@@ -6,9 +6,7 @@
 #include <chrono>
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <set>
-#include <thread>
 
 #include "image/picture.h"
 #include "num/thread_pool.h"
@@ -19,22 +17,10 @@
 #include "show/work/stills.h"
 #include "tests/unit/scratch.h"
 #include "tests/unit/show/show_scene.h"
+#include "tests/unit/show/soon.h"
 #include "text/write.h"
 
 using namespace strahl;
-
-namespace {
-
-/// Waits for another thread, for a minute at most.
-bool soon(const std::function<bool()>& done) {
-    for (int i = 0; i < 6000; ++i) {
-        if (done()) return true;
-        std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    }
-    return false;
-}
-
-}  // namespace
 
 TEST_CASE("stills equal rendered pictures and replace no file") {
     const Scratch folder;
