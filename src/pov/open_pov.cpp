@@ -43,6 +43,7 @@ OpenedPov open_pov(std::string text, const InterpreterOptions& options, const Re
     SceneMaker maker(in, read_pixels, layer.contents);
     OpenedPov opened{
         .scene = maker.make(), .mirrored = maker.mirrors(), .notes = {}, .warnings = {}, .files = in.files()};
+    opened.clock_used = in.clock_used();
     opened.lines = lines_of(maker.places(), in);
     std::vector<Remark> remarks = in.remarks();
     std::ranges::stable_sort(remarks, {}, [](const Remark& own) { return std::pair(own.place.file, own.place.at); });

@@ -1,8 +1,13 @@
 #include "pov/open_scene.h"
 
 #include <algorithm>
+#include <filesystem>
 
+#include "files/read_file.h"
+#include "files/words.h"
+#include "pov/animation.h"
 #include "pov/expand.h"
+#include "pov/flight_file.h"
 #include "text/parse.h"
 #include "text/reading/other_files.h"
 
@@ -10,41 +15,100 @@ namespace strahl {
 
 bool is_pov(const std::string& path) { return path.ends_with(".pov") || path.ends_with(".POV"); }
 
+namespace {
+
+/// Returns what the folders of an .ini file may add to those that may be read: none that lie outside of them.
+std::vector<std::string> library_of(pov::IniFile& ini, std::vector<std::string> known) {
+    namespace fs = std::filesystem;
+    const fs::path own = fs::path(ini.path).parent_path();
+    known.push_back(own.empty() ? "." : own.string());
+    std::vector<std::string> inside;
+    for (const std::string& each : ini.library) {
+        const std::string folder = (own / each).string();
+        if (std::ranges::any_of(known, [&](const std::string& other) { return pov::lies_in(folder, other); }))
+            inside.push_back(folder);
+        else
+            ini.notes.push_back(ini.path + ": Library_Path " + strahl::quoted(each) + " is not read; --library allows it");
+    }
+    return inside;
+}
+
+/// Throws FileError with the first notes.
+[[noreturn]] void refuse(const std::vector<std::string>& notes) {
+    constexpr std::size_t most = 10;
+    std::string all = "the scene cannot be shown as it is meant";
+    for (std::size_t i = 0; i < std::min(most, notes.size()); ++i) all += "\n" + notes[i];
+    if (notes.size() > most) all += "\nand " + std::to_string(notes.size() - most) + " more";
+    throw FileError(all);
+}
+
+OpenedScene open_scene_of_povray(const std::string& text, const std::string& path, const OpeningOptions& options,
+                                 pov::InterpreterOptions how, const ReadPixels& read_pixels) {
+    std::optional<pov::IniFile> ini = options.ini ? options.ini : pov::ini_beside(path);
+    if (ini) {
+        for (std::string& folder : library_of(*ini, how.library)) how.library.push_back(std::move(folder));
+        how.declared = ini->declared;
+    }
+    const std::string flight_file = pov::flight_path(path);
+    std::error_code error;
+    const bool flies = std::filesystem::is_regular_file(flight_file, error);
+    const auto flight = flies ? pov::parse_flight(read_text(flight_file), flight_file) : std::nullopt;
+    const pov::Animation animation =
+        pov::Animation::of(ini, flight ? std::optional(flight->duration) : std::nullopt);
+    const double time = options.time.value_or(0);
+    how.clock_on = options.time || animation.counted;
+    const bool still = ini && ini->clock && !how.clock_on;
+    how.clock = options.clock ? *options.clock : still ? *ini->clock : animation.clock_at(time);
+    if (how.clock_on)
+        for (auto& each : animation.declared_at(time)) how.declared.push_back(std::move(each));
+    pov::OpenedPov opened = open_pov(text, how, read_pixels);
+
+    OpenedScene result{.scene = std::move(opened.scene),
+                       .summary = opened.summary(),
+                       .lines = std::move(opened.lines),
+                       .mirrored = opened.mirrored,
+                       .files = std::move(opened.files),
+                       .changes = opened.clock_used && !options.clock,
+                       .clock = how.clock};
+    for (const pov::PovNote& note : opened.notes) result.notes.push_back(note.text);
+    if (options.strict && !result.notes.empty()) refuse(result.notes);
+    if (ini) {
+        result.notes.insert(result.notes.end(), ini->notes.begin(), ini->notes.end());
+        result.files.push_back(ini->path);
+        if (animation.counted) result.frames = animation.frames();
+    }
+    if (flies) result.files.push_back(flight_file);
+    if (flight)
+        result.scene.flythrough = pov::flight_in(result.scene, result.mirrored, *flight, flight_file);
+    else if (result.changes)
+        result.scene.flythrough = Flythrough{.duration = animation.seconds, .loop = animation.cyclic, .keys = {}};
+    return result;
+}
+
+}  // namespace
+
 OpenedScene open_scene(const std::string& text, const std::string& path, const OpeningOptions& options,
                        const ReadPixels& read_pixels, FilesRead* read) {
     pov::InterpreterOptions how;
     how.file = path, how.library = options.library;
     for (const std::string& folder : pov::standard_library()) how.library.push_back(folder);
-    how.clock = options.clock;
-    if (!is_pov(path)) {
-        FilesRead own;
-        FilesRead& files = read ? *read : own;
-        const std::string name = path == "-" ? "standard input" : path;
-        OpenedScene result;
-        refuse_other_files(text, name);
-        if (pov::has_directives(text)) {
-            const pov::ExpandedText expanded = pov::expand(text, how);
-            result.scene = parse_scene(expanded.text, name, {}, read_pixels, &files, expanded.origins);
-            result.files = expanded.files;
-        } else {
-            result.scene = parse_scene(text, name, {}, read_pixels, &files);
-        }
-        result.notes = files.warnings;
-        return result;
+    how.stop = options.stop, how.files = options.files;
+    if (is_pov(path)) return open_scene_of_povray(text, path, options, std::move(how), read_pixels);
+    how.clock = options.clock.value_or(0);
+    FilesRead own;
+    FilesRead& files = read ? *read : own;
+    const std::string name = path == "-" ? "standard input" : path;
+    OpenedScene result;
+    refuse_other_files(text, name);
+    if (pov::has_directives(text)) {
+        const pov::ExpandedText expanded = pov::expand(text, how);
+        result.scene = parse_scene(expanded.text, name, {}, read_pixels, &files, expanded.origins);
+        result.files = expanded.files;
+    } else {
+        result.scene = parse_scene(text, name, {}, read_pixels, &files);
     }
-    pov::OpenedPov opened = open_pov(text, how, read_pixels);
-    OpenedScene result{.scene = std::move(opened.scene),
-                       .summary = opened.summary(),
-                       .lines = std::move(opened.lines),
-                       .mirrored = opened.mirrored,
-                       .files = std::move(opened.files)};
-    for (const pov::PovNote& note : opened.notes) result.notes.push_back(note.text);
-    if (!options.strict || result.notes.empty()) return result;
-    constexpr std::size_t most = 10;
-    std::string all = "the scene cannot be shown as it is meant";
-    for (std::size_t i = 0; i < std::min(most, result.notes.size()); ++i) all += "\n" + result.notes[i];
-    if (result.notes.size() > most) all += "\nand " + std::to_string(result.notes.size() - most) + " more";
-    throw FileError(all);
+    result.notes = files.warnings;
+    return result;
 }
 
 }  // namespace strahl

@@ -1,8 +1,12 @@
 // Opens a scene by its ending: POV-Ray's .pov, or else scene text.
 #pragma once
+#include <atomic>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "pov/ini_file.h"
 #include "pov/open_pov.h"
 #include "scene/scene.h"
 #include "text/reading/scene_files.h"
@@ -11,9 +15,13 @@ namespace strahl {
 
 /// Options for scenes of POV-Ray.
 struct OpeningOptions {
-    double clock = 0;
+    std::optional<double> clock;       // at all times; by default it changes from 0 to 1 during the flight
     std::vector<std::string> library;  // folders of included files, searched before those of POV-Ray's package
     bool strict = false;               // whatever cannot be shown as it is meant is an error
+    std::optional<pov::IniFile> ini;   // given in place of the scene; by default the one beside it
+    std::optional<double> time;        // the moment of the flight at which the scene is read; without it the first one
+    const std::atomic<bool>* stop = nullptr;  // throws Interrupted once it is true
+    std::vector<std::string>* files = nullptr;  // receives the paths of all files that are read, also before an error
 };
 
 struct OpenedScene {
@@ -25,6 +33,9 @@ struct OpenedScene {
     pov::SourceLines lines{};          // of the bodies of a .pov
     bool mirrored = false;             // the scene is the mirror image in z of that of a .pov
     std::vector<std::string> files{};  // of a .pov, or of a text with directives: all that were read, the scene's first
+    bool changes = false;              // a .pov that uses its clock: it has to be read again for each moment
+    double clock = 0;                  // of a .pov: its value
+    std::optional<std::pair<int, int>> frames{};  // the first and the last that an .ini file gives
 };
 
 /// Does the path end like a scene of POV-Ray?

@@ -163,7 +163,8 @@ Camera own_camera_at(const Scene& scene, double time, const std::vector<Track>* 
 
 Camera camera_at(const Scene& scene, std::optional<double> time) {
     const Camera own = own_camera_at(scene, time.value_or(0));
-    return time && scene.flythrough ? camera_at(*scene.flythrough, own, *time) : own;
+    const bool path = time && scene.flythrough && !scene.flythrough->keys.empty();
+    return path ? camera_at(*scene.flythrough, own, *time) : own;
 }
 
 std::optional<Flythrough> flight_of(const Scene& scene) {

@@ -219,6 +219,10 @@ void Viewer::take_scene() {
     const bool first = file.waiting();
     const auto loaded = file.take();
     if (!loaded) return;
+    if (loaded->moved) {
+        session.replace(loaded->scene, false);
+        return bodies.loaded(*loaded), side.loaded(*loaded);
+    }
     if (loaded->opened) print_paths();
     const std::vector<std::string> unfollowed = first ? std::vector<std::string>() : unfollowed_tracks(*session.scene);
     if (session.replace(loaded->scene, loaded->opened || first))
@@ -327,6 +331,7 @@ int Viewer::run(const std::atomic<bool>& interrupted) {
     while (!closed) {
         sound.follow(session);
         move();
+        file.move_to(session.time);
         if (!file.waiting() && screen.width() > 0) {
             const View view = session.view(screen.width(), screen.height());
             bodies.follow(view);

@@ -152,12 +152,13 @@ EyeWords eye_words(const std::string& text) {
     return words;
 }
 
-std::string with_path(const std::string& text, const std::optional<Flythrough>& path) {
+std::string with_path(const std::string& text, const std::optional<Flythrough>& path, std::optional<EyeWords> given) {
     const auto slices = find_path(text);
-    const EyeWords words = eye_words(text);
+    const EyeWords words = given ? *given : eye_words(text);
     if (!slices) {
         if (!path) return text;
-        return text + (text.empty() || text.back() == '\n' ? "\n" : "\n\n") + write_flythrough(*path, words);
+        if (text.empty()) return write_flythrough(*path, words);
+        return text + (text.back() == '\n' ? "\n" : "\n\n") + write_flythrough(*path, words);
     }
     const Slice block = slices->block;
     if (!path) return applied(text, {{with_space(text, block), ""}});

@@ -31,4 +31,42 @@ expect 2 "convert ball.pov with strahl import first" bundle ball.pov -o bundle
 echo 'sphere { 0, 1 colour }' >wrong.pov
 expect 3 "wrong.pov:1:" render wrong.pov -o wrong.png
 [[ ! -e wrong.png ]] || fault "a scene with an error has a picture"
+
+# The clock runs during a film, as the .ini file says; no command of that is run.
+cat >film.ini <<'INI'
+Input_File_Name=moving.pov
+Width=32
+Height=24
+Initial_Frame=1
+Final_Frame=3
+Pre_Scene_Command=touch commanded
+[late]
+Initial_Clock=5
+INI
+sed 's/include.*/declare Blue = pigment { rgb z }/' whole.pov >moving.pov
+expect 0 "Pre_Scene_Command: commands are never run" check film.ini
+expect 0 "0.12 s, by the clock of POV-Ray" check film.ini
+expect 0 "10 s, by the clock" check moving.pov
+expect 3 "there is no section 'none'" check 'film.ini[none]'
+expect 0 "" render film.ini -o 'film-%d.png' --frames 0-2
+for frame in 0 1 2; do
+    expect 0 "" render moving.pov -o still.png --size 32x24 --clock "$((frame / 2)).$((frame % 2 * 5))"
+    expect_same still.png film-$frame.png
+done
+expect 0 "" render film.ini -o still.png --time .04
+expect_same still.png film-1.png
+expect 0 "" render 'film.ini[late]' -o still.png --size 16x12
+"$strahl" render moving.pov -o five.png --size 16x12 --clock 5 --quiet
+expect_same still.png five.png
+expect_no_file commanded
+cat >moving.flight <<'FLIGHT'
+flythrough {
+  duration 2
+  key { time 0  position <0, 0, -6>  look_at <0, 0, 0> }
+  key { time 2  position <1, 0, -6>  look_at <0, 0, 0> }
+}
+FLIGHT
+expect 0 "2 s, 2 keys" check moving.pov
+expect 0 "" render moving.pov -o flown.png --size 32x24 --time 1
+expect_other flown.png film-1.png
 finish

@@ -99,8 +99,9 @@ std::string summary(const Scene& scene) {
          << '\n'
          << "  flythrough   ";
     if (const auto& path = scene.flythrough)
-        text << path->duration << " s, " << counted(path->keys.size(), "key") << (path->loop ? ", looping" : "")
-             << '\n';
+        text << path->duration << " s, "
+             << (path->keys.empty() ? "by the clock of POV-Ray" : counted(path->keys.size(), "key"))
+             << (path->loop ? ", looping" : "") << '\n';
     else
         text << "none\n";
     if (const Movers movers(scene); movers.any())

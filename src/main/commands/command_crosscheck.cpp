@@ -6,8 +6,10 @@
 #include <iostream>
 
 #include "files/output_file.h"
+#include "files/read_file.h"
 #include "files/utf8.h"
 #include "image/compare.h"
+#include "image/pixels.h"
 #include "image/transfer.h"
 #include "main/commands/scene_file.h"
 #include "num/thread_pool.h"
@@ -65,7 +67,11 @@ void print_row(const std::string& path, const Verdict& verdict, double ours, dou
 
 /// Returns whether the two pictures agree.
 bool check(const CrosscheckOptions& options, const std::string& path, const std::atomic<bool>* stop) {
-    const Scene scene = load_scene(path, options.opening);
+    OpeningOptions opening = options.opening;
+    opening.time = options.time;
+    const OpenedScene opened = open_scene(read_text(path), path, opening, read_pixels);
+    tell_notes(opened, false);
+    const Scene& scene = opened.scene;
     if (options.time) flight_for("--time", scene, path);
     const View view{.camera = camera_at(scene, options.time),
                     .width = options.width,
@@ -77,7 +83,7 @@ bool check(const CrosscheckOptions& options, const std::string& path, const std:
                                                           .height = view.height,
                                                           .linear = scene.settings.linear,
                                                           .library = options.opening.library,
-                                                          .clock = options.opening.clock},
+                                                          .clock = opened.clock},
                                                          options.threads, stop)
                                        : run_povray(without_tracks(scene, view.time),
                                                     {.title = fs::path(path).filename().string(),

@@ -2,6 +2,7 @@
 #include "main/commands/command_render.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -18,6 +19,7 @@
 #include "main/process/exit_status.h"
 #include "main/render/checkpoint.h"
 #include "main/render/renderer.h"
+#include "num/decimal.h"
 #include "scene/moving_scene.h"
 #include "text/reading/tracks_file.h"
 
@@ -44,9 +46,12 @@ bool is_finished(const std::string& path, const Lattice& part) {
     }
 }
 
+/// Reads the scene as it is at a time. Throws Interrupted once the flag is true.
+using SceneAt = std::function<Scene(double time, const std::atomic<bool>* stop)>;
+
 /// Renders the frames, or those of the share, to a file each or to a stream. Returns whether all are finished.
 bool render_frames(const RenderOptions& options, const Lattice& part, Renderer& renderer, const std::string& ending,
-                   const Encoder::Append& stream = {}) {
+                   const SceneAt& scene_at, const Encoder::Append& stream = {}) {
     const Share share = options.share.value_or(Share{});
     if (stream) stream(stream_head(ending, {part.columns, part.rows}, options.rate));
     int count = 0;
@@ -56,7 +61,12 @@ bool render_frames(const RenderOptions& options, const Lattice& part, Renderer& 
         if (options.resume && !renderer.interrupted() && is_finished(destination.path, part)) return true;
         const std::string last = std::to_string(options.frames->last());
         const std::string label = "frame " + std::to_string(frame) + " of " + last + " ";
-        return renderer.render(shot_of(renderer.scene(), options.rate.moment(frame)), destination, label);
+        const double time = options.rate.moment(frame);
+        if (scene_at && !renderer.interrupted()) try {
+                renderer.replace(scene_at(time, renderer.interrupt_flag()));
+            } catch (const Interrupted&) {  // the flag is true, which the renderer tells
+            }
+        return renderer.render(shot_of(renderer.scene(), time), destination, label);
     });
 }
 
@@ -73,12 +83,12 @@ std::optional<FilmSound> sound_of(const RenderOptions& options, const Scene& sce
 /// Renders frames one after the other, to standard output or a film. `stats` counts the finished ones. Returns whether
 /// that is all of them.
 bool render_stream(const RenderOptions& options, const Lattice& part, Renderer& renderer, const std::string& ending,
-                   const std::string& ffmpeg, const Stats& stats) {
+                   const std::string& ffmpeg, const Stats& stats, const SceneAt& scene_at) {
     OutputFile standard_output("-");
     std::optional<Film> film;
     if (is_film(options.output))
         film.emplace(ffmpeg, options.output, options.rate, sound_of(options, renderer.scene()));
-    const bool whole = render_frames(options, part, renderer, ending, [&](std::string_view bytes) {
+    const bool whole = render_frames(options, part, renderer, ending, scene_at, [&](std::string_view bytes) {
         film ? film->append(bytes) : standard_output.append(bytes);
     });
     if (whole && film) film->finish();
@@ -101,8 +111,12 @@ FrameList frames_of(const Flythrough& flight, const FrameRate& rate) {
     return {{{0, static_cast<int>(count) - 1, 1}}};
 }
 
-/// Reads a scene, and returns it with a hash of its text, its pictures, its included files and its tracks.
-std::pair<Scene, std::string> read_and_hash(const std::string& path, const OpeningOptions& opening) {
+/// A scene with a hash of its text, its pictures, its included files and its tracks.
+struct HashedScene {
+    OpenedScene opened;
+    std::string hash;
+};
+HashedScene read_and_hash(const std::string& path, const OpeningOptions& opening) {
     const std::hash<std::string_view> hash_of;
     std::size_t hash = 0;
     const auto read = [&](const std::string& file) {
@@ -115,10 +129,11 @@ std::pair<Scene, std::string> read_and_hash(const std::string& path, const Openi
     const std::string text = read_text(path);
     OpenedScene opened = open_scene(text, path, opening, read);
     tell_notes(opened, false);
-    Scene& scene = opened.scene;
+    const Scene& scene = opened.scene;
     for (std::size_t i = 1; i < opened.files.size(); ++i) hash = 31 * hash + hash_of(read_text(opened.files[i]));
     if (!scene.tracks.empty()) hash = 31 * hash + hash_of(write_tracks(scene.tracks));
-    return {std::move(scene), std::to_string(31 * hash + hash_of(text))};
+    const std::string clock = opening.clock ? text_of(*opening.clock) : "";
+    return {std::move(opened), std::to_string(31 * hash + hash_of(text + clock))};
 }
 
 /// Warns of a camera whose aspectratio is not that of the picture.
@@ -166,13 +181,17 @@ int render_command(const RenderOptions& asked) {
     stats.size = options.size;
     stats.crop = options.crop;
     Stopwatch watch;
-    auto [scene, hash] = read_and_hash(options.scene, options.opening);
+    options.opening.time = options.time;
+    auto [opened, hash] = read_and_hash(options.scene, options.opening);
+    Scene scene = std::move(opened.scene);
     stats.parse_seconds = watch.lap();
     check_aspect(options, scene);
     if (options.time || options.frames || !ffmpeg.empty()) {
         const char* const option = options.time ? "--time" : options.frames ? "--frames" : "a film";
         const Flythrough flight = flight_for(option, scene, options.scene);
         if (!options.frames && !options.time) options.frames = frames_of(flight, options.rate);
+        if (opened.frames && !ffmpeg.empty() && !asked.frames && options.rate.per_second() == 25)
+            options.frames = FrameList{{{opened.frames->first, opened.frames->second, 1}}};
     }
 
     const FileFormat format{bits_of(ending_of(ending), options.bits), scene.settings.linear, options.compression,
@@ -181,8 +200,16 @@ int render_command(const RenderOptions& asked) {
         shot_of(scene, options.frames ? std::optional(options.rate.moment(options.frames->first())) : options.time);
     if (!options.prove.empty() && !options.time) scene = at(scene, 0);  // proofs need a scene in which nothing moves
     Renderer renderer(options, std::move(scene), std::move(hash), first, part, format, stats);
-    stats.finished = options.numbered() ? render_frames(options, part, renderer, ending)
-                     : options.frames   ? render_stream(options, part, renderer, ending, ffmpeg, stats)
+    // A scene that uses POV-Ray's clock is another one in each frame.
+    SceneAt scene_at;
+    if (opened.changes)
+        scene_at = [&, text = read_text(options.scene)](double time, const std::atomic<bool>* stop) {
+            OpeningOptions opening = options.opening;
+            opening.time = time, opening.stop = stop;
+            return open_scene(text, options.scene, opening, read_pixels).scene;
+        };
+    stats.finished = options.numbered() ? render_frames(options, part, renderer, ending, scene_at)
+                     : options.frames   ? render_stream(options, part, renderer, ending, ffmpeg, stats, scene_at)
                                         : renderer.render(first, {options.output, ending, {}}, "", options.share);
     if (!options.stats.empty()) write_file(options.stats, to_json(stats)), check_error(stats);
     return stats.finished ? exit_status::done : exit_status::interrupted;

@@ -10,7 +10,9 @@ namespace strahl {
 
 int view_command(const ViewOptions& options, const std::atomic<bool>* interrupted) {
     const auto began = Pace::Clock::now();
-    auto file = std::make_unique<Reload>(options.scene);
+    OpeningOptions opening = options.opening;
+    opening.time = options.time;
+    auto file = std::make_unique<Reload>(options.scene, opening);
     // The window does not wait longer than this for a scene.
     Loaded loaded = file->take(0.4).value_or(Loaded{.path = options.scene});
     if (!loaded.fault.empty() && error_is_final(options)) throw FileError(loaded.fault);

@@ -31,7 +31,8 @@ void tell_notes(const OpenedScene& scene, bool all) {
         std::cerr << "strahl: warning: and " << scene.notes.size() - count << " more; strahl check lists them\n";
 }
 
-Scene load_scene(const std::string& path, const OpeningOptions& options) {
+Scene load_scene(const std::string& path, OpeningOptions options, std::optional<double> time) {
+    options.time = time;
     OpenedScene opened = open_scene(read_text(path), path, options, read_pixels);
     tell_notes(opened, false);
     return std::move(opened.scene);

@@ -1,5 +1,6 @@
 // Reads the scene that a command names.
 #pragma once
+#include <optional>
 #include <span>
 #include <string>
 
@@ -15,8 +16,8 @@ inline std::string shown_name(const std::string& path) { return path == "-" ? "s
 std::string example_scene();
 
 /// Reads a scene and its pictures from a file, or from standard input for "-". Tells the notes about it, see
-/// OpenedScene. Throws FileError.
-Scene load_scene(const std::string& path, const OpeningOptions& options);
+/// OpenedScene. Throws FileError. A .pov is read as it is at the time.
+Scene load_scene(const std::string& path, OpeningOptions options, std::optional<double> time = {});
 
 /// Prints warnings on standard error.
 void print_warnings(std::span<const std::string> warnings);

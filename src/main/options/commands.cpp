@@ -21,7 +21,10 @@ namespace {
 
 void add_render(CLI::App& app, ChosenCommand& chosen) {
     auto [command, o] = add_command(app, chosen, "render", "Render a scene to a picture file", render_command);
-    add_scene(command, o->scene, o->opening);
+    add_scene(command, o->scene, o->opening, [o = o](const pov::IniFile& ini) {
+        o->size.width = ini.width.value_or(o->size.width), o->size.height = ini.height.value_or(o->size.height);
+        if (ini.antialias == false) o->sampling = parse_samples("1");
+    });
     add_file(command, "-o,--output", o->output,
              "The picture: .bmp, .png or .exr; or a film: .mp4, .mkv or .webm, which needs ffmpeg; - is standard "
              "output");
@@ -71,7 +74,7 @@ void add_render(CLI::App& app, ChosenCommand& chosen) {
     add_time(command, o->time);
     add_parsed(command, "--frames", o->frames, parse_frames,
                "Frames of the flythrough, 0-99 or 1-3,5,7-20:2, as numbered files: their number replaces %04d in FILE, "
-               "or else precedes the ending. By default a film has all frames",
+               "or else precedes the ending. By default a film has all frames, or those of an .ini file",
                "LIST");
     add_fps(command, o->rate, parse_rate,
             "Frames per second of the flythrough, 25 by default; frame N is at N/F seconds. 59.94 and other rates of "
@@ -150,7 +153,7 @@ void add_window_options(CLI::App* command, ViewOptions& options) {
 
 void add_view(CLI::App& app, ChosenCommand& chosen) {
     auto [command, o] = add_command(app, chosen, "view", "Fly through a scene in a window", view_until_interrupted);
-    add_scene(command, o->scene)->required(false);
+    add_scene(command, o->scene, o->opening)->required(false);
     add_parsed(command, "--size", o->size, parse_window_size, "Size of the window in pixels", "WxH");
     command->add_flag("--fullscreen", o->full_screen, "Start in full screen (F11)");
     command->add_flag("--fly", o->fly,
@@ -173,7 +176,7 @@ void add_play(CLI::App& app, ChosenCommand& chosen) {
     auto [command, o] =
         add_command(app, chosen, "play", "Play a scene's flight in full screen", view_until_interrupted);
     o->play = o->full_screen = true;
-    add_scene(command, o->scene);
+    add_scene(command, o->scene, o->opening);
     command
         ->add_option_function<std::string>(
             "--size",

@@ -115,7 +115,10 @@ inline CLI::Validator numbers(double low, double high) {
 
 /// Adds the options for scenes of POV-Ray.
 inline void add_opening(CLI::App* command, OpeningOptions& options) {
-    command->add_option("--clock", options.clock, "Value of clock in a .pov file, 0 by default")
+    command
+        ->add_option("--clock", options.clock,
+                     "Value of clock in a .pov file at all times; by default it runs from 0 to 1 during the flight, or as "
+                     "an .ini file says")
         ->check(numbers(-1e9, 1e9))
         ->type_name("T");
     command
@@ -128,12 +131,28 @@ inline void add_opening(CLI::App* command, OpeningOptions& options) {
     command->add_flag("--strict", options.strict,
                       "Take whatever in a .pov file cannot be shown as it is meant for an error");
 }
-inline CLI::Option* add_scene(CLI::App* command, std::string& value) {
-    return add_argument(command, "SCENE", value, "The scene, an .rt or a .pov file; - is standard input, an .rt");
+/// Takes the scene that the command line names: of an .ini file, FILE.ini or FILE.ini[SECTION], the scene in it.
+inline void take_scene(const std::string& given, std::string& value, OpeningOptions& options) {
+    value = given;
+    if (!pov::is_ini(given)) return;
+    options.ini = pov::read_ini(given);
+    value = options.ini->scene;
 }
-inline CLI::Option* add_scene(CLI::App* command, std::string& value, OpeningOptions& options) {
+/// Adds the scene. Options that are added later replace what an .ini file says: `follow` is called with it first.
+inline CLI::Option* add_scene(CLI::App* command, std::string& value, OpeningOptions& options,
+                              const std::function<void(const pov::IniFile&)>& follow = {}) {
+    const auto take = [&value, &options, follow](const std::string& given) {
+        take_scene(given, value, options);
+        if (options.ini && follow) follow(*options.ini);
+    };
+    CLI::Option* const scene =
+        command->add_option_function<std::string>("SCENE", take,
+                                                  "The scene: an .rt file or -, which is standard input; a .pov file, "
+                                                  "or an .ini file of POV-Ray, also a section of it, FILE.ini[NAME]")
+            ->required()
+            ->type_name(" ");
     add_opening(command, options);
-    return add_scene(command, value);
+    return scene;
 }
 inline CLI::Option* add_file(CLI::App* command, const char* name, std::string& value, const char* help) {
     return command->add_option(name, value, help)->type_name("FILE");

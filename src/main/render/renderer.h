@@ -1,8 +1,10 @@
 // Pictures of one scene: traced, encoded meanwhile, and written.
 #pragma once
+#include <atomic>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "image/picture.h"
@@ -42,7 +44,11 @@ class Renderer {
              FileFormat format, Stats& sums);
 
     const Scene& scene() const { return tracer.scene(); }
+    /// Goes on with another scene, whose precision and pruning stay those of the first.
+    void replace(Scene scene) { tracer = Tracer(std::move(scene), accuracy.precision, options.simd); }
     bool interrupted() const { return *interrupt.flag(); }
+    /// Becomes true when the user interrupts the program.
+    const std::atomic<bool>* interrupt_flag() const { return interrupt.flag(); }
 
     /// Traces and writes one picture, or the bands of a share. If interrupted, saves the finished part to a file of its
     /// own (but not of a stream) and returns false.

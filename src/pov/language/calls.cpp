@@ -240,8 +240,10 @@ void Interpreter::State::call(std::uint16_t function, Components& result) {
         case word("pi"):
             return set(std::numbers::pi);
         case word("clock"):
+            clock_used = true;
             return set(options.clock);
         case word("clock_on"):
+            clock_used = true;
             return set(options.clock_on);
         case word("version"):
             return set(version);

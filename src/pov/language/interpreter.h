@@ -140,6 +140,8 @@ class Interpreter {
     double version() const;
     /// Was there any #version, in the scene or in a file that it includes?
     bool version_given() const;
+    /// Was `clock`, `clock_on` or `frame_number` read? Without them a scene is the same in all frames.
+    bool clock_used() const;
     const InterpreterOptions& options() const;
     std::optional<double> assumed_gamma;  // of global_settings; for srgb
     int noise_generator = 2;              // of global_settings; for functions

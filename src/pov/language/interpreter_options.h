@@ -27,10 +27,14 @@ struct InterpreterOptions {
     int width = 320, height = 240;                  // image_width and image_height
     std::function<void(const std::string&)> print;  // called with the text of #debug, #warning and #render
     const std::atomic<bool>* stop = nullptr;        // reading ends with `Interrupted` once it is true
+    std::vector<std::string>* files = nullptr;      // receives the path of each file that is read or found
     InterpreterLimits limits;
 };
 
 /// Returns the folders where POV-Ray's package keeps its standard include files.
 std::vector<std::string> standard_library();
+
+/// Does the path lie in the folder, or below it, when links have been followed?
+bool lies_in(const std::string& path, const std::string& folder);
 
 }  // namespace strahl::pov

@@ -22,6 +22,11 @@ bool is_file(const fs::path& path) {
     return fs::is_regular_file(path, error);
 }
 
+/// Does a path begin with all parts of another one?
+bool begins(const fs::path& path, const fs::path& folder) {
+    return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first == folder.end();
+}
+
 /// Finds a file under a folder whose name differs in case only; empty if there is none.
 fs::path regardless_of_case(fs::path folder, const fs::path& name) {
     for (const fs::path& part : name) {
@@ -50,6 +55,12 @@ std::vector<std::string> standard_library() {
             if (fs::is_directory(folder, error)) folders.push_back(folder.string());
         }
     return folders;
+}
+
+bool lies_in(const std::string& path, const std::string& folder) {
+    std::error_code error, other_error;
+    const fs::path real = fs::weakly_canonical(path, error), root = fs::weakly_canonical(folder, other_error);
+    return !error && !other_error && begins(real, root);
 }
 
 bool Interpreter::State::is_written(const std::string& name) const { return kept_files.contains(name); }
@@ -87,16 +98,9 @@ std::string Interpreter::State::find(const std::string& name, const std::vector<
         for (const std::string& extension : extensions) names.push_back(plain + extension);
     names.push_back(plain);
 
-    const auto begins = [](const fs::path& path, const fs::path& folder) {
-        return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first == folder.end();
-    };
     const auto allowed = [&](const fs::path& path) {
-        std::error_code error;
-        const fs::path real = fs::weakly_canonical(path, error);
-        const bool inside = !error && std::ranges::any_of(folders, [&](const fs::path& folder) {
-            const fs::path root = fs::weakly_canonical(folder, error);
-            return !error && begins(real, root);
-        });
+        const bool inside = std::ranges::any_of(
+            folders, [&](const fs::path& folder) { return lies_in(path.string(), folder.string()); });
         if (inside || std::ranges::find(path, fs::path("..")) != path.end()) return inside;
         // The fonts of POV-Ray's package are links to another folder.
         return std::ranges::any_of(standard_library(), [&](const fs::path& folder) { return begins(path, folder); });
@@ -105,7 +109,9 @@ std::string Interpreter::State::find(const std::string& name, const std::vector<
         if (!allowed(path))
             return fault(strahl::quoted(name) + " lies outside of the scene's folder and of the library folders");
         const std::string found = path.string();
-        if (std::ranges::find(paths, found) == paths.end()) paths.push_back(found);
+        if (std::ranges::find(paths, found) != paths.end()) return found;
+        paths.push_back(found);
+        if (options.files) options.files->push_back(found);
         return found;
     };
     for (const fs::path& folder : folders)

@@ -237,6 +237,8 @@ struct Interpreter::State {
     std::vector<std::uint32_t> streams;  // of rand
     double version = 3.7;
     bool version_given = false;
+    bool clock_used = false;
+    std::uint32_t frame_number = 0;  // the number of this name
     std::vector<Remark> remarks;
     std::set<std::pair<std::uint64_t, std::string>> told;
 };

@@ -19,8 +19,14 @@ namespace {
 constexpr double seconds_per_key = 3;       // between keys that are added
 constexpr std::size_t most_moments = 7200;  // of a recorded flight: 2 minutes at 60 pictures per second
 
+/// The path in the file that can be edited: a scene by POV-Ray's clock has a flight without keys, too.
+std::optional<Flythrough> path_in(const Scene& scene) {
+    return scene.flythrough && !scene.flythrough->keys.empty() ? scene.flythrough : std::nullopt;
+}
+
 std::optional<double> motion_end_of(const Scene& scene) {
     const Movers movers(scene);
+    if (scene.flythrough && scene.flythrough->keys.empty()) return std::max(scene.flythrough->duration, movers.last_key);
     return movers.any() || !scene.camera_follows.empty() ? std::optional(movers.last_key) : std::nullopt;
 }
 
@@ -28,7 +34,7 @@ std::optional<double> motion_end_of(const Scene& scene) {
 
 Session::Session(std::shared_ptr<const Scene> first_scene, std::optional<int> depth)
     : scene(std::move(first_scene)),
-      editor(scene->flythrough),
+      editor(path_in(*scene)),
       camera(scene->camera),
       speed(default_speed(camera)),
       own_depth(depth),
@@ -40,19 +46,20 @@ bool Session::replace(std::shared_ptr<const Scene> newer, bool opened) {
     motion_end = motion_end_of(*scene);
     bool lost = false;
     if (opened)
-        tracks.reset(), flight.reset(), recorded.reset(), editor = PathEditor(scene->flythrough), cameras = {},
+        tracks.reset(), flight.reset(), recorded.reset(), editor = PathEditor(path_in(*scene)), cameras = {},
                                                           time = 0;
     else
-        lost = editor.reload(scene->flythrough);
+        lost = editor.reload(path_in(*scene));
     flight.change(path_to_fly());
-    if (moved && !flight.flying()) camera = scene->camera, speed = default_speed(camera);
+    if (moved && !bound()) camera = scene->camera, speed = default_speed(camera);
     return lost;
 }
 
 std::optional<Flythrough> Session::path_to_fly() const {
     const bool keys = editor.path().keys.size() >= 2;
     if (!keys && !motion_end) return std::nullopt;
-    Flythrough all = keys ? editor.path() : Flythrough{};
+    const bool clocked = scene->flythrough && scene->flythrough->keys.empty();
+    Flythrough all = keys ? editor.path() : clocked ? *scene->flythrough : Flythrough{};
     if (all.loop) return all;
     all.duration = std::max(all.duration, motion_end.value_or(0));
     if (!tracks) return all;

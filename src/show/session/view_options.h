@@ -4,6 +4,7 @@
 #include <string>
 
 #include "image/transfer.h"
+#include "pov/open_scene.h"
 
 namespace strahl {
 
@@ -15,6 +16,7 @@ struct PixelSize {
 
 struct ViewOptions {
     std::string scene;         // a file, or "-" for standard input
+    OpeningOptions opening{};
     PixelSize size;            // of the window; by default 960 wide, with the aspect ratio of the scene's camera
     PixelSize still_size;      // of stills; by default that of the picture in the window
     std::string still_folder;  // by default the current folder

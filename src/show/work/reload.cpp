@@ -3,6 +3,7 @@
 
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <cstdlib>
@@ -16,6 +17,8 @@
 #include "files/regular_file.h"
 #include "files/utf8.h"
 #include "image/pixels.h"
+#include "pov/flight_file.h"
+#include "pov/ini_file.h"
 #include "show/session/edited_text.h"
 #include "text/edit_path.h"
 #include "text/reading/tracks_file.h"
@@ -23,6 +26,8 @@
 
 namespace strahl {
 namespace {
+
+constexpr auto check_interval = std::chrono::milliseconds(33);
 
 constexpr std::size_t most_text = 16 << 20;  // bytes of a text whose numbers can be changed in the window
 
@@ -33,9 +38,9 @@ FileStamp stamp_of(const std::string& path) {
     return {s.st_dev, s.st_ino, s.st_size, s.st_mtim.tv_sec, s.st_mtim.tv_nsec};
 }
 
-Loaded loaded_scene(const std::string& path, const std::string& text, bool opened) try {
+Loaded loaded_scene(const std::string& path, const std::string& text, bool opened, const OpeningOptions& options) try {
     const std::string name = path == "-" ? "standard input" : path;
-    OpenedScene read = scene_for_window(text, name);
+    OpenedScene read = scene_for_window(text, name, options);
     if (opened)
         for (const std::string& note : read.notes) std::cerr << "strahl: warning: " << printable(note) << '\n';
     auto scene = std::make_shared<const Scene>(std::move(read.scene));
@@ -45,6 +50,7 @@ Loaded loaded_scene(const std::string& path, const std::string& text, bool opene
             .opened = opened,
             .words = words,
             .mirrored = read.mirrored,
+            .changes = read.changes,
             .lines = std::move(read.lines),
             .text = is_pov(path) || text.size() > most_text ? std::string() : text};
 } catch (const FileError& error) {
@@ -56,13 +62,19 @@ std::optional<std::string> text_of(const std::string& path) try { return read_te
     return std::nullopt;
 }
 
+std::vector<FileStamp> stamps_of(const std::vector<std::string>& files) {
+    std::vector<FileStamp> stamps;
+    for (const std::string& file : files) stamps.push_back(stamp_of(file));
+    return stamps;
+}
+
 /// Thrown in a thread that was left behind.
 struct LeftBehind {};
 
 }  // namespace
 
-OpenedScene scene_for_window(const std::string& text, const std::string& path) {
-    OpenedScene opened = open_scene(text, path, {}, read_pixels);
+OpenedScene scene_for_window(const std::string& text, const std::string& path, const OpeningOptions& options) {
+    OpenedScene opened = open_scene(text, path, options, read_pixels);
     check_capacity(opened.scene, Precision::float32);
     return opened;
 }
@@ -74,6 +86,7 @@ struct Reload::Desk {
     bool quit = false, ended = false, left = false;
     bool away = false, writing = false;  // away: in a file that may give no answer
     std::optional<std::string> to_open, to_show;
+    std::optional<double> to_move;
     std::vector<Request> to_write;
     std::optional<Loaded> result, shown;
     std::vector<Written> written;
@@ -83,7 +96,8 @@ struct Reload::Desk {
 /// The thread's own part. The file may have changed since it was read: the first check compares the text.
 class Reload::FileThread {
   public:
-    FileThread(std::shared_ptr<Desk> shared, std::string first) : desk(std::move(shared)), path(std::move(first)) {}
+    FileThread(std::shared_ptr<Desk> shared, std::string first, OpeningOptions options)
+        : desk(std::move(shared)), path(std::move(first)), options(std::move(options)) {}
     void run();
 
   private:
@@ -114,25 +128,43 @@ class Reload::FileThread {
     }
     /// Makes a scene of a text, which may name other files.
     Loaded load(const std::string& file, const std::string& content, bool opened) {
-        return answer([&] { return loaded_scene(file, content, opened); });
+        return answer([&] {
+            std::vector<std::string> read;
+            OpeningOptions how = options;
+            how.files = &read;
+            Loaded loaded = loaded_scene(file, content, opened, how);
+            if (file == path || loaded.scene) watch(file, std::move(read));
+            return loaded;
+        });
+    }
+    /// Watches the files that a scene consists of, and those that may be put beside it.
+    void watch(const std::string& file, std::vector<std::string> read) {
+        std::erase(read, file);
+        if (is_pov(file)) read.push_back(pov::flight_path(file)), read.push_back(pov::beside(file, ".ini"));
+        others = std::move(read), known_others = stamps_of(others);
     }
     void tell(Loaded loaded);
     void show_text(const std::string& changed);
     void notify();
     void open_file(const std::string& file, bool first);
     void check_file();
+    void read_moment(double seconds);
     Written write_path(const Request& request);
+    Written write_flight(const std::optional<Flythrough>& flight);
     Written write_tracks(const std::vector<Track>& tracks);
 
     const std::shared_ptr<Desk> desk;
-    std::string path, text, own_text, own_tracks;  // own_: what Strahl wrote last
+    std::string path, text, own_text, own_tracks, own_flight;  // own_: what Strahl wrote last
+    OpeningOptions options;
     FileStamp known, before;
+    std::vector<std::string> others;  // files that the scene includes
+    std::vector<FileStamp> known_others, others_before;
 };
 
-Reload::Reload(const std::string& path)
-    : desk(std::make_shared<Desk>()), thread([desk = desk, path] {
+Reload::Reload(const std::string& path, OpeningOptions options)
+    : desk(std::make_shared<Desk>()), thread([desk = desk, path, options = std::move(options)] {
           try {
-              FileThread(desk, path).run();
+              FileThread(desk, path, options).run();
           } catch (const LeftBehind&) {
               return;
           }
@@ -173,6 +205,12 @@ std::optional<Loaded> Reload::take(double seconds) {
     return std::exchange(desk->result, std::nullopt);
 }
 
+void Reload::move_to(double seconds) {
+    std::lock_guard lock(desk->mutex);
+    desk->to_move = seconds;
+    desk->wake.notify_one();
+}
+
 void Reload::show(std::string text) {
     std::lock_guard lock(desk->mutex);
     desk->to_show = std::move(text);
@@ -208,17 +246,17 @@ void Reload::FileThread::run() {
     open_file(path, true);
     while (true) {
         std::optional<std::string> other, changed;
+        std::optional<double> moment;
         std::vector<Request> requests;
         bool quit;
         {
             std::unique_lock lock(desk->mutex);
             desk->writing = false;
-            desk->wake.wait_for(lock, std::chrono::milliseconds(200),
-                                [this] {
-                                    return desk->quit || desk->to_open || desk->to_show || !desk->to_write.empty();
-                                });
+            desk->wake.wait_for(lock, check_interval, [this] {
+                return desk->quit || desk->to_open || desk->to_show || desk->to_move || !desk->to_write.empty();
+            });
             other = std::exchange(desk->to_open, std::nullopt), requests = std::exchange(desk->to_write, {});
-            changed = std::exchange(desk->to_show, std::nullopt);
+            changed = std::exchange(desk->to_show, std::nullopt), moment = std::exchange(desk->to_move, std::nullopt);
             desk->writing = !requests.empty(), quit = desk->quit;
         }
         for (const Request& request : requests) {  // before the window closes, too
@@ -230,6 +268,7 @@ void Reload::FileThread::run() {
         if (!requests.empty()) notify();
         if (other) open_file(*other, false);
         if (changed) show_text(*changed);
+        if (moment && !other) read_moment(*moment);
         if (requests.empty() && !other && !changed) check_file();
     }
 }
@@ -252,6 +291,16 @@ void Reload::FileThread::show_text(const std::string& changed) {
     notify();
 }
 
+void Reload::FileThread::read_moment(double seconds) {
+    options.time = seconds;
+    Loaded loaded = load(path, text, false);
+    loaded.moved = true;
+    std::unique_lock lock(desk->mutex);
+    if (!loaded.scene || desk->result) return;  // the error is told when the file changes
+    lock.unlock();
+    tell(std::move(loaded));
+}
+
 void Reload::FileThread::notify() {
     std::unique_lock lock(desk->mutex);
     const std::function<void()> function = desk->notify;
@@ -263,6 +312,7 @@ void Reload::FileThread::notify() {
 void Reload::FileThread::open_file(const std::string& file, bool first) {
     std::string content;
     Loaded loaded{.path = file, .opened = true};
+    if (!first) options.ini.reset(), options.time.reset();
     try {
         content = answer([&] {
             if (!first) static_cast<void>(RegularFile(file));  // throws for a pipe, which might never end
@@ -277,12 +327,14 @@ void Reload::FileThread::open_file(const std::string& file, bool first) {
 }
 
 void Reload::FileThread::check_file() {
-    const FileStamp now = answer([this] { return stamp_of(path); });
+    const auto [now, now_others] = answer([this] { return std::pair(stamp_of(path), stamps_of(others)); });
     const bool settled = now == std::exchange(before, now);
-    if (now == FileStamp{} || now == known || !settled) return;
+    const bool others_settled = now_others == std::exchange(others_before, now_others);
+    const bool included = now_others != known_others;
+    if (now == FileStamp{} || (now == known && !included) || !settled || !others_settled) return;
     known = now;
     std::optional<std::string> content = answer([this] { return text_of(path); });
-    if (!content || *content == text) return;
+    if (!content || (*content == text && !included)) return;
     text = std::move(*content);
     tell(load(path, text, false));
 }
@@ -290,20 +342,17 @@ void Reload::FileThread::check_file() {
 Written Reload::FileThread::write_path(const Request& request) try {
     const bool numbers = request.changes.text != request.changes.in_file;
     if (path == "-") return {.fault = "the scene came from standard input; Shift+C copies the path"};
-    if (is_pov(path) && request.flythrough)
-        return {.fault = "a scene of POV-Ray cannot hold a path; Shift+C copies it"};
-    if (is_pov(path))
-        return {.fault = "scenes of POV-Ray are not changed here; F4 opens the line of the chosen body in your editor"};
+    if (is_pov(path)) return write_flight(request.flythrough);
     const std::string content = read(path);
     if (content != text && !request.anyway) return {.file = path, .asks = true};
-    const OpenedScene before = scene_for_window(content, path);  // throws: in texts with errors no block can be found
+    const OpenedScene before = scene_for_window(content, path, options);  // throws: in texts with errors no block can be found
     const bool same_path = before.scene.flythrough == request.flythrough;
     bool lost = false;
     const std::string merged =
         numbers ? merged_lines(request.changes.in_file, request.changes.text, content, lost) : content;
     if (lost) return {.fault = path + " has changed in lines that were changed here; undo, or copy it and reload"};
     const std::string changed = same_path ? merged : with_path(merged, request.flythrough);
-    Loaded loaded = loaded_scene(path, changed, false);
+    Loaded loaded = loaded_scene(path, changed, false, options);
     if (!loaded.scene || loaded.scene->flythrough != request.flythrough)
         return {.fault = "the changes cannot be written: " + loaded.fault};
     Written done{.file = path, .what = !numbers ? "path" : same_path ? "numbers" : "path and numbers"};
@@ -311,6 +360,24 @@ Written Reload::FileThread::write_path(const Request& request) try {
     write(path, changed);
     text = own_text = changed;
     tell(std::move(loaded));
+    return done;
+} catch (const FileError& error) {
+    return {.fault = error.what()};
+}
+
+/// Writes the flight of a scene of POV-Ray into the file beside it.
+Written Reload::FileThread::write_flight(const std::optional<Flythrough>& flight) try {
+    Written done{.file = pov::flight_path(path), .what = "path"};
+    const auto old = answer([&] { return text_of(done.file); });
+    if (!old && !flight)
+        return {.fault = "scenes of POV-Ray are not changed here; F4 opens the line of the chosen body in your editor"};
+    const Loaded now = load(path, text, false);
+    if (!now.scene) return {.fault = "the path cannot be written: " + now.fault};
+    const std::string changed = pov::with_flight(old.value_or(""), flight, now.mirrored);
+    if (old && *old != own_flight && *old != changed) write(done.copy = done.file + "~", *old);
+    write(done.file, changed);
+    own_flight = changed;
+    tell(load(path, text, false));
     return done;
 } catch (const FileError& error) {
     return {.fault = error.what()};

@@ -16,7 +16,7 @@
 namespace strahl {
 
 /// Reads a scene. Throws FileError, also if the scene is too large for float, in which the window traces.
-OpenedScene scene_for_window(const std::string& text, const std::string& path);
+OpenedScene scene_for_window(const std::string& text, const std::string& path, const OpeningOptions& options = {});
 
 /// Identifies a version of a file; all zero if there is none.
 struct FileStamp {
@@ -36,6 +36,8 @@ struct Loaded {
     bool opened = false;                   // it is a newly opened file
     EyeWords words{};                      // those of its camera
     bool mirrored = false;                 // see OpenedScene
+    bool changes = false;                  // likewise
+    bool moved = false;                    // the file is the same, read for another moment of its clock
     pov::SourceLines lines{};              // of the bodies of a scene of POV-Ray
     std::string text{};                    // of the file; empty if it is a scene of POV-Ray or larger than 16 MB
 };
@@ -54,13 +56,13 @@ struct ChangedText {
     std::string in_file, text;  // as it was read, and with the changes, which add or remove no line
 };
 
-/// Checks the file a few times a second, in a thread of its own. Waits until a file is completely written. The thread
+/// Checks the file and those that it includes 30 times a second, in a thread of its own. Waits until a file is completely written. The thread
 /// may be left behind in a file that gives no answer, a pipe without a writer or a share without a server: it touches
 /// nothing but its `Desk` then.
 class Reload {
   public:
     /// Reads `path`, whatever sort of file it is, or standard input for "-". Then watches it, if it is a regular file.
-    explicit Reload(const std::string& path);
+    explicit Reload(const std::string& path, OpeningOptions options = {});
     /// Waits until everything asked for is written, unless the disk gives no answer.
     ~Reload();
     Reload(const Reload&) = delete;
@@ -72,12 +74,15 @@ class Reload {
     /// Returns what was read last, if it was not taken yet. Waits for it this long.
     std::optional<Loaded> take(double seconds = 0);
 
+    /// Reads a scene that uses POV-Ray's clock for this moment of its flight. Moments that were not read yet are skipped.
+    void move_to(double seconds);
     /// Reads this text as if the file had it, without writing it. Texts that were not read yet are skipped.
     void show(std::string text);
     /// Returns the result of that which was read last, if it was not taken yet.
     std::optional<Loaded> take_shown();
 
-    /// Replaces the flythrough and the changed lines in the watched file and leaves the rest as it is. A file that
+    /// Replaces the flythrough and the changed lines in the watched file and leaves the rest as it is. The flythrough of
+    /// a scene of POV-Ray is written into a file beside it. A file that
     /// others have changed since it was read is only written if `anyway`; a file with an error never, nor one in which
     /// others have changed the same lines. FILE~ becomes a copy of the file as it was, unless Strahl wrote that.
     void write(std::optional<Flythrough> flythrough, ChangedText changes, bool anyway);

@@ -15,10 +15,15 @@ WatchedScene::WatchedScene(const Loaded& first, bool final, std::unique_ptr<Relo
       final(final),
       reload(std::move(reader)),
       awaited(!first.scene),
-      error(first.fault) {
+      error(first.fault),
+      changes(first.changes) {
     reload->listen(std::move(notify));
     if (reading()) log_line("reading " + name());
     if (!error.empty()) log_line("waiting until the scene has no error\n" + error);
+}
+
+void WatchedScene::move_to(double seconds) {
+    if (changes && seconds != std::exchange(moment, seconds)) reload->move_to(seconds);
 }
 
 std::optional<Loaded> WatchedScene::take() {
@@ -29,7 +34,9 @@ std::optional<Loaded> WatchedScene::take() {
     error = loaded->fault;
     if (loaded->scene) {
         const bool first = std::exchange(awaited, false);
-        file = loaded->path;
+        file = loaded->path, changes = loaded->changes;
+        if (loaded->opened) moment = 0;
+        if (loaded->moved) return loaded;
         if (!first || !loaded->opened) log_line((loaded->opened ? "opened " : "read again: ") + file);
         return loaded;
     }
@@ -58,7 +65,7 @@ void WatchedScene::tell_written() {
     } else if (!written->fault.empty()) {
         notes.fail(written->fault);
     } else {
-        notes.announce((written->file == file ? written->what + " written into " : "tracks saved: ") + written->file +
+        notes.announce((!written->what.empty() ? written->what + " written into " : "tracks saved: ") + written->file +
                        copy);
     }
 }

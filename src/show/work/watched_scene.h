@@ -26,6 +26,8 @@ class WatchedScene {
     bool reading() const { return awaited && error.empty(); }
     /// Opens another file, unless it has an error.
     void open(std::string path) { reload->open(std::move(path)); }
+    /// Reads a scene that uses POV-Ray's clock for another moment of its flight.
+    void move_to(double seconds);
     /// Reads this text in place of the file's.
     void show(const std::string& text) { reload->show(text); }
     /// Returns what was read of it since the last call.
@@ -61,6 +63,8 @@ class WatchedScene {
     bool awaited;
     std::string error;
     double error_until = Pace::forever;  // only the error of another file, which was not opened, expires
+    bool changes = false;                // see Loaded
+    double moment = 0;                   // of the flight for which the scene was read, or is being read
     double write_until = -1;             // until then the user may confirm that a changed file is written
 };
 

@@ -15,6 +15,7 @@
 #include "show/work/reload.h"
 #include "show/work/still_requests.h"
 #include "show/work/stills.h"
+#include "tests/unit/faults.h"
 #include "tests/unit/scratch.h"
 #include "tests/unit/show/show_scene.h"
 #include "tests/unit/show/soon.h"
@@ -222,19 +223,67 @@ TEST_CASE("a path is written into the scene file, of which a copy stays; a file 
     CHECK(bytes_of(path) == "camera {");
 }
 
-TEST_CASE("nothing is written into a scene of POV-Ray, and the reason is told") {
+TEST_CASE("the flight of a scene of POV-Ray is written beside it, in its coordinates") {
     const Scratch folder;
     const std::string path = folder / "scene.pov", text = "camera { location <0, 0, -5> } sphere { 0, 1 }";
     std::ofstream(path) << text;
     Reload reload(path);
     REQUIRE(reload.take(10));
-    for (const bool with_path : {false, true}) {
-        reload.write(with_path ? std::optional(Flythrough{4, false, {}}) : std::nullopt, {}, true);
-        std::optional<Written> written;
-        REQUIRE(soon([&] { return (written = reload.take_written()).has_value(); }));
-        CHECK(written->fault.find(with_path ? "cannot hold a path" : "are not changed here") != std::string::npos);
-    }
+    std::optional<Written> written;
+    const auto write = [&](std::optional<Flythrough> flight) {
+        reload.write(std::move(flight), {}, true);
+        return soon([&] { return (written = reload.take_written()).has_value(); });
+    };
+    REQUIRE(write({}));
+    CHECK(says(written->fault, "are not changed here"));
+    CHECK(folder.files() == 1);
+    Flythrough flight{4, false, {{0, {1, 2, 3}, {0, 0, 0}, {}, {}}, {4, {3, 2, 1}, {0, 0, 0}, {}, {}}}};
+    REQUIRE(write(flight));
+    CHECK(written->fault == "");
+    CHECK(written->file == folder / "scene.flight");
+    CHECK(says(bytes_of(folder / "scene.flight"), "key { time 0  position <1, 2, -3>  look_at <0, 0, 0> }"));
+    CHECK(reload.take()->scene->flythrough == flight);
+    // Comments stay, and a copy of a file that others have changed.
+    const std::string theirs = "// mine\n" + bytes_of(folder / "scene.flight");
+    std::ofstream(folder / "scene.flight") << theirs;
+    flight.duration = 5;
+    REQUIRE(write(flight));
+    CHECK(bytes_of(folder / "scene.flight~") == theirs);
+    CHECK(bytes_of(folder / "scene.flight").starts_with("// mine\n"));
+    REQUIRE(write({}));
+    CHECK(bytes_of(folder / "scene.flight") == "// mine\n");
     CHECK(bytes_of(path) == text);
+}
+
+TEST_CASE("a scene of POV-Ray is read again when a file changes that it includes, and for moments of its clock") {
+    const Scratch folder;
+    const std::string path = folder / "scene.pov", included = folder / "ball.inc";
+    std::ofstream(path) << "camera { location -5*z } #include \"ball.inc\" sphere { Centre, 1 }";
+    Reload reload(path);
+    std::optional<Loaded> loaded;
+    const auto next = [&] { return (loaded = reload.take(10)).has_value(); };
+    REQUIRE(next());
+    CHECK(says(loaded->fault, "cannot find 'ball.inc'"));
+    std::ofstream(included) << "#declare Centre = );";
+    std::ofstream(path, std::ios::app) << " ";
+    REQUIRE(next());
+    CHECK(says(loaded->fault, "ball.inc:1"));
+    std::ofstream(included) << "#declare Centre = <3, 0, 0>;";  // it had an error, and is watched nevertheless
+    REQUIRE(next());
+    REQUIRE(loaded->scene);
+    CHECK(std::get<Sphere>(loaded->scene->primitives[0].shape).centre.x == 3);
+    CHECK(!loaded->changes);
+    std::ofstream(included) << "#declare Centre = <10*clock, 0, 0>;";
+    REQUIRE(next());
+    CHECK(loaded->changes);
+    CHECK(!loaded->moved);
+    reload.move_to(5);
+    REQUIRE(next());
+    CHECK(loaded->moved);
+    CHECK(std::get<Sphere>(loaded->scene->primitives[0].shape).centre.x == 5);
+    std::ofstream(folder / "scene.ini") << "Final_Frame=251 Final_Clock=1\nFinal_Clock=3\n";
+    REQUIRE(next());
+    CHECK(std::get<Sphere>(loaded->scene->primitives[0].shape).centre.x == doctest::Approx(15));
 }
 
 TEST_CASE("changed numbers are shown before they are written, and are written beside what others have changed") {
