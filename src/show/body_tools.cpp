@@ -10,37 +10,59 @@
 #include "show/external_editor.h"
 
 namespace strahl {
+namespace {
+
+constexpr double handle_pixels = 80;  // how far handles reach
+
+constexpr std::array<DVec3, 3> world_axes{DVec3(1, 0, 0), DVec3(0, 1, 0), DVec3(0, 0, 1)};
+
+}  // namespace
 
 void BodyTools::loaded(const Loaded& scene) {
     if (scene.opened)
         bodies.open(scene.text);
     else if (bodies.edited.reload(scene.text))
         notes.announce("the file has other numbers now, which replace yours");
-    good = scene.text;
+    drag.reset(), good = scene.text;
     bodies.take_lines(scene.lines);
     bodies.look(*session.scene);
-    if (bodies.edited.changed()) file.show(bodies.edited.text());
+    if (bodies.edited.changed()) show();
 }
 
 /// The scene at the moment of the view.
-Scene BodyTools::scene_seen(const View& view) const {
-    Scene scene = *session.scene;
-    if (view.tracks) scene.tracks = *view.tracks;
-    return at(scene, view.time);
+const Scene& BodyTools::scene_seen(const View& view) {
+    if (still == session.scene) return *still;
+    const SceneMoment wanted{session.scene, view.time, view.tracks};
+    if (moment == wanted) return now;
+    moment = wanted;
+    if (!Movers(*session.scene).any()) return *(still = session.scene);
+    now = *session.scene;
+    if (view.tracks) now.tracks = *view.tracks;
+    return now = at(now, view.time);
 }
 
-void BodyTools::click(const View& view, double x, double y) {
+void BodyTools::click(const View& view, const glm::dvec2& point, double reach) {
     pace.redraw(3);
-    bodies.click(scene_seen(view), *session.scene, view, x, y);
-    if (!bodies.choice()) return;
-    const BodyText& body = bodies.body();
-    notes.log("chosen: body " + std::to_string(bodies.choice()->at.body + 1) + ", " + body.kind +
-              (body.line > 0 ? ", line " + std::to_string(body.line) : ""));
+    const auto mark = lights_shown ? mark_at(marks, point, reach) : std::nullopt;
+    if (mark)
+        bodies.choose(*mark, *session.scene);
+    else
+        bodies.click(scene_seen(view), *session.scene, view, point.x, point.y);
+    if (!bodies.any()) return;
+    const BodyText& text = bodies.body();
+    notes.log((mark ? "chosen: light " : "chosen: body ") + std::to_string(number() + 1) + ", " + text.kind +
+              (text.line > 0 ? ", line " + std::to_string(text.line) : ""));
+}
+
+/// The number of the body or the light chosen; -1 if there is none.
+int BodyTools::number() const {
+    return bodies.choice() ? bodies.choice()->at.body : bodies.light() ? bodies.light()->light : -1;
 }
 
 void BodyTools::apply(const BodyInput& input) {
     if (input.close) bodies.close(), pace.redraw();
     if (input.allow) bodies.allow(*input.allow), pace.redraw();
+    if (awaited || drag || !bodies.any()) return;
     const std::size_t others = session.editor.steps();
     const auto& values = bodies.body().values;
     bool changed = false;
@@ -50,8 +72,16 @@ void BodyTools::apply(const BodyInput& input) {
     if (changed) show();
 }
 
+/// Shows the text as it is now, in which bodies and lights have the numbers that they had.
 void BodyTools::show() {
     bodies.look(*session.scene);
+    file.show(bodies.edited.text());
+    pace.redraw(3);
+}
+
+/// Shows a text in which there may be more bodies and lights, or fewer.
+void BodyTools::show_anew() {
+    drag.reset(), awaited = true;
     file.show(bodies.edited.text());
     pace.redraw(3);
 }
@@ -61,13 +91,51 @@ bool BodyTools::undo(Action action) {
     const bool done = action == Action::undo ? bodies.edited.undo(others) : bodies.edited.redo(others);
     if (!done) return false;
     notes.note(action == Action::undo ? "undone" : "redone");
-    show();
+    next = -1;
+    show_anew();
     return true;
+}
+
+bool BodyTools::copy() { return change_block(true); }
+bool BodyTools::remove() { return change_block(false); }
+
+/// Copies or removes what is chosen. False if nothing is chosen.
+bool BodyTools::change_block(bool copies) {
+    if (!bodies.any()) return false;
+    if (awaited) return later = copies, true;
+    const bool light = bodies.light().has_value();
+    const std::string name = (light ? "light " : "body ") + std::to_string(number() + 1);
+    const std::string& before = bodies.edited.text();
+    const TopBlock what = light ? TopBlock::light : TopBlock::body;
+    const std::string text = copies ? with_copy(before, what, number()) : without_block(before, what, number());
+    if (text == before) return notes.note("the text of this scene is changed in an editor: F4 opens it"), true;
+    bodies.edited.change(text, false, session.editor.steps());
+    next = copies ? number() + 1 : -1;
+    notes.announce(copies ? name + " copied; the copy is in the same place: drag its handles"
+                          : name + " removed; Ctrl+Z brings it back");
+    show_anew();
+    return true;
+}
+
+void BodyTools::toggle(Action action) {
+    pace.redraw();
+    if (action == Action::lights) {
+        lights_shown = !lights_shown;
+        if (!lights_shown && bodies.light()) bodies.close();
+        return notes.note(lights_shown ? "lights are shown: click their marks" : "lights are hidden");
+    }
+    if (!bodies.any()) return notes.note("click a body first; its handles then move, turn or scale it");
+    if (bodies.read_only()) return notes.note("the text of this scene is changed in an editor: F4 opens it");
+    if (bodies.light()) return notes.note("handles of lights only move them");
+    mode = mode == HandleMode::scale ? HandleMode::move : static_cast<HandleMode>(static_cast<int>(mode) + 1);
+    notes.note(mode == HandleMode::move   ? "handles move; with Ctrl by round distances"
+               : mode == HandleMode::turn ? "handles turn; with Ctrl by 15 degrees"
+                                          : "handles scale; with Ctrl by tenths");
 }
 
 void BodyTools::approach(const View& view) {
     if (!bodies.choice()) return notes.note("click a body first; B then moves the camera to it");
-    const Box box = world_bounds(scene_seen(view).primitives[std::size_t(bodies.choice()->at.body)]);
+    const Box box = world_bounds(scene_seen(view).primitives[std::size_t(number())]);
     if (!std::isfinite(length(box.high - box.low))) return notes.note("this body has no end");
     notes.tell(session.steer({}, pace.now()));
     session.camera = approached(session.camera, box, double(view.width) / view.height);
@@ -78,33 +146,122 @@ std::string BodyTools::file_name() const {
 }
 
 void BodyTools::open_text() {
-    if (!bodies.choice()) return notes.note("click a body first; F4 then opens its line in your editor");
-    if (bodies.body().line == 0 || file.path() == "-") return notes.note("no line of a file is known for this body");
-    const std::string fault =
-        open_in_editor(bodies.file().empty() ? file.path() : bodies.file(), bodies.body().line);
+    if (!bodies.any()) return notes.note("click a body first; F4 then opens its line in your editor");
+    if (bodies.body().line == 0 || file.path() == "-") return notes.note("no line of a file is known for it");
+    const std::string fault = open_in_editor(bodies.file().empty() ? file.path() : bodies.file(), bodies.body().line);
     if (!fault.empty()) notes.fail(fault);
 }
 
-void BodyTools::follow(const View& view) {
-    if (auto shown = file.take_shown()) {
-        if (shown->scene) {
-            // One that was read before the path was written would bring the old path back; the next one follows.
-            if (shown->scene->flythrough == session.scene->flythrough) {
-                session.replace(std::move(shown->scene), false);
-                good = shown->text;
-            }
-        } else if (shown->text == bodies.edited.text()) {
-            notes.fail(shown->fault.substr(0, shown->fault.find('\n')));
-            bodies.edited.change(good, true, session.editor.steps());
+/// Takes over the scene of a changed text once it is read.
+void BodyTools::take_shown() {
+    auto shown = file.take_shown();
+    if (!shown) return;
+    const bool newest = shown->text == bodies.edited.text();
+    if (shown->scene) {
+        // One that was read before the path was written would bring the old path back; the next one follows.
+        if (shown->scene->flythrough == session.scene->flythrough) {
+            const bool others = shown->scene->primitives.size() != session.scene->primitives.size() ||
+                                shown->scene->lights.size() != session.scene->lights.size();
+            session.replace(std::move(shown->scene), false);
+            good = shown->text;
+            if (others && next < 0) bodies.close();
         }
-        bodies.look(*session.scene);
-        pace.redraw();
+    } else if (newest) {
+        notes.fail(shown->fault.substr(0, shown->fault.find('\n')));
+        bodies.edited.change(good, true, session.editor.steps());
+        drag.reset(), next = -1;
     }
+    if (newest) {
+        awaited = false;
+        if (const int chosen = std::exchange(next, -1); chosen >= 0) bodies.choose_next(chosen, *session.scene);
+    }
+    if (!awaited) bodies.look(*session.scene);
+    if (!awaited && later) change_block(*std::exchange(later, std::nullopt));
+    pace.redraw();
+}
+
+void BodyTools::follow(const View& view, double scale) {
+    take_shown();
+    drag_on();
+    place_handles(view, scale);
     if (!bodies.choice())
         silhouette.drop();
-    else if (!pace.moving())
-        silhouette.want(session.scene, bodies.choice()->at.body, view);
+    else if (!pace.moving() && !awaited)
+        silhouette.want(session.scene, number(), view);
     if (silhouette.take()) pace.redraw();
+}
+
+/// Finds where handles and marks are in this view.
+void BodyTools::place_handles(const View& view, double scale) {
+    if (lights_shown) marks = light_marks(scene_seen(view), view);
+    handles.reset();
+    if (!bodies.any() || bodies.read_only() || awaited) return;
+    const Scene& scene = scene_seen(view);
+    DVec3 centre;
+    std::array<DVec3, 3> axes = world_axes;
+    if (bodies.light()) {
+        centre = position_of(scene, *bodies.light());
+    } else {
+        const Box box = world_bounds(scene.primitives[std::size_t(number())]);
+        centre = box.finite() ? box.centre() : bodies.choice()->point;
+        if (mode == HandleMode::scale)
+            if (const auto body = PlacedBody::find(bodies.edited.text(), *session.scene, number())) axes = body->axes();
+    }
+    handles.emplace(bodies.light() ? HandleMode::move : mode, centre, axes, handle_pixels * scale, view);
+    find_pointed();
+}
+
+bool BodyTools::points_at(const glm::dvec2& point, double reach) {
+    pointer = point, pointer_reach = reach;
+    find_pointed();
+    return pointed.has_value();
+}
+
+/// Finds the handle under the pointer, which may have come there by itself.
+void BodyTools::find_pointed() {
+    const auto at = drag ? std::optional(drag->handle()) : handles ? handles->at(pointer, pointer_reach) : std::nullopt;
+    if (at != std::exchange(pointed, at)) pace.redraw();
+}
+
+void BodyTools::hold(const glm::dvec2& point, double reach) {
+    if (!points_at(point, reach) || awaited) return;
+    std::string why;
+    drag = Drag::begin(bodies, *session.scene, *handles, *pointed, point, why);
+    if (!drag) notes.note(why);
+    dragged_to.reset(), dragged = false;
+    if (bodies.choice()) clicked = bodies.choice()->point;
+}
+
+void BodyTools::pull(const glm::dvec2& to, bool steps) {
+    pointer = to;
+    if (drag) dragged_to = DragPoint{to, steps};
+}
+
+void BodyTools::let_go() {
+    drag_on();
+    drag.reset();
+    pace.redraw();
+}
+
+/// Applies the drag up to the last place of the pointer. A text is read meanwhile, and those between are skipped.
+void BodyTools::drag_on() {
+    const auto to = std::exchange(dragged_to, std::nullopt);
+    if (!drag || !to) return;
+    const std::string text = drag->text(to->place, to->steps);
+    if (text == bodies.edited.text()) return;
+    bodies.edited.change(text, dragged, session.editor.steps());
+    dragged = true;
+    if (bodies.choice()) bodies.move_point(clicked + drag->moved(to->place, to->steps));
+    show();
+}
+
+Overlay::Tools BodyTools::drawn() const {
+    Overlay::Tools tools;
+    if (lights_shown) tools.marks = marks;
+    tools.chosen = bodies.light();
+    if (handles) tools.handles = handles->lines();
+    tools.pointed = pointed;
+    return tools;
 }
 
 bool BodyTools::asks() {

@@ -1,14 +1,21 @@
-// The user's work on bodies: connects clicks, the panel, the file and the silhouette.
+// The user's work on bodies and lights: connects clicks, handles, the panel, the file and the silhouette.
 #pragma once
 #include <functional>
+#include <glm/vec2.hpp>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "scene/scene.h"
 #include "show/session/body_editor.h"
+#include "show/session/drag.h"
+#include "show/session/handles.h"
 #include "show/session/keys.h"
+#include "show/session/light_marks.h"
 #include "show/session/session.h"
 #include "show/window/body_panel.h"
+#include "show/window/overlay.h"
 #include "show/work/notes.h"
 #include "show/work/pace.h"
 #include "show/work/reload.h"
@@ -26,32 +33,56 @@ class BodyTools {
 
     /// To be called when the session has taken over a scene that was read from the file.
     void loaded(const Loaded& scene);
-    /// Chooses the body at a point of the view's picture, in pixels.
-    void click(const View& view, double x, double y);
+    /// Chooses the light whose mark is at a point of the view's picture, in pixels, no further than `reach`; else the
+    /// body there.
+    void click(const View& view, const glm::dvec2& point, double reach);
     /// Does what the user asked for on the panel, except for commands.
     void apply(const BodyInput& input);
-    /// Undoes or redoes a change of a number, if that is what comes next. Else returns false.
+    /// Undoes or redoes a change, if that is what comes next. Else returns false.
     bool undo(Action action);
     /// Moves the camera to where the body chosen fills the picture, if it is bounded.
     void approach(const View& view);
-    /// Opens the line of the body chosen in the user's editor.
+    /// Opens the line of what is chosen in the user's editor.
     void open_text();
-    /// Shows the scene with changed numbers once that is read, and orders the silhouette in this view, if it rests.
-    void follow(const View& view);
+    /// Chooses what handles do; or shows or hides the marks of lights.
+    void toggle(Action action);
+    /// Copies what is chosen in the text and chooses the copy; or removes it. False if nothing is chosen.
+    bool copy();
+    bool remove();
+    /// Shows the scene with changed numbers once that is read, moves what is being dragged, and orders the silhouette
+    /// in this view, if it rests. `scale` is that of the window: 1 at a usual pixel density.
+    void follow(const View& view, double scale);
+
+    /// Is a handle at this point of the picture, or is one held?
+    bool points_at(const glm::dvec2& point, double reach);
+    /// Begins to drag the handle at this point of the view's picture, if one is there. Goes on to another point. Lets
+    /// go of it.
+    void hold(const glm::dvec2& point, double reach);
+    void pull(const glm::dvec2& to, bool steps);
+    void let_go();
 
     const BodyEditor& editor() const { return bodies; }
     const std::vector<SilhouetteLine>& lines() const { return silhouette.lines(); }
+    /// What is drawn of handles and lights, in pixels of the picture.
+    Overlay::Tools drawn() const;
     /// The name of the file in which the body chosen stands.
     std::string file_name() const;
-    ChangedText changes() const { return {bodies.edited.in_file(), bodies.edited.text()}; }
+    const ChangedText& changes() const { return bodies.edited.changes(); }
     /// Are there changes that are not written, and was this not asked about them before?
     bool asks();
     /// Prints the lines that would be lost now.
     void print_unwritten() const;
 
   private:
-    Scene scene_seen(const View& view) const;
+    const Scene& scene_seen(const View& view);
     void show();
+    void show_anew();
+    bool change_block(bool copies);
+    void take_shown();
+    void place_handles(const View& view, double scale);
+    void drag_on();
+    void find_pointed();
+    int number() const;
 
     Session& session;
     WatchedScene& file;
@@ -59,8 +90,37 @@ class BodyTools {
     Pace& pace;
     BodyEditor bodies;
     Silhouette silhouette;
-    std::string good;         // the last text that was shown
-    std::string asked_about;  // a text
+    std::string good;                    // the last text that was shown
+    std::string asked_about;             // a text
+    bool awaited = false;                // the scene of a text with other bodies; until then nothing is changed
+    std::optional<bool> later;  // what is chosen is copied or removed then
+    int next = -1;                       // number of the body or the light to be chosen then
+    std::shared_ptr<const Scene> still;  // a scene, if nothing moves in it
+    /// A moment of a scene.
+    struct SceneMoment {
+        std::shared_ptr<const Scene> scene;
+        double time = 0;
+        std::shared_ptr<const std::vector<Track>> tracks;
+        bool operator==(const SceneMoment&) const = default;
+    };
+    SceneMoment moment;  // the one of `now`
+    Scene now;
+
+    HandleMode mode = HandleMode::move;
+    bool lights_shown = false;
+    LightMarks marks;
+    std::optional<Handles> handles;  // of what is chosen
+    std::optional<Handle> pointed;   // the one under the pointer
+    glm::dvec2 pointer{-1};
+    double pointer_reach = 0;
+    std::optional<Drag> drag;
+    struct DragPoint {
+        glm::dvec2 place{0};
+        bool steps = false;
+    };
+    std::optional<DragPoint> dragged_to;  // not yet applied
+    bool dragged = false;                 // this drag has changed the text
+    DVec3 clicked{0};                     // the point that was clicked, when it began
 };
 
 }  // namespace strahl

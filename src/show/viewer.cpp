@@ -62,11 +62,16 @@ Viewer::Viewer(const ViewOptions& o, const Loaded& first, std::unique_ptr<Reload
              .turn_wheel = [this](double n) { notes.tell(session.change_speed(std::pow(1.25, n), pace.now())); },
              .drop = [this](std::string path) { file.open(std::move(path)); },
              .click = [this](double x, double y) { click(x, y); },
-             .reaches =
-                 [this](double x, double y) {
-                     return side.divider().reached(screen.area(), x, y, screen.pixels_to_reach());
+             .points_at = [this](double x, double y) { return points_at(x, y); },
+             .hold = [this](double x, double y) { bodies.hold(in_picture(x, y), screen.pixels_to_reach()); },
+             .pull =
+                 [this](Hold what, double x, double y, bool steps) {
+                     if (what == Hold::divider)
+                         side.pull(screen.area(), x);
+                     else
+                         bodies.pull(in_picture(x, y), steps);
                  },
-             .pull = [this](double x) { side.pull(screen.area(), x); }}),
+             .let_go = [this] { bodies.let_go(); }}),
       picture(o.threads, notes, pace, glfwPostEmptyEvent),
       stills(options, notes, pace, glfwPostEmptyEvent),
       file(first, error_is_final(o), std::move(reload), notes, pace, glfwPostEmptyEvent),
@@ -102,6 +107,15 @@ void Viewer::perform(Command command) {
             return;
         case Action::open_text:
             return bodies.open_text();
+        case Action::handles:
+        case Action::lights:
+            return bodies.toggle(command.action);
+        case Action::copy_body:
+            if (!bodies.copy()) notes.note("click a body first; Ctrl+D then copies it");
+            return;
+        case Action::delete_key:
+            if (!bodies.remove()) notes.tell(session.perform(command, pace.now()));
+            return;
         case Action::approach:
             if (screen.width() > 0) bodies.approach(session.view(screen.width(), screen.height()));
             return;
@@ -142,8 +156,21 @@ void Viewer::click(double x, double y) {
     const ScreenArea area = screen.area();
     const bool on_picture = x >= area.x && y >= area.y && x < area.x + area.width && y < area.y + area.height;
     if (file.waiting() || screen.width() == 0 || !on_picture) return;
-    const View view = session.view(screen.width(), screen.height());
-    bodies.click(view, (x - area.x) * view.width / area.width, (y - area.y) * view.height / area.height);
+    bodies.click(session.view(screen.width(), screen.height()), in_picture(x, y), 2 * screen.pixels_to_reach());
+}
+
+/// Returns what the pointer can take hold of at a point of the window.
+Hold Viewer::points_at(double x, double y) {
+    if (side.divider().reached(screen.area(), x, y, screen.pixels_to_reach())) return Hold::divider;
+    const bool handle = !panels.quiet && !panels.help && bodies.points_at(in_picture(x, y), screen.pixels_to_reach());
+    return handle ? Hold::handle : Hold::nothing;
+}
+
+/// Returns the point of the picture at a point of the window, in pixels of the view.
+glm::dvec2 Viewer::in_picture(double x, double y) const {
+    const ScreenArea area = screen.area();
+    const View view = session.view(std::max(screen.width(), 1), std::max(screen.height(), 1));
+    return {(x - area.x) * view.width / area.width, (y - area.y) * view.height / area.height};
 }
 
 /// Moves the camera to where it should be now.
@@ -298,6 +325,7 @@ Overlay Viewer::overlay() const {
     if (panels.quiet) return overlay;
     overlay.reserved = panels.reserved(), overlay.reserved_right = panels.reserved_right();
     if (!pace.moving()) overlay.silhouette = bodies.lines();
+    overlay.tools = bodies.drawn();
     overlay.help = panels.help, overlay.share = state.share;
     overlay.fault = file.fault(), overlay.fault_title = file.fault_title();
     if (panels.info) overlay.info = info_lines(session, pace, picture);
@@ -334,7 +362,7 @@ int Viewer::run(const std::atomic<bool>& interrupted) {
         file.move_to(session.time);
         if (!file.waiting() && screen.width() > 0) {
             const View view = session.view(screen.width(), screen.height());
-            bodies.follow(view);
+            bodies.follow(view, screen.pixels_to_reach() / 6);
             picture.order(session, screen.width(), screen.height());
             side.follow(session, view, !pace.moving() && picture.finished());
         }
@@ -368,7 +396,7 @@ void Viewer::quit() {
     if (!options.play && session.editor.asks())
         return notes.announce("the path is not written: " + file.way_to_keep() + "; Esc again quits");
     if (!options.play && bodies.asks())
-        return notes.announce("changed numbers are not written: F2 writes them into " + file.name() +
+        return notes.announce("changes of the text are not written: F2 writes them into " + file.name() +
                               "; Esc again quits");
     stills.finish();
 }

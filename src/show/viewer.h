@@ -1,6 +1,7 @@
 // The window: passes the user's commands to the session, its views to the tracing thread, and pictures to the screen.
 #pragma once
 #include <atomic>
+#include <glm/vec2.hpp>
 #include <memory>
 #include <string>
 
@@ -44,6 +45,8 @@ class Viewer {
     void apply(const TimelineInput& input);
     void apply(const BodyInput& input);
     void click(double x, double y);
+    Hold points_at(double x, double y);
+    glm::dvec2 in_picture(double x, double y) const;
 
     // The loop
     bool in_motion() const { return session.flight.under_way() || input.active(); }

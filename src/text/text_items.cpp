@@ -1,6 +1,7 @@
 #include "text/text_items.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "scene/error.h"
 #include "text/blocks/blocks.h"
@@ -51,6 +52,29 @@ TextItem read_item(Lexer& lexer, int depth) {
     return item;
 }
 
+/// Returns the first item of the top level that is the one looked for, and adds the definitions and defaults before it.
+/// An item without a word if there is none.
+template <class Sought>
+TextItem find_item(std::string_view text, BodyItems& before, const Sought& sought) try {
+    if (constexpr std::string_view mark = "\xEF\xBB\xBF"; text.starts_with(mark)) text.remove_prefix(mark.size());
+    Diagnostics diagnostics(text, "");
+    Lexer lexer(text, diagnostics);
+    while (!lexer.at_end()) {
+        TextItem item = read_item(lexer, 0);
+        if (item.word == "define")
+            before.definitions.emplace(item.name, std::move(item));
+        else if (item.word == "defaultmaterial")
+            before.defaults.push_back(std::move(item));
+        else if (sought(item))
+            return item;
+    }
+    return {};
+} catch (const ParseAbort&) {
+    return {};
+} catch (const FileError&) {
+    return {};
+}
+
 }  // namespace
 
 const TextItem* TextItem::item(std::string_view item_word) const {
@@ -60,25 +84,17 @@ const TextItem* TextItem::item(std::string_view item_word) const {
 
 bool is_body_word(std::string_view word) { return contains(body_words, word); }
 
-BodyItems items_of_body(std::string_view text, int number) try {
-    if (constexpr std::string_view mark = "\xEF\xBB\xBF"; text.starts_with(mark)) text.remove_prefix(mark.size());
-    Diagnostics diagnostics(text, "");
-    Lexer lexer(text, diagnostics);
+BodyItems items_of_body(std::string_view text, int number) {
     BodyItems found;
-    while (!lexer.at_end()) {
-        TextItem item = read_item(lexer, 0);
-        if (item.word == "define")
-            found.definitions.emplace(item.name, std::move(item));
-        else if (item.word == "defaultmaterial")
-            found.defaults.push_back(std::move(item));
-        else if ((is_body_word(item.word) || found.definitions.contains(item.word)) && number-- == 0)
-            return found.body = std::move(item), found;
-    }
-    return {};
-} catch (const ParseAbort&) {
-    return {};
-} catch (const FileError&) {
-    return {};
+    found.body = find_item(text, found, [&](const TextItem& item) {
+        return (is_body_word(item.word) || found.definitions.contains(item.word)) && number-- == 0;
+    });
+    return found;
+}
+
+TextItem item_of_light(std::string_view text, int number) {
+    BodyItems before;
+    return find_item(text, before, [&](const TextItem& item) { return item.word == "light" && number-- == 0; });
 }
 
 }  // namespace strahl

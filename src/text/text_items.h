@@ -27,6 +27,8 @@ struct BodyItems {
 /// Finds the body with this number among those of the top level, counted from 0, in a text without errors; in others
 /// perhaps none. The slices are of `text`.
 BodyItems items_of_body(std::string_view text, int number);
+/// Finds the light with this number likewise; an item without a word if there is none.
+TextItem item_of_light(std::string_view text, int number);
 
 /// Is this the word of a kind of body?
 bool is_body_word(std::string_view word);

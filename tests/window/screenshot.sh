@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# The README's pictures of the window are what the window shows: one with its timeline, and one beside POV-Ray's.
+# The README's pictures of the window are what the window shows: one with its timeline, one with
+# handles and lights, and one beside POV-Ray's.
 #
 #   tests/window/screenshot.sh STRAHL [FOLDER]
 #
@@ -37,6 +38,12 @@ start "$here/../../scenes/flythrough.rt" --size 960x600 --time 25.4
 await 'finished 960x600'
 xdotool key t
 same window.jpg 600
+quit
+
+start "$here/../../scenes/spotlights.rt" --size 960x600
+await 'first picture'
+xdotool mousemove --window "$id" 430 400 click 1 key l
+same handles.jpg 600
 quit
 
 if command -v povray >/dev/null; then

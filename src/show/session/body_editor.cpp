@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "num/vec_math.h"
+#include "text/light_text.h"
 
 namespace strahl {
 
@@ -31,19 +32,37 @@ void BodyEditor::click(const Scene& now, const Scene& scene, const View& view, d
     const Ray<double> along = again ? *clicked : ray;
     const std::vector<BodyHit> met = bodies_along(now, along);
     const int number = again ? chosen->behind + 1 : 0;
-    chosen.reset(), clicked = along, allowed.clear(), description = {};
+    close(), clicked = along, allowed.clear(), description = {};
     if (number >= std::ssize(met)) return;
     const BodyHit& at = met[std::size_t(number)];
     chosen = {at, number, along.origin + at.hit.t * along.direction};
     look(scene);
 }
 
+void BodyEditor::choose(const LightPoint& point, const Scene& scene) {
+    close(), clicked.reset(), allowed.clear(), description = {};
+    chosen_light = point;
+    look(scene);
+}
+
+void BodyEditor::choose_next(int number, const Scene& scene) {
+    if (chosen) chosen->at.body = number;
+    if (chosen_light) chosen_light->light = number;
+    description = {};
+    look(scene);
+}
+
 void BodyEditor::look(const Scene& scene) {
+    other_file.clear();
+    if (chosen_light) {
+        if (chosen_light->light >= std::ssize(scene.lights)) return close();
+        chosen_light->target &= scene.lights[std::size_t(chosen_light->light)].spot.has_value();
+        description = light_text(edited.text(), scene, chosen_light->light);
+    }
     if (!chosen) return;
     if (chosen->at.body >= std::ssize(scene.primitives)) return close();
     const std::string before = description.kind;
     description = body_text(edited.text(), scene, chosen->at.body, chosen->at.hit.leaf);
-    other_file.clear();
     const auto body = static_cast<std::size_t>(chosen->at.body);
     if (read_only() && body < lines.bodies.size())
         description.line = lines.bodies[body].number, other_file = lines.files[lines.bodies[body].file];

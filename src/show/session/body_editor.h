@@ -1,4 +1,4 @@
-// The body that the user has clicked, and changes of its numbers in the scene's text.
+// The body or the light that the user has clicked, and changes of its numbers in the scene's text.
 #pragma once
 #include <optional>
 #include <set>
@@ -13,6 +13,7 @@
 #include "scene/ray_hits.h"
 #include "scene/scene.h"
 #include "show/session/edited_text.h"
+#include "show/session/light_marks.h"
 #include "text/body_text.h"
 #include "trace/world/view.h"
 
@@ -43,15 +44,25 @@ class BodyEditor {
     /// chooses the body behind the one chosen, and after the last one none. `now` is the scene at the moment seen, and
     /// `scene` that of the text.
     void click(const Scene& now, const Scene& scene, const View& view, double x, double y);
-    void close() { chosen.reset(); }
+    /// Chooses a light in place of a body.
+    void choose(const LightPoint& point, const Scene& scene);
+    /// Chooses the body with this number, or the light, if one of these is chosen.
+    void choose_next(int number, const Scene& scene);
+    void close() { chosen.reset(), chosen_light.reset(); }
+    /// The body chosen, and the light chosen; one of them at most.
     const std::optional<Chosen>& choice() const { return chosen; }
-    /// The words and values of the body chosen.
+    const std::optional<LightPoint>& light() const { return chosen_light; }
+    bool any() const { return chosen || chosen_light; }
+    /// To be called when the body chosen was moved: the point that was clicked moves with it.
+    void move_point(const DVec3& to) { chosen->point = to; }
+    /// The words and values of the body or the light chosen.
     const BodyText& body() const { return description; }
     /// The file in which it stands, if that is not the scene's own; else "".
     const std::string& file() const { return other_file; }
     /// Are there no numbers to change, because there is no text of the scene?
     bool read_only() const { return edited.text().empty(); }
-    /// Looks at the text again, because the scene is another one. Chooses nothing if the body is no longer there.
+    /// Looks at the text again, because the scene is another one. Chooses nothing if what was chosen is no longer
+    /// there.
     void look(const Scene& scene);
 
     /// May the user change this value? Not before saying what is meant, if it comes from elsewhere.
@@ -68,6 +79,7 @@ class BodyEditor {
 
   private:
     std::optional<Chosen> chosen;
+    std::optional<LightPoint> chosen_light;
     std::optional<Ray<double>> clicked;
     BodyText description;
     std::string other_file;

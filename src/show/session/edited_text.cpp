@@ -1,7 +1,9 @@
 #include "show/session/edited_text.h"
 
 #include <algorithm>
-#include <optional>
+#include <map>
+#include <span>
+#include <string_view>
 #include <utility>
 
 namespace strahl {
@@ -9,8 +11,8 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-Lines lines_of(const std::string& text) {
-    Lines lines;
+std::vector<std::string_view> lines_of(std::string_view text) {
+    std::vector<std::string_view> lines;
     for (std::size_t begin = 0; begin <= text.size();) {
         const std::size_t end = std::min(text.find('\n', begin), text.size());
         lines.push_back(text.substr(begin, end - begin));
@@ -19,91 +21,163 @@ Lines lines_of(const std::string& text) {
     return lines;
 }
 
-std::string text_of(const Lines& lines) {
-    std::string text;
-    for (const std::string& line : lines) text.append(&line == &lines.front() ? "" : "\n").append(line);
-    return text;
+/// Slots of one line each.
+LineSlots slots_of(std::span<const std::string_view> lines) {
+    LineSlots slots;
+    for (const std::string_view line : lines) slots.push_back({std::string(line)});
+    return slots;
 }
 
-/// Says where the lines of a text went in another one that was made from it: those before and behind all differences
-/// are there, the others are not.
-class MovedLines {
-  public:
-    MovedLines(const Lines& from, const Lines& to) : size(from.size()), moved(to.size()) {
-        const std::size_t shorter = std::min(size, moved);
-        same_before = std::size_t(std::ranges::mismatch(from, to).in1 - from.begin());
-        while (same_behind < shorter - same_before && from[size - 1 - same_behind] == to[moved - 1 - same_behind])
-            ++same_behind;
-    }
-    std::optional<std::size_t> operator()(std::size_t line) const {
-        if (line < same_before) return line;
-        if (line + same_behind >= size) return line + moved - size;
-        return std::nullopt;
+/// The slots whose lines stand at the beginning and at the end of another text, all others being between them.
+struct KeptSlots {
+    KeptSlots(const LineSlots& slots, std::span<const std::string_view> to) {
+        std::size_t left = to.size();
+        const auto fits = [&](const Lines& slot, std::size_t at) {
+            return slot.size() <= left && std::ranges::equal(slot, to.subspan(at, slot.size()));
+        };
+        for (std::size_t at = 0; front < slots.size() && fits(slots[front], at); ++front)
+            at += slots[front].size(), left -= slots[front].size();
+        for (std::size_t end = to.size(); front + back < slots.size(); ++back) {
+            const Lines& slot = slots[slots.size() - 1 - back];
+            if (slot.size() > left || !fits(slot, end - slot.size())) return;
+            end -= slot.size(), left -= slot.size();
+        }
     }
 
-  private:
-    std::size_t size, moved, same_before = 0, same_behind = 0;
+    std::size_t front = 0, back = 0;
 };
 
 }  // namespace
 
-std::string merged_lines(const std::string& base, const std::string& mine, const std::string& theirs, bool& lost) {
-    const Lines from = lines_of(base), own = lines_of(mine);
-    Lines to = lines_of(theirs);
-    const MovedLines moved(from, to), written(own, to);
-    for (std::size_t i = 0; i < from.size(); ++i) {
-        if (own[i] == from[i]) continue;
-        const auto there = moved(i);
-        if (there)
-            to[*there] = own[i];
-        else if (!written(i))
-            lost = true;
+std::string text_of(const LineSlots& slots) {
+    std::string text;
+    bool first = true;
+    for (const Lines& slot : slots)
+        for (const std::string& line : slot) text.append(std::exchange(first, false) ? "" : "\n").append(line);
+    return text;
+}
+
+std::size_t RebasedText::moved(std::size_t slot) const {
+    return slot < front ? slot : slot + back >= size ? slot + text.changed.size() - size : text.changed.size();
+}
+
+RebasedText rebased(const ChangedText& text, const std::string& theirs) {
+    const std::vector<std::string_view> to = lines_of(theirs);
+    const std::size_t size = text.in_file.size();
+    // Lines are found by what the file had, or by changes that were written; at each end by what reaches further.
+    const KeptSlots same(text.in_file, to), written(text.changed, to);
+    RebasedText result{.front = std::max(same.front, written.front), .size = size};
+    result.back = std::min(std::max(same.back, written.back), size - result.front);
+    const auto is_written = [&](std::size_t i) {
+        return i < result.front ? written.front > same.front : written.back > same.back;
+    };
+    const auto in_theirs = [&](std::size_t i) { return is_written(i) ? text.changed[i] : text.in_file[i]; };
+    LineSlots& in_file = result.text.in_file;
+    std::size_t ahead = 0, behind = 0;  // lines
+    for (std::size_t i = 0; i < result.front; ++i) ahead += in_file.emplace_back(in_theirs(i)).size();
+    for (std::size_t i = size - result.back; i < size; ++i) behind += in_theirs(i).size();
+    for (std::size_t i = ahead; i + behind < to.size(); ++i) in_file.push_back({std::string(to[i])});
+    for (std::size_t i = size - result.back; i < size; ++i) in_file.push_back(in_theirs(i));
+    if (text_of(in_file) != theirs)  // equal lines were found at several places
+        return {.text = {slots_of(to), slots_of(to)}, .lost = text.in_file != text.changed, .size = size};
+    result.text.changed = in_file;
+    for (std::size_t i = 0; i < size; ++i) {
+        if (text.changed[i] == text.in_file[i]) continue;
+        if (i >= result.front && i + result.back < size)
+            result.lost = true;
+        else if (!is_written(i))
+            result.text.changed[result.moved(i)] = text.changed[i];
     }
-    return text_of(to);
+    return result;
 }
 
-std::vector<EditedText::ChangedLine> EditedText::differences(const std::string& before, const std::string& after) {
-    const Lines old = lines_of(before), newer = lines_of(after);
-    std::vector<ChangedLine> lines;
-    for (std::size_t i = 0; i < old.size(); ++i)
-        if (old[i] != newer[i]) lines.push_back({i, old[i], newer[i]});
-    return lines;
+void EditedText::open(const std::string& text) {
+    *this = {};
+    saved = present = text;
+    lines.in_file = lines.changed = slots_of(lines_of(text));
 }
 
-void EditedText::apply(const Step& step, std::string ChangedLine::*to) {
-    Lines lines = lines_of(present);
-    for (const ChangedLine& line : step.lines) lines[line.number] = line.*to;
-    present = text_of(lines);
+/// Makes this the present text. Returns the slots that have changed.
+std::vector<EditedText::ChangedSlot> EditedText::replace(const std::string& newer) {
+    const std::vector<std::string_view> old = lines_of(present), now = lines_of(newer);
+    const std::size_t shorter = std::min(old.size(), now.size());
+    const auto first = std::size_t(std::ranges::mismatch(old, now).in1 - old.begin());
+    std::size_t behind = 0;
+    while (behind < shorter - first && old[old.size() - 1 - behind] == now[now.size() - 1 - behind]) ++behind;
+    const std::size_t removed = old.size() - behind - first, added = now.size() - behind - first;
+
+    struct LinePlace {
+        std::size_t slot, line;
+    };
+    std::vector<LinePlace> places;  // of the old lines
+    for (std::size_t i = 0; i < lines.changed.size(); ++i)
+        for (std::size_t k = 0; k < lines.changed[i].size(); ++k) places.push_back({i, k});
+    std::map<std::size_t, Lines> before;
+    const auto change_slot = [&](std::size_t slot) -> Lines& {
+        before.emplace(slot, lines.changed[slot]);
+        return lines.changed[slot];
+    };
+    if (removed == added) {
+        for (std::size_t i = first; i < first + removed; ++i)
+            if (old[i] != now[i]) change_slot(places[i].slot)[places[i].line] = now[i];
+    } else {
+        // All new lines take the place of the first one removed, or follow the one before.
+        LinePlace to = removed > 0 || first == 0 ? places[first] : places[first - 1];
+        if (removed == 0 && first > 0) ++to.line;
+        for (std::size_t i = first + removed; i-- > first;) {
+            Lines& slot = change_slot(places[i].slot);
+            slot.erase(slot.begin() + std::ptrdiff_t(places[i].line));
+        }
+        Lines& slot = change_slot(to.slot);
+        slot.insert(slot.begin() + std::ptrdiff_t(to.line), now.begin() + std::ptrdiff_t(first),
+                    now.begin() + std::ptrdiff_t(first + added));
+    }
+    std::vector<ChangedSlot> changes;
+    for (auto& [slot, lines_before] : before) changes.push_back({slot, std::move(lines_before), lines.changed[slot]});
+    present = newer;
+    return changes;
+}
+
+void EditedText::apply(const Step& step, Lines ChangedSlot::*to) {
+    for (const ChangedSlot& slot : step.slots) lines.changed[slot.number] = slot.*to;
+    present = text_of(lines.changed);
 }
 
 std::vector<std::string> EditedText::unwritten() const {
-    std::vector<std::string> lines;
-    for (const ChangedLine& line : differences(saved, present))
-        lines.push_back(std::to_string(line.number + 1) + ": " + line.after);
-    return lines;
+    std::vector<std::string> list;
+    std::size_t number = 1;
+    for (std::size_t i = 0; i < lines.changed.size(); ++i) {
+        const Lines &before = lines.in_file[i], &now = lines.changed[i];
+        for (const std::string& line : now)
+            if (std::ranges::find(before, line) == before.end())
+                list.push_back(std::to_string(number + std::size_t(&line - now.data())) + ": " + line);
+        if (now.size() < before.size())
+            for (const std::string& line : before)
+                if (std::ranges::find(now, line) == now.end())
+                    list.push_back(std::to_string(number) + ", removed: " + line);
+        number += now.size();
+    }
+    return list;
 }
 
 void EditedText::change(const std::string& newer, bool merged, std::size_t others) {
     constexpr std::size_t most_steps = 500;
     if (newer == present) return;
-    std::string older = present;
     if (merged && !past.empty()) {
-        apply(past.back(), &ChangedLine::before);
-        older = present;
+        apply(past.back(), &ChangedSlot::before);
         past.pop_back();
     }
-    past.push_back({differences(older, newer), others});
+    past.push_back({replace(newer), others});
     if (past.size() > most_steps) past.erase(past.begin());
     future.clear();
-    present = newer;
 }
 
-bool EditedText::undo(std::size_t others) { return move_step(past, future, &ChangedLine::before, others); }
+bool EditedText::undo(std::size_t others) { return move_step(past, future, &ChangedSlot::before, others); }
 
-bool EditedText::redo(std::size_t others) { return move_step(future, past, &ChangedLine::after, others); }
+bool EditedText::redo(std::size_t others) { return move_step(future, past, &ChangedSlot::after, others); }
 
 /// Applies the last step of `from` and moves it to the end of `into`. False if there is none with this many others.
-bool EditedText::move_step(std::vector<Step>& from, std::vector<Step>& into, std::string ChangedLine::*to,
+bool EditedText::move_step(std::vector<Step>& from, std::vector<Step>& into, Lines ChangedSlot::*to,
                            std::size_t others) {
     if (from.empty() || from.back().others != others) return false;
     apply(from.back(), to);
@@ -115,27 +189,24 @@ bool EditedText::move_step(std::vector<Step>& from, std::vector<Step>& into, std
 bool EditedText::reload(const std::string& theirs) {
     if (theirs == saved) return false;
     if (past.empty() && future.empty()) return open(theirs), false;
-    if (theirs == present) return saved = theirs, false;  // these changes were written
-    bool lost = false;
-    const Lines to = lines_of(theirs);
-    const MovedLines moved(lines_of(saved), to), written(lines_of(present), to);
+    saved = theirs;
+    if (theirs == present) return lines.in_file = lines.changed, false;  // these changes were written
+    RebasedText rebased = strahl::rebased(lines, theirs);
     // Steps before one that cannot be found again would not lead to it.
     const auto keep = [&](std::vector<Step>& steps) {
         std::size_t kept = steps.size();
         for (bool found = true; found && kept > 0;) {
-            for (ChangedLine& line : steps[kept - 1].lines) {
-                const auto there = moved(line.number), there_changed = written(line.number);
-                found &= there || there_changed;
-                line.number = there ? *there : there_changed.value_or(0);
+            for (ChangedSlot& slot : steps[kept - 1].slots) {
+                slot.number = rebased.moved(slot.number);
+                found &= slot.number < rebased.text.changed.size();
             }
             if (found) --kept;
         }
         steps.erase(steps.begin(), steps.begin() + std::ptrdiff_t(kept));
     };
     keep(past), keep(future);
-    present = merged_lines(saved, present, theirs, lost);
-    saved = theirs;
-    return lost;
+    lines = std::move(rebased.text), present = text_of(lines.changed);
+    return rebased.lost;
 }
 
 }  // namespace strahl

@@ -1,5 +1,4 @@
-// The text of the scene file while its numbers are changed in the window, with undo and redo. It is kept as lines, of
-// which no change adds or removes any.
+// The text of the scene file while it is changed in the window, with undo and redo.
 #pragma once
 #include <cstddef>
 #include <string>
@@ -7,21 +6,37 @@
 
 namespace strahl {
 
-/// Returns `theirs`, a text that was made from `base`, with the lines in which `mine` differs from `base`. Sets `lost`
-/// if some of these lie between the first and the last line that differ in `theirs`: there all stays as in `theirs`.
-/// `mine` has as many lines as `base`.
-std::string merged_lines(const std::string& base, const std::string& mine, const std::string& theirs, bool& lost);
+/// A text as it was made of another one, the file's: for each line of that the lines in its place. That is one, or none
+/// if the line was removed, or several if lines were added behind it.
+using LineSlots = std::vector<std::vector<std::string>>;
+
+/// The scene's text as it was read from the file, and with the changes that are not in the file yet.
+struct ChangedText {
+    LineSlots in_file, changed;  // of the same size
+};
+
+/// A changed text after the file itself has become another one.
+struct RebasedText {
+    ChangedText text{};
+    bool lost = false;  // a change lay between the first and the last line that differ in the file, which stay there
+    std::size_t front = 0, back = 0, size = 0;  // how many slots stay at both ends, and how many there were
+    /// Returns the new number of a slot; a number out of range for one that is no longer there.
+    std::size_t moved(std::size_t slot) const;
+};
+RebasedText rebased(const ChangedText& text, const std::string& theirs);
+/// Returns the text of slots.
+std::string text_of(const LineSlots& slots);
 
 class EditedText {
   public:
     /// Begins with another file's text, or none.
-    void open(const std::string& text) { *this = {}, saved = present = text; }
+    void open(const std::string& text);
     /// The text with all changes.
     const std::string& text() const { return present; }
-    /// The text as it was read from the file.
-    const std::string& in_file() const { return saved; }
     bool changed() const { return present != saved; }
-    /// Lines that would be lost now, with their numbers: "6: sphere { ... }".
+    /// The changes, for writing them into the file.
+    const ChangedText& changes() const { return lines; }
+    /// Lines that would be lost now, with their numbers: "6: sphere { ... }", and those that were removed.
     std::vector<std::string> unwritten() const;
 
     /// Replaces the text. If `merged`, undo takes back this change and the one before together. `others` is how many
@@ -32,24 +47,26 @@ class EditedText {
     bool undo(std::size_t others);
     bool redo(std::size_t others);
 
-    /// To be called when the file was read, with its text. The changes stay as in merged_lines. Returns whether one was
+    /// To be called when the file was read, with its text. The changes stay as in `rebased`. Returns whether one was
     /// lost.
     bool reload(const std::string& theirs);
 
   private:
-    struct ChangedLine {
+    struct ChangedSlot {
         std::size_t number;
-        std::string before, after;
+        std::vector<std::string> before, after;
     };
     struct Step {
-        std::vector<ChangedLine> lines;
+        std::vector<ChangedSlot> slots;
         std::size_t others;
     };
-    static std::vector<ChangedLine> differences(const std::string& before, const std::string& after);
-    void apply(const Step& step, std::string ChangedLine::*to);
-    bool move_step(std::vector<Step>& from, std::vector<Step>& into, std::string ChangedLine::*to, std::size_t others);
+    std::vector<ChangedSlot> replace(const std::string& newer);
+    void apply(const Step& step, std::vector<std::string> ChangedSlot::*to);
+    bool move_step(std::vector<Step>& from, std::vector<Step>& into, std::vector<std::string> ChangedSlot::*to,
+                   std::size_t others);
 
-    std::string saved, present;
+    ChangedText lines;
+    std::string saved, present;  // the same as texts
     std::vector<Step> past, future;
 };
 

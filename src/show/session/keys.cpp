@@ -26,11 +26,11 @@ constexpr Meaning letters[] = {
     {'F', {Action::play}},        {'P', {Action::add_key}},  {'R', {Action::reset}},  {'V', {Action::fill}},
     {'C', {Action::copy_camera}}, {'H', {Action::help}},     {'I', {Action::info}},   {'X', {Action::stability}},
     {'N', {Action::quiet}},       {'T', {Action::timeline}}, {'K', {Action::record}},
-    {'B', {Action::approach}},    {'G', {Action::second}},
+    {'B', {Action::approach}},    {'G', {Action::second}},   {'M', {Action::handles}},  {'L', {Action::lights}},
 };
 constexpr Meaning control_letters[] = {
     {'S', {Action::write_path}}, {'O', {Action::open_file}},  {'Z', {Action::undo}},
-    {'Y', {Action::redo}},       {'N', {Action::clear_path}},
+    {'Y', {Action::redo}},       {'N', {Action::clear_path}}, {'D', {Action::copy_body}},
 };
 /// Keys that are the same in all layouts.
 constexpr Meaning other_keys[] = {

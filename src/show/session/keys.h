@@ -45,6 +45,9 @@ enum class Action {
     difference,
     open_text,
     approach,
+    handles,
+    lights,
+    copy_body,
 };
 struct Command {
     Action action;
@@ -96,11 +99,14 @@ inline constexpr std::array key_help{
     KeyHelp{"Ctrl+Z +Y", "undo, redo changes of path and bodies"},
     KeyHelp{"Ctrl+N", "new path"},
     KeyHelp{"T", "timeline: drag keys, type their values"},
-    KeyHelp{"F2 Ctrl+S", "write path and numbers into the file"},
+    KeyHelp{"F2 Ctrl+S", "write path and bodies into the file"},
     KeyHelp{"Shift+C", "copy the path and print it"},
     KeyHelp{"Ctrl+O", "open another scene; or drop a file here"},
     KeyHelp{"Bodies", ""},
     KeyHelp{"click", "choose a body; again: the one behind"},
+    KeyHelp{"M", "its handles move, turn, scale; Ctrl: in steps"},
+    KeyHelp{"Ctrl+D Del", "copy, remove the body or light chosen"},
+    KeyHelp{"L", "show lights: click and drag their marks"},
     KeyHelp{"B", "move the camera to the chosen body"},
     KeyHelp{"F4", "open the chosen body's line in $EDITOR"},
     KeyHelp{"Picture", ""},

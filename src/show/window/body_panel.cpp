@@ -79,16 +79,19 @@ BodyInput BodyPanel::draw(const BodyEditor& editor, const std::string& file, flo
     ImGui::SetNextWindowSizeConstraints({0, 0}, {std::max(size.x - 2 * edge, 1.f), most});
     ImGui::Begin("body", nullptr, panel_flags);
     const BodyText& body = editor.body();
-    const BodyEditor::Chosen& chosen = *editor.choice();
-    ImGui::Text("body %d: %s", chosen.at.body + 1, body.kind.c_str());
+    const auto& light = editor.light();
+    ImGui::Text("%s %d: %s", light ? "light" : "body", 1 + (light ? light->light : editor.choice()->at.body),
+                body.kind.c_str());
     if (body.line > 0) dim_text(file + ", line " + std::to_string(body.line));
-    char text[120];
-    std::snprintf(text, sizeof text, "%.5g away, at <%.4g, %.4g, %.4g>", chosen.at.hit.t, chosen.point.x,
-                  chosen.point.y, chosen.point.z);
-    dim_text(text);
-    std::snprintf(text, sizeof text, "face %d, normal <%.3g, %.3g, %.3g>", chosen.at.hit.face + 1,
-                  chosen.at.hit.normal.x, chosen.at.hit.normal.y, chosen.at.hit.normal.z);
-    dim_text(text);
+    if (const auto& chosen = editor.choice()) {
+        char text[120];
+        std::snprintf(text, sizeof text, "%.5g away, at <%.4g, %.4g, %.4g>", chosen->at.hit.t, chosen->point.x,
+                      chosen->point.y, chosen->point.z);
+        dim_text(text);
+        std::snprintf(text, sizeof text, "face %d, normal <%.3g, %.3g, %.3g>", chosen->at.hit.face + 1,
+                      chosen->at.hit.normal.x, chosen->at.hit.normal.y, chosen->at.hit.normal.z);
+        dim_text(text);
+    }
     if (editor.read_only()) dim_text("read only: this text is changed in an editor");
     if (body.line > 0 && ImGui::SmallButton("open text")) input.command = {Action::open_text};
     if (editor.edited.changed()) {

@@ -89,10 +89,24 @@ void Input::on_button(int button, int action, int modifiers) {
     double x = 0, y = 0;
     glfwGetCursorPos(screen.window(), &x, &y);
     if (action == GLFW_PRESS && !on_panel()) {
-        pulling = handlers.reaches(pointed().x, pointed().y);
-        if (!pulling) pointer.press({x, y});
-    } else if (!std::exchange(pulling, false) && pointer.release() && !fixed)
+        held = fixed ? Hold::nothing : handlers.points_at(pointed().x, pointed().y);
+        if (held == Hold::handle) handlers.hold(pointed().x, pointed().y);
+        if (held == Hold::nothing) pointer.press({x, y});
+    } else if (!let_go() && pointer.release() && !fixed) {
         handlers.click(pointed().x, pointed().y);
+    }
+}
+
+/// Lets go of what is held. False if there is nothing.
+bool Input::let_go() {
+    const Hold before = std::exchange(held, Hold::nothing);
+    if (before == Hold::handle) handlers.let_go();
+    return before != Hold::nothing;
+}
+
+/// Is Ctrl down?
+bool Input::steps() const {
+    return glfwGetKey(screen.window(), GLFW_KEY_LEFT_CONTROL) || glfwGetKey(screen.window(), GLFW_KEY_RIGHT_CONTROL);
 }
 
 glm::dvec2 Input::pointed() const {
@@ -111,12 +125,16 @@ bool Input::on_panel() const {
     return at.y > screen.height() - panels.reserved() || panels.body_covers(at.x, at.y) || on_list;
 }
 
-/// Gives the pointer another shape where it can take hold of the divider.
+/// Gives the pointer another shape where it can take hold of something.
 void Input::show_hold() {
-    const bool hold = pulling || (handlers.reaches(pointed().x, pointed().y) && !on_panel());
+    const Hold hold = held != Hold::nothing ? held
+                      : on_panel() || fixed ? Hold::nothing
+                                            : handlers.points_at(pointed().x, pointed().y);
     if (hold == std::exchange(hold_shown, hold)) return;
-    if (!hold_shape) hold_shape = glfwCreateStandardCursor(GLFW_HRESIZE_CURSOR);  // glfwTerminate destroys it
-    glfwSetCursor(screen.window(), hold ? hold_shape : nullptr);
+    GLFWcursor*& shape = hold_shapes[static_cast<std::size_t>(hold)];  // glfwTerminate destroys them
+    if (!shape && hold != Hold::nothing)
+        shape = glfwCreateStandardCursor(hold == Hold::divider ? GLFW_HRESIZE_CURSOR : GLFW_HAND_CURSOR);
+    glfwSetCursor(screen.window(), shape);
 }
 
 void Input::on_cursor(double x, double y) {
@@ -124,7 +142,7 @@ void Input::on_cursor(double x, double y) {
     cursor = {x, y};
     if (panels.take_input()) pace.redraw();
     show_hold();
-    if (pulling) return handlers.pull(pointed().x);
+    if (held != Hold::nothing) return handlers.pull(held, pointed().x, pointed().y, steps());
     const auto way = pointer.move(x, y);
     if (!way || fixed) return;
     // The view turns by the angle that the pointer crosses in the picture.

@@ -16,14 +16,19 @@ struct GLFWcursor;
 
 namespace strahl {
 
+/// What the pointer can take hold of in the picture.
+enum class Hold { nothing, divider, handle };
+
 /// Functions that are called, while events are processed, for what the user does besides moving the camera.
 struct InputHandlers {
     std::function<void(Command)> perform;
     std::function<void(double)> turn_wheel;  // notches, up is positive
     std::function<void(std::string)> drop;   // the path of a file that is dropped onto the window
     std::function<void(double, double)> click;  // x and y in pixels of the window
-    std::function<bool(double, double)> reaches;  // can the pointer take hold of the divider there?
-    std::function<void(double)> pull;             // moves the divider to this x
+    std::function<Hold(double, double)> points_at;  // what is there to be held
+    std::function<void(double, double)> hold;       // takes hold of the handle there
+    std::function<void(Hold, double, double, bool)> pull;  // moves what is held; `steps`: by round distances
+    std::function<void()> let_go;                          // of the handle
 };
 
 class Input {
@@ -40,7 +45,7 @@ class Input {
     /// The input for the camera since the last call, `seconds` ago.
     CameraInput take(double seconds) { return controls.take(seconds); }
     /// Ends a drag, because the window changes under the pointer.
-    void release_pointer() { pointer.leave(), pulling = false, cursor.reset(); }
+    void release_pointer() { pointer.leave(), let_go(), cursor.reset(); }
     /// Hides the pointer in full screen, if it has not moved for 2 seconds or is not needed.
     void hide_pointer();
 
@@ -54,6 +59,8 @@ class Input {
     glm::dvec2 pointed() const;
     bool on_panel() const;
     void show_hold();
+    bool let_go();
+    bool steps() const;
 
     Screen& screen;
     const Session& session;
@@ -64,9 +71,9 @@ class Input {
     Controls controls;
     Pointer pointer;
     std::optional<glm::dvec2> cursor;  // where the pointer moved last, in units of the screen
-    bool pulling = false;     // the divider
-    bool hold_shown = false;  // by the pointer's shape: the divider can be pulled
-    GLFWcursor* hold_shape = nullptr;
+    Hold held = Hold::nothing;
+    Hold hold_shown = Hold::nothing;  // by the pointer's shape
+    std::array<GLFWcursor*, 3> hold_shapes{};
     bool pushing = false;  // the character that follows belongs to a key that moves the camera
     double pointer_moved = 0;
     bool pointer_hidden = false;

@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 #include "show/session/keys.h"
@@ -138,6 +139,57 @@ void draw_silhouette(const Overlay& overlay) {
                                {place(x1, y1).x + width / 2, place(x1, y1).y + width / 2}, color);
 }
 
+/// Draws the marks of lights, in their colours, with the cones of spots.
+void draw_lights(const Overlay& overlay) {
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    const float size = ImGui::GetFontSize() * .4f;
+    const auto place = [&](const glm::dvec2& at) {
+        return ImVec2{static_cast<float>(overlay.area.x + at.x), static_cast<float>(overlay.area.y + at.y)};
+    };
+    for (const std::vector<glm::dvec2>& line : overlay.tools.marks.lines)
+        for (const auto& [color, width] : {std::pair(IM_COL32(0, 0, 0, 120), 3.f), {IM_COL32(255, 240, 200, 220), 1.f}})
+            for (std::size_t i = 0; i + 1 < line.size(); ++i)
+                list.AddLine(place(line[i]), place(line[i + 1]), color, width);
+    for (const LightMark& mark : overlay.tools.marks.marks) {
+        const ImVec2 at = place(mark.place);
+        const auto part = [](double share) { return static_cast<int>(255 * std::clamp(share, 0., 1.)); };
+        const ImU32 color = IM_COL32(part(mark.color.x), part(mark.color.y), part(mark.color.z), 255);
+        const bool chosen = overlay.tools.chosen == mark.at;
+        const ImU32 edge = chosen ? IM_COL32(255, 190, 90, 255) : IM_COL32(0, 0, 0, 200);
+        if (mark.at.target) {
+            list.AddRectFilled({at.x - size, at.y - size}, {at.x + size, at.y + size}, color);
+            list.AddRect({at.x - size, at.y - size}, {at.x + size, at.y + size}, edge, 0, 0, 2);
+            continue;
+        }
+        for (int i = 0; i < 8; ++i) {
+            const float angle = static_cast<float>(i) * .7854f, x = std::cos(angle), y = std::sin(angle);
+            list.AddLine({at.x + 1.3f * size * x, at.y + 1.3f * size * y},
+                         {at.x + 2.1f * size * x, at.y + 2.1f * size * y}, edge, 2);
+        }
+        list.AddCircleFilled(at, size, color);
+        list.AddCircle(at, size, edge, 0, 2);
+    }
+}
+
+/// Draws handles in the usual colours of the axes: x red, y green, z blue. The one that can be dragged is yellow.
+void draw_handles(const Overlay& overlay) {
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    for (const Handles::HandleLine& line : overlay.tools.handles) {
+        constexpr ImU32 colors[] = {IM_COL32(255, 80, 80, 255), IM_COL32(110, 220, 80, 255),
+                                    IM_COL32(90, 140, 255, 255), IM_COL32(255, 255, 255, 255)};
+        const ImU32 color = line.handle == overlay.tools.pointed ? IM_COL32(255, 230, 60, 255)
+                                                                 : colors[static_cast<int>(line.handle)];
+        std::vector<ImVec2> points;
+        for (const glm::dvec2& at : line.points)
+            points.push_back(
+                {static_cast<float>(overlay.area.x + at.x), static_cast<float>(overlay.area.y + at.y)});
+        const int count = static_cast<int>(points.size());
+        if (line.filled) list.AddConvexPolyFilled(points.data(), count - 1, color);
+        list.AddPolyline(points.data(), count, IM_COL32(0, 0, 0, 160), 0, line.filled ? 1.f : 4.f);
+        if (!line.filled) list.AddPolyline(points.data(), count, color, 0, 2);
+    }
+}
+
 /// Draws pixels that are not proved in blue, and small crosses, because single pixels are hard to see: orange where
 /// only float differs, red where double does too.
 void draw_marks(const Overlay& overlay) {
@@ -186,6 +238,8 @@ void draw_divider(const Overlay::Sides& sides, const ScreenArea& area, float low
 void draw_overlay(const Overlay& overlay) {
     draw_marks(overlay);
     draw_silhouette(overlay);
+    draw_lights(overlay);
+    draw_handles(overlay);
     const ImVec2 all = ImGui::GetIO().DisplaySize;
     FreeArea free{gap(), gap(), all.x - overlay.reserved_right - gap(), all.y - overlay.reserved - gap()};
     if (overlay.sides) draw_divider(*overlay.sides, overlay.area, free.bottom + gap());

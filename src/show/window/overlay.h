@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "show/session/framing.h"
+#include "show/session/handles.h"
+#include "show/session/light_marks.h"
 #include "show/work/notes.h"
 #include "show/work/silhouette.h"
 #include "show/work/stability_check.h"
@@ -32,6 +34,14 @@ struct Overlay {
     };
     std::optional<Sides> sides;
     std::vector<SilhouetteLine> silhouette;  // of the body that is chosen, in those pixels
+    /// Marks of lights and the handles of what is chosen, in pixels of a picture as large as `area`.
+    struct Tools {
+        LightMarks marks;
+        std::optional<LightPoint> chosen;
+        std::vector<Handles::HandleLine> handles;
+        std::optional<Handle> pointed;  // the one under the pointer
+    };
+    Tools tools;
     // Pixels at the bottom and at the right of the window that panels must leave free.
     float reserved = 0, reserved_right = 0;
 };

@@ -23,7 +23,7 @@ TimelineInput Panels::draw_timeline(const Session& session) {
 }
 
 BodyInput Panels::draw_body(const BodyEditor& editor, const std::string& file) {
-    body_shown = editor.choice() && !quiet && !help;  // the help needs the room
+    body_shown = editor.any() && !quiet && !help;  // the help needs the room
     return body_shown ? body.draw(editor, file, reserved()) : BodyInput{};
 }
 

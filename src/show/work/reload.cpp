@@ -19,7 +19,6 @@
 #include "image/pixels.h"
 #include "pov/flight_file.h"
 #include "pov/ini_file.h"
-#include "show/session/edited_text.h"
 #include "text/edit_path.h"
 #include "text/reading/tracks_file.h"
 #include "trace/tracer.h"
@@ -340,22 +339,21 @@ void Reload::FileThread::check_file() {
 }
 
 Written Reload::FileThread::write_path(const Request& request) try {
-    const bool numbers = request.changes.text != request.changes.in_file;
+    const bool bodies = request.changes.changed != request.changes.in_file;
     if (path == "-") return {.fault = "the scene came from standard input; Shift+C copies the path"};
     if (is_pov(path)) return write_flight(request.flythrough);
     const std::string content = read(path);
     if (content != text && !request.anyway) return {.file = path, .asks = true};
     const OpenedScene before = scene_for_window(content, path, options);  // throws: in texts with errors no block can be found
     const bool same_path = before.scene.flythrough == request.flythrough;
-    bool lost = false;
-    const std::string merged =
-        numbers ? merged_lines(request.changes.in_file, request.changes.text, content, lost) : content;
-    if (lost) return {.fault = path + " has changed in lines that were changed here; undo, or copy it and reload"};
-    const std::string changed = same_path ? merged : with_path(merged, request.flythrough);
+    const RebasedText merged = bodies ? rebased(request.changes, content) : RebasedText{};
+    if (merged.lost) return {.fault = path + " has changed in lines that were changed here; undo, or copy it and reload"};
+    const std::string text_now = bodies ? text_of(merged.text.changed) : content;
+    const std::string changed = same_path ? text_now : with_path(text_now, request.flythrough);
     Loaded loaded = loaded_scene(path, changed, false, options);
     if (!loaded.scene || loaded.scene->flythrough != request.flythrough)
         return {.fault = "the changes cannot be written: " + loaded.fault};
-    Written done{.file = path, .what = !numbers ? "path" : same_path ? "numbers" : "path and numbers"};
+    Written done{.file = path, .what = !bodies ? "path" : same_path ? "changes" : "path and changes"};
     if (content != own_text) write(done.copy = path + "~", content);
     write(path, changed);
     text = own_text = changed;

@@ -11,6 +11,7 @@
 
 #include "pov/open_scene.h"
 #include "scene/scene.h"
+#include "show/session/edited_text.h"
 #include "text/write.h"
 
 namespace strahl {
@@ -48,12 +49,7 @@ struct Written {
     std::string copy{};   // the name of a copy of the file as it was, if one was made
     bool asks = false;    // nothing was written, because others have changed the file since it was read
     std::string fault{};  // the reason if nothing was written
-    std::string what{};   // of the scene was written: "path", "numbers" or "path and numbers"
-};
-
-/// The text of the scene file with changes that are not in the file yet.
-struct ChangedText {
-    std::string in_file, text;  // as it was read, and with the changes, which add or remove no line
+    std::string what{};   // of the scene was written: "path", "changes" or "path and changes"
 };
 
 /// Checks the file and those that it includes 30 times a second, in a thread of its own. Waits until a file is completely written. The thread

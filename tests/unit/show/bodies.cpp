@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <fstream>
 #include <limits>
@@ -189,10 +190,71 @@ TEST_CASE("changes stay when others change other lines of the file, and give way
     CHECK(!edited.changed());
     CHECK(edited.undo(0));
     CHECK(edited.text() == "new path\na\nb\n");
-    bool lost = false;
-    CHECK(merged_lines("a\r\nb", "a\r\nB", "x\r\na\r\nb", lost) == "x\r\na\r\nB");
-    CHECK(merged_lines("a\nb", "a\nB", "", lost) == "");
-    CHECK(lost);
+    edited.open("a\r\nb");
+    edited.change("a\r\nB", false, 0);
+    CHECK(text_of(rebased(edited.changes(), "x\r\na\r\nb").text.changed) == "x\r\na\r\nB");
+    CHECK(text_of(rebased(edited.changes(), "").text.changed) == "");
+    CHECK(rebased(edited.changes(), "").lost);
+}
+
+TEST_CASE("lines are added and removed, and undo and redo find them again") {
+    EditedText edited;
+    edited.open("a\nb\nc\nd\n");
+    edited.change("a\nb\nb2\nb3\nc\nd\n", false, 0);
+    edited.change("a\nb\nb2\nb3\nd\n", false, 0);
+    CHECK(edited.unwritten() == std::vector<std::string>{"3: b2", "4: b3", "5, removed: c"});
+    edited.change("a\nb\nb2\nB3\nd\n", false, 0);
+    CHECK(!edited.reload("new\na\nb\nc\nd\n"));
+    CHECK(edited.text() == "new\na\nb\nb2\nB3\nd\n");
+    CHECK(!edited.reload("new\na\nb\nb2\nB3\nd\npath\n"));  // written together with something else
+    CHECK(!edited.changed());
+    for (int i = 0; i < 3; ++i) CHECK(edited.undo(0));
+    CHECK(edited.text() == "new\na\nb\nc\nd\npath\n");
+    CHECK(!edited.undo(0));
+    for (int i = 0; i < 3; ++i) CHECK(edited.redo(0));
+    CHECK(!edited.changed());
+    edited.open("x");
+    edited.change("", false, 0);
+    edited.change("y\nz", false, 0);
+    CHECK(edited.undo(0));
+    CHECK(edited.undo(0));
+    CHECK(edited.text() == "x");
+
+    // Whatever is done and however often the file becomes what was written, undo leads back to the beginning.
+    std::uint32_t state = 1;
+    const auto random = [&](std::size_t n) { return ((state = state * 1664525 + 1013904223) >> 8) % n; };
+    for (int run = 0; run < 200; ++run) {
+        std::vector<std::string> lines{"a", "b", "c", "b", "a", ""};
+        const auto text_now = [&] {
+            std::string text;
+            for (const std::string& line : lines) text.append(&line == &lines.front() ? "" : "\n").append(line);
+            return text;
+        };
+        const std::string first = text_now();
+        edited.open(first);
+        std::vector<std::string> texts{first};
+        for (int step = 0; step < 12; ++step) {
+            const std::size_t at = random(lines.size());
+            const auto place = lines.begin() + std::ptrdiff_t(at);
+            if (random(3) == 0 && lines.size() > 2)
+                lines.erase(place);
+            else if (random(2) == 0)
+                lines.insert(place, random(2) == 0 ? "b" : "n" + std::to_string(step));
+            else
+                lines[at] = "c" + std::to_string(step);
+            edited.change(text_now(), false, 0);
+            REQUIRE(edited.text() == text_now());
+            if (texts.back() != text_now()) texts.push_back(text_now());
+            if (random(4) == 0) CHECK(!edited.reload(text_now()));
+        }
+        for (std::size_t i = texts.size() - 1; i-- > 0;) {
+            REQUIRE(edited.undo(0));
+            CHECK(edited.text() == texts[i]);
+        }
+        CHECK(!edited.undo(0));
+        for (std::size_t i = 1; i < texts.size(); ++i) REQUIRE(edited.redo(0));
+        CHECK(edited.text() == text_now());
+    }
 }
 
 TEST_CASE("the lines around a body are those between its pixels and others") {

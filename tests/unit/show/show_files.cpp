@@ -306,12 +306,15 @@ TEST_CASE("changed numbers are shown before they are written, and are written be
     CHECK(bytes_of(path) == scene_text);
     std::optional<Written> written;
     const auto write = [&] {
-        reload.write({}, {scene_text, changed}, true);
+        EditedText edited;
+        edited.open(scene_text);
+        edited.change(changed, false, 0);
+        reload.write({}, edited.changes(), true);
         return soon([&] { return (written = reload.take_written()).has_value(); });
     };
     put("// theirs\n" + scene_text);
     REQUIRE(write());
-    CHECK(written->what == "numbers");
+    CHECK(written->what == "changes");
     CHECK(bytes_of(path) == "// theirs\n" + changed);
     put(with_color("<.5,.2,.2>"));  // the same line
     REQUIRE(write());

@@ -1,0 +1,80 @@
+#!/usr/bin/env bash
+# Bodies and lights are dragged by their handles, copied and removed in the text; with real keys and mouse on a virtual
+# display.
+#
+#   tests/window/drag.sh STRAHL
+#
+# Exit status: 0 all as expected, 1 not, 77 a tool is missing.
+set -uo pipefail
+source "$(dirname -- "$0")/window.sh"
+own_display 640x400 "import convert" "$@"
+
+# drag X Y DX DY: drags from there, in two steps.
+drag() {
+    xdotool mousemove --window "$id" "$1" "$2" sleep 0.1 mousedown 1 sleep 0.1
+    xdotool mousemove_relative -- "$3" "$4" sleep 0.1 mousemove_relative -- "$3" "$4" sleep 0.1 mouseup 1
+}
+# writes PATTERN: F2 writes a file with a line that matches.
+writes() {
+    xdotool key F2
+    await 'written into'
+    grep -q -e "$1" scene.rt || fault "no line has '$1': $(<scene.rt)"
+}
+# find_color COLOR: waits for it left of the panel, and puts the place in the middle of its upper edge into x and y.
+find_color() {
+    local i found width
+    for ((i = 0; i < 60; ++i)); do
+        import -window "$id" shot.png
+        read -r found width x y < <(convert shot.png -crop 340x400+0+0 +repage -fill black +opaque "#$1" \
+            -format '%[fx:maxima>0] %@\n' info: | tr 'x+' '  ' | cut -d' ' -f1,2,4,5)
+        [[ $found == 1 ]] && x=$((x + width / 2)) && return
+        sleep 0.1
+    done
+    fault "there is nothing of this colour: $1"
+}
+
+put "$camera" 'light { position <-5, 0, 10>  color <.9, .9, .9> }' 'light { position <-3, -3, .5>  color <.2, 0, .2> }' \
+    'sphere { <-2, 0, 1>, 1 }  // the ball' \
+    'box { <-4, 1, 0>, <-3, 2, 1>' '  material { rgb <.2, .6, .2> } }' 'plane { <0, 0, 0>, <1, 0, 0>, <0, 1, 0> }'
+cp scene.rt first.rt
+start scene.rt --size 640x400 --depth 2
+
+echo "-- a ball is dragged upwards along its axis, by round distances with Ctrl, and written in place; undone at once"
+xdotool mousemove --window "$id" 186 160 click 1
+await 'chosen: body 1, sphere, line 4'
+find_color 5A8CFF
+drag "$x" "$y" 0 -20
+writes '^sphere { <-2, 0, [1-3]\.[0-9]*>, 1 }  // the ball$'
+[[ $(diff first.rt scene.rt | grep -c '^<') == 1 ]] || fault "more than a line has changed: $(diff first.rt scene.rt)"
+xdotool key ctrl+z
+await 'undone'
+writes '^sphere { <-2, 0, 1>, 1 }  // the ball$'
+cmp first.rt scene.rt || fault "undone is not the file as it was"
+find_color 5A8CFF
+xdotool keydown Control_L
+drag "$x" "$y" 0 -20
+xdotool keyup Control_L
+writes '^sphere { <-2, 0, [1-3]\(\.[1-9]\)\?>, 1 }  // the ball$'
+xdotool key ctrl+z
+
+echo "-- it is copied, and the copy removed"
+xdotool key ctrl+d
+await 'body 1 copied'
+writes '^sphere { <-2, 0, 1>, 1 }$'
+[[ $(wc -l <scene.rt) == 8 ]] || fault "not one line more: $(<scene.rt)"
+xdotool key Delete
+await 'body 2 removed; Ctrl+Z brings it back'
+writes '^sphere'
+cmp first.rt scene.rt || fault "removed is not the file as it was"
+
+echo "-- a light is shown, chosen and dragged across the view"
+xdotool key l
+await 'lights are shown'
+find_color FF00FF
+xdotool mousemove --window "$id" "$x" "$((y + 3))" click 1
+await 'chosen: light 2, light, line 3'
+drag "$x" "$((y + 3))" 20 -10
+writes '^light { position <-[12]\.[0-9]*, -[0-9.]*, [0-9.]*>  color <.2, 0, .2> }$'
+[[ $(diff first.rt scene.rt | grep -c '^<') == 1 ]] || fault "more than a line has changed: $(diff first.rt scene.rt)"
+quit
+finish
